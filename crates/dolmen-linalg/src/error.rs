@@ -24,7 +24,7 @@ pub enum LinalgError {
         rows: usize,
         /// Columns given.
         columns: usize,
-        /// What is allowed.
+        /// The allowed range.
         needed: &'static str,
     },
     /// A Cholesky pivot is not positive.

@@ -4,14 +4,15 @@ use crate::{LinalgError, Matrix, Svd, qr, svd};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 
-/// Vectors that are multiplied at once: fewer read the operator more often, more need a larger space.
+/// Number of vectors that are multiplied together: fewer vectors read the operator more often, more need a larger space.
 const BLOCK: usize = 16;
 /// Residual over the largest singular value at which a triplet has converged: a few hundred roundings, as a full
 /// decomposition leaves them.
 const RESIDUAL_MOST: f64 = 5e-14;
 /// The space may grow to this many times the vectors asked before the iteration gives up.
 const SPACE_MOST: usize = 16;
-/// A new direction this small beside the largest singular value is rounding: the operator has no more.
+/// Relative norm, to the largest singular value, below which a new direction is rounding: the operator then has no
+/// further directions.
 const DIRECTION_LEAST: f64 = 1e-14;
 
 /// A linear map and its transpose, each known by what it does to a block of columns.
@@ -21,12 +22,12 @@ pub trait Operator {
     /// A X.
     ///
     /// # Errors
-    /// What the map itself raises.
+    /// Any error of the map itself.
     fn times(&self, x: Matrix) -> Result<Matrix, LinalgError>;
     /// Aᵀ Y.
     ///
     /// # Errors
-    /// What the map itself raises.
+    /// Any error of the map itself.
     fn transpose_times(&self, y: Matrix) -> Result<Matrix, LinalgError>;
 }
 

@@ -34,7 +34,7 @@ pub enum FileError {
     Unreadable {
         /// The file, as a user would look for it.
         shown: String,
-        /// What the system says.
+        /// Message of the operating system.
         why: Both,
     },
     /// It is larger than its kind allows.
@@ -55,7 +55,7 @@ pub enum FileError {
     NotAFile {
         /// The file, as a user would look for it.
         shown: String,
-        /// What it is: "a pipe".
+        /// Kind of the file: "a pipe".
         what: Both,
     },
     /// There is no file of this name.
@@ -67,7 +67,7 @@ pub enum FileError {
     Backslash {
         /// The file, as a user would look for it.
         shown: String,
-        /// The same with slashes.
+        /// The path with forward slashes.
         slashes: String,
     },
     /// There is no file of this name, but one of a similar name.

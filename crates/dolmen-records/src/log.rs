@@ -63,14 +63,14 @@ pub enum LogError {
     NoTime {
         /// The line, from 1.
         line: usize,
-        /// What stands there.
+        /// The content found there.
         found: String,
     },
     /// A cell is no number.
     NotANumber {
         /// The line, from 1.
         line: usize,
-        /// What stands there.
+        /// The content found there.
         found: String,
     },
 }

@@ -39,12 +39,12 @@ pub enum ScoreFormError {
     NoNumber {
         /// The key of the row.
         key: &'static str,
-        /// What stands there.
+        /// The content found there.
         given: String,
     },
     /// A number of storeys that is not whole.
     NotWhole {
-        /// What stands there.
+        /// The content found there.
         given: String,
     },
 }

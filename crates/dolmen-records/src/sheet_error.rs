@@ -17,7 +17,7 @@ pub enum SheetError {
     NotATable,
     /// It cannot be read.
     Unreadable {
-        /// What the reader says.
+        /// Message of the workbook reader.
         why: String,
     },
     /// It unpacks to more than it may.
@@ -54,12 +54,12 @@ pub enum SheetError {
     NoSuchSheet {
         /// The name.
         name: String,
-        /// Those there are.
+        /// The existing names.
         known: String,
     },
     /// Several sheets, of which one must be named.
     SeveralSheets {
-        /// Those there are.
+        /// The existing names.
         known: String,
     },
     /// Several sheets of a workbook of samples have values.
@@ -85,7 +85,7 @@ pub enum SheetError {
     Other {
         /// The cell.
         place: String,
-        /// What it holds.
+        /// Content of the cell.
         what: String,
     },
 }

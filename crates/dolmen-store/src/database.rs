@@ -16,7 +16,7 @@ pub(crate) enum Value {
     Text(String),
 }
 
-/// What stands in a column.
+/// Type of the content of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// A whole number.
@@ -65,7 +65,8 @@ pub(crate) trait Database: Send {
         self.batch("rollback")
     }
 
-    /// Begins a reading transaction: until [`Database::rollback`] everything read is from one moment, whatever others write.
+    /// Begins a reading transaction: until [`Database::rollback`], all reads show the data of one moment, even if others
+    /// write.
     fn begin_reading(&mut self) -> Result<(), StoreError>;
 
     /// The number of the last schema file that was run; 0 for an empty database.

@@ -22,7 +22,7 @@ pub struct Kept {
     pub is_new: bool,
 }
 
-/// What is found under the name of a raw file.
+/// State of the file with the name of a raw file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Standing {
     Sound,

@@ -177,7 +177,7 @@ pub(crate) fn refuse_unknown(database: &mut dyn Database, name: &str) -> Result<
     .into())
 }
 
-/// A time after that of every row, whatever the clocks say, so that the order of events is kept.
+/// A time after that of every row, even if the clock is behind, so that the order of events is kept.
 pub(crate) fn next(database: &mut dyn Database, now_us: i64) -> Result<i64, StoreError> {
     let sql = "select max(at_us) from (select max(at_us) as at_us from adoption union all select max(at_us) from mark \
                union all select max(at_us) from log) as moments";

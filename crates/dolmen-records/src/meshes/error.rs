@@ -22,14 +22,14 @@ pub enum MeshError {
     Number {
         /// The line.
         line: usize,
-        /// What stands there.
+        /// The content found there.
         text: String,
     },
     /// A line that breaks the format.
     Line {
         /// The line.
         line: usize,
-        /// What is wrong.
+        /// The fault.
         what: Both,
     },
     /// A face with a vertex that does not exist.
@@ -52,7 +52,7 @@ pub enum MeshError {
     CutShort {
         /// Where the reader stood.
         offset: usize,
-        /// What it read.
+        /// The unsupported element.
         element: Both,
         /// Which one, from 0.
         number: usize,
@@ -61,7 +61,7 @@ pub enum MeshError {
     Byte {
         /// Where it stands.
         offset: usize,
-        /// What is wrong.
+        /// The fault.
         what: Both,
     },
     /// The file exceeds a limit of the reader.

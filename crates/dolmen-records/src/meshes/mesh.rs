@@ -1,22 +1,22 @@
-//! Triangles, and the words and numbers of the texts that hold them.
+//! Triangle mesh, and parsing of words and numbers in the text formats of meshes.
 
 use super::MeshError;
 use std::collections::BTreeMap;
 
-/// Most corners of one face. Chosen here: more is a damaged file.
+/// Largest number of corners of a face. Chosen here: a file with more is damaged.
 pub(super) const CORNERS_MOST: usize = 65_536;
-/// Largest number of bytes of a mesh for each byte of its file. Chosen here: a binary file of quadrilaterals or hexagons grows threefold, a text
+/// Largest size of a mesh relative to its file, in bytes. Chosen here: a binary file of quadrilaterals or hexagons grows threefold, a text file
 /// less.
 const EXPANSION_MOST: usize = 4;
-/// Bytes of a mesh allowed for any file. Chosen here: two million triangles and vertices do no harm.
+/// Size of a mesh that is always allowed, bytes. Chosen here: two million triangles and vertices fit in any memory.
 const EXPANDED_FREE: usize = 64 << 20;
 
-/// Triangles between vertices, in the unit of the file.
+/// Triangles and their vertices, in the unit of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// Corners, in the unit of the file: none of the formats says which.
+    /// Vertices, in the unit of the file: no mesh format states the unit.
     pub vertices: Vec<[f64; 3]>,
-    /// Corners of each triangle, from 0; counterclockwise seen from outside, if the file keeps to the custom.
+    /// Vertex indices of each triangle, from 0; counterclockwise seen from outside, if the file follows the usual convention.
     pub triangles: Vec<[usize; 3]>,
 }
 
@@ -29,7 +29,7 @@ impl Mesh {
         self
     }
 
-    /// Merges vertices in exactly the same place, and drops triangles with two of them.
+    /// Merges vertices with identical coordinates, and drops triangles that then have two equal vertices.
     pub fn merged(self) -> Self {
         let mut merging = Merging::default();
         let places: Vec<usize> = self.vertices.into_iter().map(|v| merging.place(v)).collect();
@@ -46,7 +46,7 @@ impl Mesh {
         }
     }
 
-    /// Refuses a mesh that is much larger than its file of this size.
+    /// Refuses a mesh that is much larger than its file of `bytes` bytes.
     pub(super) fn refuse_expansion(&self, bytes: usize) -> Result<(), MeshError> {
         const OF_ONE: usize = 24; // three numbers, or three corners
         let held = OF_ONE * (self.vertices.len() + self.triangles.len());
@@ -66,7 +66,7 @@ impl Mesh {
     }
 }
 
-/// Collects a mesh, and merges vertices in exactly the same place.
+/// Collects a mesh; merges vertices with identical coordinates.
 #[derive(Default)]
 pub(super) struct Merging {
     pub(super) mesh: Mesh,
@@ -74,7 +74,7 @@ pub(super) struct Merging {
 }
 
 impl Merging {
-    /// Index of the vertex.
+    /// Index of the vertex, which is added if it is new.
     pub(super) fn place(&mut self, vertex: [f64; 3]) -> usize {
         let key = vertex.map(|value| (value + 0.0).to_bits()); // −0 is 0
         *self.numbers.entry(key).or_insert_with(|| {
@@ -91,7 +91,7 @@ impl Merging {
     }
 }
 
-/// A finite number.
+/// Parses a finite number.
 pub(super) fn number(word: &[u8], line: usize) -> Result<f64, MeshError> {
     let text = String::from_utf8_lossy(word);
     match text.parse::<f64>() {
@@ -103,7 +103,7 @@ pub(super) fn number(word: &[u8], line: usize) -> Result<f64, MeshError> {
     }
 }
 
-/// Words of a line.
+/// The words of a line.
 pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
     line.split(u8::is_ascii_whitespace)
         .filter(|word| !word.is_empty())
@@ -113,7 +113,7 @@ pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
 mod tests {
     use crate::meshes::read_mesh;
 
-    /// One corner named again and again: 24 bytes of triangles of each of a few bytes.
+    /// The same vertex repeated: every few bytes of the file give a triangle of 24 bytes.
     #[test]
     fn refuses_a_small_file_of_endless_faces() {
         let obj =

@@ -48,7 +48,7 @@ impl Kind {
 struct Property {
     name: Vec<u8>,
     kind: Kind,
-    /// Of a list, the type of its length.
+    /// Type of the length, if the property is a list.
     length: Option<Kind>,
 }
 
@@ -242,7 +242,7 @@ struct Body<'a> {
 }
 
 impl Body<'_> {
-    /// What an error message names: the line of a text, the byte of a binary file.
+    /// Position for an error message: line of a text file, byte of a binary file.
     fn place(&self) -> usize {
         if self.coding == Coding::Text {
             self.line

@@ -1,4 +1,4 @@
-//! The channels of a motion file: detects the format from the content, determines unit and step, and checks peaks.
+//! Reads the channels of a motion file: detects the format from the content, determines unit and time step, and checks peaks.
 
 use super::plausible::refuse_implausible;
 use super::{MotionError, MotionFormat, MotionOptions, Orientation, SeismicError, StatedPeak, text};
@@ -8,40 +8,42 @@ use crate::workbook::{is_workbook, workbook_as_csv};
 use crate::wrong::OfStation;
 use dolmen::signal::Quantity;
 
-/// Relative difference allowed between the peak of a channel and that in its header. Chosen here: headers print 3 digits or more.
+/// Largest relative difference between the peak of a channel and that in its header. Chosen here: headers print 3 digits or more.
 const PEAK_TOLERANCE: f64 = 0.01;
 
-/// Relative difference below which two time steps are equal. Chosen here: rounding of printed digits only.
+/// Relative difference below which two time steps count as equal. Chosen here: only for the rounding of printed digits.
 const STEP_TOLERANCE: f64 = 1e-6;
 
-/// One channel as read.
+/// One channel of a motion file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComponentReading {
     /// Format of the file.
     pub format: MotionFormat,
-    /// Name of the channel in the file: "HI.ARS1.HNE", "Chan 1", "AOM004 E-W"; "" without one.
+    /// Name of the channel in the file: "HI.ARS1.HNE", "Chan 1", "AOM004 E-W"; "" if it has none.
     pub name: String,
-    /// Title of the file: earthquake, station, direction; "" without one.
+    /// Title of the file: earthquake, station, direction; "" if it has none.
     pub title: String,
     /// Acceleration, m/s².
     pub acceleration_m_s2: Vec<f64>,
-    /// Between samples, s.
+    /// Time between samples, s.
     pub time_step_s: f64,
     /// Unit of the numbers in the file.
     pub unit: Unit,
     /// Direction of positive numbers, if the file states it.
     pub orientation: Option<Orientation>,
-    /// The first sample, seconds from 1 January 1970 in the clock of the file, if it says it.
+    /// Time of the first sample, s from 1 January 1970 by the clock of the file, if the file states it.
     pub begins_s: Option<f64>,
-    /// The mean that was subtracted, m/s²: for K-NET and KiK-net files, whose numbers have an offset by definition.
+    /// The mean that was subtracted, m/s². Only for K-NET and KiK-net files, whose numbers have an offset by definition.
     pub mean_subtracted_m_s2: Option<f64>,
 }
 
-/// All channels of a motion file: AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, text in columns, or a workbook (XLSX) with one sheet of them.
+/// Reads all channels of a motion file: AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, text in columns, or a workbook (XLSX) with one sheet of
+/// columns.
 ///
 /// # Errors
-/// [`MotionError`] with the place in the file and the remedy: no unit, a unit or a step that contradicts the file, a peak that no earthquake has
-/// or that differs from the header, a value that is not a number, fewer or more samples than in the header, a gap between records.
+/// [`MotionError`], with the place in the file and what to do, for a missing unit, a unit or step that contradicts the file, a peak that is
+/// impossible for an earthquake or differs from the header, a value that is not a number, a number of samples that differs from the header, or a
+/// gap between records.
 ///
 /// # Example
 /// ```
@@ -68,7 +70,7 @@ pub fn read_channels(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Compon
     each.collect()
 }
 
-/// The channels, checked against the options of the user.
+/// The channels, checked against the options.
 fn checked_raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     if let Some(given) = options.time_step_s
         && !(given > 0.0 && given.is_finite())
@@ -83,7 +85,7 @@ fn checked_raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Motion
     raw(bytes, options)
 }
 
-/// The numbers of each channel as printed in the file; a file of no seismic format is text in columns, or a workbook.
+/// The numbers of each channel as printed in the file. A file without a seismic format is read as text in columns, or as a workbook.
 fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     if is_workbook(bytes) {
         return text::read(
@@ -97,10 +99,10 @@ fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     }
 }
 
-/// One channel of a motion file: the only one, or that of [`MotionOptions::channel`].
+/// Reads one channel of a motion file: its only channel, or that of [`MotionOptions::channel`].
 ///
 /// # Errors
-/// As [`read_channels`]; [`MotionError::Channels`] for a file with several if the options name none.
+/// As [`read_channels`]; [`MotionError::Channels`] for a file with several channels if the options select none.
 ///
 /// # Example
 /// ```
@@ -116,7 +118,7 @@ pub fn read_component(bytes: &[u8], options: &MotionOptions) -> Result<Component
     finished(channels.swap_remove(at), options)
 }
 
-/// The only channel, or the one in the options: by its name, in any case and with or without its unit, or by its number from 1.
+/// Index of the only channel, or of the one in the options: by its name, in any case and with or without its unit, or by its number from 1.
 fn chosen(channels: &[Raw], given: Option<&str>) -> Result<usize, MotionError> {
     let names = || channels.iter().map(|channel| channel.name.clone()).collect();
     let Some(given) = given else {
@@ -143,7 +145,7 @@ fn chosen(channels: &[Raw], given: Option<&str>) -> Result<usize, MotionError> {
         })
 }
 
-/// What a count is worth by the response of its channel, where responses are given and the file names no unit.
+/// Sets the value of a count from the instrument response of the channel, if responses are given and the file states no unit.
 fn respond(raw: &mut Raw, options: &MotionOptions) -> Result<(), MotionError> {
     if options.responses.is_empty() || raw.unit.is_some() {
         return Ok(());
@@ -171,7 +173,7 @@ fn respond(raw: &mut Raw, options: &MotionOptions) -> Result<(), MotionError> {
     Ok(())
 }
 
-/// A channel in SI units.
+/// Converts a channel to SI units.
 fn finished(mut raw: Raw, options: &MotionOptions) -> Result<ComponentReading, MotionError> {
     respond(&mut raw, options)?;
     let other = match raw.quantity {

@@ -68,7 +68,7 @@ pub enum MotionError {
     StepDisagrees {
         /// The step given, s.
         given: f64,
-        /// That of the file, s.
+        /// Time step in the file, s.
         found: f64,
     },
     /// The given time step is not allowed.

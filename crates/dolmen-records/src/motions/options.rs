@@ -21,15 +21,15 @@ pub struct MotionOptions {
     pub channel: Option<String>,
     /// Factor from the numbers to the unit: 1 (default), or the value of one count of a recorder.
     pub factor: f64,
-    /// What a count of a channel is worth, by the responses that its network publishes: they stand for unit and factor of the channels that they
-    /// name. A channel of counts that none names is refused where there are any.
+    /// Instrument responses published by the network. They give unit and factor of a count for the channels that they name. If there are any, a
+    /// channel in counts without a response is refused.
     pub responses: Vec<Response>,
     /// Whether the peak in a header must be that of its samples. Default: yes.
     pub stated_peak: StatedPeak,
     /// Range of peaks of one component, m/s²; others are refused as a mistaken unit. Default 0.001 g to 5 g, chosen here: smaller ones are not
     /// felt, and larger ones were never recorded on the ground.
     pub plausible_peak_m_s2: RangeInclusive<f64>,
-    /// What to do where the components are not equally long. Default: refuse.
+    /// What to do if the components differ in length. Default: refuse.
     pub lengths: Lengths,
 }
 

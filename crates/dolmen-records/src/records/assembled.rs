@@ -46,7 +46,7 @@ pub(super) fn assembled(found: FileSeries, options: &RecordOptions) -> Result<Re
     })
 }
 
-/// The same record with the reading as the first step of its history.
+/// The record, with the reading as the first step of its processing history.
 fn reread(
     record: Record,
     format: &str,
@@ -88,7 +88,7 @@ pub(super) fn factors(options: &RecordOptions, channels: usize) -> Vec<f64> {
 /// The requested channels, with the names of the project.
 struct RequestedChannels {
     pieces: Vec<Piece>,
-    /// Their unit in the file, or their several units.
+    /// Unit of the columns in the file, or their units if they differ.
     unit: String,
     /// Whether their starts are clock times, not only relative to one another.
     clocked: bool,

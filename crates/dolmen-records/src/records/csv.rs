@@ -1,7 +1,7 @@
-//! CSV: one line for each sample, one column for each channel, in any common dialect.
+//! Reads CSV files: one line per sample, one column per channel, in any common dialect.
 //!
-//! There are two paths through a line. Plain numbers are scanned in place; a cell that is not plain (quotes, blanks, more digits than a double
-//! holds) is cut out and parsed by the standard library, which also gives the errors.
+//! A line is read in two ways. Plain numbers are parsed in place. Any other cell (with quotes, blanks or more digits than a double holds) is
+//! cut out and parsed by the standard library, which also gives the errors.
 
 use super::column_units::{NamedColumn, refuse_other_units};
 use super::csv_start::{Start, TimeName, WordOfTime, time_name, unit_of_named_time};
@@ -18,28 +18,28 @@ use crate::text_code::decoded;
 use dolmen::signal::{Channel, Processing, Record, SignalError};
 use std::ops::Range;
 
-/// Number of lines transposed into channel order at a time: few enough for a first-level cache, many enough to write whole cache lines for each
-/// channel.
+/// Number of lines that are transposed into channel order at a time: few enough for the first-level cache, and enough to write whole cache
+/// lines for each channel.
 const ROWS_AT_ONCE: usize = 64;
-/// Similarity (Jaro–Winkler) from which a name is suggested.
+/// Least similarity (Jaro–Winkler) for suggesting a name.
 const SIMILAR: f64 = 0.7;
-/// A channel whose steps all agree to this fraction of the first is a counter or a time. Chosen here.
+/// A channel is a counter or a time if all its steps agree with the first within this fraction. Chosen here.
 const COUNT_TOLERANCE: f64 = 1e-3;
 
-/// A record from the bytes of a CSV file.
+/// Reads a record from the bytes of a CSV file.
 ///
-/// Delimiter, decimal sign, header and time column are detected unless `options` give them. The rate is that of the time stamps, which must be
-/// even, or [`RecordOptions::sampling_rate_hz`].
+/// Delimiter, decimal sign, header and time column are detected unless `options` give them. The sampling rate comes from the time stamps, which
+/// must have equal steps, or from [`RecordOptions::sampling_rate_hz`].
 ///
 /// # Errors
-/// [`RecordError`], which names the line and the column: text in a column of numbers, a missing sample, a line with more or
-/// fewer cells, uneven time stamps, no rate, a column that is not there.
+/// [`RecordError`], with the line and the column, for text in a column of numbers, a missing sample, a line with too many or too few cells,
+/// unequal time steps, no sampling rate, or a column that does not exist.
 ///
 /// # Limits
 /// Time stamps are numbers, not dates. If the options give both the rate and the columns, the first and the last date of a column of dates are
-/// compared with the rate; those between are ignored. In a file without an end of its last line, the last number may be cut short: see
-/// [`CsvLayout::last_line_ended`]. Text is UTF-8, or CP949 (EUC-KR) throughout; with any other encoding, columns whose names are not ASCII get
-/// numbers as names.
+/// compared with the rate, and the dates between are ignored. If the last line has no line end, its last number may be cut short: see
+/// [`CsvLayout::last_line_ended`]. Text is UTF-8 or CP949 (EUC-KR). With another encoding, a column whose name is not ASCII gets a number as
+/// its name.
 ///
 /// # Example
 /// ```
@@ -57,7 +57,7 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     let bytes = &*text.bytes;
     let start = Start::find(bytes, options)?;
     let time = find_time(&start, &options.time)?;
-    // dates: the options give all the information of time stamps
+    // for a column of dates the options give all that time stamps would give
     let told =
         options.time == TimeColumn::Detect && options.sampling_rate_hz.is_some() && !options.picks.is_empty();
     let time = time.filter(|t| start.numeric[t.column] || !told);
@@ -192,8 +192,8 @@ fn find_column(start: &Start, column: &Column) -> Result<usize, RecordError> {
         }
         Column::Named(name) => name,
     };
-    let name = shown(given); // as the names of columns are kept
-    // a name may leave out the unit that stands in the line below it
+    let name = shown(given); // in the form in which column names are kept
+    // the name may omit the unit, which is in the line below
     let without_unit = |c: &str| c.rsplit_once(" (").is_some_and(|(bare, _)| bare == name);
     let by_bare_name = start.units_apart && !columns.contains(&name);
     let is_asked = |c: &str| c == name || (by_bare_name && without_unit(c));
@@ -216,7 +216,7 @@ fn find_column(start: &Start, column: &Column) -> Result<usize, RecordError> {
     }
 }
 
-/// Use of a cell in a line.
+/// How a cell of a line is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Use {
     Nothing,
@@ -290,10 +290,10 @@ impl Plan {
     }
 }
 
-/// The contents of the lines.
+/// Samples and time stamps of all lines.
 #[derive(Debug)]
 struct Table {
-    /// Channel after channel.
+    /// All samples of the first channel, then those of the next.
     samples: Vec<f64>,
     kept: Option<UsableRows>,
 }
@@ -302,7 +302,7 @@ impl Table {
     fn read(bytes: &[u8], start: &Start, plan: &Plan, options: &RecordOptions) -> Result<Self, RecordError> {
         let count = plan.channels.len();
         let body = &bytes[start.samples_at..];
-        // a line has an end, except the last, and at least two bytes for each cell: this bounds the memory
+        // every line but the last has a line end, and each cell takes at least two bytes: this bounds the memory
         let lines_most = memchr::memchr_iter(b'\n', body).count() + 1;
         let rows_most = lines_most.min(body.len() / (2 * plan.uses.len()) + 1);
         let mut samples = vec![0.0; rows_most * count];
@@ -355,7 +355,7 @@ impl Table {
     }
 }
 
-/// The series, `length` long each, with lost samples filled.
+/// The series, each of `length` samples, with lost samples filled.
 fn with_filled(series: &[f64], length: usize, lost: &[Range<usize>]) -> Result<Vec<f64>, SignalError> {
     let missing: usize = lost.iter().map(Range::len).sum();
     let mut all = Vec::with_capacity((length + missing) * (series.len() / length));
@@ -382,7 +382,7 @@ fn transpose(rows: &[f64], series: &mut [f64], from: usize, stride: usize) {
     }
 }
 
-/// One line and its cells to read.
+/// One line, and which of its cells to read.
 struct LineReader<'a> {
     text: &'a [u8],
     number: usize,
@@ -420,7 +420,7 @@ impl LineReader<'_> {
             }
         }
         let rest = &self.text[at..];
-        // only blanks may follow, and the delimiter at the end of every line in some files
+        // only blanks may follow, or the delimiter with which some files end every line
         let rest = match rest.split_first() {
             Some((first, more)) if self.start.trailing_delimiter && delimiter.is(*first) => more,
             _ => rest,
@@ -461,7 +461,7 @@ impl LineReader<'_> {
         at
     }
 
-    /// End of the cell that begins at `at`. A delimiter within quotes does not end it.
+    /// End of the cell that begins at `at`. A delimiter inside quotes is part of the cell.
     fn cell_end(&self, at: usize) -> usize {
         let mut quoted = false;
         let end = self.text[at..].iter().position(|b| {
@@ -478,7 +478,7 @@ impl LineReader<'_> {
         let (line, name) = (self.number, || self.start.columns[column].clone());
         let text = || String::from_utf8_lossy(cell).into_owned();
         if cell.is_empty() {
-            // a line that is too short is reported as ragged, not as an empty last cell
+            // a line that is too short is reported as such, not as an empty last cell
             return Err(if end == self.text.len() && self.cells() < self.uses.len() {
                 self.ragged()
             } else {
@@ -522,7 +522,7 @@ impl LineReader<'_> {
     }
 }
 
-/// Refuses a channel that rises by the same step throughout: an unrecognised time column, or a line counter.
+/// Refuses a channel with constant positive steps: it is a time column that was not recognised, or a line counter.
 pub(super) fn refuse_counts(samples: &[f64], length: usize, channels: &[Channel]) -> Result<(), RecordError> {
     for (x, channel) in samples.chunks_exact(length).zip(channels) {
         if length <= 2 {

@@ -1,9 +1,10 @@
-//! A record as CSV: time, then one column a channel, in SI units.
+//! Writes a record as CSV: time, then one column per channel, in SI units.
 
 use dolmen::signal::{Quantity, Record};
 use std::fmt::Write as _;
 
-/// A record as the text of a CSV file, to the last bit: `time (s)` from 0, then each channel under its name and unit.
+/// A record as the text of a CSV file without loss of digits: `time (s)` from 0, then each channel under its name and
+/// unit.
 ///
 /// ```
 /// use dolmen::signal::{Channel, Record};
@@ -35,7 +36,7 @@ pub fn record_csv(record: &Record) -> String {
         let _ = write!(text, "{}", i as f64 / record.sampling_rate_hz());
         for samples in &all {
             let _ = match samples[i] {
-                // the shortest that is read as the same number
+                // the shortest text that is read as the same number
                 sample if sample != 0.0 && !(1e-5..1e15).contains(&sample.abs()) => {
                     write!(text, ",{sample:e}")
                 }

@@ -31,7 +31,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The same position, in big-endian order or not.
+    /// The cursor at the same position, with big-endian or little-endian order.
     pub(super) fn ordered(self, big: bool) -> Self {
         Cursor { big, ..self }
     }

@@ -12,7 +12,7 @@ const RATE_TOLERANCE: f64 = 1e-4;
 pub(super) enum Dates {
     /// There are none.
     None,
-    /// They agree with it.
+    /// The dates agree with the given rate.
     Agree,
     /// A column that looks like dates cannot be read.
     Unread(String),

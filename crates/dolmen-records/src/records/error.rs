@@ -1,4 +1,4 @@
-//! Why a record cannot be read.
+//! Errors of reading a record.
 
 use super::not_a_table::NotATable;
 use crate::limits::LimitError;
@@ -7,42 +7,42 @@ use crate::sheet_error::SheetError;
 use dolmen::signal::SignalError;
 use dolmen_words::message::Both;
 
-/// Why the bytes of a file are not a record. Each variant gives the place in the file and the remedy. Lines and columns are counted from 1.
+/// Why the bytes of a file are not a record. Each variant gives the place in the file and what to do. Lines and columns are counted from 1.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RecordError {
-    /// No bytes, or nothing but empty lines and comments.
+    /// The file has no bytes, or only empty lines and comments.
     Empty,
-    /// Names but no samples.
+    /// The file has column names but no samples.
     OnlyHeader {
         /// Line of the header.
         line: usize,
     },
-    /// The first line holds names and numbers.
+    /// The first line mixes names and numbers.
     UnclearHeader {
         /// The line.
         line: usize,
     },
-    /// Not a table of numbers; the error quotes nothing of it.
+    /// The file is not a table of numbers. The error quotes none of its content.
     NotATable(NotATable),
-    /// The workbook is refused.
+    /// The workbook cannot be read.
     Workbook {
-        /// Why.
+        /// The reason.
         why: SheetError,
     },
-    /// Text of two bytes a letter.
+    /// Text in UTF-16, with two bytes per character.
     Utf16,
     /// The unit is not one of [`Unit`](super::Unit).
     UnknownUnit {
         /// The text given.
         given: String,
     },
-    /// A cell is no number.
+    /// A cell is not a number.
     NotANumber {
         /// Line of the file.
         line: usize,
         /// Name of the column.
         column: String,
-        /// What stands there.
+        /// Content of the cell.
         text: String,
     },
     /// A time stamp is a date or other text.
@@ -51,10 +51,10 @@ pub enum RecordError {
         line: usize,
         /// Name of the time column.
         column: String,
-        /// What stands there.
+        /// Content of the cell.
         text: String,
     },
-    /// An empty cell.
+    /// A cell is empty.
     EmptyCell {
         /// Line of the file.
         line: usize,
@@ -67,93 +67,93 @@ pub enum RecordError {
         line: usize,
         /// Name of the column.
         column: String,
-        /// What stands there.
+        /// Content of the cell.
         text: String,
     },
     /// The options name a column that does not exist.
     UnknownColumn {
-        /// The name asked for.
+        /// The requested name.
         given: String,
         /// The most similar name, if any is similar.
         nearest: Option<String>,
-        /// The names there are.
+        /// The existing names.
         names: Vec<String>,
     },
-    /// The options ask for a column by a number that does not exist.
+    /// The options give a column number that does not exist.
     ColumnNumber {
-        /// The number asked for.
+        /// The requested number.
         given: usize,
-        /// Columns of the file.
+        /// Number of columns in the file.
         columns: usize,
     },
     /// A column is requested twice.
     PickedTwice {
         /// The column.
         column: String,
-        /// What it is read as first.
+        /// The first use of the column.
         first: String,
-        /// What it is read as then.
+        /// The second use of the column.
         second: String,
     },
-    /// Two columns have the same name, and one of them is requested by it.
+    /// Several columns have the same name, and the options request that name.
     AmbiguousColumn {
-        /// The name asked for.
+        /// The requested name.
         given: String,
-        /// Columns of that name.
+        /// Number of columns with that name.
         count: usize,
     },
-    /// A line holds more or fewer cells than the first.
+    /// A line has more or fewer cells than the lines before.
     Ragged {
         /// Line of the file.
         line: usize,
-        /// Cells in it.
+        /// Number of cells in the line.
         found: usize,
-        /// Cells in the lines before.
+        /// Number of cells in the lines before.
         expected: usize,
-        /// Whether it is the last line, without a line end.
+        /// Whether this is the last line of the file and has no line end.
         last: bool,
     },
-    /// Numbers have decimal commas between commas that separate the cells.
+    /// Numbers have decimal commas, and commas also separate the cells.
     DecimalCommas {
         /// Line of the file.
         line: usize,
-        /// Cells in it.
+        /// Number of cells in the line.
         found: usize,
-        /// Names of columns.
+        /// Number of column names.
         expected: usize,
     },
-    /// Only a time column.
+    /// The only column is the time column.
     OnlyTime {
         /// Name of the time column.
         column: String,
     },
-    /// Neither a rate nor a time column.
+    /// The file has no time column, and the options give no rate.
     NoRate {
         /// The names of the columns.
         names: Vec<String>,
     },
-    /// NPY files do not contain a rate, and none is given.
+    /// NPY files do not contain a rate, and the options give none.
     NoRateNpy,
-    /// A channel that looks like time stamps.
+    /// A channel looks like time stamps.
     LooksLikeTime {
         /// The column.
         column: String,
-        /// Its constant step.
+        /// Constant step between its samples.
         step: f64,
     },
-    /// Dates contradict the rate given.
+    /// The dates contradict the given rate.
     DatesDisagree {
-        /// The rate given, Hz.
+        /// The given rate, Hz.
         given: f64,
         /// Name of the column.
         column: String,
-        /// Its first cell.
+        /// First cell of the column.
         first: String,
-        /// Its last cell.
+        /// Last cell of the column.
         last: String,
-        /// Samples.
+        /// Number of samples.
         samples: usize,
-        /// The rate of the dates, Hz.
+        /// The rate that follows from the dates, Hz.
         dates_hz: f64,
     },
     /// Samples are missing between two dates.
@@ -162,11 +162,11 @@ pub enum RecordError {
         column: String,
         /// Line before the gap.
         line: usize,
-        /// The date there.
+        /// Date before the gap.
         before: String,
-        /// The next.
+        /// Date after the gap.
         after: String,
-        /// Time between both, s.
+        /// Time between both dates, s.
         step_s: f64,
     },
     /// The name of the time column has an unknown unit.
@@ -174,78 +174,78 @@ pub enum RecordError {
         /// Name of the column.
         column: String,
     },
-    /// Time stamps too far apart for seconds.
+    /// The steps between time stamps are too long for seconds.
     SlowStamps {
         /// Name of the column.
         column: String,
-        /// Their first steps, in the unit of the column.
+        /// First step, in the unit of the column.
         step: f64,
-        /// The rate if they are milliseconds, Hz.
+        /// The rate if the unit is milliseconds, Hz.
         milliseconds_hz: f64,
     },
-    /// Time stamps that are not evenly spaced.
+    /// The time stamps are not equally spaced.
     Uneven {
         /// Line of the file.
         line: usize,
-        /// The time stamp there, s.
+        /// Time stamp in this line, s.
         stamp_s: f64,
-        /// Step from the stamp before, s.
+        /// Step from the previous time stamp, s.
         step_s: f64,
-        /// Step of the stamps before, s.
+        /// Step between the earlier time stamps, s.
         expected_step_s: f64,
-        /// Where that step would put this stamp, s.
+        /// Expected time stamp, s.
         expected_s: f64,
     },
     /// The second time stamp is not after the first.
     StampsStand {
         /// Line of the file.
         line: usize,
-        /// The stamp, s.
+        /// The time stamp, s.
         stamp: f64,
-        /// The one before, s.
+        /// The time stamp before it, s.
         before: f64,
     },
-    /// Different steps between coarse time stamps: rounding or a missing sample.
+    /// Coarse time stamps have different steps: by rounding, or because a sample is missing.
     CoarseStamps {
         /// Line of the file.
         line: usize,
-        /// Step from the stamp before, s.
+        /// Step from the previous time stamp, s.
         step_s: f64,
-        /// The step before that, s.
+        /// The step before it, s.
         step_before_s: f64,
-        /// The last digit printed, s.
+        /// Value of the last printed digit, s.
         resolution_s: f64,
     },
     /// The given rate contradicts the time stamps.
     RateDisagrees {
-        /// The rate given, Hz.
+        /// The given rate, Hz.
         given: f64,
-        /// That of the time stamps, Hz.
+        /// The rate of the time stamps, Hz.
         stamps_hz: f64,
     },
-    /// No NPY file.
+    /// The file is not an NPY file.
     NotNpy,
-    /// A later version of NPY.
+    /// The version of the NPY format is too new.
     NpyVersion {
-        /// Its version.
+        /// Major version.
         major: u8,
     },
-    /// The NPY file ends within its header.
+    /// The NPY file ends inside its header.
     NpyHeaderTruncated {
-        /// Bytes of the file.
+        /// Number of bytes in the file.
         bytes: usize,
     },
-    /// The header of the NPY file cannot be understood.
+    /// The header of the NPY file is not valid.
     NpyHeader {
-        /// The header, at most 200 characters of it.
+        /// The first 200 characters of the header.
         text: String,
     },
-    /// Values of another type.
+    /// The NPY file has an unsupported type of number.
     NpyType {
-        /// The type, as NumPy writes it.
+        /// The type in the notation of NumPy.
         given: String,
     },
-    /// An array of no or more than two axes.
+    /// The NPY array has no axis, or more than two.
     NpyShape {
         /// The shape.
         shape: Vec<usize>,
@@ -254,176 +254,177 @@ pub enum RecordError {
     NpyTruncated {
         /// The shape.
         shape: Vec<usize>,
-        /// Whole values held.
+        /// Number of complete values in the file.
         held: usize,
     },
-    /// The NPY file goes on after its last value.
+    /// The NPY file continues after its last value.
     NpyTrailing {
         /// The shape.
         shape: Vec<usize>,
-        /// Bytes too many.
+        /// Number of bytes after the last value.
         extra: usize,
     },
-    /// A column of an NPY file is asked for by name.
+    /// The options request a column of an NPY file by name.
     NpyNamed {
-        /// The name asked for.
+        /// The requested name.
         given: String,
-        /// Channels of the file.
+        /// Number of channels in the file.
         columns: usize,
     },
-    /// The name of a column says another unit than the one given.
+    /// The unit in a column name differs from the given unit.
     ColumnUnitDisagrees {
         /// The column.
         column: String,
         /// The unit in its name.
         found: &'static str,
-        /// The unit given.
+        /// The given unit.
         given: &'static str,
-        /// Factor from one unit to the other; `None` if they measure different quantities.
+        /// Factor between the units; `None` if they measure different quantities.
         scale: Option<f64>,
     },
-    /// The names of two columns say different units.
+    /// The names of two columns have different units.
     ColumnUnitsDiffer {
         /// The column.
         column: String,
         /// The unit in its name.
         found: &'static str,
-        /// A column before it.
+        /// An earlier column.
         other: String,
-        /// The unit in the name of that.
+        /// The unit in its name.
         unit: &'static str,
-        /// Factor from this unit to the other; `None` if they measure different quantities.
+        /// Factor between the units; `None` if they measure different quantities.
         scale: Option<f64>,
     },
-    /// A binary file ends before its header says.
+    /// A binary file is shorter than its header states.
     CutShort {
-        /// Its format.
+        /// Format of the file.
         format: &'static str,
-        /// Bytes it has.
+        /// Number of bytes in the file.
         bytes: usize,
-        /// Bytes that its header asks for.
+        /// Number of bytes that the header requires.
         wanted: u64,
     },
-    /// An invalid value in a binary file.
+    /// A binary file contains an invalid value.
     Damaged {
-        /// Its format.
+        /// Format of the file.
         format: &'static str,
-        /// Where, bytes from 0.
+        /// Position of the value, in bytes from 0.
         at: u64,
-        /// What is wrong.
+        /// The fault.
         what: Both,
     },
-    /// A variant of a format that is not supported.
+    /// The file uses a variant of its format that is not supported.
     NotReadHere {
-        /// Its format.
+        /// Format of the file.
         format: &'static str,
-        /// What it holds.
+        /// The unsupported content.
         what: Both,
         /// What to do.
         instead: Both,
     },
-    /// The file is not of the format that the project names.
+    /// The file does not have the format that the project states.
     NotOfFormat {
-        /// The format named.
+        /// The stated format.
         format: &'static str,
-        /// Description of its beginning: "a miniseed file", "text", "no text". Its text is not quoted, because it may be any file.
+        /// Description of the beginning of the file: "a miniseed file", "text", "no text". The text is not quoted, because it may come from
+        /// any file.
         begins: Both,
     },
-    /// A line of a text file is not what the format has there.
+    /// A line of a text file differs from what the format requires.
     LineIsNot {
-        /// Its format.
+        /// Format of the file.
         format: &'static str,
-        /// The line.
+        /// Line of the file.
         line: usize,
-        /// What stands there, at most 80 characters of it.
+        /// The first 80 characters of the line.
         text: String,
-        /// What must stand there.
+        /// The required content.
         wanted: Both,
     },
     /// A text file ends too early.
     EndsBefore {
-        /// Its format.
+        /// Format of the file.
         format: &'static str,
-        /// The line that is missing.
+        /// The missing line.
         line: usize,
-        /// What it must be.
+        /// The required content.
         wanted: Both,
     },
-    /// A header lacks something.
+    /// The header lacks a value.
     HeaderLacks {
-        /// Its format.
+        /// Format of the file.
         format: &'static str,
         /// What is missing.
         what: Both,
     },
-    /// Not as many samples as the header says.
+    /// The number of samples differs from that in the header.
     SampleCount {
-        /// Its format.
+        /// Format of the file.
         format: &'static str,
-        /// As the header says.
+        /// Number of samples in the header.
         stated: u64,
-        /// As there are.
+        /// Number of samples in the file.
         found: usize,
     },
-    /// Blocks of a channel do not follow one another.
+    /// The blocks of a channel are not continuous in time.
     Gap {
         /// The channel.
         channel: String,
-        /// Where it should begin, s.
+        /// Expected start of the block, s.
         expected_s: f64,
-        /// Where it begins, s.
+        /// Actual start of the block, s.
         found_s: f64,
     },
     /// A variable of a MAT file contradicts the others.
     Variable {
         /// The variable.
         name: String,
-        /// What it does.
+        /// The contradiction.
         what: Both,
     },
-    /// A WAV file without a scale.
+    /// A WAV file has no scale.
     NoFullScale,
-    /// The given unit contradicts that of the numbers.
+    /// The given unit contradicts the unit of the numbers in the file.
     NoScale {
         /// Format of the file.
         format: &'static str,
         /// The channel.
         channel: String,
-        /// What the file says.
+        /// Unit of the numbers in the file.
         found: String,
-        /// The unit given.
+        /// The given unit.
         given: &'static str,
     },
-    /// The given unit contradicts that of the file.
+    /// The given unit contradicts the unit in the file.
     UnitDisagrees {
         /// The channel.
         channel: String,
-        /// The unit given.
+        /// The given unit.
         given: &'static str,
         /// The unit of the file.
         found: &'static str,
     },
     /// The given rate contradicts that of the file.
     FileRateDisagrees {
-        /// The rate given, Hz.
+        /// The given rate, Hz.
         given: f64,
-        /// That of the file, Hz.
+        /// The rate in the file, Hz.
         found: f64,
     },
-    /// A file that does not tell its rate.
+    /// The file does not contain its rate, and the options give none.
     NoRateHere {
-        /// Its format.
+        /// Format of the file.
         format: &'static str,
     },
-    /// A start is given for a file with its own.
+    /// The options give a start time, but the file contains one.
     TwoStarts {
         /// The file.
         file: String,
     },
     /// The file exceeds a limit of the reader.
     Limit(LimitError),
-    /// A file of a seismic station is refused.
+    /// The file of a seismic station cannot be read.
     Seismic(Box<SeismicError>),
-    /// The samples make no record.
+    /// The samples do not form a valid record.
     Signal(SignalError),
 }

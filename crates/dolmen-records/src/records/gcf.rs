@@ -1,15 +1,15 @@
-//! GCF: counts of Güralp recorders, as differences in blocks of 1024 bytes.
+//! Reads GCF files of Güralp recorders: counts stored as differences, in blocks of 1024 bytes.
 //!
 //! | byte | what |
 //! |:--|:--|
-//! | 0, 4 | system and stream, in base 36 |
-//! | 8 | day from 17 November 1989 (15 bits), second of the day (17 bits) |
-//! | 13 | samples a second, or a code; 0 marks text of the recorder |
-//! | 14 | numerator of a part of a second (4 bits), –, differences a word: 1, 2 or 4 (3 bits) |
-//! | 15 | words |
-//! | 16 | first sample; differences, the first of them 0; last sample |
+//! | 0, 4 | names of system and stream, in base 36 |
+//! | 8 | days since 17 November 1989 (15 bits), second of the day (17 bits) |
+//! | 13 | samples per second, or a code; 0 marks a text of the recorder |
+//! | 14 | numerator of the fraction of a second (4 bits), –, differences per word: 1, 2 or 4 (3 bits) |
+//! | 15 | number of words |
+//! | 16 | first sample; differences, the first of which is 0; last sample |
 //!
-//! All numbers are big-endian. The last sample of each block must be the one that the block states.
+//! All numbers are big-endian. The decoded last sample of each block must equal the stated one.
 //!
 //! Source: Güralp (2021) *GCF reference*, SWA-RFC-GCFR issue F.
 
@@ -24,12 +24,13 @@ use std::collections::BTreeMap;
 const FORMAT: &str = "gcf";
 const BLOCK: usize = 1024;
 const HEADER: usize = 16;
-/// Words of a block at most: 1024 bytes less the header and the two samples.
+/// Largest number of words in a block: 1024 bytes minus the header and the two stated samples.
 const WORDS_MOST: usize = (BLOCK - HEADER - 8) / 4;
-/// 17 November 1989, days from 1 January 1970.
+/// 17 November 1989, in days from 1 January 1970.
 const EPOCH_DAY: i64 = 7260;
 const DAY_S: i64 = 86_400;
-/// Codes of rates that are no whole number below 256: code, Hz, parts of a second in which a start may be stated.
+/// Codes of rates that are not whole numbers below 256: code, rate in Hz, denominator of the fraction of a second of
+/// a start time.
 const CODED: [(u8, f64, u32); 10] = [
     (157, 0.1, 1),
     (161, 0.125, 1),
@@ -42,10 +43,10 @@ const CODED: [(u8, f64, u32); 10] = [
     (179, 2000.0, 8),
     (181, 4000.0, 16),
 ];
-/// Relative difference between the start of a block and the end of the one before, in steps.
+/// Difference between the start of a block and the end of the previous one above which there is a gap, in steps.
 const GAP_STEPS: f64 = 0.5;
 
-/// Whether the first block is valid: only its rate, compression and last sample identify the format.
+/// Whether the first block is valid. The format has no signature: rate, compression and last sample identify it.
 pub(super) fn is_gcf(bytes: &[u8]) -> bool {
     let mut cursor = Cursor::new(bytes, FORMAT).ordered(true);
     let whole = bytes.len() >= BLOCK && bytes.len().is_multiple_of(BLOCK);
@@ -54,7 +55,7 @@ pub(super) fn is_gcf(bytes: &[u8]) -> bool {
             .is_ok_and(|block| block.rate_hz == 0.0 || block.samples(&mut cursor).is_ok())
 }
 
-/// Whether a block can begin here.
+/// Whether a block can begin at these bytes.
 pub(super) fn has_header(bytes: &[u8]) -> bool {
     Block::read(&mut Cursor::new(bytes, FORMAT).ordered(true)).is_ok()
 }
@@ -65,7 +66,7 @@ struct Block {
     stream: u32,
     begins_s: f64,
     rate_hz: f64,
-    /// Differences a word: 1, 2 or 4.
+    /// Differences per word: 1, 2 or 4.
     packed: usize,
     words: usize,
 }
@@ -108,7 +109,7 @@ impl Block {
             2 => Number::I16,
             _ => Number::I8,
         };
-        let mut value = f64::from(cursor.i32()?); // whole numbers: doubles hold them and their sums
+        let mut value = f64::from(cursor.i32()?); // whole numbers: doubles hold them and their sums exactly
         let mut samples = number.series(cursor, self.words * self.packed)?;
         if samples.first().is_some_and(|first| *first != 0.0) {
             return Err(cursor.damaged(Damage::FirstDifference));
@@ -128,7 +129,7 @@ impl Block {
     }
 }
 
-/// Letters of a number in base 36.
+/// Decodes a name in base 36.
 fn letters(mut code: u32) -> String {
     const DIGITS: &[u8; 36] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
     let mut text = Vec::new();
@@ -170,7 +171,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
 #[derive(Default)]
 struct Streams {
     series: Vec<Series>,
-    /// Which is that of a system and a stream.
+    /// Index of the stream with this system and name.
     places: BTreeMap<(u32, u32), usize>,
 }
 

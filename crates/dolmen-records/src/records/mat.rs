@@ -1,7 +1,8 @@
-//! MAT version 5 (MATLAB's `-v7` and `-v6`) and version 7.3 (HDF5): numeric matrices, plain or compressed.
+//! Reads MAT files of version 5 (MATLAB's `-v7` and `-v6`) and version 7.3 (HDF5): numeric matrices, plain or compressed.
 //!
-//! The longest side of all numeric matrices is time. Each vector or matrix with that side is read, `acc` or `acc(:,1)`, `acc(:,2)`; a vector `t`
-//! or `time` holds time stamps; a number `fs`, `sampling_rate` … is the rate, `dt` the step. A note lists the other variables.
+//! The longest side of all numeric matrices is the time axis. Each vector or matrix with a side of that length is read, as `acc`, or as `acc(:,1)`,
+//! `acc(:,2)`. A vector `t` or `time` holds time stamps; a scalar `fs`, `sampling_rate` … is the sampling rate, and `dt` the time step. A note lists
+//! the other variables.
 
 use super::hdf5;
 use super::mat_elements::{Matrix, matrices};
@@ -13,7 +14,7 @@ use crate::wrong::Unread;
 use dolmen_words::message::Both;
 
 const FORMAT: &str = "mat";
-/// Names of a number that is the sampling rate, Hz, in lower case without underscores.
+/// Names of a scalar that holds the sampling rate, Hz, in lower case without underscores.
 const RATES: [&str; 8] = [
     "fs",
     "fsamp",
@@ -24,10 +25,10 @@ const RATES: [&str; 8] = [
     "samplingfrequency",
     "freqsampling",
 ];
-/// Names of one that is the step, s.
+/// Names of a scalar that holds the time step, s.
 const STEPS: [&str; 3] = ["dt", "timestep", "ts"];
 const TIMES: [&str; 3] = ["t", "time", "times"];
-/// Deviation allowed in time stamps, in steps. Chosen here: doubles are more accurate.
+/// Largest deviation of time stamps from equal steps, in steps. Chosen here: double precision is more accurate.
 const UNEVEN: f64 = 1e-3;
 
 pub(super) fn is_mat(bytes: &[u8]) -> bool {
@@ -108,7 +109,7 @@ fn names(all: &[Matrix], passed: &[String]) -> Both {
     }
 }
 
-/// Several variables may give the rate: they must agree.
+/// Several variables may give the rate; they must agree.
 fn agreed(known: &mut Option<f64>, rate: f64, name: &str) -> Result<(), RecordError> {
     const TOLERANCE: f64 = 1e-6;
     if !(rate > 0.0 && rate.is_finite()) {
@@ -130,7 +131,7 @@ fn agreed(known: &mut Option<f64>, rate: f64, name: &str) -> Result<(), RecordEr
     }
 }
 
-/// The rate of even time stamps, s.
+/// Sampling rate from equally spaced time stamps, Hz.
 fn stamps(matrix: &Matrix) -> Result<f64, RecordError> {
     let t = &matrix.values;
     let (first, last) = (t[0], t[t.len() - 1]);

@@ -1,10 +1,10 @@
-//! The elements of a MAT file of version 5: tags, matrices, compressed ones.
+//! Reads the elements of a MAT file of version 5: tags, matrices and compressed matrices.
 //!
 //! | element | what |
 //! |:--|:--|
 //! | tag | type (4 bytes), length (4 bytes); or both in 4 bytes, with the value in the next 4 |
 //! | matrix | flags and class, dimensions, name, real part, imaginary part; each padded to 8 bytes |
-//! | compressed | one matrix as zlib stream |
+//! | compressed | one matrix as a zlib stream |
 //!
 //! Source: The MathWorks (2024) *MAT-File Format*.
 
@@ -22,26 +22,26 @@ const COMPRESSED: u32 = 15;
 /// Classes of numbers: double, single, integers of 8 to 64 bits.
 const NUMERIC: std::ops::RangeInclusive<u8> = 6..=15;
 const COMPLEX: u8 = 0x08;
-/// Number of bytes of a packed matrix that are unpacked to identify it. Chosen here: a name in MATLAB has 63 letters, and everything before it
-/// 40 bytes.
+/// Number of bytes of a compressed matrix that are unpacked to identify it. Chosen here: a name in MATLAB has at most 63 letters, and all
+/// fields before it take 40 bytes.
 const HEAD_BYTES: usize = 1024;
 
-/// A real numeric matrix, column by column.
+/// A real numeric matrix, stored column by column.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Matrix {
     pub(super) name: String,
     pub(super) rows: usize,
     pub(super) columns: usize,
-    /// `None` for a matrix that is not needed.
+    /// Empty for a matrix that is not needed.
     pub(super) values: Vec<f64>,
 }
 
-/// Whether a record with this number of samples needs a matrix: a single number, or one as long as the samples.
+/// Whether a record with this number of samples needs a matrix: a scalar, or a matrix with a side of that length.
 pub(super) fn is_wanted([rows, columns]: [usize; 2], samples: usize) -> bool {
     rows.max(columns) == samples || rows.max(columns) == 1
 }
 
-/// Refuses matrices that unpack to too much for a file of this size.
+/// Refuses matrices whose unpacked size is too large for a file of this size.
 pub(super) fn refuse_expansion(file: usize, unpacked: u64) -> Result<(), LimitError> {
     match expanded_most(file) {
         most if unpacked <= most => Ok(()),
@@ -55,18 +55,18 @@ pub(super) fn refuse_expansion(file: usize, unpacked: u64) -> Result<(), LimitEr
     }
 }
 
-/// One element that holds a matrix.
+/// One element with a matrix.
 enum Element<'a> {
     Plain(&'a [u8]),
-    /// Packed; its unpacked bytes, including the tag.
+    /// A compressed element; the size of its unpacked bytes, including the tag.
     Packed(&'a [u8], usize),
 }
 
-/// The header of a matrix; or the name of another variable, with the reason.
+/// Header of a matrix; or the name of another variable, with the reason why it is not read.
 type Head = Result<Matrix, String>;
 
-/// The real numeric matrices of two dimensions, and the names of all other variables. All headers are read first: only needed matrices are
-/// unpacked, and only once their total size is known.
+/// The real numeric matrices of two dimensions, and the names of all other variables. All headers are read first. Only needed matrices are
+/// unpacked, after a check of their total size.
 pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), RecordError> {
     let mut cursor = Cursor::new(bytes, FORMAT);
     cursor.take(HEADER - 4)?;
@@ -95,7 +95,7 @@ pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), Recor
     let unpacked = |(element, head): &(Element, Head)| match (element, head) {
         (Element::Plain(_), _) => 0,
         (Element::Packed(_, length), Ok(m)) if wanted(head) => {
-            // as doubles; a claim of more numbers than bytes is refused below
+            // as doubles; a header with more numbers than bytes is refused below
             let numbers = m.rows.saturating_mul(m.columns).min(*length);
             (*length as u64).max(8 * numbers as u64)
         }
@@ -139,7 +139,7 @@ fn name(head: &Head) -> &str {
     }
 }
 
-/// The element at the cursor and the head of its matrix.
+/// The element at the cursor, and the header of its matrix.
 fn element<'a>(cursor: &mut Cursor<'a>, unpacker: &mut Unpacker) -> Result<(Element<'a>, Head), RecordError> {
     let big = cursor.is_big();
     let tag = Tag::read(cursor)?;
@@ -174,12 +174,12 @@ fn element<'a>(cursor: &mut Cursor<'a>, unpacker: &mut Unpacker) -> Result<(Elem
     Ok(read)
 }
 
-/// Bytes of an element with its tag and its padding.
+/// Size of an element with its tag and padding, bytes.
 fn within_tag(length: usize) -> usize {
     length.next_multiple_of(8) + 8
 }
 
-/// a variable that is ignored without a note would change the record
+/// to ignore a variable without a note would change the record
 fn no_variable(cursor: &Cursor, sort: u32) -> RecordError {
     cursor.damaged(Damage::ElementType { sort })
 }
@@ -188,7 +188,7 @@ fn no_variable(cursor: &Cursor, sort: u32) -> RecordError {
 struct Tag {
     sort: u32,
     length: usize,
-    /// Whether the value is in the tag itself.
+    /// Whether the tag itself contains the value.
     small: bool,
 }
 
@@ -214,7 +214,7 @@ impl Tag {
     }
 }
 
-/// A part of a matrix: its type and its bytes.
+/// A part of a matrix: type and bytes.
 fn part<'a>(cursor: &mut Cursor<'a>) -> Result<(u32, &'a [u8]), RecordError> {
     let tag = Tag::read(cursor)?;
     let data = cursor.take(tag.length)?;
@@ -240,7 +240,7 @@ fn number(sort: u32) -> Option<Number> {
     })
 }
 
-/// The head of the matrix at the cursor.
+/// Header of the matrix at the cursor.
 fn head(cursor: &mut Cursor) -> Result<Head, RecordError> {
     let big = cursor.is_big();
     let (_, flags) = part(cursor)?;
@@ -268,7 +268,7 @@ fn head(cursor: &mut Cursor) -> Result<Head, RecordError> {
         return Ok(Err(format!("{name} ({count} dimensions)")));
     };
     let reason = match class {
-        // what MATLAB keeps of objects is an unnamed array of bytes
+        // MATLAB stores the content of objects as an unnamed array of bytes
         _ if name.is_empty() => Some("unnamed"),
         class if NUMERIC.contains(&class) && flag & COMPLEX != 0 => Some("complex"),
         class if NUMERIC.contains(&class) => None,
@@ -293,7 +293,7 @@ fn head(cursor: &mut Cursor) -> Result<Head, RecordError> {
     }))
 }
 
-/// A matrix, with its values only if needed; or the name of one that is not read, with the reason.
+/// A matrix, with its values only if needed; or the name of a matrix that is not read, with the reason.
 fn matrix(data: &[u8], big: bool, is_wanted: bool) -> Result<Head, RecordError> {
     let mut cursor = Cursor::new(data, FORMAT).ordered(big);
     let mut matrix = match head(&mut cursor)? {
@@ -348,7 +348,7 @@ mod tests {
         bytes
     }
 
-    /// A matrix of numbers of 8 bits, all 1.
+    /// A matrix of 8-bit numbers, all 1.
     fn ones(name: &str, rows: u32, columns: u32) -> Vec<u8> {
         let sides: Vec<u8> = [rows, columns]
             .iter()
@@ -398,7 +398,7 @@ mod tests {
             (held, passed.len()),
             (vec![("acc", 2000), ("other", 0), ("fs", 1)], 0)
         );
-        // parts that are not needed are verified as well
+        // parts that are not needed are checked as well
         let at = header().len() + packed(&ones("acc", 1000, 2)).len() + packed(&ones("other", 30, 10)).len();
         bytes[at - 1] ^= 1;
         assert_eq!(

@@ -1,4 +1,4 @@
-//! Whether a text is a table of numbers. Of any other text errors quote nothing.
+//! Decides whether a text is a table of numbers. Errors never quote other text.
 
 use super::date_text::is_date;
 use super::dialect::{Decimal, Delimiter, Line, unquoted};
@@ -7,7 +7,8 @@ use crate::wrong::DiffersFromATable;
 use dolmen_words::message::{Argument, Run};
 use dolmen_words::{Language, Sentence};
 
-/// A text that is not a table of numbers. A project may name any file of the user who opens it, so the error quotes nothing of the text.
+/// Statistics of a text that is not a table of numbers. A project may name any file of its user, so the error quotes nothing of the
+/// text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotATable {
     /// Number of lines examined.
@@ -43,7 +44,7 @@ impl Argument for NotATable {
     }
 }
 
-/// Numbers and cells of a line.
+/// Number of numeric cells and of all cells in a line.
 #[derive(Clone, Copy, Default)]
 struct Count {
     numbers: usize,
@@ -75,8 +76,8 @@ fn sum(counts: &[Count]) -> Count {
     })
 }
 
-/// Refuses a text whose first lines are not a table: half of the cells must be numbers, dates or times, in all of them, or in those from
-/// `below_names` on, or from the first line of numbers on if it is not the only one.
+/// Refuses a text whose first lines are not a table. At least half of the cells must be numbers, dates or times: in all lines, or in
+/// those from `below_names` on, or in those from the first numeric line on if there are several.
 pub(super) fn refuse_other_text(
     lines: &[Line<'_>],
     below_names: usize,

@@ -222,7 +222,7 @@ impl Kind {
     }
 }
 
-/// What stands before the values.
+/// Header of an NPY file.
 struct Head {
     descr: String,
     fortran: bool,

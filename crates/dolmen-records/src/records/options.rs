@@ -1,70 +1,70 @@
-//! Options of the reader of a record.
+//! Options for reading a record.
 
 use super::{Decimal, Delimiter, RecordFormat};
 use crate::unit::Unit;
 use dolmen::signal::Channel;
 
-/// Properties of the file. Defaults are detected from the file, or the file is refused.
+/// What the user states about a file. Everything else is detected from the file, or the file is refused.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RecordOptions {
     /// Format of the file. `None`: detected from its content; GCF files and short texts are hard to identify.
     pub format: Option<RecordFormat>,
-    /// Samples a second, Hz. `None`: from the time column. If both are there, they must agree to 1e-4.
+    /// Sampling rate, Hz. `None`: from the time column. If both are given, they must agree to 1e-4.
     pub sampling_rate_hz: Option<f64>,
-    /// Unit of the samples. Default: unknown; numbers stay as they are.
+    /// Unit of the samples. Default: unknown; the numbers are not converted.
     pub unit: Unit,
-    /// Factor from the numbers to the unit: the value of a count of the recorder, or of full scale in a WAV file. `None`: 1, if the file shows
+    /// Factor from the numbers to the unit: the value of one count of the recorder, or of full scale in a WAV file. `None`: 1, if the file shows
     /// that its numbers are in the unit.
     pub scale: Option<f64>,
-    /// Columns to read, in this order, each with its sensor. Empty: every column but the time column, named as in the
-    /// header, or ch1, ch2, … where there is none.
+    /// Columns to read, in this order, each with its sensor. Empty: all columns except the time column, named as in the header, or ch1, ch2, …
+    /// if there is no header.
     pub picks: Vec<Pick>,
     /// Delimiter of a CSV file. `None`: detected.
     pub delimiter: Option<Delimiter>,
-    /// Decimal sign of a CSV file. `None`: detected; a comma only where it is not the delimiter.
+    /// Decimal sign of a CSV file. `None`: detected; a comma only if it is not the delimiter.
     pub decimal: Option<Decimal>,
-    /// Whether a CSV file begins with names.
+    /// Whether a CSV file begins with a line of column names.
     pub header: Header,
-    /// Number of lines to skip before the header of a CSV file; 0. Empty lines and lines that begin with `#` are always skipped, and are counted
-    /// here.
+    /// Number of lines to skip before the header of a CSV file; default 0. Empty lines and lines that begin with `#` are always skipped, but
+    /// count here.
     pub skip_lines: usize,
-    /// The column of a CSV file that holds time stamps, s.
+    /// The column of a CSV file with time stamps, s.
     pub time: TimeColumn,
-    /// Treatment of gaps between time stamps or blocks. Default: the longest whole span is used.
+    /// Treatment of gaps between time stamps or blocks. Default: the longest span without a gap is used.
     pub lost_samples: LostSamples,
 }
 
-/// Whether the first line of a CSV file names its columns.
+/// Whether the first line of a CSV file contains column names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Header {
-    /// It does if any of its cells is not a number.
+    /// Detected: column names, if any cell is not a number.
     #[default]
     Detect,
-    /// It does.
+    /// The first line contains column names.
     Present,
-    /// It holds samples.
+    /// The first line contains samples.
     Absent,
 }
 
 /// The time column of a CSV file, in seconds.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum TimeColumn {
-    /// In the column named t, time, zeit, sec or seconds, whatever its case and whether "s" or "sec" follows as in
-    /// "Time (s)" or "time_s"; nowhere if there is none.
+    /// Detected by its name: t, time, zeit, sec or seconds, in any case, with or without a following "s" or "sec", as in "Time (s)" or "time_s".
+    /// Without such a name there is no time column.
     #[default]
     Detect,
-    /// None: all columns are channels.
+    /// There is no time column: all columns are channels.
     Absent,
-    /// This one.
+    /// The given column.
     At(Column),
 }
 
 /// A column of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Column {
-    /// By its name in the header.
+    /// The name in the header.
     Named(String),
-    /// By its place, counted from 1.
+    /// The number of the column, from 1.
     Number(usize),
 }
 
@@ -73,7 +73,7 @@ pub enum Column {
 pub struct Pick {
     /// The column.
     pub column: Column,
-    /// Its sensor. The quantity is set by [`RecordOptions::unit`].
+    /// The sensor. [`RecordOptions::unit`] sets its quantity.
     pub channel: Channel,
     /// As [`RecordOptions::scale`], for this channel.
     pub scale: Option<f64>,
@@ -83,15 +83,15 @@ pub struct Pick {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum LostSamples {
-    /// Fills runs of at most eight samples, if they are at most one in a hundred, by linear prediction; then as `longest`.
+    /// Fills runs of at most eight lost samples by linear prediction, if they are at most 1 % of the record; otherwise as `Longest`.
     #[default]
     Fill,
-    /// Uses the longest span that is whole in all channels, and reports the parts cut off.
+    /// Uses the longest span without lost samples in any channel, and reports the parts that were cut off.
     Longest,
-    /// Refuses it.
+    /// Refuses the record.
     Refuse,
-    /// Uses all of it: runs of at most eight samples are filled, and longer ones hold the mean of their channel, for callers that know where
-    /// they are.
+    /// Uses the whole record: fills runs of at most eight samples, and replaces longer ones by the mean of their channel, for callers that
+    /// handle them.
     #[serde(skip)]
     Bridged,
 }

@@ -1,4 +1,4 @@
-//! A record as read, and further contents of its file.
+//! Result of reading a record file.
 
 use super::column_units::unit_in_name;
 use super::{CsvLayout, FileUnit, Layout};
@@ -7,24 +7,24 @@ use crate::wrong::Remark;
 use dolmen::signal::{Quantity, Record};
 use dolmen_words::message::Both;
 
-/// A record and the properties of its file.
+/// A record, and what else its file contains.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
-    /// The record, in SI; its history begins with [`Read`](dolmen::signal::Processing::Read).
+    /// The record in SI units; its processing history begins with [`Read`](dolmen::signal::Processing::Read).
     pub record: Record,
-    /// Time of the first sample, s from 1 January 1970 in the clock of the file; `None` if the file does not state it.
+    /// Time of the first sample, s from 1 January 1970 by the clock of the file; `None` if the file does not state it.
     pub begins_s: Option<f64>,
     /// Layout of the file.
     pub layout: Layout,
 }
 
 impl Reading {
-    /// Remarks on the file, as sentences: its start, and ignored contents. Text from other programs in files of channels is the same in both
-    /// languages.
+    /// Remarks on the file, as sentences: its start time, and ignored contents. Text that other programs wrote into the file is the same in
+    /// both languages.
     pub fn remarks(&self) -> Vec<Both> {
         let mut remarks: Vec<Both> = Vec::new();
         if let Some(at) = self.begins_s {
-            // small numbers are seconds of the project's own clock, not dates
+            // small numbers are seconds of a clock of the project, not dates
             const YEAR_S: f64 = 3.2e7;
             let time = time_text(at);
             let begins = match zones(&self.layout) {
@@ -50,7 +50,7 @@ impl Reading {
         remarks
     }
 
-    /// Columns that look like times but cannot be read, so that nothing in their files confirms the given sampling rate.
+    /// Columns that look like times but cannot be read, so that no time stamps confirm the given sampling rate.
     pub fn unread_stamps(&self) -> Vec<String> {
         let mut found = Vec::new();
         let mut left = vec![&self.layout];
@@ -65,7 +65,7 @@ impl Reading {
     }
 }
 
-/// Whether some of the files give times in UTC, and whether some give them without a time zone.
+/// Whether some files give times in UTC, and whether some give them without a time zone.
 fn zones(layout: &Layout) -> [bool; 2] {
     match layout {
         Layout::Channels(channels) => {

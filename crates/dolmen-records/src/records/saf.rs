@@ -28,14 +28,14 @@ use crate::wrong::Expected;
 
 const FORMAT: &str = "saf";
 const FIRST: &[u8] = b"SESAME ASCII data format";
-/// More channels than any file of this format has.
+/// Largest number of channels; files of this format have fewer.
 const CHANNELS_MOST: usize = 64;
 
 pub(super) fn is_saf(bytes: &[u8]) -> bool {
     bytes.starts_with(FIRST)
 }
 
-/// What the header says.
+/// Content of the header.
 #[derive(Default)]
 struct Header {
     station: String,
@@ -112,7 +112,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
     })
 }
 
-/// The header, and where the samples begin: byte and number of the line.
+/// Reads the header; returns also the byte offset and the line number at which the samples begin.
 fn header(bytes: &[u8]) -> Result<(Header, usize, usize), RecordError> {
     let mut header = Header::default();
     let (mut at, mut number) = (0, 1);

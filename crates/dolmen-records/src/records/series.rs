@@ -12,20 +12,20 @@ pub(super) struct Series {
     pub(super) samples: Vec<f64>,
     pub(super) sampling_rate_hz: Option<f64>,
     pub(super) unit: FileUnit,
-    /// What is measured, if the file says it.
+    /// Measured quantity, if the file states it.
     pub(super) quantity: Option<Quantity>,
-    /// First sample, s from 1 January 1970 in the clock of the file.
+    /// Time of the first sample, s from 1 January 1970 by the clock of the file.
     pub(super) begins_s: Option<f64>,
-    /// First sample, s from an origin that all channels of the file share.
+    /// Time of the first sample, s from an origin common to all channels of the file.
     pub(super) offset_s: f64,
-    /// The ends of its gaps.
+    /// Gaps: where the samples continue after missing time.
     pub(super) breaks: Vec<Break>,
     pub(super) position_m: Option<[f64; 3]>,
     pub(super) direction: Option<[f64; 3]>,
 }
 
 impl Series {
-    /// Samples under a name that can be printed.
+    /// A channel with a printable name.
     pub(super) fn new(name: impl AsRef<str>, samples: Vec<f64>) -> Self {
         Series {
             name: shown(name.as_ref()),
@@ -43,7 +43,7 @@ impl Series {
 }
 
 impl Series {
-    /// The error for gap number `i`, if it is refused.
+    /// The error that refuses gap number `i`.
     pub(super) fn gap(&self, i: usize) -> RecordError {
         let rate_hz = self.sampling_rate_hz.unwrap_or(f64::NAN);
         let mut before = Break { at: 0, begins_s: 0.0 };
@@ -58,7 +58,7 @@ impl Series {
         }
     }
 
-    /// Time of the sample that would come next, s from the first.
+    /// Time at which the next sample would follow, s from the first.
     pub(super) fn end_s(&self) -> f64 {
         let last = self
             .breaks
@@ -74,11 +74,12 @@ impl Series {
 pub(super) struct FileSeries {
     pub(super) format: RecordFormat,
     pub(super) series: Vec<Series>,
-    /// Further contents of the file, as sentences.
+    /// Notes on other contents of the file, as sentences.
     pub(super) notes: Vec<String>,
 }
 
-/// 1/step, or the whole number of hertz within the relative distance `digits` of it: printed steps lose their last digits.
+/// 1/step, rounded to a whole number of hertz if that differs by less than the fraction `digits`: printed steps lose their
+/// last digits.
 pub(super) fn rate_of_step(step_s: f64, digits: f64) -> f64 {
     let rate = 1.0 / step_s;
     let whole = rate.round();

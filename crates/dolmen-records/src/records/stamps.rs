@@ -1,22 +1,22 @@
-//! Time stamps: whether they are even, and the sampling rate that they give.
+//! Time stamps: checks that their steps are equal, and determines the sampling rate.
 //!
-//! A stamp whose last digit is worth u lies within u of the true time (rounded or truncated). Stamps are even if there is a step
-//! Δ with every stamp i within u, and 1 % of a step for the clock, of t_0 + i Δ. Each stamp narrows the interval of possible Δ;
-//! the first that leaves it empty is refused. Where u is more than a quarter of a step, rounding could hide a missing sample:
-//! then all steps must be equal, as they are if Δ is a multiple of u, or the rate must be given.
+//! A stamp whose last digit is worth u differs by less than u from the true time, rounded or truncated. The steps are equal if a step Δ exists
+//! such that every stamp i is within u, plus 1 % of a step for the clock, of t_0 + i Δ. Each stamp narrows the interval of possible Δ, and the
+//! first stamp that makes it empty is refused. If u is more than a quarter of a step, rounding could hide a missing sample: then all steps must
+//! be equal, which is the case if Δ is a multiple of u, or the user must give the rate.
 
 use super::RecordError;
 use crate::number::Number;
 
-/// Share of a step by which the clock may be off at a sample: the error that this makes is far below the noise of a sensor. Chosen here.
+/// Largest clock error at a sample, as a fraction of a step. Chosen here: the resulting error is far below the noise of a sensor.
 const CLOCK_JITTER: f64 = 0.01;
-/// Stamps coarser than this share of a step cannot show a missing sample, unless all steps are equal. Chosen here.
+/// Coarsest resolution of stamps, as a fraction of a step, that shows a missing sample; coarser stamps need equal steps. Chosen here.
 const RESOLUTION_MOST: f64 = 0.25;
-/// Relative difference allowed between a given rate and that of the stamps: an error of 1e-4 in every frequency, well below any scatter.
+/// Largest relative difference between a given rate and that of the stamps: an error of 1e-4 in every frequency, far below the scatter.
 const RATE_TOLERANCE: f64 = 1e-4;
-/// Relative distance up to which a given step counts as a multiple of the resolution: its stamps are then printed without rounding.
+/// Relative tolerance for a given step to be a multiple of the resolution, so that its stamps are printed without rounding.
 const MULTIPLE: f64 = 1e-6;
-/// Relative rounding error of a mean of differences of doubles, generous.
+/// Generous bound of the relative rounding error of a mean of differences of doubles.
 const ROUNDING: f64 = 1e-9;
 /// Decimal digits of a double.
 const DIGITS_MOST: i32 = 17;
@@ -24,17 +24,17 @@ const DIGITS_MOST: i32 = 17;
 /// Source of the sampling rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RateSource {
-    /// Given, without time stamps.
+    /// Given by the user; there are no time stamps.
     Given,
-    /// From the time stamps: of the rates that they allow, the one that has the fewest digits, as a rate or as a step.
+    /// From the time stamps. Of all possible rates, the one with the fewest digits, as a rate or as a step.
     Stamps,
-    /// Given, and the time stamps agree.
+    /// Given by the user; the time stamps agree.
     GivenAndStamps,
-    /// Given, and the first and the last of a column of dates agree.
+    /// Given by the user; the first and the last date of a column of dates agree.
     GivenAndDates,
 }
 
-/// The time stamps so far.
+/// State of reading the time stamps.
 #[derive(Clone, Debug)]
 pub(super) struct Stamps {
     /// Seconds in one unit of the column.
@@ -43,17 +43,17 @@ pub(super) struct Stamps {
     first_s: f64,
     last_s: f64,
     last_step_s: f64,
-    /// Whether all steps are equal, to half the last digit.
+    /// Whether all steps are equal within half the last digit.
     all_same: bool,
     count: usize,
-    /// Most significant digits and most decimals of any stamp: a program prints all stamps of a file in one format.
+    /// Largest number of significant digits and of decimals in any stamp: a program prints all stamps of a file in the same format.
     digits: i32,
     decimals: i32,
     /// Value of the last digit for stamps with `decade.0` ≤ |value| < `decade.1`, in the unit of the column.
     resolution: f64,
     decade: (f64, f64),
     decade_decimals: i32,
-    /// The interval of steps that agree with all stamps, s.
+    /// Interval of the steps that agree with all stamps so far, s.
     step_least_s: f64,
     step_most_s: f64,
 }
@@ -78,7 +78,7 @@ impl Stamps {
         }
     }
 
-    /// Takes the next stamp, and refuses it if no constant step fits all stamps.
+    /// Reads the next stamp; refuses it if no constant step agrees with all stamps.
     pub(super) fn push(&mut self, printed: Number, line: usize) -> Result<(), RecordError> {
         self.look_at_digits(printed);
         let stamp_s = printed.value * self.unit_s;
@@ -93,10 +93,10 @@ impl Stamps {
         let resolution_s = self.unit_s * self.resolution;
         let allowed = resolution_s + CLOCK_JITTER * elapsed.abs() / i;
         let (least, most) = ((elapsed - allowed) / i, (elapsed + allowed) / i);
-        // false for NaN
+        // false if a value is NaN
         let agrees = most >= self.step_least_s && least <= self.step_most_s && most > 0.0;
         if !agrees {
-            self.count -= 1; // not counted: it may be the first after a gap
+            self.count -= 1; // do not count the refused stamp: it may be the first after a gap
             if self.count == 1 && stamp_s <= self.first_s {
                 return Err(RecordError::StampsStand {
                     line,
@@ -130,12 +130,12 @@ impl Stamps {
         Ok(())
     }
 
-    /// The first stamp, s.
+    /// Time of the first stamp, s.
     pub(super) fn first_s(&self) -> f64 {
         self.first_s
     }
 
-    /// Whether stamps of this resolution show a missing sample only if all other steps are equal.
+    /// Whether stamps of this resolution can show a missing sample only if all other steps are equal.
     fn must_be_same(&self, resolution_s: f64) -> bool {
         let step_s = self
             .given_hz
@@ -145,7 +145,7 @@ impl Stamps {
         coarse && (self.given_hz.is_none() || (steps - steps.round()).abs() < MULTIPLE * steps)
     }
 
-    /// The rate, Hz, after the last stamp.
+    /// Sampling rate, Hz, after the last stamp.
     pub(super) fn rate_hz(&self) -> Result<f64, RecordError> {
         let (least_hz, most_hz) = (
             1.0 / self.step_most_s,
@@ -174,7 +174,7 @@ impl Stamps {
         }
     }
 
-    /// Middle of the interval of steps that fit so far, s; its upper end while it has no lower one.
+    /// Middle of the interval of possible steps so far, s; its upper end if it has no lower end yet.
     pub(super) fn step_s(&self) -> f64 {
         if self.count < 2 {
             f64::NAN
@@ -185,8 +185,8 @@ impl Stamps {
         }
     }
 
-    /// Determines the value of the last printed digit of this stamp: with a fixed number of digits, larger numbers have fewer decimals. Computes
-    /// it only where it can change.
+    /// Determines the value of the last printed digit of this stamp: with a fixed number of digits, larger numbers have fewer decimals. The
+    /// computation is skipped if the value cannot have changed.
     fn look_at_digits(&mut self, printed: Number) {
         let size = printed.value.abs();
         if printed.decimals <= self.decade_decimals && (self.decade.0..self.decade.1).contains(&size) {
@@ -201,7 +201,7 @@ impl Stamps {
     }
 }
 
-/// Digits before the decimal sign; less than 0 for zeros after it.
+/// Number of digits before the decimal point; negative for zeros after it.
 fn leading(value: f64) -> i32 {
     if value == 0.0 {
         0
@@ -210,7 +210,7 @@ fn leading(value: f64) -> i32 {
     }
 }
 
-/// Of the rates from `least` to `most`, the one with the fewest digits, in the rate or in the step.
+/// The rate between `least` and `most` with the fewest digits, as a rate or as a step.
 fn simplest_rate(least: f64, most: f64) -> f64 {
     let middle = 0.5 * (least + most);
     let rounded = |x: f64, digits: usize| format!("{x:.*e}", digits - 1).parse::<f64>().unwrap_or(x);

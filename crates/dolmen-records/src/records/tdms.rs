@@ -6,7 +6,7 @@
 //! | description | objects: path, where its samples lie (type, values a chunk), properties |
 //! | raw data | chunks; in each the values of every object after those of the one before, or interleaved |
 //!
-//! Of the properties are read: `wf_increment` (s), `wf_start_time`, `wf_start_offset`, `unit_string`.
+//! Only these properties are read: `wf_increment` (s), `wf_start_time`, `wf_start_offset`, `unit_string`.
 //!
 //! Source: National Instruments (2023) *TDMS File Format Internal Structure*.
 
@@ -75,7 +75,7 @@ fn number(code: u32) -> Option<Number> {
     })
 }
 
-/// What a property holds.
+/// Value of a property.
 #[derive(Clone, Debug, PartialEq)]
 enum Value {
     Number(f64),

@@ -1,4 +1,4 @@
-//! The unit of a time column whose name does not state it: seconds, milliseconds, or the days of a spreadsheet.
+//! Determines the unit of a time column if its name does not state it: seconds, milliseconds, or days of a spreadsheet.
 
 use super::RecordError;
 use super::csv_start::Start;
@@ -6,21 +6,21 @@ use super::date_text::{DAY_S, SERIAL_DAYS};
 use super::dialect::{holds_cells, unquoted};
 use crate::number::parse_cell;
 
-/// Number of lines examined for the first steps.
+/// Number of lines that are examined for the first steps.
 const LINES: usize = 20;
-/// Fewer steps are not enough.
+/// Fewest steps for a decision.
 const LINES_LEAST: usize = 5;
-/// Steps of days, read as seconds, are shorter than this: no structure is recorded above 10 kHz. Chosen here.
+/// Steps below this, read as seconds, are in days: no structure is recorded above 10 kHz. Chosen here.
 const DAYS_BELOW_S: f64 = 1e-4;
-/// Steps from here on, read as seconds, are not those of vibration: the stamps are more often milliseconds. Chosen here.
+/// Steps from this value on, read as seconds, are too long for vibration: such stamps are usually milliseconds. Chosen here.
 const SLOW_FROM_S: f64 = 1.0;
-/// Relative difference allowed between the first steps and those of the given rate in a unit: a gap, or a coarse last digit.
+/// Largest relative difference between the first steps and the given rate in some unit, for a gap or a coarse last digit.
 const NEAR: f64 = 0.05;
 const SMALLER_S: [f64; 2] = [1e-3, 1e-6];
-/// Units that a given rate can distinguish: s, ms, µs, min, h, days.
+/// Units that a given rate can identify: s, ms, µs, min, h, days.
 const UNITS_S: [f64; 6] = [1.0, 1e-3, 1e-6, 60.0, 3600.0, DAY_S];
 
-/// The time column, from 0, and its unit.
+/// Index of the time column, from 0, and its unit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Time {
     pub(super) column: usize,
@@ -29,22 +29,22 @@ pub(super) struct Time {
     pub(super) said: UnitSaid,
 }
 
-/// Unit in the name of a time column.
+/// What the name of a time column states about its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum UnitSaid {
-    /// Stated, or the user named the column, which is in seconds.
+    /// The unit is stated, or the user named the column, which is then in seconds.
     Clearly,
-    /// Not stated: seconds, if the steps can be those of vibration.
+    /// No unit is stated: seconds, if the steps are possible for vibration.
     Not,
-    /// Unknown or ambiguous: 시.
+    /// The unit is unknown or ambiguous: 시.
     Unclearly,
 }
 
-/// Seconds in one unit of the column, from its first steps and the given rate.
+/// Length of one unit of the column, s, from its first steps and the given rate.
 ///
 /// # Errors
-/// [`RecordError::SlowStamps`] if the stamps, read as seconds, are a second or more apart without a stated unit; [`RecordError::TimeUnit`] if
-/// the name states no known unit and the rate, if given, fits none.
+/// [`RecordError::SlowStamps`] if the unit is not stated and the stamps, read as seconds, are a second or more apart;
+/// [`RecordError::TimeUnit`] if the name has an unknown unit and the rate, if given, agrees with no unit.
 pub(super) fn unit_s(
     bytes: &[u8],
     start: &Start,
@@ -63,7 +63,7 @@ pub(super) fn unit_s(
         .take(LINES)
         .map(stamp)
         .collect();
-    // text that is not a number is refused where it is read
+    // text that is not a number is refused when it is read
     let unclear = || RecordError::TimeUnit {
         column: column.to_owned(),
     };

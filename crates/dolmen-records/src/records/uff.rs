@@ -1,5 +1,5 @@
-//! UFF, the universal files of modal analysis: dataset 58 (functions), as text or binary, with nodes (15, 2411), units (164) and
-//! title (151).
+//! Reads UFF, the universal files of modal analysis: dataset 58 (functions), as text or binary, with nodes (15, 2411), units (164)
+//! and title (151).
 //!
 //! ```text
 //!     -1                      a dataset begins and ends with −1 in columns 1 to 6
@@ -33,12 +33,12 @@ const TIME: i64 = 17;
 const ACCELERATION: i64 = 12;
 const VELOCITY: i64 = 11;
 const DISPLACEMENT: i64 = 8;
-/// The file prints the step with six digits, which stand for the nearest whole number of hertz.
+/// The file prints the step with six digits, so the rate is rounded to the nearest whole number of hertz within this fraction.
 const DIGITS: f64 = 1e-5;
-/// Lines of text of a 58.
+/// Number of text lines in a dataset 58.
 const LINES: usize = 11;
 
-/// Whether the first line that holds anything is the −1 of a dataset.
+/// Whether the first line with content is the −1 of a dataset.
 pub(super) fn is_uff(bytes: &[u8]) -> bool {
     let mut lines = Lines::new(head(bytes));
     let mut next = || lines.next().ok().flatten();
@@ -52,11 +52,11 @@ pub(super) fn is_uff(bytes: &[u8]) -> bool {
 #[derive(Default)]
 pub(super) struct OtherDatasets {
     pub(super) nodes: BTreeMap<i64, [f64; 3]>,
-    /// Lengths of the file a metre.
+    /// Units of length of the file per metre.
     pub(super) length: Option<f64>,
     title: Option<String>,
     pub(super) turned: bool,
-    /// Other datasets: number and how many.
+    /// Other datasets: number of the dataset type, and how many.
     passed: BTreeMap<String, usize>,
 }
 
@@ -85,17 +85,18 @@ impl OtherDatasets {
         *self.passed.entry(what.to_owned()).or_default() += 1;
     }
 
-    /// "58 (×2)".
+    /// Names of the ignored datasets, as "58 (×2)".
     pub(super) fn passed_over(&self) -> Vec<String> {
         let each = self.passed.iter();
         each.map(|(what, count)| format!("{what} (×{count})")).collect()
     }
 }
 
-/// Reads one dataset behind the line of its number.
+/// Reads one dataset, beginning after the line with its number.
 type ReadDataset<'r> = dyn FnMut(&mut Lines, &str, &mut OtherDatasets) -> Result<(), RecordError> + 'r;
 
-/// Every dataset of the file: those of the number `wanted` by `read`, what describes them here; others are passed over.
+/// Reads all datasets of the file: `read` handles those with the number `wanted`; those with descriptions are read here; others
+/// are ignored.
 pub(super) fn datasets(
     bytes: &[u8],
     wanted: &str,
@@ -136,7 +137,7 @@ pub(super) fn datasets(
     Ok(beside)
 }
 
-/// Goes past the −1 that ends a dataset.
+/// Skips the −1 that ends a dataset.
 fn end(lines: &mut Lines) -> Result<(), RecordError> {
     loop {
         if lines.want(Expected::DatasetEnds)?.trim() == "-1" {
@@ -203,7 +204,7 @@ fn finished(functions: Vec<Function>, beside: OtherDatasets) -> Result<FileSerie
     })
 }
 
-/// The unit of a quantity in lengths of the file and seconds, where dataset 164 tells the length.
+/// The unit of a quantity from the length unit of the file (dataset 164) and seconds.
 fn unit_of_code(quantity: i64, length: Option<f64>) -> FileUnit {
     let near = |per_metre: f64| length.is_some_and(|length| (length / per_metre - 1.0).abs() < 1e-6);
     let units = match quantity {
@@ -238,7 +239,7 @@ fn way(direction: i64) -> Option<[f64; 3]> {
     }
 }
 
-/// "12+X", "12-RZ", "12".
+/// Name of a channel, such as "12+X", "12-RZ" or "12".
 fn name(node: i64, direction: i64) -> String {
     const AXES: [&str; 7] = ["", "X", "Y", "Z", "RX", "RY", "RZ"];
     let sign = match direction.signum() {
@@ -252,7 +253,7 @@ fn name(node: i64, direction: i64) -> String {
     format!("{node}{sign}{}", axis.unwrap_or("?"))
 }
 
-/// How a binary 58 is coded.
+/// Encoding of a binary dataset 58.
 struct Binary {
     big: bool,
     bytes: usize,
@@ -262,7 +263,7 @@ fn binary(lines: &Lines, kind: &str) -> Result<Option<Binary>, RecordError> {
     if cell(kind, 6, 1) != "b" {
         return Ok(None);
     }
-    // the columns before may be blanks of several bytes
+    // the columns before may contain blanks of several bytes
     let behind: String = kind.chars().skip(7).collect();
     let words: Vec<usize> = behind
         .split_whitespace()
@@ -289,7 +290,7 @@ fn binary(lines: &Lines, kind: &str) -> Result<Option<Binary>, RecordError> {
     Ok(Some(Binary { big, bytes }))
 }
 
-/// One dataset 58 up to its end; `None` if it is no time series.
+/// Reads one dataset 58 to its end; `None` if it is not a time series.
 fn function(lines: &mut Lines, kind: &str) -> Result<Option<Function>, RecordError> {
     let binary = binary(lines, kind)?;
     let mut text = Vec::with_capacity(LINES);
@@ -393,7 +394,7 @@ fn packed(lines: &mut Lines, binary: &Binary, count: usize, size: usize) -> Resu
     }
 }
 
-/// Numbers of a text, apart by blanks or in columns of fixed width.
+/// Numbers in a text, separated by blanks or in columns of fixed width.
 pub(super) fn printed(
     lines: &mut Lines,
     (count, width): (usize, usize),
@@ -424,7 +425,7 @@ pub(super) fn printed(
     Ok(samples)
 }
 
-/// Dataset 15: one line a node.
+/// Dataset 15: one line per node.
 fn nodes(lines: &mut Lines, beside: &mut OtherDatasets) -> Result<(), RecordError> {
     while let Some(line) = lines.peek()?.filter(|line| line.trim() != "-1") {
         lines.next()?;
@@ -439,7 +440,7 @@ fn nodes(lines: &mut Lines, beside: &mut OtherDatasets) -> Result<(), RecordErro
     Ok(())
 }
 
-/// Dataset 2411: two lines a node.
+/// Dataset 2411: two lines per node.
 fn long_nodes(lines: &mut Lines, beside: &mut OtherDatasets) -> Result<(), RecordError> {
     while let Some(line) = lines.peek()?.filter(|line| line.trim() != "-1") {
         lines.next()?;
@@ -452,7 +453,7 @@ fn long_nodes(lines: &mut Lines, beside: &mut OtherDatasets) -> Result<(), Recor
     Ok(())
 }
 
-/// Dataset 164: lengths of the file a metre.
+/// Dataset 164: length units of the file per metre.
 fn units(lines: &mut Lines, beside: &mut OtherDatasets) -> Result<(), RecordError> {
     lines.want(Expected::UnitsCode)?;
     let line = lines.want(Expected::UnitFactors)?;
@@ -468,7 +469,7 @@ mod tests {
 
     #[test]
     fn refuses_odd_blanks_and_lines_without_end() {
-        // wide blanks before the number: its columns are no bytes
+        // wide blanks before the number: columns are not bytes
         let odd = "    -1\n\u{2003}\u{2003}\u{2003} 58b\n    -1\n";
         assert!(
             read(odd.as_bytes())

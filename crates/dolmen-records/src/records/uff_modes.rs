@@ -67,7 +67,7 @@ pub struct UffModes {
 
 /// The modes of a universal file (datasets 55 of normal modes or complex eigenvalues).
 ///
-/// Of conjugate pairs the mode with the positive imaginary part is kept.
+/// Of a conjugate pair, the mode with the positive imaginary part is kept.
 ///
 /// # Errors
 /// [`RecordError`] if it is no universal file, holds no modes, or turns the axes of its nodes.

@@ -1,4 +1,4 @@
-//! Lines and columns of fixed width of a universal file.
+//! Reads the lines and fixed-width columns of a universal file.
 
 use super::RecordError;
 use crate::limits::{LimitError, line_end};
@@ -7,7 +7,7 @@ use crate::wrong::Expected;
 
 pub(super) const FORMAT: &str = "uff";
 
-/// The lines of a file that may hold binary data between them.
+/// The lines of a file with possible binary data between them.
 #[derive(Clone, Copy)]
 pub(super) struct Lines<'a> {
     bytes: &'a [u8],
@@ -24,12 +24,12 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Number of the line last read, from 1.
+    /// Number of the last line that was read, from 1.
     pub(super) fn number(&self) -> usize {
         self.number
     }
 
-    /// The next line without its end; what is no UTF-8 becomes marks.
+    /// The next line without its line end; invalid UTF-8 is replaced by marks.
     pub(super) fn next(&mut self) -> Result<Option<String>, LimitError> {
         let Some(rest) = self.bytes.get(self.at..).filter(|rest| !rest.is_empty()) else {
             return Ok(None);
@@ -42,13 +42,13 @@ impl<'a> Lines<'a> {
         Ok(Some(String::from_utf8_lossy(line).into_owned()))
     }
 
-    /// The next line, which stays.
+    /// The next line, without advancing.
     pub(super) fn peek(&self) -> Result<Option<String>, LimitError> {
         let mut ahead = *self;
         ahead.next()
     }
 
-    /// The next line, or a refusal that says what it should have been.
+    /// The next line, or an error that states the expected line.
     pub(super) fn want(&mut self, wanted: Expected) -> Result<String, RecordError> {
         let line = self.number + 1;
         self.next()?.ok_or(RecordError::EndsBefore {
@@ -58,7 +58,7 @@ impl<'a> Lines<'a> {
         })
     }
 
-    /// Bytes that are no lines.
+    /// The next `count` bytes, which are binary data.
     pub(super) fn bytes(&mut self, count: usize) -> Result<&'a [u8], RecordError> {
         let end = self.at.saturating_add(count);
         let taken = self.bytes.get(self.at..end).ok_or(RecordError::CutShort {
@@ -67,7 +67,7 @@ impl<'a> Lines<'a> {
             wanted: end as u64,
         })?;
         self.at = end;
-        // a line end may stand between the bytes and the −1
+        // a line end may be between the bytes and the −1
         let rest = &self.bytes[self.at..];
         let ends = [b"\r\n".as_slice(), b"\n"];
         self.at += ends
@@ -87,12 +87,12 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Columns of a line, from 0; blank where it is too short.
+/// Columns of a line, counted from 0; blank if the line is too short.
 pub(super) fn cell(line: &str, from: usize, width: usize) -> String {
     line.chars().skip(from).take(width).collect()
 }
 
-/// An integer; a blank is 0.
+/// Parses an integer; a blank is 0.
 pub(super) fn whole(text: &str) -> Option<i64> {
     match text.trim() {
         "" => Some(0),
@@ -100,7 +100,7 @@ pub(super) fn whole(text: &str) -> Option<i64> {
     }
 }
 
-/// A number as FORTRAN prints it, with E or D.
+/// Parses a number as FORTRAN prints it, with E or D.
 pub(super) fn decimal(text: &str) -> Option<f64> {
     let text = text.trim().replace(['D', 'd'], "E");
     parse_number(text.as_bytes())

@@ -1,34 +1,34 @@
-//! A record as a universal file: title (151), units (164), nodes (15) and one dataset 58 or 58b a channel.
+//! Writes a record as a universal file: title (151), units (164), nodes (15) and one dataset 58 or 58b per channel.
 //!
-//! Columns and codes as in the reader, `uff`; source there.
+//! Columns and codes as in the reader `uff`, which states the source.
 
 use dolmen::signal::{Channel, Quantity, Record};
 use std::fmt::Write as _;
 
-/// Begins and ends a dataset.
+/// First and last line of a dataset.
 const DELIMITER: &str = "    -1\n";
-/// A direction is that of an axis within this sine.
+/// Sine of the largest angle between a direction and an axis that it counts as.
 const ALONG: f64 = 1e-3;
-/// Columns of a line of text.
+/// Width of a text line.
 const COLUMNS: usize = 80;
-/// Numbers a line of a text.
+/// Numbers per line of text.
 const A_LINE: usize = 4;
-/// Lines of text of a 58.
+/// Number of text lines in a dataset 58.
 const LINES: usize = 11;
 
-/// How the samples are written.
+/// How samples are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UffNumbers {
     /// As text, 13 significant digits (4E20.12).
     Text,
-    /// As doubles, little end first (58b): to the last bit.
+    /// As little-endian doubles (58b), without loss of digits.
     Binary,
 }
 
 /// A record as the bytes of a universal file, in SI units.
 ///
-/// Each place of sensors is a node, in the order of the channels; a channel without a place has a node of its own. Of names what is not ASCII becomes
-/// `_`, as other programs read it. A direction that is none of ±x, ±y, ±z cannot be written and becomes the code 0.
+/// Each position of sensors is a node, in the order of the channels; a channel without a position has its own node. Characters of names that are not
+/// ASCII become `_`, for other programs. A direction other than ±x, ±y, ±z cannot be written and gets the code 0.
 ///
 /// ```
 /// use dolmen::signal::{Channel, Record};
@@ -67,9 +67,9 @@ pub fn record_uff(record: &Record, title: &str, numbers: UffNumbers) -> Vec<u8> 
     bytes
 }
 
-/// Nodes with their places, and node and direction of each channel.
+/// Nodes with their positions, and node and direction of each channel.
 struct Nodes {
-    /// `None` for a channel without a place.
+    /// `None` for a channel without a position.
     places: Vec<Option<[f64; 3]>>,
     channels: Vec<(usize, i32)>,
 }
@@ -82,7 +82,7 @@ impl Nodes {
         };
         for channel in channels {
             let direction = channel.direction.map_or(0, code);
-            // two channels of one direction at one place have nodes of their own
+            // two channels of the same direction and position have separate nodes
             let is_free = |node: usize| !nodes.channels.contains(&(node, direction));
             let place = channel.position_m;
             let there = (0..nodes.places.len())
@@ -97,7 +97,7 @@ impl Nodes {
     }
 }
 
-/// 1 x, 2 y, 3 z, negative backwards; 0 for any other.
+/// Code of a direction: 1 x, 2 y, 3 z, negative for the opposite direction; 0 for any other.
 fn code(direction: [f64; 3]) -> i32 {
     let across = |axis: usize| {
         let others = (0..3).filter(|other| *other != axis);
@@ -110,7 +110,7 @@ fn code(direction: [f64; 3]) -> i32 {
     })
 }
 
-/// Title, units and nodes.
+/// The datasets with title, units and nodes.
 fn head(title: &str, nodes: &Nodes) -> String {
     let mut text = String::from(DELIMITER);
     let _ = writeln!(text, "{:>6}", 151);
@@ -152,7 +152,7 @@ fn function_lines(record: &Record, channel: usize, (node, direction): (usize, i3
         Quantity::Displacement => (8, "Displacement", "m"),
         Quantity::Unknown => (0, "NONE", "NONE"),
     };
-    // as many digits as its columns hold: a FORTRAN that reads E13.5 takes them all
+    // as many digits as the columns hold: a FORTRAN format E13.5 reads them all
     let step = exponential(1.0 / record.sampling_rate_hz(), 7);
     let entity: String = line(&of.name).chars().take(10).collect();
     let mut text = String::new();
@@ -178,7 +178,7 @@ fn function_lines(record: &Record, channel: usize, (node, direction): (usize, i3
         0
     );
     let zero = exponential(0.0, 5);
-    // double, even steps
+    // double precision, equal time steps
     let _ = writeln!(
         text,
         "{:>10}{:>10}{:>10}{zero:>13}{step:>13}{zero:>13}",
@@ -211,7 +211,7 @@ fn printed(samples: &[f64]) -> String {
     text
 }
 
-/// A line of text: ASCII, not blank, at most as long as a line.
+/// A line of text: ASCII, not blank, within the line width.
 fn line(text: &str) -> String {
     let plain = |c: char| {
         if c.is_ascii() && !c.is_ascii_control() {
@@ -227,7 +227,7 @@ fn line(text: &str) -> String {
     }
 }
 
-/// 1.23457E-02, as FORTRAN writes it: so many digits behind the point, two or more in the exponent.
+/// A number in the notation of FORTRAN, such as 1.23457E-02, with this number of digits after the point and at least two in the exponent.
 pub fn exponential(value: f64, digits: usize) -> String {
     let written = format!("{value:.digits$E}");
     match written.split_once('E') {

@@ -26,7 +26,7 @@ pub(super) fn is_wav(bytes: &[u8]) -> bool {
         && bytes.get(8..12) == Some(b"WAVE")
 }
 
-/// What the chunk `fmt ` says.
+/// Content of the chunk `fmt `.
 struct Frames {
     number: Number,
     channels: usize,

@@ -1,5 +1,5 @@
-//! AT2: the text files of the PEER strong motion databases, in both headers they have had. The last word of the second line is
-//! the direction where it is an azimuth or UP, DWN.
+//! Reads AT2 files, the text files of the PEER strong motion databases, with either of their headers. The last word of the
+//! second line is the direction if it is an azimuth, UP or DWN.
 //!
 //! ```text
 //! PEER NGA STRONG MOTION DATABASE RECORD
@@ -18,14 +18,14 @@ use crate::number::parse_number;
 use crate::unit::Unit;
 use crate::wrong::OfStation;
 
-/// NPTS stands within so many lines; the databases put it into the fourth.
+/// Number of lines in which NPTS is searched; the databases put it into the fourth.
 const HEADER_LINES_MOST: usize = 10;
-/// Whether one of the first lines names NPTS.
+/// Whether one of the first lines contains NPTS.
 pub(super) fn is_at2(bytes: &[u8]) -> bool {
     header_length(bytes).is_some()
 }
 
-/// Index of the line that names NPTS.
+/// Index of the line that contains NPTS.
 fn header_length(bytes: &[u8]) -> Option<usize> {
     let mut lines = bytes.split(|b| *b == b'\n').take(HEADER_LINES_MOST);
     lines.position(|line| line.to_ascii_uppercase().windows(4).any(|w| w == b"NPTS"))
@@ -77,7 +77,7 @@ pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Vec<Raw>, Seismi
     }])
 }
 
-/// Unit of acceleration that a line of the header names; a line about velocities or displacements is refused.
+/// Unit of acceleration stated in a header line; refuses a line about velocities or displacements.
 fn unit_of(line: &[u8], number: usize, unit_is_given: bool) -> Result<Option<Unit>, SeismicError> {
     let upper = String::from_utf8_lossy(line).to_uppercase();
     let Some((what, unit)) = upper.split_once("UNITS OF") else {
@@ -105,7 +105,7 @@ fn unit_of(line: &[u8], number: usize, unit_is_given: bool) -> Result<Option<Uni
     }
 }
 
-/// NPTS and DT from their line, in either header.
+/// NPTS and DT from their line, in either form of the header.
 fn counts(line: &[u8]) -> Option<(u64, f64)> {
     let upper = String::from_utf8_lossy(line).to_uppercase();
     let words = |text: &str| -> Vec<String> {

@@ -34,7 +34,7 @@ pub(super) fn is_csmip(bytes: &[u8]) -> bool {
     })
 }
 
-/// What the line before a series says.
+/// Content of the line before a series.
 struct Series {
     count: usize,
     time_step_s: f64,

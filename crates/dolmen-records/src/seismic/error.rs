@@ -11,7 +11,7 @@ pub enum SeismicError {
     At2Header {
         /// The line.
         line: usize,
-        /// What stands there, at most 80 characters of it.
+        /// The first 80 characters of the content found there.
         text: String,
     },
     /// A file of velocities or displacements.
@@ -25,14 +25,14 @@ pub enum SeismicError {
     At2Unit {
         /// The line.
         line: usize,
-        /// What stands there.
+        /// The content found there.
         text: String,
     },
     /// A value is not a number.
     NotANumber {
         /// The line.
         line: usize,
-        /// What stands there, at most 80 characters of it.
+        /// The first 80 characters of the content found there.
         text: String,
     },
     /// The number of samples is not that of the header.
@@ -46,16 +46,16 @@ pub enum SeismicError {
     Line {
         /// The line.
         line: usize,
-        /// What stands there, at most 80 characters of it.
+        /// The first 80 characters of the content found there.
         text: String,
-        /// What must stand there.
+        /// The required content.
         wanted: Both,
     },
     /// The text ends within its header or between its parts.
     EndsEarly {
         /// The line that is missing.
         line: usize,
-        /// What it must be.
+        /// The required content.
         wanted: Both,
     },
     /// A header lacks something.
@@ -85,7 +85,7 @@ pub enum SeismicError {
     Damaged {
         /// Where the record begins, bytes from 0.
         at: u64,
-        /// What is wrong.
+        /// The fault.
         what: Both,
     },
     /// The samples of a miniSEED record have an encoding that Dolmen does not read.

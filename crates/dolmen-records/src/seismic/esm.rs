@@ -1,4 +1,4 @@
-//! ESM ASCII (DYNA 1.2): one component of the Engineering Strong Motion database and of ITACA.
+//! Reads ESM ASCII files (DYNA 1.2): one component of the Engineering Strong Motion database or of ITACA.
 //!
 //! ```text
 //! SAMPLING_INTERVAL_S: 0.005000                 KEY: value, a line each; then one number a line
@@ -16,10 +16,10 @@ use super::{Orientation, SeismicError};
 use crate::start;
 use crate::wrong::OfStation;
 
-/// The header ends within so many lines; DYNA 1.2 has 64.
+/// Largest number of header lines; DYNA 1.2 has 64.
 const HEADER_LINES_MOST: usize = 200;
 
-/// "KEY" and "value" of a line of the header; `None` for a number.
+/// Key and value of a header line; `None` for a line with a sample.
 fn entry(line: &[u8]) -> Option<(String, String)> {
     let text = String::from_utf8_lossy(line).into_owned();
     let (key, value) = text.split_once(':')?;
@@ -67,7 +67,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     };
     let time_step_s = positive("SAMPLING_INTERVAL_S", OfStation::EsmStep)?;
     let stated = positive("NDATA", OfStation::EsmCount)?;
-    // in capitals in the database, in small letters in what its partners make
+    // capital letters in the database, small letters in files of its partners
     let data_type = find("DATA_TYPE").map(|(line, text)| (line, text, text.to_ascii_uppercase()));
     match data_type
         .as_ref()

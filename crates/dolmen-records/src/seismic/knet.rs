@@ -18,7 +18,7 @@ use crate::wrong::OfStation;
 
 const FIRST: &[u8] = b"Origin Time";
 const HEADER_LINES: usize = 17;
-/// What the recorders add to the time of the first sample, s.
+/// Delay that the recorders add to the time of the first sample, s.
 ///
 /// # Source
 /// National Research Institute for Earth Science and Disaster Resilience, *K-NET ASCII format*: the record time is late by 15 s; ObsPy 1.5.1 takes it off too.
@@ -40,7 +40,7 @@ pub(super) fn is_knet(bytes: &[u8]) -> bool {
     lines.next().is_some_and(|(_, line)| line.starts_with(FIRST))
 }
 
-/// What stands after a label of the header.
+/// The header: text after each label, with its line number.
 struct Header<'a>(Vec<(usize, &'a [u8])>);
 
 impl Header<'_> {

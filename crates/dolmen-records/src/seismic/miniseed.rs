@@ -74,7 +74,7 @@ impl Bytes<'_> {
     }
 }
 
-/// What the header and the blockettes of a record say.
+/// Content of the header and blockettes of a record.
 struct Record {
     name: String,
     channel: String,
@@ -181,7 +181,7 @@ impl Channels {
     }
 }
 
-/// The same channels; refuses a gap.
+/// Returns the channels if none has a gap.
 pub(super) fn whole(channels: Vec<Raw>) -> Result<Vec<Raw>, SeismicError> {
     for channel in &channels {
         if let Some(first) = channel.breaks.first() {

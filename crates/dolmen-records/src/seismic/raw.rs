@@ -1,18 +1,18 @@
-//! The channels of a file as it prints them.
+//! The channels of a motion file, with the numbers as printed in the file.
 
 use super::Orientation;
 use crate::breaks::Break;
 use crate::unit::Unit;
 use dolmen::signal::Quantity;
 
-/// Format of a motion file.
+/// File format of a ground motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionFormat {
-    /// Of the PEER databases.
+    /// AT2 of the PEER databases.
     At2,
     /// COSMOS V1 or V2, format 1.20.
     Cosmos,
-    /// V1 or V2 of the Californian program before it.
+    /// V1 or V2 of the Californian program (CSMIP), the predecessor of COSMOS.
     Csmip,
     /// K-NET or KiK-net ASCII.
     KNet,
@@ -45,29 +45,29 @@ impl MotionFormat {
     }
 }
 
-/// What each format yields: numbers as printed.
+/// The content of one channel of any format, with the numbers as printed.
 pub(crate) struct Raw {
     pub(crate) format: MotionFormat,
     pub(crate) name: String,
     pub(crate) title: String,
     pub(crate) samples: Vec<f64>,
     pub(crate) time_step_s: f64,
-    /// As the file says.
+    /// Unit stated by the file.
     pub(crate) unit: Option<Unit>,
     pub(crate) orientation: Option<Orientation>,
     pub(crate) begins_s: Option<f64>,
-    /// Where the samples go on after a gap.
+    /// Gaps: where the samples continue after missing time.
     pub(crate) breaks: Vec<Break>,
-    /// Whether the numbers have an offset by the definition of the format.
+    /// Whether the format defines the numbers with an arbitrary offset.
     pub(crate) subtract_mean: bool,
-    /// What is measured, if the file says it without a unit.
+    /// Measured quantity, if the file states the quantity but no unit.
     pub(crate) quantity: Option<Quantity>,
-    /// Largest absolute value by the header, in the unit of the file.
+    /// Largest absolute value stated by the header, in the unit of the file.
     pub(crate) stated_peak: Option<f64>,
 }
 
 impl Raw {
-    /// Nothing known but this.
+    /// A channel of which only the format and the time step are known.
     pub(crate) fn new(format: MotionFormat, time_step_s: f64) -> Self {
         Raw {
             format,

@@ -52,7 +52,7 @@ fn text(
     read(bytes)
 }
 
-/// The same channels, under names and titles that can be printed.
+/// The channels, with printable names and titles.
 fn printable(channels: Vec<Raw>) -> Result<Vec<Raw>, SeismicError> {
     let printable = |mut raw: Raw| {
         (raw.name, raw.title) = (shown(&raw.name), shown(&raw.title));

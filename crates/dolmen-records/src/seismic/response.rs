@@ -1,14 +1,14 @@
-//! What one count of a recorder is worth: responses of channels as networks publish them beside miniSEED (SEED RESP).
+//! Reads instrument responses (SEED RESP), which networks publish for miniSEED files: the value of one count of a recorder.
 //!
 //! | field | what |
 //! |:--|:--|
 //! | B050F03, B050F16 | station, network |
 //! | B052F03, B052F04 | location, channel |
-//! | B052F22, B052F23 | from, to: year, day of year, time |
-//! | B053F05 and others | "Response in units lookup" of the first stage: what is measured |
-//! | B058F03, B058F04 | stage, its gain; of stage 0 the sensitivity of the whole, counts a unit |
+//! | B052F22, B052F23 | start, end: year, day of year, time |
+//! | B053F05 and others | "Response in units lookup" of the first stage: measured quantity |
+//! | B058F03, B058F04 | stage, its gain; for stage 0 the total sensitivity, in counts per unit |
 //!
-//! Source: FDSN (2012) *SEED Reference Manual*, version 2.4, blockettes 50 to 58; as rdseed prints them (IRIS, release 5).
+//! Source: FDSN (2012) *SEED Reference Manual*, version 2.4, blockettes 50 to 58; in the format of rdseed (IRIS, release 5).
 
 use super::SeismicError;
 use super::lines::excerpt;
@@ -16,22 +16,22 @@ use crate::start::{days, seconds};
 use crate::wrong::OfStation;
 use dolmen::signal::Quantity;
 
-/// The response of one channel over a time.
+/// Response of one channel in a period of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Response {
     /// "KS.ADOA..HGE": network, station, location, channel, as the miniSEED file names it.
     pub channel: String,
-    /// From this time on, s from 1970.
+    /// Start of the period, s from 1970.
     pub from_s: f64,
-    /// Until this time, s from 1970; `None`: to this day.
+    /// End of the period, s from 1970; `None` if it is still valid.
     pub to_s: Option<f64>,
-    /// What is measured.
+    /// Measured quantity.
     pub quantity: Quantity,
-    /// Counts a SI unit of it.
+    /// Counts per SI unit of the quantity.
     pub counts_per_unit: f64,
 }
 
-/// A response in the making.
+/// Fields of a response that is being read.
 #[derive(Default)]
 struct ResponseParts {
     line: usize,
@@ -47,14 +47,14 @@ struct ResponseParts {
     stage: Option<usize>,
 }
 
-/// The responses of a RESP file, or of several one behind the other.
+/// Reads the responses of a RESP file, or of several files in one text.
 ///
 /// # Errors
-/// [`SeismicError`] for a field that is not as the format has it, or missing.
+/// [`SeismicError`] for a field that is missing or does not have the required form.
 ///
 /// # Limits
-/// Only the sensitivity is used: within the flat part of the response, which of accelerometers reaches from 0 to some 40 Hz. Where the file
-/// gives none of the whole, the gains of its stages are multiplied.
+/// Only the total sensitivity is used. It is valid in the flat part of the response, for accelerometers from 0 to about 40 Hz. If the file
+/// does not give it, the gains of the stages are multiplied.
 ///
 /// # Example
 /// ```
@@ -97,7 +97,7 @@ pub fn responses(text: &str) -> Result<Vec<Response>, SeismicError> {
     }
 }
 
-/// "B058F04" and "2.5e5" of "B058F04     Sensitivity:   2.5e5".
+/// Splits "B058F04     Sensitivity:   2.5e5" into "B058F04" and "2.5e5".
 fn field(line: &str) -> Option<(&str, &str)> {
     let line = line.trim();
     let (field, rest) = line.split_once(char::is_whitespace)?;

@@ -1,15 +1,16 @@
-//! SAC, binary in either byte order and alphanumeric, header versions 6 and 7: one evenly sampled channel.
+//! Reads SAC files, binary (either byte order) and alphanumeric, header versions 6 and 7: one channel with equal time
+//! steps.
 //!
 //! | word | what | here |
 //! |:--|:--|:--|
-//! | float 0 | DELTA, s | time step; version 7 has it in double precision behind the samples |
-//! | float 5 | B, s | first sample, from the reference time |
+//! | float 0 | DELTA, s | time step; version 7 stores it in double precision after the samples |
+//! | float 5 | B, s | time of the first sample after the reference time |
 //! | float 57, 58 | CMPAZ, CMPINC, ° | direction: inclination 0 up, 90 horizontal, 180 down |
 //! | integer 0 … 5 | NZYEAR … NZMSEC | reference time |
-//! | integer 6, 9, 15, 16 | NVHDR, NPTS, IFTYPE, IDEP | version, samples, 1 = a time series, quantity |
-//! | integer 35 | LEVEN | 1 = evenly sampled |
+//! | integer 6, 9, 15, 16 | NVHDR, NPTS, IFTYPE, IDEP | version, number of samples, 1 = a time series, quantity |
+//! | integer 35 | LEVEN | 1 = equal time steps |
 //!
-//! SAC does not say the unit of its numbers in a way that files follow: it must be given.
+//! In practice SAC files do not state the unit of their numbers reliably, so the user must give it.
 //!
 //! Source: Goldstein, Snoke (2005) *SAC Availability for the IRIS Community*; the SAC data file format of its manual.
 
@@ -23,14 +24,14 @@ use dolmen::signal::Quantity;
 const FLOATS: usize = 70;
 const INTEGERS: usize = 40;
 const TEXTS: usize = 24;
-/// Bytes of a header: 110 words of 4 and 24 of 8.
+/// Bytes of a header: 110 words of 4 bytes and 24 words of 8 bytes.
 const HEADER_BYTES: usize = 4 * (FLOATS + INTEGERS) + 8 * TEXTS;
-/// Doubles behind the samples in version 7.
+/// Bytes of the footer of version 7: doubles after the samples.
 const FOOTER_BYTES: usize = 22 * 8;
-/// How a value that is not known is written.
+/// Value that SAC writes for an unknown number.
 const UNKNOWN: f64 = -12345.0;
 const VERSIONS: [i64; 2] = [6, 7];
-/// IFTYPE of a time series; IDEP of displacement, velocity.
+/// Codes: IFTYPE of a time series, IDEP of displacement and of velocity.
 const TIME_SERIES: i64 = 1;
 const DISPLACEMENT: i64 = 6;
 const VELOCITY: i64 = 7;
@@ -56,7 +57,7 @@ impl Header {
         if word == "-12345" { "" } else { word }
     }
 
-    /// The reference time and B.
+    /// Time of the first sample: the reference time plus B.
     fn begins_s(&self) -> Option<f64> {
         let part = |at: usize| self.integer(at);
         let day =
@@ -64,7 +65,7 @@ impl Header {
         let (hour, minute, second, millisecond) = (part(2)?, part(3)?, part(4)?, part(5)?);
         let allowed = (0..24).contains(&hour) && (0..60).contains(&minute) && (0..=60).contains(&second);
         let second = second as f64 + millisecond as f64 / 1e3;
-        // first whether they are times of a day: others overflow
+        // check the fields first: values that are not a time of day would overflow
         allowed.then_some(())?;
         Some(start::seconds(day, hour, minute, second) + self.float(5)?)
     }
@@ -78,7 +79,8 @@ impl Header {
         }
     }
 
-    /// Everything but the samples, if they are a time series of accelerations, and how many there must be.
+    /// Reads the header of a time series of accelerations; returns the channel without samples, and the expected
+    /// number of samples.
     fn raw(&self, format: MotionFormat) -> Result<(Raw, usize), SeismicError> {
         let refuse = |what: OfStation, found: f64| SeismicError::Sac {
             what: what.into(),
@@ -116,12 +118,12 @@ impl Header {
     }
 }
 
-/// A number of 32 bits as it is printed shortest: 0.01 for the nearest float to it.
+/// The shortest decimal number that rounds to this 32-bit float, such as 0.01.
 fn shortest(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(f64::from(value))
 }
 
-/// Whether integers are stored with the last byte first; `None` if it is no SAC file.
+/// Whether integers are stored with the least significant byte first; `None` if the file is not a SAC file.
 fn is_little(bytes: &[u8]) -> Option<bool> {
     let word = bytes.get(4 * (FLOATS + 6)..4 * (FLOATS + 7))?.try_into().ok()?;
     let stands = |version: i32| VERSIONS.contains(&i64::from(version));
@@ -190,11 +192,11 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     Ok(vec![raw])
 }
 
-/// Lines of floats, integers and texts of an alphanumeric header.
+/// Numbers of lines with floats, integers and texts in an alphanumeric header.
 const FLOAT_LINES: usize = 14;
 const INTEGER_LINES: usize = 8;
 const TEXT_LINES: usize = 8;
-/// Numbers on a line of the header.
+/// Numbers per line of the header.
 const ON_A_LINE: usize = 5;
 
 pub(super) fn is_alphanumeric(bytes: &[u8]) -> bool {

@@ -1,11 +1,11 @@
-//! Parts of several sentences, in both languages.
+//! Parts of messages, in English and Korean.
 
 use crate::quoted::shown;
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// Parts of sentences.
+    /// Parts of several messages.
     pub(crate) enum Piece in "records.piece" {
         DidYouMean { near: String } => { en: " (did you mean \"{near}\"?)", ko: "(\"{near}\"을(를) 쓰려던 것인가?)" },
         LastLine => { en: "; it is the last line: the file was cut short", ko: ". 마지막 행이므로 파일이 잘린 것이다" },
@@ -32,7 +32,7 @@ messages! {
 }
 
 messages! {
-    /// A text that is no table of numbers.
+    /// Why a text is not a table of numbers.
     pub(crate) enum DiffersFromATable in "records.not-a-table" {
         NotATable { lines: usize, numbers: usize, cells: usize } => {
             en: "the file does not look like a table of numbers (its first {lines} lines hold {numbers} numbers in {cells} cells): is it the right file?",
@@ -45,12 +45,12 @@ fn nothing() -> Both {
     Both::from("")
 }
 
-/// What was probably meant.
+/// Suggests the nearest known name.
 pub(super) fn did_you_mean(nearest: Option<&str>) -> Both {
     nearest.map_or_else(nothing, |near| Piece::DidYouMean { near: shown(near) }.into())
 }
 
-/// Possible causes of a last line of another length.
+/// Possible causes of a last line whose length differs.
 pub(super) fn last_line(is_last: bool) -> Both {
     match is_last {
         true => Piece::LastLine.into(),
@@ -76,7 +76,7 @@ pub(super) fn no_channel(given: Option<&str>) -> Both {
     given.map_or_else(nothing, |name| Piece::NoChannel { name: shown(name) }.into())
 }
 
-/// The remedy for a column in another unit: the scale to the unit of the record, to ten digits.
+/// The remedy for a column in another unit: the scale to the unit of the record, with ten digits.
 pub(super) fn scale_or_leave_out(scale: Option<f64>) -> Both {
     let rounded = |scale: f64| format!("{scale:.9e}").parse().unwrap_or(scale);
     scale.map_or_else(
@@ -90,7 +90,7 @@ pub(super) fn scale_or_leave_out(scale: Option<f64>) -> Both {
     )
 }
 
-/// The line, where the file has lines.
+/// The line number, for files that have lines.
 pub(super) fn at_line(line: usize) -> Both {
     match line {
         0 => nothing(),

@@ -1,9 +1,9 @@
-//! Errors at a place of the file of a seismic station.
+//! Errors in the file of a seismic station, with their place in the file.
 
 use dolmen_words::messages;
 
 messages! {
-    /// The expected line, or an error.
+    /// What the file should have at a place, or why the content there is wrong.
     pub(crate) enum OfStation in "seismic.place" {
         Velocities => { en: "velocities", ko: "속도" },
         Displacements => { en: "displacements", ko: "변위" },

@@ -1,4 +1,4 @@
-//! Unsupported contents of a record file, and the remedy.
+//! Content of a record file that is not supported, and what to do about it.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;

@@ -8,8 +8,8 @@ pub(crate) const SCHEMA: &str = "dolmen";
 /// Schema files for servers only.
 const OWN: &str = include_str!("../sql/0001_server.sql");
 
-/// A column type of SQLite and its equivalent. Texts are compared byte by byte, whatever the language of the database, so that lists, keys and
-/// hashes equal those of a file.
+/// A column type of SQLite and its equivalent. Texts are compared byte by byte in any language of the database, so that lists, keys and hashes
+/// equal those of a file.
 const TYPES: [(&str, &str); 3] = [
     ("integer", "bigint"),
     ("real", "double precision"),

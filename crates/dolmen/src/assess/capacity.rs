@@ -1,64 +1,64 @@
-//! Capacity against shaking of growing size: scanned, never bisected blindly.
+//! Capacity from a scan of shaking with growing size. The whole grid is evaluated, because bisection alone could miss the first fall.
 //!
-//! A stack that rocks is not monotone: most records that overturn it at one scale are survived at some scale above. So a whole
-//! grid of scales is tried, the first fall is the capacity, and what was survived above it is reported with it.
+//! The outcome of a rocking stack is not monotone: it survives most records that overturn it at some larger scale. So a whole grid of
+//! scales is evaluated, the first fall is the capacity, and survived scales above it are reported too.
 
 use super::AssessError;
 
-/// How a run at one scale ended.
+/// Outcome of a run at one scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trial {
-    /// Nothing fell.
+    /// No block fell.
     Survived,
-    /// It fell.
+    /// A block fell.
     Fell,
-    /// The run cannot be used: it was refused, diverged, found no solution, or ended undecided.
+    /// The run is unusable: it was refused, diverged, found no solution, or ended without a verdict.
     Unknown,
 }
 
-/// One scale that was tried.
+/// One scale of a scan and its outcome.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScaleTrial {
     /// Factor on the motion, –.
     pub scale: f64,
-    /// How it ended.
+    /// Outcome of the run.
     pub trial: Trial,
 }
 
-/// What a scan says.
+/// Result of a scan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Capacity {
-    /// The least scale tried that it fell at; `None` if it fell at none.
+    /// Smallest scale with a fall; `None` if there was no fall.
     pub first_fall: Option<f64>,
-    /// The largest scale up to which every scale tried was survived; 0, the stack at rest, if there is none.
+    /// Largest scale up to which all scales were survived; 0 (rest) if there is none.
     pub survived_below: f64,
-    /// Scales above the first fall that were survived, rising: the scan is not monotone if there are any.
+    /// Survived scales above the first fall, ascending: if there are any, the scan is not monotone.
     pub survived_above: Vec<f64>,
-    /// The largest scale tried: if nothing fell, the capacity is beyond it.
+    /// Largest scale of the scan: without a fall, the capacity is larger.
     pub largest_tried: f64,
-    /// Scales whose runs cannot be used, rising.
+    /// Scales of unusable runs, ascending.
     pub unknown: Vec<f64>,
 }
 
-/// What a scan says of the capacity. A run that cannot be used is neither survived nor fallen: below the first fall it leaves the
-/// capacity open.
+/// Capacity as known from a scan. An unusable run counts neither as survival nor as a fall: below the first fall it makes the capacity an
+/// interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reading {
-    /// It first fell here; every scale tried below was survived.
+    /// The first fall is at this scale; all smaller scales were survived.
     Fell(f64),
-    /// Every scale was survived: the capacity lies above the largest.
+    /// All scales were survived: the capacity is above the largest.
     Beyond(f64),
-    /// The capacity lies above what was survived below the first run that cannot be used, and not above the first fall.
+    /// The capacity is in an interval, from the largest survived scale below the first unusable run up to the first fall.
     Open {
-        /// The largest scale up to which every scale tried was survived; 0 if there is none.
+        /// Largest scale up to which all scales were survived; 0 if there is none.
         survived: f64,
-        /// The least scale that it fell at.
+        /// Smallest scale with a fall.
         fell: Option<f64>,
     },
 }
 
 impl Capacity {
-    /// What the scan says of the capacity.
+    /// The capacity as known from the scan.
     pub fn reading(&self) -> Reading {
         let limit = self.first_fall.unwrap_or(f64::INFINITY);
         match self.first_fall {
@@ -72,41 +72,42 @@ impl Capacity {
     }
 }
 
-/// The size of shaking at which a state is first reached, as far as a scan knows it.
+/// The size of shaking at which a state is first reached, or a lower bound of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reached {
-    /// Here.
+    /// The state is first reached at this size.
     At(f64),
-    /// Not up to here, the largest that was tried.
+    /// The state is not reached up to this size, the largest of the scan.
     Above(f64),
 }
 
 impl Reached {
-    /// The number, whichever it is.
+    /// The size or the lower bound.
     pub fn value(self) -> f64 {
         match self {
             Reached::At(value) | Reached::Above(value) => value,
         }
     }
 
-    /// Whether it was reached.
+    /// Whether the state was reached.
     pub fn is_reached(self) -> bool {
         matches!(self, Reached::At(_))
     }
 }
 
-/// A quantile of sizes of shaking of which some are only known to lie above what was tried; `None` without any.
+/// A quantile of sizes of shaking, some of which may be lower bounds; `None` without values.
 ///
 /// ```text
-/// x_(1) ≤ … ≤ x_(n)      h = (n − 1) p          definition 7 of Hyndman and Fan: between two in proportion
-/// lower end: every one that was not reached at what was tried; upper end: at infinity
+/// x_(1) ≤ … ≤ x_(n)      h = (n − 1) p          definition 7 of Hyndman and Fan: linear between two values
+/// lower end: each lower bound as it is; upper end: each lower bound at infinity
 /// ```
 ///
-/// It is `At` where both ends are the same, else `Above` its lower end: a size that was not reached may be anything larger, so the quantile
-/// is an interval that is open above.
+/// The result is `At` if both ends are equal, otherwise `Above` the lower end: a size that is only a lower bound may be any larger value,
+/// so the quantile is an interval without an upper end.
 ///
 /// # Source
-/// Hyndman, R. J. and Fan, Y. (1996) Sample quantiles in statistical packages. Am. Stat. 50(4):361–365, of the ends of intervals.
+/// Hyndman, R. J. and Fan, Y. (1996) Sample quantiles in statistical packages. Am. Stat. 50(4):361–365, applied to both ends of the
+/// intervals.
 ///
 /// # Example
 /// ```
@@ -140,10 +141,10 @@ pub fn reached_quantile(values: &[Reached], probability: f64) -> Option<Reached>
     })
 }
 
-/// The capacity that a scan shows.
+/// The capacity from the runs of a scan.
 ///
 /// # Errors
-/// [`AssessError::Scale`] for a scale that is not positive, or no scale at all.
+/// [`AssessError::Scale`] for a scale that is not positive, or if there is no scale.
 ///
 /// # Example
 /// ```
@@ -177,10 +178,11 @@ pub fn capacity(tried: &[ScaleTrial]) -> Result<Capacity, AssessError> {
     })
 }
 
-/// The next scale to try so that the first fall of a whole grid is known more finely: the middle of its bracket, `halvings`
-/// times; `None` when that is done, when nothing fell, or when an unusable run is in the way.
+/// The next scale that refines the first fall of a grid: the middle of its bracket, up to `halvings` times. `None` if that is done, if
+/// nothing fell, or if a run in the bracket is unusable.
 ///
-/// The bracket is that of two neighbours of the grid: between them one fall is assumed, as below the first of the grid none is.
+/// The bracket lies between two neighbours of the grid. It is assumed to contain one fall; below the first scale of the grid no fall is
+/// assumed.
 ///
 /// # Errors
 /// As [`capacity`].
@@ -318,18 +320,18 @@ mod tests {
         let of = |values: &[Reached], p| reached_quantile(values, p).unwrap();
         assert_eq!(of(&[At(3.0), At(1.0), At(2.0)], 0.5), At(2.0));
         assert_eq!(of(&[At(1.0), At(2.0)], 0.25), At(1.25));
-        // one of four fell: the least is known, the median is not
+        // one of four fell: the smallest value is known, the median is not
         let four = [Above(2.0), At(0.712), Above(2.0), Above(2.0)];
-        // its place at 5 % lies 0.15 of the way to what was not reached at 2
+        // the 5 % quantile lies 0.15 of the way from 0.712 to the lower bound 2
         assert_eq!(of(&four, 0.05), Above(0.712 + 0.15 * (2.0 - 0.712)));
         assert_eq!(of(&four, 0.0), At(0.712));
-        // the stronger in both motions has the larger median
+        // the structure with the larger values for both motions has the larger median
         let [weak, strong] = [[At(0.5), At(0.9)], [At(0.625), Above(0.9)]].map(|all| of(&all, 0.5));
         assert_eq!((weak, strong.is_reached()), (At(0.7), false));
         assert!(strong.value() > weak.value());
         assert_eq!(of(&four, 0.5), Above(2.0));
         assert_eq!(of(&[At(1.0), At(1.2), Above(2.0)], 0.5), At(1.2));
-        // what was survived up to less may have fallen before
+        // the structure that survived up to 0.3 may fall before 0.5
         assert_eq!(of(&[At(0.5), Above(0.3)], 0.0), Above(0.3));
         assert_eq!(of(&[At(0.5), Above(0.3)], 1.0), Above(0.5));
         assert_eq!(of(&[Above(1.0), At(1.0)], 0.0), At(1.0));

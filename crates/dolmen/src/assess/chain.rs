@@ -14,13 +14,13 @@ pub struct ChainCheck {
     pub stability: Option<ChainStability>,
     /// Natural modes with the joints' stiffness; empty if it is not known.
     pub modes: Vec<NaturalMode>,
-    /// What lowering each centroid does.
+    /// Effect of lowering each centroid.
     pub centroids: Vec<CentroidEffect>,
     /// Beside the pole without joints; `None` if its stone is not known. [`check_one_stone`](super::check_one_stone) makes it.
     pub one_stone: Option<OneStoneCheck>,
     /// The lowest joint and the soil below it; `None` if nothing is known of the soil.
     pub on_soil: Option<JointOnSoil>,
-    /// What stands at its side.
+    /// The side supports.
     pub side_supports: Vec<SideSupport>,
     /// The load factor without side supports; `None` without any that is counted, or if the stiffness is not known.
     pub load_factor_without_supports: Option<f64>,
@@ -38,7 +38,7 @@ pub struct ChainCheck {
 pub struct LoadedChain {
     /// Lowest natural frequency in the direction of motion, Hz; `None` where it falls or no stiffness is known.
     pub frequency_hz: Option<f64>,
-    /// The same across, of a chain of two directions.
+    /// Frequency across, of a chain of two directions.
     pub frequency_across_hz: Option<f64>,
     /// Least tilt at which a joint reaches its uplift limit, rad; `None` without bed widths or stiffness.
     pub uplift_tilt_rad: Option<f64>,
@@ -56,7 +56,7 @@ pub struct ChainAcross {
     pub modes: Vec<NaturalMode>,
     /// Stiffness of the joints there, from 1 at the bottom, that is not given and was taken by the sides of the beds.
     pub taken: Vec<StiffnessTaken>,
-    /// What stands at its side there.
+    /// The side supports in this direction.
     pub side_supports: Vec<SideSupport>,
     /// The load factor without those; as of [`ChainCheck`].
     pub load_factor_without_supports: Option<f64>,
@@ -68,7 +68,7 @@ pub struct ChainAcross {
 pub struct StiffnessTaken {
     /// The joint, from 1 at the bottom.
     pub joint: usize,
-    /// What was taken, N m/rad.
+    /// Assumed stiffness, N m/rad.
     pub stiffness_n_m_rad: f64,
     /// Over that along: (w/b)² of the sides of its bed, at most 1.
     pub of_along: f64,
@@ -96,7 +96,7 @@ pub struct JointOnSoil {
 }
 
 impl JointOnSoil {
-    /// What the soil turns of all that both turn.
+    /// Fraction of the joint's total rotation that occurs in the soil.
     pub fn soil_share(&self) -> Option<f64> {
         Some(self.together_n_m_rad? / self.soil_n_m_rad)
     }
@@ -148,7 +148,7 @@ pub fn check_chain(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<C
     })
 }
 
-/// The chain across, by itself.
+/// Checks the chain across, alone.
 ///
 /// # Errors
 /// As [`check_chain`].
@@ -180,7 +180,7 @@ fn without_supports(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<
     })
 }
 
-/// What moving one link's centre of mass does, by the published criterion and in truth.
+/// Effect of moving the centre of mass of one link, by the published criterion and exactly.
 ///
 /// ```text
 /// ∂K/∂l_i = −w_i e_i e_iᵀ        so lowering a centre of mass can only help

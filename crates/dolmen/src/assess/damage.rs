@@ -10,11 +10,11 @@ pub struct DamageThresholds {
     /// DS1: slip from which sliding counts as begun, m, positive. Default 0.5 mm, chosen here: below it lies the shear of the springs of a
     /// joint (0.15 mm at 100 kPa, friction 0.6, 4e8 Pa/m).
     pub slip_begun_m: f64,
-    /// DS2: offset left over the joint's width, –, positive. Default 0.005.
+    /// DS2: residual offset over the joint's width, –, positive. Default 0.005.
     pub offset_ratio: f64,
     /// DS2: offset left, m, positive. Default 10 mm.
     pub offset_m: f64,
-    /// DS3: offset left over the joint's width, –, not below that of DS2. Default 0.02.
+    /// DS3: residual offset over the joint's width, –, not below that of DS2. Default 0.02.
     pub severe_offset_ratio: f64,
     /// DS3: rocking of a joint over the slenderness angle of what stands on it, –, positive. Default 0.35.
     pub severe_rocking_ratio: f64,
@@ -60,7 +60,7 @@ impl DamageState {
     }
 }
 
-/// What a motion did to one joint.
+/// Effect of a motion on one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointDamage {
     /// The state: [`DamageState::Fallen`] of the joint that gave way alone, [`DamageState::Severe`] also of those below a stone on the brink.
@@ -71,7 +71,7 @@ pub struct JointDamage {
     pub peak_slip_m: f64,
     /// Slip left, m.
     pub residual_slip_m: f64,
-    /// Slip left over the width of the joint in that direction, –.
+    /// Residual slip over the width of the joint in that direction, –.
     pub residual_slip_ratio: f64,
     /// Rocking, opening over the least width, over the slenderness angle of what stands on it, –; 0 where that part has none.
     pub peak_rocking_ratio: f64,
@@ -79,12 +79,12 @@ pub struct JointDamage {
     pub peak_yaw_rad: f64,
 }
 
-/// What a motion did to a stack, in the numbers that damage states are made of.
+/// Effect of a motion on a stack, in the quantities that define damage states.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackDamage {
     /// The state: that of the worst joint.
     pub state: DamageState,
-    /// Each joint by itself, in the order of the stack's joints.
+    /// Damage of each joint, in the order of the stack's joints.
     pub joints: Vec<JointDamage>,
     /// Largest lean of a stone at a sample, rad.
     pub peak_tilt_rad: f64,
@@ -107,8 +107,8 @@ impl StackDamage {
 /// ```
 ///
 /// # Limits
-/// Where several joints carry one part, or none is cut through alone, α of the cut that holds the joint and fewest blocks is taken.
-/// Of a run that was ended early only what happened until then counts: after a stone has fallen the result says nothing of the others.
+/// If several joints carry one part, or no cut goes through a joint alone, α is that of the cut with this joint and the fewest blocks. For a run
+/// that ended early, only the time up to its end counts: after one stone has fallen the result says nothing about the others.
 pub fn stack_damage(
     stack: &Stack,
     limits: &StackLimitStates,
@@ -268,7 +268,7 @@ mod tests {
         (stack, limits)
     }
 
-    /// The stone under half a sine of so many times its uplift acceleration, 0.4 s long.
+    /// The stone under half a sine with this multiple of its uplift acceleration, 0.4 s long.
     fn pulse(stack: &Stack, times: f64) -> StackHistory {
         let samples = (0..=40).map(|i| times * 0.2 * 9.81 * (PI * f64::from(i) / 40.0).sin());
         let motion = GroundMotion::new("pulse", 0.01, vec![(Component::X, samples.collect())]).unwrap();

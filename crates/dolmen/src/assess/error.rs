@@ -29,7 +29,7 @@ pub enum AssessError {
         /// Which.
         survey: String,
     },
-    /// Too few surveys, or too little weather, to fit a coefficient of temperature.
+    /// Too few surveys, or too small a range of temperatures, for fitting a temperature coefficient.
     #[error(
         "{surveys} surveys with a temperature, {spread_c} °C apart, but a coefficient needs {least} and {spread_least_c} °C: measure in \
          other seasons, or give the coefficient"
@@ -54,7 +54,7 @@ pub enum AssessError {
         factor: &'static str,
         /// Its value.
         given: f64,
-        /// What it may be.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// A factor of the score lies outside what was trained.
@@ -80,7 +80,7 @@ pub enum AssessError {
     NothingToRank {
         /// Structures given.
         candidates: usize,
-        /// Draws asked for.
+        /// Requested number of draws.
         draws: usize,
     },
     /// Too few designs to train a score on.
@@ -127,9 +127,9 @@ pub enum AssessError {
     /// A damping ratio that a table does not hold for.
     #[error("damping_ratio is {given}, but the table holds for {of_table}: give a table for that damping")]
     TableDamping {
-        /// The ratio asked for.
+        /// Requested damping ratio.
         given: f64,
-        /// That of the table.
+        /// Damping ratio of the table.
         of_table: f64,
     },
     /// A scale of a scan that cannot be.
@@ -159,7 +159,7 @@ pub enum AssessError {
         number: usize,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// Too few motions for a fragility curve.
@@ -189,7 +189,7 @@ pub enum AssessError {
         /// All.
         scans: usize,
     },
-    /// What residuals are held against does not vary.
+    /// The predictor of the residuals does not vary.
     #[error(
         "it is {value} for every motion, so that nothing can depend on it: give motions of different earthquakes"
     )]
@@ -209,11 +209,11 @@ pub enum AssessError {
     /// A hazard that cannot be.
     #[error("{what} of the hazard is {given}, but must be {allowed}")]
     Hazard {
-        /// What is wrong.
+        /// The fault.
         what: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
 }

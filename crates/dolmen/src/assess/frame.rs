@@ -6,11 +6,12 @@ use crate::stability::{FrameStability, frame_stability};
 use crate::structure::{Frame, NaturalMode};
 use std::fmt;
 
-/// A level whose load is outside this many times the weight of its mass is pointed out: our choice. Roof masses are
-/// lumped from drawings to some 10 %; axial forces summed twice give 2 in a frame of two equal storeys.
+/// Range of the ratio between the load of a level and the weight of its mass; outside it, a note is given: our
+/// choice. Roof masses estimated from drawings have errors of about 10 %; axial forces summed twice give 2 in a frame
+/// of two equal storeys.
 const LOAD_RATIO_PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 
-/// What looks like a slip in the loads of a frame. Printed, it is an English sentence.
+/// A probable mistake in the loads of a frame. `Display` gives an English sentence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrameNote {
     /// No storey carries an axial force.
@@ -51,7 +52,7 @@ pub struct FrameCheck {
     pub stability: Option<FrameStability>,
     /// Natural modes; empty if the stiffness is not known.
     pub modes: Vec<NaturalMode>,
-    /// What looks like a slip in the input.
+    /// Probable mistakes in the input.
     pub notes: Vec<FrameNote>,
 }
 

@@ -21,11 +21,11 @@ pub struct OneStoneCheck {
     pub changed: f64,
 }
 
-/// Most modes that are compared. Chosen here: of links that are rigid the higher ones say nothing of a pole.
+/// Largest number of compared modes. Chosen here: with rigid links, higher modes are meaningless for a pole.
 const MODES_MOST: usize = 5;
 
-/// What a chain would be as one stone, clamped at its foot: how much the joints take of its frequencies, and what links that bend
-/// would change.
+/// Compares a chain with a monolithic pole clamped at its foot: the reduction of its frequencies by the joints, and the effect of
+/// bending links.
 ///
 /// # Input
 /// * `modes` -- of the chain on these joints; empty if they are not known

@@ -1,33 +1,35 @@
-//! Which structure first: many structures put into order, with the interval that what is known of each leaves to its place.
+//! Ranks many structures by urgency, with an interval of each rank that reflects the uncertainty of the capacities.
 
 use super::{AssessError, Fragility, Hazard, annual_risk};
 use crate::numeric::{Interval, Random, normal_quantile, quantile};
 
-/// What is known of the capacity of a structure in one damage state.
+/// Capacity of a structure in one damage state, with its uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KnownCapacity {
-    /// θ and β over peak ground acceleration, m/s²: β is the scatter from motion to motion.
+    /// θ and β over peak ground acceleration, m/s²; β is the scatter between ground motions.
     pub fragility: Fragility,
-    /// Standard deviation of ln θ: what is not known of it; 0 or more.
+    /// Standard deviation of ln θ, the uncertainty of the median; 0 or more.
     pub ln_theta_sd: f64,
-    /// How θ is known.
+    /// Whether θ is a value or a bound.
     pub known: Known,
-    /// p₀, the probability that it falls under its own weight, –: then the state is reached without shaking, and `fragility` is of the rest.
+    /// p₀, the probability that the structure falls under its own weight, –. In that case the state is reached without shaking; `fragility` describes
+    /// the remaining cases.
     pub falls_alone: f64,
 }
 
-/// Years of the rate that stands for what falls without shaking.
+/// Period in years for the equivalent rate of structures that fall without shaking.
 const RATE_YEARS: f64 = 50.0;
 
 impl KnownCapacity {
-    /// The intensity that half of all that may be reach the state by, for a θ of those that stand by themselves; 0 if half fall without shaking.
+    /// Intensity at which the state is reached with probability ½, from θ of the cases that stand by themselves; 0 if half of the cases fall without
+    /// shaking.
     ///
     /// ```text
     /// p₀ + (1 − p₀) Φ(ln(x/θ)/β) = ½
     /// ```
     ///
     /// # Errors
-    /// None for 0 ≤ p₀ ≤ 1.
+    /// No error occurs for 0 ≤ p₀ ≤ 1.
     pub fn median(&self, theta: f64) -> Result<f64, AssessError> {
         let p0 = self.falls_alone;
         if p0 == 0.0 || p0 >= 0.5 {
@@ -37,8 +39,8 @@ impl KnownCapacity {
         Ok(theta * (self.fragility.beta() * z).exp())
     }
 
-    /// The steady rate, 1/year, that gives the same probability in 50 years, for the rate of those that stand by themselves: what falls without
-    /// shaking has no finite rate of its own.
+    /// Constant annual rate, 1/year, that gives the same probability in 50 years, from the rate of the cases that stand by themselves. Cases that
+    /// fall without shaking have no finite rate, so a period is needed.
     ///
     /// ```text
     /// 1 − e^(−50 λ) = p₀ + (1 − p₀)(1 − e^(−50 λ_s))        λ = λ_s − ln(1 − p₀)/50
@@ -48,61 +50,61 @@ impl KnownCapacity {
     }
 }
 
-/// How a median is known.
+/// Whether a median is a value or a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Known {
-    /// Found.
+    /// The median was determined.
     Found,
-    /// It is this or more: no motion reached the state. Ranked as if it were this.
+    /// A lower bound: no motion reached the state. Ranked by this value.
     AtLeast,
-    /// It is this or less: every motion reached the state at the least shaking tried. Ranked as if it were this: look at it first.
+    /// An upper bound: every motion reached the state at the weakest shaking. Ranked by this value; inspect this structure first.
     AtMost,
 }
 
-/// A structure to be ranked.
+/// A structure in the ranking.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
-    /// What is known of the state that it is ranked by.
+    /// Capacity in the damage state of the ranking.
     pub capacity: KnownCapacity,
-    /// How often the ground shakes where it stands; with it the annual rate ranks, without it the capacity.
+    /// Seismic hazard at the site. If every structure has one, the ranking uses annual rates, otherwise capacities.
     pub hazard: Option<Hazard>,
 }
 
-/// What structures are ranked by.
+/// Quantity of the ranking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RankedBy {
-    /// Annual rate at which the state is reached, the largest first: every structure has a hazard.
+    /// Annual rate of the damage state, the largest first; needs a hazard for every structure.
     AnnualRate,
-    /// θ, the smallest first: some structure has no hazard.
+    /// θ, the smallest first; used if a structure has no hazard.
     Capacity,
 }
 
-/// The place of one structure.
+/// Rank of one structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Which of the candidates, from 0.
+    /// Index of the candidate, from 0.
     pub candidate: usize,
-    /// Its place, 1 the worst.
+    /// Rank; 1 is the most urgent.
     pub rank: usize,
-    /// 90 % interval of its place.
+    /// 90 % interval of the rank.
     pub rank_interval: Interval,
-    /// Rate at which the state is reached, 1/year, what is not known of θ included; where it may fall under its own weight the rate that gives the same probability in
-    /// 50 years. `None` without a hazard.
+    /// Annual rate of the damage state, 1/year, including the uncertainty of θ. For a structure that may fall under its own weight: the rate that
+    /// gives the same probability in 50 years. `None` without a hazard.
     pub annual_rate: Option<f64>,
-    /// Share of the draws in which it is among the worst tenth, –.
+    /// Fraction of the draws in which the structure is among the most urgent tenth, –.
     pub worst_tenth: f64,
 }
 
-/// The order.
+/// The ranking.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ranked {
-    /// What by.
+    /// Quantity of the ranking.
     pub by: RankedBy,
-    /// All, the worst first; equal ones in the order given.
+    /// All structures, the most urgent first; equal ones in the given order.
     pub places: Vec<Place>,
 }
 
-/// Structures in the order in which they should be looked at.
+/// Ranks structures by the urgency of an inspection.
 ///
 /// ```text
 /// rate = ∫ Φ(ln(x/θ)/√(β² + σ²)) |dλ(x)| − ln(1 − p₀)/50        σ: standard deviation of ln θ; p₀: falls under its own weight
@@ -110,11 +112,11 @@ pub struct Ranked {
 /// ```
 ///
 /// # Errors
-/// [`AssessError::NothingToRank`] for no candidate or fewer than 20 draws; [`AssessError::Factor`] for a σ that is negative or no number.
+/// [`AssessError::NothingToRank`] without candidates or for fewer than 20 draws; [`AssessError::Factor`] for a σ that is negative or not a number.
 ///
 /// # Limits
-/// What is not known counts as independent from structure to structure: an error that they share, such as one friction coefficient too
-/// high for all of them, moves the rates and not the order.
+/// The uncertainties of different structures are assumed independent. A common error, such as a friction coefficient that is too high for all of
+/// them, changes the rates but not the order.
 pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked, AssessError> {
     if candidates.is_empty() || draws < 20 {
         return Err(AssessError::NothingToRank {
@@ -155,7 +157,7 @@ pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked,
                 .map(|hazard| capacity.rate_in_50_years(annual_risk(hazard, &whole).annual_rate)),
         );
     }
-    // small is bad: θ, or a rate turned round
+    // a smaller value is more urgent: θ, or the negative rate
     let badness = |theta: f64, rate: Option<f64>| match (by, rate) {
         (RankedBy::AnnualRate, Some(rate)) => 1.0 / rate,
         _ => theta,
@@ -205,7 +207,7 @@ pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked,
     Ok(Ranked { by, places })
 }
 
-/// Indices by rising value; equal ones in their order.
+/// Indices in ascending order of value; equal values keep their order.
 fn order_of(values: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
@@ -226,7 +228,7 @@ mod tests {
         Candidate { capacity, hazard }
     }
 
-    /// A structure of which one sample in seven falls by itself, beside the same without such samples.
+    /// A structure that falls by itself in one sample of seven, compared with the same structure without such samples.
     #[test]
     fn exact_what_falls_without_shaking_moves_median_rate_and_place() {
         let hazard = Hazard::through(1.0, 500.0, 2.0).unwrap();
@@ -287,7 +289,7 @@ mod tests {
             let rate = place.annual_rate.unwrap();
             assert!((rate / exact - 1.0).abs() < 1e-9, "{rate} {exact}");
         }
-        // without a hazard for one of them, capacity alone
+        // one structure has no hazard: ranked by capacity alone
         let mut some = all;
         some[0].hazard = None;
         let found = rank(&some, 20, 1).unwrap();
@@ -296,7 +298,7 @@ mod tests {
         assert_eq!(order, [1, 2, 0]);
     }
 
-    /// Two structures: the chance that the better one is drawn worse is Φ(−Δ ln θ/√(σ₁² + σ₂²)).
+    /// Two structures: the probability that the better one is drawn worse is Φ(−Δ ln θ/√(σ₁² + σ₂²)).
     #[test]
     fn exact_chance_of_changing_places() {
         let all = [candidate(1.0, 0.4, 0.3, None), candidate(1.2, 0.4, 0.4, None)];

@@ -1,33 +1,33 @@
-//! A probability counted from seeded samples, with its interval, and the scatter of a sampled result.
+//! Probability of an event from seeded samples, with its confidence interval; distribution of a sampled result.
 
 use super::AssessError;
 use crate::numeric::{Random, clopper_pearson, mean, quantile, variance};
 
-/// Confidence of an interval if the caller gives none: the custom of the field.
+/// Confidence level of an interval if the caller gives none: the usual value.
 const CONFIDENCE: f64 = 0.95;
 
-/// How often something happened among independent samples.
+/// Frequency of an event among independent samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Probability {
-    /// Samples in which it happened.
+    /// Number of samples with the event.
     pub count: usize,
-    /// Samples drawn.
+    /// Number of samples.
     pub samples: usize,
     /// count / samples.
     pub estimate: f64,
     /// Lower end of the Clopper–Pearson interval.
     pub lower: f64,
-    /// Upper end of it.
+    /// Upper end of the Clopper–Pearson interval.
     pub upper: f64,
-    /// Confidence of the interval, 0.95 by default.
+    /// Confidence level of the interval, 0.95 by default.
     pub confidence: f64,
     /// Seed of the samples.
     pub seed: u64,
 }
 
 impl Probability {
-    /// Of a count, with its interval.
+    /// The probability and its interval from a count of events.
     ///
     /// # Errors
     /// [`AssessError::Numeric`] unless 1 ≤ samples, count ≤ samples and 0 < confidence < 1.
@@ -45,7 +45,8 @@ impl Probability {
     }
 }
 
-/// One value a sample: sample i draws from stream i of the seed, so it is the same in a longer or shorter study.
+/// One value per sample. Sample i uses random stream i of the seed, so its value does not depend on the number of
+/// samples.
 ///
 /// # Errors
 /// The first error of `draw`.
@@ -67,14 +68,13 @@ pub fn sampled<T, E>(
         .collect()
 }
 
-/// How often `happens` is true among samples, with its Clopper–Pearson interval at 95 %.
+/// Probability that `happens` is true among samples, with its Clopper–Pearson interval at 95 %.
 ///
 /// # Errors
 /// [`AssessError::Numeric`] for 0 samples; the first error of `happens`.
 ///
 /// # Limits
-/// The interval holds what the count leaves open, and nothing else: whether the distributions of the inputs are
-/// right it cannot know.
+/// The interval covers the scatter of the count only. It does not cover errors in the distributions of the inputs.
 ///
 /// # Example
 /// ```
@@ -95,28 +95,28 @@ pub fn probability<E: From<AssessError>>(
     Ok(Probability::of_count(count, samples, CONFIDENCE, seed)?)
 }
 
-/// Scatter of a sampled result.
+/// Distribution of a sampled result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distribution {
-    /// Samples drawn.
+    /// Number of samples.
     pub samples: usize,
     /// Mean.
     pub mean: f64,
     /// Standard deviation.
     pub standard_deviation: f64,
-    /// 5 of 100 samples lie below.
+    /// Value below which 5 % of the samples lie.
     pub quantile_05: f64,
-    /// Half of the samples lie below.
+    /// Value below which half of the samples lie.
     pub median: f64,
-    /// 95 of 100 samples lie below.
+    /// Value below which 95 % of the samples lie.
     pub quantile_95: f64,
 }
 
 impl Distribution {
-    /// Of sampled values in any order.
+    /// The distribution of sampled values, in any order.
     ///
     /// # Errors
-    /// [`AssessError::Numeric`] with fewer than 2 values, or one that is not finite.
+    /// [`AssessError::Numeric`] for fewer than 2 values or a value that is not finite.
     pub fn of(values: &[f64]) -> Result<Self, AssessError> {
         Ok(Distribution {
             samples: values.len(),
@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn holds_the_interval_covers_the_truth_as_often_as_it_says() {
-        // P(z > 1.2816) = 0.1; 400 studies of 200 samples: at least 95 % less 4 standard errors
+        // P(z > 1.2816) = 0.1; 400 studies of 200 samples: coverage at least 95 % minus 4 standard errors
         let covered = (0..400)
             .map(|seed| tail(200, seed))
             .filter(|p| p.lower <= 0.1 && 0.1 <= p.upper)

@@ -66,7 +66,7 @@ impl Hazard {
         Hazard::power_law(intensity.powf(k) / return_period_years, k)
     }
 
-    /// Points (intensity, annual rate of exceedance), by rising intensity; the first and last slope go on beyond them.
+    /// Points (intensity, annual rate of exceedance) in ascending intensity; the first and last slope are extrapolated.
     ///
     /// # Errors
     /// [`AssessError::Hazard`] for fewer than two, numbers that are not positive, and a rate that does not fall.
@@ -103,7 +103,8 @@ impl Hazard {
     /// Peak ground acceleration, m/s², soil included, by the return periods of KDS 17 10 00 from 50 to 2400 years.
     ///
     /// # Errors
-    /// Those of [`site_demand`]; [`AssessError::Hazard`] should amplification fall faster than shaking grows, which it does not.
+    /// The errors of [`site_demand`]; [`AssessError::Hazard`] if the amplification decreased faster than the shaking increases,
+    /// which does not occur.
     pub fn kds_17(zone_factor_g: f64, soil: KoreanSite) -> Result<Self, AssessError> {
         let mut points = Vec::with_capacity(KOREAN_PERIODS.len());
         for return_period_years in KOREAN_PERIODS {
@@ -150,14 +151,14 @@ impl Hazard {
 pub struct AnnualRisk {
     /// λ, 1/year.
     pub annual_rate: f64,
-    /// Share of λ that comes from intensities below the first point of the hazard, where its first slope goes on.
+    /// Fraction of λ from intensities below the first point of the hazard, where its first slope is extrapolated.
     pub share_below_points: f64,
     /// Share of λ that comes from intensities above its last point.
     pub share_above_points: f64,
 }
 
 impl AnnualRisk {
-    /// Probability that the state is reached in so many years, if the structure stays as it is: 1 − e^(−λ n).
+    /// Probability that the state is reached within n years, if the structure does not change: 1 − e^(−λ n).
     pub fn probability_in(&self, years: f64) -> f64 {
         -(-self.annual_rate * years).exp_m1()
     }

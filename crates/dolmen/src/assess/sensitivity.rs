@@ -1,6 +1,6 @@
-//! What a change of one input does to the answer.
+//! Effect of a change of one input on the result.
 
-/// What lowering one link's centroid does: the published criterion beside the truth (Choi 2021, Table 3).
+/// Effect of lowering the centroid of one link: the published criterion beside the exact result (Choi 2021, Table 3).
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CentroidEffect {

@@ -9,8 +9,8 @@ use crate::structure::stack::Stack;
 /// Length of the run after the stones have settled on the springs of their joints, s. Chosen here: a stone that slips falls a metre in half of it.
 const LENGTH_S: f64 = 1.0;
 
-/// The check with a run of the stack under its own weight on the springs of its joints, where friction carries stones that share their load;
-/// elsewhere the check as it is.
+/// The check with a run of the stack under its own weight on the springs of its joints, if friction carries stones that share their load;
+/// otherwise the check unchanged.
 ///
 /// A stack that stood has the verdict of its margins; one that did not, or was not run, is unknown; one that fell is unstable.
 ///

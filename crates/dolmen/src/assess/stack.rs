@@ -12,16 +12,16 @@ use crate::stability::stack::{
 };
 use crate::structure::stack::Stack;
 
-/// What a check of a stack looks at.
+/// Options of the check of a stack.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StackCheckOptions {
     /// Loads and soil.
     pub limits: StackLimits,
-    /// What an earthquake asks for. Default `None`.
+    /// Seismic demand. Default `None`.
     pub demand: Option<StackDemand>,
 }
 
-/// What a check of a stack found.
+/// Result of the check of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackCheck {
     /// Joint by joint.
@@ -35,21 +35,21 @@ pub struct StackCheck {
     pub verdict: Verdict,
     /// The part that rocks first as one block; `None` if it does not stand, slides first or carries static loads.
     pub rocking: Option<RockingBlock>,
-    /// What it would bear if no edge crushed; `None` without a strength.
+    /// Capacity if no edge crushed; `None` without a strength.
     pub crushing: Option<Crushing>,
     /// A period from the height alone.
     pub period_of_thumb: PeriodOfThumb,
     /// Against the demand, if there is one.
     pub demand: Option<DemandComparison>,
-    /// What becomes of it while its supports move, if they do and it stands before.
+    /// Result while supports move, if they move and the stack stands before.
     pub supports: Option<MovedSupports>,
-    /// The run under its own weight, where friction carries and one was asked for: [`with_settle_run`](super::with_settle_run).
+    /// The run under its own weight, if friction carries stones and the run was requested: [`with_settle_run`](super::with_settle_run).
     pub settle_run: Option<SettleRun>,
-    /// What to know of these numbers.
+    /// Notes on these numbers.
     pub notes: Vec<StackNote>,
 }
 
-/// What a stack of joints of finite strength would bear if none of them crushed, before supports move and without a run.
+/// Capacity of a stack with finite joint strength if no joint crushed, before supports move and without a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crushing {
     /// Least strength of its joints, Pa.
@@ -95,8 +95,8 @@ const BETWEEN: f64 = 1e-3;
 /// [`AssessError`] for options out of their range.
 ///
 /// # Limits
-/// Those of [`stack_limits`] and [`limit_analysis`]. The capacity is the onset of rocking or sliding, not collapse. Ties are
-/// left out of it, cohesion counts against sliding.
+/// As for [`stack_limits`] and [`limit_analysis`]. The capacity is the onset of rocking or sliding, not collapse. It does not include
+/// ties; cohesion acts against sliding.
 ///
 /// # Example
 /// ```
@@ -185,8 +185,8 @@ fn without_shaking(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
     Ok(check)
 }
 
-/// Checks a stack with the gaps of its joints closed, and open as drawn: what bears less, and the stack of that. Without a joint that is
-/// open a stone may float, and the stack may not stand: then it counts as closed.
+/// Checks a stack with the gaps of its joints closed, and open as drawn; the smaller capacity counts, with the stack of that case. With
+/// an open joint a stone may have no support, or the stack may not stand: such a joint counts as closed.
 ///
 /// # Errors
 /// As [`check_stack`].
@@ -222,7 +222,7 @@ pub fn check_stack_with_gaps(
         closed.verdict = closed.verdict.max(Verdict::Marginal);
         return Ok((stack, closed));
     }
-    // as drawn, unless that bears more
+    // as drawn, unless the capacity is then larger
     if least(&opened) > (1.0 + LOWER) * least(&closed) {
         closed.notes.push(note(Gaps::Closed));
         return Ok((stack, closed));
@@ -267,7 +267,7 @@ fn note_kinetic_friction(
     let Some(moving) = with_kinetic_friction(stack)? else {
         return Ok(());
     };
-    // where stones share their load each joint alone says nothing of that
+    // if stones share their load, single joints give no information about that
     if check.limits.statically_determinate && check.limits.sliding.is_some() {
         let sliding = stack_limits(&moving, &options.limits)?.sliding;
         check.notes.push(StackNote::KineticLess {
@@ -557,7 +557,7 @@ mod tests {
 
     #[test]
     fn holds_where_stones_share_their_load_the_analysis_decides() {
-        // a beam on two pillars sways along x at .4/2 g; each pillar alone, the beam only weight, would bear more
+        // a beam on two pillars sways along x at 0.4/2 g; each pillar alone, with the beam only as a weight, would resist more
         let stack = boxes(
             &[
                 ([0.4, 2.0, 2.0], [-0.8, 0.0, 0.0]),

@@ -1,10 +1,10 @@
-//! What to know of a check of a stack, and what its run under its own weight found.
+//! Notes on the check of a stack, and the result of its run under its own weight.
 
 use crate::blocks::BlocksError;
 use crate::structure::stack::Body;
 use std::fmt;
 
-/// What came of a run of a stack under its own weight.
+/// Result of a run of a stack under its own weight.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SettleRun {
     /// It settled and stayed.
@@ -36,21 +36,21 @@ impl SettleRun {
     pub const STONES_MOST: usize = 200;
 }
 
-/// What became of joints that are drawn with a gap.
+/// Treatment of joints that are drawn with a gap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gaps {
-    /// They count as closed, without which a stone would float, or more would be borne.
+    /// Taken as closed: otherwise a stone would have no support, or the capacity would be larger.
     Closed,
-    /// They count as closed, but with them open it does not stand.
+    /// Taken as closed, but with open gaps the stack does not stand.
     FallsOpen,
-    /// They are open, as drawn.
+    /// Open, as drawn.
     Open {
         /// Acceleration with them closed, over gravity.
         closed_g: Option<f64>,
     },
 }
 
-/// What to know of a check of a stack. `Display` says it as a sentence.
+/// A note on the check of a stack. `Display` gives an English sentence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StackNote {
     /// Stones share their load: the joints alone give an upper bound, the limit analysis decides.
@@ -71,7 +71,7 @@ pub enum StackNote {
     },
     /// The joints one by one find it standing, the limit analysis does not.
     AnalysisFalls,
-    /// Static loads press on stones; an earthquake does not shake what they stand for.
+    /// Static loads press on stones, but have no mass that an earthquake shakes.
     LoadsWithoutMass {
         /// Acceleration at which it begins to move with them, over gravity; `None` where it has no such limit.
         with_g: Option<f64>,
@@ -90,20 +90,21 @@ pub enum StackNote {
     },
     /// The same, but a run under its own weight found no rest.
     FrictionNoRest,
-    /// The same, and no run under its own weight was made of so many stones.
+    /// As above, and the stack has too many stones for a run under its own weight.
     FrictionNotRun {
         /// How many it has.
         stones: usize,
         /// How many are run in a check.
         most: usize,
     },
-    /// The limit analysis takes what joints of finite strength bear from inside: on the safe side, by a few per cent at most.
+    /// The limit analysis approximates the capacity of joints with finite strength from below: conservative, by a few per
+    /// cent at most.
     StrengthFromInside,
     /// Friction that is taken as associated would hold more: it lets joints that slide rise, which real ones do not.
     WithoutDilatancy {
-        /// What it would hold, over gravity.
+        /// Capacity of that case, over gravity.
         dilating_g: f64,
-        /// What is held without friction in the upright joints that slide, over gravity.
+        /// Capacity without friction in the upright joints that slide, over gravity.
         without_g: f64,
     },
     /// Joints slide while others open, or hold only by sliding: the limit analysis gives an upper bound.
@@ -120,7 +121,7 @@ pub enum StackNote {
         gap_m: f64,
         /// How many there are.
         joints: usize,
-        /// What became of them.
+        /// Treatment of these joints.
         gaps: Gaps,
     },
     /// With the kinetic friction in every joint, stones that share their load begin to move here.
@@ -132,7 +133,7 @@ pub enum StackNote {
     KineticFalls,
     /// Side supports are left out.
     SideSupportsLeftOut,
-    /// Cohesion counts in full in every joint at once, although a bond breaks brittle and one by one.
+    /// Cohesion counts fully in every joint at the same time, although bonds are brittle and break one after the other.
     CohesionCounted,
     /// The tensile strength of joints is left out.
     TensionLeftOut,

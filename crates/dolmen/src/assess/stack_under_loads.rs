@@ -1,8 +1,8 @@
-//! A stack under a combination of weight, wind and static loads: what it bears of them, the wind from the worst side.
+//! A stack under a combination of weight, wind and static loads: its load factor with the wind from the worst direction.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | λ | `factor` | on wind and static loads, the weight as it is | – |
+//! | λ | `factor` | factor on wind and static loads, with unchanged weight | – |
 
 use super::AssessError;
 use crate::stability::Verdict;
@@ -25,7 +25,7 @@ const WORSE: f64 = 1e-6;
 pub struct StackWind<'a> {
     /// Pressure by height.
     pub pressure: &'a WindPressure,
-    /// What it meets.
+    /// Wind data of the blocks.
     pub surfaces: &'a WindSurfaces,
 }
 
@@ -55,7 +55,7 @@ pub enum Grows {
     Wind,
 }
 
-/// What a stack bears of a combination.
+/// Resistance of a stack to one load combination.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StackUnderLoads {
@@ -70,7 +70,7 @@ pub struct StackUnderLoads {
     pub grows: Grows,
     /// Where the wind blows to at the worst, a unit vector in plan; `None` without wind.
     pub wind_to: Option<[f64; 2]>,
-    /// What each block takes of that wind, without the factor of the combination.
+    /// Wind force on each block, without the factor of the combination.
     pub blown: Vec<BlownBlock>,
 }
 
@@ -84,7 +84,7 @@ impl StackUnderLoads {
     }
 }
 
-/// What a stack bears of wind and the static loads that it carries ([`Stack::static_loads`]), each with its factor.
+/// Resistance of a stack to wind and its static loads ([`Stack::static_loads`]), each with its factor.
 ///
 /// ```text
 /// λ = least over eight directions of the wind of what can multiply
@@ -95,9 +95,9 @@ impl StackUnderLoads {
 /// [`AssessError`] for a factor on the weight that is not positive, and a programme that was not solved.
 ///
 /// # Limits
-/// Those of [`load_factor`] and [`blown_blocks`], but for upright joints that slide: they count without friction where that bears less. Of the wind the directions of x and y and those halfway between are tried: the faces and
-/// corners of square stones that stand so. Of stones that stand otherwise the outline between face and corner may be met, with the same
-/// coefficient: up to 1.21 times what the face takes.
+/// As for [`load_factor`] and [`blown_blocks`], except for upright joints that slide: they count without friction if that reduces the resistance.
+/// Wind is applied along x, along y and halfway between: on the faces and corners of square stones with sides along x and y. For other orientations
+/// the outline between face and corner may be exposed, with the same coefficient: up to 1.21 times the force on a face.
 pub fn stack_under_loads(
     stack: &Stack,
     combination: &StackCombination<'_>,
@@ -187,7 +187,7 @@ fn is_less(one: f64, other: f64) -> bool {
     one < (1.0 - WORSE) * other
 }
 
-/// What is known of a stack before its loads grow.
+/// State of a stack before its loads increase.
 #[derive(Clone, Copy, PartialEq)]
 enum RestState {
     Nothing,
@@ -212,7 +212,7 @@ impl Pushed {
     }
 }
 
-/// What does not depend on the wind.
+/// Quantities that do not depend on the wind.
 struct Case<'a> {
     stack: &'a Stack,
     weight: f64,
@@ -262,7 +262,7 @@ impl Case<'_> {
         })
     }
 
-    /// What stays and what grows.
+    /// Pairs of constant and increasing loads.
     fn rays(&self, wind: &[StaticLoad]) -> Vec<(Grows, Vec<StaticLoad>, Vec<StaticLoad>)> {
         let all: Vec<StaticLoad> = wind.iter().chain(&self.loads).copied().collect();
         let mut rays = vec![(Grows::All, Vec::new(), all)];

@@ -1,31 +1,31 @@
-//! Whether a measure of shaking is sufficient: whether what it leaves unexplained of capacities depends on the earthquake besides.
+//! Sufficiency of an intensity measure: whether the residuals of capacities also depend on another property of the earthquake.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | ε_i | `residuals` | ln of the capacity of motion i by the measure, less the mean of all | – |
-//! | x_i | `predictor` | of that motion: magnitude, ln of the distance, ln of the duration | |
+//! | x_i | `predictor` | property of motion i: magnitude, ln of the distance or ln of the duration | |
 //! | c | `slope` | of the line ε = a + c x | – per unit of x |
 
 use crate::assess::AssessError;
 use crate::numeric::student_two_sided;
 
-/// Fewest motions that give a slope. Chosen here: of fewer, one motion decides it.
+/// Fewest motions for a slope. Chosen here: with fewer, a single motion decides the slope.
 pub const SUFFICIENCY_MOTIONS_LEAST: usize = 10;
 
-/// The line through residuals of capacities.
+/// Least-squares line through residuals of capacities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sufficiency {
-    /// c, change of ln of the capacity over a unit of the predictor.
+    /// c, change of ln of the capacity per unit of the predictor.
     pub slope: f64,
-    /// Its standard error.
+    /// Standard error of the slope, s_c.
     pub slope_error: f64,
-    /// Probability that a slope at least this steep comes of chance where there is none, –. A small one speaks against the measure.
+    /// Probability of a slope at least this steep by chance, if the true slope is zero, –. A small value speaks against the measure.
     pub p_value: f64,
-    /// Motions that it rests on.
+    /// Number of motions.
     pub motions: usize,
 }
 
-/// The least-squares line of residuals over a predictor, one of each a motion.
+/// Least-squares line of residuals over a predictor, with one value of each per motion.
 ///
 /// ```text
 /// c = Σ (x_i − x̄)(ε_i − ε̄) / Σ (x_i − x̄)²     s² = Σ (ε_i − ε̄ − c (x_i − x̄))² / (n − 2)     s_c² = s² / Σ (x_i − x̄)²
@@ -33,16 +33,16 @@ pub struct Sufficiency {
 /// ```
 ///
 /// # Errors
-/// [`AssessError::TooFewForSufficiency`] below [`SUFFICIENCY_MOTIONS_LEAST`] motions; [`AssessError::SameForEveryMotion`] where the predictor does not
-/// vary, and for a value that is no number.
+/// [`AssessError::TooFewForSufficiency`] below [`SUFFICIENCY_MOTIONS_LEAST`] motions; [`AssessError::SameForEveryMotion`] if the predictor does not
+/// vary, or if a value is not finite.
 ///
 /// # Limits
-/// A large p does not prove a measure sufficient: few motions hide a slope. Motions count as independent of each other.
+/// A large p does not prove a measure sufficient: with few motions a slope remains hidden. The motions are assumed independent.
 ///
 /// # Source
 /// Luco, N. and Cornell, C. A. (2007) Structure-specific scalar intensity measures for near-source and ordinary earthquake ground motions. Earthq.
-/// Spectra 23(2):357–392, their test of sufficiency. Differs from the source: residuals of capacities by the measure, not of the demand at given shaking,
-/// since scans of growing shaking know the former.
+/// Spectra 23(2):357–392, their test of sufficiency. Differs from the source: the residuals are those of capacities by the measure, because
+/// incremental scans give capacities; the source takes residuals of the demand at a given shaking.
 ///
 /// # Example
 /// ```

@@ -13,7 +13,7 @@ use crate::numeric::normal_probability;
 /// Chance below which a trend that is expected one way is seen, and one that may go either way. Chosen here.
 const EXPECTED_BELOW: f64 = 0.05;
 const EITHER_BELOW: f64 = 0.025;
-/// Most points of a group of which every order of the results is counted; of more points without ties Mahonian numbers are taken.
+/// Largest group without ties for which all orders of the results are enumerated; larger ones use Mahonian numbers.
 const COUNTED_MOST: usize = 7;
 /// Most pairs of all groups for which the chance is counted: more are as good as normal. Chosen here.
 const PAIRS_MOST: usize = 20_000;
@@ -40,21 +40,21 @@ pub struct Trend {
     pub tau: f64,
     /// Standard deviation that `tau` would have if the input had no effect, –.
     pub tau_by_chance: f64,
-    /// Chance of a trend that rises so much or more if the input has no effect.
+    /// Probability of an increase at least this large by chance, if the input has no effect.
     pub rises_by_chance: f64,
-    /// The same of one that falls so much or more.
+    /// Probability by chance of a decrease at least this large.
     pub falls_by_chance: f64,
 }
 
 impl Trend {
-    /// Whether a trend that is expected this way is seen beyond chance: one this strong this way would come of no effect at all in less
-    /// than 5 of 100 studies.
+    /// Whether a trend in the expected direction is significant: without an effect, one at least this strong in this direction would
+    /// occur in less than 5 % of studies.
     pub fn shows(&self, direction: Direction) -> bool {
         self.by_chance(direction) < EXPECTED_BELOW
     }
 
-    /// The way that a trend which nobody expected goes, if it is seen beyond chance: one this strong either way would come of no effect
-    /// in less than 5 of 100 studies.
+    /// Direction of a trend without prior expectation, if it is significant: without an effect, one at least this strong in either
+    /// direction would occur in less than 5 % of studies.
     pub fn direction(&self) -> Option<Direction> {
         let ways = [Direction::Rising, Direction::Falling];
         ways.into_iter().find(|way| self.by_chance(*way) < EITHER_BELOW)
@@ -82,8 +82,8 @@ impl Trend {
 /// [`AssessError::Trend`] for a value that is not a number.
 ///
 /// # Limits
-/// Equal results count as pairs that show nothing: they bring `tau` nearer to 0. With less than 4 points in all no trend can show. Each
-/// input is tested by itself: of twenty without effect one shows.
+/// Equal results count as pairs without information, which brings `tau` closer to 0. With fewer than 4 points no trend can be
+/// significant. Each input is tested separately: of twenty inputs without effect, one seems significant.
 ///
 /// # Source
 /// Kendall, M. G. (1970) Rank Correlation Methods, 4th ed., sec. 4.4; groups after Korn, E. L. (1984) Biometrika 71(2):383, the
@@ -177,7 +177,7 @@ fn chances(groups: &[Vec<(f64, f64)>], pairs: usize) -> Option<Vec<f64>> {
     Some(all)
 }
 
-/// The same of one group, over its own pairs, those with equal inputs among them.
+/// As [`chances`], for one group over its own pairs, including pairs with equal inputs.
 fn chance_of_group(points: &[(f64, f64)]) -> Option<Vec<f64>> {
     let n = points.len();
     let pairs = n * n.saturating_sub(1) / 2;

@@ -1,6 +1,6 @@
-//! What a run does when a stone has fallen.
+//! What a run does after a stone has fallen.
 
-/// What to do when a stone has fallen.
+/// What a run does after a stone has fallen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AfterFall {
     /// End there: what a study needs.

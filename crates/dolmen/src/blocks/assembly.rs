@@ -1,7 +1,7 @@
 //! The bodies of a stack with all that acts between them.
 //!
-//! A pair of bodies is looked at again only when it has moved far enough to matter: one with a patch when S has shifted or
-//! turned on P, one without when its bodies have together gone its *slack*, the way to their first possible contact.
+//! A pair of bodies is examined again only after sufficient motion: a pair with a patch when S has shifted or rotated relative to P,
+//! a pair without one when its bodies together have moved by its *slack*, the distance to their first possible contact.
 
 use super::bodies::{RigidBody, bodies_of, index_of};
 use super::contact_points::ContactRule;
@@ -36,7 +36,7 @@ pub(super) struct ContactTolerances {
 }
 
 impl Default for ContactTolerances {
-    /// That of the springs. Chosen here.
+    /// Tolerances of the springs law. Chosen here.
     fn default() -> Self {
         ContactTolerances {
             clip_again: CLIP_AGAIN,
@@ -79,9 +79,9 @@ pub(super) struct Assembly {
     stale: Vec<usize>,
     /// Pairs that the last look brought up to date.
     looked: Vec<usize>,
-    /// Energy that clipping again took from the springs, J.
+    /// Elastic energy lost when patches are computed again, J.
     clip_loss: f64,
-    /// Whether every pair of bodies is looked at, or those alone that touch as drawn.
+    /// Whether every pair of bodies is examined, or only pairs that touch as drawn.
     watches_all: bool,
     /// Bodies of stones that stand on ground of their own, in the order of that ground, whose bodies come after those of all stones.
     on_own_ground: Vec<usize>,
@@ -173,7 +173,7 @@ impl Assembly {
 
     /// Gives a stone that rests on the ground a ground of its own, which can move; its body.
     ///
-    /// No other stone touches that ground, nor this stone the ground of the others.
+    /// No other stone touches this ground, and this stone does not touch the ground of the others.
     pub(super) fn put_on_own_ground(&mut self, stone: usize) -> usize {
         let own = self.bodies.len();
         self.bodies.push(RigidBody::ground());
@@ -238,8 +238,8 @@ impl Assembly {
         contacts.map(|(patch, _)| patch)
     }
 
-    /// The patches that now are, each with the index of its pair, its outline, and the shift, m, and lean, as sine, from which
-    /// it is looked at again.
+    /// The current patches, each with the index of its pair, its outline, and the shift, m, and inclination, as sine, at which it is
+    /// examined again.
     pub(super) fn contacts(&self) -> impl Iterator<Item = (usize, &Patch, &Outline, [f64; 2])> {
         self.active.iter().filter_map(|&index| {
             let pair = &self.pairs[index];
@@ -258,7 +258,7 @@ impl Assembly {
         self.pairs[self.pair_of(first, second)?].contact.as_ref()
     }
 
-    /// Where a pair of bodies stands; `None` where they are none.
+    /// Index of a pair of bodies; `None` if there is no such pair.
     fn pair_of(&self, first: usize, second: usize) -> Option<usize> {
         let (first, second) = (first.min(second), first.max(second));
         // pairs stand by their second body from 1 on, then by their first
@@ -276,7 +276,7 @@ impl Assembly {
         self.pairs[pair].contact.as_mut().map(|(patch, _)| patch)
     }
 
-    /// Whether nothing but dry patches acts between the bodies.
+    /// Whether only dry patches act between the bodies.
     pub(super) fn only_dry_patches(&self) -> bool {
         let bonds = |pair: &Pair| pair.contact.as_ref().is_some_and(|(patch, _)| patch.law.bonds());
         !self.holds() && !self.pairs.iter().any(bonds)
@@ -287,7 +287,7 @@ impl Assembly {
         self.slack
     }
 
-    /// Has a pair looked at again at the next look: in ascending order.
+    /// Marks a pair for the next examination, in ascending order.
     pub(super) fn set_stale(&mut self, pair: usize) {
         self.stale.push(pair);
     }

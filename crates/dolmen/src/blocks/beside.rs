@@ -1,7 +1,7 @@
 //! Which side supports of a stack at rest act as springs in small motion.
 //!
-//! A side support only pushes. In motion far smaller than any gap it is linear in two cases: it is pressed at rest, or two alike stand opposite each
-//! other without a gap, of which one acts at every instant: together they are one spring.
+//! A side support acts only in compression. For motion far smaller than any gap it is linear in two cases: if it is in compression at rest, or if
+//! two equal supports are opposite each other without a gap. One of the two then acts at every instant, and together they form one spring.
 
 use super::assembly::Assembly;
 use super::contact_points::ContactRule;

@@ -1,5 +1,5 @@
-//! A square matrix of 6 × 6 blocks whose filled blocks lie near its diagonal: LU factors within its outline. On a chain that is
-//! block-tridiagonal, and costs as much a body whatever their number.
+//! A square matrix of 6 × 6 blocks that are nonzero only near its diagonal, with LU factors within its skyline. For a chain it
+//! is block-tridiagonal, and the cost per body does not depend on their number.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -98,7 +98,7 @@ impl BlockSkyline {
         true
     }
 
-    /// Adds to every entry of the diagonal this part of itself, and the least number that is not 0.
+    /// Increases every diagonal entry by this fraction of itself plus the smallest positive number.
     pub(super) fn stiffen(&mut self, part: f64) {
         for block in &mut self.diagonal {
             for (i, row) in block.iter_mut().enumerate() {
@@ -189,7 +189,7 @@ fn subtract_from(y: &mut [f64; SIX], a: &Block, x: &[f64; SIX]) {
     }
 }
 
-/// Inverse by Gauss and Jordan with pivots sought in the column.
+/// Inverse by Gauss–Jordan elimination with pivots in the column.
 fn inverse(mut a: Block) -> Option<Block> {
     let largest = a
         .iter()

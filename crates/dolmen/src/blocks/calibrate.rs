@@ -5,7 +5,7 @@ use super::error::BlocksError;
 use super::frequencies::{StackMode, lowest_stack_modes, stack_modes};
 use crate::structure::stack::Stack;
 
-/// What is left to correct, as a logarithm of the factor, with which the springs are found. Chosen here: far below what is measured.
+/// Tolerance of the calibration, in ln of the factor. Chosen here: far below the measurement error.
 const FOUND: f64 = 1e-10;
 /// Most rounds: each leaves about 1e-4 of the correction of the one before, unless joints open or close in between.
 const ROUNDS: usize = 10;
@@ -18,7 +18,7 @@ const STEP_MOST: f64 = 2.0;
 pub struct MatchedFrequency {
     /// Measured, Hz.
     pub measured_hz: f64,
-    /// Of the same mode with the springs found, Hz.
+    /// Frequency of the same mode with the calibrated springs, Hz.
     pub computed_hz: f64,
 }
 
@@ -27,7 +27,7 @@ pub struct MatchedFrequency {
 pub struct SpringCalibration {
     /// The stack with all its springs multiplied by `factor`.
     pub stack: Stack,
-    /// What the stiffness of every joint was multiplied by.
+    /// Factor on the stiffness of every joint.
     pub factor: f64,
     /// The frequencies, in the order given.
     pub frequencies: Vec<MatchedFrequency>,
@@ -35,26 +35,26 @@ pub struct SpringCalibration {
 
 /// Multiplies the springs of all joints by one factor, so that a stack has the frequencies measured.
 ///
-/// `measured` holds pairs of a mode (0 the lowest) and its frequency. With several, the factor is the one with the least
-/// sum of squares of the logarithms; what each is off is in the result. `drawn` are the modes of the stack as it is, by the same rule,
-/// if they are known already; they are computed otherwise.
+/// `measured` contains pairs of a mode (0 is the lowest) and its frequency. With several pairs, the factor minimises the sum of squares of the
+/// logarithms; the result contains the remaining differences. `drawn` are the modes of the stack before calibration, by the same rule, if they are
+/// known; otherwise they are computed.
 ///
 /// ```text
 /// ω² ∝ k where the same points touch:   ln factor = mean of 2 ln(measured / computed)
 /// ```
 ///
-/// Stiffer springs settle less, so that the stones lie a little higher and ω²/k changes (by 1e-4 for a pagoda that settles 0.65
-/// mm of 6.5 m): the rule is applied again with the springs found until nothing is left to correct, or, where joints open or close
-/// with the springs so that ω²/k jumps, until it gets no better; the frequencies in the result say what is left. Ties and side supports keep their
-/// stiffness; with them the joints have a share of ω², which each round estimates anew from the last.
+/// Stiffer springs settle less, so the stones are a little higher and ω²/k changes (by 1e-4 for a pagoda that settles 0.65 mm of 6.5 m). The rule
+/// is therefore repeated with the new springs until the correction vanishes. If joints open or close with the springs, so that ω²/k jumps, it is
+/// repeated until there is no improvement. The frequencies in the result show the remaining difference. Ties and side supports keep their
+/// stiffness; with them the joints contribute only a part of ω², which each iteration estimates from the last.
 ///
 /// # Errors
 /// [`BlocksError`] for no frequency, one that is not positive, a mode that the stack does not have, and a stack that finds
 /// no rest.
 ///
 /// # Limits
-/// One factor for all: one frequency says nothing of how stiffness is spread over the joints, nor of k_s / k_n, which
-/// stays as it is. Measured frequencies are of small motion: springs found from them are those of closed joints.
+/// One factor for all joints: one frequency determines neither the distribution of stiffness over the joints nor k_s / k_n, which does not change.
+/// Measured frequencies are for small motion, so the springs are those of closed joints.
 ///
 /// # Example
 /// ```
@@ -103,7 +103,7 @@ pub fn calibrate_springs(
             );
         }
     }
-    // what is left to correct, as a logarithm
+    // remaining correction, as a logarithm
     let left = |modes: &[StackMode]| {
         let each = measured
             .iter()

@@ -8,12 +8,12 @@ use super::springs::{Springs, simulate_springs};
 use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 
-/// What acts between stones, with its options.
+/// Contact law between stones, with its options.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ContactLaw {
     /// Springs, dashpots and friction.
     Springs(Springs),
-    /// Stones that neither give nor overlap.
+    /// Stones that neither deform nor overlap.
     Rigid(Rigid),
 }
 

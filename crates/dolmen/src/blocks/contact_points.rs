@@ -4,7 +4,7 @@
 //! |:--|:--|:--|:--|
 //! | ξ_i, w_i | `lobatto` | points and weights on −1…1, Σw = 2 | – |
 //! | x_ij | `place_m` | point in the plane of the joint | m |
-//! | A_ij | `area_m2` | area it stands for | m² |
+//! | A_ij | `area_m2` | tributary area of the point | m² |
 
 use crate::structure::stack::Polygon;
 
@@ -27,7 +27,7 @@ pub enum ContactRule {
 pub struct ContactPoint {
     /// Place in the plane of the joint, m.
     pub place_m: [f64; 2],
-    /// Area it stands for, m².
+    /// Tributary area of the point, m².
     pub area_m2: f64,
 }
 

@@ -13,10 +13,10 @@ pub enum BlocksError {
         option: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
-    /// The step asked for is longer than the springs allow.
+    /// The requested step is longer than the springs allow.
     #[error(
         "time_step_s is {given:.3e}, but the stiffest joint allows at most {most:.3e}: lower it, leave it out, or lower the joints' stiffness"
     )]
@@ -33,7 +33,7 @@ pub enum BlocksError {
     NoRest {
         /// Newton iterations done.
         iterations: usize,
-        /// Largest force left over, as a part of the stack's weight.
+        /// Largest residual force, relative to the stack's weight.
         residual: f64,
         /// The block on which it acts.
         block: String,
@@ -53,7 +53,7 @@ pub enum BlocksError {
     NotAPile {
         /// The block.
         block: String,
-        /// What it is that the model does not have.
+        /// The missing feature of the model.
         reason: &'static str,
     },
     /// The sliding model found no accelerations.
@@ -69,14 +69,14 @@ pub enum BlocksError {
         "{what} has {quantity} {given:.4e}, but the rigid law, whose stones only press, rub and part, allows 0: set it to 0 or take it out, or simulate with the springs law"
     )]
     SpringsOnly {
-        /// What has it: a joint, a dowel or clamp, a side support, and where.
+        /// The joint, dowel, clamp or side support with this feature, and its place.
         what: String,
         /// The quantity, with its unit.
         quantity: &'static str,
         /// Its value.
         given: f64,
     },
-    /// The run needs more work than is done without being asked for.
+    /// The run needs more work than is allowed without confirmation.
     #[error("the run needs {count:.3e} {what}, but at most {most:.0e} are computed unless asked for")]
     TooLong {
         /// "steps of 1.000e-9 s" or "samples of the history".

@@ -21,7 +21,7 @@ const TOUCHES_M: f64 = 1e-3;
 /// Cosine of the angle between two faces from which a stone lies on another one, 10°. Chosen here: beds lie within 5° of each other.
 const SAME_FACE: f64 = 0.985;
 
-/// What a stone stands on at rest.
+/// Support of a stone at rest.
 #[derive(Clone, Debug)]
 struct Support {
     body: usize,
@@ -90,7 +90,7 @@ impl Falls {
         }
     }
 
-    /// The first stone that has fallen, and when, s; it is looked at in order of time.
+    /// The first stone that has fallen, and the time, s; to be called in order of time.
     pub(super) fn look(&mut self, assembly: &Assembly, time_s: f64) -> Option<(usize, f64)> {
         for (block, stone) in self.stones.iter_mut().enumerate() {
             let body = &assembly.bodies[block + 1];
@@ -110,7 +110,8 @@ impl Falls {
         None
     }
 
-    /// Of a stack that came to rest: the stone that no longer touches what it stood on, or lies on another face, and since when it is known, s.
+    /// For a stack that came to rest: the stone that no longer touches its support, or lies on another face, and the time at which this was first
+    /// seen, s.
     pub(super) fn at_rest(&self, assembly: &Assembly, time_s: f64) -> Option<(usize, f64)> {
         let fallen = |(block, stone): (usize, &Stone)| {
             if let Some(since_s) = stone.apart_since_s {

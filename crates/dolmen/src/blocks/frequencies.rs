@@ -17,7 +17,7 @@ pub struct StackMode {
     pub frequency_hz: f64,
     /// Effective mass of the mode over the mass of the stack, for shaking along x, y and z; over all modes the sum is 1.
     pub effective_mass_ratio: [f64; 3],
-    /// Kinetic energy of the motion of the centroids along x, y and z over that of the mode: what is left turns blocks.
+    /// Kinetic energy of the motion of the centroids along x, y and z over that of the mode; the rest is rotation of blocks.
     pub kinetic_energy_ratio: [f64; 3],
     /// Shape: of each block the displacement of its centroid (x, y, z) and its turn about it (x, y, z), the largest
     /// displacement (the first of several) 1, m and rad; of pure torsion the largest turn.
@@ -101,10 +101,10 @@ pub fn stack_modes(stack: &Stack, contact_rule: ContactRule) -> Result<Vec<Stack
 /// ```
 ///
 /// # Errors
-/// Those of [`stack_modes`].
+/// As for [`stack_modes`].
 ///
 /// # Limits
-/// Those of [`stack_modes`]. Frequencies agree with it to 1e-9, shapes to 1e-6 of the largest displacement.
+/// As for [`stack_modes`]. Frequencies agree with it to 1e-9, shapes to 1e-6 of the largest displacement.
 pub fn lowest_stack_modes(
     stack: &Stack,
     contact_rule: ContactRule,
@@ -124,7 +124,7 @@ pub fn lowest_stack_modes(
     }
 }
 
-/// More than this part of all modes are found at once. Chosen here: the full matrix then costs no more.
+/// Fraction of all modes above which all are computed together. Chosen here: the full matrix then costs no more.
 const MANY: usize = 8;
 
 fn settled(stack: &Stack, contact_rule: ContactRule) -> Result<Assembly, BlocksError> {

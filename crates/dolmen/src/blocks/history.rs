@@ -1,4 +1,4 @@
-//! What a simulation gives: how it ended, and everything needed to draw, to doubt and to repeat it.
+//! Result of a simulation: how it ended, and the data to draw, check and repeat it.
 
 /// Energy that counts as none, J: rounding. Chosen here.
 const MADE_OF_NOTHING_J: f64 = 1e-6;
@@ -22,8 +22,8 @@ pub enum Outcome {
         block: usize,
         /// How far it lies from where it lay at rest on what carries it, m.
         slip_m: f64,
-        /// What is left of the way from the plumb line of its centroid to the edge of what carries it, over that at rest, –;
-        /// negative where the plumb line passes beside it.
+        /// Remaining distance from the vertical through the centroid to the edge of the support, over that at rest, –; negative if the vertical is
+        /// outside the support.
         margin_ratio: f64,
     },
     /// The run came to its end while stones moved, not less and less, or with a stone whose plumb line lies at or beyond the edge of what carries it: there is
@@ -33,11 +33,11 @@ pub enum Outcome {
         block: usize,
         /// When, s.
         at_s: f64,
-        /// What is left of the way from the plumb line of its centroid to the edge of what carries it, over that at rest, –.
+        /// Remaining distance from the vertical through the centroid to the edge of the support, over that at rest, –.
         margin_ratio: f64,
     },
-    /// A stone fell, judged against what it stood on: its centroid dropped below its place there by more than half its least thickness, its bed
-    /// turned by more than 45°, it touched nothing of it for a second or at the end, or it rests there on another face.
+    /// A stone fell relative to its initial support: its centroid dropped by more than half its least thickness, its bed rotated by more than 45°, it
+    /// touched no part of the support for a second or at the end, or it rests there on another face.
     Fell {
         /// The first, as an index of the stack's blocks.
         block: usize,
@@ -59,8 +59,7 @@ pub enum Outcome {
         /// How far its last try was from the law, m/s.
         residual_m_s: f64,
     },
-    /// Numbers ran out of range, or contacts made more than a hundredth of the work put in, however short the step: nothing of
-    /// the run can be used.
+    /// Numbers overflowed, or contacts created more than a hundredth of the input energy even with the shortest step: the run is unusable.
     Diverged {
         /// When, s.
         at_s: f64,
@@ -85,7 +84,7 @@ pub struct JointHistory {
     pub slip_m: Vec<[f64; 2]>,
     /// Turn of the upper stone on the lower about the joint's normal, from the settled state, rad.
     pub yaw_rad: Vec<f64>,
-    /// Largest opening at any step looked at, m.
+    /// Largest opening at any observed step, m.
     pub peak_opening_m: f64,
     /// Largest shift, m.
     pub peak_slip_m: f64,
@@ -109,9 +108,9 @@ impl JointHistory {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Energy {
-    /// Of motion, in the frame of the ground.
+    /// Kinetic energy, in the frame of the ground, J.
     pub kinetic_j: f64,
-    /// Of height.
+    /// Potential energy, J.
     pub potential_j: f64,
     /// In springs, bonds and ties.
     pub stored_j: f64,
@@ -119,7 +118,7 @@ pub struct Energy {
     pub input_j: f64,
     /// Taken by friction and by what broke.
     pub friction_j: f64,
-    /// Taken by dashpots: what contacts took in all, less the others.
+    /// Energy dissipated by dashpots: total loss in contacts minus the other losses, J.
     pub damping_j: f64,
     /// Taken by clipping patches again and by changes of faces; negative if they gave some.
     pub clipping_j: f64,
@@ -158,7 +157,7 @@ pub struct StackHistory {
     pub rigid: Option<RigidEvidence>,
 }
 
-/// How well the rigid law was obeyed in a run, and what it took.
+/// Accuracy of the solutions of the rigid law in a run, and their cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RigidEvidence {
     /// Largest distance of any contact point from unilateral contact and Coulomb's law, and of any stone from its balance of
@@ -175,7 +174,7 @@ pub struct RigidEvidence {
     pub newton_steps: usize,
     /// Steps in which all stones moved with the ground.
     pub steps_at_rest: usize,
-    /// Solutions farther than 1e-6 m/s from the law, for further work bettered them no more: a nanometre in a step of 1 ms.
+    /// Number of solutions with a residual above 1e-6 m/s that further iterations did not improve: a nanometre in a step of 1 ms.
     pub loose_solutions: usize,
     /// Times that a step, or the rest of one, was halved because the whole found no solution.
     pub halvings: usize,
@@ -185,7 +184,7 @@ impl StackHistory {
     /// Opening of a joint from which it counts as uplifted, m: a tenth of a millimetre. Chosen here.
     pub const UPLIFT_LEAST_M: f64 = 1e-4;
 
-    /// Longest time that a run whose length is not given goes on until the stack is at rest or swings less and less, s. Chosen here: on
+    /// Largest additional time of a run without a given duration, until the stack is at rest or rocks with decreasing amplitude, s. Chosen here: on
     /// springs a stone of 6 m rocks for a minute.
     pub const LONGER_MOST_S: f64 = 60.0;
 

@@ -1,19 +1,19 @@
-//! Convex hulls of bodies, and the axis along which two are farthest apart.
+//! Convex hulls of bodies, and the axis along which two bodies are farthest apart.
 
 use super::bodies::RigidBody;
 use crate::structure::stack::{Polygon, Solid};
 use glam::{DMat3, DVec3};
 
-/// A pair of edges must lie this much farther apart than any face from the other body, in parts of the smaller body, to be
-/// the contact: faces carry better. Chosen here.
+/// A pair of edges becomes the contact only if its separation exceeds that of every face by this fraction of the size of
+/// the smaller body: contact on a face is preferred. Chosen here.
 const EDGE_FAVOUR: f64 = 0.01;
 /// Sine of the angle below which two edges count as parallel. Chosen here.
 const EDGES_PARALLEL: f64 = 0.05;
 
-/// Distance below which two places are one, in parts of the larger body: rounding. Chosen here.
+/// Distance below which two points coincide, relative to the size of the larger body, for rounding. Chosen here.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Convex hull of a body: corners from its centroid in the axes as drawn, faces, their outward normals.
+/// Convex hull of a body: corners relative to its centroid in the axes of the drawing, faces, and their outward normals.
 #[derive(Clone, Debug)]
 pub(super) struct Hull {
     pub(super) corners: Vec<DVec3>,
@@ -22,7 +22,7 @@ pub(super) struct Hull {
     edges: Vec<[usize; 2]>,
 }
 
-/// One of two bodies that may touch; the ground has no hull and is always the first.
+/// One of two bodies that may touch. The ground has no hull and is always the first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side<'a> {
     pub(super) index: usize,
@@ -61,7 +61,7 @@ impl Hull {
             .collect()
     }
 
-    /// The face whose normal is nearest to a direction.
+    /// The face whose normal is closest to a direction.
     pub(super) fn facing(&self, direction: DVec3) -> usize {
         let mut best = 0;
         for face in 1..self.normals.len() {
@@ -72,7 +72,7 @@ impl Hull {
         best
     }
 
-    /// Area of its largest face, m².
+    /// Area of the largest face, m².
     pub(super) fn largest_face(&self) -> f64 {
         let areas = (0..self.faces.len()).map(|face| {
             let axes = frame(self.normals[face]);
@@ -84,12 +84,12 @@ impl Hull {
     }
 }
 
-/// An axis that separates two bodies best.
+/// The axis along which two bodies are farthest apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Separation {
     /// Distance along the axis, m; negative if they overlap.
     pub(super) distance: f64,
-    /// Axis from the first body to the second, in the ground's frame.
+    /// Unit vector from the first body to the second, in the axes of the ground.
     pub(super) normal: DVec3,
     pub(super) axis: Axis,
 }
@@ -101,14 +101,14 @@ pub(super) enum Axis {
     Edges([usize; 2], [usize; 2]),
 }
 
-/// Right-handed axes as columns, the last along `normal`.
+/// Right-handed orthonormal axes as columns, the last along `normal`.
 pub(super) fn frame(normal: DVec3) -> DMat3 {
     let near = if normal.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
     let first = (near - normal * normal.dot(near)).normalize();
     DMat3::from_cols(first, normal.cross(first), normal)
 }
 
-/// Corners in a plane's frame, counterclockwise.
+/// Corners in the axes of a plane, counterclockwise.
 pub(super) fn flat(corners: &[DVec3], origin: DVec3, axes: &DMat3) -> Polygon {
     let seen = corners.iter().map(|corner| {
         let from = *corner - origin;
@@ -129,7 +129,7 @@ pub(super) fn counterclockwise(mut corners_m: Vec<[f64; 2]>) -> Polygon {
     Polygon { corners_m }
 }
 
-/// How far two bodies are apart, and along which axis.
+/// Largest separation of two bodies over all candidate axes.
 pub(super) fn separation(first: Side<'_>, second: Side<'_>) -> Separation {
     let corners_1 = first.corners();
     let corners_2 = second.corners();
@@ -181,11 +181,11 @@ pub(super) fn separation(first: Side<'_>, second: Side<'_>) -> Separation {
             let across = along_1.cross(along_2);
             let length = across.length();
             if length < EDGES_PARALLEL * along_1.length() * along_2.length() {
-                continue; // a face's axis says the same
+                continue; // the axis of a face is the same
             }
             let axis = across * (across.dot(between).signum() / length);
             let (highest_1, lowest_2) = (-lowest(&corners_1, -axis), lowest(&corners_2, axis));
-            // of edges that are parallel, those that face the other body
+            // of several parallel edges, take those that face the other body
             if corners_1[edge_1[0]].dot(axis) < highest_1 - same
                 || corners_2[edge_2[0]].dot(axis) > lowest_2 + same
             {
@@ -212,13 +212,13 @@ impl Side<'_> {
             .collect()
     }
 
-    /// Outward normal of a face, in the ground's frame.
+    /// Outward normal of a face, in the axes of the ground.
     pub(super) fn outward(&self, face: usize) -> DVec3 {
         self.hull
             .map_or(DVec3::Z, |hull| self.body.rotation * hull.normals[face])
     }
 
-    /// Distance of another body from the plane of a face, m.
+    /// Distance of another body from the plane of a face, m; negative if it reaches behind the plane.
     pub(super) fn distance_to(&self, face: usize, other: &Side<'_>) -> f64 {
         let outward = self.outward(face);
         let corner = self
@@ -228,7 +228,7 @@ impl Side<'_> {
         lowest(&other.corners(), outward) - plane
     }
 
-    /// A direction of the ground's frame in this body's axes.
+    /// Transforms a direction from the axes of the ground to those of this body.
     pub(super) fn inward(&self, direction: DVec3) -> DVec3 {
         self.body.rotation.transpose() * direction
     }

@@ -63,7 +63,8 @@ impl Link {
         0.0
     }
 
-    /// Force on the upper body, and where it acts on both, in the ground's axes; as long as it is not broken.
+    /// Force on the upper body, and its point of application on both, in the axes of the ground, while the link is
+    /// intact.
     pub(super) fn force(&self, bodies: &[RigidBody]) -> (DVec3, DVec3) {
         let (along, across) = self.stretch(bodies);
         let pull = self.axis * (self.axial_stiffness * along) + across * self.shear_stiffness;

@@ -1,4 +1,4 @@
-//! The lowest modes of many stones: only what touches fills the matrix, and only the modes asked for are found.
+//! The lowest modes of many stones. The matrix contains only pairs in contact, and only the requested modes are computed.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -15,11 +15,11 @@ use super::matrices::{Closed, Part, add_contacts, add_mass, within_outline};
 use dolmen_linalg::{LinalgError, Matrix, qr, symmetric_eigen};
 use glam::{DMat3, DVec3};
 
-/// Vectors that are iterated beside those asked for. Chosen here: the next modes then do not slow the last.
+/// Number of additional vectors in the iteration. Chosen here: the next modes then do not slow the last one.
 const BESIDE: usize = 12;
-/// What of A x may leave the space of the vectors, over the eigenvalue, when one is done. Chosen here: shapes to 1e-9.
+/// Largest residual of A x outside the subspace, over the eigenvalue, at which a mode has converged. Chosen here: shapes to 1e-9.
 const RESIDUAL_MOST: f64 = 1e-9;
-/// Rounds until it is given up; some 20 are usual. Chosen here.
+/// Largest number of iterations; about 20 are usual. Chosen here.
 const ROUNDS: usize = 200;
 
 /// One of the lowest modes.

@@ -11,12 +11,12 @@ use glam::{DMat3, DVec3};
 
 /// Part of the friction from which a point counts as slipping: one that slipped holds all of it but for rounding.
 const SLIPPING: f64 = 1.0 - 1e-9;
-/// Gap up to which a joint as drawn touches, m: rounding of places leaves some 1e-16 m of either sign. Chosen here.
+/// Gap up to which a joint as drawn is in contact, m: rounding of positions gives about 1e-16 m of either sign. Chosen here.
 const ROUNDING_M: f64 = 1e-12;
 /// Steps of the power iteration: the largest frequency need only be known to a per cent.
 const POWER_STEPS: usize = 80;
 
-/// Stones from which matrices are kept within their outline only. Chosen here: below, a full one costs no more.
+/// Number of stones from which matrices are stored within their skyline. Chosen here: below it a full matrix costs no more.
 pub(super) const OUTLINE_FROM: usize = 40;
 
 /// A matrix [6n × 6n] that entries are added to.
@@ -57,7 +57,7 @@ pub(super) fn within_outline(assembly: &Assembly) -> BlockSkyline {
 pub(super) enum Part {
     /// Springs of points in contact.
     Springs,
-    /// Their dashpots.
+    /// Dashpots of the contacts.
     Dashpots,
 }
 
@@ -66,9 +66,9 @@ pub(super) enum Part {
 pub(super) enum Closed {
     /// All that touch, stuck: as drawn.
     Touching,
-    /// Those that are pressed; of those that slip only the normal springs.
+    /// Contacts in compression; of slipping ones only the normal springs.
     Pressed,
-    /// Those that are pressed, all stuck.
+    /// Contacts in compression, all stuck.
     Stuck,
 }
 
@@ -90,7 +90,7 @@ impl Bond {
         }
     }
 
-    /// Of a 3 × 3 stiffness at the point itself.
+    /// A 3 × 3 stiffness at the point itself.
     fn at_point(force: DMat3) -> Self {
         Bond {
             force,
@@ -109,7 +109,7 @@ impl Bond {
         self.torque += across * coupling;
     }
 
-    /// The same in other axes.
+    /// The stiffness in other axes.
     fn turned(&self, axes: &DMat3) -> Self {
         let turn = |matrix: DMat3| *axes * matrix * axes.transpose();
         Bond {
@@ -160,7 +160,7 @@ fn cross_matrix(v: DVec3) -> DMat3 {
     )
 }
 
-/// What two bodies have between them: a contact, a dowel or a clamp.
+/// A connection between two bodies: a contact, a dowel or a clamp.
 struct Connection {
     /// Indices of the bodies, 0 the ground, each with the way from its centroid to the point.
     ends: [(usize, DVec3); 2],

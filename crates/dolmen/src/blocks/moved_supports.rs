@@ -1,4 +1,4 @@
-//! A stack whose supports move slowly, in time: it follows them from equilibrium to equilibrium until there is none, and then falls.
+//! Time history of a stack with slowly moving supports: it passes from equilibrium to equilibrium until none exists, and then falls.
 
 use super::contact_law::ContactLaw;
 use super::error::BlocksError;
@@ -76,7 +76,7 @@ impl SlowMovement {
     }
 }
 
-/// Where a stack began to move by itself.
+/// Where and when a stack began to move beyond its supports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaveWay {
     /// Factor on the movements.
@@ -90,9 +90,9 @@ pub struct GaveWay {
 pub struct MovedInTime {
     /// How they moved.
     pub slow: SlowGround,
-    /// What happened.
+    /// The history of the run.
     pub history: StackHistory,
-    /// The last time before the fall at which the stones kept to the ground: from then on the fastest moved by itself. `None` if none fell.
+    /// The last time before the fall at which the stones moved with the ground; after it the fastest stone moved by itself. `None` if none fell.
     pub gave_way: Option<GaveWay>,
 }
 

@@ -1,6 +1,7 @@
-//! Ground that moves slowly under single stones: how far it is at a time, and the bodies that stand for it.
+//! Slow movement of the ground under single stones: its displacement at a time, and the bodies that represent it.
 //!
-//! Each stone whose support moves stands on a half-space of its own. It has no mass, and nothing that presses on it changes its movement.
+//! Each stone with a moving support stands on a half-space of its own. This half-space has no mass, and contact forces do not change its
+//! movement.
 
 use super::assembly::Assembly;
 use super::bodies::RigidBody;
@@ -8,7 +9,7 @@ use crate::structure::stack::{Stack, SupportMovement};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Supports that move: from rest to a constant speed r, and in the same way to rest again.
+/// Movement of supports: from rest to a constant speed r, and symmetrically back to rest.
 ///
 /// ```text
 /// factor(t) = r (t − (t₀/π) sin(π t/t₀))/2      up to t₀
@@ -19,11 +20,11 @@ use std::f64::consts::PI;
 pub struct MovingGround {
     /// Each movement at a factor of 1.
     pub movements: Vec<SupportMovement>,
-    /// Factor on the movements that is added each second at full speed, 1/s.
+    /// Increase of the factor on the movements per second at full speed r, 1/s.
     pub factor_per_s: f64,
-    /// Time from rest to full speed, and back, s; at most as long as the whole takes at full speed.
+    /// Time t₀ from rest to full speed, and back, s; at most the duration of the whole movement at full speed.
     pub start_s: f64,
-    /// Factor at which the ground stands still again.
+    /// Factor at which the ground is at rest again.
     pub factor_most: f64,
 }
 
@@ -46,12 +47,12 @@ impl MovingGround {
         self.factor_per_s * factor
     }
 
-    /// Until it stands still again, s.
+    /// Time until the ground is at rest again, s.
     pub fn duration_s(&self) -> f64 {
         self.start_s + self.factor_most / self.factor_per_s
     }
 
-    /// Speed of the support that moves fastest, m/s.
+    /// Largest speed of any support, m/s.
     pub fn speed_m_s(&self) -> f64 {
         self.factor_per_s * self.longest_m()
     }
@@ -62,7 +63,7 @@ impl MovingGround {
         each.fold(0.0, f64::max)
     }
 
-    /// What the ground under each stone moves by at a factor of 1: stone, m.
+    /// Displacement of the ground under each stone at a factor of 1: index of the stone, displacement in m.
     fn under_stones(&self, stack: &Stack) -> Vec<(usize, DVec3)> {
         let mut under: Vec<(usize, DVec3)> = Vec::new();
         for movement in &self.movements {
@@ -77,16 +78,16 @@ impl MovingGround {
     }
 }
 
-/// The bodies of ground that moves, in an assembly.
+/// The moving ground bodies of an assembly.
 #[derive(Clone, Debug, Default)]
 pub(super) struct OwnGround {
     movement: Option<MovingGround>,
-    /// Each body with its displacement at a factor of 1, m.
+    /// Index of each body, and its displacement at a factor of 1, m.
     bodies: Vec<(usize, DVec3)>,
 }
 
 impl OwnGround {
-    /// Puts the stones of an assembly at rest on ground of their own.
+    /// Adds a ground body under each stone of an assembly whose support moves.
     pub(super) fn under(assembly: &mut Assembly, stack: &Stack, movement: &MovingGround) -> Self {
         let under = movement.under_stones(stack);
         let each = under.iter();
@@ -102,7 +103,7 @@ impl OwnGround {
         self.bodies.is_empty()
     }
 
-    /// Puts the ground where it is at a time, with the velocity that it has over the next `h` s.
+    /// Sets the position of the ground at a time, and its mean velocity over the next `h` s.
     pub(super) fn place(&self, bodies: &mut [RigidBody], time_s: f64, h: f64) {
         let Some(movement) = &self.movement else { return };
         let factor = movement.factor_at(time_s);

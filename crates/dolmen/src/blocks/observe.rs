@@ -22,10 +22,11 @@ const BRINK: f64 = 0.5;
 /// Gathers a [`StackHistory`].
 pub(super) struct Observer {
     watches: Vec<Watch>,
-    /// Of each, what was seen last.
+    /// Last observation of each joint.
     seen: Vec<RelativePose>,
     falls: Falls,
-    /// Of each block, how far inside what carries it its plumb line lies at rest, m; `None` where that does not tell how far it is from tipping.
+    /// For each block, distance inside its support of the vertical through its centroid at rest, m; `None` if this distance does not indicate how
+    /// close the block is to tipping.
     margins: Vec<Option<f64>>,
     sample_every: usize,
     /// Looks from one sample to the next, at most as many as steps.
@@ -102,7 +103,7 @@ impl Observer {
         step * self.looks % self.sample_every < self.looks
     }
 
-    /// Adds what a step put in, what its contacts did, and what friction took, J.
+    /// Adds the energies of a step: work input, work of contacts, friction loss, J.
     pub(super) fn count(&mut self, [input, contact, friction]: [f64; 3]) {
         self.input += input;
         self.contact += contact;
@@ -110,7 +111,7 @@ impl Observer {
         self.history.steps += 1;
     }
 
-    /// Sets what all steps so far put in, what their contacts did, and what friction took, J.
+    /// Sets the energies of all steps so far: work input, work of contacts, friction loss, J.
     pub(super) fn set_counts(&mut self, [input, contact, friction]: [f64; 3], steps: usize) {
         (self.input, self.contact, self.friction) = (input, contact, friction);
         self.history.steps = steps;
@@ -127,7 +128,7 @@ impl Observer {
         ((looks_done + 1) * self.sample_every).div_ceil(self.looks)
     }
 
-    /// What it watches.
+    /// The watched joints.
     pub(super) fn watches(&self) -> &[Watch] {
         &self.watches
     }
@@ -139,13 +140,13 @@ impl Observer {
         }
     }
 
-    /// Takes how a joint lies from who has seen it.
+    /// Sets the pose of a joint that the caller has observed.
     pub(super) fn set_seen(&mut self, joint: usize, seen: RelativePose) {
         self.seen[joint] = seen;
     }
 
-    /// Looks, at joints as seen last, at time t: places of t, velocities of t − h/2 (at the start those of 0) with the accelerations that carry them
-    /// on over a kick.
+    /// Observes the stack at time t, with the last observed poses of the joints: positions at t, velocities at t − h/2 (at the start those at 0)
+    /// with the accelerations that advance them over a kick.
     pub(super) fn look(
         &mut self,
         assembly: &Assembly,
@@ -175,7 +176,7 @@ impl Observer {
             return;
         }
         self.history.time_s.push(time_s);
-        // the work of the step that is under way up to t: at the start none is
+        // work up to t of the current step; at the start there is none
         let started = self.history.steps > 0;
         let half = if started { 0.5 * kick } else { 0.0 };
         let (mut kinetic, mut input, mut contact) = (0.0, self.input, self.contact);
@@ -254,7 +255,7 @@ impl Observer {
         joint
     }
 
-    /// What is left of the way from a stone's plumb line to the edge that carries it, over that at rest; 1 where it had none at rest.
+    /// Remaining distance from the vertical through a stone's centroid to the edge of its support, over that at rest; 1 if there was none at rest.
     fn margin_ratio(&self, assembly: &Assembly, block: usize) -> f64 {
         let rest = self.margins[block].filter(|margin| *margin > 0.0);
         let now = plumb_margin(assembly, block + 1);
@@ -284,8 +285,8 @@ impl Observer {
         found
     }
 
-    /// The stone that is not at rest, if there is one, with what is left of the way from its plumb line to the edge that carries it: the
-    /// one whose plumb line lies at or beyond its edge, or the upper one of the joint that moved farthest.
+    /// A stone that is not at rest, if there is one, with the remaining fraction of its distance to the edge of the support: a stone whose centroid
+    /// is at or beyond its edge, or the upper stone of the joint with the largest motion.
     fn moving(&self, assembly: &Assembly) -> Option<(usize, f64)> {
         let each = (0..self.margins.len()).map(|block| (block, self.margin_ratio(assembly, block)));
         let least = each.min_by(|a, b| a.1.total_cmp(&b.1));
@@ -329,7 +330,7 @@ impl Observer {
         }
     }
 
-    /// What the places of the stones at the end say, beyond that joints opened or none did.
+    /// Outcome by the final positions of the stones, beyond whether joints opened.
     fn at_the_end(&self, assembly: &Assembly) -> Option<Outcome> {
         let at_s = self.history.time_s.last().copied().unwrap_or_default();
         match self.moving(assembly) {

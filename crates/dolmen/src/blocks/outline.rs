@@ -157,7 +157,7 @@ impl Outline {
     }
 }
 
-/// What a point remembers, in the frame of the plane.
+/// State of a point, in the axes of the plane.
 #[derive(Clone, Copy, Debug)]
 struct Memory {
     place: [f64; 2],
@@ -182,7 +182,7 @@ fn memories_of(patch: &Patch, motion: &Motion) -> Vec<Memory> {
     memories
 }
 
-/// Gives each point the memory of the nearest; none if there are none.
+/// Gives each point the state of the nearest old point; no change if there are none.
 fn inherit(patch: &mut Patch, motion: &Motion, memories: &[Memory]) {
     patch.unstretch(motion);
     for group in &mut patch.points {

@@ -325,9 +325,11 @@ fn wrench_of_points<const BOND: bool, const HELD: bool>(
     h: f64,
 ) -> Wrench {
     let all = f64x4::splat;
-    let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] =
-        [motion.along_x, motion.along_y, motion.shift].map(in_all_lanes);
-    let [[wx, wy, wz], [ox, oy, oz]] = [twist.velocity, twist.spin].map(in_all_lanes);
+    let [ax, ay, az] = in_all_lanes(motion.along_x);
+    let [bx, by, bz] = in_all_lanes(motion.along_y);
+    let [cx, cy, cz] = in_all_lanes(motion.shift);
+    let [wx, wy, wz] = in_all_lanes(twist.velocity);
+    let [ox, oy, oz] = in_all_lanes(twist.spin);
     let half_step = all(0.5 * h);
     let mut sums = [f64x4::ZERO; 7];
     for group in points {
@@ -377,7 +379,11 @@ fn wrench_of_points<const BOND: bool, const HELD: bool>(
 /// A vector in all lanes.
 #[inline(always)]
 fn in_all_lanes(vector: DVec3) -> [f64x4; 3] {
-    vector.to_array().map(f64x4::splat)
+    [
+        f64x4::splat(vector.x),
+        f64x4::splat(vector.y),
+        f64x4::splat(vector.z),
+    ]
 }
 
 /// Contact of four points across the plane; masks have all bits of a lane set.

@@ -16,7 +16,7 @@ use glam::DVec3;
 const NEWTON_STEPS: usize = 25;
 /// Force left, in parts of the stack's weight, at which it rests. Chosen here.
 const LEFT_MOST: f64 = 1e-12;
-/// Force left that is accepted when another step betters it no more: stiff joints turn the rounding of places into force.
+/// Residual force that is accepted if another step does not reduce it: with stiff joints, rounding of positions causes forces.
 /// Chosen here.
 const LEFT_ROUNDING: f64 = 1e-7;
 /// Rounds of damped steps and Newton steps after them: many loose stones take turns to open and close.

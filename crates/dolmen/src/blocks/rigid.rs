@@ -1,7 +1,7 @@
-//! The rigid law in time: stones that neither give nor overlap, with impacts found inside the step.
+//! Time integration with the rigid contact law: stones neither deform nor overlap, and impacts are located within the step.
 //!
-//! Stages of a step at time t: look again at pairs that have moved far → velocities of t + h/2 that obey every contact
-//! ([`super::rigid_solve`]) → places of t + h, or of the first impact before it → velocities after the impact → the rest of the step.
+//! Stages of a step at time t: update the contacts of pairs that have moved far → velocities at t + h/2 that satisfy every contact
+//! ([`super::rigid_solve`]) → positions at t + h, or at the first impact before it → velocities after the impact → the remaining part of the step.
 
 use super::after_fall::AfterFall;
 use super::assembly::{Assembly, ContactTolerances};
@@ -18,44 +18,45 @@ use crate::signal::GroundMotion;
 use crate::structure::stack::{Body, Joint, Stack};
 use glam::DVec3;
 
-/// Closer than the springs do, for the steps are longer. Chosen here: stones that near each other at less than some 2 m/s meet seen.
+/// Contact detection with larger distances than under the springs law, because the steps are longer. Chosen here: contacts of stones that approach at
+/// less than about 2 m/s are detected before they touch.
 const WATCHFULNESS: ContactTolerances = ContactTolerances {
     clip_again: 5e-5,
     near: 2e-2,
     far: 5e-2,
 };
 
-/// Longest step, s. Chosen here: at 50 ms a motion sampled every 20 ms leaves .5 mm of slip instead of 24.
+/// Longest step, s. Chosen here: with steps of 50 ms, a motion sampled every 20 ms left 0.5 mm of slip instead of 24 mm.
 const STEP_MOST_S: f64 = 5e-3;
 
-/// Parts of the longest stable step of dowels, clamps and side supports: what may be taken, and what usually is. Chosen here: the energy of a stone
-/// that swings on one then seems to change by less than a thousandth, (ω h)²/4.
+/// Largest and usual step, as fractions of the longest step that is stable for dowels, clamps and side supports. Chosen here: with the usual step the
+/// apparent energy of a stone that swings on such a spring changes by less than 0.1 %, (ω h)²/4.
 const HELD_MOST: f64 = 0.9;
 const HELD_USUAL: f64 = 0.03;
 
-/// Usual steps, s: where sliding takes as much friction as its beginning, and where it takes less.
+/// Usual steps, s: for equal static and kinetic friction, and for kinetic friction below static friction.
 const USUAL_STEP_S: f64 = 1e-3;
 const KINETIC_STEP_S: f64 = 2e-4;
 
 /// Options of [`simulate_rigid`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rigid {
-    /// Points of a joint. Default 4 × 4.
+    /// Contact points of a joint. Default 4 × 4.
     pub contact_rule: ContactRule,
     /// Time step, s, up to 5e-3. Default 1e-3; see [`Rigid::usual_step_s`].
     pub time_step_s: f64,
-    /// Length of the run, s; `None`, the default, for the motion and `rest_s` more, and then until the stack is at rest
-    /// or swings less and less, for up to [`StackHistory::LONGER_MOST_S`].
+    /// Duration of the run, s. Default `None`: the motion plus `rest_s`, then until the stack is at rest or rocks with decreasing amplitude, for at
+    /// most [`StackHistory::LONGER_MOST_S`].
     pub duration_s: Option<f64>,
-    /// Time after the motion that is always run, s. Default 2.
+    /// Time that is always simulated after the motion, s. Default 2.
     pub rest_s: f64,
-    /// Time between samples of the history, s; the nearest whole number of steps. Default 0.01.
+    /// Time between samples of the history, s, rounded to a whole number of steps. Default 0.01.
     pub output_step_s: f64,
-    /// What to do when a stone has fallen. Default: stop.
+    /// What happens after a stone has fallen. Default: the run stops.
     pub after_fall: AfterFall,
-    /// Pushes before the start. Default none.
+    /// Initial velocities of stones. Default none.
     pub starts: Vec<Start>,
-    /// Whether a run of more than 20 million steps or a million samples is computed all the same. Default: it is refused.
+    /// Whether to run more than 20 million steps or a million samples. Default: such a run is refused.
     pub however_long: bool,
 }
 
@@ -75,10 +76,10 @@ impl Default for Rigid {
 }
 
 impl Rigid {
-    /// The step to take for a stack: 1 ms, and 0.2 ms where some joint slides with less friction than it begins to slide with. A stone that
-    /// slides slowly comes to rest within a step and is then held by static friction: a block under two-component noise, μ .4 and .25, slipped 3.8 % too
-    /// little (6.0 % of what is left) at 1 ms, .16 % at .2 ms. With dowels, clamps or side supports at most 0.03 of the longest step that is stable on
-    /// them.
+    /// The usual step for a stack, s: 1 ms, or 0.2 ms if the kinetic friction of a joint is below its static friction. A stone that slides slowly
+    /// comes to rest within a step, and static friction then holds it. So a block under two-component noise, with μ 0.4 and 0.25, slipped 3.8 % too
+    /// little (6.0 % of the residual slip) at 1 ms, and 0.16 % too little at 0.2 ms. With dowels, clamps or side supports the step is at most 0.03 of
+    /// the longest step that is stable for them.
     ///
     /// ```
     /// use dolmen::blocks::Rigid;
@@ -99,15 +100,15 @@ impl Rigid {
             return usual;
         }
         let held = HELD_USUAL * longest_step_of_held(&Assembly::of(stack, ContactRule::Four));
-        // a whole number of steps in the usual one, so that samples lie on steps
+        // the usual step is a whole multiple of this step, so that samples fall on steps
         usual / (usual / held).ceil().max(1.0)
     }
 }
 
-/// Motion of a stack of rigid stones under base motion: stones neither give nor overlap.
+/// Motion of a stack of rigid stones under base motion, with the rigid contact law: stones neither deform nor overlap.
 ///
-/// `progress` gets the simulated time now and then, and stops the run by returning false. A step that finds no solution ends
-/// the run as [`super::Outcome::NotConverged`]; how well the law was obeyed is in [`StackHistory::rigid`].
+/// `progress` gets the simulated time at intervals, and stops the run by returning false. If a step finds no solution, the run ends as
+/// [`super::Outcome::NotConverged`]. [`StackHistory::rigid`] contains the residuals of the contact law.
 ///
 /// ```text
 /// M (v⁺ − v⁻) = κ f + Σ Gᵀ p               kick over κ: half the step before and half the step after
@@ -117,20 +118,19 @@ impl Rigid {
 /// ```
 ///
 /// # Errors
-/// [`BlocksError`] for options out of range, a block that is not there, a step too long for dowels, clamps or side supports, and bonds (cohesion,
-/// tension), which only the springs law knows.
+/// [`BlocksError`] for options out of range, a block that does not exist, a step too long for dowels, clamps or side supports, and for bonds
+/// (cohesion, tension), which need the springs law.
 ///
 /// # Limits
-/// Stones are rigid; contact is of convex hulls. Impacts are found inside the step, ends of slips are not. What
-/// each joint carries is unique only as a force and a torque: how it spreads over the points is that of an even bed. Friction and
-/// rocking together may have several solutions (Painlevé); one of them is found, always the same. Dowels, clamps and side supports are springs that act
-/// at the places of a step, as in [`super::simulate_springs`].
+/// Stones are rigid; contact is between convex hulls. Impacts are located within the step, ends of slips are not. In each joint only the total force
+/// and torque are unique; their distribution over the points is that of a uniform elastic bed. With friction and rocking together several solutions
+/// may exist (Painlevé); the method always finds the same one. Dowels, clamps and side supports are springs that act at the positions of each step,
+/// as in [`super::simulate_springs`]. Tested by `stack_rigid` and `stack_motion`.
 ///
 /// # Source
 /// Moreau, J. J. (1988) in Nonsmooth Mechanics and Applications, CISM 302; Alart, P. & Curnier, A. (1991) Comput. Methods Appl.
-/// Mech. Eng. 92:353-375. Differs from the sources: places of a leapfrog instead of the θ method; gaps instead of velocities
-/// while stones stay in touch; restitution of the mean over a face instead of each point; the Newton matrix is that of the
-/// bodies, with the contacts eliminated.
+/// Mech. Eng. 92:353-375. Differs from the sources: leapfrog positions instead of the θ method; gaps instead of velocities while stones stay in
+/// touch; restitution of the mean velocity over a face instead of each point; the Newton matrix is that of the bodies, with the contacts eliminated.
 ///
 /// # Example
 /// ```
@@ -141,7 +141,7 @@ impl Rigid {
 /// let options = Rigid { duration_s: Some(0.1), ..Rigid::default() };
 /// let history = simulate_rigid(&stack, None, &options, &mut |_| true)?;
 /// assert_eq!(history.outcome, Outcome::Stood);
-/// assert_eq!(history.poses[0], *history.poses.last().unwrap()); // not a bit of motion
+/// assert_eq!(history.poses[0], *history.poses.last().unwrap()); // no motion, to the last bit
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn simulate_rigid(
@@ -153,7 +153,7 @@ pub fn simulate_rigid(
     simulate_rigid_on(stack, motion, None, options, progress)
 }
 
-/// The same of a stack whose supports may move.
+/// As [`simulate_rigid`], for a stack whose supports may move.
 pub(super) fn simulate_rigid_on(
     stack: &Stack,
     motion: Option<&GroundMotion>,
@@ -240,7 +240,7 @@ pub(super) fn simulate_rigid_on(
     })
 }
 
-/// Refuses bonds: the law has no force that holds faces together.
+/// Refuses bonds: the rigid law has no force that holds faces together.
 fn refuse_bonds(stack: &Stack) -> Result<(), BlocksError> {
     let name = |block: usize| stack.blocks().get(block).map_or("", |block| block.name.as_str());
     let between = |lower: Body, upper: usize| match lower {

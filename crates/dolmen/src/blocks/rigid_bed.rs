@@ -11,8 +11,9 @@ pub(super) fn on_bed(bed: &[f64; 3], point: &Point) -> f64 {
     (bed[0] + bed[1] * point.y - bed[2] * point.x).max(0.0)
 }
 
-/// The pressure that an even bed, which cannot pull, gives to the near points under a normal force and two moments; false if
-/// there is none, for the force passes beside them. Begins from `bed`; `near` is what may be left, in parts of the force.
+/// Pressure of a uniform elastic bed without tension at the near points, under a normal force and two moments; false if there
+/// is none, because the force is outside the points. Starts from `bed`; `near` is the relative tolerance of the force
+/// balance.
 ///
 /// ```text
 /// Σ a max(c · e, 0) e = (N, M_x, M_y),   e = (1, y, −x),   by Newton steps over the points that press

@@ -1,12 +1,13 @@
-//! The rigid law by way of convex problems: the last resort of a step whose Newton steps on the law itself go round in circles.
+//! Solves a step of the rigid law through a sequence of convex problems. It is the last resort when Newton's method on the law itself
+//! does not converge.
 //!
 //! ```text
 //! K ∋ p ⊥ u + s + μ |u_t| n ∈ K*,   K = {|p_t| ≤ μ p_n}
 //! ```
 //!
-//! is Coulomb's law with unilateral contact. With the last term held (`lift`) it is what makes a convex function least, so that Newton
-//! steps with a search along each always come to it; then the term and the multipliers are carried over, until every point obeys
-//! the law itself.
+//! is Coulomb's law with unilateral contact. With the last term fixed (the `lift`), the law is the optimality condition of a convex
+//! function, and Newton's method with a line search always converges to its minimum. Then the term and the multipliers are updated,
+//! until every point satisfies the law itself.
 //!
 //! # Source
 //! Acary, V., Cadoux, F., Lemaréchal, C. & Malick, J. (2011) A formulation of the linear discrete Coulomb friction problem via convex
@@ -19,17 +20,18 @@ use super::rigid_solve::{
     Candidate, LEFT_MOST_M_S, Momentum, OFF_MOST_M_S, Pressing, Solved, Solver, ahead, held_of, hold_impulses,
 };
 
-/// Times that lifts and multipliers are carried over, and rounds in which none was better before it is given up. Chosen here.
+/// Largest number of updates of lifts and multipliers, and number of updates without improvement after which the method stops. Chosen
+/// here.
 const ROUNDS_MOST: usize = 60;
 const WORSE_MOST: usize = 15;
-/// Newton steps of one round, and places tried along each. Chosen here.
+/// Largest number of Newton steps between updates, and of trial points along each step. Chosen here.
 const STEPS_MOST: usize = 40;
 const LINE_MOST: usize = 12;
-/// Part to which the slope along a Newton step must fall. Chosen here.
+/// Fraction to which the line search must reduce the slope along a Newton step. Chosen here.
 const SLOPE_MOST: f64 = 0.5;
 
 impl Solver {
-    /// Betters a solution that is too far from the law: `v` and the impulses held become the nearest to it that was found.
+    /// Improves a solution whose residual is too large: `v` and the stored impulses become the best solution found.
     pub(super) fn by_cones(
         &mut self,
         of: Momentum<'_>,
@@ -51,7 +53,7 @@ impl Solver {
             }
             let left = self.newton_on_cones(of, faces, v, &mut solved.newton_steps);
             hold_impulses(faces);
-            // how far these impulses are from the law itself
+            // residual of the contact law with these impulses
             let mut residual_m_s = left;
             for face in faces.iter_mut() {
                 let twist = face.twist_of(v);
@@ -79,7 +81,7 @@ impl Solver {
         solved.residual_m_s = best.residual_m_s;
     }
 
-    /// Makes the convex function of this round least; what is left of the momentum, m/s.
+    /// Minimises the convex function between two updates; returns the residual of the momentum balance, m/s.
     fn newton_on_cones(
         &mut self,
         of: Momentum<'_>,
@@ -104,7 +106,7 @@ impl Solver {
                 *change = self.right[*row];
             }
             let down = self.along(&right, &change);
-            // the slope only rises along the step: where it is 0 the function is least
+            // the function is convex: the slope increases along the step and is 0 at the minimum
             let (mut low, mut at_low, mut high, mut at_high) = (0.0, -down, f64::INFINITY, 0.0);
             let mut part = 1.0;
             for _ in 0..LINE_MOST {
@@ -133,7 +135,7 @@ impl Solver {
         left
     }
 
-    /// Sum over the bodies of what is left times a change of their velocities.
+    /// Sum over the bodies of the momentum residual times a change of their velocities.
     fn along(&self, right: &[ForceTorque], change: &[ForceTorque]) -> f64 {
         let rows = self.rows.iter().zip(change).skip(1);
         rows.map(|(row, change)| right[*row].iter().zip(change).map(|(r, c)| r * c).sum::<f64>())
@@ -142,7 +144,7 @@ impl Solver {
 }
 
 impl Face {
-    /// Holds μ |u_t| at a twist.
+    /// Sets the lifts μ |u_t| from a twist, for the next convex problem.
     fn set_lifts(&mut self, twist: &ForceTorque) {
         for point in &mut self.points {
             let u = velocity(twist, point.x, point.y);
@@ -150,7 +152,7 @@ impl Face {
         }
     }
 
-    /// Impulses at a twist with the lifts held, their sum on S, and their derivative, which is symmetric.
+    /// Impulses at a twist with fixed lifts, their sum on S, and their derivative, which is symmetric.
     ///
     /// ```text
     /// p = the point of K nearest to λ − ϱ (u + s + lift n), where velocities count by 1/ϱ
@@ -171,7 +173,7 @@ impl Face {
                 point.held[2] - r * (u[2] + point.offset[2] + point.lift),
             ];
             let size = trial[0].hypot(trial[1]);
-            // with weights ϱ the cone has the friction μ √(ϱ_n/ϱ_t)
+            // with weights ϱ, the cone has the friction coefficient μ √(ϱ_n/ϱ_t)
             let ratio = point.friction * point.friction * r / r_t;
             let reach = trial[2] + point.friction * (r / r_t) * size;
             if trial[2] >= 0.0 && size <= point.friction * trial[2] {
@@ -214,7 +216,8 @@ impl Face {
     }
 }
 
-/// Adds Gᵀ k G of a point, upper half: k along the plane (xx, xy, yy), and of the normal (with x, with y, with itself).
+/// Adds Gᵀ k G of a point to the upper half of the stiffness: k in the plane (xx, xy, yy), and k of the normal (with x, with y, with
+/// itself).
 fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [a, b, c]: [f64; 3], [d, e, n]: [f64; 3]) {
     // rows of G: (1, 0, 0, 0, 0, −y), (0, 1, 0, 0, 0, x), (0, 0, 1, y, −x, 0)
     let turned = [b * x - a * y, c * x - b * y, e * x - d * y];
@@ -270,7 +273,8 @@ mod tests {
         }
     }
 
-    /// Inside, outside and on the far side of the cone: the point of it that is nearest by 1/ϱ, against a search over the cone.
+    /// Inside, outside and opposite the cone: the impulse is the nearest point of the cone in the norm 1/ϱ, compared with a search
+    /// over the cone.
     #[test]
     fn exact_impulses_are_the_nearest_of_the_cone() {
         for held in [

@@ -1,4 +1,4 @@
-//! Impacts of the rigid law: found in time, then carried through.
+//! Impacts of the rigid law: located in time, then resolved.
 
 use super::patch::LANES;
 use super::rigid_faces::{Face, velocity};
@@ -7,22 +7,23 @@ use super::rigid_run::{FOUND_M, Ground, IMPACT_FROM, Run, Unsolved, halves, six}
 use super::rigid_solve::Inertia;
 use glam::DVec3;
 
-/// Impacts nearer in time than this part of a step are one. Chosen here.
+/// Impacts closer together than this fraction of a step count as one. Chosen here.
 const SAME_TIME: f64 = 0.01;
-/// Times that a rebound is halved until the impact makes no energy; the last time there is none.
+/// Largest number of halvings of a rebound until the impact creates no energy; after the last there is no rebound.
 const REBOUNDS_MOST: usize = 6;
-/// Energy that counts as none, in parts. Chosen here.
+/// Relative energy that counts as zero. Chosen here.
 const ROUNDING: f64 = 1e-9;
-/// Part of the closing velocity to which a rocking joint keeps its restitution, and solutions tried for it. Chosen here.
+/// Tolerance of the restitution of a rocking joint, relative to the closing velocity, and largest number of trial solutions. Chosen here.
 const KEPT_TO: f64 = 1e-6;
 const BRAKES_MOST: usize = 6;
-/// Largest couple that is tried, over the first: that of the stone alone, which the mass on its edge makes up to some ten times as large. Chosen here.
+/// Largest couple in the search, relative to the first estimate, which is for the stone alone: the mass on its edge makes the couple up to about ten
+/// times as large. Chosen here.
 const COUPLE_MOST: f64 = 100.0;
 
-/// False positions tried to find the time of an impact.
+/// Largest number of false-position steps for locating an impact.
 const FIND_MOST: usize = 30;
 
-/// A joint in which a stone passes from edge to edge, and the velocity that the middle of what touches keeps, m/s.
+/// A joint in which a stone rocks from edge to edge, and the velocity that the middle of the contact keeps, m/s.
 struct Rocking {
     face: usize,
     at: [f64; 2],
@@ -30,7 +31,7 @@ struct Rocking {
 }
 
 impl Run {
-    /// Time of the first impact in the rest of the step, by false position (Illinois).
+    /// Time of the first impact in the rest of the step, by the method of false position (Illinois).
     pub(super) fn first_meeting(&self, left_s: f64) -> f64 {
         let least_gap = |part_s: f64| {
             let bodies = self.drifted(part_s);
@@ -66,14 +67,14 @@ impl Run {
         low
     }
 
-    /// Carries the stack to an impact `part_s` from now, and through it.
+    /// Advances the stack to an impact `part_s` from now, and resolves it.
     pub(super) fn strike(&mut self, time_s: f64, part_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
         let there = self.drifted(part_s);
         for (body, there) in self.assembly.bodies.iter_mut().zip(&there).skip(1) {
             (body.position, body.turn, body.rotation) = (there.position, there.turn, there.rotation);
             body.travel = there.travel;
         }
-        // up to the impact those act that touched before it
+        // up to the impact, only points that touched before it are active
         let parts = |face: &Face| face.points.iter().map(|point| point.part).collect();
         let parts_before: Vec<Vec<Part>> = self.faces.iter().map(parts).collect();
         self.see_faces(self.h, 0.0);
@@ -125,7 +126,7 @@ impl Run {
                 false => Some(face.restitution.falls).filter(|of| *of > 0.0),
             };
             let rebound = of.and_then(|of| face.rebound(&before, slow, of));
-            // where the middle opens, no stone passes on
+            // a joint whose middle opens does not rock
             let passes_on = |(_, keeps_m_s): &([f64; 2], f64)| passes_on && *keeps_m_s > 0.0;
             if let Some((at, keeps_m_s)) = rebound.filter(passes_on) {
                 let face = index;
@@ -139,7 +140,7 @@ impl Run {
             if self.kinetic(&self.velocity) <= before * (1.0 + ROUNDING) {
                 break;
             }
-            // stones that strike several others would gain: they rebound less
+            // stones that strike several others would gain energy: reduce the rebound
             self.velocity.clone_from(&start);
             for face in &mut self.faces {
                 face.rebound_less();
@@ -153,8 +154,8 @@ impl Run {
         Ok(())
     }
 
-    /// Takes from a joint what it keeps beyond its restitution after an impact at the edge: a couple against its turning, as large as leaves the
-    /// middle of what touches `keeps_m_s`. Velocities are linear in it while the same points press: a secant finds it.
+    /// Reduces the velocity of a joint after an impact at its edge to its restitution, by a couple against its rotation, such that the middle of the
+    /// contact keeps `keeps_m_s`. Velocities are linear in the couple while the same points are active, so a secant method finds it.
     fn brake(&mut self, of: &Rocking) -> Result<(), Unsolved> {
         let opening = |run: &Run| {
             let twist = run.faces[of.face].twist_of(&run.velocity);
@@ -175,7 +176,7 @@ impl Run {
         let most = COUPLE_MOST * couple.length();
         for _ in 0..BRAKES_MOST {
             let is_done = (now - of.keeps_m_s).abs() <= KEPT_TO * of.keeps_m_s;
-            // no couple reaches it: other points hold the stone
+            // no couple reaches the target: other points support the stone
             if is_done || couple.is_nan() || couple.length() > most {
                 break;
             }
@@ -205,8 +206,8 @@ impl Run {
 }
 
 impl Face {
-    /// Adds the rebound of an impact: the mean normal velocity of the points that touch is at least −e times that before, and the
-    /// impulse that makes it so acts evenly on them, that is at their middle. `None` where nothing nears fast enough to be an impact.
+    /// Adds the rebound of an impact: the mean normal velocity of the contact points becomes at least −e times that before. The impulse acts
+    /// uniformly on these points, that is at their middle. `None` if no contact closes fast enough for an impact.
     fn rebound(&mut self, before: &ForceTorque, slow: f64, restitution: f64) -> Option<([f64; 2], f64)> {
         let (mut area, mut at) = (0.0, [0.0; 2]);
         let (mut fastest, mut friction) = (0.0_f64, f64::INFINITY);
@@ -224,7 +225,7 @@ impl Face {
         let keeps_m_s = -restitution * velocity(before, at[0], at[1])[2];
         self.points.push(Point {
             friction,
-            gap_ahead: keeps_m_s, // to know when little is left of it
+            gap_ahead: keeps_m_s, // to detect when little of it is left
             offset: [0.0, 0.0, -keeps_m_s],
             part: Part::Near,
             index: usize::MAX,
@@ -233,7 +234,7 @@ impl Face {
         Some((at, keeps_m_s))
     }
 
-    /// Halves the rebound, and gives it up when it is next to nothing.
+    /// Halves the rebound; removes it when it is negligible.
     fn rebound_less(&mut self) {
         const LEAST: f64 = 0.1;
         for point in &mut self.points {

@@ -16,7 +16,7 @@ pub(super) struct Point {
     pub(super) y: f64,
     pub(super) area: f64,
     pub(super) weight: f64,
-    /// The same along the plane: where the face presses more, more.
+    /// Weight along the plane: larger where the pressure is larger.
     pub(super) shear_weight: f64,
     /// Part of the force that it is expected to carry; negative if none is expected of the face.
     pub(super) share: f64,
@@ -67,5 +67,5 @@ impl Point {
     }
 }
 
-/// What one contact does to S about its origin, in the plane's frame: force (or impulse), then torque.
+/// Force (or impulse) and torque of one contact on S about its origin, in the axes of the plane.
 pub(super) type ForceTorque = [f64; 6];

@@ -1,5 +1,6 @@
-//! Whether a stack goes on moving with the ground, told from equilibrium alone where every stone stands on one joint: then the
-//! force in each joint is known, and it is enough that one spread of it over the points obeys the law.
+//! Decides by equilibrium alone whether a stack moves rigidly with the ground. This needs every stone to stand on exactly one joint:
+//! the force in each joint is then known, and the stack holds if one distribution of this force over the contact points satisfies
+//! the contact law.
 
 use super::assembly::Assembly;
 use super::rigid_bed::{fit_bed, on_bed};
@@ -7,25 +8,25 @@ use super::rigid_faces::Face;
 use super::rigid_point::{ForceTorque, Part};
 use glam::{DMat3, DVec3};
 
-/// Force that may be left over, in parts of it: rounding. Chosen here.
+/// Tolerance of the force balance, relative, for rounding. Chosen here.
 const BALANCED: f64 = 1e-12;
-/// Part of friction that is used at most: rounding. Chosen here.
+/// Largest fraction of the friction that may be used, for rounding. Chosen here.
 const FRICTION_PART: f64 = 1.0 - 1e-9;
 
-/// A joint and what it carries.
+/// A joint and the mass above it.
 #[derive(Clone, Debug)]
 struct JointReaction {
     face: Face,
-    /// Mass that it carries, kg, and from its origin to the centroid of that, m, in the ground's axes.
+    /// Mass above the joint, kg, and its centroid relative to the joint's origin, m, in the axes of the ground.
     mass: f64,
     arm: DVec3,
-    /// 1 if S is carried, −1 if P is.
+    /// 1 if body S is above the joint, −1 if body P is.
     sign: f64,
     from_ground: DMat3,
     bed: [f64; 3],
 }
 
-/// A stack at rest on the ground, each stone on one joint.
+/// A stack at rest on the ground in which each stone stands on one joint.
 #[derive(Clone, Debug)]
 pub(super) struct AtRest {
     joints: Vec<JointReaction>,
@@ -33,7 +34,7 @@ pub(super) struct AtRest {
 }
 
 impl AtRest {
-    /// The stack with these faces; `None` if some stone stands on none or on several.
+    /// The stack with these contact faces; `None` if a stone stands on no joint or on several.
     pub(super) fn of(assembly: &Assembly, faces: &[Face]) -> Option<Self> {
         let bodies = assembly.bodies.len();
         let touches = |face: &&Face| face.points.iter().any(|point| point.part == Part::Near);
@@ -41,7 +42,7 @@ impl AtRest {
         if faces.len() != bodies - 1 {
             return None;
         }
-        // outwards from the ground: (body, the face it stands on, the body that carries it)
+        // from the ground upwards: (body, the face it stands on, the body below)
         let mut found: Vec<(usize, usize, usize)> = Vec::with_capacity(faces.len());
         let mut reached = vec![false; bodies];
         reached[0] = true;
@@ -89,28 +90,28 @@ impl AtRest {
         Some(AtRest { joints, held: false })
     }
 
-    /// Whether it stays where it is while every kilogram is held against `pull`, N/kg. False means that this way of looking
-    /// does not tell.
+    /// Whether the stack holds while a force of `pull`, N/kg, balances every kilogram. `false` means that this method cannot decide.
     pub(super) fn holds(&mut self, pull: DVec3) -> bool {
         self.held = self.joints.iter_mut().all(|joint| joint.holds(pull));
         self.held
     }
 
-    /// What each joint would carry, if it could, so that nothing moves: pair, body of the plane, force on S about the plane's frame.
+    /// The force and torque that each joint must transmit so that nothing moves: pair, body of the plane, force and torque on S
+    /// about the origin of the plane.
     pub(super) fn carried(&self, pull: DVec3) -> impl Iterator<Item = (usize, usize, ForceTorque)> {
         self.joints
             .iter()
             .map(move |joint| (joint.face.pair, joint.face.plane_body, joint.wrench(pull)))
     }
 
-    /// What it said last.
+    /// Result of the last call of [`AtRest::holds`].
     pub(super) fn held(&self) -> bool {
         self.held
     }
 }
 
 impl JointReaction {
-    /// Force on S about the plane's frame.
+    /// Force and torque on S about the origin of the plane, in the axes of the plane.
     fn wrench(&self, pull: DVec3) -> ForceTorque {
         let force = pull * (self.mass * self.sign);
         let torque = self.from_ground * self.arm.cross(force);

@@ -1,10 +1,10 @@
-//! A run of the rigid law under way: kicks, drifts and impacts.
+//! State of a run of the rigid law: kicks, drifts and impacts.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | h, τ | `h`, `left_s` | step; what is left of it | s |
-//! | κ | `kick_s` | over which forces change the velocities: from where these lag behind places to the middle of the next drift | s |
-//! | – | `lag_s` | by which velocities lag behind places | s |
+//! | h, τ | `h`, `left_s` | step; its remaining part | s |
+//! | κ | `kick_s` | duration of a kick: from the time of the velocities to the middle of the next drift | s |
+//! | – | `lag_s` | time by which velocities lag behind positions | s |
 
 use super::assembly::Assembly;
 use super::bodies::RigidBody;
@@ -35,7 +35,7 @@ const ADDED_MOST: usize = 8;
 const SLIPS_FROM_M_S: f64 = 1e-7;
 /// Part of a step that is not begun after an impact: rounding. Chosen here.
 const SHORTEST_PART: f64 = 1e-9;
-/// Way by which points may be off their law at the end of a drift, m, where further work betters it no more: a tenth of a micrometre. Chosen
+/// Gap error of points at the end of a drift that is accepted if further iterations do not reduce it, m: a tenth of a micrometre. Chosen
 /// here.
 const OFF_WORST_M: f64 = 1e-7;
 /// Times that a drift is halved when there is no solution for the whole. Chosen here.
@@ -43,7 +43,7 @@ const HALVINGS_MOST: usize = 6;
 /// Depth of new points beyond which they are not pushed out, m. Chosen here.
 const HOLDS_FROM_M: f64 = 1e-9;
 
-/// What a step put in, what contacts did, what friction took, J.
+/// Energies of a step: work input, work of contacts, friction loss, J.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct StepEnergy {
     pub(super) input: f64,
@@ -51,7 +51,7 @@ pub(super) struct StepEnergy {
     pub(super) friction: f64,
 }
 
-/// What a pair remembers: the force on S about the frame of its plane, and the bed under it.
+/// State of a pair: the force on S about the origin of its plane, and its elastic bed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Memory {
     force: ForceTorque,
@@ -62,7 +62,7 @@ pub(super) struct Memory {
     pub(super) known: bool,
 }
 
-/// What open points do in the rest of a step.
+/// Behaviour of open points in the rest of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum OpenPoints {
     Nothing,
@@ -76,7 +76,7 @@ pub(super) type Unsolved = f64;
 /// Acceleration of the ground at a time.
 pub(super) type Ground<'a> = &'a dyn Fn(f64) -> DVec3;
 
-/// A run under way.
+/// State of a run.
 pub(super) struct Run {
     pub(super) assembly: Assembly,
     pub(super) evidence: RigidEvidence,
@@ -87,16 +87,16 @@ pub(super) struct Run {
     pub(super) faces: Vec<Face>,
     pub(super) memory: Vec<Memory>,
     pub(super) inertia: Vec<Inertia>,
-    /// Solution under way, and the momentum without contacts.
+    /// Current solution, and the momentum without contact forces.
     pub(super) velocity: Vec<ForceTorque>,
     pub(super) momentum: Vec<ForceTorque>,
-    /// What dowels, clamps, side supports and static loads do in a kick.
+    /// Forces of dowels, clamps, side supports and static loads in a kick.
     held: Forces,
     pub(super) at_rest: Option<AtRest>,
     pub(super) lag_s: f64,
     /// Length of the drift that the velocities were solved for.
     pub(super) drift_s: f64,
-    /// Whether an impact is under way.
+    /// Whether an impact is being resolved.
     pub(super) strikes: bool,
     pub(super) kick_s: f64,
     /// Acceleration of the frame and gravity together, m/s².
@@ -150,7 +150,7 @@ impl Run {
         &self.forces
     }
 
-    /// What the step put in, what contacts did, what friction took, J.
+    /// Energies of the step: work input, work of contacts, friction loss, J.
     pub(super) fn take_counted(&mut self) -> [f64; 3] {
         let counted = std::mem::take(&mut self.counted);
         [counted.input, counted.contact, counted.friction]
@@ -217,7 +217,7 @@ impl Run {
         kicked
     }
 
-    /// Whether all stones go on moving with the ground.
+    /// Whether all stones still move rigidly with the ground.
     fn rests(&mut self, shaking: DVec3) -> bool {
         let still = |body: &RigidBody| body.velocity == DVec3::ZERO && body.spin == DVec3::ZERO;
         if !self.assembly.bodies.iter().all(still) || self.assembly.holds() {
@@ -395,7 +395,7 @@ impl Run {
         }
     }
 
-    /// What open points do in a drift of `left_s` at the solved velocities.
+    /// Behaviour of open points in a drift of `left_s` at the solved velocities.
     fn meets(&self, left_s: f64) -> OpenPoints {
         let slow = IMPACT_FROM * self.assembly.gravity * self.h;
         let mut meets = OpenPoints::Nothing;
@@ -413,7 +413,7 @@ impl Run {
         meets
     }
 
-    /// Adds open points that would meet in a drift of `left_s` at no more than `most` m/s; whether there were any.
+    /// Activates open points that would close in a drift of `left_s` at no more than `most` m/s; returns whether there were any.
     fn add_meeting(&mut self, left_s: f64, most: f64) -> bool {
         let mut any = false;
         for index in 0..self.faces.len() {

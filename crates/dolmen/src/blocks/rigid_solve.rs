@@ -1,33 +1,35 @@
-//! One step of the rigid law: velocities at which impulses and momentum balance, and every point obeys its law.
+//! Solves one step of the rigid law: velocities at which momentum balances and every contact point satisfies its law.
 //!
 //! ```text
 //! M v − b − Σ Gᵀ p(v) = 0,   p(v) = the law's projection of λ − σ ϱ (u + s),   λ ← p until they agree
 //! ```
 //!
-//! The inner equation is solved by Newton steps on the blocks of the bodies (LU within their outline: block-tridiagonal on a
-//! chain), the outer by carrying the multipliers λ over. With λ = p every point obeys unilateral contact and Coulomb's law exactly.
-//! It is tried with the weights ϱ as they are (σ = 1) first; where the Newton steps go round in circles, from soft weights to hard ones; where
-//! that leaves points too far from their law, by convex problems ([`super::rigid_cone`]).
+//! Newton's method solves the inner equation with 6 × 6 blocks of the bodies (LU within their skyline: block-tridiagonal for a chain). The
+//! outer iteration updates the multipliers λ. When λ = p, every point satisfies unilateral contact and Coulomb's law exactly. The weights ϱ
+//! are used unchanged (σ = 1) first. If Newton's method cycles, the weights go from soft to hard. If the residual of the points remains too
+//! large, convex problems follow ([`super::rigid_cone`]).
 
 use super::block_skyline::{Block, BlockSkyline, SIX};
 use super::rigid_faces::{Face, Stiffness};
 use super::rigid_point::ForceTorque;
 use glam::{DMat3, DVec3};
 
-/// Momentum left over, over the mass, at which a Newton step is the last, m/s. Chosen here: far below any way that is seen.
+/// Residual of the momentum balance, over the mass, at which Newton's method ends, m/s. Chosen here: far below any visible motion.
 pub(super) const LEFT_MOST_M_S: f64 = 1e-9;
-/// Distance of a point from its law, m/s, at which a solution is done, and at which it is once rounds better it no more. Chosen here.
+/// Residual of the contact law, m/s, at which a solution is converged, or at which it is accepted if further updates do not reduce it. Chosen
+/// here.
 pub(super) const OFF_MOST_M_S: f64 = 1e-8;
 const STAYS_M_S: f64 = 1e-6;
-/// The same from which a solution is counted as loose, if it is accepted. Chosen here.
+/// Residual of the contact law from which an accepted solution counts as loose, m/s. Chosen here.
 pub(super) const LOOSE_FROM_M_S: f64 = 1e-6;
-/// Newton steps for one set of multipliers, and times that multipliers are carried over, with weights as they are. Chosen here.
+/// With unchanged weights: largest number of Newton steps per set of multipliers, and largest number of updates of the multipliers. Chosen
+/// here.
 const DIRECT_STEPS: usize = 10;
 const DIRECT_ROUNDS: usize = 20;
-/// Part to which the distance from the law must fall each time that multipliers are carried over. Chosen here.
+/// Factor by which each update of the multipliers must reduce the residual of the contact law. Chosen here.
 const SLOWEST: f64 = 0.8;
-/// Softer weights: the first σ, by how much harder the next is, Newton steps and halvings of each, sets of multipliers, and
-/// sets without a solution before it is given up. Chosen here, on stacks of 10 to 20 stones that fall.
+/// Parameters of soft weights: the first σ, the factor to the next, Newton steps and halvings for each, sets of multipliers, and number of
+/// sets without a solution after which the method stops. Chosen here, on falling stacks of 10 to 20 stones.
 const SOFTEST_FIRST: f64 = 1e-2;
 const HARDER: f64 = 10.0;
 const SOFT_STEPS: usize = 20;
@@ -35,7 +37,7 @@ const LINE_STEPS: usize = 5;
 const ROUNDS_MOST: usize = 60;
 const FAILURES_MOST: usize = 12;
 
-/// Mass and moments of inertia of a body in the ground's axes.
+/// Mass of a body, and its moments of inertia in the axes of the ground.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Inertia {
     pub(super) mass: f64,
@@ -43,43 +45,43 @@ pub(super) struct Inertia {
     pub(super) radius: f64,
 }
 
-/// Masses of the bodies, and the momentum they would have without contacts.
+/// Inertia of the bodies, and their momentum without contact forces.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Momentum<'a> {
     pub(super) inertia: &'a [Inertia],
     pub(super) free: &'a [ForceTorque],
 }
 
-/// What a solution took.
+/// Statistics of a solution.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Solved {
     pub(super) converged: bool,
-    /// Largest of the momentum left over and of the points' distance from their law, m/s.
+    /// The larger of the residuals of momentum and contact law, m/s.
     pub(super) residual_m_s: f64,
     pub(super) newton_steps: usize,
     pub(super) rounds: usize,
 }
 
-/// How Newton steps are taken.
+/// Options of Newton's method.
 #[derive(Clone, Copy, Debug)]
 struct NewtonOptions {
-    /// Begin with what pressed and slipped before, instead of asking the law.
+    /// Start from the active contacts and slips of the previous solution instead of evaluating the law.
     presume: bool,
-    /// Times that a step is halved until it betters the balance.
+    /// Largest number of halvings of a step until it reduces the residual.
     line_steps: usize,
     steps_most: usize,
 }
 
-/// What is left of the momentum.
+/// Residual of the momentum balance.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct MomentumResidual {
-    /// Its largest part, as a velocity, m/s.
+    /// Largest component, as a velocity, m/s.
     pub(super) largest_m_s: f64,
-    /// Kinetic energy of all, J.
+    /// Kinetic energy of all bodies, J.
     energy_j: f64,
 }
 
-/// A solution on the way, and how far it is from the law.
+/// A tentative solution and its residual.
 #[derive(Clone, Debug)]
 pub(super) struct Candidate {
     pub(super) residual_m_s: f64,
@@ -87,29 +89,29 @@ pub(super) struct Candidate {
     pub(super) held: Vec<Vec<[f64; 3]>>,
 }
 
-/// How a face presses at a velocity.
+/// How contact forces follow from a velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Pressing {
-    /// By the law itself.
+    /// From the contact law itself.
     ByLaw {
-        /// Take what pressed and slipped for what will, as [`Face::contact_force`] does.
+        /// Assume that the same points stay active and slip, as in [`Face::contact_force`].
         presume: bool,
     },
-    /// By the convex problem with the lifts held.
+    /// From the convex problem with fixed lifts.
     OnCones,
 }
 
-/// Rows of the bodies and their matrix.
+/// Right side and matrix of Newton's method, with one row per body.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Solver {
     pub(super) matrix: BlockSkyline,
-    /// Row of each body; of the ground none.
+    /// Row of each body; the ground has none.
     pub(super) rows: Vec<usize>,
     pub(super) right: Vec<ForceTorque>,
 }
 
 impl Solver {
-    /// For bodies (the ground is 0) that touch in these pairs.
+    /// A solver for bodies (the ground is 0) with these pairs in contact.
     pub(super) fn of(bodies: usize, touching: &[[usize; 2]]) -> Self {
         let order = order(bodies, touching);
         let mut rows = vec![usize::MAX; bodies];
@@ -130,8 +132,8 @@ impl Solver {
         }
     }
 
-    /// Solves from velocities `v` of the bodies (of the ground zeros), which become the solution; the faces keep the impulses. What is
-    /// farther than `worst_m_s` from the law is no solution.
+    /// Solves from initial velocities `v` of the bodies (zero for the ground), which become the solution; the faces store the impulses. A
+    /// result with a residual above `worst_m_s` is not a solution.
     pub(super) fn solve(
         &mut self,
         of: Momentum<'_>,
@@ -157,8 +159,8 @@ impl Solver {
         solved
     }
 
-    /// Solves by way of softer weights, with which Newton steps seldom go round in circles: multipliers are carried over to ever harder
-    /// ones, as far as there are solutions.
+    /// Solves with softer weights, for which Newton's method rarely cycles. The multipliers are passed on to ever harder weights, as long as
+    /// solutions exist.
     fn softly(
         &mut self,
         of: Momentum<'_>,
@@ -168,7 +170,7 @@ impl Solver {
         solved: &mut Solved,
     ) {
         let (mut softness, mut harder, mut failures) = (SOFTEST_FIRST, HARDER, 0);
-        // the hardest weights that served last; 0 while none did
+        // the hardest weights with a solution so far; 0 for none
         let mut served = 0.0;
         let mut best = start.clone();
         let mut last = start;
@@ -223,7 +225,7 @@ impl Solver {
         solved.residual_m_s = best.residual_m_s;
     }
 
-    /// Solves by Newton steps on the law itself.
+    /// Solves by Newton's method on the law itself.
     fn directly(&mut self, of: Momentum<'_>, faces: &mut [Face], v: &mut [ForceTorque], solved: &mut Solved) {
         let mut off = f64::INFINITY;
         for round in 0..DIRECT_ROUNDS {
@@ -246,7 +248,7 @@ impl Solver {
         }
     }
 
-    /// Newton steps for the multipliers held; what is left of the momentum, m/s.
+    /// Newton's method with fixed multipliers; returns the residual of the momentum balance, m/s.
     fn newton(
         &mut self,
         of: Momentum<'_>,
@@ -277,7 +279,7 @@ impl Solver {
             for (change, row) in change.iter_mut().zip(&self.rows).skip(1) {
                 *change = self.right[*row];
             }
-            // half the step until less is left; the last half is taken whatever it leaves
+            // halve the step until the residual decreases; accept the last halving in any case
             let mut part = 1.0;
             ahead(&mut trial, v, &change, part);
             let halvings = if presumed { 0 } else { options.line_steps };
@@ -298,7 +300,7 @@ impl Solver {
         left
     }
 
-    /// What is left of the momentum at `v`; the right side and (if asked for) the matrix of the next Newton step.
+    /// Residual of the momentum balance at `v`. Sets the right side and, on request, the matrix of the next Newton step.
     pub(super) fn balance(
         &mut self,
         of: Momentum<'_>,
@@ -324,7 +326,7 @@ impl Solver {
         self.left(of)
     }
 
-    /// Makes the right side what is left of the momentum without contacts, and the matrix that of the masses.
+    /// Sets the right side to the residual without contact forces, and the matrix to the mass matrix.
     fn momentum_left(&mut self, of: Momentum<'_>, v: &[ForceTorque], with_matrix: bool) {
         if with_matrix {
             self.matrix.clear();
@@ -356,7 +358,7 @@ impl Solver {
         }
     }
 
-    /// Adds what a contact does to its two bodies to the right side.
+    /// Adds the force of a contact on its two bodies to the right side.
     fn push(&mut self, face: &Face, wrench: &ForceTorque) {
         let force = face.to_ground * DVec3::new(wrench[0], wrench[1], wrench[2]);
         let torque = face.to_ground * DVec3::new(wrench[3], wrench[4], wrench[5]);
@@ -376,7 +378,7 @@ impl Solver {
         }
     }
 
-    /// The size of the right side; infinite if it is no number.
+    /// Norm of the right side; infinite if it is not a number.
     fn left(&self, of: Momentum<'_>) -> MomentumResidual {
         let mut left = MomentumResidual::default();
         for (body, of) in of.inertia.iter().enumerate().skip(1) {
@@ -393,7 +395,7 @@ impl Solver {
         left
     }
 
-    /// Adds what a contact holds against the motion of its two bodies.
+    /// Adds the stiffness of a contact between its two bodies to the matrix.
     ///
     /// ```text
     /// twist = Rᵀ (X_s v_s − X_p v_p),   X = [1, −[r]×; 0, 1]:   J_ab += ± X_aᵀ R K Rᵀ X_b
@@ -435,7 +437,7 @@ impl Solver {
 }
 
 impl Candidate {
-    /// Takes it up again.
+    /// Restores the stored solution.
     pub(super) fn take(&self, faces: &mut [Face], v: &mut Vec<ForceTorque>) {
         v.clone_from(&self.velocity);
         for (face, held) in faces.iter_mut().zip(&self.held) {
@@ -446,20 +448,20 @@ impl Candidate {
     }
 }
 
-/// v + part × change.
+/// Trial velocities v + part × change.
 pub(super) fn ahead(trial: &mut [ForceTorque], v: &[ForceTorque], change: &[ForceTorque], part: f64) {
     for (trial, (v, change)) in trial.iter_mut().zip(v.iter().zip(change)).skip(1) {
         *trial = std::array::from_fn(|i| v[i] + part * change[i]);
     }
 }
 
-/// Impulses held, face by face.
+/// The stored impulses, face by face.
 pub(super) fn held_of(faces: &[Face]) -> Vec<Vec<[f64; 3]>> {
     let of = |face: &Face| face.points.iter().map(|point| point.held).collect();
     faces.iter().map(of).collect()
 }
 
-/// Carries the multipliers over.
+/// Updates the multipliers with the impulses.
 pub(super) fn hold_impulses(faces: &mut [Face]) {
     for face in faces {
         for point in &mut face.points {
@@ -468,7 +470,7 @@ pub(super) fn hold_impulses(faces: &mut [Face]) {
     }
 }
 
-/// [r]×.
+/// The cross-product matrix [r]×.
 fn cross(r: DVec3) -> DMat3 {
     DMat3::from_cols(
         DVec3::new(0.0, r.z, -r.y),
@@ -477,7 +479,7 @@ fn cross(r: DVec3) -> DMat3 {
     )
 }
 
-/// Bodies in an order in which those that touch lie near each other; without the ground.
+/// Orders the bodies, without the ground, so that bodies in contact are close to each other.
 ///
 /// # Source
 /// Cuthill, E. & McKee, J. (1969) Proc. 24th ACM Nat. Conf. 157-172.

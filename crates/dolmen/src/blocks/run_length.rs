@@ -1,4 +1,4 @@
-//! How long a run is: one that ends while stones move has no verdict, so that it goes on for a while.
+//! Duration of a run: a run that ends while stones move has no verdict, so it continues for some time.
 
 use super::assembly::Assembly;
 use super::error::BlocksError;
@@ -8,7 +8,7 @@ use super::observe::{Observer, whole_at_least};
 /// Time between looks at whether a run may end, s. Chosen here: swings that matter take several times as long.
 const AGAIN_S: f64 = 0.1;
 
-/// Most steps of a run that is not asked for again. Chosen here: 20 stones take some ten minutes.
+/// Largest number of steps without confirmation by the user. Chosen here: with 20 stones they take about ten minutes.
 const STEPS_MOST: f64 = 2e7;
 /// Most samples of the history of such a run. Chosen here: of 20 stones they hold a few gigabytes.
 const SAMPLES_MOST: f64 = 1e6;
@@ -80,7 +80,7 @@ impl RunLength {
         self.due
     }
 
-    /// Whether the run is over after so many steps; one that is not goes on.
+    /// Whether the run is over after this number of steps; otherwise it continues.
     pub(super) fn is_over(&mut self, step: usize, observer: &mut Observer, assembly: &Assembly) -> bool {
         if step <= self.due {
             return false;

@@ -34,7 +34,7 @@ const ERROR: [f64; 5] = [-3.0 / 16.0, -27.0 / 32.0, 25.0 / 32.0, 0.0, 0.25];
 const LETS_GO: f64 = 1e-6;
 /// Sliding slower than this and slowing down, a joint stops, m/s. Chosen here: 1e-18 m are left.
 const STOPS_M_S: f64 = 1e-9;
-/// Part of the time to its stop that a step goes on while a joint slows down.
+/// Fraction of the time until a slowing joint stops that one step may cover.
 const TOWARDS_STOP: f64 = 0.9;
 /// Smoothing of friction at rest, over gravity, from the first to the last of the steps that bring it down.
 const SMOOTH_FIRST: f64 = 10.0;
@@ -93,8 +93,8 @@ impl Default for Sliding {
 /// [`BlocksError::NoSliding`] where no accelerations are found.
 ///
 /// # Limits
-/// Blocks neither rock nor jump: where they would, the run ends with a status. Errors of places come to 1e-8 m in 30 s, and to
-/// what the points of a bed leave of a torque: 1 % of pure twisting with 6 × 6.
+/// Blocks neither rock nor jump: if they would, the run ends with a status. Position errors are 1e-8 m in 30 s, plus the error of a
+/// torque on the points of a bed: 1 % for pure twisting with 6 × 6 points.
 ///
 /// # Source
 /// Hwang, I. S. & Kim, J. K. (2002), analysis of sliding of piled multi-block systems considering horizontal rotation (in Korean).
@@ -214,7 +214,7 @@ impl Run<'_> {
                         h *= (0.9 * (self.tolerance / step.error).powf(0.25)).max(0.1);
                         None
                     }
-                    // a joint would have been let go on the way: end where it is
+                    // a joint would have been released within the step: end the step there
                     Ok(step) if step.gauge > 1.0 + LETS_GO && h > STEP_LEAST_S => {
                         let part = (1.0 + 0.5 * LETS_GO - gauge) / (step.gauge - gauge);
                         h *= part.clamp(0.05, 0.999_999);
@@ -422,7 +422,7 @@ impl Run<'_> {
         let solved = self.chain.accelerations(&stage, &self.k)?;
         let gauge = self.gauge(&solved, shaking)?;
         self.k = solved.k;
-        // what the search found to hold does hold: rounding must not let it go again at once
+        // the search found that the joint sticks: rounding must not release it immediately
         Ok(gauge.min(1.0 - LETS_GO))
     }
 

@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | x_p, A_p | `place`, `area` | points of the bed in plan, and the area each stands for | m, m² |
+//! | x_p, A_p | `place`, `area` | points of the bed in plan, and their tributary areas | m, m² |
 //! | N_p | `force_n` | normal force at a point | N |
 //! | X | `resultant_m` | where the normal force acts | m |
 //! | u | [`Twist`] | sliding velocity at a reference point, and spin | m/s, rad/s |
@@ -17,9 +17,9 @@ const GAUGE_STEPS_MOST: usize = 40;
 /// Smoothing of |u| in the gauge, over its size: its square is what the gauge is wrong by.
 const GAUGE_SMOOTH: f64 = 1e-6;
 
-/// A point stands for an area that spins about it too: square of its radius of friction, over the area. Without it the centre of
-/// a spin would be caught at a point. Chosen here, a quarter of what a disc of that
-/// area has: pure twisting of 6 × 6 points is then 1.0 % too strong instead of .6 %.
+/// Squared friction radius of a point's tributary area, over the area, because the area also resists spin about its own point.
+/// Without it the centre of rotation would be trapped at a point. Chosen here: a quarter of the value for a disc of that area.
+/// Pure twisting of 6 × 6 points is then 1.0 % too strong instead of 0.6 %.
 const CELL: f64 = 1.0 / (16.0 * std::f64::consts::PI);
 
 /// Sliding and spin of one face on another; the third component the spin.
@@ -49,11 +49,11 @@ pub(super) struct Pressure {
     total: f64,
     /// The resultant, from the reference point.
     pub(super) resultant: DVec2,
-    /// Of the points that carry: (Σ A φ φᵀ)⁻¹, φ = (1, x, y).
+    /// (Σ A φ φᵀ)⁻¹ over the loaded points, φ = (1, x, y).
     inverse: DMat3,
 }
 
-/// What friction a sliding bed gives, and how that changes.
+/// Friction of a sliding bed, and its derivative.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Friction {
     pub(super) wrench: Wrench,

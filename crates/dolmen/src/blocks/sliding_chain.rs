@@ -42,7 +42,7 @@ pub(super) struct Stone {
     pub(super) carried: f64,
 }
 
-/// Where a block is, as seen from the one below.
+/// Position of a block relative to the block below.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Place {
     pub(super) shift: DVec2,
@@ -56,11 +56,11 @@ pub(super) struct Motion {
     pub(super) yaw_rad: Vec<f64>,
     pub(super) velocity: Vec<DVec2>,
     pub(super) spin: Vec<f64>,
-    /// Of each bed, from the centroid of its upper block.
+    /// Points of each bed, relative to the centroid of its upper block.
     pub(super) beds: Vec<Vec<(DVec2, f64)>>,
 }
 
-/// What every bed carries for given accelerations.
+/// Load on every bed for given accelerations.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Load {
     /// Force and torque about the centroid of the upper block.
@@ -311,7 +311,7 @@ impl Chain {
     }
 }
 
-/// Points of a polygon and the areas they stand for.
+/// Points of a polygon and their tributary areas.
 fn spread(polygon: &Polygon, rule: ContactRule) -> Vec<(DVec2, f64)> {
     let points = contact_points(polygon, rule).into_iter();
     points

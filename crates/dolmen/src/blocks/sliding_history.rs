@@ -1,4 +1,4 @@
-//! What a run of the sliding model gives.
+//! Result of a run of the sliding model.
 
 use super::history::{JointHistory, Pose};
 
@@ -58,7 +58,7 @@ pub struct SlidingHistory {
     pub input_j: f64,
     /// Taken by friction, J.
     pub friction_j: f64,
-    /// What is left over: |motion + friction − input − start|, largest at any step, J.
+    /// Largest error of the energy balance at any step: |motion + friction − input − start|, J.
     pub energy_error_j: f64,
     /// Steps taken.
     pub steps: usize,

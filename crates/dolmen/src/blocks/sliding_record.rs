@@ -1,4 +1,5 @@
-//! What is kept of a sliding pile: samples between the ends of steps, peaks at them, spells of sliding, the balance of energy.
+//! Records the motion of a sliding pile: samples between the ends of steps, peaks, intervals of sliding, and the energy
+//! balance.
 
 use super::history::{JointHistory, Pose};
 use super::sliding_chain::{Chain, Place};
@@ -8,7 +9,7 @@ use super::sliding_state::State;
 use crate::structure::stack::Stack;
 use glam::{DVec2, DVec3};
 
-/// One joint, as it is looked at.
+/// Observation of one joint.
 #[derive(Debug)]
 struct Watch {
     joint: usize,

@@ -11,12 +11,12 @@ use glam::{DMat3, DVec2, DVec3};
 
 /// Newton steps of one solution.
 const NEWTON_MOST: usize = 40;
-/// What may be left of each stone's balance, over its weight.
+/// Tolerance of the force balance of each stone, over its weight.
 const TOLERANCE: f64 = 1e-12;
-/// The same where rounding allows no better.
+/// Tolerance if rounding permits no better.
 const ROUNDED: f64 = 1e-9;
 
-/// What a joint does.
+/// Motion of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Slide {
     /// Moves as one with the block below.
@@ -49,11 +49,11 @@ pub(super) struct Solved {
     pub(super) twists: Vec<Twist>,
     pub(super) motion: Motion,
     pub(super) load: Load,
-    /// Of joints that slide.
+    /// Pressure of each joint that slides.
     pub(super) pressures: Vec<Option<Pressure>>,
 }
 
-/// Why there are none.
+/// Why there are no accelerations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum NoAcceleration {
     /// The pressure leaves the bed: the block above this joint begins to rock.

@@ -1,9 +1,9 @@
-//! What changes in time while stones slide.
+//! State variables of sliding stones.
 
 use super::sliding_bed::Twist;
 use super::sliding_chain::Place;
 
-/// What changes in time.
+/// State variables of sliding stones.
 #[derive(Clone, Debug)]
 pub(super) struct State {
     pub(super) places: Vec<Place>,

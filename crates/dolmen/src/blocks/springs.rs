@@ -21,12 +21,13 @@ use glam::DVec3;
 /// Part of the longest stable step that is taken: friction and impacts are not in the linear bound. Chosen here, from the
 /// errors in docs/stack-engine.md.
 const STEP_PART: f64 = 0.9;
-/// The same where a joint has a `normal_restitution`: at 0.9 a fall on damped springs lasts two steps, and keeps up to a fifth too little. Chosen here.
+/// Fraction of the longest stable step if a joint has a `normal_restitution`: at 0.9 an impact on damped springs lasts two steps, and the restitution
+/// is up to a fifth too small. Chosen here.
 const FALLS_STEP_PART: f64 = 0.1;
 
 /// Energy made by contacts, over the work put in, from which a run is done again at half the step. Chosen here.
 const MADE_MOST: f64 = 1e-3;
-/// The same from which a run cannot be used. Chosen here.
+/// Fraction of created energy from which a run is unusable. Chosen here.
 const MADE_UNUSABLE: f64 = 1e-2;
 /// Most halvings of the step. Chosen here.
 const HALVINGS_MOST: usize = 3;
@@ -78,7 +79,7 @@ pub struct Springs {
     /// Time between samples of the history, s; with a `time_step_s` that does not divide it, the nearest whole number of
     /// steps. Default 0.01.
     pub output_step_s: f64,
-    /// What to do when a stone has fallen. Default: stop.
+    /// What happens after a stone has fallen. Default: the run stops.
     pub after_fall: AfterFall,
     /// Pushes before the start. Default none.
     pub starts: Vec<Start>,
@@ -150,7 +151,7 @@ pub fn simulate_springs(
     )
 }
 
-/// The same of a stack whose supports move.
+/// As [`simulate_springs`], for a stack whose supports move.
 pub(super) fn simulate_springs_on(
     stack: &Stack,
     ground: &MovingGround,
@@ -341,7 +342,7 @@ impl<'a> Run<'a> {
         self.look_as_seen(forces, progress)
     }
 
-    /// The same at a step that the observer wants, whose joints it has seen.
+    /// As the function above, at a step that the observer requests and whose joints it has already observed.
     pub(super) fn look_as_seen(&mut self, forces: &Forces, progress: &mut dyn FnMut(f64) -> bool) -> bool {
         let (shaking, time_s) = (self.shaking(), self.time_s());
         let inertia = DVec3::new(0.0, 0.0, -self.assembly.gravity) - shaking;

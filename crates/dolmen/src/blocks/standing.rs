@@ -1,11 +1,11 @@
-//! Whether a stack at rest stands on its springs, or topples: its stiffness with what gravity takes from it (P-delta).
+//! Decides whether a stack at rest stands on its springs or topples, from its stiffness reduced by P-delta.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | K | `contact_matrix` | stiffness of the contacts, all that are pressed stuck | N/m, N, N m |
-//! | G | `add_weight` | what the forces at rest add as stones move and turn | N/m, N, N m |
-//! | f | – | force of a contact on the upper end S, in the ground's axes | N |
-//! | r_P, r_S | – | from each body's centroid to the contact | m |
+//! | K | `contact_matrix` | stiffness of the contacts; all contacts in compression stick | N/m, N, N m |
+//! | G | `add_weight` | geometric stiffness: change of the forces at rest as stones move and rotate | N/m, N, N m |
+//! | f | – | force of a contact on the upper body S, in the axes of the ground | N |
+//! | r_P, r_S | – | vectors from the centroid of each body to the contact | m |
 
 use super::assembly::Assembly;
 use super::error::BlocksError;
@@ -14,7 +14,7 @@ use super::toppling::{NEUTRAL, Standing, TowerOutline, add_weights, factor_to_st
 use crate::structure::stack::{Body, Stack};
 use dolmen_linalg::{Matrix, cholesky, generalized_symmetric_eigen};
 
-/// Refuses a stack at rest that any touch would topple.
+/// Refuses a stack at rest that the slightest disturbance would topple.
 ///
 /// ```text
 /// K + G positive definite
@@ -23,7 +23,7 @@ use dolmen_linalg::{Matrix, cholesky, generalized_symmetric_eigen};
 /// ```
 ///
 /// # Errors
-/// [`BlocksError::Topples`] with the factor on all springs from which it would stand.
+/// [`BlocksError::Topples`], with the smallest factor on all springs for which the stack stands.
 pub(super) fn check_standing(assembly: &Assembly, stack: &Stack) -> Result<(), BlocksError> {
     let mut standing = match assembly.bodies.len() > OUTLINE_FROM {
         true => TowerOutline::of(assembly).standing(),
@@ -41,7 +41,7 @@ pub(super) fn check_standing(assembly: &Assembly, stack: &Stack) -> Result<(), B
     }
 }
 
-/// The same by the full matrix, which may have a stone that nothing holds.
+/// The check by the full matrix, which also applies if nothing supports some stone.
 fn by_full_matrix(assembly: &Assembly) -> Result<Standing, BlocksError> {
     let mut springs = contact_matrix(assembly, Part::Springs, Closed::Stuck);
     add_pressed_props(assembly, &mut springs);
@@ -65,7 +65,7 @@ fn by_full_matrix(assembly: &Assembly) -> Result<Standing, BlocksError> {
     })
 }
 
-/// G of all contacts, ties and side supports at rest, [6n × 6n]. Symmetric, as every stone is in balance.
+/// G of all contacts, ties and side supports at rest, [6n × 6n]; symmetric, because every stone is in equilibrium.
 fn weight_matrix(assembly: &Assembly) -> Matrix {
     let size = 6 * (assembly.bodies.len() - 1);
     let mut matrix = Matrix::zeros(size, size);
@@ -89,7 +89,7 @@ mod tests {
         leaning(sizes, [0.0; 2], normal_stiffness_pa_m, shear_stiffness_pa_m)
     }
 
-    /// Each stone moved against the one below.
+    /// A pile in which each stone is shifted relative to the one below.
     fn leaning(
         sizes: &[[f64; 3]],
         by: [f64; 2],
@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn exact_softest_bed_on_which_a_column_stands() {
-        // k b⁴/12 = m g H/2 about the axis along which it is b wide: .4 × .8 × 4 m
+        // k b⁴/12 = m g H/2 about the axis along which the base is b wide: 0.4 × 0.8 × 4 m
         let least = 2600.0 * 0.4 * 0.8 * 4.0 * 9.81 * 2.0 / (0.8 * 0.4_f64.powi(3) / 12.0);
         for (part, stands) in [(0.999, false), (1.001, true)] {
             let stack = tower(&[[0.4, 0.8, 4.0]], part * least, 4e8);
@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn agrees_many_stones_that_topple_with_the_full_matrix() {
-        // 48 stones, a soft bed of springs; oblong, so that one way is softer, and square
+        // 48 stones on a soft bed of springs; oblong, so that one direction is softer, and square
         for (width, depth) in [(1.0, 1.2), (1.0, 1.0)] {
             let sizes: Vec<[f64; 3]> = (0..48)
                 .map(|i| [width - 0.004 * f64::from(i), depth - 0.004 * f64::from(i), 0.5])
@@ -160,7 +160,7 @@ mod tests {
 
     #[test]
     fn holds_what_gravity_takes_is_the_slope_of_the_forces() {
-        // differences of the forces about a leaning stack's rest, against K + G
+        // numerical derivative of the forces about the rest position of a leaning stack, compared with K + G
         let stack = tower(&[[1.0, 0.9, 0.5], [0.8, 0.7, 0.6], [0.5, 0.6, 0.9]], 2e7, 8e6);
         let mut assembly = Assembly::of(&stack, ContactRule::Four);
         settle(&mut assembly, &stack).unwrap();

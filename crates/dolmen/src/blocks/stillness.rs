@@ -1,34 +1,34 @@
-//! Whether a stack has come to rest.
+//! Decides when a stack has come to rest, so that a run may end.
 //!
-//! At rest, no joint moves and no plumb line lies at the edge. After the shaking contacts only take energy: a stack that rocks on with
-//! less and less swing, every stone far from its edge for ten seconds, will not fall either.
+//! A stack is at rest when no joint moves and no centroid is near the edge of its support. After the shaking, contacts only dissipate
+//! energy. So a stack that rocks with decreasing amplitude for ten seconds, every stone far from its edge, will not fall either.
 
 use super::history::StackHistory;
 
-/// Time over which joints must not move for a stack to rest, s, in parts; up to a part more is looked at. Chosen here: rocking of a tenth
-/// of a millimetre in half a second is seen but within a thousandth of a radian of the unstable place, which [`EDGE`] catches.
+/// Time without joint motion that counts as rest, s, divided into `PARTS` intervals; the observed time is up to one interval longer.
+/// Chosen here: half a second shows a rocking of 0.1 mm, except within 0.001 rad of the unstable position, which [`EDGE`] excludes.
 const STILL_S: f64 = 0.5;
 const PARTS: usize = 5;
-/// Way of a joint, in opening, slip or twist, from which it moves, m: a tenth of a millimetre, as of what counts as uplift. Chosen here:
-/// swaying springs move less.
+/// Range of opening, slip or twist above which a joint moves, m: 0.1 mm, as for uplift. Chosen here: elastic vibration of the contact
+/// springs is smaller.
 const STILL_M: f64 = StackHistory::UPLIFT_LEAST_M;
-/// Part of a stone's way from its plumb line to the edge that must be left for it to rest. Chosen here.
+/// Least distance of a stone from its edge for rest, as a fraction of that distance at the upright position. Chosen here.
 pub(super) const EDGE: f64 = 0.01;
-/// Time over which swings are compared, s: a swing of a stone of 6 m. Chosen here.
+/// Interval over which rocking amplitudes are compared, s: about one swing of a stone 6 m high. Chosen here.
 const SWING_S: f64 = 5.0;
-/// Part of every stone's way from its plumb line to the edge that is left in swings that die down. Chosen here: a stone that leans by half
-/// of what overturns it holds three quarters of the energy that does, and gains none.
+/// Least distance of every stone from its edge, as a fraction of that at the upright position, for rocking that decays. Chosen here: a
+/// stone that leans by half of its overturning angle has three quarters of the energy to overturn, and gains none.
 const SWINGS_LEFT: f64 = 0.5;
 
 /// Least and largest value of opening, both slips and twist of a joint, m.
 type Range = [[f64; 2]; 4];
 const NOTHING: Range = [[f64::INFINITY, f64::NEG_INFINITY]; 4];
 
-/// How far joints have moved of late.
+/// Recent motion of the joints.
 #[derive(Clone, Debug)]
 pub(super) struct Stillness {
     began_s: f64,
-    /// One range a joint, of the part that is under way and of those before.
+    /// The range of each joint, for the current interval and the intervals before it.
     parts: [Vec<Range>; PARTS + 1],
 }
 
@@ -40,7 +40,7 @@ impl Stillness {
         }
     }
 
-    /// Begins a look.
+    /// Starts an observation; begins a new interval when the current one is over.
     pub(super) fn at(&mut self, time_s: f64) {
         if time_s - self.began_s >= STILL_S / PARTS as f64 {
             self.began_s = time_s;
@@ -49,7 +49,7 @@ impl Stillness {
         }
     }
 
-    /// Opening, slips and twist of a joint at this look, m.
+    /// Records opening, slips and twist of a joint, m.
     pub(super) fn see(&mut self, joint: usize, places: [f64; 4]) {
         for ([least, largest], place) in self.parts[0][joint].iter_mut().zip(places) {
             *least = least.min(place);
@@ -57,13 +57,13 @@ impl Stillness {
         }
     }
 
-    /// The joint that has moved farthest, if it has moved.
+    /// The joint with the largest motion, if that counts as motion.
     pub(super) fn moving_joint(&self) -> Option<usize> {
         let (way, joint) = self.farthest()?;
         (way > STILL_M).then_some(joint)
     }
 
-    /// How far the joint that moved farthest has moved, m, and which it is.
+    /// Largest motion of any joint over the observed time, m, and the index of the joint.
     pub(super) fn farthest(&self) -> Option<(f64, usize)> {
         let mut found: Option<(f64, usize)> = None;
         for joint in 0..self.parts[0].len() {
@@ -81,7 +81,7 @@ impl Stillness {
     }
 }
 
-/// How far a stack swings after its shaking, time by time.
+/// Rocking amplitude of a stack after the shaking, interval by interval.
 #[derive(Clone, Debug)]
 pub(super) struct Swings {
     began_s: Option<f64>,
@@ -90,7 +90,7 @@ pub(super) struct Swings {
     dies_down: bool,
 }
 
-/// Largest way of a joint, m, and least part of any stone's way to its edge that was left.
+/// Largest motion of any joint, m, and least distance of any stone from its edge, as a fraction.
 #[derive(Clone, Copy, Debug)]
 struct Swing {
     way: f64,
@@ -114,7 +114,7 @@ impl Swings {
         }
     }
 
-    /// Takes what is seen at a time after the shaking.
+    /// Records the motion and the distance from the edge at a time after the shaking.
     pub(super) fn see(&mut self, time_s: f64, way: f64, margin_ratio: f64) {
         let began_s = *self.began_s.get_or_insert(time_s);
         self.now.way = self.now.way.max(way);
@@ -128,7 +128,7 @@ impl Swings {
         }
     }
 
-    /// Whether it swings less and less, far from falling.
+    /// Whether the rocking amplitude decreases, with every stone far from its edge.
     pub(super) fn die_down(&self) -> bool {
         self.dies_down
     }

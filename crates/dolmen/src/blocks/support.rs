@@ -1,4 +1,4 @@
-//! What carries a stone, seen from above: how far the plumb line through its centroid lies inside it.
+//! Support of a stone in plan: distance of the vertical through its centroid from the edge of the support.
 
 use super::assembly::Assembly;
 use super::patch::LANES;
@@ -37,8 +37,8 @@ pub(super) fn plumb_margin(assembly: &Assembly, body: usize) -> Option<f64> {
     (!points.is_empty()).then(|| margin(&hull(points), centroid))
 }
 
-/// Of each body, the ground first, whether its plumb line tells how far it is from tipping. Not so for the stones of an arch, and for what carries
-/// them: thrust holds them.
+/// For each body, the ground first, whether the position of its centroid over the support indicates how close it is to tipping. This is not so for
+/// the stones of an arch and for those that carry them, because thrust supports them.
 pub(super) fn plumb_decides(assembly: &Assembly) -> Vec<bool> {
     let mut pushes: Vec<Vec<DVec3>> = vec![Vec::new(); assembly.bodies.len()];
     let mut carried: Vec<[usize; 2]> = Vec::new();

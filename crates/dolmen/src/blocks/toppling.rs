@@ -1,4 +1,5 @@
-//! What gravity takes from the stiffness of a stack, and how many stones topple: within the outline of their matrix.
+//! Reduction of the stiffness of a stack by gravity, and the number of toppling stones, within the skyline of the
+//! matrix.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -29,7 +30,7 @@ const SHIFT_HALVINGS: usize = 10;
 /// Rounds of inverse iteration: at such a shift each takes a hundredth of what is not of the softest modes. Chosen here.
 const ROUNDS: usize = 12;
 
-/// The factor on all springs from which a stack stands that does not as it is.
+/// The smallest factor on all springs with which a stack stands that does not stand on its own springs.
 pub(super) fn factor_to_stand(stands: impl Fn(f64) -> bool) -> f64 {
     let (mut topples, mut standing) = (1.0_f64, FACTOR_MOST);
     for _ in 0..HALVINGS {
@@ -53,7 +54,7 @@ pub(super) enum Standing {
     Singular,
 }
 
-/// Stiffness of many stones, of which only what touches is kept.
+/// Stiffness of many stones, stored only for pairs in contact.
 pub(super) struct TowerOutline<'a> {
     assembly: &'a Assembly,
     springs: BlockSkyline,

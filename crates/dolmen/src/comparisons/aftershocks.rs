@@ -7,7 +7,8 @@ use crate::dynamics::{
 use crate::signal::{Component, GroundMotion, Noise, motion_sequence, noise_motion};
 use crate::structure::{Convention, Frame, Storey};
 
-/// Of both motions as one against the restart: the same equations on the same samples, at other times.
+/// Tolerance between both motions in one run and the restarted run: the same equations with the same samples at other
+/// times.
 const SAME: f64 = 1e-9;
 /// Time in which dry friction brings the frame to rest, s.
 const REST_S: f64 = 10.0;

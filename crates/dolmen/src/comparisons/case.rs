@@ -3,19 +3,19 @@
 pub struct Case {
     /// Author and year.
     pub source: &'static str,
-    /// What the number is.
+    /// Description of the number.
     pub what: String,
     /// Its unit; empty if it has none.
     pub unit: &'static str,
     /// The number of the source.
     pub published: f64,
-    /// The same quantity computed by this crate, by the source's own definition.
+    /// The quantity computed by this crate, by the definition of the source.
     pub computed: f64,
     /// Largest difference that the digits of the source allow, same unit.
     pub tolerance: f64,
     /// The right number, where the source's definition is wrong.
     pub corrected: Option<f64>,
-    /// What to know: why the published number is wrong, or why the tolerance is what it is. May be empty.
+    /// Note: why the published number is wrong, or the reason for the tolerance. May be empty.
     pub note: &'static str,
 }
 

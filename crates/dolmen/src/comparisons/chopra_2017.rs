@@ -16,7 +16,7 @@ const STIFFNESS_KIP_IN: f64 = 31.54;
 const PERIODS_S: [f64; 5] = [1.99963, 0.68504, 0.43456, 0.33828, 0.29659];
 const FORCES: &str = "The spectrum is computed from the record, 1560 samples of 0.02 s; peaks between samples are counted. The tolerance is \
                       0.02 %.";
-/// Parts of a sample at which the history is looked at.
+/// Number of parts of a sample step at which the history is evaluated.
 const CUT: usize = 8;
 const HISTORY: &str =
     "Looked at 8 times a sample; at the samples alone it is 73.09. The tolerance is 0.02 %.";

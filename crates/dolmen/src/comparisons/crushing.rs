@@ -1,4 +1,4 @@
-//! What inspections and tests say of a bed: edges that crush, a bed of which a part is lost, soil that gives. Closed forms.
+//! Comparisons of beds with a strength or damage: crushing edges, a bed that is partly lost, soft soil. Closed forms.
 
 use super::{Case, ValidationError};
 use crate::assess::{StackCheckOptions, check_stack};

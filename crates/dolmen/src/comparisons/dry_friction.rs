@@ -11,7 +11,7 @@ use crate::known::dry_friction::{
 use crate::structure::{Convention, Frame, Storey};
 use std::f64::consts::TAU;
 
-/// Of rounding alone, in amplitudes about 1.
+/// Tolerance for rounding alone, in amplitudes of about 1.
 const ROUNDING: f64 = 1e-9;
 /// Cycles before the steady state is read: friction alone has damped the start by then.
 const CYCLES: f64 = 400.0;

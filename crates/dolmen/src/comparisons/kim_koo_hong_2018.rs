@@ -11,7 +11,7 @@ use crate::stability::stack::{
 use crate::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
 
 const SOURCE: &str = "Kim, Koo & Hong (2018)";
-/// Rows that no paper prints: computed apart from this crate, by hand or by other programs.
+/// Source of rows that are not in a paper: computed independently of this crate, by hand or by other programs.
 const BY_HAND_SOURCE: &str = "By hand: P10 and P20";
 const STONE_SOURCE: &str = "By hand: Housner's quantities of a stone";
 const ENGINES_SOURCE: &str = "Other engines: P10 on springs";
@@ -177,7 +177,8 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// What five stones of 1.4 m with a slender finial bear of the spectrum of EN 1998-1, type 1, ground B, a_g .053 g: with S_a on all alike, by modes.
+/// Capacity over demand of five stones of 1.4 m with a slender finial under the spectrum of EN 1998-1, type 1, ground B, a_g 0.053 g: with S_a on
+/// all masses, and by modes.
 fn finial() -> Result<(f64, f64), ValidationError> {
     let mut z = 0.0;
     let mut blocks = Vec::new();
@@ -213,7 +214,7 @@ fn finial() -> Result<(f64, f64), ValidationError> {
     Ok(ratios.unwrap_or((f64::NAN, f64::NAN)))
 }
 
-/// Stone of 0.4 × 0.4 × 2.0 m about its edge.
+/// A stone of 0.4 × 0.4 × 2.0 m that rocks about its edge.
 fn stone() -> Result<RockingBlock, ValidationError> {
     let block = Block {
         name: "stone".to_owned(),

@@ -1,4 +1,4 @@
-//! Local mechanisms as codes want them: closed forms of a wall in courses and of a portal that sways.
+//! Comparison: local mechanisms by codes against closed forms, for a wall in courses and for a portal that sways.
 
 use super::{Case, ValidationError};
 use crate::assess::demand::{CircolareFactors, circolare_capacity};
@@ -61,7 +61,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
             TOLERANCE,
         ),
         case("wall: T_SLV", "s", 1.9458, period_s.unwrap_or(f64::NAN), 1e-4),
-        // pillars .32 m³ at half the displacement of the beam, .4 m³
+        // pillars 0.32 m³ at half the displacement of the beam, 0.4 m³
         case(
             "portal: α0 = b/h",
             "",
@@ -79,7 +79,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     ])
 }
 
-/// The mechanism along x of boxes [width, depth, height] with the middle of their base.
+/// The local mechanism along x of boxes, each given by [width, depth, height] and the centre of its base.
 fn along_x(
     sizes: Vec<([f64; 3], [f64; 3])>,
     friction: f64,

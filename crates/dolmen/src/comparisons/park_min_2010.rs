@@ -27,7 +27,7 @@ pub fn heunginjimun_gate(convention: Convention) -> Result<Frame, ValidationErro
     gate(convention, paper::AXIAL_KN.map(|p| p * KILO).to_vec())
 }
 
-/// The same with P2 counted twice in the lower storey, as eq. 7 is printed.
+/// The gate with P2 counted twice in the lower storey, as eq. 7 is printed.
 ///
 /// # Errors
 /// None: the numbers are fixed.

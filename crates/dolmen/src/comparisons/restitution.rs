@@ -1,4 +1,4 @@
-//! What stones keep of their velocity when they rock and when they fall.
+//! Comparisons: restitution of stones that rock and that fall.
 
 use super::{Case, ValidationError};
 use crate::blocks::{Rigid, Springs, StackHistory, Start, simulate_rigid, simulate_springs};

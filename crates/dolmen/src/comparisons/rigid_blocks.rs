@@ -3,7 +3,7 @@
 use super::Case;
 use crate::known::{overturning, rocking, sliding, twisting};
 
-/// Of rounding alone.
+/// Tolerance for rounding alone.
 const ROUNDING: f64 = 1e-12;
 /// The block of the cases: stone 0.4 × 2.0 m.
 const HALF_WIDTH_M: f64 = 0.2;
@@ -64,14 +64,15 @@ pub(super) fn cases() -> Vec<Case> {
     cases
 }
 
-/// Angular momentum about the new edge before the impact, divided by the moment of inertia about it: both per mass.
+/// Ratio of angular velocities at an impact: angular momentum about the new edge before it, over the moment of
+/// inertia, both per mass.
 fn angular_velocity_kept() -> f64 {
     let (b2, h2) = (HALF_WIDTH_M.powi(2), HALF_HEIGHT_M.powi(2));
     let about_the_centre = (b2 + h2) / 3.0;
     (about_the_centre + h2 - b2) / (about_the_centre + h2 + b2)
 }
 
-/// Slip in the pulse as a record of 200 000 steps of 1 μs, event by event.
+/// Slip under the pulse, given as a record of 200 000 steps of 1 μs, event by event.
 fn rectangular_pulse_m() -> f64 {
     let base: Vec<f64> = (0..=200_001)
         .map(|i| if i < 200_000 { 0.5 * GRAVITY_M_S2 } else { 0.0 })

@@ -1,4 +1,5 @@
-//! Setups identified as one beside what was made, and stiffness from frequencies that err together beside a closed form.
+//! Comparisons: setups identified together against the assumed modes, and stiffness from correlated frequency errors
+//! against a closed form.
 
 use super::{Case, ValidationError};
 use crate::modal::{Identify, MadeRecord, ReferenceCase, joint_setups};
@@ -25,7 +26,7 @@ fn as_one() -> Result<Vec<Case>, ValidationError> {
         ([6, 7, 2, 3], 501, 0.02),
         ([6, 7, 4, 5], 502, 7.0),
     ];
-    // the y modes are moved up by a sixth, so that no two are neighbours
+    // the y modes are shifted up by a sixth, so that no two modes are close
     let mut truth = ReferenceCase::ClosePairs.made(0)?.modes;
     for mode in truth.iter_mut().skip(1).step_by(2) {
         mode.frequency_hz *= 7.0 / 6.0;

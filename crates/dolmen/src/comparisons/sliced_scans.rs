@@ -1,4 +1,4 @@
-//! One mesh of two stones cut at their bed: volumes and first motion by hand.
+//! Comparison: one mesh of two stones, cut at their bed; volumes and first motion against values by hand.
 
 use super::{Case, ValidationError};
 use crate::assess::{StackCheckOptions, check_stack};
@@ -7,16 +7,16 @@ use crate::structure::stack::{Block, JointMaterial, Sliced, Solid, Stack, slice}
 const SOURCE: &str = "A scan cut into stones";
 const NOTE: &str = "One closed mesh of a frustum, 0.8 m wide below and 0.4 m above, 0.3 m high, and on it a post of 0.4 × 0.4 × 0.8 m that has moved by 30 mm; \
                     the bed is given 4 mm too high. Published: arithmetic; the post tips over the edge of the frustum at 0.17 m / 0.4 m.";
-/// Half widths, heights and middles of the rings of corners, m.
+/// Half widths, heights and centres of the rings of corners, m.
 const RINGS: [[f64; 3]; 4] = [
     [0.4, 0.0, 0.0],
     [0.2, 0.3, 0.0],
     [0.2, 0.3, 0.03],
     [0.2, 1.1, 0.03],
 ];
-/// Height of the bed as a tape gives it, m.
+/// Height of the bed as measured with a tape, m.
 const NAMED_M: f64 = 0.304;
-/// A cut goes 1 µm beside a step.
+/// Largest difference: the cut is 1 µm beside a step.
 const TOLERANCE: f64 = 1e-5;
 
 pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
@@ -48,7 +48,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     ])
 }
 
-/// The outside of both stones, rings of four corners joined, a lid below and above.
+/// Surface mesh of both stones: rings of four corners, joined, with a lid below and above.
 fn mesh() -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let ring = |[half, z, off]: [f64; 3]| corners.map(|[x, y]| [off + half * x, half * y, z]);
@@ -72,7 +72,7 @@ fn first_motion_g(sliced: &Sliced) -> Result<f64, ValidationError> {
             density_kg_m3: 2600.0,
         });
     }
-    let material = JointMaterial::with_friction(3.0); // so much that it tips before it slides
+    let material = JointMaterial::with_friction(3.0); // so large that the stone tips before it slides
     let stack = Stack::new(blocks, material, 9.806_65)?;
     let check = check_stack(&stack, &StackCheckOptions::default())?;
     Ok(check

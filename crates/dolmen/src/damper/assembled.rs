@@ -1,18 +1,18 @@
-//! A structure and its dampers as one linear system.
+//! Assembles a structure and its dampers into one linear system.
 
 use super::{AttachedDamper, DamperError, DamperKind};
 use crate::dynamics::{LinearSystem, RandomInput, RandomLoad, ResponseRow};
 use dolmen_linalg::Matrix;
 use std::f64::consts::TAU;
 
-/// The structure's degrees of freedom first, then those of each damper in order: z of a mass (relative to the base where
-/// that moves), w of a liquid (relative to its tube), z then w of a liquid column mass.
+/// Structure and dampers as one system. The degrees of freedom of the structure come first, then those of each damper in order: z of a mass
+/// (relative to a moving base), w of a liquid (relative to its tube), z and w of a liquid column mass damper.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DampedSystem {
-    /// M, C and K of structure and dampers together.
+    /// M, C and K of structure and dampers.
     pub system: LinearSystem,
     dampers: Vec<AttachedDamper>,
-    first: Vec<usize>, // index of each damper's first own degree of freedom
+    first: Vec<usize>, // index of the first degree of freedom of each damper
     structure: usize,
 }
 
@@ -25,7 +25,7 @@ impl DampedSystem {
     /// ```
     ///
     /// # Errors
-    /// [`DamperError::Row`] for a row of another length; [`DamperError::Argument`] for a damper out of its range.
+    /// [`DamperError::Row`] for a row of another length; [`DamperError::Argument`] for a damper outside its range.
     pub fn new(structure: &LinearSystem, dampers: &[AttachedDamper]) -> Result<Self, DamperError> {
         let n = structure.degrees_of_freedom();
         let mut size = n;
@@ -50,15 +50,15 @@ impl DampedSystem {
         })
     }
 
-    /// Extends a row over the structure by zeros for the dampers' own degrees of freedom.
+    /// Extends a row over the structure by zeros for the degrees of freedom of the dampers.
     pub fn row(&self, structure_row: &[f64]) -> Vec<f64> {
         let mut row = structure_row.to_vec();
         row.resize(self.system.degrees_of_freedom(), 0.0);
         row
     }
 
-    /// The row whose product with all degrees of freedom is the stroke of a damper (numbered from 0): z − z₀ of a mass, w of a liquid column,
-    /// the elongation of a dashpot. `None` if there is no such damper.
+    /// The row that gives the stroke of a damper (index from 0) from all degrees of freedom: z − z₀ of a mass, w of a liquid column, the
+    /// elongation of a dashpot. `None` if there is no such damper.
     pub fn stroke_row(&self, damper: usize) -> Option<Vec<f64>> {
         let of = self.dampers.get(damper)?;
         let mut row = self.row(&[0.0].repeat(self.structure));
@@ -76,7 +76,7 @@ impl DampedSystem {
         Some(row)
     }
 
-    /// Rows of the strokes of all dampers in order, then of the liquid rises in columns on springs.
+    /// Rows of the strokes of all dampers in order, followed by those of the liquid rises in columns on springs.
     pub fn stroke_rows(&self) -> Vec<Vec<f64>> {
         let own = (0..self.dampers.len()).filter_map(|damper| self.stroke_row(damper));
         let apart = |k: &usize| matches!(self.dampers[*k].kind, DamperKind::LiquidColumnMass { .. });
@@ -85,7 +85,7 @@ impl DampedSystem {
             .collect()
     }
 
-    /// Extends a load on the structure to all degrees of freedom: a moving base moves the dampers as well.
+    /// Extends a load on the structure to all degrees of freedom; a moving base also moves the dampers.
     pub fn load(&self, load: &RandomLoad) -> RandomLoad {
         let input = match &load.input {
             RandomInput::Force(force) => RandomInput::Force(self.row(force)),
@@ -97,8 +97,8 @@ impl DampedSystem {
         }
     }
 
-    /// Displacement of each degree of freedom for a base displacement of 1: a mass on a spring moves with its place, a liquid stays at rest in
-    /// its tube.
+    /// Displacement of each degree of freedom for a base displacement of 1: a mass on a spring moves with its position, a liquid stays at rest
+    /// in its tube.
     pub fn influence(&self, structure: &[f64]) -> Vec<f64> {
         let mut all = self.row(structure);
         for (damper, &at) in self.dampers.iter().zip(&self.first) {
@@ -109,7 +109,7 @@ impl DampedSystem {
         all
     }
 
-    /// The row whose product is the rise w of the liquid in a damper (numbered from 0); `None` if the damper has no liquid.
+    /// The row that gives the rise w of the liquid in a damper (index from 0); `None` if the damper has no liquid.
     pub fn liquid_row(&self, damper: usize) -> Option<Vec<f64>> {
         let at = match self.dampers.get(damper)?.kind {
             DamperKind::LiquidColumn { .. } => self.first[damper],
@@ -167,7 +167,7 @@ fn add([mass, damping, stiffness]: &mut [Matrix; 3], damper: &AttachedDamper, at
         .map(|i| (i, damper.row[i]))
         .filter(|(_, a)| *a != 0.0)
         .collect();
-    // displacement of the spring's end relative to the place: z − z₀
+    // displacement of the mass relative to its position on the structure: z − z₀
     let relative = |own: usize| -> Vec<(usize, f64)> {
         let mut all: Vec<(usize, f64)> = place.iter().map(|(i, a)| (*i, -a)).collect();
         all.push((own, 1.0));

@@ -35,7 +35,7 @@ pub enum DamperKind {
         /// ζ of ẅ + 2ζω ẇ + ω² w = −α z̈₀.
         damping_ratio: f64,
     },
-    /// The same tube, mounted on a spring and a dashpot.
+    /// A liquid column as above, mounted on a spring and a dashpot.
     LiquidColumnMass {
         /// Mass of the container without the liquid, kg.
         container_mass_kg: f64,

@@ -19,9 +19,9 @@ use std::f64::consts::TAU;
 /// [`DamperError`] if a damper is out of its range; [`DamperError::Dynamics`] as in [`building_history`](crate::dynamics::building_history).
 ///
 /// # Limits
-/// Head loss is linear: its damping ratio holds for one amplitude. Where all dampers are tuned masses, `building_history` is faster, mode by
-/// mode. Here the matrix exponential steps building and dampers together; for 20 storeys with a mass under 40 s of El Centro both agree to 1e-9
-/// m.
+/// Head loss is linear: its damping ratio is valid for one amplitude. If all dampers are tuned masses, `building_history` is faster, mode by
+/// mode. Here the matrix exponential advances building and dampers together; for 20 storeys with a mass under 40 s of El Centro both agree to
+/// 1e-9 m.
 pub fn damped_building_history(
     building: &VibratingBuilding,
     dampers: &[AttachedDamper],

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::structure::building::nearest_on_side;
 
-/// What to compare, and how finely.
+/// Options of a comparison: what is compared, and how finely.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparisonOptions {
     /// The mode that the damper is for, from 0.
@@ -127,13 +127,13 @@ pub struct Comparison {
     pub tunings: Vec<TuningRow>,
     /// Places across the damper's direction through the given place, with the given tuning; none where the goal is a peak.
     pub line_given: Vec<MapCell>,
-    /// The same places, each with its best tuning.
+    /// The same positions, each with its best tuning.
     pub line_best: Vec<MapCell>,
     /// Places in plan, each with its best tuning; without cells where the goal is a peak, for which no map is made.
     pub map: PositionMap,
     /// The given damper and the best one with detuned frequencies.
     pub off_frequency: [Vec<RobustnessPoint>; 2],
-    /// The same with detuned damping.
+    /// The cost with detuned damping.
     pub off_damping: [Vec<RobustnessPoint>; 2],
     /// Accuracy at the prepared frequencies, which maps, lines, tunings, robustness curves and searches use: the largest relative difference of
     /// standard deviations from assembled matrices, over the rows, the ends of the curves and places of the map. From 1e-3 on the results are

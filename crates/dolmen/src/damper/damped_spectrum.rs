@@ -18,8 +18,8 @@ use std::f64::consts::TAU;
 /// A mode counts as not oscillating if the imaginary part of its λ is below this fraction of \|λ\|: damping above 0.999 995 of critical. Our
 /// choice.
 const SWINGS: f64 = 3e-3;
-/// The sum of the modes must reproduce the first acceleration of the ground to this fraction, and their terms may cancel by no more than this
-/// factor. Two coinciding modes do neither. Our choice.
+/// Tolerances of the modal expansion: the sum of the modes must reproduce the first ground acceleration to this fraction, and the terms may
+/// cancel by no more than this factor. With two coinciding modes both fail. Our choice.
 const COMPLETE: f64 = 1e-9;
 const CANCEL_MOST: f64 = 1e6;
 

@@ -17,7 +17,7 @@ pub(super) struct DamperRow {
     pub(super) kind: DamperKind,
 }
 
-/// What the structure makes of the places of dampers at one frequency.
+/// Response of the structure at the positions of dampers, at one frequency.
 pub(super) struct Coupling {
     /// Receptances among them: places × places.
     pub(super) g: Vec<Complex64>,
@@ -73,7 +73,7 @@ impl Plan {
         Ok(damper_rows)
     }
 
-    /// What the structure makes of dampers at these places at one frequency, whatever their tuning.
+    /// Response of the structure at the positions of dampers at one frequency; independent of their tuning.
     pub(super) fn coupling(&self, table: &Table, dampers: &[DamperRow]) -> Coupling {
         let (c, loads, q) = (self.coordinates(), self.problem().loads.len(), dampers.len());
         let points = self.problem().points.len();
@@ -104,7 +104,7 @@ impl Plan {
         self.responses_of(table, &self.coupling(table, dampers), dampers)
     }
 
-    /// The same where the coupling is known.
+    /// Responses with a known coupling.
     fn responses_of(&self, table: &Table, of: &Coupling, dampers: &[DamperRow]) -> Option<Vec<Complex64>> {
         let (loads, q) = (self.problem().loads.len(), dampers.len());
         let points = self.problem().points.len();
@@ -155,7 +155,7 @@ impl Plan {
         Some(all)
     }
 
-    /// What one frequency adds to the variances of the points and then of the strokes; NaN at a resonance without damping.
+    /// Contribution of one frequency to the variances of the points and then of the strokes; NaN at a resonance without damping.
     pub(super) fn at_node(&self, table: &Table, dampers: &[DamperRow]) -> Vec<f64> {
         self.at_node_of(table, &self.coupling(table, dampers), dampers)
     }

@@ -1,4 +1,4 @@
-//! How standard deviations change with dampers, all unknowns at once: one solution a frequency instead of two for every unknown.
+//! Derivatives of standard deviations with respect to all unknowns of dampers: one solution per frequency instead of two for every unknown.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -16,7 +16,7 @@ use dolmen_linalg::Complex64;
 /// How far to both sides of an unknown, a logarithm or a place over the size of its floor: the error is its square.
 pub(super) const SIDE: f64 = 1e-5;
 
-/// A damper on both sides of where it is, one unknown so much less and more.
+/// A damper with one unknown decreased and increased by a step.
 pub(super) struct MovedDamper {
     pub(super) damper: usize,
     pub(super) below: DamperRow,
@@ -27,7 +27,7 @@ pub(super) struct MovedDamper {
 pub(super) struct MovedDampers(Vec<MovedDamper>);
 
 impl MovedDampers {
-    /// Those that differ between both sides.
+    /// The dampers that differ between both sides.
     pub(super) fn between(below: Vec<DamperRow>, above: Vec<DamperRow>) -> Self {
         let pairs = below.into_iter().zip(above).enumerate();
         let each = pairs.filter_map(|(damper, (below, above))| {
@@ -37,7 +37,7 @@ impl MovedDampers {
         MovedDampers(each.collect())
     }
 
-    /// Of each unknown, where `dampers` gives them for unknowns.
+    /// The changed dampers for each unknown; `dampers` gives all dampers for given unknowns.
     pub(super) fn of_each(x: &[f64], dampers: impl Fn(&[f64]) -> Vec<DamperRow>) -> Vec<Self> {
         let side = |i: usize, by: f64| {
             let mut moved = x.to_vec();
@@ -279,7 +279,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// What a damper feels without dampers: an acceleration, of a dashpot a motion.
+    /// Excitation of a damper without dampers on the structure: an acceleration; for a dashpot a motion.
     fn without(&self, k: usize, l: usize) -> Complex64 {
         match self.is_dashpot[k] {
             true => self.coupling.moved[k * self.loads + l],
@@ -295,7 +295,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// What it feels with all dampers.
+    /// Excitation of a damper with all dampers.
     fn stirred(&self, k: usize, l: usize) -> Complex64 {
         self.without(k, l) + self.weight(k) * self.pushed[k * self.loads + l]
     }
@@ -307,7 +307,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// What the change of one damper adds to the slopes of the variances.
+    /// Contribution of the change of one damper to the derivatives of the variances.
     fn add_slopes(&self, dampers: &[DamperRow], moved: &MovedDamper, slopes: &mut [f64]) {
         let (c, loads, q, j) = (self.coordinates, self.loads, self.q, moved.damper);
         let omega = self.table.omega;

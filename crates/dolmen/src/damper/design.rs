@@ -337,7 +337,7 @@ impl Search<'_> {
         }
     }
 
-    /// The same functions for the standard deviations at each detuning.
+    /// The functions for the standard deviations at each detuning.
     fn values_of(&self, all_judged: &[Judged]) -> Option<Vec<f64>> {
         let mut all = Vec::new();
         for judged in all_judged {
@@ -444,7 +444,7 @@ impl Search<'_> {
     }
 }
 
-/// The same dampers with their frequencies multiplied by a factor.
+/// The dampers with their frequencies multiplied by a factor.
 fn detuned(dampers: &[PlacedDamper], factor: f64) -> Vec<PlacedDamper> {
     let each = dampers.iter().map(|damper| PlacedDamper {
         frequency_hz: factor * damper.frequency_hz,

@@ -203,7 +203,7 @@ struct GustResponse<'a> {
     face: &'a GustFace,
     /// For each case and strip: Φᵀ of its column.
     loads: Vec<Vec<Vec<f64>>>,
-    /// Of each damper: its row in the modes.
+    /// Row of each damper in modal coordinates.
     places: Vec<Vec<f64>>,
     /// Active modes: all of them where dampers or damping couple them, otherwise those that the wind excites.
     active: Vec<usize>,

@@ -1,4 +1,4 @@
-//! Standard deviations under the forces of a turbulent wind, in modal coordinates: the numbers of the assembled matrices, computed far faster.
+//! Standard deviations of the response to turbulent wind, in modal coordinates. The results equal those of the assembled matrices, in far less time.
 
 use super::{AttachedDamper, DamperError, DamperKind, ModalSynthesis};
 use crate::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum};
@@ -7,10 +7,11 @@ use crate::structure::wind::GustFace;
 use dolmen_linalg::{Complex64, Matrix, symmetric_eigen};
 use std::f64::consts::TAU;
 
-/// Tolerance of each variance by rules of 7 and 15 points; the integral itself is far more accurate. Our choice.
+/// Relative tolerance of each variance: the difference between rules of 7 and 15 points. The integral itself is far more accurate. Our choice.
 const TOLERANCE: f64 = 1e-5;
 const INTERVALS_MOST: usize = 4000;
-/// Ends of the integral: this fraction of the slowest frequency of gusts and structure, and this multiple of the highest of the structure.
+/// Ends of the integral: this fraction of the lowest frequency of the gusts and the structure, and this multiple of the highest frequency of the
+/// structure.
 const ENDS: [f64; 2] = [1e-4, 30.0];
 
 /// The face on which a force of a turbulent wind acts.
@@ -21,19 +22,19 @@ fn face_of(load: &RandomLoad) -> Option<&GustFace> {
     }
 }
 
-/// Whether all loads are forces of one turbulent wind.
+/// Whether all loads are forces of the same turbulent wind.
 pub(super) fn are_gusts(loads: &[RandomLoad]) -> bool {
     let first = loads.first().and_then(face_of);
     first.is_some() && loads.iter().all(|load| face_of(load) == first)
 }
 
-/// A in the cross spectra D = A Aᵀ of the loads at one circular frequency, two-sided: D_lm = φ_lᵀ S_F φ_m/4π, loads × loads. The shapes have
-/// length 1 and are orthogonal, so the columns of the loads with these forces represent the whole force field on them.
+/// Factor A of the two-sided cross spectra D = A Aᵀ of the loads at one circular frequency: D_lm = φ_lᵀ S_F φ_m/4π, loads × loads. The shapes φ are
+/// orthonormal, so the loads together represent the whole force field.
 ///
 /// # Errors
 /// [`DamperError`] if the decomposition fails.
 pub(super) fn gust_factor(loads: &[RandomLoad], omega: f64) -> Result<Matrix, DamperError> {
-    // all loads are on one face
+    // all loads act on the same face
     let face = loads.iter().find_map(face_of);
     let density = face.map(|face| face.force_density_n2_hz((omega / TAU).max(face.lowest_hz())));
     let shape_of = |l: usize| match &loads[l].spectrum {
@@ -46,13 +47,13 @@ pub(super) fn gust_factor(loads: &[RandomLoad], omega: f64) -> Result<Matrix, Da
     };
     let found = symmetric_eigen(&Matrix::from_fn(loads.len(), loads.len(), of))?;
     let count = loads.len();
-    // each pair of strips has its own mean speed, which may make a density slightly negative
+    // each pair of strips has its own mean speed, so an eigenvalue may be slightly negative
     Ok(Matrix::from_fn(count, count, |i, j| {
         found.vectors[(i, j)] * found.values[j].max(0.0).sqrt()
     }))
 }
 
-/// Columns under the independent parts of the loads (values times A), row by row with one value for each load.
+/// Transforms responses to the loads into responses to independent loads: each row, with one value per load, times A.
 pub(super) fn in_parts(rows: &[Complex64], factor: &Matrix) -> Vec<Complex64> {
     let count = factor.rows();
     let each = rows.chunks_exact(count).flat_map(|row| {
@@ -62,10 +63,10 @@ pub(super) fn in_parts(rows: &[Complex64], factor: &Matrix) -> Vec<Complex64> {
     each.collect()
 }
 
-/// Standard deviations of the points, then of the strokes of the dampers.
+/// Standard deviations of the points, followed by those of the damper strokes.
 ///
 /// # Errors
-/// [`DamperError`] if a row or damper does not fit, or the integral needs too many frequencies.
+/// [`DamperError`] if the length of a row or damper does not fit, or the integral needs too many frequencies.
 pub(super) fn gust_rms(
     structure: &LinearSystem,
     loads: &[RandomLoad],
@@ -132,7 +133,7 @@ pub(super) fn gust_rms(
     let nodes = looked.ok_or(fault.unwrap_or(DamperError::TooManyFrequencies {
         intervals: INTERVALS_MOST,
     }))?;
-    // below the first frequency: flat
+    // below the first frequency the density is taken as constant
     let mut sums: Vec<f64> = density(first)?.into_iter().map(|s| s * first).collect();
     for node in nodes {
         let omega = node.x.exp();

@@ -68,7 +68,7 @@ impl ModalSynthesis {
         })
     }
 
-    /// The same with fixed dampers, which count as part of the structure.
+    /// The synthesis with fixed dampers, which count as part of the structure.
     ///
     /// # Errors
     /// [`DamperError::Row`] for a row of another length, [`DamperError::Argument`] for a damper out of its range.
@@ -201,8 +201,8 @@ impl ModalSynthesis {
     /// η  = G ΦᵀD λ + G Q,  λ = K z₀ − m_a e      eq. 8
     /// z_g = D_gᵀΦ η                              eq. 9
     /// ```
-    /// Under a base acceleration the acceleration at a damper is that of its place plus that of the base, e for its row: −m_a e with the
-    /// apparent mass m_a = K/ω².
+    /// Under a base acceleration, the acceleration at a damper is that of its position plus that of the base, e for its row: −m_a e with
+    /// the apparent mass m_a = K/ω².
     ///
     /// # Errors
     /// [`DamperError::Row`] for a row of another length; [`DamperError::Dynamics`] at an undamped resonance.

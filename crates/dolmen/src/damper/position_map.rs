@@ -1,70 +1,69 @@
-//! The effect of a damper at each place of its floor.
+//! Map of the effect of a damper over the positions on its floor.
 
 use super::single_damper::{DAMPING_MOST, SingleDamper, SingleDamperSearch};
 use super::{ColumnAsMass, DamperError, Goal, PlacedDamper, Plan, TuningRule};
 use crate::numeric::{Minimax, minimax};
 use rayon::prelude::*;
 
-/// How the damper is tuned at each place.
+/// How the damper is tuned at each position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MapTuning {
-    /// As given, everywhere.
+    /// The given tuning, at every position.
     Kept,
-    /// By a closed form, to a mode (numbered from 0) with the mass ratio at each place, and the mode's own damping ratio for the forms that use
-    /// it.
+    /// Tuned by a closed form to one mode, with the mass ratio at each position.
     Rule {
         /// The closed form.
         rule: TuningRule,
-        /// The mode, from 0.
+        /// Index of the mode, from 0.
         mode: usize,
-        /// Its damping ratio.
+        /// Damping ratio of the mode, for the closed forms that use it.
         structure_damping_ratio: f64,
     },
-    /// The optimum at each place.
+    /// The optimum tuning at each position.
     Best,
 }
 
-/// The places of a map.
+/// Positions and tuning of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PositionMapOptions {
-    /// Along x and y, m.
+    /// x of the positions, m.
     pub x_m: Vec<f64>,
-    /// Along y, m.
+    /// y of the positions, m.
     pub y_m: Vec<f64>,
-    /// How the damper is tuned at each.
+    /// How the damper is tuned at each position.
     pub tuning: MapTuning,
     /// The quantity to minimise; [`Goal::LargestRms`] or [`Goal::MeanSquare`].
     pub goal: Goal,
-    /// Weight of each point, multiplied with its motion; empty means 1 each.
+    /// Weight of each point, a factor of its motion; empty for 1 each.
     pub weights: Vec<f64>,
 }
 
-/// One place.
+/// The result at one position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapCell {
-    /// The damper there.
+    /// The damper at this position, with its tuning.
     pub damper: PlacedDamper,
     /// Standard deviation of each point.
     pub point_rms: Vec<f64>,
-    /// Value of the goal there, weighted.
+    /// Weighted value of the goal.
     pub cost: f64,
-    /// Whether the search ended at a limit of frequency or damping. A better tuning may lie beyond.
+    /// Whether the search ended at a limit of frequency or damping, so that a better tuning may exist beyond it.
     pub at_limit: bool,
 }
 
-/// All places: rows of equal y, from the smallest.
+/// The results at all positions, in rows of equal y, from the smallest y.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PositionMap {
     /// x of the columns, m.
     pub x_m: Vec<f64>,
     /// y of the rows, m.
     pub y_m: Vec<f64>,
-    /// x varies fastest; none outside the floor, or where the mode to be tuned to does not move.
+    /// x varies fastest. `None` outside the floor, or where the mode of the tuning does not move.
     pub cells: Vec<Option<MapCell>>,
 }
 
 impl PositionMap {
-    /// The place with the smallest cost.
+    /// The position with the smallest cost.
     pub fn best(&self) -> Option<&MapCell> {
         let cells = self.cells.iter().flatten();
         cells.reduce(|best, cell| if cell.cost < best.cost { cell } else { best })
@@ -72,7 +71,7 @@ impl PositionMap {
 }
 
 impl PositionMapOptions {
-    /// Places at the middles of `columns` × `rows` equal parts of the box around a site.
+    /// Positions at the centres of `columns` × `rows` equal cells of the bounding box of a site.
     pub fn over_site(plan: &Plan, site: usize, columns: usize, rows: usize) -> Option<Self> {
         let extent = plan.problem().sites.get(site)?.extent_m();
         let middles = |[low, high]: [f64; 2], count: usize| -> Vec<f64> {
@@ -90,36 +89,38 @@ impl PositionMapOptions {
     }
 }
 
-/// Largest number of steps of one search: a neighbour's tuning is a close start.
+/// Largest number of steps of one search. The search starts from the tuning of a neighbour, which is close.
 const ITERATIONS_MOST: usize = 60;
-/// Steps in ln f and ln ζ at which a search ends: the cost is then known far more accurately.
+/// Steps in ln f and ln ζ at which a search ends; the relative error of the cost is then far smaller.
 const STEP_LEAST: f64 = 1e-5;
-/// A neighbour's tuning that is better by this fraction belongs to another local minimum.
+/// If the tuning of a neighbour is better by this fraction, it belongs to another local minimum.
 const BETTER: f64 = 1e-5;
-/// Number of places along each side at which all local minima are searched.
+/// Number of positions along each side at which the search covers all local minima.
 const COARSE: usize = 8;
-/// Damping ratios of the grid searched there; frequencies lie evenly in ln f between the limits.
+/// Damping ratios of that search grid; its frequencies are equally spaced in ln f between the limits.
 const GRID_DAMPING: [f64; 6] = [0.011, 0.035, 0.08, 0.16, 0.35, 1.0];
-/// Spacing of the frequencies in ln f: a twentieth, less than the width of a local minimum.
+/// Spacing of the frequencies in ln f, less than the width of a local minimum.
 const GRID_STEP: f64 = 0.06;
-/// Number of local minima followed down from one place, the lowest of the grid.
+/// Largest number of local minima refined at one position, from the lowest of the grid.
 const VALLEYS_MOST: usize = 5;
-/// A second local minimum of the neighbourhood is followed down if its cost here is within this factor of the first result.
+/// A second local minimum of a neighbour is refined if its cost at this position is within this factor of the first result.
 const PROMISING: f64 = 1.01;
-/// Searches begin this far within the limits, in ln f: at a limit the cost would not change.
+/// Distance of the start of a search from the limits, in ln f: at a limit the cost has no slope.
 const WITHIN: f64 = 0.02;
-/// Number of rounds in which local minima spread to neighbours.
+/// Largest number of passes in which better minima spread to neighbours.
 const SWEEPS_MOST: usize = 4;
 
-/// The effect of a damper at each place, retuned there as the options ask.
+/// Effect of a damper at each position, with the tuning that the options require.
 ///
 /// # Errors
-/// [`DamperError`] if the damper is out of its range, or the goal is a peak, for which no map is made.
+/// [`DamperError`] if the damper is outside its range, or if the goal is a peak, which maps do not support.
 ///
 /// # Limits
-/// Finds the best tuning within [`Plan::tuning_range_hz`]. At 8 × 8 places it evaluates a grid of frequencies 6 % apart and 6 damping ratios,
-/// and follows its lowest local minima down. Every other place starts from the minima of the nearest of these and of the place before, and again
-/// from those of a neighbour whose tuning is better. Tunings are found to 1e-4.
+/// Finds the best tuning within [`Plan::tuning_range_hz`]. At 8 × 8 positions the search evaluates a grid of frequencies, 6 % apart, and 6
+/// damping ratios, and refines the lowest local minima. Every other position starts from the minima of the nearest of these positions and of the
+/// previous position. It starts again from the tuning of a neighbour if that is better. The tolerance of the tuning is 1e-4.
+///
+/// Tested by `damper_designs`.
 pub fn position_map(
     plan: &Plan,
     damper: &PlacedDamper,
@@ -154,7 +155,7 @@ pub fn position_map(
         MapTuning::Best => looked.coarse(),
         _ => Vec::new(),
     };
-    // each row by itself, so that the result is the same on any number of threads
+    // each row is computed alone, so that the result does not depend on the number of threads
     cells
         .par_chunks_mut(columns.max(1))
         .enumerate()
@@ -189,7 +190,7 @@ pub fn position_map(
     })
 }
 
-/// The effect of a damper at places in a row, retuned there from several starts; places outside the floor are left out.
+/// Effect of a damper at positions along a line, tuned at each from several starts. Positions outside the floor are left out.
 pub(super) fn along_line(
     plan: &Plan,
     damper: &PlacedDamper,
@@ -212,7 +213,7 @@ pub(super) fn along_line(
     each.collect()
 }
 
-/// Data shared by all places.
+/// Data that all positions share.
 struct SearchData<'a> {
     plan: &'a Plan,
     given: PlacedDamper,
@@ -220,7 +221,7 @@ struct SearchData<'a> {
     weights: Vec<f64>,
 }
 
-/// End of a search, as start of the next: ln f, ln ζ and the curvature there.
+/// Result of a search from which the next one starts: ln f, ln ζ and the curvature.
 struct WarmStart {
     x: Vec<f64>,
     curvature: Option<Vec<Vec<f64>>>,
@@ -236,7 +237,7 @@ impl WarmStart {
 }
 
 impl SearchData<'_> {
-    /// Frequencies of the grid, Hz: those of the plan, and around the given one where no mode is excited.
+    /// Frequency range of the grid, Hz: that of the plan, or around the given frequency if no mode is excited.
     fn range_hz(&self) -> [f64; 2] {
         match self.plan.tuning_range_hz() {
             [low, high] if low > 0.0 && high.is_finite() => [low, high],
@@ -248,7 +249,7 @@ impl SearchData<'_> {
         self.options.goal == Goal::MeanSquare
     }
 
-    /// Tunings at a few places far apart, with all local minima.
+    /// Tunings at a few distant positions, with all local minima.
     fn coarse(&self) -> Vec<([f64; 2], Vec<PlacedDamper>)> {
         let few = |all: &[f64]| -> Vec<f64> {
             let step = all.len().div_ceil(COARSE).max(1);
@@ -271,7 +272,7 @@ impl SearchData<'_> {
         each.collect()
     }
 
-    /// The damper with the best tuning at a place, from all local minima of a grid.
+    /// The damper with the best tuning at a position, from all local minima of the grid.
     fn best_of_several(&self, single: &SingleDamper, place_m: [f64; 2]) -> Option<MapCell> {
         if self.options.tuning != MapTuning::Best {
             return self.tuned(single, place_m, &mut None);
@@ -280,7 +281,7 @@ impl SearchData<'_> {
         valleys.reduce(|best, next| if next.cost < best.cost { next } else { best })
     }
 
-    /// Local minima at a place: the lowest points of a grid of frequency and damping, each followed down.
+    /// Local minima at a position: the lowest points of a grid of frequency and damping, each refined.
     fn valleys(&self, single: &SingleDamper, place_m: [f64; 2]) -> Vec<MapCell> {
         let [low, high] = self.range_hz().map(f64::ln);
         let frequencies = ((high - low) / GRID_STEP).ceil() as usize + 1;
@@ -321,7 +322,7 @@ impl SearchData<'_> {
         self.cell(single, *damper).cost
     }
 
-    /// The damper tuned at a place, starting from the most promising tunings of other places.
+    /// The damper tuned at a position, from the most promising tunings of other positions.
     fn followed(
         &self,
         single: &SingleDamper,
@@ -359,7 +360,7 @@ impl SearchData<'_> {
         best
     }
 
-    /// The damper tuned at a place.
+    /// The damper tuned at a position from one start.
     fn tuned(
         &self,
         single: &SingleDamper,
@@ -436,7 +437,7 @@ impl SearchData<'_> {
         }
     }
 
-    /// Searches again where a neighbour's tuning gives a lower cost: the first search had ended in another local minimum.
+    /// Repeats the search where the tuning of a neighbour gives a lower cost: there the first search ended in another local minimum.
     fn spread(&self, cells: &mut [Option<MapCell>]) {
         let (columns, rows) = (self.options.x_m.len(), self.options.y_m.len());
         for _ in 0..SWEEPS_MOST {

@@ -7,7 +7,7 @@ use super::{DamperError, Goal, PlacedDamper, Plan, goal_cost};
 pub enum Detuned {
     /// The dampers' frequencies (by their springs, or inversely by the structure's stiffness).
     Frequency,
-    /// Their damping ratios.
+    /// Damping ratios of the dampers.
     Damping,
 }
 

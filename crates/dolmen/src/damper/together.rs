@@ -1,7 +1,7 @@
-//! Several dampers of any kind together: their effect, and their tunings found together at fixed places.
+//! Several dampers of any kind together: their effect, and their simultaneous tuning at fixed positions.
 //!
-//! The unknowns are logarithms: frequency and damping ratio of a mass or a column, both pairs of a liquid column mass, and on request the
-//! coefficient of a dashpot.
+//! The unknowns are logarithms: frequency and damping ratio of a tuned mass or liquid column, both pairs of a liquid column mass damper, and
+//! on request the coefficient of a dashpot.
 
 use super::damper_coupling::{Coupling, DamperRow};
 use super::damper_slopes::{MovedDampers, pieces_of};
@@ -9,15 +9,15 @@ use super::single_damper::DAMPING_MOST;
 use super::{AttachedDamper, DamperError, DamperKind, DesignEnd, Freedom, Goal, Judged, Plan, judge};
 use crate::numeric::{Minimax, Piece, Worst, minimax};
 
-/// Options of tuning dampers together.
+/// Options for the simultaneous tuning of dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TogetherOptions {
     /// The quantity to minimise: [`Goal::LargestRms`] or [`Goal::MeanSquare`].
     pub goal: Goal,
-    /// Upper bound on the standard deviation of each damper's stroke, m; empty means none.
+    /// Upper bound of the standard deviation of each damper's stroke, m; empty for no bound.
     pub stroke_rms_most_m: Vec<f64>,
-    /// Whether the coefficients of dashpots are searched as well; default kept. More of a dashpot is better until it acts as a strut, so cost
-    /// decides.
+    /// Whether the coefficients of dashpots are unknowns too; default: fixed. A larger dashpot is better until it acts as a rigid strut, so
+    /// its cost decides.
     pub coefficients: Freedom,
     /// Largest number of steps of one search; default 60 (our choice).
     pub iterations_most: usize,
@@ -34,12 +34,12 @@ impl Default for TogetherOptions {
     }
 }
 
-/// Dampers tuned together.
+/// Result of tuning dampers together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Together {
-    /// The dampers.
+    /// The dampers with their tuning.
     pub dampers: Vec<AttachedDamper>,
-    /// Standard deviations by assembled matrices.
+    /// Standard deviations of points and strokes, from the assembled matrices.
     pub judged: Judged,
     /// Value of the goal.
     pub cost: f64,
@@ -47,25 +47,25 @@ pub struct Together {
     pub end: DesignEnd,
 }
 
-/// A frequency must stay within this factor of the given one.
+/// Largest ratio between a tuned and the given frequency, either way.
 const FREQUENCY_FACTOR_MOST: f64 = 2.0;
-/// A dashpot's coefficient must stay within this factor of the given one.
+/// Largest ratio between a tuned and the given coefficient of a dashpot, either way.
 const COEFFICIENT_FACTOR_MOST: f64 = 1e3;
-/// Frequencies of the second start: alternately this far below and above the given ones, so that equal dampers separate.
+/// Relative shift of the frequencies in the second start, alternately down and up, so that equal dampers separate.
 const APART: f64 = 0.06;
-/// Slope of the penalty on a stroke beyond its limit, in ln of the cost per ln of the stroke.
+/// Slope of the penalty on a stroke above its bound: ln of the cost per ln of the stroke.
 const STROKE_PRICE: f64 = 50.0;
-/// Step length of a search that ended at an optimum.
+/// Length of the last step below which the search counts as converged.
 const LAST_STEP_MOST: f64 = 1e-6;
 
-/// The tunings of all dampers that minimise the goal together, each at its place.
+/// Tunes all dampers together, at fixed positions, so that the goal is smallest.
 ///
 /// # Errors
-/// [`DamperError`] if a damper is out of its range, stands on a floor that the plan does not list, or the goal is a peak.
+/// [`DamperError`] if a damper is outside its range or on a floor that the plan does not list, or if the goal is a peak.
 ///
 /// # Limits
-/// Finds a local optimum, the better of two searches: from the given tunings, and from these with the frequencies 6 % apart. Frequencies stay
-/// within a factor of 2 of the given ones, coefficients of dashpots within 1000.
+/// Finds a local optimum, the better one of two searches: from the given tunings, and from the same tunings with the frequencies shifted by 6
+/// %. Frequencies stay within a factor of 2 of the given ones, coefficients of dashpots within a factor of 1000. Tested by `damper_designs`.
 pub fn tune_together(
     plan: &Plan,
     start: &[AttachedDamper],
@@ -120,7 +120,7 @@ pub fn tune_together(
     })
 }
 
-/// The goal as a function of standard deviations: the largest, or the root mean square.
+/// The goal from standard deviations: the largest, or the root mean square.
 pub fn cost_of(judged: &Judged, goal: Goal) -> f64 {
     let rms = &judged.point_rms;
     match goal {
@@ -133,7 +133,7 @@ impl Plan {
     /// Standard deviations of the points and strokes with dampers of any kind, by assembled matrices.
     ///
     /// # Errors
-    /// [`DamperError`] if a damper is out of its range.
+    /// [`DamperError`] if a damper is outside its range.
     pub fn exact_attached(&self, dampers: &[AttachedDamper]) -> Result<Judged, DamperError> {
         let problem = self.problem();
         let all: Vec<AttachedDamper> = dampers.iter().chain(&problem.fixed).cloned().collect();
@@ -143,7 +143,7 @@ impl Plan {
     }
 }
 
-/// One tuned quantity of one damper.
+/// One unknown of one damper.
 #[derive(Clone, Copy)]
 enum Knob {
     Frequency(usize),
@@ -157,7 +157,7 @@ struct Search<'a> {
     plan: &'a Plan,
     start: &'a [AttachedDamper],
     damper_rows: Vec<DamperRow>,
-    /// Places stay fixed.
+    /// Positions are fixed, so the couplings are computed once.
     couplings: Vec<Coupling>,
     options: &'a TogetherOptions,
 }
@@ -191,7 +191,7 @@ impl Search<'_> {
         value(&mut kinds, knob).map_or(f64::NAN, |value| *value)
     }
 
-    /// ln of the smallest and largest value.
+    /// ln of the smallest and largest allowed value.
     fn limits(&self, knob: Knob) -> [f64; 2] {
         let given = self.given(knob);
         match knob {
@@ -247,7 +247,7 @@ impl Search<'_> {
         .collect()
     }
 
-    /// ln of each function whose maximum is minimised.
+    /// ln of each function whose maximum the search minimises.
     fn values(&self, judged: &Judged) -> Option<Vec<f64>> {
         let mut values = match self.options.goal {
             Goal::MeanSquare => vec![cost_of(judged, Goal::MeanSquare).ln()],

@@ -90,7 +90,7 @@ impl Run<'_> {
                 friction.zeros[joint] = 1;
                 Slider::Slipping(sign)
             }
-            // `settle` finds from the balance of all whether it goes on, holds or turns back
+            // `settle` finds from the balance of all joints whether it continues, sticks or reverses
             _ => Slider::Stuck,
         };
         Ok(())

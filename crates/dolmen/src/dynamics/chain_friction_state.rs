@@ -1,9 +1,9 @@
-//! What is kept of the friction of a chain's joints from event to event.
+//! State of friction in the joints of a chain, from event to event.
 
 use super::ChainSlip;
 use super::frame_model::Slider;
 
-/// What a joint's friction does within a step.
+/// Change of the friction of a joint within a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Change {
     /// Its moment has reached the static one, in this direction.
@@ -12,15 +12,15 @@ pub(super) enum Change {
     Stops,
 }
 
-/// What is kept of the friction of a run.
+/// State of friction during a run.
 pub(super) struct Friction {
     /// How many first coefficients of what each joint waits for are zero, after an event: there they hold rounding.
     pub(super) zeros: Vec<usize>,
-    /// What the joints did before the event, if they may have to change before the next step.
+    /// States of the joints before the event, if they may have to change before the next step.
     pub(super) unsettled: Option<Vec<Slider>>,
     /// Joints that go at any price: their static moment was reached and is above the kinetic one.
     pub(super) gone: Vec<usize>,
-    /// Where and when the turn under way began.
+    /// Rotation and time at the start of the current turn.
     pub(super) turning: Vec<Option<(f64, f64)>>,
     pub(super) pile: usize,
     pub(super) pile_at_s: f64,

@@ -24,7 +24,7 @@ pub struct ChainGrowth {
 /// Growth measured in a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredGrowth {
-    /// Natural logarithm of the growth over the time it took, 1/s.
+    /// Natural logarithm of the growth, divided by its duration, 1/s.
     pub rate_per_s: f64,
     /// Start, s.
     pub from_s: f64,
@@ -32,7 +32,7 @@ pub struct MeasuredGrowth {
     pub to_s: f64,
 }
 
-/// Growth of a chain that falls by itself, from a motion that began with a small push; `None` for a chain that stands.
+/// Growth of the motion of an unstable chain after a small push; `None` for a chain that stands.
 ///
 /// ```text
 /// q = φᵀ M θ,  rate = ln(q(to)/q(from)) / (to − from)          q(from) = 10 q(0), q(to) = 100 q(0)

@@ -93,7 +93,7 @@ pub struct ChainSlip {
 /// The balance of energy at one time, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ChainEnergy {
-    /// Of motion relative to the ground.
+    /// Kinetic energy of motion relative to the ground, J.
     pub kinetic_j: f64,
     /// Potential energy of the weight, 0 upright, otherwise negative.
     pub gravity_j: f64,
@@ -123,7 +123,7 @@ pub struct ChainHistory {
     pub times_s: Vec<f64>,
     /// Rotations of the links from the vertical, rad.
     pub rotation_rad: Vec<Vec<f64>>,
-    /// Their rates, rad/s.
+    /// Angular velocities of the links, rad/s.
     pub velocity_rad_s: Vec<Vec<f64>>,
     /// Moments of the joints, N m: spring and friction, without dashpots.
     pub joint_moment_n_m: Vec<Vec<f64>>,

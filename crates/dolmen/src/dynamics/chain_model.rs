@@ -52,7 +52,7 @@ impl JointFriction {
         }
     }
 
-    /// Static and kinetic moment, N m; `None` without friction, and for a moment of 0, which would stick and slip at once.
+    /// Static and kinetic moment, N m; `None` without friction, or for a moment of 0, which would stick and slip at the same time.
     pub(super) fn moments_n_m(self) -> Option<[f64; 2]> {
         match self {
             JointFriction::Coulomb {
@@ -190,11 +190,11 @@ impl ChainModel {
         })
     }
 
-    /// The same with a stress-free lean of all links and beds: the whole chain was turned about its foot, and gaps of side supports count from
-    /// there.
+    /// The model with a stress-free lean of all links and beds: the whole chain is rotated about its foot, and the gaps of side supports are
+    /// measured from that position.
     ///
     /// # Errors
-    /// [`DynamicsError::Argument`] for an angle of 30° or more, either way: N b/2 holds for level beds.
+    /// [`DynamicsError::Argument`] for an angle of 30° or more in either direction: N b/2 is valid for level beds.
     pub fn leaning(mut self, lean_rad: f64) -> Result<Self, DynamicsError> {
         if lean_rad.is_nan() || lean_rad.abs() >= LEAN_MOST_RAD {
             return Err(DynamicsError::Argument {
@@ -223,7 +223,7 @@ impl ChainModel {
         rotation_rad[joint] - below
     }
 
-    /// The same with dashpots in proportion to the springs, so that the first mode of the chain has a given damping ratio.
+    /// The model with dashpots in proportion to the springs, such that the first mode of the chain has a given damping ratio.
     ///
     /// ```text
     /// d_i = 2 ζ ω (φᵀ M φ)/(φᵀ K_E φ) k_i          K φ = ω² M φ, K_E: K without gravity
@@ -231,7 +231,7 @@ impl ChainModel {
     /// Higher modes have more damping, in proportion to their frequency.
     ///
     /// # Errors
-    /// [`DynamicsError::Argument`] for a ratio outside 0 … 1, or for a chain that falls by itself, which has no such mode.
+    /// [`DynamicsError::Argument`] for a ratio outside 0 … 1, or for an unstable chain, which has no such mode.
     pub fn with_first_mode_damping(mut self, damping_ratio: f64) -> Result<Self, DynamicsError> {
         let refuse = |allowed| {
             Err(DynamicsError::Argument {

@@ -27,12 +27,12 @@ const STEPS_A_CALL: usize = 256;
 /// θ_0 = 0, or the lean of the whole;  a side support adds −Σ c_i F cos θ_i, F = s (u − g) beyond its gap, u = Σ c_i sin θ_i
 /// with friction τ_i + q_i:  q_i = f_k sign φ_i' while the joint turns; while it sticks φ_i' = 0 and |q_i| ≤ f_s
 /// ```
-/// The solution is expanded in a Taylor series of degree 24 whose last terms are below rounding. The ground's acceleration is linear between its
-/// samples, where steps end. Events are the first roots of these polynomials: a joint that opens or closes, a contact with a side support that
-/// begins or ends, the fall of a link. None is missed, however short. Peaks are those of the polynomials, too. Links connected by stuck joints
-/// turn as one, and so do those connected by joints so stiff that they change no other natural frequency by 1e-4 of it
-/// ([`ChainHistory::rigid_joints`]), unless the bed of such a joint would come to its edge. Friction is neither regularised nor stepped over:
-/// sticking, slipping and reversal are such events, and the states of all joints at rest are then found together.
+/// The solution is a Taylor series of degree 24 whose last terms are below rounding. The ground acceleration is linear between its samples,
+/// where steps end. Events are the first roots of these polynomials: a joint that opens or closes, a contact with a side support that begins or
+/// ends, the fall of a link. None is missed, however short. Peaks are those of the polynomials, too. Links connected by stuck joints rotate
+/// together. So do links connected by joints that are so stiff that they change every other natural frequency by less than 1e-4
+/// ([`ChainHistory::rigid_joints`]), unless the bed of such a joint would come to its edge. Friction is not regularised: sticking, slipping and
+/// reversal are events, at which the states of all joints at rest are determined together.
 ///
 /// `progress` receives the simulated time at intervals, and stops the run by returning false.
 ///
@@ -40,9 +40,9 @@ const STEPS_A_CALL: usize = 256;
 /// [`DynamicsError`] for options out of range, and if a step becomes too short. Nothing is regularised or guessed.
 ///
 /// # Limits
-/// Motion is in one plane. Joints do not slide, and neither they nor side supports lose energy as they close. Axial forces are those at rest. A
-/// fall is a limit on rotation, without a ground to land on. Steps are explicit: a dashpot many decades above the others makes them
-/// correspondingly short. The energy balance, measured over 100 s of five links without damping, is off by 1.5e-14 of the largest kinetic
+/// Motion is in one plane. Joints do not slide, and closing joints and side supports lose no energy. Axial forces are those at rest. A fall is a
+/// limit of rotation, without a ground to land on. Steps are explicit: a dashpot that is many orders of magnitude above the others makes them
+/// correspondingly short. Over 100 s of five links without damping the energy balance has a measured error of 1.5e-14 of the largest kinetic
 /// energy.
 ///
 /// # Source

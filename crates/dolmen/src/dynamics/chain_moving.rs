@@ -16,7 +16,7 @@ use crate::numeric::{first_descent, polynomial};
 
 /// Times closer than this are equal, s.
 pub(super) const TOGETHER_S: f64 = 1e-12;
-/// Fraction of a step beside a turning point in which the next one is not sought: the value there differs by the square of it.
+/// Fraction of a step next to a turning point in which the next one is not searched: the value there differs by its square.
 const BESIDE: f64 = 1e-7;
 
 /// A run of a chain.

@@ -2,8 +2,8 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | c | `lever_m` | how far the place moves as each link turns | m |
-//! | u | `beside_m` | Σ c_i sin θ_i less that of the lean: displacement of the place from where it is without stress | m |
+//! | c | `lever_m` | displacement of the support's position per rotation of each link | m |
+//! | u | `beside_m` | Σ c_i sin θ_i minus that of the lean: displacement from the stress-free position | m |
 //! | s, g | `stiffness_n_m`, `gap_m` | stiffness, free travel to each side | N/m, m |
 //! | F | `force_n` | s (u − g) beyond g, s (u + g) beyond −g, 0 between | N |
 
@@ -39,7 +39,7 @@ impl Prop {
         })
     }
 
-    /// The same of a chain that leans as a whole, the gap counted from there.
+    /// The supports of a chain that leans as a whole; gaps are measured from the leaning position.
     pub(super) fn leaning(&mut self, lean_rad: f64, rotations: ChainRotations) {
         self.leaning_m = 0.0;
         self.leaning_m = self.beside_m(&vec![lean_rad; self.lever_m.len()], rotations);

@@ -6,14 +6,14 @@ use super::chain_props::{Prop, PropState};
 use super::chain_rotations::ChainRotations;
 use dolmen_linalg::{Matrix, cholesky, solve_lower, solve_lower_transposed};
 
-/// Newton's method ends when no link turns by more than this, rad.
+/// Newton's method ends when no rotation changes by more than this, rad.
 const FOUND_RAD: f64 = 1e-14;
-/// Largest number of iterations. Newton's method doubles its digits: it takes six from a lean of 1/12. With more the chain does not come to
-/// rest.
+/// Largest number of iterations. Newton's method doubles the correct digits, and takes six iterations from a lean of 1/12. If it needs more than
+/// the limit, the chain does not come to rest.
 const ROUNDS: usize = 50;
 
-/// Rotations of the links from the vertical, rad, at which the springs balance the weight of a leaning chain; `None` if there is no such state
-/// within the limits of its joints: it falls by itself, or a joint would open.
+/// Rotations of the links from the vertical, rad, at which the springs balance the weight of a leaning chain. `None` if there is no such state
+/// within the limits of the joints: the chain falls, or a joint would open.
 ///
 /// ```text
 /// k_i φ_i − k_{i+1} φ_{i+1} + Σ c_i F cos θ_i = G_i sin θ_i,   φ_1 = θ_1 − lean,   |k_i φ_i| ≤ N_i b_i/2          θ for sin θ of small rotations
@@ -23,7 +23,7 @@ const ROUNDS: usize = 50;
 /// [`DynamicsError::Structure`] if the stiffness matrix cannot be assembled.
 ///
 /// # Limits
-/// Friction is not included: a stuck joint may hold the chain in another position.
+/// Friction is not included: a stuck joint may hold the chain at another rotation.
 pub fn chain_at_rest(model: &ChainModel) -> Result<Option<Vec<f64>>, DynamicsError> {
     let chain = model.chain();
     let n = chain.links().len();
@@ -65,7 +65,7 @@ pub fn chain_at_rest(model: &ChainModel) -> Result<Option<Vec<f64>>, DynamicsErr
                 }
             }
         }
-        // not positive definite: it falls by itself, possibly onto a side support
+        // not positive definite: the chain falls, possibly onto a side support
         let lower = match cholesky(&tangent) {
             Ok(lower) => lower,
             Err(_) if props.contains(&PropState::Free) => {
@@ -88,7 +88,7 @@ pub fn chain_at_rest(model: &ChainModel) -> Result<Option<Vec<f64>>, DynamicsErr
             most_rad = most_rad.max(turned.abs());
         }
         if most_rad <= FOUND_RAD {
-            // side supports keep their contacts until all else is at rest, so that an overshooting guess does not release them
+            // the contacts of side supports stay fixed until all else is at rest, so that an overshooting iterate does not release them
             let beside = |prop: &Prop| prop.state(prop.beside_m(&theta, model.rotations()));
             let now: Vec<PropState> = model.props.iter().map(beside).collect();
             if now != props {
@@ -129,7 +129,7 @@ mod tests {
 
     #[test]
     fn exact_one_link_leans_on_until_spring_and_weight_agree() {
-        // k (θ − lean) = m g l θ, small;  = m g l sin θ, large
+        // small rotations: k (θ − lean) = m g l θ; large rotations: k (θ − lean) = m g l sin θ
         let (k, lean) = (40_000.0, 0.02);
         let weight_n_m = 900.0 * G * 0.9;
         let model = pole(1, k, ChainRotations::Small).leaning(lean).unwrap();
@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn exact_a_lean_is_a_steady_push_of_the_ground_sideways() {
-        // small rotations: gravity along the leaning axis is as upright, and across it is lean · g on every stone
+        // small rotations: gravity along the leaning axis is as for an upright chain; across the axis it is lean · g on every stone
         let (lean, n) = (0.01, 4);
         let model = pole(n, 3e6, ChainRotations::Small);
         let leaning = model.clone().leaning(lean).unwrap();
@@ -184,7 +184,7 @@ mod tests {
             };
             simulate_chain(model, &TimeFunction::Zero, &options, &mut |_| true).unwrap()
         };
-        // the moment at the foot reaches N b/2 where the centre of mass stands over the edge, but for what the springs give
+        // with stiff springs, the moment at the foot reaches N b/2 when the centre of mass is above the edge
         let stiff = pole(3, 1e9, ChainRotations::Large);
         let chain = stiff.chain();
         let (mut weight_n, mut about_foot) = (0.0, 0.0);

@@ -15,7 +15,7 @@ use dolmen_linalg::{LinalgError, Matrix, generalized_symmetric_eigen};
 const FREQUENCY_CHANGE_MOST: f64 = 1e-4;
 /// Joints are candidates only if their stiffness over their load is this many times that of the softest: below, the change is larger anyway.
 const STIFFER_AT_LEAST: f64 = 100.0;
-/// Share of the largest initial rotation across any joint, above which the spring of a joint is followed: it would oscillate by itself.
+/// Fraction of the largest initial rotation of any joint above which the spring of a joint is integrated, because it would oscillate.
 const START_MOST: f64 = 1e-3;
 
 /// A joint taken as rigid in a run.
@@ -97,7 +97,7 @@ fn starts_still(model: &ChainModel, options: &ChainRun, joint: usize) -> bool {
     across(joint) <= START_MOST * most && moment_n_m < model.moment_most_n_m[joint]
 }
 
-/// Largest relative change of a natural frequency if these joints are rigid; infinite where a mode neither stands nor falls.
+/// Largest relative change of a natural frequency if these joints are rigid; infinite for a mode that is neither stable nor unstable.
 fn frequency_change(model: &ChainModel, rigid: &[usize], touched: bool) -> Result<f64, LinalgError> {
     let n = model.joints.len();
     let mut group: Vec<Option<usize>> = Vec::with_capacity(n);

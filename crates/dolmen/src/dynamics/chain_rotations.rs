@@ -6,6 +6,6 @@ pub enum ChainRotations {
     /// Any size, up to collapse: exact equations.
     #[default]
     Large,
-    /// The linear equations of small rotations, whatever size the rotations reach.
+    /// Linear equations of small rotations, for rotations of any size.
     Small,
 }

@@ -1,4 +1,4 @@
-//! Options of the motion of a chain: initial state, duration, definition of a fall.
+//! Options of a chain simulation: initial state, duration and definition of a fall.
 
 use super::chain_model::ChainModel;
 use super::frame_run::{DURATION_ALLOWED, DURATION_MOST_S, SAMPLES_MOST};
@@ -7,13 +7,13 @@ use super::{DynamicsError, TimeFunction};
 /// Options of [`simulate_chain`](super::simulate_chain).
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainRun {
-    /// Length of the run, s. `None`, the default, for that of the load.
+    /// Duration of the run, s. Default `None`: the duration of the load.
     pub duration_s: Option<f64>,
     /// Time between samples of the history, s. Default 0.005.
     pub output_step_s: f64,
-    /// Rotations of the links at the start, rad; empty, the default, for none.
+    /// Initial rotations of the links, rad. Default empty: all zero.
     pub start_rotation_rad: Vec<f64>,
-    /// Their rates at the start, rad/s; empty, the default, for none.
+    /// Initial angular velocities of the links, rad/s. Default empty: all zero.
     pub start_velocity_rad_s: Vec<f64>,
     /// Rotation of a link from the vertical that counts as a fall, rad. Default 60° (our choice).
     pub fall_rad: f64,
@@ -32,7 +32,7 @@ impl Default for ChainRun {
 }
 
 impl ChainRun {
-    /// The length of the run, s.
+    /// Checks the options against the model; returns the duration of the run, s.
     pub(super) fn check(&self, model: &ChainModel, load: &TimeFunction) -> Result<f64, DynamicsError> {
         load.check("ground_acceleration_m_s2")?;
         let positive = |argument, given: f64, allowed| {

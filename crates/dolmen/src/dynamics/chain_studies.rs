@@ -9,11 +9,11 @@ use super::{ChainModel, ChainRun, DynamicsError, simulate_chain};
 /// `progress` receives the share done, and stops the map by returning false: the remaining points are missing.
 ///
 /// # Errors
-/// Those of [`simulate_chain`].
+/// As for [`simulate_chain`].
 ///
 /// # Limits
 /// As for [`harmonic_map`](super::harmonic_map): 40 cycles from rest, both of the ground and of the slowest mode of the chain with all joints as
-/// springs. A chain that falls by itself has no such mode: its point gives the time of its fall.
+/// springs. An unstable chain has no such mode: its point gives the time of its fall.
 pub fn chain_harmonic_map(
     model: &ChainModel,
     frequencies_hz: &[f64],

@@ -13,7 +13,7 @@ pub enum DynamicsError {
         argument: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// A value of one storey out of its range.
@@ -25,7 +25,7 @@ pub enum DynamicsError {
         argument: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// An invalid building, or a place that is not on it.
@@ -60,7 +60,7 @@ pub enum DynamicsError {
         step_s: f64,
         /// Change over the largest drift.
         change: f64,
-        /// What is allowed.
+        /// The allowed range.
         most: f64,
     },
     /// Tenons with slack where joints share friction in both directions.
@@ -112,7 +112,7 @@ pub enum DynamicsError {
         argument: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// A list of the wrong length for a chain.
@@ -158,7 +158,7 @@ pub enum DynamicsError {
     Matrix {
         /// Which one.
         matrix: &'static str,
-        /// What is allowed.
+        /// The allowed range.
         needed: &'static str,
     },
     /// A list of the wrong length for a linear system.

@@ -11,14 +11,14 @@ pub enum TimeFunction {
     Zero,
     /// A constant.
     Constant(f64),
-    /// Samples from time 0, linear between them, 0 after the last.
+    /// Samples from time 0, with linear interpolation; 0 after the last sample.
     Sampled {
-        /// Time between samples, s.
+        /// Time between samples dt, s.
         time_step_s: f64,
         /// The values at 0, dt, 2 dt, …
         values: Vec<f64>,
     },
-    /// amplitude · sin(2π f t + phase), without end.
+    /// amplitude · sin(2π f t + phase), for all times.
     Harmonic {
         /// Largest value.
         amplitude: f64,
@@ -38,7 +38,7 @@ impl TimeFunction {
         }
     }
 
-    /// End of the load, s; 0 for a constant and a harmonic, which have none.
+    /// End of the load, s; 0 for a constant or harmonic load, which has no end.
     pub fn duration_s(&self) -> f64 {
         match self {
             TimeFunction::Zero | TimeFunction::Constant(_) | TimeFunction::Harmonic { .. } => 0.0,
@@ -85,7 +85,7 @@ impl TimeFunction {
         }
     }
 
-    /// The constant part of it.
+    /// The constant part of the load.
     pub(super) fn constant(&self) -> f64 {
         match self {
             TimeFunction::Constant(value) => *value,
@@ -93,7 +93,7 @@ impl TimeFunction {
         }
     }
 
-    /// Its value, linear between samples.
+    /// Value at a time, with linear interpolation between samples.
     pub(super) fn value(&self, at_s: f64) -> f64 {
         match self {
             TimeFunction::Zero => 0.0,
@@ -116,7 +116,7 @@ impl TimeFunction {
         }
     }
 
-    /// Times at which its series changes, up to `until_s`, in order.
+    /// Times up to `until_s` at which the series changes, ascending.
     pub(super) fn breaks_s(&self, until_s: f64) -> Vec<f64> {
         match self {
             TimeFunction::Zero | TimeFunction::Constant(_) | TimeFunction::Harmonic { .. } => Vec::new(),
@@ -127,7 +127,7 @@ impl TimeFunction {
         }
     }
 
-    /// Longest step on which its series converges as fast as that of a sine over one radian, s.
+    /// Longest step, s, on which the series converges as fast as that of a sine over one radian.
     pub(super) fn step_most_s(&self) -> f64 {
         match self {
             TimeFunction::Harmonic { frequency_hz, .. } => 1.0 / (TAU * frequency_hz),
@@ -135,7 +135,7 @@ impl TimeFunction {
         }
     }
 
-    /// Taylor coefficients at `at_s` in σ = (t − at_s)/h, valid up to the next break. Returns the number of coefficients that are not zero.
+    /// Taylor coefficients at `at_s` in σ = (t − at_s)/h, valid up to the next change. Returns the number of nonzero coefficients.
     pub(super) fn series(&self, at_s: f64, h: f64, coefficients: &mut [f64]) -> usize {
         coefficients.fill(0.0);
         match self {
@@ -145,7 +145,7 @@ impl TimeFunction {
                 1
             }
             TimeFunction::Sampled { time_step_s, values } => {
-                // the interval with the middle of the step, so that rounding of at_s cannot choose its neighbour
+                // take the interval that contains the middle of the step: rounding of at_s could select its neighbour
                 let interval = ((at_s + 0.5 * h) / time_step_s).floor() as usize;
                 let (Some(&start), Some(&end)) = (values.get(interval), values.get(interval + 1)) else {
                     return 0;
@@ -174,12 +174,12 @@ impl TimeFunction {
     }
 }
 
-/// The load on a frame: the acceleration of the ground, and a force at each level.
+/// Load on a frame: the acceleration of the ground and a force at each level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameLoad {
     /// Acceleration of the ground, m/s².
     pub ground_acceleration_m_s2: TimeFunction,
-    /// Forces at the levels, lowest first, N; empty for none.
+    /// Forces at the levels, lowest first, N; empty without forces.
     pub forces_n: Vec<TimeFunction>,
 }
 
@@ -189,7 +189,7 @@ impl FrameLoad {
         FrameLoad::of_ground(TimeFunction::Zero)
     }
 
-    /// A moving ground.
+    /// A load by ground motion only.
     pub fn of_ground(ground_acceleration_m_s2: TimeFunction) -> Self {
         FrameLoad {
             ground_acceleration_m_s2,
@@ -197,7 +197,7 @@ impl FrameLoad {
         }
     }
 
-    /// End of all of it, s; 0 without a load, or with harmonics only.
+    /// End of the last load, s; 0 without a load, or with harmonic loads only.
     pub fn duration_s(&self) -> f64 {
         self.forces_n
             .iter()

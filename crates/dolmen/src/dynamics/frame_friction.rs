@@ -76,7 +76,7 @@ impl StoreyFriction {
         }
     }
 
-    /// The acting friction: a slider without force counts as none, since it would stick and slip at once.
+    /// The friction in effect: a slider with zero force counts as none, because it would stick and slip at the same time.
     pub(super) fn acting(self) -> Self {
         match self {
             StoreyFriction::Coulomb { static_force_n, .. }
@@ -161,12 +161,12 @@ impl FrictionFrame {
         })
     }
 
-    /// The same with the sliders on another motion.
+    /// The frame with sliders that act on another motion.
     pub fn acting_on(self, acts_on: FrictionActsOn) -> Self {
         FrictionFrame { acts_on, ..self }
     }
 
-    /// The same with tenons in its storeys, beside their springs and friction.
+    /// The frame with tenons in its storeys, in parallel with their springs and friction.
     ///
     /// # Errors
     /// [`DynamicsError::Count`]; [`DynamicsError::Storey`] for a slack that is negative, and a stiffness, force or depth that is not
@@ -185,7 +185,7 @@ impl FrictionFrame {
         Ok(FrictionFrame { tenons, ..self })
     }
 
-    /// The same with viscous damping.
+    /// The frame with viscous damping.
     ///
     /// # Errors
     /// [`DynamicsError::Count`], [`DynamicsError::Storey`] and [`DynamicsError::Argument`] for values that are negative, not

@@ -57,7 +57,7 @@ pub struct Slip {
 /// The balance of energy at one time, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FrameEnergy {
-    /// Of motion relative to the ground.
+    /// Kinetic energy of motion relative to the ground, J.
     pub kinetic_j: f64,
     /// In springs, minus the contribution of gravity (P-delta).
     pub stored_j: f64,
@@ -111,8 +111,8 @@ pub struct FrameHistory {
     pub rest_m: Vec<f64>,
     /// Whether everything was at rest at the end, relative to the ground.
     pub at_rest: bool,
-    /// Times at which some slider began to slip, reversed or stopped, or some tenon began to bear, opened, crushed or stopped; simultaneous
-    /// changes count once.
+    /// Number of times at which a slider began to slip, reversed or stopped, or a tenon came into contact, opened, crushed or stopped
+    /// crushing; simultaneous changes count once.
     pub events: usize,
     /// Number of series.
     pub steps: usize,

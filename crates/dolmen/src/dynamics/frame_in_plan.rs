@@ -1,14 +1,15 @@
-//! A frame under two components of ground motion: each direction separately where no joint has friction in both, otherwise both in steps.
+//! A frame under two components of ground motion: each direction separately if no joint has friction in both, otherwise both together in time
+//! steps.
 //!
-//! A storey that rubs in both directions rubs on the same faces: its slip force is one, however it points. Its direction turns as the frame
-//! moves, so that the law is no series any more, and the run goes in equal steps.
+//! A storey with friction in both directions slides on the same faces: it has one slip force for all directions. The direction of slip changes
+//! during the motion, so the solution has no power series, and the run uses equal time steps.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | u, v | `State::y`, `State::v` | displacements and velocities of the levels in one direction | m, m/s |
 //! | B | `across` | levels → drifts | – |
 //! | q | `friction_n` | force of the friction element of a storey in one direction | N |
-//! | f | `limit_n` | its slip force in that direction | N |
+//! | f | `limit_n` | slip force in that direction | N |
 //! | s | `share` | q / f; \|s\| ≤ 1 in both directions together | – |
 //! | Δ | | slip of the slider in a step | m |
 //! | λ | `work_j` | work of friction in a slip, f·Δ along s | J |
@@ -23,34 +24,34 @@ use super::frame_plan_record::run;
 use super::frame_plan_steps::{BothDirections, Steps};
 use super::frame_run::FrameRun;
 
-/// Number of steps in one radian of the stiffest storey. Chosen here: elastic oscillations are then accurate to 4e-5.
+/// Number of steps per radian of the fastest elastic oscillation of a storey. Chosen here: elastic oscillations are then accurate to 4e-5.
 const STEPS_A_RADIAN: f64 = 50.0;
-/// Longest step, s. Chosen here: records come at 0.005 to 0.02 s.
+/// Longest step, s. Chosen here: records have steps of 0.005 to 0.02 s.
 const STEP_MOST_S: f64 = 5e-4;
-/// Largest relative change of a peak drift at half the step. Chosen here: a tenth of the uncertainty of a friction coefficient.
+/// Largest allowed relative change of a peak drift when the step is halved. Chosen here: a tenth of the uncertainty of a friction coefficient.
 const CHANGE_MOST: f64 = 0.005;
 /// Largest number of halvings of the step before the run is refused. Chosen here.
 const HALVINGS_MOST: usize = 5;
 
-/// Steps of a run in which both directions share their slip forces.
+/// Time steps of a run in which both directions share their slip forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SharedFriction {
     /// Length of a step, s.
     pub step_s: f64,
-    /// Change of the peak drifts at the last halving of the step, over the largest of them.
+    /// Change of the peak drifts at the last halving of the step, relative to the largest of them.
     pub change: f64,
 }
 
-/// A frame that moved in two directions.
+/// Histories of a frame in two directions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameInPlan {
     /// The history in each direction.
     pub histories: [FrameHistory; 2],
-    /// The steps where a storey has friction in both directions; `None` where the directions are independent, and each is exact.
+    /// The time steps, if a storey has friction in both directions; `None` if the directions are independent and each is exact.
     pub shared: Option<SharedFriction>,
 }
 
-/// Storeys with friction in both directions, 0 the lowest.
+/// Indices of the storeys with friction in both directions, 0 the lowest.
 pub fn storeys_that_rub_both_ways(frames: [&FrictionFrame; 2]) -> Vec<usize> {
     let rubs = |of: &FrictionFrame, storey: usize| of.friction[storey].limits_n().is_some();
     let storeys = 0..frames[0].friction.len().min(frames[1].friction.len());
@@ -65,19 +66,19 @@ pub fn storeys_that_rub_both_ways(frames: [&FrictionFrame; 2]) -> Vec<usize> {
 /// M u_d'' + C_d u_d' + K_d u_d + Bᵀ q_d = −M 1 a_d + F_d,   d = 1, 2
 /// (q_1/f_1)² + (q_2/f_2)² ≤ 1;  at 1 it slips with  f_d Δ_d = λ q_d/f_d,  λ > 0
 /// ```
-/// With equal f the slip is opposite to the force (Coulomb in the plane); with different ones friction takes the most work (an ellipse). If no
-/// storey has friction in both directions, they are independent: [`simulate_frame`] then runs each exactly.
+/// With equal f the slip is opposite to the force (Coulomb's law in the plane); with different f the friction dissipates the most work (an
+/// ellipse). If no storey has friction in both directions, they are independent: [`simulate_frame`] then runs each exactly.
 ///
-/// Shared friction is stepped: springs, dashpots and inertia by the trapezoidal rule, the law of friction at the end of each step, for all
-/// storeys together by sweeps until their forces change by less than 1e-11. Energy balances to rounding. The step is halved until the peak
-/// drifts change by at most 0.5 %; the answer gives the change.
+/// Shared friction is integrated in time steps: springs, dashpots and inertia by the trapezoidal rule, the friction law at the end of each
+/// step. Sweeps over all storeys end when their forces change by less than 1e-11. The energy balances to rounding. The step is halved until the
+/// peak drifts change by at most 0.5 %; the result contains the change.
 ///
 /// # Errors
-/// Those of [`simulate_frame`]; [`DynamicsError::Argument`] for sliders that act on displacements;
-/// [`DynamicsError::Count`] for frames of different storeys; [`DynamicsError::NotConverged`] where peaks still change.
+/// The errors of [`simulate_frame`]; [`DynamicsError::Argument`] for sliders that act on displacements; [`DynamicsError::Count`] for frames
+/// with different storeys; [`DynamicsError::NotConverged`] if peaks still change.
 ///
 /// # Limits
-/// First order in the step where the direction of slip turns. Floors do not twist.
+/// First order in the step while the direction of slip changes. Floors do not twist. Tested by `frame_in_plan`.
 ///
 /// # Source
 /// The law is that of maximal dissipation: Moreau, J. J. (1988), Unilateral contact and dry friction in finite freedom dynamics, for the plane.
@@ -138,7 +139,7 @@ fn halved(
 ) -> Result<FrameInPlan, DynamicsError> {
     let longest_s = longest_step_s(both)?;
     let output_step_s = both.2[0].output_step_s;
-    // a whole number of steps between samples
+    // a whole number of steps per sample interval
     let mut each = (output_step_s / longest_s).ceil();
     let mut run = |each: f64| {
         let steps = Steps::new(both, output_step_s / each)?;

@@ -43,7 +43,7 @@ impl Motion<'_> {
             match (self.model.friction[storey], change) {
                 (StoreyFriction::Jenkins { .. }, Change::Goes(sign)) => {
                     self.state.slider[storey] = Slider::Slipping(sign);
-                    // one that has just stopped and is pushed further at once: its speed is rounding, its rate is not
+                    // a slider that has just stopped and is pushed on immediately: its velocity is rounding, its acceleration is not
                     self.zeros[storey] = self.zeros[storey].min(1);
                     recorder.jump(&self.model, storey);
                 }
@@ -89,9 +89,9 @@ impl Motion<'_> {
     /// Finds which Coulomb sliders at rest stick and which slip: those that cannot stick are released, the worst first, until all satisfy the
     /// law.
     ///
-    /// With equal static and kinetic forces the accelerations minimise a strictly convex function, so the state is unique. Where a force is
-    /// exactly at its limit, the first of its rates that is not zero decides, order by order: storeys with slip forces in proportion to their
-    /// weight reach their limits all at once.
+    /// With equal static and kinetic forces the accelerations minimise a strictly convex function, so the state is unique. If a force is
+    /// exactly at its limit, its first nonzero derivative decides, order by order: storeys with slip forces in proportion to their weight reach
+    /// their limits at the same instant.
     pub(super) fn find_state(&mut self, h: f64) -> Result<(), DynamicsError> {
         self.series.act(self.load, self.at_s, h);
         self.series.begin(&self.state);

@@ -14,7 +14,7 @@ use std::ops::Range;
 /// State of a slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Slider {
-    /// There is none.
+    /// No slider.
     Absent,
     /// It sticks.
     Stuck,
@@ -151,7 +151,7 @@ impl Model {
         self.c.is_some()
     }
 
-    /// Upper level less the one below the slider.
+    /// Motion of the upper level minus that of the level below the slider.
     pub(super) fn across(&self, i: usize, x: &[f64]) -> f64 {
         x[i] - self.below[i].map_or(0.0, |j| x[j])
     }

@@ -1,4 +1,4 @@
-//! A frame with dry friction in time: exact from event to event, whatever the number of storeys.
+//! Time history of a frame with dry friction: exact from event to event, for any number of storeys.
 //!
 //! Stages of a step: series of the motion while no slider changes → first event in it → record until there → let sliders slip or stick, and find
 //! the states of the others.

@@ -1,4 +1,4 @@
-//! The steps of a frame whose two directions share their slip forces; `frame_in_plan` has the symbols.
+//! Time steps of a frame whose two directions share their slip forces. For the symbols see `frame_in_plan`.
 
 use super::DynamicsError;
 use super::excitation::{FrameLoad, TimeFunction};
@@ -7,17 +7,17 @@ use super::frame_model::{Model, Slider, State};
 use super::frame_run::FrameRun;
 use dolmen_linalg::{Matrix, solve};
 
-/// Relative change of a force at which the sweeps over the storeys end. Chosen here.
+/// Relative change of a force below which the sweeps over the storeys end. Chosen here.
 const SWEPT: f64 = 1e-11;
-/// Largest number of sweeps: those of twenty equal storeys take some thousand.
+/// Largest number of sweeps: twenty equal storeys take several thousand.
 const SWEEPS_MOST: usize = 200_000;
 
-/// One direction, with its constants.
+/// One direction of the frame, with its constants and state.
 pub(super) struct Direction {
     pub(super) model: Model,
     k: Matrix,
     c: Option<Matrix>,
-    /// (M/h + C/2 + h K/4)⁻¹, and the drift speeds that unit forces of the storeys make by it.
+    /// (M/h + C/2 + h K/4)⁻¹; and the drift velocities that unit forces of the storeys cause through it.
     inverse: Matrix,
     gives: Matrix,
     load: FrameLoad,
@@ -29,7 +29,7 @@ pub(super) struct Direction {
     pub(super) damping_j: f64,
 }
 
-/// A frame during stepping.
+/// State of a frame during time stepping.
 pub(super) struct Steps {
     pub(super) directions: [Direction; 2],
     pub(super) slips: Vec<bool>,
@@ -41,7 +41,7 @@ pub(super) struct Steps {
 /// Frames, loads and options of both directions.
 pub(super) type BothDirections<'a> = ([&'a FrictionFrame; 2], [&'a FrameLoad; 2], [&'a FrameRun; 2]);
 
-/// Storeys' forces at the end of a step.
+/// Force of one storey at the end of a step.
 struct Slipped {
     share: [f64; 2],
     work_j: f64,
@@ -59,7 +59,7 @@ impl Direction {
         });
         let unit = Matrix::from_fn(n, n, |i, j| f64::from(u8::from(i == j)));
         let inverse = solve(&a, &unit)?;
-        // row i less the one below it, and so for columns
+        // row i minus row i − 1, and the same for columns
         let down = |x: &Matrix, i: usize, j: usize| x[(i, j)] - i.checked_sub(1).map_or(0.0, |i| x[(i, j)]);
         let rows = Matrix::from_fn(n, n, |i, j| down(&inverse, i, j));
         let gives = Matrix::from_fn(n, n, |i, j| {
@@ -90,7 +90,7 @@ impl Direction {
         })
     }
 
-    /// The load on the levels over a step, the mean of its ends: −M 1 a + F.
+    /// Load on the levels over a step, mean of its values at both ends: −M 1 a + F.
     fn loads_n(&self, at_s: f64, h: f64) -> Vec<f64> {
         let mean = |of: &TimeFunction| 0.5 * (of.value(at_s) + of.value(at_s + h));
         let ground_m_s2 = mean(&self.load.ground_acceleration_m_s2);
@@ -100,7 +100,7 @@ impl Direction {
             .collect()
     }
 
-    /// The forces on the levels in a step without friction: M v/h − C v/2 − K (u + h v/4) and the load.
+    /// Forces on the levels in a step without friction: M v/h − C v/2 − K (u + h v/4) plus the load.
     fn acts_n(&self, h: f64, loads_n: &[f64]) -> Vec<f64> {
         let State { y, v, .. } = &self.state;
         let moved: Vec<f64> = y.iter().zip(v).map(|(y, v)| y + 0.25 * h * v).collect();
@@ -114,13 +114,13 @@ impl Direction {
         .collect()
     }
 
-    /// Forces of the storeys on the levels: Bᵀ q.
+    /// Forces on the levels from the forces of the storeys: Bᵀ q.
     pub(super) fn on_levels(&self, storeys_n: &[f64]) -> Vec<f64> {
         let above = |i: usize| storeys_n.get(i + 1).copied().unwrap_or(0.0);
         (0..storeys_n.len()).map(|i| storeys_n[i] - above(i)).collect()
     }
 
-    /// Absolute accelerations of the levels, m/s²: from springs, dashpots, friction and forces.
+    /// Absolute accelerations of the levels, m/s², from springs, dashpots, friction and loads.
     pub(super) fn acceleration_m_s2(&self, at_s: f64) -> Vec<f64> {
         let springs = self.k.times(&self.state.y);
         let dashpots = self.c.as_ref().map(|c| c.times(&self.state.v));
@@ -134,7 +134,7 @@ impl Direction {
         .collect()
     }
 
-    /// The series spring of a Jenkins element, N/m; `None` for Coulomb's slider, or none.
+    /// Series spring of a Jenkins element, N/m; `None` for a Coulomb slider or no slider.
     pub(super) fn series_n_m(&self, storey: usize) -> Option<f64> {
         match self.model.friction[storey] {
             StoreyFriction::Jenkins {
@@ -144,7 +144,8 @@ impl Direction {
         }
     }
 
-    /// Force of the element over a step that ends at `end_n`: of Coulomb's law that of its end, of a spring the mean.
+    /// Force of a friction element that represents a step ending at `end_n`: the end value for Coulomb's law, the mean for a Jenkins
+    /// spring.
     fn over_step_n(&self, storey: usize, end_n: f64) -> f64 {
         match self.series_n_m(storey) {
             Some(_) => 0.5 * (self.friction_n[storey] + end_n),
@@ -157,7 +158,7 @@ impl Direction {
         self.load.forces_n.iter().map(TimeFunction::constant).collect()
     }
 
-    /// Place of the slider, m.
+    /// Position of the slider, m.
     pub(super) fn slider_m(&self, storey: usize) -> f64 {
         let across = self.model.across(storey, &self.state.y);
         across
@@ -182,12 +183,12 @@ impl Steps {
         })
     }
 
-    /// One step from `at_s`.
+    /// Advances one step from `at_s`.
     pub(super) fn step(&mut self, at_s: f64) -> Result<(), DynamicsError> {
         let h = self.step_s;
         let loads = [0, 1].map(|d| self.directions[d].loads_n(at_s, h));
         let acts = [0, 1].map(|d| self.directions[d].acts_n(h, &loads[d]));
-        // drift speeds at the end without friction
+        // drift velocities at the end of the step without friction
         let free = [0, 1].map(|d| {
             let speeds = self.directions[d].inverse.times(&acts[d]);
             let model = &self.directions[d].model;
@@ -238,7 +239,7 @@ impl Steps {
         Ok(())
     }
 
-    /// Forces of all storeys at the end of the step, and the work of friction in each.
+    /// Forces of all storeys at the end of the step, and the friction work in each storey.
     fn sweep(&self, free: &[Vec<f64>; 2], at_s: f64) -> Result<([Vec<f64>; 2], Vec<f64>), DynamicsError> {
         let n = self.slips.len();
         let mut ends = [0, 1].map(|d| self.directions[d].friction_n.clone());
@@ -270,20 +271,21 @@ impl Steps {
         })
     }
 
-    /// The current slip force of a storey in a direction; `None` without friction.
+    /// Current slip force of a storey in a direction; `None` without friction.
     fn limit_n(&self, d: usize, storey: usize) -> Option<f64> {
         let [fixed_n, kinetic_n] = self.directions[d].model.friction[storey].limits_n()?;
         Some(if self.slips[storey] { kinetic_n } else { fixed_n })
     }
 
-    /// The force of one storey for given forces of the others.
+    /// Force of one storey for given forces of the other storeys.
     ///
     /// ```text
     /// Coulomb:  Δ = h (c − G q⁺)                          α = h G f²,              β = h c f
     /// Jenkins:  Δ = h (δ' + c − G (q + q⁺)/2)/2 − (q⁺ − q)/k   α = (h G/4 + 1/k) f²,  β = [h (δ' + c − G q/2)/2 + q/k] f
     /// f Δ = β − α s = λ s
     /// ```
-    /// c is the drift speed at the end that the storey would have without its own force, δ' that at the start, G that of a unit force.
+    /// c is the drift velocity at the end of the step without the storey's own force, δ' that at the start, and G that from a unit
+    /// force.
     fn storey(
         &self,
         i: usize,
@@ -319,7 +321,7 @@ impl Steps {
     }
 }
 
-/// β = (α + λ) s with |s| ≤ 1, and λ = 0 unless |s| = 1.
+/// Solves β = (α + λ) s with |s| ≤ 1, where λ = 0 unless |s| = 1.
 fn on_the_disc(alpha: [f64; 2], beta: [f64; 2]) -> Slipped {
     let share = |work_j: f64| [0, 1].map(|d| beta[d] / (alpha[d] + work_j));
     let mut work_j = 0.0;
@@ -327,7 +329,7 @@ fn on_the_disc(alpha: [f64; 2], beta: [f64; 2]) -> Slipped {
     if held[0].hypot(held[1]) <= 1.0 {
         return Slipped { share: held, work_j };
     }
-    // |s|² − 1 decreases and is convex in λ: Newton approaches from the left and does not pass the root
+    // |s|² − 1 decreases and is convex in λ: Newton's method from the left does not pass the root
     for _ in 0..100 {
         let s = share(work_j);
         let over = s[0] * s[0] + s[1] * s[1] - 1.0;

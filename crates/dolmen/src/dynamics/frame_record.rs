@@ -1,4 +1,4 @@
-//! Records the motion of a frame: samples, true peaks, slips and energy.
+//! Records the motion of a frame: samples, true peaks, slips and energies.
 
 use super::frame_friction::StoreyFriction;
 use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
@@ -8,29 +8,29 @@ use super::frame_series::{Series, at_with_rates};
 use super::frame_work::Work;
 use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial};
 
-/// Events closer than this count once, s.
+/// Events closer together than this count as one, s.
 const ONE_EVENT_S: f64 = 1e-9;
-/// Speed below which a frame is at rest, m/s: a third of a millimetre in a century.
+/// Speed below which a frame is at rest, m/s: a third of a millimetre per century.
 pub(super) const REST_M_S: f64 = 1e-13;
-/// Fraction of the largest speed below which a speed is rounding.
+/// Fraction of the largest speed below which a speed is only rounding.
 const ROUNDING: f64 = 1e-12;
-/// Number of samples evaluated at once.
+/// Number of samples that are evaluated together.
 const LANES: usize = 2;
 pub(super) struct Recorder {
     history: FrameHistory,
     output_step_s: f64,
     samples: usize,
     work: Work,
-    /// How many samples were taken.
+    /// Number of samples taken so far.
     taken: usize,
-    /// The state at places of the series under way.
+    /// State at each evaluated sample of the current series.
     now: [State; LANES],
     /// Constant forces at the levels, N.
     stays_n: Vec<f64>,
-    /// For each storey: place and time of the start of the current slip.
+    /// For each storey, position and time at the start of the current slip.
     slipping: Vec<Option<(f64, f64)>>,
     last_event_s: f64,
-    /// Last direction of motion of the top level, and its largest speed at the end of an interval, m/s.
+    /// Last direction of motion of the top level, and its largest speed at the end of any interval, m/s.
     top_direction: f64,
     top_speed: f64,
 }
@@ -38,7 +38,7 @@ pub(super) struct Recorder {
 impl Recorder {
     pub(super) fn new(model: &Model, state: &State, output_step_s: f64, duration_s: f64) -> Self {
         let n = model.levels();
-        // a sample a little past the end by rounding is the end
+        // a sample slightly after the end, by rounding, is the last sample
         let samples = (duration_s / output_step_s * (1.0 + 1e-12)).floor() as usize + 1;
         let rows = || vec![vec![0.0; samples]; n];
         let mut recorder = Recorder {
@@ -78,12 +78,12 @@ impl Recorder {
         recorder
     }
 
-    /// The same with constant forces at the levels.
+    /// The recorder, with constant forces at the levels.
     pub(super) fn under(self, stays_n: Vec<f64>) -> Self {
         Recorder { stays_n, ..self }
     }
 
-    /// Records the motion of one series from `begin_s` to σ, from one state to the one `ahead`.
+    /// Records the motion of one series from `begin_s` to σ, between a state and the state `ahead`.
     pub(super) fn stretch(
         &mut self,
         model: &Model,
@@ -112,14 +112,14 @@ impl Recorder {
             }
         }
         self.turn(series, ahead, begin_s, sigma);
-        // places and speeds follow at each sample
+        // positions and velocities are set at each sample
         for now in &mut self.now {
             now.slider.clone_from(&state.slider);
             now.offset_m.clone_from(&state.offset_m);
             now.joint.clone_from(&state.joint);
         }
         self.work.expand(model, series);
-        // the last sample may lie past the end by rounding
+        // rounding may put the last sample after the end
         let last_s = end_s * (1.0 + 1e-12);
         loop {
             let mut sigmas = [0.0; LANES];
@@ -142,8 +142,8 @@ impl Recorder {
         self.work.energy = self.work.at(model, [state, ahead], series, sigma);
     }
 
-    /// A turning point of the top level in the interval: at most one, since a step is shorter than half a cycle of any mode. It counts once the
-    /// level moves back, so that a stop is none.
+    /// Records a turning point of the top level in the interval. There is at most one, because a step is shorter than half a cycle of any mode.
+    /// It counts only when the level moves back, so that a mere stop does not count.
     fn turn(&mut self, series: &Series, ahead: &State, begin_s: f64, sigma: f64) {
         let top = series.n - 1;
         let last = ahead.v[top];
@@ -168,7 +168,7 @@ impl Recorder {
         });
     }
 
-    /// Takes the next samples, at places of the series; those past `count` are none.
+    /// Records the next samples at several σ of the series; those beyond `count` are ignored.
     fn sample(&mut self, model: &Model, state: &State, series: &Series, sigmas: [f64; LANES], count: usize) {
         let Recorder {
             history, now: nows, ..
@@ -208,7 +208,7 @@ impl Recorder {
         }
     }
 
-    /// A Jenkins slider jumps from its static to its kinetic force.
+    /// Records the jump of a Jenkins slider from its static to its kinetic force.
     pub(super) fn jump(&mut self, model: &Model, storey: usize) {
         if let StoreyFriction::Jenkins {
             stuck_stiffness_n_m,
@@ -221,7 +221,7 @@ impl Recorder {
         }
     }
 
-    /// Records sliders that changed.
+    /// Records the sliders that changed their state.
     pub(super) fn changed(&mut self, model: &Model, state: &State, before: &[Slider], at_s: f64) {
         if state.slider == before {
             return;
@@ -230,7 +230,7 @@ impl Recorder {
         self.follow_slips(model, state, before, at_s);
     }
 
-    /// Counts a change.
+    /// Counts an event.
     pub(super) fn happened(&mut self, at_s: f64) {
         if at_s - self.last_event_s > ONE_EVENT_S {
             self.history.events += 1;
@@ -301,7 +301,7 @@ impl Recorder {
     }
 }
 
-/// Updates a peak with the largest absolute value of a polynomial on [0, σ].
+/// Updates a peak with the largest magnitude of a polynomial on [0, σ].
 fn extend(peak: &mut FramePeak, c: &[f64], begin_s: f64, h: f64, sigma: f64) {
     let mut consider = |at: f64| {
         let value = polynomial(c, at);
@@ -312,7 +312,7 @@ fn extend(peak: &mut FramePeak, c: &[f64], begin_s: f64, h: f64, sigma: f64) {
     };
     consider(0.0);
     consider(sigma);
-    // turning points: zeros of the velocity, alternately downwards and upwards
+    // turning points: zeros of the velocity, alternately from positive to negative and back
     let mut velocity = [0.0; COEFFICIENTS_MOST];
     let velocity = &mut velocity[..c.len() - 1];
     for (k, v) in velocity.iter_mut().enumerate() {
@@ -334,7 +334,7 @@ fn extend(peak: &mut FramePeak, c: &[f64], begin_s: f64, h: f64, sigma: f64) {
     }
 }
 
-/// Fills in the largest values at the samples.
+/// Sets the peaks to the largest values at the samples.
 pub(super) fn peaks_at_samples(history: &mut FrameHistory) {
     let largest = |most: f64, value: f64| if value > most { value } else { most };
     let rows = &history.displacement_m;

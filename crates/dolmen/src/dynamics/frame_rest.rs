@@ -18,8 +18,8 @@ use dolmen_linalg::{Matrix, solve};
 /// [B        0 ] [λ] = [ 0],    y_rest = y + Δ              (levels + Coulomb sliders)²
 /// ```
 ///
-/// Tenons bear or not according to the drifts at rest: states are tried until one agrees with its own drifts. A frame without a rest position
-/// (it falls with its sliders fixed), or for which none is found, keeps y.
+/// Whether tenons are in contact depends on the drifts at rest: states are tried until one agrees with its own drifts. y does not change for
+/// a frame without a rest position (it falls with its sliders fixed), or if none is found.
 pub(super) fn rest_m(model: &Model, state: &State, forces_n: &[f64]) -> Vec<f64> {
     let mut joints: Vec<Option<Joint>> = state.joint.clone();
     for (i, joint) in joints.iter_mut().enumerate() {
@@ -49,7 +49,7 @@ fn tries_most(storeys: usize) -> usize {
     10 + 5 * storeys
 }
 
-/// The same for given states of the tenons.
+/// The rest position for given states of the tenons.
 fn with_tenons(model: &Model, state: &State, forces_n: &[f64], joints: &[Option<Joint>]) -> Vec<f64> {
     let n = model.levels();
     let is_held = |i: &usize| matches!(model.friction[*i], StoreyFriction::Coulomb { .. });
@@ -138,7 +138,7 @@ mod tests {
         history
     }
 
-    /// What never slipped rests where it began, however far it still swings.
+    /// A frame that never slipped rests at its start, however large its present vibration.
     #[test]
     fn exact_a_frame_without_sliders_rests_at_zero() {
         let history = let_go([StoreyFriction::None; 2]);

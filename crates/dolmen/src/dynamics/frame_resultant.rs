@@ -1,18 +1,18 @@
-//! Resultant drifts of a frame in both of its directions.
+//! Resultant drifts of a frame from the drifts in its two directions.
 
 use super::frame_history::FrameHistory;
 
-/// Number of places between two samples at which the resultant is evaluated. Chosen here.
+/// Number of points between two samples at which the resultant is evaluated. Chosen here.
 const PLACES: usize = 8;
 
 /// The largest resultant of a storey's drift.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FrameResultant {
-    /// Its size, m.
+    /// Magnitude, m.
     pub drift_m: f64,
-    /// When, s.
+    /// Time, s.
     pub at_s: f64,
-    /// Its parts in the two directions, m.
+    /// Components in the two directions, m.
     pub parts_m: [f64; 2],
 }
 
@@ -21,8 +21,8 @@ pub struct FrameResultant {
 /// ```text
 /// r(t) = √(δ_1² + δ_2²)
 /// ```
-/// Between samples δ is the cubic through its values and rates, with an error of (ω Δt)⁴/384 of an oscillation, 1e-5 for a tenth of its period.
-/// The result is never less than the peak in either direction alone, which is located between samples.
+/// Between samples, δ is the cubic through its values and rates. Its error is (ω Δt)⁴/384 of an oscillation: 1e-5 for a step of a tenth of the
+/// period. The result is never below the peak of either direction alone, which is located between samples.
 pub fn resultant_drifts(histories: [&FrameHistory; 2]) -> Vec<FrameResultant> {
     let storeys = 0..histories[0].drift_peaks.len().min(histories[1].drift_peaks.len());
     storeys.map(|storey| of_storey(histories, storey)).collect()
@@ -60,7 +60,7 @@ fn of_storey(histories: [&FrameHistory; 2], storey: usize) -> FrameResultant {
             }
         }
     }
-    // the located peaks of each direction, with the other at that time
+    // the located peaks of each direction, combined with the other drift at that time
     for (d, history) in histories.iter().enumerate() {
         let peak = history.drift_peaks[storey];
         let before = times[..samples]
@@ -79,7 +79,7 @@ fn of_storey(histories: [&FrameHistory; 2], storey: usize) -> FrameResultant {
     most
 }
 
-/// The cubic with values and rates at 0 and 1.
+/// Cubic with the given values and rates at 0 and 1, evaluated at x.
 fn cubic([a, b]: [f64; 2], [da, db]: [f64; 2], x: f64) -> f64 {
     let y = 1.0 - x;
     y * y * (a * (1.0 + 2.0 * x) + da * x) + x * x * (b * (1.0 + 2.0 * y) - db * y)

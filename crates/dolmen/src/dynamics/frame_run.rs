@@ -22,8 +22,8 @@ pub struct FrameRun {
     pub start_displacement_m: Vec<f64>,
     /// Velocities at the start, m/s; empty, the default, for none.
     pub start_velocity_m_s: Vec<f64>,
-    /// Drift of a storey over its height at which the run ends, because the model holds for small drifts only. Default 0.1 (our choice): sin and
-    /// tan of it differ from it by 0.2 and 0.3 %. For a leaning frame give the remaining part.
+    /// Ratio of drift to storey height at which the run ends, because the model is valid for small drifts only. Default 0.1 (our choice): sin
+    /// and tan of it differ from it by 0.2 and 0.3 %. For a leaning frame give the remaining part.
     pub drift_ratio_most: f64,
 }
 

@@ -1,21 +1,21 @@
-//! The Taylor series of a frame's motion while no slider changes: the exact solution, to the last digits.
+//! Taylor series of the motion of a frame while no slider changes its state: the exact solution to rounding.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | Y | `y` | displacements relative to the ground | m |
-//! | σ | `sigma` | time in the step over its length h, 0 … 1 | – |
+//! | σ | `sigma` | time within the step, divided by its length h: 0 … 1 | – |
 //! | c_k | `y[k]` | coefficient of σᵏ of Y | m |
 //! | λ_i | `held` | force of a stuck slider, positive against the storey's motion to the right | N |
-//! | A | `pull` | −K of what moves as one, over its mass | 1/s² |
-//! | z | `offset_m` | place of the slider of a Jenkins element, on the axis of its drift | m |
+//! | A | `pull` | −K of a group of levels that move together, divided by their mass | 1/s² |
+//! | z | `offset_m` | position of the slider of a Jenkins element, on the axis of its drift | m |
 //!
 //! ```text
 //! M Y'' + C Y' + K Y + Σ b_i q_i = −M 1 a_ground + F           b_i: upper level of slider i less the level below it
 //! q_i = λ_i with b_i·Y' = 0 (Coulomb, stuck) | s f_k (slipping) | k_s (b_i·Y − z_i) (Jenkins, stuck)
 //! (k+1)(k+2) c_{k+2} = −h² M⁻¹ (K c_k + (k+1) C c_{k+1}/h + M 1 a_k − F_k + Σ b_i q_i,k)
 //! ```
-//! Levels connected by stuck Coulomb sliders move as one mass, or not at all if they are connected to the ground; λ follows from the balance of
-//! each level, from the top down.
+//! Levels that stuck Coulomb sliders connect move as one mass; if they are connected to the ground they do not move. λ follows from the force
+//! balance of each level, from the top down.
 
 use super::excitation::FrameLoad;
 use super::frame_friction::StoreyFriction;
@@ -28,7 +28,7 @@ use std::ops::Range;
 const TERM_LEAST: f64 = 1e-17;
 /// Levels fixed to the ground.
 const GROUND: usize = usize::MAX;
-/// 1/((k + 1)(k + 2)): what integrating σᵏ twice divides by.
+/// 1/((k + 1)(k + 2)), the factor from integrating σᵏ twice.
 const TWICE: [f64; COEFFICIENTS_MOST] = {
     let mut twice = [0.0; COEFFICIENTS_MOST];
     let mut k = 0;
@@ -39,45 +39,45 @@ const TWICE: [f64; COEFFICIENTS_MOST] = {
     twice
 };
 
-/// Coefficients of one function.
+/// Coefficients of one power series.
 pub(super) type Coefficients = [f64; COEFFICIENTS_MOST];
 
-/// The series of one step: one row of coefficients a level or storey.
+/// The series of one step, with one row of coefficients per level or storey.
 pub(super) struct Series {
     pub(super) n: usize,
     pub(super) h: f64,
-    /// Powers of σ in `y`.
+    /// Number of powers of σ in `y`.
     pub(super) orders: usize,
     pub(super) y: Vec<Coefficients>,
-    /// Series of the drifts, after the expansion.
+    /// Series of the drifts, known after the expansion.
     pub(super) drift: Vec<Coefficients>,
     /// Bound of the displacement of a level, or of the drift of a storey, within the step, m: the sum of the magnitudes of its coefficients.
     pub(super) y_most: Vec<f64>,
     pub(super) drift_most: Vec<f64>,
-    /// Forces of stuck Coulomb sliders; `orders − 2` powers.
+    /// Forces of stuck Coulomb sliders, with `orders − 2` powers.
     pub(super) held: Vec<Coefficients>,
-    /// Acceleration of the ground, and the number of its coefficients that are not zero.
+    /// Acceleration of the ground; `ground_orders` counts its nonzero coefficients.
     pub(super) ground: Coefficients,
     pub(super) ground_orders: usize,
-    /// Forces at the levels, one row of coefficients a level; empty for none.
+    /// Forces at the levels, one row of coefficients per level; empty without forces.
     pub(super) forces: Vec<Coefficients>,
     pub(super) force_orders: usize,
-    /// For each level the lowest level that moves as one with it.
+    /// For each level, the lowest level of the group that moves together with it.
     root: Vec<usize>,
     group_mass: Vec<f64>,
     /// Whether a Coulomb slider sticks, so that levels move as one.
     joined: bool,
-    /// Springs of stuck Jenkins sliders, N/m, 0 for none.
+    /// Spring constants of stuck Jenkins sliders, N/m; 0 for other sliders.
     spring_n_m: Vec<f64>,
-    /// Springs of tenons that bear, N/m, 0 for none.
+    /// Spring constants of tenons in contact, N/m; 0 for the others.
     tenon_n_m: Vec<f64>,
     /// Forces of sliders and tenons on the levels at zero drift, N.
     slider_n: Vec<f64>,
-    /// Rows of roots; those of other levels are empty.
+    /// Matrix rows of the lowest level of each group; the rows of other levels are empty.
     pull: Rows,
     drag: Option<Rows>,
     push: Vec<f64>,
-    /// A row that is being summed; otherwise zero.
+    /// Work space for the sum of a row; zero between uses.
     sum: Vec<f64>,
 }
 
@@ -111,7 +111,7 @@ impl Series {
         }
     }
 
-    /// Series of the load over a step of h from `at_s`.
+    /// Sets the load series for a step of length h from `at_s`.
     pub(super) fn act(&mut self, load: &FrameLoad, at_s: f64, h: f64) {
         self.h = h;
         self.ground_orders = load.ground_acceleration_m_s2.series(at_s, h, &mut self.ground);
@@ -122,7 +122,7 @@ impl Series {
         }
     }
 
-    /// Finds the masses that move as one and their springs, for the current states of the sliders. To be repeated when one of them changes.
+    /// Finds the groups of levels that move together and their springs, for the current slider states. Call again after each change of state.
     pub(super) fn join(&mut self, model: &Model, state: &State) {
         self.group_mass.fill(0.0);
         self.slider_n.fill(0.0);
@@ -211,20 +211,20 @@ impl Series {
         self.drag = drag;
     }
 
-    /// The levels that move as one with level i, if that is the lowest of them; otherwise none.
+    /// The levels of the group whose lowest level is i; empty if i is not the lowest of a group.
     fn members(&self, i: usize) -> Range<usize> {
         let others = self.root[i..].iter().take_while(|root| **root == i).count();
         i..i + others
     }
 
-    /// Gives levels that move as one exactly one velocity: that of their momentum.
+    /// Gives the levels of each group a common velocity that keeps their momentum.
     pub(super) fn share_velocity(&mut self, model: &Model, state: &mut State) {
         for i in 0..self.n {
             if self.root[i] == GROUND {
                 state.v[i] = 0.0;
             }
             let members = self.members(i);
-            // alone: as it is, to the last digit
+            // a single level keeps its velocity exactly
             if members.len() > 1 {
                 let momentum: f64 = members.clone().map(|m| model.mass_kg[m] * state.v[m]).sum();
                 state.v[members].fill(momentum / self.group_mass[i]);
@@ -232,11 +232,11 @@ impl Series {
         }
     }
 
-    /// Coefficients of the motion from a state, while no slider changes. Returns whether the series converged. Call [`Series::act`] and
-    /// [`Series::join`] first.
+    /// Computes the coefficients of the motion from a state, while no slider changes. Returns whether the series converged. Call [`Series::act`]
+    /// and [`Series::join`] first.
     pub(super) fn expand(&mut self, model: &Model, state: &State) -> bool {
         self.begin(state);
-        // without dashpots a power depends only on the power two below: two at a time
+        // without dashpots coefficient k + 2 depends only on coefficient k, so two coefficients are computed at a time
         let converged = if self.drag.is_some() {
             self.powers::<1>()
         } else {
@@ -263,7 +263,7 @@ impl Series {
         converged
     }
 
-    /// All powers, L at a time, until two of them are negligible.
+    /// Computes all powers, L at a time, until two successive ones are negligible.
     fn powers<const L: usize>(&mut self) -> bool {
         let mut largest = self.y.iter().fold(0.0_f64, |most, y| most.max(y[1].abs()));
         let mut before = largest;
@@ -283,7 +283,7 @@ impl Series {
         false
     }
 
-    /// Coefficients k + 2 to k + 1 + L of the motion, from those before; their largest sizes.
+    /// Computes coefficients k + 2 to k + 1 + L of the motion from the earlier ones; returns their largest magnitudes.
     fn advance<const L: usize>(&mut self, k: usize) -> [f64; L] {
         let h_squared = self.h * self.h;
         let steps: [f64; L] = some(&TWICE, k).map(|twice| h_squared * twice);
@@ -328,8 +328,8 @@ impl Series {
         sizes
     }
 
-    /// Coefficients `from` to `to` of the forces of stuck Coulomb sliders, from the top down, from the balance of each level: m a + rest + λ_i −
-    /// λ of the stuck slider on it = 0.
+    /// Coefficients `from` to `to` of the forces of stuck Coulomb sliders, from the top down. The balance of each level gives them: m a + rest +
+    /// λ_i − (λ of the stuck slider above) = 0.
     fn hold(&mut self, model: &Model, from: usize, to: usize) {
         for i in (0..self.n).rev() {
             let (lower, upper) = self.held.split_at_mut(i + 1);
@@ -391,9 +391,9 @@ impl Series {
         }
     }
 
-    /// Coefficients of the motion across a slider.
+    /// Coefficients of the relative motion across a slider.
     pub(super) fn slider_row(&self, model: &Model, i: usize) -> &[f64] {
-        // on the drift, or on the displacement relative to the ground
+        // relative motion is the drift, or the displacement relative to the ground
         let row = match model.below[i] {
             Some(_) => &self.drift[i],
             None => &self.y[i],
@@ -401,7 +401,7 @@ impl Series {
         &row[..self.orders]
     }
 
-    /// Displacements and velocities at σ.
+    /// Sets displacements and velocities to those at σ.
     pub(super) fn place(&self, sigma: f64, now: &mut State) {
         for (row, (y, v)) in self.y.iter().zip(now.y.iter_mut().zip(&mut now.v)) {
             let [at, rate] = at_with_rate(&row[..self.orders], sigma);
@@ -409,7 +409,7 @@ impl Series {
         }
     }
 
-    /// Coefficients 0 and 1 of the motion.
+    /// Sets coefficients 0 and 1 of the motion from a state.
     pub(super) fn begin(&mut self, state: &State) {
         for (row, (y, v)) in self.y.iter_mut().zip(state.y.iter().zip(&state.v)) {
             (row[0], row[1]) = (*y, v * self.h);
@@ -423,7 +423,7 @@ impl Series {
         model.mass_kg[i] * factor * (self.y[i][k + 2] - below)
     }
 
-    /// Largest force of order k in the balance of any level, N: the scale of rounding.
+    /// Largest force of order k in the balance of any level, N: the scale for rounding errors.
     pub(super) fn force_scale(&self, model: &Model, state: &State, k: usize) -> f64 {
         let rate = (k + 1) as f64 / self.h;
         let sizes = |row: &[(usize, f64)], k: usize| -> f64 {
@@ -453,7 +453,7 @@ impl Series {
         (0..self.n).map(of_level).fold(0.0, f64::max)
     }
 
-    /// Powers that the load needs: a sine continues until its terms are negligible.
+    /// Number of powers that the load needs: a sine needs powers until its terms are negligible.
     fn orders_least(&self) -> usize {
         if self.ground_orders <= 2 && self.force_orders <= 2 {
             return 2;
@@ -471,19 +471,20 @@ impl Series {
             .max(2)
     }
 
-    /// Coefficient k + 2 of the motion and k of the forces of stuck sliders, from those before. Call [`Series::join`] first.
+    /// Computes coefficient k + 2 of the motion and coefficient k of the forces of stuck sliders from the earlier ones. Call [`Series::join`]
+    /// first.
     pub(super) fn next(&mut self, model: &Model, k: usize) {
         self.advance::<1>(k);
         self.hold(model, k, k + 1);
     }
 }
 
-/// Size of coefficient k of a drift, as the sum of those of its levels.
+/// Bound of coefficient k of a drift: the sum of the magnitudes for its two levels.
 fn drift_m_most(y: &[Coefficients], i: usize, k: usize) -> f64 {
     y[i][k].abs() + i.checked_sub(1).map_or(0.0, |below| y[below][k].abs())
 }
 
-/// The smallest range with both ranges; an empty one is ignored.
+/// The smallest range that includes both ranges; an empty range is ignored.
 fn both(a: Range<usize>, b: Range<usize>) -> Range<usize> {
     match (a.is_empty(), b.is_empty()) {
         (true, _) => b,
@@ -492,14 +493,14 @@ fn both(a: Range<usize>, b: Range<usize>) -> Range<usize> {
     }
 }
 
-/// L coefficients from the k-th.
+/// L coefficients, beginning with the k-th.
 fn some<const L: usize>(c: &Coefficients, k: usize) -> [f64; L] {
     let mut some = [0.0; L];
     some.copy_from_slice(&c[k..k + L]);
     some
 }
 
-/// The larger of two numbers, in one instruction; NaN is ignored.
+/// The larger of two numbers, compiled to one instruction; NaN is ignored.
 fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
@@ -514,7 +515,7 @@ pub(super) fn at_with_rate(c: &[f64], sigma: f64) -> [f64; 2] {
     [value, rate]
 }
 
-/// The same with half its second derivative, at several places.
+/// A polynomial, its derivative and half its second derivative, at several values of σ.
 pub(super) fn at_with_rates<const L: usize>(c: &[f64], sigma: [f64; L]) -> [[f64; L]; 3] {
     let [mut value, mut rate, mut half] = [[0.0; L]; 3];
     for c in c.iter().rev() {

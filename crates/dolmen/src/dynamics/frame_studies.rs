@@ -29,8 +29,8 @@ pub struct AtAmplitude {
 /// released, and each half cycle is measured until it rests.
 ///
 /// # Errors
-/// [`DynamicsError::Argument`] for a displacement that is not positive; [`DynamicsError::NoSwing`] for a frame that falls by itself and
-/// [`DynamicsError::SwingFalls`] for one that leans too far after the release; those of [`simulate_frame`].
+/// [`DynamicsError::Argument`] for a displacement that is not positive; [`DynamicsError::NoSwing`] for an unstable frame and
+/// [`DynamicsError::SwingFalls`] for one that leans too far after the release; the errors of [`simulate_frame`].
 ///
 /// # Limits
 /// The release starts from the first shape of the frame with all sliders stuck (Coulomb: slipping). Where the shape changes with amplitude,
@@ -98,7 +98,7 @@ pub fn amplitude_dependence(
 /// `progress` receives the share done, and stops the map by returning false: the remaining points are missing.
 ///
 /// # Errors
-/// Those of [`simulate_frame`].
+/// As for [`simulate_frame`].
 ///
 /// # Limits
 /// 40 cycles from rest, both of the ground and of the slowest mode of the frame, then 5 of the ground are measured. A response that is not

@@ -3,11 +3,11 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | δ | `drift_m` | drift of the storey | m |
-//! | g | `gap_m` | drift at which a face begins to bear, on its own side | m |
-//! | k | `stiffness_n_m` | stiffness of the joints of a storey once they bear, as it is now | N/m |
+//! | g | `gap_m` | drift at which a face comes into contact, on its own side | m |
+//! | k | `stiffness_n_m` | present stiffness of the joints of a storey in contact | N/m |
 //! | f | `crushing_force_n` | force at which the faces crush | N |
-//! | d | `crushed_m` | how far a face is crushed | m |
-//! | s | `sign` | +1 where the face of positive drift bears, −1 for the other | – |
+//! | d | `crushed_m` | crushed depth of a face | m |
+//! | s | `sign` | +1 if the face for positive drift is in contact, −1 for the other | – |
 //!
 //! ```text
 //! free       −g₋ < δ < g₊          no force
@@ -15,16 +15,16 @@
 //! crushing   at f, s δ' > 0        s f, and g_s = s δ − f/k_s grows with δ
 //! opening    s δ = g_s, s δ' < 0   k_s = k_0/(1 + d_s/d_½)
 //! ```
-//! A face softens when it opens, because it then stores no energy: softening neither creates nor loses any.
+//! A face softens when it opens, because it then stores no energy: so softening neither creates nor loses energy.
 
 use super::DynamicsError;
 
 /// Tenons of one storey together: two faces, equal as built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tenon {
-    /// Drift before they bear, from upright to either side, m; 0 for no slack.
+    /// Drift before contact, from the upright position to either side, m; 0 for no slack.
     pub slack_m: f64,
-    /// Stiffness once they bear, N/m, beside the spring of the storey.
+    /// Stiffness after contact, N/m, in parallel with the spring of the storey.
     pub stiffness_n_m: f64,
     /// Force at which the faces crush, N; `None` if they never do.
     pub crushing_force_n: Option<f64>,
@@ -87,7 +87,7 @@ impl Tenon {
 pub(super) enum Touch {
     /// Nothing touches.
     Free,
-    /// The face of this side bears.
+    /// The face of this side is in contact.
     Bearing(f64),
     /// The face of this side is being crushed.
     Crushing(f64),
@@ -96,7 +96,7 @@ pub(super) enum Touch {
 /// Change of the state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum TenonChange {
-    /// The face of this side begins to bear.
+    /// The face of this side comes into contact.
     Bears(f64),
     /// It opens.
     Opens,
@@ -109,7 +109,7 @@ pub(super) enum TenonChange {
 /// One face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TenonFace {
-    /// Drift at which it begins to bear, on its own side, m.
+    /// Drift at which the face comes into contact, on its own side, m.
     pub gap_m: f64,
     /// Its crushed depth, as drift, m.
     pub crushed_m: f64,
@@ -122,7 +122,7 @@ pub struct TenonFace {
 pub(super) struct Joint {
     pub(super) law: Tenon,
     pub(super) touch: Touch,
-    /// That of positive drift, then that of negative.
+    /// Face for positive drift, then that for negative drift.
     pub(super) faces: [TenonFace; 2],
 }
 

@@ -1,4 +1,4 @@
-//! The events of a storey's tenons within a step: bear, open, crush and stop.
+//! Events of the tenons of a storey within a step: contact, opening, crushing and its end.
 
 use super::frame_tenon::{Joint, TenonChange, Touch};
 use crate::numeric::{COEFFICIENTS_MOST, first_descent};

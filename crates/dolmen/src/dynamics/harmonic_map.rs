@@ -1,34 +1,34 @@
-//! Steady response to harmonic ground motion, measured in a run: the common part of the maps of frames and of chains.
+//! Steady response to harmonic ground motion, measured in a time history: the part that the maps of frames and of chains share.
 
 use super::TimeFunction;
 
-/// Number of cycles before the measurement, both of the ground and of the slowest mode, and number of measured cycles of the ground. Chosen
-/// here: at a damping ratio of 2 % the transient has then decayed to 1/150, by friction sooner, and the rest shows in `steady`.
+/// `CYCLES_BEFORE`: number of cycles, of the ground and of the slowest mode, before the measurement. `CYCLES_READ`: number of measured cycles of the
+/// ground. Chosen here: at a damping ratio of 2 % the transient has then decayed to 1/150, with friction sooner. `steady` reports a transient that
+/// remains.
 const CYCLES_BEFORE: f64 = 40.0;
 const CYCLES_READ: f64 = 5.0;
-/// Largest number of cycles of the ground before the measurement: memory and time end. Chosen here.
+/// Largest number of cycles of the ground before the measurement, which limits memory and time. Chosen here.
 const CYCLES_MOST: f64 = 2000.0;
-/// Number of samples in a cycle of the harmonic maps.
+/// Number of samples per cycle of the ground.
 const SAMPLES_A_CYCLE: f64 = 40.0;
 /// Relative change of the peak between measured cycles above which a point is not steady. Chosen here.
 const STEADY_MOST: f64 = 0.01;
 
-/// One point of a harmonic map, of a frame (its parts are storeys) or a chain (joints).
+/// One point of a harmonic map of a frame (its parts are storeys) or of a chain (its parts are joints).
 #[derive(Clone, Debug, PartialEq)]
 pub struct HarmonicPoint {
     /// Frequency of the ground, Hz.
     pub frequency_hz: f64,
     /// Amplitude of its acceleration, m/s².
     pub ground_acceleration_m_s2: f64,
-    /// Largest drift of each storey, m, or rotation across each joint, rad, over the measured cycles; for a run that ended early, over all of
-    /// it.
+    /// Largest drift of each storey, m, or largest rotation of each joint, rad, over the measured cycles. If the run ended early: over the whole run.
     pub deformation: Vec<f64>,
-    /// Share of the measured cycles in which the slider of each storey slips, or each joint is open or turns against its friction, –; for a run
-    /// that ended early, of all of it.
+    /// Fraction of the measured cycles in which the slider of each storey slips, or each joint is open or turns against its friction, –. If the run
+    /// ended early: fraction of the whole run.
     pub moving_share: Vec<f64>,
-    /// Whether the peaks of the measured cycles agree to a hundredth: the response is steady.
+    /// Whether the response is steady: the peaks of the measured cycles agree within 1 %.
     pub steady: bool,
-    /// Whether a storey leaned beyond the validity of the model, or a link fell.
+    /// Whether a storey leaned beyond the range of the model, or a link fell.
     pub fell: bool,
 }
 
@@ -46,17 +46,17 @@ pub(super) struct Window {
     finished: bool,
 }
 
-/// A part at one point.
+/// Response of one part (storey or joint) at one point of the map.
 pub(super) struct PartAtPoint {
-    /// Its largest deformation.
+    /// Largest deformation, m or rad.
     most: f64,
-    /// Share of the time in which it moves, –.
+    /// Fraction of the time in which the part moves, –.
     share: f64,
     is_steady: bool,
 }
 
-/// A harmonic ground motion, and the window of its run: at least the required number of cycles of the ground and of the slowest mode, in whole
-/// cycles of the ground, then the measured cycles.
+/// A harmonic ground motion and its measurement window. The run first has the required number of cycles of the ground and of the slowest mode, in
+/// whole cycles of the ground; the measured cycles follow.
 pub(super) fn harmonic_ground(
     frequency_hz: f64,
     amplitude_m_s2: f64,
@@ -87,7 +87,7 @@ pub(super) fn harmonic_ground(
 }
 
 impl Window {
-    /// The window of a run; the whole run if it ended early.
+    /// The measurement window of a run; the whole run if it ended early.
     pub(super) fn of_run(self, finished: bool, ended_s: f64) -> Self {
         if finished {
             return self;
@@ -100,8 +100,8 @@ impl Window {
         }
     }
 
-    /// Measures a part: its deformation and rate at the samples, its largest deformation of the whole run, and the intervals of its motion,
-    /// which may overlap.
+    /// Measures one part, from its deformation and rate at the samples, its largest deformation of the whole run, and the intervals in which it
+    /// moves, which may overlap.
     pub(super) fn part(
         &self,
         (values, rates): (&[f64], &[f64]),
@@ -135,7 +135,7 @@ impl Window {
         }
     }
 
-    /// Share of the window covered by the intervals.
+    /// Fraction of the window that the intervals cover.
     fn share(&self, times_s: &[[f64; 2]]) -> f64 {
         let mut times_s = times_s.to_vec();
         times_s.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -150,7 +150,7 @@ impl Window {
         covered_s / (self.to_s - self.from_s)
     }
 
-    /// The point, of its parts.
+    /// The point of the map with these parts.
     pub(super) fn point(&self, parts: Vec<PartAtPoint>) -> HarmonicPoint {
         HarmonicPoint {
             frequency_hz: self.frequency_hz,
@@ -163,8 +163,8 @@ impl Window {
     }
 }
 
-/// Largest absolute value between two samples, by the cubic through their values and slopes (times the interval): for a sine with 40 samples a
-/// cycle accurate to 2e-6, where the samples alone miss up to 3e-3.
+/// Largest absolute value between two samples, from the cubic through their values and slopes (slopes times the interval). For a sine with 40 samples
+/// per cycle the error is 2e-6; the samples alone miss up to 3e-3.
 fn largest_of_cubic(values: [f64; 2], slopes: [f64; 2]) -> f64 {
     let ends = values[0].abs().max(values[1].abs());
     if slopes[0] * slopes[1] >= 0.0 {

@@ -32,7 +32,7 @@ pub enum Spectrum {
         /// ζ_g of the soil.
         ground_damping_ratio: f64,
     },
-    /// The same through the second filter of Clough & Penzien (1975), which removes slow motion.
+    /// As above, through the second filter of Clough & Penzien (1975), which removes slow motion.
     CloughPenzien {
         /// S0 of the rock, (m/s²)² s/rad.
         density: f64,

@@ -1,11 +1,11 @@
-//! Standard deviations of a linear structure under random loads: by Lyapunov's equation, and by the integral over
+//! Standard deviations of the response of a linear structure to random loads: by Lyapunov's equation, or by an integral over
 //! frequency.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | y | state | x, ẋ and the states of the shaping filters |
-//! | h | `row` | what is looked at: n values |
-//! | S | `Spectrum`, `SpectralMatrix` | two-sided, σ² = ∫ S dω over all ω |
+//! | h | `row` | the response as a combination of degrees of freedom, n values |
+//! | S | `Spectrum`, `SpectralMatrix` | two-sided spectral density; σ² = ∫ S dω over all ω |
 
 use super::linear_system::fits;
 use super::random_load::{RandomInput, RandomLoad, SpectralMatrix};
@@ -16,18 +16,18 @@ use dolmen_linalg::{Complex64, Matrix};
 /// Kind of response.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motion {
-    /// Displacement, relative to the base where that moves.
+    /// Displacement relative to the base.
     Displacement,
-    /// Velocity, relative to the base where that moves.
+    /// Velocity relative to the base.
     Velocity,
-    /// Acceleration, absolute.
+    /// Absolute acceleration.
     Acceleration,
 }
 
-/// A response: a combination of degrees of freedom.
+/// A response quantity: a linear combination of degrees of freedom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseRow {
-    /// Part of each degree of freedom, n values.
+    /// Coefficient of each degree of freedom, n values.
     pub row: Vec<f64>,
     /// Displacement, velocity or acceleration.
     pub motion: Motion,
@@ -46,9 +46,9 @@ impl ResponseRow {
 /// Options of the integral over frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrequencyIntegral {
-    /// Tolerance of each variance; default 1e-9 (our choice).
+    /// Relative tolerance of each variance; default 1e-9 (our choice).
     pub relative_tolerance: f64,
-    /// Largest number of intervals of 15 points; default 20 000 (our choice).
+    /// Largest number of intervals, each with 15 points; default 20 000 (our choice).
     pub intervals_most: usize,
 }
 
@@ -61,14 +61,15 @@ impl Default for FrequencyIntegral {
     }
 }
 
-/// Standard deviations by Lyapunov's equation A P + P Aᵀ + B Bᵀ = 0, with the filters of coloured loads as additional states.
+/// Standard deviations by Lyapunov's equation A P + P Aᵀ + B Bᵀ = 0. The filters of coloured loads are additional states.
 ///
 /// # Errors
-/// [`DynamicsError::NotRational`] for a load given as a table; [`DynamicsError::Unbounded`] for an acceleration under a white force;
-/// [`DynamicsError::Unstable`] without a steady state.
+/// [`DynamicsError::NotRational`] for a load given as a table; [`DynamicsError::Unbounded`] for the acceleration under a white-noise
+/// force; [`DynamicsError::Unstable`] if there is no steady state.
 ///
 /// # Limits
-/// Agrees with [`rms_by_integral`] to 1e-9 on the structures of the tests; time grows with the cube of the states.
+/// Agrees with [`rms_by_integral`] to 1e-9 on the structures of the tests. The computing time grows with the cube of the number of
+/// states.
 ///
 /// # Example
 /// ```
@@ -103,7 +104,7 @@ pub fn rms_by_lyapunov(
     let mut q = Matrix::zeros(states, states);
     let mut at = 2 * n;
     let mut fastest = 0.0_f64;
-    let mut direct = false; // whether white noise acts on the structure as a force without a filter
+    let mut direct = false; // whether white noise acts on the structure as a force, without a filter
     for (load, filter) in loads.iter().zip(&filters) {
         let accelerations = accelerations(system, &load.input)?;
         match filter {
@@ -153,7 +154,7 @@ pub fn rms_by_lyapunov(
                 Motion::Displacement => row[..n].copy_from_slice(&response.row),
                 Motion::Velocity => row[n..2 * n].copy_from_slice(&response.row),
                 Motion::Acceleration => {
-                    // ẍ of the state equation, without the direct contribution of the base
+                    // ẍ of the state equation, relative to the base
                     for (i, of) in response.row.iter().enumerate() {
                         for (j, entry) in row.iter_mut().enumerate() {
                             *entry += of * a[(n + i, j)];
@@ -177,11 +178,11 @@ pub fn rms_by_lyapunov(
         .collect())
 }
 
-/// Standard deviations by σ² = 2 ∫ h(ω) S(ω) h*(ω) dω over ω > 0, adaptively; h from one solution of the structure's equations at each
-/// frequency.
+/// Standard deviations by σ² = 2 ∫ h(ω) S(ω) h*(ω) dω over ω > 0, with adaptive intervals. Each frequency needs one solution of the
+/// structure's equations.
 ///
 /// # Errors
-/// [`DynamicsError::Unbounded`] as above; [`DynamicsError::Integral`] if the tolerance needs too many intervals.
+/// [`DynamicsError::Unbounded`] as for [`rms_by_lyapunov`]; [`DynamicsError::Integral`] if the tolerance needs too many intervals.
 pub fn rms_by_integral(
     system: &LinearSystem,
     loads: &[RandomLoad],
@@ -218,7 +219,7 @@ pub fn rms_by_integral(
     integrate(system, &mut breaks, None, options, density)
 }
 
-/// Standard deviations under correlated loads, by the integral over frequency.
+/// Standard deviations under correlated loads, by an integral over frequency.
 ///
 /// # Errors
 /// [`DynamicsError::Matrix`] if the spectral matrix is not valid; otherwise as in [`rms_by_integral`].
@@ -258,15 +259,15 @@ pub fn rms_by_spectral_matrix(
     integrate(system, &mut breaks, last, options, density)
 }
 
-/// A range of the integral, with its breaks.
+/// A range of the integral, with the breaks between its intervals.
 enum Range<'a> {
-    /// Over ω.
+    /// Integrated over ω.
     Frequency(&'a [f64]),
-    /// Over 1/ω.
+    /// Integrated over 1/ω.
     Inverse(&'a [f64]),
 }
 
-/// 2 ∫ from 0 to ∞ (or `last`), and its root; above every peak 1/ω is the variable.
+/// Square root of 2 ∫ from 0 to ∞ (or to `last`). Above all peaks the variable is 1/ω.
 fn integrate(
     system: &LinearSystem,
     breaks: &mut Vec<f64>,
@@ -319,7 +320,7 @@ fn integrate(
     Ok(sums.into_iter().map(f64::sqrt).collect())
 }
 
-/// The responses to one load of 1 at one frequency.
+/// Responses to one unit load at one frequency.
 fn transfer(
     system: &LinearSystem,
     input: &RandomInput,
@@ -350,7 +351,7 @@ fn transfer(
         .collect())
 }
 
-/// M⁻¹ times the load, n values: accelerations for a load of 1.
+/// Accelerations under a unit load: M⁻¹ times the load, n values.
 fn accelerations(system: &LinearSystem, input: &RandomInput) -> Result<Vec<f64>, DynamicsError> {
     let n = system.degrees_of_freedom();
     match input {

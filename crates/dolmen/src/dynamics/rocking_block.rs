@@ -65,7 +65,7 @@ impl RockingBlock {
     /// r = (1 − 1.5 sin²α + 3γ cos 2α)/(1 + 3γ)               no bounce, no slip at foot and head; 0 where that is negative
     /// ```
     ///
-    /// It lifts off at g tan α, whatever γ is. `inertia_ratio` is 1, so `friction_needed` and `least_pressure_ratio` of its history are
+    /// Lift-off is at g tan α for any γ. `inertia_ratio` is 1, so `friction_needed` and `least_pressure_ratio` of its history are
     /// meaningless.
     ///
     /// # Input

@@ -1,4 +1,4 @@
-//! The run of one rocking block: power series between lift-off, impact and fall.
+//! Time history of one rocking block, by power series between lift-off, impact and fall.
 
 use super::DynamicsError;
 use super::excitation::TimeFunction;
@@ -8,12 +8,12 @@ use super::rocking_block::{
 use crate::numeric::{first_descent, polynomial};
 use std::f64::consts::FRAC_PI_2;
 
-/// Number of coefficients of a series. Chosen here: rounding is reached at steps of 1/p.
+/// Number of coefficients of a series. Chosen here: steps of 1/p then reach rounding.
 const COEFFICIENTS: usize = 24;
-/// Size of the last coefficients, over the rotation, above which a step is halved.
+/// Magnitude of the last coefficients, relative to the rotation, above which a step is halved.
 const TRUNCATION: f64 = 1e-16;
-/// Angular velocity after an impact, over p, below which the block rests: its remaining motion is less than that fraction of a radian. Chosen
-/// here.
+/// Angular velocity after an impact, divided by p, below which the block comes to rest: its remaining rotation is smaller than this, in rad.
+/// Chosen here.
 const REST_RATIO: f64 = 1e-10;
 /// Shortest step, over 1/p. Chosen here: no meaningful motion needs shorter ones.
 const STEP_LEAST: f64 = 1e-9;
@@ -22,17 +22,17 @@ const IMPACTS_MOST: usize = 1_000_000;
 
 /// Motion of one block that rocks on the edges of its base.
 ///
-/// Between events the rotation is a power series, with as many terms as rounding requires, on steps that end at the samples of the ground
-/// motion; lift-off, impact and fall are roots of it.
+/// Between events the rotation is a power series with enough terms to reach rounding. Steps end at the samples of the ground motion; lift-off,
+/// impact and fall are roots of the series.
 ///
 /// # Errors
-/// [`DynamicsError::Argument`] for a block, motion or option out of range, and more than 90° of rotation at the start;
-/// [`DynamicsError::TooManyEvents`] after a million impacts.
+/// [`DynamicsError::Argument`] for a block, motion or option out of range, or an initial rotation above 90°; [`DynamicsError::TooManyEvents`]
+/// after a million impacts.
 ///
 /// # Limits
-/// The edge does not slip and the block does not jump, whatever the motion: see `friction_needed` and `least_pressure_ratio`. Every impact is at
-/// the edge, with `velocity_ratio`. The ground does not stop a block beyond its edge before 90°. Rotations are accurate to 1e-13 rad until the
-/// motion becomes chaotic.
+/// The edge does not slip and the block does not jump, whatever the motion: check `friction_needed` and `least_pressure_ratio`. Every impact is
+/// at the edge, with the ratio `velocity_ratio`. A block that rotates beyond its edge meets no ground before 90°. Rotations are accurate to
+/// 1e-13 rad until the motion becomes chaotic. Tested by `rocking_block`.
 ///
 /// # Source
 /// Housner (1963); Zhang, J. & Makris, N. (2001) J. Eng. Mech. 127(5):473-483 for the exact equation.
@@ -79,7 +79,7 @@ pub fn rock_block(
     Ok(run.history())
 }
 
-/// The state of a run.
+/// State of a run.
 pub(super) struct Run<'a> {
     block: &'a RockingBlock,
     ground: [&'a TimeFunction; 2],
@@ -87,19 +87,19 @@ pub(super) struct Run<'a> {
     breaks_s: Vec<f64>,
     next_break: usize,
     pub(super) time_s: f64,
-    /// Side on which it rocks, +1 or −1; 0 at rest on its base.
+    /// Side of the edge of rotation, +1 or −1; 0 at rest on the base.
     side: f64,
     u: f64,
     v: f64,
-    /// Whether it has just been lifted off: rounding must not set it down.
+    /// Whether the block has just lifted off: rounding must not set it down again.
     lifted: bool,
-    /// Last time at which it came to rest, s.
+    /// Time at which the block last came to rest, s.
     rested_s: f64,
     pub(super) over: bool,
     history: RockingHistory,
 }
 
-/// The end of a step.
+/// Event at the end of a step.
 #[derive(Clone, Copy, PartialEq)]
 enum Event {
     None,
@@ -119,7 +119,7 @@ impl<'a> Run<'a> {
         let mut breaks_s: Vec<f64> = ground.iter().flat_map(|f| f.breaks_s(duration_s)).collect();
         breaks_s.push(duration_s);
         breaks_s.sort_by(f64::total_cmp);
-        breaks_s.dedup_by(|b, a| *b - *a < 1e-12 * duration_s); // two components sampled at the same times
+        breaks_s.dedup_by(|b, a| *b - *a < 1e-12 * duration_s); // both components may be sampled at the same times
         let start = options.start_rad;
         Run {
             block,
@@ -163,14 +163,14 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// At rest on its base until the moment of the ground's acceleration lifts it off.
+    /// A step at rest on the base, until the moment of the ground acceleration lifts the block off.
     fn rest(&mut self, h: f64) -> Result<(), DynamicsError> {
         let [x, z] = self.accelerations_over_g(h);
         let (sin, cos) = match self.options.equation {
             RockingEquation::Exact => self.block.slenderness_rad.sin_cos(),
             RockingEquation::Linear => (self.block.slenderness_rad, 1.0),
         };
-        // rounding must not lift a block that came to rest at this moment
+        // rounding must not lift off a block that has just come to rest
         let from = if self.rested_s == self.time_s { 1e-9 } else { 0.0 };
         let mut first = (1.0, Event::None);
         for side in [1.0, -1.0] {
@@ -204,7 +204,7 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    /// On one edge, over a step or up to the event in it.
+    /// A step of rotation about one edge, to its end or to the event in it.
     fn rock(&mut self, mut h: f64) -> Result<(), DynamicsError> {
         let mut u = self.series(h);
         loop {
@@ -266,12 +266,12 @@ impl<'a> Run<'a> {
         (self.side, self.u, self.v) = (-self.side, 0.0, -self.block.velocity_ratio * before);
         if self.v < REST_RATIO * self.block.frequency_parameter_rad_s {
             self.rested_s = self.time_s;
-            (self.side, self.v) = (0.0, 0.0); // if the ground still lifts it, `rest` finds that at once
+            (self.side, self.v) = (0.0, 0.0); // if the ground lifts it off again, `rest` finds that at the same time
         }
         Ok(())
     }
 
-    /// a_x/g and 1 + a_z/g as series over a step.
+    /// Series of a_x/g and 1 + a_z/g over a step.
     fn accelerations_over_g(&self, h: f64) -> [[f64; COEFFICIENTS]; 2] {
         let mut series = [[0.0; COEFFICIENTS]; 2];
         for (series, ground) in series.iter_mut().zip(self.ground) {
@@ -284,7 +284,7 @@ impl<'a> Run<'a> {
         series
     }
 
-    /// Coefficients of u(σ), from the equation of motion term by term.
+    /// Coefficients of u(σ), term by term from the equation of motion.
     ///
     /// ```text
     /// (k+1)(k+2) u_{k+2} = −(h p)² Σ (z_j S_{k−j} + s x_j C_{k−j})
@@ -329,7 +329,7 @@ impl<'a> Run<'a> {
         u
     }
 
-    /// Forces at the edge where a step begins, over the weight, from the acceleration of the mass centre.
+    /// Records the forces at the edge at the start of a step, divided by the weight, from the acceleration of the mass centre.
     ///
     /// ```text
     /// a_x + s R (u″ cos φ + u′² sin φ),   g + a_z + R (u″ sin φ − u′² cos φ)      R = g (m R² / I_0) / p²
@@ -355,7 +355,7 @@ impl<'a> Run<'a> {
         self.history.least_pressure_ratio = self.history.least_pressure_ratio.min(pressure);
     }
 
-    /// Largest rotation up to σ = `at`: at its end or at a turning point.
+    /// Records the largest rotation up to σ = `at`: at the end or at a turning point.
     fn see_peak(&mut self, u: &[f64; COEFFICIENTS], at: f64) {
         let mut rate = [0.0; COEFFICIENTS];
         for k in 1..COEFFICIENTS {
@@ -368,7 +368,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Records the samples up to `until` after the time of the run.
+    /// Records the samples up to `until` after the current time.
     fn sample(&mut self, until: f64, value: impl Fn(f64) -> f64) {
         loop {
             let at = self.history.time_s.len() as f64 * self.options.output_step_s;
@@ -385,7 +385,7 @@ impl<'a> Run<'a> {
         let to_break = self.breaks_s[self.next_break];
         self.time_s += at * h;
         if at == 1.0 && (to_break - self.time_s).abs() < 1e-6 * h {
-            self.time_s = to_break; // so that rounding leaves no sliver of a step
+            self.time_s = to_break; // exactly, so that rounding leaves no tiny step
         }
     }
 

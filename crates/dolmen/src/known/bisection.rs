@@ -1,6 +1,7 @@
 //! A change of sign between two points, by halving: slow, and nothing in it to go wrong.
 
-/// Where `f` changes sign between `low` and `high`, to neighbouring numbers. The caller has seen the sign differ.
+/// Bisects a sign change of `f` between `low` and `high` down to adjacent floating-point numbers. The caller
+/// guarantees opposite signs.
 pub(super) fn sign_change(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     const HALVINGS: usize = 200; // more than the 64 bits of a number need
     let positive = f(low) > 0.0;

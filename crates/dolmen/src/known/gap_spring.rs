@@ -1,12 +1,12 @@
-//! A mass on a spring, and on another that bears only beyond a gap: closed forms.
+//! Closed forms for a mass on a spring, and on a second spring that acts only beyond a gap.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | k, k_t | `within`, `bearing` | spring that always acts, and the one beyond the gap | N/m |
-//! | g | `gap` | displacement at which the second begins to bear, to either side | m |
-//! | A | `amplitude` | amplitude of a free swing | m |
+//! | g | `gap` | displacement at which the second spring comes into contact, on either side | m |
+//! | A | `amplitude` | amplitude of a free vibration | m |
 //! | f | `crushing` | force at which the face of the second spring crushes | N |
-//! | c | `friction` | slip force of a slider beside both | N |
+//! | c | `friction` | slip force of a slider in parallel with both | N |
 
 /// Time of one free swing, s.
 ///

@@ -29,8 +29,8 @@ pub fn least_variance_under_force(mass_ratio: f64, length_ratio: f64) -> [f64; 2
     [f, zeta]
 }
 
-/// Damping ratio that stands for the head loss ξ of a column whose velocity is Gaussian with this standard deviation: the one that loses the
-/// same in the mean.
+/// Equivalent damping ratio of the head loss ξ, for a column with Gaussian velocity of this standard deviation: both dissipate the same mean
+/// power.
 ///
 /// ```text
 /// |ẇ| ẇ → √(8/π) σ ẇ:   ζ = ξ σ / (√(2π) L ω_d)

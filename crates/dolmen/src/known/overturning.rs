@@ -188,7 +188,7 @@ impl Equation {
     }
 }
 
-/// Positive where the pulse overturns the block after exactly the impacts asked for: none, or one.
+/// Positive if the pulse overturns the block after exactly the given number of impacts, none or one.
 fn beyond_the_edge(
     pulse: Pulse,
     q: f64,
@@ -288,8 +288,8 @@ mod tests {
         }
     }
 
-    /// What the linear block under one sine has beyond its edge after one impact, from the trajectory
-    /// y = z/α = 1 + c exp(t) + d exp(−t) − B sin(q t + ψ) in closed form.
+    /// Coefficient of the growing term of the linear block under one sine after one impact, beyond its edge, from the
+    /// trajectory y = z/α = 1 + c exp(t) + d exp(−t) − B sin(q t + ψ) in closed form.
     fn closed_form_after_one_impact(a: f64, q: f64, ratio: f64) -> f64 {
         let psi = (1.0 / a).asin();
         let (end, b) = ((TAU - psi) / q, a / (1.0 + q * q));

@@ -237,7 +237,7 @@ mod tests {
         }
     }
 
-    /// The same fall and the same impacts in small steps: the quadrature knows nothing of them.
+    /// The same fall and impacts in small steps of the equation of motion, which is independent of the quadrature.
     #[test]
     fn holds_steps_of_the_equation_of_motion_reach_the_same_impacts() {
         const STEP: f64 = 1e-3;

@@ -228,7 +228,7 @@ impl Block {
         })
     }
 
-    /// Goes on to the next event of a base acceleration a + slope t, for `left` at most; the time it took.
+    /// Advances to the next event under a base acceleration a + slope t, by at most `left`; returns the elapsed time.
     fn along_a_line(&mut self, a: f64, slope: f64, left: f64) -> f64 {
         const ROUNDING: f64 = 1e-10; // our choice: between the rounding of a and any difference of meaning
         if self.direction == 0.0 {
@@ -463,7 +463,7 @@ mod tests {
         near(slip.rest_s, 26.266_088_939, 1e-9);
     }
 
-    /// Small steps that clip the velocity by what friction can do know nothing of events.
+    /// Small steps that limit the change of velocity by friction, without any events.
     #[test]
     fn holds_small_steps_slide_alike() {
         const PARTS: u32 = 20_000;

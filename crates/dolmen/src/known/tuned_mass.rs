@@ -1,4 +1,4 @@
-//! A mass of 1 on a spring of 1, with a tuned mass μ on a spring and a dashpot of its own.
+//! Closed forms for a unit mass on a unit spring, with a tuned mass μ on its own spring and dashpot.
 //!
 //! ```text
 //! ẍ + 2 ζ_s ẋ + x + μ (2 ζ f (ẋ − ẏ) + f² (x − y)) = p
@@ -7,29 +7,29 @@
 
 use num_complex::Complex64;
 
-/// What acts: a force on the structure, or an acceleration of its base.
+/// The load: a force on the structure, or an acceleration of its base.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Acts {
-    /// Force on the structure; its displacement is counted in static displacements.
+    /// Force on the structure; displacement in units of the static displacement.
     Force,
-    /// Acceleration of the base; displacement relative to it, counted in acceleration / ω².
+    /// Acceleration of the base; displacement relative to the base, in units of acceleration / ω².
     Base,
 }
 
-/// The tuned mass and the structure's own damping, all dimensionless.
+/// The tuned mass and the damping of the structure, all dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TunedMass {
-    /// μ.
+    /// Mass ratio μ.
     pub mass_ratio: f64,
-    /// f, own frequency of the tuned mass over that of the structure.
+    /// f, natural frequency of the tuned mass over that of the structure.
     pub frequency_ratio: f64,
-    /// ζ = c / (2 m ω) with the tuned mass's own m and ω.
+    /// ζ = c / (2 m ω) with m and ω of the tuned mass.
     pub damping_ratio: f64,
-    /// ζ_s of the structure.
+    /// Damping ratio ζ_s of the structure.
     pub structure_damping_ratio: f64,
 }
 
-/// x per unit of what acts at the frequency r, in frequencies of the structure.
+/// Response x per unit load at the frequency r, relative to that of the structure.
 pub fn response(of: TunedMass, acts: Acts, r: f64) -> Complex64 {
     let (mu, f) = (of.mass_ratio, of.frequency_ratio);
     let s = Complex64::new(0.0, r);
@@ -42,7 +42,7 @@ pub fn response(of: TunedMass, acts: Acts, r: f64) -> Complex64 {
     above / ((s * s + 2.0 * of.structure_damping_ratio * s + 1.0) * own + mu * s * s * link)
 }
 
-/// (1/2π) ∫ |x|² dr over all r.
+/// Variance of the response to white noise: (1/2π) ∫ |x|² dr over all r.
 ///
 /// # Source
 /// The integral of a rational spectrum of order four: James, Nichols & Phillips (1947) Theory of Servomechanisms,
@@ -76,8 +76,8 @@ pub fn variance(of: TunedMass, acts: Acts) -> f64 {
     above / (2.0 * a[0] * (a[1] * a[2] * a[3] - a[0] * a[3] * a[3] - a[1] * a[1]))
 }
 
-/// The best frequency ratio, damping ratio and the least largest |x| under a harmonic force, without own damping:
-/// the true optimum, of which Den Hartog's fixed points are an approximation.
+/// Optimum under a harmonic force without structural damping: frequency ratio, damping ratio and the smallest possible
+/// peak of |x|. This is the exact optimum; Den Hartog's fixed points approximate it.
 ///
 /// # Source
 /// Nishihara & Asami (2002) J. Vib. Acoust. 124(4):576-582, doi:10.1115/1.1500335.

@@ -98,8 +98,8 @@ pub fn disc_friction(speed_ratio: f64) -> DiscFriction {
     friction
 }
 
-/// Ratio ε = v/(ωR) of a uniform disc that slides and spins, as both die together: whatever it starts with but pure sliding
-/// or pure spin.
+/// Limit of the ratio ε = v/(ωR) for a uniform disc that slides and spins, as both motions stop together. It holds for any
+/// start except pure sliding or pure spin.
 ///
 /// ```text
 /// force(ε) = 2 ε torque(ε)      the ratio then stays: v'/v = ω'/ω
@@ -155,7 +155,7 @@ mod tests {
         near(disc_final_speed_ratio(), 0.653, 5e-4);
     }
 
-    /// Sums over small squares of the disc know nothing of the polar coordinates.
+    /// Sums over small squares of the disc, independent of polar coordinates.
     #[test]
     fn holds_friction_of_small_squares() {
         const SIDE: i32 = 1000; // squares in the radius

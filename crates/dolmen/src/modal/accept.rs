@@ -11,8 +11,8 @@ use crate::signal::Record;
 /// Fewest model orders in a group of poles that may be accepted. Chosen here: in a record of many channels two orders agree by chance.
 const ORDERS_LEAST: usize = 3;
 
-/// For each frequency that the user insists on, what the tests refused there: the group of poles, else a single pole that may not be a mode,
-/// else the visible peak itself. `set_aside` are peaks that an earlier step took for something else.
+/// For each frequency that the user requests, the refused candidate: the cluster of poles, else a single pole that may not be a mode, else the
+/// visible peak itself. `set_aside` are peaks that an earlier step classified as something else.
 pub(super) fn candidates(
     options: &Identify,
     (peaks, set_aside): (&Modes, &[Candidate]),
@@ -81,12 +81,12 @@ pub(super) fn candidates(
     Ok(found)
 }
 
-/// A frequency that was asked for, Hz.
+/// A requested frequency, Hz.
 #[derive(Clone, Copy)]
 enum Asked {
     /// There is a peak near it.
     VisiblePeak(f64),
-    /// There is none.
+    /// No candidate is near the requested frequency.
     NoPeak(f64),
 }
 
@@ -113,7 +113,7 @@ fn group_at<'a>(diagram: &Diagram<'a>, asked: Asked, is_here: &dyn Fn(f64) -> bo
     }
 }
 
-/// Of the decaying poles at a peak that cannot be modes, the one nearest to all others.
+/// The decaying pole at a peak that is nearest to all others, where none became a mode.
 fn pole_at(diagram: &Diagram<'_>, peak_hz: f64) -> Option<Pole> {
     const AT_PEAK: f64 = 0.01; // relative
     let poles = diagram.stabilization.poles.iter();

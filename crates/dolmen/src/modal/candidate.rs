@@ -1,9 +1,9 @@
-//! What was refused, as the mode that the user may insist on.
+//! A refused pole or peak, as the mode that the user may request.
 
 use super::modes::Mode;
 use super::refusal::Refusal;
 
-/// What was refused, as the mode that it would be.
+/// A refused pole or peak, as the mode that it would be.
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) mode: Mode,

@@ -24,7 +24,7 @@ const CROSSINGS: usize = 16;
 /// Share of the Nyquist frequency that is free of aliases after [`Correlations::decimated`].
 pub(crate) const CLEAN_SHARE: f64 = 0.8;
 
-/// R_0 … R_K, and the same of each time block less the mean of all blocks.
+/// R_0 … R_K, and for each block of time its R minus the mean of all blocks.
 #[derive(Clone, Debug)]
 pub(crate) struct Correlations {
     pub(crate) channels: usize,
@@ -36,8 +36,7 @@ pub(crate) struct Correlations {
     pub(crate) deviations: Vec<Vec<f32>>,
     /// The samples that windows other than this one gain or lose; `None` after decimation.
     pub(crate) ends: Option<Ends>,
-    /// After decimation, where they are asked for: the same as `mean` of the record with zeros behind it. Matrices of these are never
-    /// indefinite.
+    /// After decimation and on request: as `mean`, for the record followed by zeros. Matrices of these correlations are never indefinite.
     pub(crate) padded: Option<Vec<f64>>,
 }
 
@@ -80,7 +79,7 @@ impl Windows {
     }
 }
 
-/// Of a record long enough for so many lags in so many blocks of time.
+/// Windows of a record, if it is long enough for this number of lags and blocks of time.
 pub(crate) fn windows(record: &Record, lags: usize, blocks: usize) -> Result<Windows, ModalError> {
     let n = record.length();
     let starts = n.saturating_sub(lags);
@@ -109,13 +108,13 @@ pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<C
     correlate_lowered(record, (lags, blocks), &LowPass::new(1), false)
 }
 
-/// The same after a low-pass filter and decimation by `factor`, for `lags` at the new rate; `padded` too if that is asked.
+/// Correlations after a low-pass filter and decimation by `factor`, for `lags` at the new rate, with `padded` on request.
 ///
 /// ```text
 /// R'_k = Σ h_m R_(factor k - m),   h_m = sinc(m / factor) / factor × Blackman's window
 /// ```
-/// h is the correlation of the filter's own response. It is zero at every multiple of `factor` but 0: white
-/// sensor noise stays white, in R_0 alone. Each block of time is filtered as soon as it is summed: no more than one is held at the old rate.
+/// h is the autocorrelation of the filter. It is zero at every multiple of `factor` except 0, so white sensor noise stays white, in R_0
+/// alone. Each block of time is filtered when its sum is complete, so only one block is stored at the old rate.
 pub(crate) fn correlate_decimated(
     record: &Record,
     (lags, blocks): (usize, usize),
@@ -139,7 +138,7 @@ fn correlate_lowered(
     let segments = windows.segments();
     let mut of_pairs = vec![0.0; (before + 1) * l * l];
     let mut mean = vec![0.0; (lags + 1) * l * l];
-    // the first block stands for the mean until that is known, so that 32 bits hold differences alone
+    // the first block replaces the mean until that is known, so that 32 bits store only differences
     let mut first: Vec<f64> = Vec::new();
     let mut parts: Vec<(f64, Vec<f32>)> = Vec::with_capacity(blocks);
     for j in 0..blocks {
@@ -187,7 +186,7 @@ fn correlate_lowered(
 }
 
 impl Ends {
-    /// What start times up to the last that has an end add to the mean of `lags` lags, a pair of channels after the other.
+    /// Sums over the start times up to the last with an end, for the mean of `lags` lags, one pair of channels after the other.
     fn products(&self, l: usize, lags: usize, of_pairs: &mut [f64]) {
         let share = 1.0 / self.starts as f64;
         let tail = |c: usize| -> Vec<f64> { self.tail[c..].iter().step_by(l).copied().collect() };
@@ -201,7 +200,7 @@ impl Ends {
     }
 }
 
-/// Pairs of channels that are filtered at once: two or more registers of every processor.
+/// Number of channel pairs filtered together: two or more vector registers of every processor.
 const PAIRS: usize = 16;
 
 /// The filter of [`correlate_decimated`].
@@ -290,7 +289,7 @@ impl Correlations {
         &self.mean[k * size..(k + 1) * size]
     }
 
-    /// Of the channels in another order, each times its sign.
+    /// The correlations with the channels in another order, each times its sign.
     pub(crate) fn arranged(&self, order: &[usize], signs: &[f64]) -> Correlations {
         let l = self.channels;
         let places: Vec<(f64, usize)> = (0..l * l)

@@ -63,7 +63,7 @@ pub enum ModalError {
         given: usize,
         /// Modes found.
         found: usize,
-        /// Their frequencies, Hz.
+        /// Frequencies of these modes, Hz.
         found_hz: Vec<f64>,
     },
     /// No mode was found near a requested frequency.
@@ -116,7 +116,7 @@ pub enum ModalError {
         option: &'static str,
         /// Value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// No spectral peak stands above the noise, so nothing can be chosen from the data.
@@ -127,15 +127,15 @@ pub enum ModalError {
     NoPeak {
         /// Prominence asked, dB.
         prominence_db: f64,
-        /// Lowest frequency looked at, Hz.
+        /// Lowest frequency of the analysis, Hz.
         low_hz: f64,
-        /// Highest frequency looked at, Hz.
+        /// Highest frequency of the analysis, Hz.
         high_hz: f64,
     },
     /// A channel is dead or holds the same signal as another.
     #[error("{0}")]
     Channel(ChannelFault),
-    /// The user insists on a mode of a free decay, of which no test refuses any.
+    /// The user requests a mode of a free decay, for which no test refuses any.
     #[error(
         "no test refuses a mode of a free decay (era), so that {given_hz} Hz cannot be accepted: leave it out"
     )]
@@ -153,7 +153,7 @@ pub enum ModalError {
         /// The mode, Hz.
         found_hz: f64,
     },
-    /// A mode of a made record cannot be made.
+    /// A mode of a simulated record is out of range.
     #[error(
         "mode {mode} of the made record has frequency {frequency_hz} Hz and damping ratio {damping_ratio}, but must lie \
          between 0 and {nyquist_hz} Hz and between 0 and 1, with one finite shape component a channel"
@@ -173,7 +173,7 @@ pub enum ModalError {
         "{what} of a mode to be compared is {given}, but must be positive and finite: correct the survey"
     )]
     Compared {
-        /// What is wrong.
+        /// The fault.
         what: &'static str,
         /// Its value.
         given: f64,
@@ -219,7 +219,7 @@ pub enum ModalError {
         channel: String,
         /// Last sample at the limit, s from the first.
         until_s: f64,
-        /// What is whole, s from the first sample.
+        /// Start of the part without clipping, s from the first sample.
         whole_from_s: f64,
     },
     /// Too few swings.
@@ -264,7 +264,7 @@ pub enum ModalError {
         setup: usize,
         /// Its rate, Hz.
         given_hz: f64,
-        /// That of the first, Hz.
+        /// Rate of the first record, Hz.
         first_hz: f64,
     },
     /// The method and the inputs do not go together.

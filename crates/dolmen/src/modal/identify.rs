@@ -1,4 +1,4 @@
-//! From a record to its modes: spectrum, machines told from modes, subspace method, clusters, and every choice told.
+//! Identification from a record to its modes: spectrum, machines, subspace method, clusters, and a report of every choice.
 
 use super::accept::{accepted, candidates, put_in, taken_out};
 use super::candidate::Candidate;
@@ -95,7 +95,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     let insisted = accepted(options, &analysis.modes.modes, (&refused, &seen_hz), &mut notes);
     let not_picked_hz = pick(options, &mut analysis.modes)?;
     wanted(options, &analysis.modes)?;
-    // what the user insists on says nothing of the channels
+    // requested modes give no information about the channels
     let mut of_channels = Vec::new();
     doubt_channels(&analysis.modes, &mut of_channels);
     put_in(record, options, insisted, &mut analysis.modes, &mut notes)?;
@@ -126,7 +126,8 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     Ok(analysis)
 }
 
-/// The same of the channels of one clock, where others were left out: the others' phases make two modes of one, or none.
+/// Identification with the channels of one clock, if others were left out: the phases of the others would split or destroy a
+/// mode.
 fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Note]) -> Option<ModalAnalysis> {
     const CHANNELS_LEAST: usize = 2; // one alone has no shape, and modes with a node there are lost
     let is_off = |name: &&str| modes.channels.iter().all(|kept| kept.name != **name);

@@ -26,13 +26,14 @@ pub struct ModalAnalysis {
     pub clusters: Vec<Cluster>,
     /// Singular values of the Hankel matrix, descending.
     pub hankel_singular_values: Vec<f64>,
-    /// What was chosen from the data.
+    /// Settings that were chosen from the data.
     pub settings: Settings,
-    /// Of a free decay: how well it is one, and what follows its amplitude.
+    /// For a free decay: how well the record is one, and the dependence on amplitude.
     pub decay: Option<Decay>,
-    /// Of a record with measured inputs: what they explain, and what the structure does together with its ground.
+    /// For a record with measured inputs: the motion that they explain, and the modes of the structure together with
+    /// its ground.
     pub driven: Option<Driven>,
-    /// What must be known beside the modes.
+    /// Notes on the modes.
     pub notes: Vec<Note>,
 }
 

@@ -1,4 +1,4 @@
-//! What every method of identification returns.
+//! Result of every method of identification.
 
 use super::indicators::{normalized, phase_collinearity};
 use super::{Accepted, Kurtosis, ModalError, Wander};

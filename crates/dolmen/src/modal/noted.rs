@@ -1,4 +1,4 @@
-//! What notes tell of: tones, machines on modes, channels whose clock is late.
+//! Subjects of notes: tones, machines on modes, channels with a delayed clock.
 
 use super::Kurtosis;
 
@@ -64,7 +64,7 @@ impl std::fmt::Display for Kurtosis {
 pub struct LateClock {
     /// Its name.
     pub channel: String,
-    /// What it is late against the channels that agree, s; negative: early.
+    /// Delay against the channels that agree with each other, s; negative if it is early.
     pub delay_s: f64,
     /// Standard deviation of that, s.
     pub sd_s: f64,
@@ -91,7 +91,7 @@ impl std::fmt::Display for LateClock {
     }
 }
 
-/// What the components of a mode shape are.
+/// Quantity of the components of a mode shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShapeQuantity {
     /// Displacements.

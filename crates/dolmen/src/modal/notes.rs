@@ -1,11 +1,11 @@
-//! What must be known beside the modes, as sentences.
+//! Notes on the modes, as sentences.
 
 use super::noted::{LateClock, ShapeQuantity, Tone, ToneOnMode};
 use super::subspace::HANKEL_ROWS_MOST;
 use super::{InSpells, Kurtosis, RefusedPeak, Wander};
 use crate::signal::ChannelFault;
 
-/// What must be known beside the modes.
+/// A note on the modes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
     /// A channel that is faint or clipped: it was used all the same.
@@ -22,8 +22,8 @@ pub enum Note {
         /// Taken.
         time_blocks: usize,
     },
-    /// Peaks too narrow for a structure or too steady for random forces: they decide neither block rows nor decimation, and
-    /// are no modes.
+    /// Peaks that are too narrow for a structure or too steady for random forces. They affect neither block rows nor
+    /// decimation, and are not modes.
     Tones {
         /// The peaks.
         tones: Vec<Tone>,
@@ -61,22 +61,22 @@ pub enum Note {
     },
     /// Peaks whose sides other modes cut, or whose decay is too short: their damping is not given.
     NoDamping {
-        /// Their frequencies, Hz.
+        /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
     /// Modes damped less than those of most structures.
     LightModes {
-        /// Their frequencies, Hz.
+        /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
     /// Modes whose half-power bands meet.
     ClosePairs {
-        /// Their frequencies, Hz.
+        /// Frequencies of these modes, Hz.
         pairs: Vec<[f64; 2]>,
     },
-    /// The record was brought to a lower rate before: modes are not sought where its filter cuts.
+    /// The record was decimated before: no modes are identified where its filter cuts off.
     FilteredAbove {
-        /// Highest frequency asked for, Hz.
+        /// Highest requested frequency, Hz.
         asked_hz: f64,
         /// Highest one that passed the filter, Hz.
         passed_hz: f64,
@@ -88,17 +88,17 @@ pub enum Note {
     },
     /// Modes whose band of the spectrum could not be fitted: they are as the subspace method gave them.
     NotFitted {
-        /// Their frequencies, Hz.
+        /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
     /// Modes that no stable pole shows: a peak of the spectrum that the model of a mode fits.
     FromPeaks {
-        /// Their frequencies, Hz.
+        /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
     /// Modes at which two singular values of the spectrum rise, and which may be two.
     HiddenPairs {
-        /// Their frequencies, Hz.
+        /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
     /// Peaks of the spectrum that are no modes.
@@ -113,7 +113,7 @@ pub enum Note {
     },
     /// Modes that the user insists on and that were found anyway.
     AcceptedAlready {
-        /// Their frequencies, Hz.
+        /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
     /// Nothing stands at a frequency that the user insists on: no mode, no peak and no group of poles.
@@ -127,7 +127,7 @@ pub enum Note {
     },
     /// Modes that were found and not picked by hand.
     NotPicked {
-        /// Their frequencies, Hz.
+        /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
     /// Channels measure different quantities: shapes are those of one.
@@ -137,7 +137,7 @@ pub enum Note {
     },
     /// Channels a quarter turn off the others at every frequency: they measure another quantity, and are in no shape.
     QuarterTurn {
-        /// Their names.
+        /// Names of these channels.
         channels: Vec<String>,
         /// Frequencies at which they are, Hz.
         frequency_hz: Vec<f64>,
@@ -162,7 +162,7 @@ pub enum Note {
         drifting: Vec<(String, [f64; 2])>,
         /// Largest turn of the phase along the record, and the mode that it is of, Hz.
         turn_degrees: f64,
-        /// That mode, Hz.
+        /// Frequency of that mode, Hz.
         frequency_hz: f64,
         /// Sampling rate taken for all, Hz.
         sampling_rate_hz: f64,

@@ -5,7 +5,7 @@ use super::spectrum::Fdd;
 use super::subspace::Clustering;
 use super::subspace::Criteria;
 
-/// What becomes of a mode that looks like a machine.
+/// Treatment of a mode that looks like a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Harmonics {
     /// It stays, and a note names it.
@@ -17,8 +17,8 @@ pub enum Harmonics {
 /// Options of [`identify`](super::identify()). The defaults serve every record this chapter was measured on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identify {
-    /// How modes are found; default `SsiCov`: `Bayoma` and `SsiData` scatter less on made records, but on real ones the second had a damping a half
-    /// larger in ten minutes, and the first tells modes within each other's half-power band apart less well.
+    /// Method of identification; default `SsiCov`. `Bayoma` and `SsiData` scatter less on simulated records. On real ones, `SsiData` gave a damping
+    /// ratio that was too large by a half in ten minutes, and `Bayoma` is worse at separating modes within each other's half-power band.
     pub method: Method,
     /// Reference channels of the subspace methods, by index; empty (default): all.
     pub references: Vec<usize>,
@@ -44,16 +44,16 @@ pub struct Identify {
     pub pick_hz: Vec<f64>,
     /// How far from a picked frequency its mode may lie, relative; default 0.02.
     pub pick_within: f64,
-    /// Frequencies of modes that the user insists on, Hz: what stands there and was refused becomes a mode that carries the reason; where nothing
-    /// does, a note says what is there instead.
+    /// Frequencies of requested modes, Hz. A refused candidate there becomes a mode that carries the reason; without a candidate, a note says what
+    /// is nearby.
     pub accept_hz: Vec<f64>,
     /// How far from such a frequency what was refused may lie, relative; default 0.03, as far as a peak may lie from its mode.
     pub accept_within: f64,
-    /// What becomes of a mode whose motion is too steady for random forces; default `Flag`.
+    /// Treatment of a mode whose amplitude is too steady for random forces; default `Flag`.
     pub harmonics: Harmonics,
-    /// The spectrum that is looked at first.
+    /// Options of the spectrum, which is computed first.
     pub fdd: Fdd,
-    /// What a pole must fulfil; its frequency range is narrowed to the one chosen.
+    /// Criteria for a pole; the frequency range is narrowed to the selected one.
     pub criteria: Criteria,
     /// How poles become modes.
     pub clustering: Clustering,

@@ -54,7 +54,7 @@ impl Segments {
         self.held = 0;
     }
 
-    /// Takes the next segment: group after group of all channels, of which these are held.
+    /// Adds the next segment: the spectra of all channels, group after group, of which `of` are stored.
     pub(super) fn push(&mut self, spectra: &[Bins], of: Range<usize>) {
         let all = self.all(spectra);
         for (group, from) in self.next().zip(spectra.chunks_exact(all)) {
@@ -63,7 +63,7 @@ impl Segments {
         self.held += 1;
     }
 
-    /// Channels of which each group of these spectra is.
+    /// Number of channels in all groups of these spectra.
     fn all(&self, spectra: &[Bins]) -> usize {
         spectra.len() / (self.bins.len() / (self.most * self.channels))
     }

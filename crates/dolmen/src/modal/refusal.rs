@@ -1,80 +1,80 @@
-//! What refuses a peak of the spectrum that is no mode.
+//! Why a peak of the spectrum is not accepted as a mode.
 
-/// The test that refused a peak, with what was found and what was wanted.
+/// The test that refused a peak, with the value found and the limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refusal {
-    /// No model of any order has a pole there.
+    /// No model order has a pole at the peak.
     NoPole,
-    /// The poles lie outside of the range looked at, Hz.
+    /// The poles are outside the frequency range of the analysis.
     OutOfRange {
         /// Lowest frequency, Hz.
         low_hz: f64,
         /// Highest frequency, Hz.
         high_hz: f64,
     },
-    /// The poles are damped too little or too much.
+    /// The damping ratio of the poles is too small or too large.
     Damping {
-        /// Damping ratio in the middle of them.
+        /// Median damping ratio of the poles.
         damping_ratio: f64,
-        /// Least allowed.
+        /// Least allowed damping ratio.
         least: f64,
-        /// Most allowed.
+        /// Largest allowed damping ratio.
         most: f64,
     },
-    /// Their shapes are not real enough.
+    /// The shapes of the poles are too complex.
     Complex {
-        /// Modal phase collinearity in the middle of them.
+        /// Median modal phase collinearity of the poles.
         phase_collinearity: f64,
-        /// Least allowed.
+        /// Least allowed collinearity.
         least: f64,
     },
-    /// Their frequencies are known too badly for so long a record.
+    /// The standard deviation of the frequency is too large for the length of the record.
     Scattered {
-        /// Standard deviation over its floor.
+        /// Standard deviation divided by its lower bound.
         over_floor: f64,
-        /// Most allowed.
+        /// Largest allowed ratio.
         most: f64,
     },
-    /// Too few model orders show it.
+    /// Too few model orders have the pole.
     FewOrders {
-        /// That do.
+        /// Number of orders with the pole.
         orders: usize,
-        /// Wanted.
+        /// Required number.
         wanted: usize,
     },
-    /// It is another mode's, split in two.
+    /// The peak is part of another mode, which the model splits in two.
     SplitsOff,
-    /// Several modes in one, damped far above the others.
+    /// The peak merges several modes: its damping ratio is far above the others.
     Blend {
         /// Damping ratio.
         damping_ratio: f64,
     },
-    /// A machine makes it.
+    /// A machine causes the peak.
     Machine,
-    /// Narrower, or steadier, than a mode of this damping ratio.
+    /// The peak is narrower, or its amplitude steadier, than that of a mode with this damping ratio.
     Narrow {
-        /// The least damping ratio of a mode.
+        /// Least damping ratio of a mode.
         least: f64,
     },
-    /// Nothing stands there while the structure is quiet.
+    /// The peak vanishes while the structure is quiet.
     InSpells,
 }
 
-/// Why a mode is one that no test found.
+/// A mode that the user requested although no test found it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accepted {
-    /// The frequency that the user insists on, Hz.
+    /// The frequency that the user requested, Hz.
     pub asked_hz: f64,
-    /// The test that refused what stands there; `None` where the modes are the peaks themselves.
+    /// The test that refused the peak; `None` if the method takes the peaks themselves as modes.
     pub refusal: Option<Refusal>,
 }
 
-/// A peak of the first singular value that is no mode, and why.
+/// A peak of the first singular value that is not a mode, and the reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RefusedPeak {
-    /// Its frequency, Hz.
+    /// Frequency of the peak, Hz.
     pub frequency_hz: f64,
-    /// What refused it; `None` where the modes are the peaks themselves.
+    /// The test that refused the peak; `None` if the method takes the peaks themselves as modes.
     pub refusal: Option<Refusal>,
 }
 

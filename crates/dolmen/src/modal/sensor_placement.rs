@@ -11,7 +11,7 @@ use dolmen_linalg::{Matrix, cholesky, solve};
 
 /// Gains this much apart, relative, are one: then the earlier site is taken, so that a symmetric structure always gets the same sensors.
 const SAME_GAIN: f64 = 1e-9;
-/// Up to so many sites they are deleted one after the other too, which takes the square of their number.
+/// Largest number of sites for the method of deleting sites one after the other, whose cost grows with its square.
 const DELETED_FROM_MOST: usize = 1000;
 /// Rounds of exchange; each raises ln det A, and two or three suffice.
 const ROUNDS_MOST: usize = 50;
@@ -42,7 +42,8 @@ impl Default for SensorPlacement {
 pub struct PlacedSensors {
     /// Sites by their number: those given, then the others, the one that says most first.
     pub sites: Vec<usize>,
-    /// Of each mode the largest displacement at a chosen channel over that at any channel of any site; 0 of a mode that no site sees.
+    /// For each mode, its largest displacement at a selected channel over that at any channel of any site; 0 for a mode that no site
+    /// measures.
     pub seen_ratio: Vec<f64>,
     /// How alike each two modes are at the chosen channels (MAC): 1 on the diagonal, 0 of a mode that they do not see.
     pub likeness: Matrix,
@@ -66,8 +67,8 @@ impl SensorPlacement {
     /// ```text
     /// largest ln det A,  A = I + Σ φ_cᵀ φ_c / ν²        sites added one after the other, and all but so many deleted; each then exchanged
     /// ```
-    /// The unit matrix stands for what is known before: each mode shakes by about its largest motion. With fewer channels than modes A has
-    /// its inverse still, and those sites are taken that keep the most modes apart.
+    /// The unit matrix represents prior knowledge: the amplitude of each mode is about its largest motion. With fewer channels than modes A
+    /// still has an inverse, and the selected sites distinguish the most modes.
     ///
     /// # Errors
     /// [`ModalError::Option`] without sites or modes, for rows of different lengths, numbers that are not finite, more sensors than sites or
@@ -135,7 +136,8 @@ impl SensorPlacement {
         Ok(modes)
     }
 
-    /// What is left when the sites that say least go one after the other, those that say most last in order as if added.
+    /// The remaining sites as those with the least information are removed one after the other; the most informative ones come last, in order
+    /// as if added.
     fn left(&self, scaled: &[Vec<Vec<f64>>], modes: usize) -> Result<Vec<usize>, ModalError> {
         let mut left: Vec<usize> = (0..scaled.len())
             .filter(|site| !self.given.contains(site))
@@ -155,7 +157,7 @@ impl SensorPlacement {
         Ok([self.given.clone(), left].concat())
     }
 
-    /// Those given, then the others, the one that adds most first.
+    /// The given sites, then the others, the one with the largest gain first.
     fn ordered(
         &self,
         scaled: &[Vec<Vec<f64>>],
@@ -253,7 +255,7 @@ fn scaled(sites: &[Vec<Vec<f64>>], modes: usize) -> Vec<Vec<Vec<f64>>> {
         .collect()
 }
 
-/// What a site adds to ln det A of those chosen.
+/// Increase of ln det A when a site is added to the selected ones.
 struct Gains {
     noise_ratio: f64,
     /// A⁻¹.

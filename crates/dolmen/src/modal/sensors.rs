@@ -11,12 +11,12 @@ use super::modes::Mode;
 use crate::signal::{Channel, Record};
 use dolmen_linalg::Complex64;
 
-/// What sensors say against each other.
+/// A contradiction between sensors.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SensorDoubt {
     /// Two sensors of one place and direction move differently.
     Twins {
-        /// Their names.
+        /// Names of these channels.
         channels: [String; 2],
         /// 2 a·b / (a·a + b·b): 1 for the same motion, less where one is smaller or unlike.
         likeness: f64,
@@ -27,34 +27,34 @@ pub enum SensorDoubt {
         channel: String,
         /// Share of the motion that no rigid floor has.
         unexplained: f64,
-        /// The same with the sign changed.
+        /// Similarity after the change of sign.
         changed: f64,
     },
     /// With the signs of both sensors of one place changed, a floor moves as a rigid body: the station is turned by 180°.
     StationTurned {
-        /// Their names.
+        /// Names of these channels.
         channels: Vec<String>,
         /// Share of the motion that no rigid floor has.
         unexplained: f64,
-        /// The same with their signs changed.
+        /// Similarity after the changes of sign.
         changed: f64,
     },
     /// With the sensors of two places exchanged, those of one direction with each other, a floor moves as a rigid body.
     StationsSwapped {
-        /// Their names, by place.
+        /// Names of the channels at each place.
         channels: [Vec<String>; 2],
         /// Share of the motion that no rigid floor has.
         unexplained: f64,
-        /// The same with the two exchanged.
+        /// Similarity after the exchange.
         changed: f64,
     },
     /// With two sensors exchanged, a floor moves as a rigid body.
     Swapped {
-        /// Their names.
+        /// Names of these channels.
         channels: [String; 2],
         /// Share of the motion that no rigid floor has.
         unexplained: f64,
-        /// The same with the two exchanged.
+        /// Similarity after the exchange.
         changed: f64,
     },
 }
@@ -68,7 +68,7 @@ const TWINS_LEAST: f64 = 0.85;
 const ONE_FLOOR_M: f64 = 0.5;
 /// Fewest sensors of a floor: three give its motion, and two more are needed to name the wrong one.
 const SENSORS_LEAST: usize = 5;
-/// Lowest modes that are looked at, and the fewest that may say so. Ours: higher ones bend floors.
+/// Largest number of lowest modes in the check, and the fewest that allow a conclusion. Our choice: higher modes bend floors.
 const MODES_MOST: usize = 3;
 const MODES_LEAST: usize = 2;
 /// Share of the shapes above which a floor is not rigid as its sensors are described, by how much the change must lessen it, and by how much
@@ -77,12 +77,11 @@ const UNEXPLAINED: f64 = 0.05;
 const LESSENS: f64 = 4.0;
 const CLEARLY: f64 = 2.0;
 
-/// What the sensors of a record say against each other.
+/// Contradictions between the sensors of a record.
 ///
 /// # Limits
-/// Two sensors that are exchanged with alike motion are not seen, nor is one alone at its height. A sensor at another place than described
-/// may look like two stations exchanged. A floor that is not rigid is left alone
-/// unless one single change explains it.
+/// An exchange of two sensors with similar motion is not detected, and neither is a fault of a sensor that is alone at its height. A sensor with
+/// a wrong position may look like two exchanged stations. A floor that is not rigid gives no finding unless a single change explains it.
 pub fn doubt_sensors(record: &Record, modes: &[Mode]) -> Vec<SensorDoubt> {
     let channels = record.channels();
     let mut doubts = twins(record);
@@ -289,7 +288,7 @@ fn motions(channels: &[Channel], floor: &[usize]) -> [Vec<f64>; 3] {
     all
 }
 
-/// The same space by orthonormal vectors (Gram and Schmidt); `None` where the sensors do not span it.
+/// The same space in orthonormal vectors (Gram and Schmidt); `None` if the sensors do not span it.
 fn orthonormal(vectors: [Vec<f64>; 3]) -> Option<Vec<Vec<f64>>> {
     let mut all: Vec<Vec<f64>> = Vec::new();
     for mut vector in vectors {

@@ -11,7 +11,7 @@ use super::subspace::{Cluster, Clustering, Fate, group_poles};
 use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation};
 use crate::signal::{ChannelFault, Record, inspect};
 
-/// Says where a frequency that was asked for lies beyond what the record's own anti-alias filter lets pass.
+/// Adds a note if a requested frequency is above the pass band of the record's anti-alias filter.
 pub(super) fn note_filter(record: &Record, options: &Identify, notes: &mut Vec<Note>) {
     if let (Some(asked_hz), Some(passed_hz)) = (options.frequency_high_hz, passed_hz(record))
         && asked_hz > passed_hz
@@ -134,7 +134,7 @@ pub(super) fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
     Ok(notes)
 }
 
-/// Keeps the modes picked by hand, each of which must be there once; returns the frequencies of the others, Hz.
+/// Keeps the modes picked by hand, each of which must occur exactly once; returns the frequencies of the others, Hz.
 pub(super) fn pick(options: &Identify, modes: &mut Modes) -> Result<Vec<f64>, ModalError> {
     if options.pick_hz.is_empty() {
         return Ok(Vec::new());
@@ -193,8 +193,8 @@ pub(super) fn mode_of(c: &Cluster, duration_s: f64) -> Mode {
     }
 }
 
-/// Scatter between blocks of time and scatter between orders, together: which order is looked at is as much chance as
-/// which ten minutes were recorded.
+/// Combines the scatter between blocks of time with that between orders: the choice of the order is as random as the choice
+/// of the recorded ten minutes.
 fn sd(cluster: &Cluster, of_time: fn(&PoleDeviation) -> f64, of_order: f64) -> Option<f64> {
     cluster.deviation.as_ref().map(|d| of_time(d).hypot(of_order))
 }

@@ -22,7 +22,7 @@ pub(super) struct StreamingSums<'a> {
     rows: Range<usize>,
     lags: usize,
     segment: usize,
-    /// Start of the segment whose spectra `kept` holds for the next step, if it does.
+    /// Start of the segment whose spectra are stored in `kept` for the next step, if there is one.
     kept_from: Option<usize>,
     kept: Vec<Bins>,
     next: Vec<Bins>,
@@ -33,7 +33,7 @@ pub(super) struct StreamingSums<'a> {
 }
 
 impl<'a> StreamingSums<'a> {
-    /// Of these channels with all channels.
+    /// Sums of these channels with all channels.
     pub(super) fn new(record: &'a Record, rows: Range<usize>, lags: usize, segment: usize) -> Self {
         let mut planner = RealFftPlanner::new();
         let forward = planner.plan_fft_forward(2 * segment);
@@ -70,7 +70,7 @@ impl<'a> StreamingSums<'a> {
         }
     }
 
-    /// The same of other rows, in the memory of those before.
+    /// Sums of other rows, in the same memory.
     pub(super) fn turned_to(mut self, rows: Range<usize>) -> Self {
         if rows.len() != self.rows.len() {
             let groups = (self.segment + 1).div_ceil(WIDTH);

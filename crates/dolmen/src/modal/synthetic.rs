@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 /// Decay times that pass before the first sample is kept: e⁻⁸ = 0.03 % of the start is left.
 const DECAYS_BEFORE_START: f64 = 8.0;
 
-/// One mode of a made record, exact.
+/// One mode of a simulated record, with exact values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MadeMode {
     /// Natural (undamped) frequency, Hz, below half the sampling rate.
@@ -35,7 +35,7 @@ pub struct MadeRecord {
     pub duration_s: f64,
     /// Samples a second, Hz.
     pub sampling_rate_hz: f64,
-    /// What the channels measure; default acceleration (`Unknown` makes acceleration).
+    /// Measured quantity of the channels; default acceleration (`Unknown` gives acceleration).
     pub quantity: Quantity,
     /// Standard deviation of the white sensor noise over that of the channel's motion; default 0.1 (20 dB).
     pub noise_ratio: f64,
@@ -171,7 +171,7 @@ impl Oscillator {
         (DECAYS_BEFORE_START / (self.zeta * self.omega * self.dt)).ceil() as usize
     }
 
-    /// What is measured under these forces, from rest.
+    /// Measured response to these forces, starting at rest.
     pub(super) fn driven(self, forces: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
         let (ad, bd) = (self.ad, self.bd);
         forces.scan([0.0, 0.0], move |[q, v], p| {
@@ -206,7 +206,7 @@ impl Oscillator {
     }
 }
 
-/// Buildings whose made records this chapter is measured on.
+/// Reference structures whose simulated records are used to measure the accuracy in this chapter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReferenceCase {
     /// Two floors, 1.1 and 4.2 Hz, ζ 2 %: 2 channels × 10 min × 100 Hz.
@@ -223,7 +223,7 @@ pub enum ReferenceCase {
 }
 
 impl ReferenceCase {
-    /// What to make: `made.make()` gives the record, `made.modes` the truth.
+    /// Plan of a simulated record: `made.make()` gives the record, `made.modes` the true modes.
     ///
     /// # Errors
     /// [`ModalError::Linalg`], which these fixed buildings do not raise.

@@ -17,7 +17,7 @@ pub(super) struct Break {
 }
 
 impl Break {
-    /// What a search found, by time; a step of the last readings, too.
+    /// The result of a search, by time; including a step of the last readings.
     pub(super) fn of(found: &Changes) -> Vec<Self> {
         let lasting = found.found.iter().map(|of| {
             let is_step = of.change.form == ChangeForm::Step;
@@ -39,7 +39,7 @@ impl Break {
         all
     }
 
-    /// The same by days.
+    /// The change with its date in days.
     pub(super) fn dated(&self, days: &[f64]) -> DatedBreak {
         DatedBreak {
             form: self.form,
@@ -62,7 +62,7 @@ impl DatedBreak {
         days.iter().map(|day| self.value(*day)).collect()
     }
 
-    /// That of one day.
+    /// Value on one day.
     pub(super) fn value(&self, day: f64) -> f64 {
         match self.form {
             ChangeForm::Step => f64::from(u8::from(day < self.day)),
@@ -71,8 +71,8 @@ impl DatedBreak {
     }
 }
 
-/// Dates of changes of slope between the readings that they were sought at: the column of a date is a step, whose coefficient moves it. Each stays
-/// between its ends.
+/// Refines the dates of changes of slope between the readings of the search: the derivative with respect to a date is a step, whose coefficient moves
+/// the date. Each date stays within its interval.
 ///
 /// # Source
 /// Muggeo (2003) Statistics in Medicine 22:3055-3071.

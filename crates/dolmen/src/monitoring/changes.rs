@@ -1,4 +1,4 @@
-//! Whether a series changed, when and by how much: the regression on weather and change together, over all dates at once.
+//! Detects changes of a series, with date and size: regression on weather and change together, over all possible dates.
 
 use super::critical::{disturbed, limit_of, probability_of};
 use super::regression::Fit;
@@ -11,21 +11,21 @@ use crate::numeric::Random;
 ///
 /// Source: Eo & Morley (2015) Quantitative Economics 6:463-497, table 1.
 const STEP_DATES: f64 = 7.35;
-/// The same of the beginning of a slope, which is a regular parameter: χ² of one degree.
+/// Limit for the date of a slope, which is a regular parameter: χ² with one degree of freedom.
 const SLOPE_DATES: f64 = 3.84;
-/// Of statistics this near to the limit, as a part of it, the series' own simulation decides.
+/// Relative distance from the limit within which a simulation of the series itself decides.
 const NEAR_LIMIT: f64 = 0.2;
 /// Series longer than this have their limit from the table alone: their disturbance is known well.
 const SIMULATED_MOST: usize = 400;
-/// A simulation ends when so many of its statistics were larger. Besag & Clifford (1991) Biometrika 78:301-304.
+/// Number of larger simulated statistics at which a simulation ends. Besag & Clifford (1991) Biometrika 78:301-304.
 const LARGER_MOST: usize = 20;
-/// Changes that are sought in one series, at most.
+/// Largest number of changes in one series.
 const CHANGES_MOST: usize = 6;
 
 /// Options of [`changes`].
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Seeking {
-    /// Probability that any change is found in any of the modes where there is none.
+    /// Probability of a false finding in any of the modes although nothing changed.
     pub(super) significance: f64,
     /// Modes that are searched together.
     pub(super) modes: usize,
@@ -45,7 +45,7 @@ pub(super) struct DetectedChange {
     pub(super) p_value: f64,
 }
 
-/// What a search found.
+/// Result of a search.
 #[derive(Clone, Debug)]
 pub(super) struct Changes {
     pub(super) found: Vec<DetectedChange>,
@@ -67,7 +67,7 @@ pub(super) fn effective_correlation(series: &Series, of: Disturbance) -> f64 {
     of.correlation * variance / (variance + noise).max(f64::MIN_POSITIVE)
 }
 
-/// Of all modes together.
+/// Probability for all modes together.
 fn family(p: f64, modes: usize) -> f64 {
     -(modes as f64 * (-p).ln_1p()).exp_m1()
 }
@@ -100,7 +100,7 @@ fn simulated(
     (larger + 1) as f64 / (done + 1) as f64
 }
 
-/// Seeks changes one after the other, each beside those found before, until what is left may be chance.
+/// Searches changes one after the other, each in addition to those found before, until the rest may be chance.
 pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> Option<Changes> {
     let alone = 1.0 - (1.0 - how.significance).powf(1.0 / how.modes as f64);
     let n = series.len();

@@ -1,4 +1,4 @@
-//! What chance alone makes of the strongest change: limits and probabilities by simulation of series without change.
+//! Distribution of the strongest change by chance alone: limits and probabilities from simulated series without change.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|

@@ -17,7 +17,7 @@ pub enum MonitoringError {
         option: &'static str,
         /// Its value.
         given: f64,
-        /// What it may be.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// Surveys that do not follow one another.

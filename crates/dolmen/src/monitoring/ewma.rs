@@ -12,12 +12,12 @@ use dolmen_linalg::{Matrix, solve};
 
 /// Cells of the chain between 0 and the limit. With 40 the run length of published tables is met to 1 %.
 const CELLS: usize = 40;
-/// Limits that are sought.
+/// Range of the limits in the search.
 const LIMIT_LEAST: f64 = 1.0;
 const LIMIT_MOST: f64 = 6.0;
 /// Steps between them: a limit is found to one, which is 6e-4.
 const LIMIT_STEPS: usize = 8192;
-/// Lines that a search may follow before it halves what is left; some five are usual.
+/// Largest number of secant steps before the search bisects; about five are usual.
 const LINES_MOST: usize = 12;
 
 /// Mean number of surveys until the average of independent normal scores goes beyond its limit, on either side.

@@ -8,7 +8,7 @@ use super::tilt::{Level, SlopeLimit, TiltSeeking, TiltSeries, TiltTrend, tilt_tr
 pub struct GrowthSeries {
     /// The day of each reading, ascending.
     pub days: Vec<f64>,
-    /// What was read, m.
+    /// Readings, m.
     pub sizes_m: Vec<f64>,
     /// Standard deviation of each reading by its own error, m; 0 where nothing is known of it.
     pub reading_sds_m: Vec<f64>,
@@ -25,7 +25,7 @@ pub struct GrowthOptions {
     pub significance: f64,
     /// Simulated series where a change is near the limit of chance, at most.
     pub replicates: usize,
-    /// Their seed.
+    /// Seed of the samples.
     pub seed: u64,
 }
 

@@ -1,4 +1,4 @@
-//! What is kept of a structure: surveys in time, and what was done to it.
+//! History of a structure: surveys in time, and works.
 
 use crate::modal::ObservedMode;
 
@@ -35,7 +35,7 @@ pub struct Work {
     pub day: f64,
     /// Whether the structure was changed on purpose: its levels begin anew.
     pub splits: bool,
-    /// Whether somebody looked at the structure: alarms before it are answered.
+    /// Whether somebody inspected the structure: this answers alarms before it.
     pub answers: bool,
 }
 

@@ -18,8 +18,8 @@ use super::wave::{amplitude, yearly_wave};
 use super::weather::YEAR_DAYS;
 use crate::numeric::{middle_mean, student_two_sided};
 
-/// Days of which medians are taken before a slope is sought: each in turn, and the most doubtful answer counts. Chosen here: a disturbance that lasts
-/// longer than its nearest neighbours say shows in medians of weeks and months.
+/// Numbers of days whose medians are used in the search for a slope: each in turn, and the least significant result counts. Chosen here: a
+/// disturbance with a longer memory than neighbouring days show appears in medians of weeks and months.
 const BLOCKS_DAYS: [f64; 3] = [1.0, 7.0, 30.0];
 /// Medians that a slope needs beside what explains them. Chosen here.
 const SPARE_LEAST: usize = 8;
@@ -27,7 +27,7 @@ const SPARE_LEAST: usize = 8;
 const TEMPERATURES_LEAST: f64 = 0.6;
 /// Correlation of two neighbouring medians of a month from which they wander: no slope stands out of that. Chosen here.
 const WANDERS_FROM: f64 = 0.9;
-/// Share of the significance at which a change of slope is sought: found falsely, it would make a trend. Chosen here, so that false trends stay as rare as
+/// Fraction of the significance level for a change of slope: a false one would create a trend. Chosen here, so that false trends remain as rare as
 /// stated.
 const OF_BENDS: f64 = 0.2;
 /// Correlation of neighbouring months that must be below this beside changes of slope, for these to count. Chosen here.
@@ -37,7 +37,7 @@ const REPLICATES: usize = 999;
 /// Days whose median is what it reads now, where there is no slope.
 const NOW_DAYS: f64 = 7.0;
 
-/// What a logger read.
+/// Readings of a logger.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LoggedSeries {
     /// One value a day.
@@ -49,9 +49,9 @@ pub struct LoggedSeries {
 /// Options of [`logged_trend`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedOptions {
-    /// Probability of finding a slope where there is none; default 0.05.
+    /// Probability of finding a slope although there is none; default 0.05.
     pub significance: f64,
-    /// What must not be reached.
+    /// Limit of the reading.
     pub limit: Option<SlopeLimit>,
     /// The first and last day of each work or event, as the readings count them: it may have shifted the readings, and those of these days, of the day
     /// before and the day behind are left out. NaN of one that did not.
@@ -71,7 +71,7 @@ impl Default for LoggedOptions {
 /// Why there is no slope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoSlope {
-    /// Below two years a slope is not told from the season.
+    /// Below two years a slope cannot be separated from the season.
     TooShort {
         /// From the first to the last day, years.
         years: f64,
@@ -115,7 +115,7 @@ pub struct LoggedChange {
     pub sd: f64,
 }
 
-/// What a log says.
+/// Result of the analysis of a log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedTrend {
     /// The readings that counted.
@@ -130,7 +130,7 @@ pub struct LoggedTrend {
     pub without_temperature: usize,
     /// Days that were left out since a work fell on them or beside them.
     pub of_works: usize,
-    /// The slope, or why there is none.
+    /// The slope, or the reason why there is none.
     pub slope: Result<TiltSlope, NoSlope>,
     /// Days of the medians that the slope rests on.
     pub block_days: f64,
@@ -146,13 +146,13 @@ pub struct LoggedTrend {
     pub line: Vec<f64>,
     /// The reading on the last day: of a slope beyond chance, or the median of the last seven days.
     pub now: f64,
-    /// The median of the last day as it was read, whatever the days before say: no newest reading is a spike.
+    /// The median of the last day as it was read, without regard to earlier days: the newest reading is never treated as a spike.
     pub newest: f64,
     /// Days at the limit, without spikes.
     pub at_limit: Vec<f64>,
     /// Probability below which a slope is beyond chance.
     pub significance: f64,
-    /// What must not be reached.
+    /// Limit of the reading.
     pub limit: Option<SlopeLimit>,
 }
 
@@ -162,7 +162,7 @@ impl LoggedTrend {
         self.slope.is_ok_and(|slope| slope.p_value < self.significance)
     }
 
-    /// What is held against the limit: the last day's reading, or the slope's on that day where that is larger.
+    /// Size that is compared with the limit: the reading of the last day, or the fitted value on that day if that is larger.
     pub fn size_to_judge(&self) -> f64 {
         let is_larger = match self.limit {
             Some(limit) if limit.is_one_sided => self.newest > self.now,
@@ -312,7 +312,7 @@ fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f6
     (trend, temperatures_c)
 }
 
-/// Medians of so many days each.
+/// Medians of this number of days each.
 struct Blocks {
     /// The first day of each.
     begins: Vec<f64>,
@@ -348,7 +348,7 @@ impl Blocks {
     }
 }
 
-/// What medians of one length say.
+/// Slope from medians over one length of time.
 struct SlopeFit {
     slope: TiltSlope,
     block_days: f64,
@@ -395,7 +395,7 @@ fn breaks(trend: &LoggedTrend, temperatures_c: &[f64], options: &LoggedOptions) 
     let Some(found) = changes(&blocks.series(), &columns, &seeking) else {
         return all;
     };
-    // what wanders all the same is not told from chance by any number of bends
+    // a series that still wanders cannot be distinguished from chance by any number of bends
     if found.disturbance.correlation >= BENT_BELOW {
         return all;
     }
@@ -553,7 +553,7 @@ mod tests {
     use crate::numeric::Random;
     use std::f64::consts::TAU;
 
-    /// What is made: years of days, their slope a year, noise of the day before it, white noise beside, an annual wave.
+    /// Options of a simulated log: number of days, slope per year, correlated noise, white noise and an annual wave.
     struct SyntheticLog {
         years: f64,
         per_year: f64,
@@ -601,7 +601,7 @@ mod tests {
             made
         }
 
-        /// Shares of so many histories whose interval holds the truth, and whose slope is called beyond chance.
+        /// Fractions of simulated histories whose interval contains the true slope, and whose slope is called significant.
         fn shares(&self, histories: u64) -> [f64; 2] {
             let (mut held, mut called, mut changed) = (0, 0, 0);
             for seed in 0..histories {

@@ -1,15 +1,15 @@
-//! What is wrong with the readings of a logger: spikes, a sensor that is stuck, jumps.
+//! Faults in the readings of a logger: spikes, a stuck sensor, jumps.
 
 use super::daily::DailyReadings;
 use crate::numeric::middle_mean;
 
 /// Days of one value at the end of a log from which on the sensor is taken for stuck, where neighbouring days differed before. Chosen here.
 const STUCK_DAYS: usize = 30;
-/// Days on either side whose median a day is held against, and the deviations beyond which it is a spike. Chosen here.
+/// Days on either side whose median a day is compared with, and the number of standard deviations beyond which it is a spike. Chosen here.
 const BESIDE_DAYS: usize = 7;
 const SPIKE_FROM: f64 = 8.0;
-/// Days before and behind a date whose medians are held against each other, and the deviations beyond which the readings jumped there. Chosen here: by
-/// chance once in some thousand logs.
+/// Days before and after a date whose medians are compared, and the number of standard deviations beyond which the readings jumped there. Chosen
+/// here: by chance once in several thousand logs.
 const JUMP_DAYS: usize = 7;
 const JUMP_FROM: f64 = 6.0;
 /// Days that may be missing among those.
@@ -52,7 +52,7 @@ pub(super) fn spikes(values: &[f64]) -> Vec<usize> {
     };
     let off: Vec<f64> = (0..n).map(off).collect();
     let usual = OF_MEDIAN * middle_mean(off.iter().map(|off| off.abs()).collect());
-    // readings of coarse steps are often all alike, and one step away is none too far
+    // readings with coarse steps are often equal, and a difference of one step is not unusual
     let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
     let step = steps.filter(|step| *step > 0.0).fold(f64::INFINITY, f64::min);
     let limit = SPIKE_FROM * usual.max(step.min(f64::MAX));

@@ -5,7 +5,7 @@ use super::tracking::{Jumped, Track};
 
 /// Surveys that could have shown a mode before it can be missed. Chosen here.
 const SURVEYS_LEAST: usize = 5;
-/// Probability of missing so many surveys by chance below which it is an alarm, however seldom surveys are. Chosen here.
+/// Probability of missing this number of surveys by chance below which there is an alarm, however rare surveys are. Chosen here.
 const CHANCE_MOST: f64 = 0.005;
 /// Modes missed more often than this say nothing together with others. Chosen here.
 const REGULAR_FROM: f64 = 0.15;
@@ -56,9 +56,9 @@ pub(super) fn is_beyond_chance(lost: &[LostMode], surveys_between: f64) -> bool 
 /// p = ((n − f + 1)/(n + 2))^k        f of n surveys showed it, then k did not: each misses it as often as before (Laplace's rule)
 /// ```
 ///
-/// A survey counts if it has a mode in the direction of the one that is missed, or of none: who measured along y alone misses nothing along x. Directions that
-/// no survey had while the mode was found count as well: they may be the same under new names.
-/// `answered`: whether somebody looked at the structure since a survey.
+/// A survey counts if it has a mode in the direction of the missing one, or without direction: a survey along y alone cannot miss a mode along x.
+/// Directions that no survey had while the mode was found count as well: they may be the same direction under a new name. `answered`: whether
+/// somebody inspected the structure after a survey.
 pub(super) fn lost(
     history: &History,
     tracks: &[Track],

@@ -7,7 +7,7 @@ use super::whitening::Disturbance;
 #[derive(Clone, Debug)]
 pub(super) struct Online {
     disturbance: Disturbance,
-    /// What the filter predicts of each column, the reading last.
+    /// Prediction of each column by the filter, with the reading last.
     predicted: Vec<f64>,
     variance: f64,
     at: Option<f64>,
@@ -24,7 +24,7 @@ pub(super) struct Reading<'a> {
     pub(super) row: &'a [f64],
 }
 
-/// What was predicted of a survey.
+/// Prediction of a survey.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Prediction {
     /// Reading less prediction, over the deviation of both.
@@ -58,7 +58,7 @@ impl Online {
         (predicted, rho * rho * self.variance + all * (1.0 - rho * rho))
     }
 
-    /// What the surveys so far predict; `None` while they do not tell its columns apart.
+    /// Prediction from the surveys so far; `None` while they do not determine the columns.
     pub(super) fn predict(&self, reading: &Reading<'_>) -> Option<Prediction> {
         let width = reading.row.len();
         let k = width - 1;

@@ -8,7 +8,7 @@ use crate::numeric::middle;
 const ALONE: f64 = 6.0;
 /// A deviation of normal values over their median absolute deviation.
 const OF_MEDIAN: f64 = 1.4826;
-/// Readings below which neighbours say too little.
+/// Fewest readings for a comparison with neighbours.
 const READINGS_LEAST: usize = 8;
 
 /// Indices of the readings that lie beyond the two before and the two behind them by more than six deviations, the weather removed. The last two are left to the alarm.

@@ -13,8 +13,8 @@ use std::f64::consts::PI;
 /// ```text
 /// sd of the median of k readings = rms(σ_i) √(c/k),   c = 1 of one or two, π/2 of more
 /// ```
-/// That is what the readings do not know; what sun, wind and traffic do within the day is part of the disturbance of the history, which is
-/// estimated from the days.
+/// That is the uncertainty of the readings. Effects of sun, wind and traffic within the day are part of the disturbance of the history,
+/// which is estimated from the days.
 ///
 /// # Errors
 /// As [`track`]; [`MonitoringError::TooFewSurveys`] of none.

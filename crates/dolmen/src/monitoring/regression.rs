@@ -1,23 +1,23 @@
-//! A series of readings against what explains them, with the disturbance that is left estimated from the same series.
+//! Regression of a series of readings. The correlated disturbance of the readings is estimated from the same series.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | y | `readings` | frequency over its middle value, less 1; or a tilt | - |
-//! | X | `columns` | what explains y: one column each | |
-//! | β | `coefficients` | | |
-//! | k | `columns.len()` | | - |
+//! | y | `readings` | frequency divided by its median, minus 1; or a tilt | - |
+//! | X | `columns` | explanatory variables, one column each | |
+//! | β | `coefficients` | regression coefficients | |
+//! | k | `columns.len()` | number of columns | - |
 
 use super::gram::{Gram, Likelihood};
 use super::series::Series;
 use super::whitening::{Disturbance, Whitening};
 
-/// Largest correlation over one interval that is sought; above it level and disturbance are not told apart. Chosen here.
+/// Largest correlation over one interval in the search; with a larger one, the level and the disturbance cannot be separated. Chosen here.
 const CORRELATION_MOST: f64 = 0.95;
-/// Least disturbance that is sought, over the noise of the readings. Chosen here: its variance then counts for 0.04 % of theirs.
+/// Least disturbance in the search, relative to the noise of the readings. Chosen here: its variance is then 0.04 % of theirs.
 const SD_LEAST: f64 = 0.02;
-/// The search ends where −2 ln of the likelihood differs by less than this. Chosen here.
+/// Tolerance of the search in −2 ln of the likelihood. Chosen here.
 const LIKELIHOOD_STEP: f64 = 2e-3;
-/// Evaluations that a search may take.
+/// Largest number of evaluations of one search.
 const EVALUATIONS_MOST: usize = 90;
 
 /// A regression by generalised least squares.
@@ -28,17 +28,17 @@ const EVALUATIONS_MOST: usize = 90;
 #[derive(Clone, Debug)]
 pub(super) struct Fit {
     pub(super) coefficients: Vec<f64>,
-    /// Standard deviations of the coefficients.
+    /// Standard deviation of each coefficient.
     pub(super) sd: Vec<f64>,
     /// The Cholesky factor of Xᵀ V⁻¹ X, row by row.
     pub(super) factor: Vec<f64>,
     pub(super) whitening: Whitening,
-    /// −2 ln of the likelihood at β, but for n ln 2π.
+    /// −2 ln of the likelihood at β, without the constant n ln 2π.
     pub(super) minus_two_ln_likelihood: f64,
 }
 
 impl Fit {
-    /// `None` where a column follows from the others.
+    /// Fits the regression; `None` if a column is a linear combination of the others.
     pub(super) fn new(series: &Series, columns: &[Vec<f64>], disturbance: Disturbance) -> Option<Self> {
         let k = columns.len();
         let whitening = Whitening::new(&series.at, &series.noise_sd, disturbance);
@@ -69,7 +69,7 @@ impl Fit {
         })
     }
 
-    /// y − X β.
+    /// The residuals y − X β.
     pub(super) fn residuals(&self, series: &Series, columns: &[Vec<f64>]) -> Vec<f64> {
         let explained = |i: usize| -> f64 {
             let parts = columns.iter().zip(&self.coefficients);
@@ -79,7 +79,7 @@ impl Fit {
         readings.map(|(i, y)| y - explained(i)).collect()
     }
 
-    /// hᵀ (Xᵀ V⁻¹ X)⁻¹ h; h is used up.
+    /// hᵀ (Xᵀ V⁻¹ X)⁻¹ h. The function overwrites h.
     pub(super) fn form(&self, h: &mut [f64]) -> f64 {
         solve_lower_in_place(&self.factor, h);
         h.iter().map(|x| x * x).sum()
@@ -107,10 +107,10 @@ fn solve_upper(factor: &[f64], k: usize, mut b: Vec<f64>) -> Vec<f64> {
     b
 }
 
-/// The disturbance of greatest restricted likelihood; `None` where a column follows from the others.
+/// The disturbance that maximises the restricted likelihood (REML); `None` if a column is a linear combination of the others.
 ///
-/// The search is that of Nelder & Mead in ln s and φ, kept within their bounds. Clamping flattens a simplex onto a bound, where it stays: what ends on
-/// one is sought again from elsewhere, and the better of both stands.
+/// The search is that of Nelder & Mead in ln s and φ, clamped to their bounds. Clamping can flatten a simplex onto a bound, where it stays. So a
+/// search that ends on a bound is repeated from another start, and the better result is used.
 ///
 /// # Source
 /// Patterson & Thompson (1971) Biometrika 58:545-554; Nelder & Mead (1965) Computer Journal 7:308-313.
@@ -152,7 +152,7 @@ pub(super) fn restricted_likelihood(
     Some(of(best.1))
 }
 
-/// The least value that a search from a point finds, and where: ln s within its bounds, φ within 0 and its largest.
+/// Smallest value that a search from one start finds, and its position. ln s is clamped to its bounds, φ to 0 and its largest value.
 fn least_of(
     value: &mut impl FnMut([f64; 2]) -> Option<f64>,
     start: [f64; 2],
@@ -243,7 +243,7 @@ mod tests {
                     }));
                 }
             }
-            // where a fit without the step ends: all of it is disturbance
+            // a fit without the step ends here: the disturbance explains all of it
             let without = Disturbance {
                 sd: 6e-3,
                 correlation: 0.95,
@@ -258,7 +258,7 @@ mod tests {
 
     #[test]
     fn exact_without_disturbance_it_is_the_variance_of_a_sample() {
-        // no correlation between readings far apart, no stated noise: REML of s² is Σ(y − mean)²/(n − 1)
+        // readings far apart are uncorrelated, and no noise is stated: REML of s² is Σ(y − mean)²/(n − 1)
         let readings = vec![1.0, 3.0, 2.0, 7.0, 4.0];
         let series = Series {
             at: (0..5).map(|i| 1e3 * f64::from(i)).collect(),

@@ -3,7 +3,7 @@
 //! ```text
 //! t(c) = cᵀ V⁻¹ r / √(cᵀ V⁻¹ c − hᵀ (Xᵀ V⁻¹ X)⁻¹ h),   h = Xᵀ V⁻¹ c,   r = y − X β
 //! ```
-//! That is the statistic of c in the joint regression on X and c. Sums from the end of the series give it for all dates at once.
+//! This equals the statistic of c in the joint regression on X and c. Sums from the end of the series give it for all dates at once.
 
 use super::regression::{Fit, restricted_likelihood};
 use super::series::Series;
@@ -12,7 +12,8 @@ use super::whitening::Disturbance;
 /// Surveys at each side of a step, at least, and from the beginning of a slope on. Chosen here: fewer are the alarm's.
 pub(super) const STEP_SURVEYS_LEAST: usize = 3;
 pub(super) const SLOPE_SURVEYS_LEAST: usize = 6;
-/// Part of the information on a change that must be its own, else it is not told from what is known. Chosen here.
+/// Least fraction of the information on a change that must be independent of the known columns; otherwise the change cannot be separated
+/// from them. Chosen here.
 const OWN_LEAST: f64 = 2e-3;
 /// Rounds of estimating the disturbance with the change that was found, and seeking again. Chosen here: the date rarely moves in the second.
 const ROUNDS: usize = 2;

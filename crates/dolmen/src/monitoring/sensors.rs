@@ -1,31 +1,32 @@
-//! Shapes that jumped while frequencies did not: a sensor was moved, replaced or turned, and not the structure.
+//! Detects a moved, replaced or turned sensor: mode shapes jump between surveys while frequencies stay.
 
 use crate::modal::{ObservedMode, assurance, shared};
 use crate::numeric::quantile;
 use dolmen_linalg::Complex64;
 
-/// Median MAC of the modes below which shapes jumped. Chosen here, as [`JumpedShapes`](crate::assess::ChangeNote) of two surveys.
+/// Median MAC of the modes below which the shapes have jumped. Chosen here, as for [`JumpedShapes`](crate::assess::ChangeNote) between two
+/// surveys.
 pub(super) const JUMPED_BELOW: f64 = 0.8;
-/// Median MAC from which one sensor left out explains the jump. Chosen here.
+/// Median MAC without one sensor from which that sensor explains the jump. Chosen here.
 pub(super) const EXPLAINED: f64 = 0.95;
-/// Relative difference within which frequencies stayed. Chosen here: twice what weather does from one survey to the next.
+/// Relative difference up to which a frequency counts as unchanged. Chosen here: twice the effect of weather from one survey to the next.
 const STAYED: f64 = 0.03;
-/// Fewest sensors in common between shapes for one to be identified as changed: with fewer, the others prove little.
+/// Fewest common sensors for naming the changed one: with fewer, the remaining sensors prove little.
 const NAMED_FROM: usize = 4;
 
-/// Where shapes jumped and frequencies did not.
+/// A jump of mode shapes without a change of frequencies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorChange {
-    /// The first survey that shows it.
+    /// The first survey with the jump.
     pub survey: usize,
-    /// Median MAC of the modes with what was before.
+    /// Median MAC between the modes of this survey and the reference.
     pub assurance: f64,
-    /// The sensor without which the shapes are alike; `None` where it is more than one, or there are too few to tell.
+    /// The changed sensor: without it the shapes agree. `None` if several sensors changed, or there are too few sensors to tell.
     pub channel: Option<String>,
 }
 
-/// Whether the shapes of these pairs, reference and survey, jumped. Modes measured by the same sensors are asked together: those of another
-/// direction know nothing of a sensor that was turned.
+/// Tests for a jump of shapes between pairs of modes (reference, survey). Modes are tested in groups that the same sensors measured,
+/// because a turned sensor changes only the modes of its own direction.
 pub(super) fn sensor_change(pairs: &[(&ObservedMode, &ObservedMode)], within_m: f64) -> Option<SensorChange> {
     let mut groups: Vec<Vec<(&ObservedMode, &ObservedMode)>> = Vec::new();
     for pair in pairs {
@@ -51,7 +52,7 @@ fn change_of(pairs: &[(&ObservedMode, &ObservedMode)], within_m: f64) -> Option<
         .map(|(known, now)| shared(&known.shape, &now.shape, within_m))
         .filter(|[phi, _]| phi.len() >= 2)
         .collect();
-    // one mode alone may be another one
+    // a single pair may be two different modes
     if shapes.len() < 2 || 2 * shapes.len() < pairs.len() {
         return None;
     }

@@ -5,7 +5,7 @@
 pub(super) struct Series {
     /// When, in usual intervals between surveys, ascending.
     pub(super) at: Vec<f64>,
-    /// What was read.
+    /// The readings.
     pub(super) readings: Vec<f64>,
     /// Standard deviation that the survey states; 0 where it states none.
     pub(super) noise_sd: Vec<f64>,

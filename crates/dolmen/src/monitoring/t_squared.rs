@@ -1,4 +1,4 @@
-//! All modes of a survey at once: Hotelling's T² of their scores.
+//! Joint test of all modes of a survey: Hotelling's T² of their scores.
 
 use super::MonitoringError;
 use super::alarm::JudgedMode;

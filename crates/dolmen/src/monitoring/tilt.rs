@@ -11,7 +11,7 @@ use super::wave::yearly_wave;
 use super::weather::YEAR_DAYS;
 use crate::numeric::{student_detectable, student_two_sided, student_two_sided_quantile};
 
-/// Readings that a slope needs; a season beside it needs so many, over so many years. Chosen here.
+/// Fewest readings for a slope; fewest readings and years for a season in addition. Chosen here.
 const READINGS_LEAST: usize = 4;
 const SEASON_READINGS_LEAST: usize = 10;
 pub(super) const SEASON_YEARS_LEAST: f64 = 2.0;
@@ -46,9 +46,9 @@ pub struct TiltTrend {
     pub scatter: f64,
     /// Steps and changes of slope beyond chance, by time; the slope leaves the steps out.
     pub changes: Vec<TiltChange>,
-    /// What works did to it.
+    /// Effect of works on the tilt.
     pub works: Vec<TiltWork>,
-    /// Probability below which a slope is beyond chance: that of all tilts, shared among them. A change is found so often where there is none.
+    /// Significance level of slopes, divided among all tilts; the probability of finding a change although there is none.
     pub significance: f64,
 }
 
@@ -69,7 +69,7 @@ pub struct TiltChange {
     pub sd: f64,
 }
 
-/// What a work did to a tilt.
+/// Effect of one work on a tilt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TiltWork {
     /// Index of the work.
@@ -87,12 +87,12 @@ pub(super) struct Level {
     pub(super) day: f64,
 }
 
-/// How changes and slopes are sought.
+/// Options of the search for changes and slopes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TiltSeeking {
-    /// Probability of finding one where there is none.
+    /// Probability of a false finding.
     pub(super) significance: f64,
-    /// What must not be reached.
+    /// Limit of the reading.
     pub(super) limit: Option<SlopeLimit>,
     /// Standard deviation of a reading by its own error; 0 where nothing is known of it.
     pub(super) reading_sd: f64,
@@ -137,7 +137,7 @@ pub struct TiltSlope {
 }
 
 impl TiltSlope {
-    /// Tilt now over its limit, whatever their signs; `None` without a limit.
+    /// Present tilt over its limit, as absolute values; `None` without a limit.
     pub fn share_of_limit(&self) -> Option<f64> {
         self.reach.map(|reach| (self.now / reach.limit).abs())
     }
@@ -260,7 +260,7 @@ pub(super) fn tilt_trend(
     Ok(trend)
 }
 
-/// What a reading must not reach.
+/// Limit of a reading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlopeLimit {
     /// Its size, above 0.

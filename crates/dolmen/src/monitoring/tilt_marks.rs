@@ -1,4 +1,4 @@
-//! What the marks before it say of a tilt whose mark is new.
+//! Transfers the history of earlier marks to a tilt with a new mark.
 
 use super::MonitoringError;
 use super::tilt::{SlopeLimit, TiltReach, TiltSlope, TiltTrend};
@@ -13,7 +13,7 @@ const OTHER_FROM: f64 = 2.5;
 const TAKEN: usize = 4;
 
 impl TiltTrend {
-    /// What it is forecast by: its slope beyond chance, or that of the mark before it; `None` where its sign is in question.
+    /// The slope for the forecast: its own if significant, or that of the previous mark; `None` if the sign is uncertain.
     pub fn forecast(&self) -> Option<&TiltSlope> {
         let own = self.slope.as_ref().filter(|_| self.is_beyond_chance());
         own.or(self.carried.as_ref())

@@ -1,8 +1,8 @@
-//! Readings of a tilt that stand alone: one slipped reading is no step, and must neither hide nor feign a slope.
+//! Outliers among the readings of a tilt: a single wrong reading is not a step, and must neither hide nor cause a slope.
 
 use crate::numeric::{middle, middle_mean};
 
-/// Readings on either side that a reading is held against, and how many of them may lie with it.
+/// Number of readings on either side in the comparison, and how many of them may agree with the reading.
 const BESIDE: usize = 3;
 const WITH_IT: usize = 1;
 /// Deviations beyond which a reading stands alone, as for frequencies, and the first one off the line of those behind it. Chosen here.
@@ -10,7 +10,7 @@ const ALONE: f64 = 6.0;
 const ALONE_FIRST: f64 = 12.0;
 /// A deviation of normal values over their median absolute deviation.
 const OF_MEDIAN: f64 = 1.4826;
-/// Readings below which neighbours say too little.
+/// Fewest readings for a comparison with neighbours.
 const READINGS_LEAST: usize = 8;
 
 /// A reading that stands alone.
@@ -18,16 +18,16 @@ const READINGS_LEAST: usize = 8;
 pub struct TiltOutlier {
     /// Index of the reading.
     pub at: usize,
-    /// What those around it have there.
+    /// Value expected from the neighbouring readings.
     pub expected: f64,
 }
 
 /// Readings that lie beyond the six around them, or all but one of these, by more than six deviations; the first one beyond the line of those behind it,
 /// too.
 ///
-/// Two slips beside each other are found; a step is none, since the readings before it lie with each other, and neither is the first one behind a step,
-/// nor the last before it, that lies on the line of the three on its side. The last reading is never one: whether the structure moved only the next one
-/// can tell.
+/// Two adjacent outliers are found. A step is not an outlier, because the readings before it agree with each other; nor is the first reading after a
+/// step, or the last before it, if it is on the line of the three readings on its side. The last reading is never an outlier: only the next one can
+/// show whether the structure moved.
 pub(super) fn tilt_outliers(days: &[f64], ratios: &[f64]) -> Vec<TiltOutlier> {
     let n = days.len();
     if n < READINGS_LEAST {
@@ -38,7 +38,7 @@ pub(super) fn tilt_outliers(days: &[f64], ratios: &[f64]) -> Vec<TiltOutlier> {
         .collect();
     let inner = beside.iter().take(n - BESIDE).skip(BESIDE);
     let spread = OF_MEDIAN * middle(inner.map(|of| of.middle().abs()).collect());
-    // readings of coarse steps are often all alike, and one step away is none too far
+    // readings with coarse steps are often equal, and a difference of one step is not unusual
     let steps = ratios.windows(2).map(|pair| (pair[1] - pair[0]).abs());
     let finest = steps.filter(|step| *step > 0.0).fold(f64::INFINITY, f64::min);
     let usual = spread.max(finest.min(f64::MAX));
@@ -95,7 +95,7 @@ impl NeighbourDistance {
         }
     }
 
-    /// Whether it lies beyond all others on one side, but for so many.
+    /// Whether the reading is beyond all others on one side, except for this number.
     fn is_alone(&self, limit: f64, with_it: usize) -> bool {
         let most = self.off.len() - with_it;
         let above = self.off.iter().filter(|off| **off > limit).count();

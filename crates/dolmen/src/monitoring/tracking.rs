@@ -1,8 +1,8 @@
-//! Modes of many surveys followed through time: one assignment a survey, against what the last ones showed.
+//! Tracks modes through many surveys: one assignment problem per survey, against a reference from the last surveys.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | Δf | | frequency less that of the reference, the median of the last ones | Hz |
+//! | Δf | | frequency minus that of the reference, the median of the last surveys | Hz |
 //! | σ_f | | standard deviation of the difference | Hz |
 //! | w | `width_hz` | max(`frequency_within` f, 4 σ_f) | Hz |
 
@@ -12,31 +12,31 @@ use super::sensors::{EXPLAINED, JUMPED_BELOW, SensorChange, sensor_change};
 use crate::modal::{ObservedMode, ObservedPoint, Pairing, assurance, shared};
 use crate::numeric::{assignment, middle};
 
-/// Surveys that a reference is the median of.
+/// Number of surveys in the median of a reference.
 const REFERENCE_SURVEYS: usize = 10;
-/// A difference of frequencies of so many standard deviations may be one mode.
+/// Largest difference of frequencies of the same mode, in standard deviations.
 const DEVIATIONS: f64 = 4.0;
-/// Cost of what must not be paired.
+/// Cost of a forbidden pair.
 const FORBIDDEN: f64 = 1e6;
-/// Surveys after which a mode that was hardly ever found is sought no more. Chosen here.
+/// Number of surveys after which a mode that was rarely found is dropped. Chosen here.
 const FORGOTTEN_AFTER: usize = 30;
-/// Fewer places than this say nothing of a shape.
+/// Fewest common sensors for comparing shapes.
 const PLACES_LEAST: usize = 2;
-/// MAC from which a mode that ended and one that began are offered as one that jumped.
+/// MAC from which a mode that ended and one that began may be one mode that jumped.
 const JUMPED_LEAST: f64 = 0.8;
 
 /// Options of [`track`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tracking {
-    /// Largest relative change of a frequency that is taken for the same mode; default 0.15.
+    /// Largest relative change of the frequency of one mode between surveys; default 0.15.
     pub frequency_within: f64,
-    /// What a mode without a partner costs; default 1.2, so that a pair of unlike shapes at one frequency is refused.
+    /// Cost of a mode without a partner; default 1.2, so that two modes of the same frequency with different shapes are not paired.
     pub unpaired: f64,
-    /// Surveys in which a mode must be found to be followed; default 3.
+    /// Smallest number of surveys with the mode for a track; default 3.
     pub found_least: usize,
-    /// Part of the surveys in which a mode must be found to be followed; default 0.2 (ours).
+    /// Smallest fraction of the surveys with the mode for a track; default 0.2 (our choice).
     pub share_least: f64,
-    /// How far apart two sensors may stand that are taken for one, m; default 0.1.
+    /// Largest distance between two sensors that count as the same position, m; default 0.1.
     pub place_within_m: f64,
 }
 
@@ -58,52 +58,52 @@ impl Default for Tracking {
 pub struct Track {
     /// Median frequency, Hz.
     pub frequency_hz: f64,
-    /// Its direction, where surveys know it.
+    /// Direction, if the surveys state it.
     pub direction: Option<String>,
-    /// For each survey the index of the mode there; `None` is a gap.
+    /// Index of the mode in each survey; `None` for a gap.
     pub modes: Vec<Option<usize>>,
-    /// For each survey the MAC with the reference, where shapes can be compared.
+    /// MAC with the reference in each survey, if the shapes can be compared.
     pub assurances: Vec<Option<f64>>,
 }
 
 impl Track {
-    /// Surveys in which it was found.
+    /// Number of surveys with the mode.
     pub fn found(&self) -> usize {
         self.modes.iter().flatten().count()
     }
 }
 
-/// A mode that ended and one that began, of like shapes: perhaps one that jumped.
+/// A mode that ended and one that began, with similar shapes: possibly one mode that jumped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jumped {
-    /// Median frequency of the one that ended, Hz.
+    /// Median frequency of the mode that ended, Hz.
     pub from_hz: f64,
-    /// Of the one that began, Hz.
+    /// Median frequency of the mode that began, Hz.
     pub to_hz: f64,
-    /// Survey that it began with.
+    /// First survey of the mode that began.
     pub at: usize,
-    /// MAC of their shapes.
+    /// MAC of the two shapes.
     pub assurance: f64,
 }
 
-/// Modes followed through a history.
+/// Result of [`track`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tracked {
-    /// Those found often enough, by frequency.
+    /// Modes that were found often enough, by frequency.
     pub tracks: Vec<Track>,
-    /// Frequencies of those that were not, Hz, and in how many surveys each was found.
+    /// Median frequencies of the other modes, Hz, and the number of surveys with each.
     pub rare: Vec<(f64, usize)>,
     /// Modes that may have jumped.
     pub jumped: Vec<Jumped>,
-    /// Where shapes jumped and frequencies did not.
+    /// Jumps of shapes without changes of frequency.
     pub sensors: Vec<SensorChange>,
 }
 
-/// What the surveys so far say of one mode.
+/// Reference of one mode from the surveys so far.
 struct Reference {
     modes: Vec<Option<usize>>,
     assurances: Vec<Option<f64>>,
-    /// The last ones that were accepted, newest last.
+    /// The last accepted modes, newest last.
     recent: Vec<ObservedMode>,
 }
 
@@ -112,7 +112,7 @@ impl Reference {
         middle(self.recent.iter().map(|mode| mode.frequency_hz).collect())
     }
 
-    /// The median of the last shapes, each brought to the length and phase of the newest; of places that all of them show.
+    /// Median of the last shapes at their common sensors, each scaled to the length and phase of the newest.
     fn shape(&self, within_m: f64) -> Vec<ObservedPoint> {
         let Some(newest) = self.recent.iter().rev().find(|mode| !mode.shape.is_empty()) else {
             return Vec::new();
@@ -127,7 +127,7 @@ impl Reference {
             let power: f64 = old.iter().map(|o| o.norm_sqr()).sum();
             if power > 0.0 {
                 for (values, (o, n)) in each.iter_mut().zip(old.iter().zip(&new)) {
-                    // along the phase of the newest: what stands across it is noise of both
+                    // component in phase with the newest shape: the other component is noise of both
                     let phase = if n.norm() > 0.0 { n / n.norm() } else { 1.0.into() };
                     values.push((o * inner / power * phase.conj()).re);
                 }
@@ -158,19 +158,19 @@ impl Reference {
     }
 }
 
-/// Follows modes through surveys.
+/// Tracks modes through surveys.
 ///
 /// ```text
 /// cost = |Δf|/w + (1 − MAC), or |Δf|/w where shapes cannot be compared        a mode without a partner: 1.2
 /// ```
-/// References are the medians of frequency and shape of the last ten surveys that showed a mode. A mode that a survey does not show is a gap.
+/// References are medians of frequency and shape over the last ten surveys with the mode. A survey without the mode is a gap.
 ///
 /// # Errors
-/// [`MonitoringError::Option`]; [`MonitoringError::Numeric`] for frequencies that are no numbers.
+/// [`MonitoringError::Option`] for an option out of range; [`MonitoringError::Numeric`] for a frequency that is not finite.
 ///
 /// # Limits
-/// Without shapes two modes that cross are confused: their order is kept. A mode that moves by more than `frequency_within` between two
-/// surveys ends, and another begins; where shapes are alike both are offered as one ([`Jumped`]).
+/// Without shapes, modes that cross are confused, because their order is kept. If a mode changes by more than `frequency_within` between two surveys,
+/// its track ends and another begins; if their shapes are similar, both are listed as one possible mode ([`Jumped`]).
 pub fn track(surveys: &[HistorySurvey], options: &Tracking) -> Result<Tracked, MonitoringError> {
     check(options)?;
     let mut references: Vec<Reference> = Vec::new();
@@ -229,8 +229,8 @@ pub fn track(surveys: &[HistorySurvey], options: &Tracking) -> Result<Tracked, M
     Ok(gathered(retired, sensors, surveys, options))
 }
 
-/// The first of the surveys up to this one that have its shapes already: where too few of its modes could be compared none of them showed the jump by
-/// itself.
+/// The first of the surveys up to this one that already has the changed shapes. An earlier survey may have had too few comparable modes to show the
+/// jump itself.
 fn jumped_since(surveys: &[HistorySurvey], references: &[Reference], at: usize, options: &Tracking) -> usize {
     let mut since = at;
     while since > 0 {
@@ -262,7 +262,7 @@ fn likeness(shape: &[ObservedPoint], mode: &ObservedMode, options: &Tracking) ->
     (phi.len() >= PLACES_LEAST).then(|| assurance(&phi, &psi))
 }
 
-/// For each reference the mode of the survey that is the same.
+/// For each reference, the same mode in the survey.
 fn assigned(
     known: &[ObservedMode],
     modes: &[ObservedMode],
@@ -295,7 +295,7 @@ fn assigned(
         .collect())
 }
 
-/// Those found often enough, by frequency; the rest; and what may have jumped.
+/// Sorts the tracks: those found often enough, by frequency; the others; and possible jumps.
 fn gathered(
     references: Vec<Reference>,
     sensors: Vec<SensorChange>,
@@ -320,7 +320,7 @@ fn gathered(
                 .map(|(at, j)| surveys[*at].modes[*j].frequency_hz)
                 .collect(),
         );
-        // a mode that began late must be found as often among the surveys since then
+        // a mode that began late is judged by the surveys since then
         let began = found.first().map_or(0, |(at, _)| *at);
         let since = surveys[began..]
             .iter()

@@ -21,7 +21,7 @@ const WEATHER_DAYS: f64 = 7.0;
 /// T̂ = mean of T within 45 days of the time of the year,   σ² → σ² + m s²
 /// s² = mean over the known surveys of (w − mean of w of the others at their time of the year)²,   m: such surveys within 7 days
 /// ```
-/// A survey at a time of the year of which fewer than three temperatures are known keeps none. `levels` are columns of works, of the surveys with a
+/// A survey at a time of the year with fewer than three known temperatures keeps none. `levels` are columns of works for the surveys with a
 /// temperature.
 pub(super) fn filled(series: &ModeSeries, levels: &[Vec<f64>], frost_below_c: f64) -> ModeSeries {
     let known = with_temperature(series);
@@ -130,7 +130,8 @@ mod tests {
             .collect();
         let mean = summers.iter().sum::<f64>() / 9.0;
         assert!((found.temperatures_c[28] - mean).abs() < 1e-12);
-        // what is left of the weather at one time of the year: 1.5e-3 times a deviation of √2 °C, of the others' mean 9/8 to 10/9 times
+        // residual weather effect at one time of the year: 1.5e-3 times a deviation of √2 °C; that of the mean of the others is 9/8 to 10/9 times
+        // this
         let own = (found.series.noise_sd[28].powi(2) - 1e-6).sqrt();
         let expected = 1.5e-3 * 2f64.sqrt() * 1.11;
         assert!((own / expected - 1.0).abs() < 0.08, "{own} {expected}");

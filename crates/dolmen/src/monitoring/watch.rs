@@ -21,7 +21,7 @@ use crate::numeric::middle;
 const SURVEYS_LEAST: usize = 3;
 /// Days after the last survey within which a work answers alarms. Ours: what is dated a year ahead is planned, or its year is a slip.
 pub const ANSWERED_DAYS: f64 = 366.0;
-/// Surveys of one mode from which on a change is sought. Chosen here: with fewer the limit of chance is beyond any change.
+/// Fewest surveys of a mode for a search of changes. Chosen here: with fewer, the limit of chance is beyond any change.
 const READINGS_LEAST: usize = 8;
 /// Correlation of temperature and time from which the answer says so; as in the comparison of two surveys.
 const WITH_TIME: f64 = 0.7;
@@ -31,7 +31,7 @@ const WITH_TIME: f64 = 0.7;
 pub struct WatchOptions {
     /// How modes are followed.
     pub tracking: Tracking,
-    /// Probability of finding any change in any mode where there is none; default 0.05.
+    /// Probability of a false finding in any mode; default 0.05.
     pub significance: f64,
     /// Mean time between false alarms of all modes together, years; default 10.
     pub years_between_false_alarms: f64,
@@ -70,18 +70,18 @@ impl Default for WatchOptions {
 pub struct StructureAlarm {
     /// Index of the mode.
     pub mode: usize,
-    /// What gave it.
+    /// The alarm.
     pub alarm: ModeAlarm,
     /// Whether a work or an inspection came after it.
     pub is_answered: bool,
 }
 
-/// What a history says.
+/// Result of watching a history.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Watched {
     /// The modes.
     pub modes: Vec<WatchedMode>,
-    /// What following them said beside.
+    /// Additional results of the tracking.
     pub tracked: Tracked,
     /// Confirmed alarms, by time.
     pub alarms: Vec<StructureAlarm>,
@@ -104,7 +104,7 @@ pub struct Watched {
 }
 
 impl Watched {
-    /// Of a history without surveys enough.
+    /// The result for a history with too few surveys.
     pub fn nothing(significance: f64) -> Self {
         Watched {
             modes: Vec::new(),
@@ -127,7 +127,7 @@ impl Watched {
     }
 }
 
-/// What a history says: modes followed, weather taken out, changes found, each survey judged against those before it, tilts.
+/// Watches a history: tracks the modes, removes the effect of weather, finds changes, and compares each survey and tilt with those before.
 ///
 /// ```text
 /// f_i(t) = f_i0 [1 + β_i (T − T₀) + γ_i max(0, T_k − T) + changes] + e,   Cov e = diag(σ_i²) + s² φ^|Δt|
@@ -137,7 +137,8 @@ impl Watched {
 /// [`MonitoringError`].
 ///
 /// # Limits
-/// The limit of chance for more than 1,000 surveys is that of 1,000. Without temperatures a change and the weather are not told apart; a wave of one year is taken out where surveys reach over two.
+/// For more than 1,000 surveys the limit of chance for 1,000 is used. Without temperatures a change cannot be separated from the weather; a yearly
+/// wave is removed if the surveys cover more than two years.
 pub fn watch(history: &History, options: &WatchOptions) -> Result<Watched, MonitoringError> {
     check(history, options)?;
     let tracked = track(&history.surveys, &options.tracking)?;

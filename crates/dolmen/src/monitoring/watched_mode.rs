@@ -1,4 +1,4 @@
-//! What is known of one mode through the years.
+//! Results for one mode over the years.
 
 use super::alarm::JudgedMode;
 use super::regression::Fit;
@@ -8,16 +8,16 @@ use super::tracking::Track;
 use super::weather::WeatherKnown;
 use super::whitening::Disturbance;
 
-/// What the weather does to one mode.
+/// Effect of weather on one mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeatherEffect {
-    /// What is known of it.
+    /// Which effects the series determines.
     pub known: WeatherKnown,
     /// Relative change per °C, and its standard deviation.
     pub per_c: Option<(f64, f64)>,
     /// Relative rise per °C below freezing, beside that, and its standard deviation.
     pub frost_per_c: Option<(f64, f64)>,
-    /// Correlation of temperature with time, where it is strong: weather and ageing are not told apart.
+    /// Correlation of temperature with time, if it is strong: weather and ageing cannot then be separated.
     pub with_time: Option<f64>,
     /// The disturbance that is left.
     pub disturbance: Disturbance,
@@ -57,7 +57,7 @@ pub struct LastOff {
     pub sd: f64,
 }
 
-/// What a work did to a mode.
+/// Effect of a work on a mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkEffect {
     /// Index of the work.
@@ -73,27 +73,28 @@ pub struct WorkEffect {
 pub struct WatchedMode {
     /// Where it was found.
     pub track: Track,
-    /// What the weather does to it; `None` where too few surveys show it.
+    /// Effect of weather on the mode; `None` if too few surveys show the mode.
     pub weather: Option<WeatherEffect>,
     /// For each survey the frequency that weather, works and changes explain, Hz.
     pub explained_hz: Vec<Option<f64>>,
-    /// What changed.
+    /// Changes of the mode.
     pub changes: Vec<WatchedChange>,
-    /// What the last one or two surveys alone show: no lasting change yet, and no weather.
+    /// Deviation of only the last one or two surveys: not yet a lasting change, and not explained by weather.
     pub last_off: Option<LastOff>,
-    /// What works did.
+    /// Effects of works.
     pub works: Vec<WorkEffect>,
     /// Least lasting step halfway through the years that would have been seen with 80 % probability.
     pub seen_from_ratio: Option<f64>,
     /// Surveys that stand alone: left out of the search.
     pub outliers: Vec<usize>,
-    /// Surveys at temperatures that too few others had, or at an unknown one at a time of the year of which too few are known: left out of the search.
+    /// Surveys at temperatures that too few others had, or at an unknown temperature at a time of the year with too few known ones: left out of the
+    /// search.
     pub strange: Vec<usize>,
     /// Surveys without a temperature that take part with that of their time of the year, and with the scatter of its weather as their error.
     pub guessed: Vec<usize>,
     /// Each survey against those before it.
     pub judged: JudgedMode,
-    /// What was fitted to its readings; `None` where too few surveys show it.
+    /// The fit to its readings; `None` if too few surveys show the mode.
     pub(super) fitted: Option<FittedMode>,
 }
 

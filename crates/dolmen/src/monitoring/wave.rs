@@ -1,24 +1,24 @@
-//! The wave of one year beside a level and a slope, of readings that need not lie all round the year.
+//! Fits a yearly wave beside a level and a slope. The readings need not cover the whole year.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | ω t | `turn` | time of the year, as an angle |
-//! | α | `angle` | time of the year at which a column is largest |
-//! | v | `variance` | mean square of a column, less what level, slope and works explain of it |
+//! | α | `angle` | time of the year at which a column has its maximum |
+//! | v | `variance` | mean square of a column after subtraction of its fit by level, slope and works |
 
 use super::weather::{WAVE_VARIANCE_LEAST, YEAR_DAYS};
 use std::f64::consts::TAU;
 
-/// The columns of a wave of one year that the days tell from the columns `beside` it: two where readings lie round the year, one where they lie at
-/// two times of it, none where they lie at one.
+/// Regression columns of a yearly wave that the days can distinguish from the columns `beside`. There are two columns if the readings cover the year,
+/// one if they fall at two times of the year, and none if they fall at one time.
 ///
 /// ```text
-/// cos(ω t − α) − m        α: principal axes of (cos ω t, sin ω t) less what the other columns explain of them,   v(α) ≥ 0.05
+/// cos(ω t − α) − m        α: principal axes of (cos ω t, sin ω t) less their fit by the other columns,   v(α) ≥ 0.05
 /// m = 1/year ∫ cos(ω t − α) dt over the last year, the integrand constant around each reading
 /// ```
-/// Where v is small, the amplitude is unknown, and level and slope with it: ten readings of the first days of February would give any level for the rest
-/// of the year. Since each column has the mean 0 over the last year, the level of the regression at the last reading is the mean of that year: of the
-/// whole year where readings lie round it, and of their season where they do not.
+/// If v is small, the data do not determine the amplitude, and so neither the level nor the slope: ten readings from the first days of February would
+/// agree with any level in the rest of the year. Each column has the mean 0 over the last year. So the level of the regression at the last reading is
+/// the mean of that year: of the whole year if the readings cover it, otherwise of the season with readings.
 pub(super) fn yearly_wave(days: &[f64], beside: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let turns: Vec<f64> = days.iter().map(|day| TAU * day / YEAR_DAYS).collect();
     let [cosine, sine] = left(
@@ -48,12 +48,12 @@ pub(super) fn yearly_wave(days: &[f64], beside: &[Vec<f64>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// Half of the height of a wave, of the coefficients of its two columns or of one; `None` of none.
+/// Amplitude of the wave from the coefficients of its one or two columns; `None` without columns.
 pub(super) fn amplitude(coefficients: &[f64]) -> Option<f64> {
     coefficients.iter().copied().reduce(f64::hypot).map(f64::abs)
 }
 
-/// The mean of values over the year that ends with the last day: each stands for the time that is nearest to it.
+/// Mean of values over the year that ends with the last day. Each value represents the time that is nearest to its reading.
 fn of_last_year(days: &[f64], values: &[f64]) -> f64 {
     let Some(last) = days.last().copied() else {
         return 0.0;
@@ -76,7 +76,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// What columns do not explain of two others: modified Gram-Schmidt.
+/// Residuals of two columns after subtraction of their fit by other columns: modified Gram-Schmidt.
 fn left(columns: &[Vec<f64>], mut of: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
     let take = |from: &mut Vec<f64>, unit: &[f64]| {
         let along = dot(from, unit);
@@ -112,7 +112,7 @@ mod tests {
         yearly_wave(days, &beside(days))
     }
 
-    /// Readings of `years` years at these parts of each.
+    /// Readings over `years` years, at these fractions of each year.
     fn at(years: u32, parts: &[f64]) -> Vec<f64> {
         let of = |year| parts.iter().map(move |part| YEAR_DAYS * (f64::from(year) + part));
         (10..10 + years).flat_map(of).collect()
@@ -125,7 +125,7 @@ mod tests {
         assert_eq!(columns(&at(4, &[0.1, 0.4, 0.6, 0.9])).len(), 2);
         assert_eq!(columns(&at(8, &[0.2, 0.7])).len(), 1);
         assert_eq!(columns(&at(8, &[0.2, 0.4])).len(), 1);
-        // some five days around one date; the date creeps by a month in twelve years
+        // five days around one date; the date advances by a month in twelve years
         let jitter = |i: u32| f64::from(i % 5) * 2.5 - 5.0;
         let yearly: Vec<f64> = (0..12).map(|i| YEAR_DAYS * f64::from(i) + jitter(i)).collect();
         assert!(columns(&yearly).is_empty());
@@ -137,12 +137,12 @@ mod tests {
 
     #[test]
     fn exact_a_column_has_no_mean_over_the_last_year() {
-        // round the year that is the mean of a cosine, 0
+        // over a whole year the mean is that of a cosine, 0
         let monthly: Vec<f64> = (0..12).map(|i| f64::from(i) / 12.0).collect();
         for column in columns(&at(4, &monthly)) {
             assert!((column.iter().sum::<f64>()).abs() < 1e-9, "{column:?}");
         }
-        // two times of the year, 1/4 apart: the later one stands for 1/8 + 3/8 of the year, the earlier one for as much
+        // two times of the year, 1/4 apart: the later reading represents 1/8 + 3/8 of the year, the earlier one the same
         let [column] = columns(&at(8, &[0.2, 0.45])).try_into().unwrap();
         let [.., before, last] = column.as_slice() else {
             panic!("{column:?}")

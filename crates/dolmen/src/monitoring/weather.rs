@@ -1,28 +1,28 @@
-//! What explains a frequency beside a change: its level, the temperature, frost, the season.
+//! Explanatory variables of a frequency besides a change: level, temperature, frost and season.
 
 use super::regression::{Fit, restricted_likelihood};
 use super::series::Series;
 use std::f64::consts::TAU;
 
-/// Temperatures that frost needs, and surveys with a temperature that a line needs. Chosen here.
+/// Fewest surveys below freezing for a frost coefficient, and fewest surveys with a temperature for a line. Chosen here.
 pub(super) const FROST_SURVEYS_LEAST: usize = 3;
 const LINE_SURVEYS_LEAST: usize = 6;
-/// Spread of temperatures below which no coefficient is fitted, °C; as in the comparison of two surveys.
+/// Least range of temperatures for a fitted coefficient, °C; as in the comparison of two surveys.
 const SPREAD_LEAST_C: f64 = 2.0;
-/// Surveys and years that a season needs. Chosen here: two of each.
+/// Fewest surveys and years for a season. Chosen here: two of each.
 const SEASON_SURVEYS_LEAST: usize = 12;
 const SEASON_YEARS_LEAST: f64 = 2.0;
 pub(super) const YEAR_DAYS: f64 = 365.25;
 
-/// Surveys of one mode.
+/// The readings of one mode.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct ModeSeries {
     pub(super) series: Series,
-    /// Index of each reading's survey in the history.
+    /// Index of the survey of each reading.
     pub(super) surveys: Vec<usize>,
-    /// Its day.
+    /// Day of each reading.
     pub(super) days: Vec<f64>,
-    /// Its temperature, °C; NaN where it is not known.
+    /// Temperature of each reading, °C; NaN if unknown.
     pub(super) temperatures_c: Vec<f64>,
 }
 
@@ -31,7 +31,7 @@ impl ModeSeries {
         self.surveys.len()
     }
 
-    /// Those that `keep` names.
+    /// The readings whose index `keep` accepts.
     pub(super) fn kept(&self, keep: impl Fn(usize) -> bool) -> ModeSeries {
         let which: Vec<usize> = (0..self.len()).filter(|i| keep(*i)).collect();
         let of = |values: &[f64]| which.iter().map(|i| values[*i]).collect();
@@ -48,35 +48,35 @@ impl ModeSeries {
     }
 }
 
-/// What is known of the weather behind a series.
+/// Which weather effects a series can determine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WeatherKnown {
-    /// A coefficient of temperature.
+    /// A temperature coefficient.
     Temperature,
-    /// A coefficient of temperature, and another below freezing.
+    /// A temperature coefficient, and another one below freezing.
     TemperatureAndFrost,
-    /// No temperatures: a wave of one year.
+    /// Temperatures are unknown: a yearly wave.
     Season,
-    /// No temperatures, and surveys at two times of the year only: the difference between them.
+    /// Temperatures are unknown and the surveys fall at only two times of the year: the difference between these times.
     TwoSeasons(Wave),
-    /// Nothing: a change and the weather are not told apart.
+    /// No weather effect, so that changes and weather cannot be separated.
     Nothing,
 }
 
-/// What tells two times of the year apart.
+/// The part of a yearly wave that distinguishes two times of the year.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wave {
-    /// The cosine of the wave of one year.
+    /// The cosine of the yearly wave.
     Cosine,
-    /// Its sine.
+    /// The sine of the yearly wave.
     Sine,
 }
 
-/// Variance of the wave of one year over the surveys below which it is not told from the level: surveys within some two weeks of one day, or of two
-/// days, of the year. Chosen here.
+/// Variance of the yearly wave over the surveys below which the wave cannot be separated from the level: all surveys are then within about two
+/// weeks of one day of the year, or of two opposite days. Chosen here.
 pub(super) const WAVE_VARIANCE_LEAST: f64 = 0.05;
 
-/// What of the wave of one year the days of a series tell from the level.
+/// Which part of a yearly wave the days of a series separate from the level.
 fn season(days: &[f64]) -> WeatherKnown {
     let turns = || days.iter().map(|day| (TAU * day / YEAR_DAYS).sin_cos());
     let count = days.len() as f64;
@@ -99,7 +99,7 @@ fn season(days: &[f64]) -> WeatherKnown {
     }
 }
 
-/// Whether temperatures explain a series: nearly all are known, and they differ.
+/// Whether temperatures can explain a series: nearly all are known, and their range is large enough.
 pub(super) fn has_temperature(series: &ModeSeries) -> bool {
     let known = series.temperatures_c.iter().copied().filter(|t| t.is_finite());
     let count = known.clone().count();
@@ -109,13 +109,13 @@ pub(super) fn has_temperature(series: &ModeSeries) -> bool {
     count >= LINE_SURVEYS_LEAST && 5 * count >= 4 * series.len() && high - low >= SPREAD_LEAST_C
 }
 
-/// What explains one survey: the level first, then the weather.
+/// Explanatory variables of one survey: the level first, then the weather.
 pub(super) fn explaining(
     known: WeatherKnown,
     (day, temperature_c): (f64, f64),
     (middle_c, frost_below_c): (f64, f64),
 ) -> Vec<f64> {
-    // tens of degrees: coefficients of the size of the readings
+    // in tens of degrees, so that the coefficients have the size of the readings
     let warmth = 0.1 * (temperature_c - middle_c);
     let turn = TAU * day / YEAR_DAYS;
     match known {
@@ -130,7 +130,7 @@ pub(super) fn explaining(
     }
 }
 
-/// The same of all surveys, column by column.
+/// Explanatory variables of all surveys, column by column.
 pub(super) fn columns(series: &ModeSeries, known: WeatherKnown, at: (f64, f64)) -> Vec<Vec<f64>> {
     let rows: Vec<Vec<f64>> = (0..series.len())
         .map(|i| explaining(known, (series.days[i], series.temperatures_c[i]), at))
@@ -141,13 +141,13 @@ pub(super) fn columns(series: &ModeSeries, known: WeatherKnown, at: (f64, f64)) 
         .collect()
 }
 
-/// Surveys below freezing, and whether they are enough to learn from.
+/// Whether there are enough surveys below freezing to fit a frost coefficient.
 pub(super) fn knows_frost(series: &ModeSeries, frost_below_c: f64) -> bool {
     let frost = series.temperatures_c.iter().filter(|t| **t < frost_below_c);
     frost.count() >= FROST_SURVEYS_LEAST
 }
 
-/// Which of them a series earns: frost only where Bayes' information criterion says so.
+/// The weather effects that a series supports: frost only if the Bayesian information criterion favours it.
 pub(super) fn earned(series: &ModeSeries, extra: &[Vec<f64>], at: (f64, f64)) -> WeatherKnown {
     let frost_below_c = at.1;
     if has_temperature(series) {

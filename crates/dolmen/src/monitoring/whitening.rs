@@ -1,36 +1,36 @@
-//! Noise of one reading beside a disturbance that fades from survey to survey, made white by a filter in time.
+//! Whitens a series of readings with independent noise and a disturbance whose correlation decays in time, by a Kalman filter.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | n | `at.len()` | surveys | - |
-//! | t_i | `at` | time of a survey, in usual intervals between surveys | - |
-//! | σ_i | `noise_sd` | standard deviation that the survey states | as y |
+//! | n | `at.len()` | number of surveys | - |
+//! | t_i | `at` | time of a survey, in units of the usual interval between surveys | - |
+//! | σ_i | `noise_sd` | standard deviation stated by the survey | as y |
 //! | s | `sd` | standard deviation of the disturbance | as y |
 //! | φ | `correlation` | its correlation over one interval | - |
 //! | V | | Cov e = diag(σ_i²) + s² φ^|t_i − t_j| | |
 //! | L | | V = L Lᵀ | |
 
-/// The disturbance of a series: what moisture, crowds and the warmth inside the stone do beyond the noise of a reading.
+/// The disturbance of a series: the effect of moisture, crowds and temperature inside the stone, in addition to the noise of a reading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disturbance {
-    /// Its standard deviation, relative.
+    /// Standard deviation of the disturbance, relative.
     pub sd: f64,
-    /// Its correlation over the usual interval between two surveys.
+    /// Correlation of the disturbance over the usual interval between two surveys.
     pub correlation: f64,
 }
 
-/// What the filter does at one survey.
+/// Filter coefficients at one survey.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gains {
     /// 1/√F.
     pub(super) scale: f64,
-    /// ρ_{i+1} (1 − K_i): what is left of a prediction one survey later.
+    /// ρ_{i+1} (1 − K_i): weight of the present prediction in the next one.
     pub(super) keeps: f64,
-    /// ρ_{i+1} K_i: what a reading adds to the next prediction.
+    /// ρ_{i+1} K_i: weight of the present reading in the next prediction.
     pub(super) learns: f64,
 }
 
-/// The gains of a Kalman filter, survey by survey.
+/// Kalman filter that computes its coefficients survey by survey.
 ///
 /// ```text
 /// F_i = P_i + σ_i²,   K_i = P_i/F_i,   P_{i+1} = ρ² P_i (1 − K_i) + s² (1 − ρ²)
@@ -51,7 +51,7 @@ impl Filter {
         }
     }
 
-    /// The gains at a survey whose reading has the variance `noise`, and F; `fades` is φ^Δt up to the next one, if there is one.
+    /// Coefficients and F at a survey whose reading has the variance `noise`. `fades` is φ^Δt until the next survey, if there is one.
     pub(super) fn step(&mut self, noise: f64, fades: Option<f64>) -> (Gains, f64) {
         let total = self.predicted + noise;
         let gain = self.predicted / total;
@@ -67,13 +67,13 @@ impl Filter {
     }
 }
 
-/// The whitening of one series: a Kalman filter with its gains computed.
+/// Whitening of a series by a Kalman filter with precomputed coefficients.
 ///
 /// ```text
 /// x_i = ρ_i x_{i−1} + w_i,   ρ_i = φ^(t_i − t_{i−1}),   var x = s²,        z_i = x_i + v_i,   var v_i = σ_i²
 /// e_i = z_i − a_i,   (L⁻¹ z)_i = e_i/√F_i,   a_{i+1} = ρ (a_i + K_i e_i)        F and K: [`Filter`]
 /// ```
-/// All of it is linear in z, and takes a time that grows with n.
+/// The filter is linear in z. Its computing time is proportional to n.
 #[derive(Clone, Debug)]
 pub(super) struct Whitening {
     gains: Vec<Gains>,
@@ -103,7 +103,7 @@ impl Whitening {
         whitening
     }
 
-    /// L⁻¹ z.
+    /// Whitened series L⁻¹ z.
     pub(super) fn white(&self, z: &[f64]) -> Vec<f64> {
         let mut predicted = 0.0;
         let mut white = Vec::with_capacity(z.len());
@@ -114,7 +114,7 @@ impl Whitening {
         white
     }
 
-    /// L⁻ᵀ w; of w = L⁻¹ z it is V⁻¹ z.
+    /// L⁻ᵀ w. For w = L⁻¹ z this is V⁻¹ z.
     pub(super) fn adjoint(&self, white: &[f64]) -> Vec<f64> {
         let n = white.len();
         let mut out = vec![0.0; n];
@@ -128,14 +128,14 @@ impl Whitening {
         out
     }
 
-    /// For each survey τ, what |L⁻¹ c|² is of the change c that begins there: of a step (0 before τ, 1 from it on), and of a slope
-    /// (max(0, t − t_τ)).
+    /// For each survey τ, the value |L⁻¹ c|² of two changes c that begin there: a step (0 before τ, 1 from τ on) and a slope (max(0, t − t_τ)).
     ///
-    /// The squared length of what is still to come is a quadratic form in the prediction a, and in α, β of c = α + β t, known from its end backwards.
+    /// The remaining squared length is a quadratic form in the prediction a and in α, β of c = α + β t. Its coefficients are computed backwards from
+    /// the end.
     pub(super) fn energies(&self, at: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = at.len();
         let (mut steps, mut slopes) = (vec![0.0; n], vec![0.0; n]);
-        // coefficients of aa, aα, aβ, αα, αβ, ββ
+        // coefficients of a², aα, aβ, α², αβ, β²
         let mut q = [0.0_f64; 6];
         for i in (0..n).rev() {
             let Gains {

@@ -1,34 +1,34 @@
-//! Damped Gauss–Newton for small problems whose unknowns stay in a box.
+//! Damped Gauss–Newton method for small least-squares problems with bounds on the unknowns.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | r, J | `residual`, `jacobian` | residuals (m) and dr/dx (m × n) |
-//! | μ | `damping` | damping of the step, grows where the model of J fails |
+//! | μ | `damping` | damping of the step; increases when the linear model fails |
 
 use super::levenberg_marquardt::Residuals;
 use dolmen_linalg::{Matrix, solve_least_squares};
 
-/// First damping relative to the largest diagonal entry of JᵀJ, as without a box.
+/// First damping, relative to the largest diagonal entry of JᵀJ, as in the method without bounds.
 const DAMPING_FIRST: f64 = 1e-3;
-/// Damping beyond which no step can be found: the point is a minimum to rounding.
+/// Damping at which the search ends: no step improves the point, which is a minimum to rounding.
 const DAMPING_MOST: f64 = 1e10;
-/// Longest step of one unknown; unknowns are logarithms, so this is a factor of e².
+/// Largest step of one unknown. The unknowns are logarithms, so this is a factor of e².
 const STEP_MOST: f64 = 2.0;
-/// Steps below this are rounding.
+/// Length of a step below which only rounding is left.
 const STEP_LEAST: f64 = 1e-13;
 
-/// What a bounded fit stops at.
+/// Stopping criteria of a bounded fit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BoundedStop {
-    /// Evaluations at most.
+    /// Largest number of evaluations.
     pub(crate) evaluations_most: usize,
-    /// Sum of squares that is good enough; 0 for the minimum itself.
+    /// Sum of squares at which the fit ends; 0 to continue to the minimum.
     pub(crate) enough: f64,
-    /// Decrease of the sum of squares a step, relative to it, below which the fit ends.
+    /// Relative decrease of the sum of squares in one step below which the fit ends.
     pub(crate) decrease_least: f64,
 }
 
-/// Where a bounded fit ended.
+/// Result of a bounded fit.
 pub(crate) struct BoundedFit {
     pub(crate) x: Vec<f64>,
     pub(crate) at: Residuals,
@@ -36,10 +36,11 @@ pub(crate) struct BoundedFit {
     pub(crate) squares: f64,
 }
 
-/// A minimum of ‖r(x)‖² with lower ≤ x ≤ upper that the start, moved into the box, leads to; `None` if `at` refuses the start.
+/// A local minimum of ‖r(x)‖² with lower ≤ x ≤ upper. The search begins at the start point, moved into the bounds; `None` if `at`
+/// refuses that point.
 ///
-/// Unknowns that lie on a bound and would leave it are held in that step; the step of the others is cut at the bounds. An unknown
-/// whose bounds are equal is held throughout.
+/// In each step, unknowns at a bound that would leave it are fixed, and the step of the others is cut at their bounds. An unknown
+/// with equal bounds is always fixed.
 pub(crate) fn bounded_least_squares(
     start: &[f64],
     [lower, upper]: [&[f64]; 2],
@@ -111,7 +112,7 @@ fn sum_of_squares(v: &[f64]) -> f64 {
     products(v, v)
 }
 
-/// d of the free unknowns that makes ‖J d + r‖² + μ ‖d‖² smallest.
+/// The step d of the free unknowns that minimises ‖J d + r‖² + μ ‖d‖².
 fn damped_step(here: &Residuals, free: &[usize], root_damping: f64) -> Option<Vec<f64>> {
     let (m, n) = (here.jacobian.rows(), free.len());
     let stacked = Matrix::from_fn(m + n, n, |i, j| match i.checked_sub(m) {
@@ -149,7 +150,7 @@ mod tests {
 
     #[test]
     fn exact_rosenbrock_valley_cut_by_a_bound() {
-        // on x ≤ 1/2 the least is at (1/2, 1/4), where r = (0, 1/2)
+        // on x ≤ 1/2 the minimum is at (1/2, 1/4), where r = (0, 1/2)
         let fit = bounded_least_squares(&[-1.2, 1.0], [&[-5.0; 2], &[0.5, 5.0]], &STOP, rosenbrock).unwrap();
         assert_eq!(fit.x[0], 0.5);
         assert!((fit.x[1] - 0.25).abs() < 1e-9, "{:?}", fit.x);

@@ -6,7 +6,7 @@ use super::{Bracketing, NumericError, bracketed_root};
 const TERMS_MOST: usize = 100_000;
 const PART_LEAST: f64 = 1e-16;
 
-/// P(χ² ≥ value) with so many degrees of freedom, whole or not; 1 with none.
+/// P(χ² ≥ value) with this number of degrees of freedom, which need not be whole; 1 with none.
 ///
 /// ```text
 /// Q(ν/2, value/2),   Q the upper regularised incomplete gamma function: 1 less its series below ν/2 + 1, its continued fraction above
@@ -74,7 +74,7 @@ pub fn chi_squared_above(value: f64, degrees_of_freedom: f64) -> Result<f64, Num
     Err(NumericError::Evaluations { most: TERMS_MOST })
 }
 
-/// The value below which χ² of so many degrees of freedom lies with a probability.
+/// The value below which χ² with this number of degrees of freedom lies with the given probability.
 ///
 /// # Errors
 /// [`NumericError::Range`] unless 0 < probability < 1 and there is more than 0 degrees of freedom.

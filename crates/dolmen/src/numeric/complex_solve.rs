@@ -7,7 +7,7 @@ pub(crate) fn complex_solve(a: &mut [Vec<Complex64>], b: &mut [Complex64]) -> bo
     complex_solve_all(a, &mut [b])
 }
 
-/// The same for several b.
+/// Solves for several right sides b.
 pub(crate) fn complex_solve_all(a: &mut [Vec<Complex64>], right: &mut [&mut [Complex64]]) -> bool {
     let n = a.len();
     for j in 0..n {

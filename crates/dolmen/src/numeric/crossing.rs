@@ -1,29 +1,29 @@
-//! Where a polynomial first turns negative: no crossing is passed over, however short.
+//! First root at which a polynomial becomes negative. No root is missed, however short the negative interval.
 
-/// Most coefficients a polynomial may have here.
+/// Largest number of coefficients of a polynomial.
 pub(crate) const COEFFICIENTS_MOST: usize = 40;
-/// Halvings of [0, 1] before an interval counts as a point: 2⁻⁵² is the resolution of numbers near 1.
+/// Number of halvings of [0, 1] after which an interval counts as a point: 2⁻⁵² is the resolution of numbers near 1.
 const HALVINGS_MOST: u32 = 52;
 
-/// The first σ in [`from`, 1] at which p(σ) = Σ c_k σᵏ goes below zero; `None` if it stays at or above zero.
+/// The first σ in [`from`, 1] at which p(σ) = Σ c_k σᵏ becomes negative; `None` if p stays at or above zero.
 ///
-/// A zero that is only touched is none. If p is negative at `from` already, that is `from`.
+/// A double root that p only touches does not count. If p is already negative at `from`, the result is `from`.
 ///
-/// On an interval, p lies within the hull of its coefficients in the basis of Bernstein. An interval where all of them are
-/// positive has no crossing; one where they change sign once has exactly one, which is located by bisection and secants;
-/// others are halved. So a pair of crossings close to each other is found too, down to what the digits of p tell.
+/// On an interval, p lies within the hull of its Bernstein coefficients. If all of them are positive, the interval has no root. If
+/// they change sign once, it has exactly one, which is located by bisection and secants. Other intervals are halved. So two close
+/// roots are found too, within the precision of p.
 ///
 /// # Source
 /// Farouki, R. T. (2012) The Bernstein polynomial basis: a centennial retrospective. Comput. Aided Geom. Des. 29:379-419, §§ 3, 5.
 pub(crate) fn first_descent(c: &[f64], from: f64) -> Option<f64> {
-    // the sign of p beside σ = 0 is that of its first coefficient
+    // near σ = 0 the sign of p is that of its first coefficient
     let c = if from == 0.0 {
         &c[c.iter().take_while(|x| **x == 0.0).count()..]
     } else {
         c
     };
     let (&first, rest) = c.split_first()?;
-    // what most calls end with: nothing can bring p down to zero
+    // most calls end here: the other coefficients cannot reduce p to zero
     if first > falls_most(rest) || stays_up(c) {
         return None;
     }
@@ -37,13 +37,13 @@ pub(crate) fn first_descent(c: &[f64], from: f64) -> Option<f64> {
     descend(c, b, from, 1.0, HALVINGS_MOST)
 }
 
-/// What negative coefficients can take away on [0, 1].
+/// Largest reduction of p on [0, 1] by negative coefficients.
 fn falls_most(c: &[f64]) -> f64 {
     c.iter().map(|c| if *c < 0.0 { -c } else { 0.0 }).sum()
 }
 
-/// Whether the cubic of the first four coefficients stays, by its own basis of Bernstein, above all that the others can take away,
-/// rounding included.
+/// Whether the cubic of the first four coefficients, by its Bernstein coefficients, stays above the largest reduction by the other
+/// coefficients, including rounding.
 fn stays_up(c: &[f64]) -> bool {
     let Some((&[c0, c1, c2, c3], rest)) = c.split_first_chunk::<4>() else {
         return false;
@@ -56,7 +56,7 @@ fn stays_up(c: &[f64]) -> bool {
         .all(|b| b > floor)
 }
 
-/// b_j = Σ_{k ≤ j} C(j, k)/C(d, k) c_k on [0, 1], by differences: no binomials are formed.
+/// Bernstein coefficients b_j = Σ_{k ≤ j} C(j, k)/C(d, k) c_k on [0, 1], by differences, without binomial coefficients.
 fn to_bernstein(c: &[f64], b: &mut [f64]) {
     let degree = c.len() - 1;
     // c_k / C(d, k)
@@ -75,7 +75,8 @@ fn to_bernstein(c: &[f64], b: &mut [f64]) {
     }
 }
 
-/// De Casteljau: `b` becomes the coefficients right of `at` (in parts of its interval), `left` those left of it.
+/// De Casteljau's algorithm: splits an interval at the fraction `at`. `b` becomes the coefficients of the right part, `left` those
+/// of the left part.
 fn split(b: &mut [f64], at: f64, left: &mut [f64]) {
     let n = b.len();
     for (row, left) in left.iter_mut().enumerate() {
@@ -100,7 +101,7 @@ fn descend(c: &[f64], b: &[f64], low: f64, high: f64, halvings: u32) -> Option<f
     }
     match changes {
         0 => return None,
-        // one sign change, from above to below: one crossing
+        // one sign change, from positive to negative: one root
         1 => return Some(locate(c, low, high)),
         _ => {}
     }
@@ -116,10 +117,10 @@ fn descend(c: &[f64], b: &[f64], low: f64, high: f64, halvings: u32) -> Option<f
     descend(c, left, low, middle, halvings - 1).or_else(|| descend(c, right, middle, high, halvings - 1))
 }
 
-/// The crossing in [low, high], of which there is one: the Illinois method with bisection, to neighbouring numbers.
+/// The only root in [low, high], by the Illinois method with bisection, to adjacent floating-point numbers.
 fn locate(c: &[f64], mut low: f64, mut high: f64) -> f64 {
     let (mut at_low, mut at_high) = (polynomial(c, low), polynomial(c, high));
-    // a zero at the low end, or rounding there: the coefficients say that p rises from it first
+    // p may be zero or rounded at the low end: by its coefficients it first increases from there
     at_low = at_low.max(f64::MIN_POSITIVE);
     if at_high >= 0.0 {
         return high;
@@ -158,7 +159,7 @@ fn locate(c: &[f64], mut low: f64, mut high: f64) -> f64 {
     high
 }
 
-/// What |Σ c_k σᵏ| is at most on [0, 1]: Σ |c_k|.
+/// Upper bound of |Σ c_k σᵏ| on [0, 1]: Σ |c_k|.
 pub(crate) fn polynomial_most(c: &[f64]) -> f64 {
     let mut lanes = [0.0; 4];
     let fours = c.chunks_exact(4);
@@ -180,7 +181,7 @@ pub(crate) fn polynomial(c: &[f64], sigma: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Coefficients of a product of (1 − σ/root), times its sign.
+    /// Coefficients of the product of (1 − σ/root), with its sign.
     fn from_roots(roots: &[f64]) -> Vec<f64> {
         let mut c = vec![1.0];
         for root in roots {
@@ -202,11 +203,11 @@ mod tests {
         };
         near(&from_roots(&[0.3]), 0.0, 0.3);
         near(&from_roots(&[0.8, 0.3, 2.0]), 0.0, 0.3);
-        // two crossings a thousandth apart, both at ends of one sign
+        // two roots 0.001 apart, with the same sign at both ends
         let pair = from_roots(&[0.4, 0.401]);
         assert!(polynomial(&pair, 0.0) > 0.0 && polynomial(&pair, 1.0) > 0.0);
         assert!((first_descent(&pair, 0.0).unwrap() - 0.4).abs() < 1e-11);
-        // past the first dip the next descent is that of the third root
+        // after the first negative interval the next descent is at the third root
         near(&from_roots(&[0.2, 0.5, 0.7]), 0.5 + 1e-9, 0.7);
         assert_eq!(first_descent(&from_roots(&[0.2, 0.5, 1.7]), 0.5 + 1e-9), None);
         // a high degree
@@ -220,15 +221,15 @@ mod tests {
         assert_eq!(first_descent(&[1.0, -0.999], 0.0), None);
         assert_eq!(first_descent(&from_roots(&[1.5, -2.0]), 0.0), None);
         assert_eq!(first_descent(&[0.0, 1.0, -0.5], 0.0), None);
-        // zero at the start, then down at once
+        // zero at the start, then decreasing
         assert_eq!(first_descent(&[0.0, -1.0], 0.0), Some(0.0));
         // (σ − ½)² touches zero exactly in binary
         assert_eq!(first_descent(&[0.25, -1.0, 1.0], 0.0), None);
-        // up first, then down
+        // first increasing, then decreasing
         assert!((first_descent(&[0.0, 1.0, -2.0], 0.0).unwrap() - 0.5).abs() < 1e-15);
         assert!((first_descent(&[0.0, 1.0, -4.0], 0.0).unwrap() - 0.25).abs() < 1e-15);
         assert!((first_descent(&[0.0, 0.0, 1.0, -4.0], 0.0).unwrap() - 0.25).abs() < 1e-15);
-        // negative already
+        // already negative
         assert_eq!(first_descent(&[-1e-3, 1.0], 0.0), Some(0.0));
     }
 }

@@ -8,7 +8,7 @@ pub enum NumericError {
         quantity: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// A count lies outside the range in which the function is defined.
@@ -26,7 +26,7 @@ pub enum NumericError {
     /// A value among many is not a finite number.
     #[error("value {number} of {quantity} is {given}, but must be a finite number")]
     NotFinite {
-        /// What the values are.
+        /// Name of the quantity.
         quantity: &'static str,
         /// Which one, from 1.
         number: usize,

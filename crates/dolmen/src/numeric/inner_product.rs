@@ -1,6 +1,6 @@
 //! Sums of products of long rows of numbers.
 
-/// Σ a b, in lanes that the processor adds at once.
+/// Inner product Σ a b, in lanes that the processor adds together.
 pub(crate) fn inner(a: &[f64], b: &[f64]) -> f64 {
     const LANES: usize = 8;
     let mut sum = [0.0; LANES];

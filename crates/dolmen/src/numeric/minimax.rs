@@ -14,16 +14,16 @@ pub(crate) struct Piece {
     pub(crate) slope: Vec<f64>,
 }
 
-/// What is to be made small. Functions should be of the order of 1 and so should the changes of x that matter:
-/// logarithms of positive quantities are.
+/// The functions whose maximum is minimised. Functions and relevant changes of x should be of the order of 1, as logarithms of positive quantities
+/// are.
 pub(crate) trait Worst {
-    /// The largest of the functions; `None` where there is none.
+    /// The largest of the functions; `None` if there is none.
     fn worst(&mut self, x: &[f64]) -> Option<f64>;
-    /// Those functions that are or may become the largest nearby, in an order that does not change with x.
+    /// The functions that are or may become the largest nearby, in an order that does not depend on x.
     fn pieces(&mut self, x: &[f64]) -> Option<Vec<Piece>>;
 }
 
-/// How a search goes on and ends.
+/// Parameters of the search.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Minimax {
     /// Steps allowed.
@@ -59,7 +59,7 @@ pub(crate) struct MinimaxPoint {
 const STEP_MOST: f64 = 0.5;
 /// Part of the predicted decrease that a step must bring (Nocedal and Wright 2006, sec. 3.1).
 const DECREASE_LEAST: f64 = 1e-4;
-/// Halvings of a step before it is given up.
+/// Largest number of halvings of a step.
 const HALVINGS: usize = 25;
 /// Damping of the update of B (Powell 1978).
 const POWELL: f64 = 0.2;
@@ -132,7 +132,7 @@ pub(crate) fn by_differences(x: &[f64], mut value: impl FnMut(&[f64]) -> Option<
     all_by_differences(x, |x| Some(vec![value(x)?]))?.pop()
 }
 
-/// The same of functions that are computed together.
+/// Derivatives by differences, for functions that are computed together.
 fn all_by_differences(x: &[f64], mut values: impl FnMut(&[f64]) -> Option<Vec<f64>>) -> Option<Vec<Piece>> {
     const H: f64 = 1e-5;
     let piece = |value| Piece {

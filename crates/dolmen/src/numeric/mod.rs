@@ -1,4 +1,4 @@
-//! Mathematics that knows nothing of structures: roots, statistics, seeded random numbers, Fourier transforms.
+//! Mathematics independent of structures: roots, statistics, seeded random numbers, Fourier transforms.
 
 mod assignment;
 mod bounded_least_squares;

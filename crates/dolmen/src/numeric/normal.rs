@@ -1,17 +1,17 @@
-//! The normal distribution: its probability, the logarithm of it far out, and its quantiles.
+//! The normal distribution: probability, logarithm of the probability, and quantile.
 
 use super::NumericError;
 use std::f64::consts::{FRAC_1_SQRT_2, LN_2, PI};
 
-/// Below this z the error function comes near the end of what floating point holds, and the asymptotic series is exact to rounding.
+/// Below this z the error function approaches underflow, and the asymptotic series is exact to rounding.
 const FAR: f64 = -20.0;
 
-/// Φ(z): the probability that a normal variable lies below z.
+/// Φ(z), the probability that a standard normal variable is below z.
 pub fn normal_probability(z: f64) -> f64 {
     0.5 * libm::erfc(-z * FRAC_1_SQRT_2)
 }
 
-/// ln Φ(z), also where Φ is too small to be written.
+/// ln Φ(z), also where Φ(z) underflows.
 pub fn ln_normal_probability(z: f64) -> f64 {
     if z > 5.0 {
         return (-normal_probability(-z)).ln_1p();
@@ -27,7 +27,7 @@ pub fn ln_normal_probability(z: f64) -> f64 {
     ln_normal_density(z) - (-z).ln() + series.ln()
 }
 
-/// ln φ(z), the logarithm of the density.
+/// ln φ(z), the logarithm of the normal density.
 pub(crate) fn ln_normal_density(z: f64) -> f64 {
     -0.5 * (z * z + LN_2 + PI.ln())
 }
@@ -37,7 +37,7 @@ pub(crate) fn normal_hazard(z: f64) -> f64 {
     (ln_normal_density(z) - ln_normal_probability(z)).exp()
 }
 
-/// The z below which a normal variable lies with a probability.
+/// The z below which a standard normal variable lies with the given probability.
 ///
 /// # Errors
 /// [`NumericError::Range`] unless 0 < probability < 1.
@@ -62,7 +62,7 @@ pub fn normal_quantile(probability: f64) -> Result<f64, NumericError> {
     Ok(lower_quantile(probability.ln()))
 }
 
-/// z of ln Φ(z) = `ln_probability` ≤ ln ½. Newton's method on ln Φ, which is concave: from its first step on it rises to the root.
+/// Solves ln Φ(z) = `ln_probability` for values ≤ ln ½ by Newton's method. ln Φ is concave, so the iterates rise to the root after the first step.
 fn lower_quantile(ln_probability: f64) -> f64 {
     const STEPS_MOST: usize = 60;
     let mut z = -(-2.0 * ln_probability).sqrt();

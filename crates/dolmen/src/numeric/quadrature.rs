@@ -1,7 +1,7 @@
-//! Integrals of several functions at once, to a tolerance.
+//! Adaptive integration of several functions at once, to a tolerance.
 
-/// Nodes of Kronrod's rule of 15 points on (−1, 1), the even ones (from 0) not of Gauss's 7: Piessens et al. (1983)
-/// QUADPACK, QK15.
+/// Nodes of Kronrod's 15-point rule on (−1, 1). The nodes with odd index are those of Gauss's 7-point rule. Piessens et
+/// al. (1983) QUADPACK, QK15.
 const NODES: [f64; 8] = [
     0.991_455_371_120_812_6,
     0.949_107_912_342_758_5,
@@ -29,19 +29,19 @@ const GAUSS: [f64; 4] = [
     0.417_959_183_673_469_4,
 ];
 
-/// A node of a rule and its weight.
+/// A node of an integration rule and its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Node {
     pub(crate) x: f64,
     pub(crate) weight: f64,
 }
 
-/// Nodes and weights of rules of 15 points on intervals so short that each function is integrated to `tolerance` of its
-/// own whole integral; the functions must not change sign. `None` if that takes more than `intervals_most`, or
-/// `functions` gives none.
+/// Nodes and weights of 15-point rules on intervals that are short enough to integrate each function to `tolerance`
+/// times its own whole integral. The functions must not change sign. `None` if this takes more than `intervals_most`
+/// intervals, or if `functions` returns `None`.
 ///
-/// `breaks` are ascending: first and last end and what stands out between. Each interval is halved while the rules of 7
-/// and 15 points differ by more than its share.
+/// `breaks` are ascending: both ends of the range, and points of special interest between them. An interval is halved
+/// while the 7-point and 15-point rules differ by more than the interval's share of the tolerance.
 pub(crate) fn adaptive_nodes(
     breaks: &[f64],
     tolerance: f64,
@@ -99,7 +99,7 @@ struct Interval {
     errors: Vec<f64>,
 }
 
-/// Kronrod's rule of 15 points: exact for polynomials of degree 22.
+/// Kronrod's 15-point rule, exact for polynomials up to degree 22.
 pub(crate) fn nodes_15(low: f64, high: f64) -> Vec<Node> {
     let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
     let mut nodes = Vec::with_capacity(15);
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn exact_a_narrow_peak() {
-        // ∫ over (0, 10) of d / ((x − 1)² + d²)
+        // ∫ over (0, 10) of d / ((x − 1)² + d²) dx
         let d = 1e-4_f64;
         let peak = |x: f64| d / ((x - 1.0) * (x - 1.0) + d * d);
         let nodes = adaptive_nodes(&[0.0, 1.0, 10.0], 1e-12, 1000, |x| Some(vec![peak(x)])).unwrap();

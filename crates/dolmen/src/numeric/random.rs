@@ -12,8 +12,8 @@ use rand_pcg::Pcg64Dxsm;
 
 /// A reproducible sequence of random numbers.
 ///
-/// A study gives every sample its own stream, numbered by the sample: sample 17 is then the same whatever order, on
-/// however many threads, and out of however many samples it is drawn.
+/// A study gives every sample its own stream, numbered by the sample: sample 17 is then the same in any order, on any
+/// number of threads, and in a study of any size.
 ///
 /// The generator is PCG64-DXSM, whose integers are the same everywhere. `uniform` and `normal` use only operations
 /// whose bits IEEE 754 fixes, with a logarithm and an exponential of our own; so does `lognormal`. Nothing here

@@ -5,7 +5,8 @@ use super::NumericError;
 /// Where a bracketed search stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bracketing {
-    /// Width of the bracket to stop at, in the unit of x; 0 (the default) goes on to neighbouring numbers.
+    /// Width of the bracket at which the search ends, in the unit of x; 0 (the default) continues to adjacent
+    /// floating-point numbers.
     pub width_most: f64,
     /// Evaluations allowed, default 200 (our choice): bisection alone needs 53 when the root is as large as the
     /// bracket, and 3.3 more for each power of ten that it is smaller.

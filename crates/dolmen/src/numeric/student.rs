@@ -43,7 +43,7 @@ pub fn student_two_sided(statistic: f64, degrees_of_freedom: f64) -> Result<f64,
     Ok(beta_probability(nu / (nu + statistic * statistic), 0.5 * nu, 0.5))
 }
 
-/// From so many degrees of freedom on Student's distribution is the normal one to 1e-7 of its probability, up to |t| = 8.
+/// Number of degrees of freedom from which Student's distribution equals the normal one within 1e-7 of its probability, up to |t| = 8.
 const NORMAL_FROM: f64 = 1e10;
 
 /// The t > 0 beyond which, on both sides together, Student's distribution holds a probability.
@@ -150,7 +150,7 @@ pub fn student_detectable(
     bracketed_root(lacks, 0.0, most, &Bracketing::default())
 }
 
-/// From so many degrees of freedom on the shift is that of the normal distribution and Student's t to 1e-5.
+/// Number of degrees of freedom from which the shift equals the difference between the normal distribution and Student's t within 1e-5.
 const NORMAL_SHIFT_FROM: f64 = 1e5;
 /// Parts of the integral.
 const PARTS: usize = 2000;

@@ -2,7 +2,7 @@
 
 use super::{Processing, Record};
 
-/// What is removed from each channel.
+/// The trend that is removed from each channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Trend {
     /// The mean: what an accelerometer shows at rest.

@@ -21,7 +21,7 @@ pub enum SignalError {
         channel: String,
         /// Its number of samples.
         samples: usize,
-        /// That of the first channel.
+        /// Number of samples of the first channel.
         first: usize,
     },
     /// The sampling rate is not a positive number.
@@ -87,7 +87,7 @@ pub enum SignalError {
     /// The options name a channel that the record does not have.
     #[error("there is no channel \"{given}\"; the record has {}", .names.join(", "))]
     UnknownChannel {
-        /// The name asked for.
+        /// The requested name.
         given: String,
         /// The names there are.
         names: Vec<String>,
@@ -123,9 +123,9 @@ pub enum SignalError {
          and lie within the record, 0 to {duration_s} s"
     )]
     Cut {
-        /// Start asked for, s.
+        /// Requested start, s.
         from_s: f64,
-        /// End asked for, s.
+        /// Requested end, s.
         to_s: f64,
         /// Two sampling intervals, s.
         least_s: f64,
@@ -192,9 +192,9 @@ pub enum SignalError {
     /// The segments of a spectrum are too short, or longer than the record.
     #[error("segment_length is {given}, but must be {least} to {most} samples, the length of the record")]
     SegmentLength {
-        /// Samples asked for.
+        /// Requested number of samples.
         given: usize,
-        /// Fewest samples of which a spectrum can be made.
+        /// Fewest samples for a spectrum.
         least: usize,
         /// Samples of the record.
         most: usize,
@@ -229,7 +229,7 @@ pub enum SignalError {
         argument: &'static str,
         /// Its value.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// A component without motion cannot be scaled to a peak.

@@ -8,8 +8,8 @@ const STUCK_S: f64 = 1.0;
 /// crest of a slow wave is 2.4 times those.
 const STUCK_RUNS: usize = 20;
 const STUCK_BESIDE: usize = 5;
-/// A channel whose motion is no more than this many steps of its digitiser stays at one value in quiet time. There a run must be at least this
-/// share of the record. Chosen here.
+/// Largest motion, in steps of the digitiser, at which a channel may stay at one value in quiet time, and least fraction of the record that a
+/// run must then have. Chosen here.
 const COARSE_STEPS: f64 = 4.0;
 const COARSE_SHARE: f64 = 0.2;
 /// Number of blocks in which strength is compared, fewest other channels, and the smallest change that counts as a fault. Chosen here.

@@ -18,7 +18,7 @@ const CROWDED: usize = 4;
 /// below the noise of two sensors.
 const SAME: f64 = 1e-6;
 
-/// Why a channel should not be used as it is. Printed, it is a sentence that says what to do.
+/// Why a channel should not be used without treatment. `Display` gives a sentence that says what to do.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ChannelFault {
     /// Every sample is the same.
@@ -88,7 +88,7 @@ pub enum ChannelFault {
     Clipped {
         /// Name of the channel.
         channel: String,
-        /// That value.
+        /// The constant value.
         value: f64,
         /// Samples at that value.
         samples: usize,
@@ -410,7 +410,7 @@ fn held_at_extreme(x: &[f64], sign: f64) -> Option<ClippedRun> {
     })
 }
 
-/// Largest of the values times `sign`, in lanes that the processor compares at once.
+/// Largest of the values times `sign`, in lanes that the processor compares together.
 fn largest_of(x: &[f64], sign: f64) -> f64 {
     let larger = |a: f64, b: f64| if b > a { b } else { a };
     let mut lanes = [f64::NEG_INFINITY; 8];

@@ -7,8 +7,8 @@ use std::borrow::Cow;
 /// All faults that [`inspect`] finds, except in given times, from and to, s. `lost_s` is left out; in `shaken_s` single large samples and
 /// changes of strength are no faults, because the ground causes them.
 ///
-/// Stuck, dead, clipped, drifting and duplicated channels are sought in the whole record; faint ones, changing strength, spikes and similar
-/// channels only in quiet time.
+/// Stuck, dead, clipped, drifting and duplicated channels are detected in the whole record; faint ones, changing strength, spikes and
+/// similar channels only in quiet time.
 pub fn inspect_apart(record: &Record, lost_s: &[[f64; 2]], shaken_s: &[[f64; 2]]) -> Vec<ChannelFault> {
     let there = without(record, lost_s);
     if shaken_s.is_empty() {
@@ -107,7 +107,7 @@ mod tests {
     use crate::numeric::Random;
     use crate::signal::Channel;
 
-    /// Three channels of noise; the first shakes by itself from 40 to 60 s and has a spike at 80 s.
+    /// Three channels of noise; only the first shakes from 40 to 60 s and has a spike at 80 s.
     fn record() -> Record {
         let mut random = Random::new(5, 1);
         let samples = (0..3).map(|c| {

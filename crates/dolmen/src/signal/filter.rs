@@ -3,10 +3,10 @@
 use super::sections::{Prototype, Sections};
 use super::{Processing, Record, SignalError};
 
-/// Highest order: above it the gain at the corner loses accuracy.
+/// Highest order. At higher orders the gain at the corner loses accuracy.
 const ORDER_MOST: usize = 12;
 
-/// The record without everything above `corner_hz`, without delay.
+/// Low-pass filter: removes frequencies above `corner_hz`, without delay.
 ///
 /// A Butterworth filter of `order` (1 to 12; 4 is usual) runs forwards and backwards over each channel:
 ///
@@ -19,14 +19,14 @@ const ORDER_MOST: usize = 12;
 /// [`SignalError::TooShortForFilter`] if the filter rings for longer than the record lasts.
 ///
 /// # Limits
-/// Both ends are continued by odd reflection for as long as the filter rings (to 1 %), and each pass starts from the steady state. Within that
-/// time of an end the result depends on these continuations.
+/// Both ends are extended by odd reflection for as long as the filter rings (to 1 %), and each pass starts from the steady state. Closer to an
+/// end than that time, the result depends on the extension.
 ///
 /// # Source
 /// Oppenheim & Schafer (2010) *Discrete-Time Signal Processing*, 3rd ed., sec. 7.2 (bilinear transform) and problem 5.67
-/// (forwards and backwards); Gustafsson (1996) IEEE Trans. Signal Process. 44(4):988-992 on the ends. Agrees with
-/// `scipy.signal.sosfiltfilt` given the same `padlen`. Differs from it: scipy continues the ends by 3 (2 sections + 1)
-/// samples whatever the corner; here by as many as the filter rings.
+/// (forwards and backwards); Gustafsson (1996) IEEE Trans. Signal Process. 44(4):988-992 on the ends. Agrees with `scipy.signal.sosfiltfilt`
+/// for the same `padlen`. Differs from it: scipy extends the ends by 3 (2 sections + 1) samples for any corner; here the length is the ringing
+/// time of the filter.
 ///
 /// # Example
 /// ```
@@ -47,10 +47,10 @@ pub fn low_pass(mut record: Record, corner_hz: f64, order: usize) -> Result<Reco
     Ok(record)
 }
 
-/// The record with only the band between `low_hz` and `high_hz`, without delay.
+/// Band-pass filter: keeps frequencies between `low_hz` and `high_hz`, without delay.
 ///
-/// A Butterworth filter of `order` (1 to 12; 4 is usual) on either side of the band runs forwards and backwards over each
-/// channel. With w = tan(π f / f_s) and B = w_high - w_low:
+/// A Butterworth filter of `order` (1 to 12; 4 is usual) on both sides of the band runs forwards and backwards over each channel. With w =
+/// tan(π f / f_s) and B = w_high - w_low:
 ///
 /// ```text
 /// gain(f) = 1 / (1 + ((w² - w_low w_high) / (B w))^(2 order))              1/2 at both corners
@@ -58,10 +58,10 @@ pub fn low_pass(mut record: Record, corner_hz: f64, order: usize) -> Result<Reco
 ///
 /// # Errors
 /// [`SignalError::Corner`] and [`SignalError::Band`] unless 0 < low < high < Nyquist, [`SignalError::FilterOrder`],
-/// [`SignalError::TooShortForFilter`].
+/// [`SignalError::TooShortForFilter`] if the filter rings for longer than the record.
 ///
 /// # Limits
-/// As [`low_pass`]. The lower corner determines how long the ends are uncertain: 0.1 Hz of order 4 rings for 19 s.
+/// As [`low_pass`]. The lower corner determines the ringing time: a corner of 0.1 Hz of order 4 rings for 19 s.
 ///
 /// # Source
 /// As [`low_pass`].
@@ -92,7 +92,7 @@ pub fn band_pass(mut record: Record, low_hz: f64, high_hz: f64, order: usize) ->
     Ok(record)
 }
 
-/// Runs the filter over each channel, unless it rings longer than the record lasts.
+/// Runs the filter over each channel; refuses a filter that rings longer than the record.
 pub(super) fn run(name: &'static str, mut filter: Sections, record: &mut Record) -> Result<(), SignalError> {
     if record.length() <= filter.ringing {
         return Err(SignalError::TooShortForFilter {
@@ -190,7 +190,7 @@ mod tests {
         }
     }
 
-    /// Amplitude of a sine of that frequency after the filter, in the middle of 100 s, and its out-of-phase part.
+    /// Amplitude and out-of-phase part of a filtered sine of this frequency, in the middle of 100 s.
     fn gain(filter: impl Fn(Record) -> Record, frequency_hz: f64) -> (f64, f64) {
         let sine = |i: usize| (TAU * frequency_hz * i as f64 / RATE_HZ).sin();
         let filtered = filter(record((0..10_000).map(sine).collect()));

@@ -296,7 +296,7 @@ impl GroundMotion {
         self.cut(0.0, seconds)
     }
 
-    /// The motion brought to zero at both ends, within so many seconds at each, by half a cosine.
+    /// The motion tapered to zero at both ends by half a cosine, within this number of seconds at each end.
     ///
     /// ```text
     /// a_i ← a_i ½ (1 − cos(π t / seconds))        t = time from the nearer end < seconds

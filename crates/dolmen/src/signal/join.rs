@@ -1,31 +1,31 @@
-//! Joins channels that were sampled separately into one record: other clocks, other rates, other lengths.
+//! Joins channels with different clocks, sampling rates or lengths into one record.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | f | `rate_hz` | the common rate: the lowest | Hz |
-//! | h | `taps` | windowed sinc, corner at f/2 | – |
-//! | L | `HALF_LENGTH` | half its length | 1/f |
+//! | f | `rate_hz` | common sampling rate, the lowest of all | Hz |
+//! | h | `taps` | windowed sinc filter with its corner at f/2 | – |
+//! | L | `HALF_LENGTH` | half the length of the filter | 1/f |
 
 use super::{Channel, Processing, Record, SignalError};
 use std::collections::BTreeMap;
 
-/// Half length of the interpolation filter, in steps of the common rate. With [`SHAPE`] it is flat to 0.8 of the Nyquist frequency and closed
-/// from 1.2, like decimation.
+/// Half length of the interpolation filter, in steps of the common rate. With [`SHAPE`] the gain is constant up to 0.8 of the Nyquist frequency
+/// and zero from 1.2, as for decimation.
 const HALF_LENGTH: f64 = 18.0;
 /// β of the Kaiser window: stop band at −100 dB (Kaiser 1974, β = 0.1102 (A − 8.7)).
 const SHAPE: f64 = 10.06;
-/// Largest number of filter phases kept for reuse. Chosen here: common ratios of rates have fewer.
+/// Largest number of filter phases kept for reuse. Chosen here: common ratios of sampling rates need fewer.
 const PHASES_MOST: usize = 4096;
 /// Fraction of a step to which phases are rounded.
 const PHASE_STEPS: f64 = 1e9;
 
-/// Options of joining.
+/// Options of [`join`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Join {
-    /// Largest offset between the times of two channels that is ignored, in steps of the common rate, 0 to 0.5. Default 0.01, chosen here: 1.4°
-    /// of phase at 0.8 of the Nyquist frequency.
+    /// Largest time offset between two channels that is ignored, in steps of the common rate, 0 to 0.5. Default 0.01, chosen here: a phase
+    /// error of 1.4° at 0.8 of the Nyquist frequency.
     pub offset_most: f64,
-    /// How the starts are known. Default: each channel has its own.
+    /// How the start times are known. Default: each channel has its own.
     pub starts: Starts,
 }
 
@@ -38,54 +38,54 @@ impl Default for Join {
     }
 }
 
-/// Knowledge of the times at which channels begin.
+/// How the start times of the channels are known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Starts {
-    /// Each channel has a start in one common clock; a channel without one is refused.
+    /// Each channel has a start time by a common clock; a channel without one is refused.
     #[default]
     Stated,
-    /// All begin at one instant, whatever their starts.
+    /// All channels begin at the same instant; their start times are ignored.
     Together,
 }
 
 /// One channel with its own sampling.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
-    /// Its description.
+    /// Description of the channel.
     pub channel: Channel,
-    /// Its samples, SI.
+    /// Samples in SI units.
     pub samples: Vec<f64>,
-    /// Samples a second, Hz.
+    /// Sampling rate, Hz.
     pub sampling_rate_hz: f64,
-    /// Time of the first sample, s in the common clock; `None` if unknown.
+    /// Time of the first sample, s by the common clock; `None` if unknown.
     pub begins_s: Option<f64>,
 }
 
-/// Channels at common times.
+/// Result of [`join`]: channels at common times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joined {
-    /// All of them, in order.
+    /// The record with all channels, in order.
     pub record: Record,
-    /// Time of its first sample, s in the common clock; `None` where it was not needed.
+    /// Time of the first sample, s by the common clock; `None` if not needed.
     pub begins_s: Option<f64>,
 }
 
-/// Joins all channels into one record at the lowest of their rates, over the time that all share.
+/// Joins all channels into one record at the lowest of their rates, over their common time span.
 ///
 /// ```text
 /// y(t_k) = Σ_n h(t_k − t_n) x(t_n)     t_k: steps of the first channel of the lowest rate;  h: Kaiser-windowed sinc
 /// ```
 ///
-/// Channels at that rate whose samples lie within [`Join::offset_most`] of these times are shifted by whole samples and keep every bit. The
-/// others are interpolated as signals without content above the Nyquist frequency. The filter reaches 18 steps to either side; where it lacks
-/// samples the ends are cut off. The history has rates, offsets and cuts.
+/// Channels at that rate with samples within [`Join::offset_most`] of these times are shifted by whole samples, and their values do not change.
+/// The others are interpolated as signals without content above the Nyquist frequency. The filter extends 18 steps to both sides; where samples
+/// are missing the ends are cut off. The processing history lists rates, offsets and cuts.
 ///
 /// # Errors
-/// [`SignalError::NoStart`], [`SignalError::NoCommonTime`], [`SignalError::Argument`]; as [`Record::new`].
+/// [`SignalError::NoStart`], [`SignalError::NoCommonTime`], [`SignalError::Argument`]; and the errors of [`Record::new`].
 ///
 /// # Limits
-/// Flat to 1e-5 up to 0.8 of the common Nyquist frequency; above 1.2 of it 1e-5 remains (measured, in the tests). Drifting clocks are not
-/// detected: starts and rates are taken as given.
+/// The gain is constant within 1e-5 up to 0.8 of the common Nyquist frequency; above 1.2 of it the gain is below 1e-5 (measured, in the tests).
+/// Clock drift is not detected: start times and rates are taken as exact.
 ///
 /// # Example
 /// ```
@@ -164,7 +164,7 @@ fn check(pieces: &[Piece], options: &Join) -> Result<(), SignalError> {
                 given: piece.sampling_rate_hz,
             });
         }
-        // a value that is not finite would spread through the filter
+        // a value that is not finite would affect all samples within the filter length
         if let Some(sample) = piece.samples.iter().position(|x| !x.is_finite()) {
             return Err(SignalError::NotFinite {
                 channel: piece.channel.name.clone(),
@@ -183,20 +183,20 @@ fn check(pieces: &[Piece], options: &Join) -> Result<(), SignalError> {
     Ok(())
 }
 
-/// Whether the samples stay within `offset_most` of steps at this rate to the end.
+/// Whether all samples are within `offset_most` of the steps at this rate.
 fn same_rate(piece: &Piece, rate_hz: f64, offset_most: f64) -> bool {
     (piece.sampling_rate_hz / rate_hz - 1.0).abs() * piece.samples.len() as f64 <= offset_most
 }
 
-/// How one channel is taken to the common times.
+/// How one channel is converted to the common times.
 struct Plan {
-    /// First and last step of the common times that it covers.
+    /// First and last step of the common times within the channel.
     first: i64,
     last: i64,
-    /// Samples of the channel per step, and position of its first one in steps.
+    /// Samples of the channel per common step, and position of its first sample in steps.
     ratio: f64,
     at: f64,
-    /// Whether its samples are used unchanged.
+    /// Whether the samples are used without interpolation.
     whole: bool,
 }
 
@@ -236,7 +236,7 @@ impl Plan {
         let mut kept: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
         let reach = (HALF_LENGTH * self.ratio).floor() as usize;
         let value = |k: usize| {
-            let centre = ((first + k as i64) as f64 - self.at) * self.ratio; // samples of the channel
+            let centre = ((first + k as i64) as f64 - self.at) * self.ratio; // in samples of the channel
             let whole = centre.floor();
             let phase = ((centre - whole) * PHASE_STEPS).round() as i64;
             if kept.len() > PHASES_MOST {
@@ -253,7 +253,7 @@ impl Plan {
     }
 }
 
-/// Weights of the samples from `reach` before the one below the centre to `reach` after the one above it; they sum to 1.
+/// Weights of `reach` + 1 samples on each side of the centre; their sum is 1.
 fn taps(phase: f64, reach: usize, ratio: f64) -> Vec<f64> {
     let weight = |n: usize| {
         let steps = (n as f64 - reach as f64 - phase) / ratio;
@@ -340,7 +340,7 @@ mod tests {
         join(pieces, &Join::default()).unwrap().record
     }
 
-    /// Largest difference of channel 1 from channel 0, which is the sine itself.
+    /// Largest difference between channel 1 and channel 0, which is the exact sine.
     fn apart(record: &Record) -> f64 {
         let pairs = record.samples(0).iter().zip(record.samples(1));
         pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
@@ -360,7 +360,7 @@ mod tests {
 
     #[test]
     fn exact_other_rates_and_nothing_folds_down() {
-        // to 0.8 of 50 Hz; 250 over 100 Hz has two phases, 128 over 100 has 25, 100.01 has as many as samples
+        // up to 0.8 of 50 Hz; 250 over 100 Hz has two phases, 128 over 100 has 25, 100.01 as many as samples
         for rate_hz in [128.0, 250.0, 1000.0, 100.01] {
             let length = (8.0 * rate_hz) as usize;
             let record = joined(vec![
@@ -383,7 +383,7 @@ mod tests {
     #[test]
     fn exact_small_offsets_are_left_and_said() {
         let a = sine("a", 3.0, 0.0, 100.0, 500);
-        let b = sine("b", 3.0, 1.00005, 100.0, 500); // half a hundredth of a step late
+        let b = sine("b", 3.0, 1.00005, 100.0, 500); // 0.005 of a step late
         let record = joined(vec![a.clone(), b.clone()]);
         assert_eq!(record.samples(0), &a.samples[100..]);
         assert_eq!(record.samples(1), &b.samples[..400]);

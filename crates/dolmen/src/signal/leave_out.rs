@@ -1,11 +1,12 @@
-//! Leaving channels out.
+//! Removes channels from a record.
 
 use super::{Processing, Record, SignalError};
 
-/// The record without the channels named.
+/// Returns the record without the named channels.
 ///
 /// # Errors
-/// [`SignalError::UnknownChannel`] if a name is not in the record, [`SignalError::NothingLeft`] if no channel would stay.
+/// [`SignalError::UnknownChannel`] if the record has no channel of that name, [`SignalError::NothingLeft`] if no channel
+/// would remain.
 ///
 /// # Example
 /// ```

@@ -95,7 +95,7 @@ fn whole_runs(n: usize, lost: &[Range<usize>]) -> Vec<Range<usize>> {
     whole.filter(|run| !run.is_empty()).collect()
 }
 
-/// The runs used for the estimate: each long enough, and no more in all than needed.
+/// The runs for the estimate: each long enough, and in total no more than needed.
 fn learned(whole: &[Range<usize>], order: usize) -> Vec<Range<usize>> {
     let mut left = LEARNED_MOST;
     let mut taken = Vec::new();
@@ -238,7 +238,7 @@ mod tests {
     fn holds_what_is_left_of_a_run_to_learn_from_is_never_shorter_than_the_predictor() {
         let mut random = Random::new(11, 0);
         let whole: Vec<f64> = (0..2 * LEARNED_MOST).map(|_| random.normal()).collect();
-        // the first run leaves so many samples to learn from
+        // the first run leaves this number of samples for the estimate
         for left in [1, 31, ORDER, 2 * ORDER, 2 * ORDER + 1] {
             let mut holed = whole.clone();
             let lost = LEARNED_MOST - left..LEARNED_MOST - left + 1;

@@ -62,7 +62,7 @@ pub struct IntensityMeasures {
 /// [`SignalError::NoMotion`] if the component does not move.
 ///
 /// # Limits
-/// Velocity and displacement are those of the record as it is: an offset grows in them with t and t². Remove it first
+/// Velocity and displacement are those of the record without correction: an offset grows in them with t and t². Remove it first
 /// ([`GroundMotion::baseline_corrected`]). Programs that sum squares at the samples (trapezoids of a²) print a larger Arias intensity: by 4.5 %
 /// for El Centro 1940 at 0.02 s.
 ///

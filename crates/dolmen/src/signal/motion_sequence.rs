@@ -98,7 +98,7 @@ fn common_parts(first_s: f64, second_s: f64) -> Result<[u32; 2], SignalError> {
     })
 }
 
-/// The same line through so many samples in place of one.
+/// Linear interpolation with `parts` samples in place of each.
 fn finer(samples: &[f64], parts: u32) -> Vec<f64> {
     let mut found = Vec::with_capacity(samples.len() * parts as usize);
     for pair in samples.windows(2) {

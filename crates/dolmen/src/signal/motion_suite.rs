@@ -42,7 +42,7 @@ pub struct SuiteCandidate {
     pub event: Option<String>,
     /// The station, where it is known.
     pub station: Option<String>,
-    /// Key of which only one may be chosen: the file, or the two directions of one record.
+    /// Key by which only one candidate may be chosen: the file, or the two directions of one record.
     pub record: String,
 }
 
@@ -82,7 +82,7 @@ const GAIN_LEAST: f64 = 1e-12;
 /// that are not positive.
 ///
 /// # Limits
-/// In 400 pools of eight made records it finds the best of all 56 suites of three every time: see the tests.
+/// In 400 pools of eight simulated records it always finds the best of all 56 suites of three: see the tests.
 ///
 /// # Example
 /// ```

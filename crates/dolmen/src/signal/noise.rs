@@ -1,10 +1,10 @@
-//! Artificial motions: noise through the filter of a soil, under an envelope; the same seed gives the same motion.
+//! Artificial ground motions: filtered noise under an envelope. The same seed gives the same motion.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | S(ω) | `density` | spectral density of the acceleration, up to a factor | – |
-//! | ω_g, ζ_g | `ground_frequency_hz`, `ground_damping_ratio` | of the soil | rad/s, – |
-//! | ω_f, ζ_f | `corner_hz`, `corner_damping_ratio` | of the high-pass filter | rad/s, – |
+//! | ω_g, ζ_g | `ground_frequency_hz`, `ground_damping_ratio` | frequency and damping ratio of the soil | rad/s, – |
+//! | ω_f, ζ_f | `corner_hz`, `corner_damping_ratio` | frequency and damping ratio of the high-pass filter | rad/s, – |
 //! | t_1, t_2, c | `rise_s`, `strong_s`, `decay_per_s` | envelope: (t/t_1)², 1 for t_2, e^(−c (t − t_1 − t_2)) | s, s, 1/s |
 
 use super::at_rest::{bring_to_rest, edges};
@@ -19,27 +19,27 @@ const SAMPLES_MOST: f64 = 1e7;
 /// Length of the ramps to zero at both ends, s. Chosen here.
 const EDGE_S: f64 = 0.2;
 
-/// The spectral density of noise.
+/// Filter that defines the spectral density of the noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoiseFilter {
-    /// The same at every frequency.
+    /// White noise, with the same density at every frequency.
     White,
-    /// Kanai and Tajimi: bedrock noise through a soil that oscillates.
+    /// Kanai and Tajimi: bedrock noise, filtered by a soil that responds as an oscillator.
     KanaiTajimi {
         /// Frequency of the soil, Hz. 2.5 is firm ground.
         ground_frequency_hz: f64,
-        /// Its damping ratio. 0.6 is firm ground.
+        /// Damping ratio of the soil. 0.6 is firm ground.
         ground_damping_ratio: f64,
     },
-    /// Clough and Penzien: the same without slow motions, whose displacements would be unrealistic.
+    /// Clough and Penzien: Kanai–Tajimi with an additional high-pass filter, because its slow displacements would be unrealistic.
     CloughPenzien {
         /// Frequency of the soil, Hz.
         ground_frequency_hz: f64,
-        /// Its damping ratio.
+        /// Damping ratio of the soil.
         ground_damping_ratio: f64,
         /// Corner of the high-pass filter, Hz: a tenth of the frequency of the soil is usual.
         corner_hz: f64,
-        /// Damping ratio of that filter. 0.6 is usual.
+        /// Damping ratio of the high-pass filter. 0.6 is usual.
         corner_damping_ratio: f64,
     },
 }
@@ -106,10 +106,10 @@ impl NoiseFilter {
     }
 }
 
-/// An artificial motion.
+/// Options of an artificial motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
-    /// Its spectral density. Default: Clough–Penzien of firm ground, 2.5 Hz, 0.6, 0.25 Hz, 0.6.
+    /// Spectral density. Default: Clough–Penzien with firm ground, 2.5 Hz, 0.6, 0.25 Hz, 0.6.
     pub filter: NoiseFilter,
     /// Length, s. Default 20.
     pub duration_s: f64,
@@ -119,7 +119,7 @@ pub struct Noise {
     pub rise_s: f64,
     /// Duration of the strong part, s. Default 8.
     pub strong_s: f64,
-    /// Rate of decay after it, 1/s. Default 0.3.
+    /// Decay rate after the strong part, 1/s. Default 0.3.
     pub decay_per_s: f64,
     /// Largest acceleration, m/s². Default 1.
     pub peak_acceleration_m_s2: f64,
@@ -144,8 +144,8 @@ impl Default for Noise {
     }
 }
 
-/// A motion along x: noise of the given density with fixed amplitudes and random phases, under the envelope, brought to rest at the end and
-/// scaled to the peak. The same seed gives the same motion.
+/// An artificial motion along x: noise of the given density with fixed amplitudes and random phases, under the envelope, brought to rest at
+/// the end and scaled to the peak.
 ///
 /// ```text
 /// a(t) = envelope(t) Σ √S(ω_k) cos(ω_k t + φ_k)        φ_k uniform, ω_k = 2πk/(N h), N samples
@@ -225,7 +225,7 @@ pub fn noise_motion(options: &Noise, seed: u64) -> Result<GroundMotion, SignalEr
     motion.scaled_to_peak(Component::X, options.peak_acceleration_m_s2)
 }
 
-/// Noise without envelope, up to a factor.
+/// Noise without envelope and scale.
 fn stationary(options: &Noise, length: usize, seed: u64) -> Vec<f64> {
     let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(length);
     let mut spectrum = transform.make_input_vec();
@@ -279,7 +279,7 @@ mod tests {
 
     #[test]
     fn holds_the_samples_have_the_density_asked_for() {
-        // the mean periodogram of many seeds, in two bands, with almost no envelope
+        // the mean periodogram over many seeds, in two bands, almost without envelope
         let filter = Noise::default().filter;
         let options = Noise {
             rise_s: 0.02,

@@ -1,30 +1,30 @@
-//! The history of a record since it was measured.
+//! Processing steps applied to a record since the measurement.
 
-/// One step in the history of a record.
+/// One processing step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Processing {
-    /// Read from bytes.
+    /// Read from a file.
     Read {
-        /// "csv", "npy".
+        /// Format of the file: "csv", "npy".
         format: String,
-        /// Unit of the numbers in the file, "" if not given.
+        /// Unit of the numbers in the file; "" if not given.
         unit: String,
     },
-    /// Channels left out, by name.
+    /// Channels removed.
     LeftOut {
-        /// Their names.
+        /// Names of the channels.
         channels: Vec<String>,
     },
-    /// Only a part of the time was kept.
+    /// Only a part of the duration kept.
     Cut {
-        /// From, s.
+        /// Start of the kept part, s.
         from_s: f64,
-        /// To, s.
+        /// End of the kept part, s.
         to_s: f64,
     },
     /// A least-squares polynomial removed from each channel.
     Detrend {
-        /// 0 mean, 1 straight line.
+        /// Degree of the polynomial: 0 for the mean, 1 for a straight line.
         degree: usize,
     },
     /// Zero-phase Butterworth low-pass, run forwards and backwards.
@@ -66,27 +66,27 @@ pub enum Processing {
         /// The factor.
         factor: f64,
     },
-    /// Brought to zero at both ends by half a cosine.
+    /// Tapered to zero at both ends by half a cosine.
     Tapered {
         /// Length of each taper, s.
         each_end_s: f64,
     },
-    /// The horizontal components turned about the vertical.
+    /// Horizontal components rotated about the vertical axis.
     Rotated {
-        /// From x towards y, rad.
+        /// Angle from x towards y, rad.
         angle_rad: f64,
     },
-    /// Channels that say which way they point turned so that x points in a direction.
+    /// Horizontal channels of known direction rotated so that x points in a given direction.
     Oriented {
         /// Direction of x, degrees from north towards east.
         x_azimuth_deg: f64,
     },
-    /// Anti-alias filtered, then each `factor`-th sample kept.
+    /// Anti-alias filtered and decimated.
     Decimate {
-        /// Samples before / samples after.
+        /// Number of samples before, divided by the number after.
         factor: usize,
     },
-    /// Samples of one channel multiplied by a factor, such as the value of a count.
+    /// Samples of one channel multiplied by a factor, such as the value of one count.
     ChannelScaled {
         /// The channel.
         channel: String,
@@ -97,35 +97,35 @@ pub enum Processing {
     Interpolated {
         /// The channel.
         channel: String,
-        /// Position of its samples, in steps after those of the others.
+        /// Time offset of its samples from those of the other channels, in steps.
         offset_steps: f64,
     },
-    /// A channel taken to a lower rate, anti-alias filtered.
+    /// One channel resampled at a lower rate, with an anti-alias filter.
     Resampled {
         /// The channel.
         channel: String,
-        /// Its rate before, Hz.
+        /// Rate before, Hz.
         from_hz: f64,
-        /// Its rate after, Hz.
+        /// Rate after, Hz.
         to_hz: f64,
     },
-    /// Offsets between the times of channels that were ignored.
+    /// Time offsets between channels, ignored.
     OffsetsLeft {
-        /// The largest, steps.
+        /// The largest offset, in steps.
         most_steps: f64,
     },
     /// Only the longest span without lost samples in any channel was kept.
     LongestSpan {
-        /// First sample kept, s from the first of the file.
+        /// First kept sample, s after the first sample of the file.
         from_s: f64,
-        /// Last sample kept, s.
+        /// Last kept sample, s after the first sample of the file.
         to_s: f64,
-        /// Last sample of the file, s.
+        /// Last sample of the file, s after the first.
         whole_s: f64,
         /// The lost samples, by time.
         gaps: Vec<LostSpan>,
     },
-    /// Lost samples hold the mean of their channel, so that the samples on either side keep their times.
+    /// Lost samples replaced by the mean of their channel, so that the samples before and after keep their times.
     Bridged {
         /// The lost samples, by time.
         gaps: Vec<LostSpan>,
@@ -134,16 +134,16 @@ pub enum Processing {
     FilledGaps {
         /// The filled runs, by time.
         gaps: Vec<LostSpan>,
-        /// Number of filled samples, over all channels.
+        /// Number of filled samples in all channels.
         samples: usize,
-        /// Their share of those channels.
+        /// Fraction of the samples in those channels.
         share: f64,
     },
-    /// Only the time that all channels share was kept.
+    /// Only the time span common to all channels kept.
     CommonTime {
-        /// From the first sample of any channel to the first kept, s.
+        /// Time from the first sample of any channel to the first kept sample, s.
         before_s: f64,
-        /// From the last kept to the last of any channel, s.
+        /// Time from the last kept sample to the last sample of any channel, s.
         after_s: f64,
     },
 }
@@ -151,16 +151,16 @@ pub enum Processing {
 /// A run of lost samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LostSpan {
-    /// The channel; `None` for all.
+    /// The channel; `None` for all channels.
     pub channel: Option<String>,
-    /// The last sample before, s from the first of the record.
+    /// Time of the last sample before the gap, s after the first sample of the record.
     pub at_s: f64,
     /// Time lost, s.
     pub lost_s: f64,
 }
 
 impl LostSpan {
-    /// Largest number of gaps that a note lists; a list of hundreds would hide the rest.
+    /// Largest number of gaps listed in a note: a list of hundreds would hide other information.
     pub const NAMED_MOST: usize = 3;
 }
 
@@ -173,7 +173,7 @@ impl std::fmt::Display for LostSpan {
     }
 }
 
-/// The first gaps, and the number of further ones.
+/// The first gaps as text, and the number of further ones.
 fn first_gaps(gaps: &[LostSpan]) -> String {
     let shown = gaps.iter().take(LostSpan::NAMED_MOST).map(ToString::to_string);
     let shown: Vec<String> = shown.collect();

@@ -23,7 +23,8 @@ pub enum PulseShape {
     HalfSine,
     /// A sin(2πt/T_p) for one period: leaves a displacement A T_p²/(2π), no velocity.
     OneSine,
-    /// A cos(2πt/T_p) for one period, with a jump within one sample at both ends: leaves nothing but rounding of the samples.
+    /// A cos(2πt/T_p) for one period, with a jump within one sample at both ends; the final velocity is zero except for rounding
+    /// of the samples.
     OneCosine,
     /// Second derivative of a bell, even: A (1 − 2π²t²/T_p²) e^(−π²t²/T_p²); leaves nothing.
     RickerEven,

@@ -6,7 +6,7 @@ use super::processing::Processing;
 /// Largest sample: no instrument yields more in any unit, and the sum of squares of any record within it is finite. Chosen here.
 const SAMPLE_MOST: f64 = 1e100;
 
-/// What a channel measures. Samples are in SI units of it (m/s², m/s, m), or in counts if the unit is not known.
+/// Measured quantity of a channel. Samples are in its SI unit (m/s², m/s, m), or in counts if the unit is unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// m/s².
@@ -24,7 +24,7 @@ pub enum Quantity {
 pub struct Channel {
     /// Name, unique in its record.
     pub name: String,
-    /// What is measured.
+    /// Measured quantity.
     pub quantity: Quantity,
     /// Place of the sensor, m: x right, y away, z up. `None` if not given.
     pub position_m: Option<[f64; 3]>,

@@ -33,7 +33,7 @@ pub struct SeriesBeside {
     pub residual_ratio: f64,
     /// Frequency of the largest response of the measured series, Hz; `None` where the series are too short.
     pub frequency_measured_hz: Option<f64>,
-    /// The same of the simulated series, Hz.
+    /// Frequency of the simulated series, Hz.
     pub frequency_simulated_hz: Option<f64>,
 }
 
@@ -90,7 +90,7 @@ fn peak_of_response_hz(y: &[f64], g: &[f64], step_s: f64) -> Option<f64> {
         let mean = x.iter().sum::<f64>() / length as f64;
         let mut part: Vec<f64> = x.iter().map(|x| x - mean).collect();
         let mut lines = transform.make_output_vec();
-        // the lengths are those it asked for
+        // the buffers have the required lengths
         let _ = transform.process(&mut part, &mut lines);
         lines
     };

@@ -34,7 +34,7 @@ pub struct ChainLimits {
 pub struct JointStability {
     /// k_i, N m/rad.
     pub stiffness_n_m_rad: f64,
-    /// Smallest k_i at which the chain stands, with the other joints as given; `None` if it falls whatever k_i is. 0 if a side support holds it
+    /// Smallest k_i at which the chain stands, with the other joints as given; `None` if it falls for any k_i. 0 if a side support holds it
     /// even without this joint.
     pub stiffness_least_n_m_rad: Option<f64>,
     /// k_i / k_i,min, the margin of this joint; `None` with `stiffness_least_n_m_rad`, infinite if that is 0.

@@ -94,7 +94,7 @@ pub struct ChainUnderLoads {
 /// |M_i| ≤ N_i (b_i/2 − N_i/(2 f w_i))            factor = (limit − |tilt moment|)/|M_i|
 /// ```
 ///
-/// Without stiffness M¹ replaces M: the least that the joint must carry, whatever the stiffness is.
+/// Without stiffness M¹ replaces M: the least moment that the joint must carry for any stiffness.
 ///
 /// # Errors
 /// [`StabilityError::Structure`] for a link that is not there, a height outside of it, or counts that do not fit.

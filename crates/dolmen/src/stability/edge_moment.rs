@@ -9,7 +9,7 @@
 //! | u | `along`, `across` | centre of the block from that of the bed, over its sides | |
 //! | r | `slope` | the smaller of both components of u over the larger | |
 
-/// A rectangular bed as seen by the moment on it.
+/// Dimensions of a rectangular bed relative to the axis of its moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BedEdge {
     /// b, width in the plane of the moment, m.
@@ -35,7 +35,7 @@ impl BedEdge {
         (0.5 * normal_n * (self.width_m - crushed_m)).max(0.0)
     }
 
-    /// The same bed as seen by a moment across.
+    /// The bed for a moment about the other axis.
     pub fn across(&self) -> BedEdge {
         match self.depth_m {
             Some(depth_m) => BedEdge {

@@ -21,7 +21,7 @@ pub enum StabilityError {
         option: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// Vertical acceleration that cancels the weight.

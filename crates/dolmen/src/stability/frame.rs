@@ -19,7 +19,7 @@ pub struct StoreyStability {
     pub stiffness_n_m: f64,
     /// N_i / l_i, the reduction by P-delta, N/m.
     pub geometric_n_m: f64,
-    /// Smallest k_i at which the frame stands, with the other storeys as given; 0 if it stands without k_i, `None` if it falls whatever k_i is.
+    /// Smallest k_i at which the frame stands, with the other storeys as given; 0 if it stands without k_i, `None` if it falls for any k_i.
     pub stiffness_least_n_m: Option<f64>,
     /// k_i / k_i,min; infinite if the frame stands without k_i.
     pub margin: Option<f64>,

@@ -12,7 +12,8 @@ use dolmen_linalg::{Matrix, solve};
 /// A measured tilt already includes the contribution of gravity: used as τ, it gives a lean that is slightly too large.
 ///
 /// # Errors
-/// Those of [`frame_stability`]; [`StabilityError::Linalg`] if the range of values exceeds the precision of the numbers.
+/// The errors of [`frame_stability`]; [`StabilityError::Linalg`] if the range of values exceeds the precision of the
+/// numbers.
 pub fn frame_lean_at_rest(
     frame: &Frame,
     stiffness_n_m: &[f64],

@@ -22,7 +22,7 @@ const CURVE_POINTS: usize = 60;
 pub struct FramePush<'a> {
     /// F, at each level, lowest first, N.
     pub forces_n: &'a [f64],
-    /// Free-standing columns of each storey; `None` where there are none.
+    /// Free-standing columns of each storey; `None` for a storey without them.
     pub columns: &'a [Option<FreeColumns>],
     /// τ, horizontal over vertical; its weight acts in the direction of the forces.
     pub tilt: f64,
@@ -61,7 +61,7 @@ pub struct StoreyUnderLoads {
     pub shear_n: f64,
     /// Lean without the loads, τ + δ/l, horizontal over vertical; `None` where it falls without them.
     pub lean_at_rest: Option<f64>,
-    /// Additional drift by the loads, m; `None` where it does not bear them.
+    /// Additional drift due to the loads, m; `None` if the storey does not resist them.
     pub drift_m: Option<f64>,
     /// Largest T, including the reduction of the weight by the lean, N; `None` where its springs act on displacement.
     pub greatest_n: Option<f64>,
@@ -318,7 +318,7 @@ enum StoreyLaw {
 struct PushLimit {
     /// Drift, or rotation of columns, rad, at the end.
     end_at: f64,
-    /// That at the greatest force.
+    /// Position of the greatest force.
     greatest_at: f64,
     greatest: StoreyPoint,
     end: StoreyEnd,

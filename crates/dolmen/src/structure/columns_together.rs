@@ -18,18 +18,18 @@ const CHANCE: f64 = 0.01;
 /// Degrees of freedom of standard deviations whose blocks of time are not known: many.
 const MANY: f64 = 1e4;
 
-/// What the columns of a level do in a mode.
+/// Motion of the columns of a level in a mode.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ColumnsMove {
     /// Alike, in amplitude and phase, within their errors.
     AsOne,
     /// As points of a floor that sways and turns.
     Turning,
-    /// Two sensors that differ: the floor turns, or one column moves by itself. A third sensor tells.
+    /// Two sensors differ: the floor rotates, or one column moves separately. A third sensor decides.
     TwoDiffer,
     /// As no rigid floor does.
     Apart {
-        /// Those without any one of which the others move as one, places in `columns`; empty where no single column explains it.
+        /// Columns (indices in `columns`) without any one of which the others move together; empty if no single column explains it.
         any_of: Vec<usize>,
     },
 }
@@ -48,17 +48,17 @@ pub struct ColumnOrdinate {
 /// A level in a mode.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnsOfLevel {
-    /// Of the mode, Hz.
+    /// Frequency of the mode, Hz.
     pub frequency_hz: f64,
-    /// Of the level, m.
+    /// Height of the level, m.
     pub height_m: f64,
     /// The sensors, as the channels of the record are ordered.
     pub columns: Vec<ColumnOrdinate>,
-    /// What they do.
+    /// Motion of the columns.
     pub moves: ColumnsMove,
 }
 
-/// What is taken as alike.
+/// Tolerances for columns that move together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColumnsTogether {
     /// Standard deviation of a sensor's calibration, of its reading, in amplitude and in phase (rad). Default 0.02 (our choice): sensors of one
@@ -279,7 +279,7 @@ impl Test {
         self.holds(square, points.len() - 2)
     }
 
-    /// Whether a sum of squares of so many complex contrasts is within its error.
+    /// Whether a sum of squares of this number of complex contrasts is within its error.
     fn holds(&self, square: f64, contrasts: usize) -> bool {
         let degrees = 2.0 * contrasts as f64;
         // no quantile, no alarm

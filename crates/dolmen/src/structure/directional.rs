@@ -84,12 +84,13 @@ pub enum ShapeMotion {
     AlongY(Vec<ShapePoint>),
     /// Sensors of one direction at one height differ.
     Twists,
-    /// Mostly along neither x nor y, or its sensors have no places and directions.
+    /// Motion mainly along neither x nor y, or sensors without positions and directions.
     Other,
 }
 
 impl ShapeMotion {
-    /// Of a shape with one component a channel, real and imaginary part; judged as by [`directional_modes`].
+    /// The direction of a shape with one component per channel, real and imaginary part; judged as by
+    /// [`directional_modes`].
     pub fn of(channels: &[Channel], shape: &[[f64; 2]]) -> Self {
         let shape: Vec<Complex64> = shape.iter().map(|[re, im]| Complex64::new(*re, *im)).collect();
         let mut motion = ShapeMotion::Other;

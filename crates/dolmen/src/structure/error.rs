@@ -36,7 +36,7 @@ pub enum StructureError {
     /// As many values are needed as there are parts.
     #[error("{quantity} has {given} values, but the {kind} has {needed} {parts}")]
     Count {
-        /// What was counted.
+        /// The counted quantity.
         quantity: &'static str,
         /// How many were given.
         given: usize,
@@ -147,7 +147,7 @@ pub enum StructureError {
         option: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// A number of a measured mode is refused.
@@ -159,7 +159,7 @@ pub enum StructureError {
         quantity: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// Not as many frequencies as storeys.

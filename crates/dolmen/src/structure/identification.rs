@@ -77,9 +77,8 @@ pub struct StiffnessSolution {
 }
 
 impl StiffnessSolution {
-    /// The least stiffness that the data allow where it is only bounded, the fitted one elsewhere: what a verdict on
-    /// standing may rest on, since gravity overturns the less the stiffer the springs. `None` if some stiffness has no
-    /// lower bound.
+    /// Each stiffness for a stability verdict: the lower bound if the data only bound it, otherwise the fitted value. This is
+    /// conservative, because stiffer springs make overturning by gravity less likely. `None` if some stiffness has no lower bound.
     pub fn stiffness_least(&self) -> Option<Vec<f64>> {
         match &self.stiffness_bounds {
             None => Some(self.stiffness.clone()),
@@ -88,7 +87,7 @@ impl StiffnessSolution {
     }
 }
 
-/// What the data allow to say about which solution is the true one.
+/// How far the data select the true solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -125,13 +124,13 @@ pub struct Visibility {
 pub struct StiffnessSolutions {
     /// Best misfit first; within equal misfit by the first stiffness.
     pub solutions: Vec<StiffnessSolution>,
-    /// What the data allow to say.
+    /// How far the data select a solution.
     pub choice: Choice,
-    /// What the sensors see, at the first solution; `None` if there is none.
+    /// Sensitivity of the data to the stiffnesses, at the first solution; `None` if there is none.
     pub visibility: Option<Visibility>,
     /// Starting points tried (1 for a closed form).
     pub starts: usize,
-    /// What the reader must know: why no solution exists, what was left out, what was assumed.
+    /// Notes: why no solution exists, what was left out, what was assumed.
     pub notes: Vec<StiffnessNote>,
 }
 

@@ -23,7 +23,7 @@ pub enum BeamTheory {
     Timoshenko,
 }
 
-/// What is between the shafts.
+/// Connection between the shafts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Jointing<'a> {
     /// Nothing: one stone, clamped at its foot.
@@ -403,7 +403,7 @@ struct Station {
     rotary: f64,
 }
 
-/// What a shape does at a station.
+/// Value and derivatives of a shape at a station.
 #[derive(Clone, Copy, Default)]
 struct At {
     curvature: f64,

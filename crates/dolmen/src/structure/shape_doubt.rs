@@ -19,7 +19,8 @@ const LEVEL_M: f64 = 0.05;
 const TWIST_MOST: f64 = 0.3;
 /// Most parts of a model whose every stiffness for given frequencies is followed here. Ours: 120 solutions of five.
 const PARTS_MOST: usize = 5;
-/// Share of the shapes above which a single change of sensors is sought, and above which shapes contradict the model where none is found. Ours.
+/// Fraction of the shapes above which a single change of sensors is searched, and above which the shapes contradict the model if none is found.
+/// Our choice.
 const UNEXPLAINED: f64 = 0.05;
 const CONTRADICTS: f64 = 0.2;
 /// By how much a change must lessen the share, and how near to the best another change is as good. As for sensors on a floor.
@@ -29,7 +30,8 @@ const AS_GOOD: f64 = 2.0;
 const NOISE: f64 = 0.005;
 /// Most changes that the doubt names: of more none is likely. Ours.
 const CHANGES_MOST: usize = 4;
-/// Factors between units and ranges that get mixed up. Shapes do not tell 9.8 (g beside m/s²) from 10, nor 981 (g beside gal) from 1000.
+/// Factors between units and ranges that are often confused. Shapes cannot distinguish 9.8 (g instead of m/s²) from 10, nor 981 (g instead of
+/// gal) from 1000.
 const FACTORS: [f64; 3] = [10.0, 100.0, 1000.0];
 
 /// One change of the sensors of a record.
@@ -42,14 +44,14 @@ pub enum ChannelChange {
     },
     /// Two exchanged.
     Exchanged {
-        /// Their names.
+        /// Names of these channels.
         channels: [String; 2],
     },
     /// One in another unit or range.
     Scaled {
         /// Its name.
         channel: String,
-        /// What its numbers are to be multiplied by.
+        /// Correction factor on its numbers.
         factor: f64,
     },
 }
@@ -59,11 +61,11 @@ pub enum ChannelChange {
 pub struct ShapeDoubt {
     /// Share of the shapes that the model does not have with any stiffness of these frequencies.
     pub unexplained: f64,
-    /// The same of the modes along x and along y.
+    /// As above, for the modes along x and along y.
     pub unexplained_along: [f64; 2],
     /// The share after any of `changes`; `unexplained` without one.
     pub changed: f64,
-    /// Single changes of sensors that make the shapes agree, each by itself; empty where none does.
+    /// Single changes of sensors, each of which makes the shapes agree; empty if none does.
     pub changes: Vec<ChannelChange>,
 }
 
@@ -74,7 +76,7 @@ impl ShapeDoubt {
     }
 }
 
-/// What the shapes of a record say against a chain; `None` where they agree.
+/// Contradiction between the shapes of a record and a chain; `None` if they agree.
 ///
 /// # Limits
 /// As [`frame_shape_doubt`].
@@ -82,10 +84,10 @@ pub fn chain_shape_doubt(chain: &Chain, modes: &Modes) -> Option<ShapeDoubt> {
     shape_doubt(chain, modes)
 }
 
-/// What the shapes of a record say against a frame; `None` where they agree.
+/// Contradiction between the shapes of a record and a frame; `None` if they agree.
 ///
-/// Each mode counts to the direction in which it moves more. Where a direction has as many modes as the model parts, their frequencies lead to
-/// every stiffness, and the shapes of the one that fits best are held against the measured ones. With fewer modes only the motion in the other
+/// Each mode belongs to the direction with the larger motion. If a direction has as many modes as the model has parts, their frequencies give
+/// every possible stiffness, and the measured shapes are compared with those of the best one. With fewer modes only the motion in the other
 /// direction counts.
 ///
 /// # Limits
@@ -150,7 +152,7 @@ fn shape_doubt<S: Sprung>(of: &S, modes: &Modes) -> Option<ShapeDoubt> {
 }
 
 impl<'a, S: Sprung> Measured<'a, S> {
-    /// `None` where no shape can be held against the model.
+    /// `None` if no shape can be compared with the model.
     fn new(of: &'a S, modes: &Modes) -> Option<Self> {
         let parts = of.model().ok()?.parts();
         let mut places = Vec::new();
@@ -263,7 +265,7 @@ impl<'a, S: Sprung> Measured<'a, S> {
         ]
     }
 
-    /// Sum of the residuals with the stiffness of these frequencies that fits best; their number where there is none.
+    /// Sum of the residuals with the stiffness from these frequencies that fits best; the number of residuals if there is none.
     fn of_frequencies(&mut self, frequencies: &[f64], values: &[&Vec<f64>], axis: usize) -> f64 {
         let key: Vec<u64> = frequencies.iter().map(|f| f.to_bits()).collect();
         if !self.roots.contains_key(&key) {
@@ -299,7 +301,8 @@ impl<'a, S: Sprung> Measured<'a, S> {
         found.stiffness.iter().filter_map(modes).collect()
     }
 
-    /// The changes that leave least, best first: none unless the best lessens the share enough, nor where too many are as good.
+    /// The changes with the smallest residual, best first. There are none unless the best reduces the residual enough, or if too many are
+    /// equally good.
     fn best_changes(&mut self, as_is: f64) -> Vec<(f64, Change)> {
         let count = self.sensors.len();
         let turned = (0..count).map(Change::Turned);

@@ -1,24 +1,24 @@
-//! Rocking of a rigid footing on soil, and a joint in series with it.
+//! Rocking stiffness of a rigid footing on soil, alone and in series with a joint.
 
-/// What a structure stands on: the plan of a rigid footing.
+/// Plan of a rigid footing under a structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Footing {
     /// A circle.
     Circle {
-        /// Its diameter, m.
+        /// Diameter, m.
         diameter_m: f64,
     },
     /// A rectangle.
     Rectangle {
-        /// Its side in the direction of motion, m.
+        /// Side in the direction of motion, m.
         along_m: f64,
-        /// Its side across it, m.
+        /// Side across the direction of motion, m.
         across_m: f64,
     },
 }
 
 impl Footing {
-    /// Area of its plan, m².
+    /// Plan area, m².
     pub fn area_m2(&self) -> f64 {
         match self {
             Footing::Circle { diameter_m } => 0.25 * std::f64::consts::PI * diameter_m * diameter_m,
@@ -37,8 +37,8 @@ impl Footing {
 ///
 /// SOURCE   the circle: a tilted rigid disc, in closed form; the rectangle: the fit of Pais, A. and Kausel, E. (1988) Soil Dynamics and
 ///          Earthquake Engineering 7(4), 213-227.
-/// ASSUMES  no embedment, no layer of rock below, small strain: the shear modulus of shaking is lower, and that of a quake much lower.
-/// CHECKED  `soil::holds_pressures_on_a_half_space_give_the_same_stiffness`: squares of pressure under the footing.
+/// ASSUMES  no embedment, no layer of rock below, small strain. Strong shaking lowers the shear modulus much below its small-strain value.
+/// CHECKED  `soil::holds_pressures_on_a_half_space_give_the_same_stiffness`, against squares of uniform pressure under the footing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soil {
     /// Shear modulus G, Pa.
@@ -59,7 +59,7 @@ impl Soil {
                 let half_m = 0.5 * along_m.min(across_m);
                 let slenderness = along_m.max(across_m) / along_m.min(across_m);
                 let shape = match along_m > across_m {
-                    // it rocks about its short axis
+                    // rocks about its short axis
                     true => 3.73 * slenderness.powf(2.4) + 0.27,
                     false => 3.2 * slenderness + 0.8,
                 };
@@ -68,7 +68,7 @@ impl Soil {
         }
     }
 
-    /// The soil for motion across: the sides of the footing exchanged.
+    /// The soil for motion in the other direction, with the sides of the footing exchanged.
     pub fn across(&self) -> Soil {
         Soil {
             footing: match self.footing {
@@ -82,13 +82,13 @@ impl Soil {
         }
     }
 
-    /// A joint and the soil in series, N m/rad: 1/k = 1/k_joint + 1/K.
+    /// Stiffness of a joint in series with the soil, N m/rad: 1/k = 1/k_joint + 1/K.
     pub fn in_series_n_m_rad(&self, joint_n_m_rad: f64) -> f64 {
         let soil = self.rocking_n_m_rad();
         joint_n_m_rad * soil / (joint_n_m_rad + soil)
     }
 
-    /// The joint that, in series with the soil, has this stiffness, N m/rad; `None` where the soil alone is no stiffer.
+    /// Stiffness of the joint that gives `together_n_m_rad` in series with the soil, N m/rad; `None` if the soil alone is not stiffer than that.
     pub fn joint_n_m_rad(&self, together_n_m_rad: f64) -> Option<f64> {
         let soil = self.rocking_n_m_rad();
         (together_n_m_rad < soil).then(|| together_n_m_rad * soil / (soil - together_n_m_rad))

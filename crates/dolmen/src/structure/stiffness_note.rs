@@ -1,4 +1,4 @@
-//! What a reader of an identification must know beside its numbers.
+//! Notes for the reader of an identification.
 
 use super::LeftOut;
 use super::stiffness_words::{Misfit, OfSpring, Proportion, Spring, Thoroughness, counted};
@@ -37,7 +37,7 @@ pub enum StiffnessNote {
     },
     /// The search ended off the data.
     NoneExplains {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
         /// Starting points tried.
         starts: usize,
@@ -48,19 +48,19 @@ pub enum StiffnessNote {
     },
     /// At no stiffness found does the structure stand.
     NoneStands {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
     },
     /// There are data enough, but some stiffness does not touch them.
     FitLeavesFree {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
     },
     /// There are fewer independent data than stiffnesses.
     TooFewData {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
-        /// Stiffnesses sought.
+        /// Number of unknown stiffnesses.
         springs: usize,
         /// Frequencies given.
         frequencies: usize,
@@ -68,12 +68,12 @@ pub enum StiffnessNote {
         with_shapes: bool,
         /// Independent data.
         independent: usize,
-        /// What fills the gap.
+        /// Proportion that replaces the missing data.
         proportion: Proportion,
     },
     /// Several sets explain the data equally well.
     SeveralExplain {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
         /// How many.
         sets: usize,
@@ -84,14 +84,14 @@ pub enum StiffnessNote {
     },
     /// One set was found, but others were not ruled out.
     OneWithoutProof {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
         /// Starting points tried.
         starts: usize,
     },
     /// Solutions come in pairs, and one is without its other.
     OddCount {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
     },
     /// Not all solutions are listed.
@@ -108,9 +108,9 @@ pub enum StiffnessNote {
     },
     /// Data without a standard deviation were given one.
     DeviationsAssumed {
-        /// Of a frequency, as a share of it.
+        /// Standard deviation of a frequency, relative.
         frequency: f64,
-        /// Of a shape, as a share of the largest displacement of the mode.
+        /// Standard deviation of a shape, relative to the largest displacement of the mode.
         shape: f64,
     },
     /// Without standard deviations no interval can be given.
@@ -120,28 +120,28 @@ pub enum StiffnessNote {
     },
     /// A change of the stiffnesses that leaves all data as they are.
     FreeDirection {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
         /// Change of ln k, of those that take part.
         components: Vec<OfSpring>,
     },
     /// Some stiffnesses are determined only to an order of magnitude.
     WideIntervals {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
         /// Standard deviation of ln k of each.
         relative_sd: Vec<OfSpring>,
     },
     /// Some stiffnesses barely change the data.
     Unseen {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
         /// Which, from 1.
         numbers: Vec<usize>,
     },
     /// Two solutions meet, or so nearly that the frequencies' scatter moves one into the other.
     SolutionsMeet {
-        /// What has the stiffness.
+        /// Kind of element with the stiffness.
         spring: Spring,
     },
     /// A shape without standard deviations is not quite reproduced.

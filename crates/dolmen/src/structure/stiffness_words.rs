@@ -1,8 +1,8 @@
-//! The parts that notes on stiffness are put together from: what is sought, and how many, how far, how thoroughly.
+//! Words of the notes on stiffness: the unknown element, and how many, how far, how thoroughly.
 
 use std::fmt;
 
-/// What has a stiffness that is sought.
+/// Kind of element whose stiffness is identified.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spring {
     /// The rotational spring of a joint of a chain.
@@ -20,7 +20,7 @@ impl fmt::Display for Spring {
     }
 }
 
-/// What the stiffnesses are taken in proportion to where the data leave them free: an assumption.
+/// Assumed proportion of the stiffnesses that the data do not determine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Proportion {
     /// The weight moment above each joint of a chain.
@@ -100,7 +100,7 @@ impl fmt::Display for Thoroughness {
 pub struct OfSpring {
     /// The joint or storey, from 1, lowest first.
     pub number: usize,
-    /// What the note says of it.
+    /// Value in the note.
     pub value: f64,
 }
 

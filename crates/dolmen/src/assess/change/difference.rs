@@ -9,7 +9,7 @@
 use crate::assess::AssessError;
 use crate::numeric::{student_detectable, student_two_sided, student_two_sided_quantile};
 
-/// What the test says of one difference.
+/// Result of the test of one difference.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Evidence {
@@ -23,11 +23,13 @@ pub struct Evidence {
     pub statistic: f64,
     /// Two-sided probability of such a difference, or a larger one, if nothing changed.
     pub p: f64,
-    /// The same among all differences that are tested together (Holm): the probability that any of them would look so.
+    /// As `p`, adjusted for all differences that are tested together (Holm): the probability that at least one of them would
+    /// look like this by chance.
     pub p_holm: f64,
     /// Whether `p_holm` is at most the significance asked.
     pub significant: bool,
-    /// Least relative change, either way, that would have been found significant with the power asked, whatever the others do.
+    /// Smallest relative change, up or down, that the test would find significant with the required power, whatever the other
+    /// differences are.
     pub detectable: f64,
 }
 
@@ -37,7 +39,7 @@ pub struct Evidence {
 pub struct Difference {
     /// (after - expected) / before; what temperature explains is taken out of it.
     pub relative: f64,
-    /// What the test says; `None` where a standard deviation is not known.
+    /// Result of the test; `None` if a standard deviation is unknown.
     pub evidence: Option<Evidence>,
 }
 

@@ -1,34 +1,36 @@
-//! Whether one of two surveys has its directions x and y exchanged.
+//! Detects whether one of two surveys has its directions x and y exchanged.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | φ, ψ | | shapes of one frequency before and after |
-//! | ψ' | | the same with every sensor along x taken as one along y, and the other way round |
+//! | φ, ψ | | shapes of modes of the same frequency before and after |
+//! | ψ' | | ψ with every x sensor as a y sensor and the reverse |
 
 use super::swapped::ONE_FREQUENCY;
 use crate::modal::{ObservedMode, ObservedPoint, Pairing, assurance, shared};
 
-/// Fewest modes of one frequency that may say so. Chosen here, as for two channels.
+/// Fewest modes of the same frequency for a decision. Chosen here, as for exchanged channels.
 const MODES_LEAST: usize = 2;
-/// Mean likeness above which directions need no explanation, and below which their exchange explains nothing. Chosen here, as for two channels.
+/// Mean similarity above which the directions are not questioned, and below which an exchange explains nothing. Chosen here, as for exchanged
+/// channels.
 const UNLIKE: f64 = 0.8;
 const ALIKE: f64 = 0.95;
 
-/// Directions that look exchanged in one of two surveys.
+/// Directions that seem exchanged in one of two surveys.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExchangedDirections {
-    /// Modes of one frequency in both surveys.
+    /// Number of modes with the same frequency in both surveys.
     pub modes: usize,
-    /// Their mean likeness as they are: assurance of the shapes, or the share of those of one direction.
+    /// Mean similarity of these modes without the exchange: the MAC of their shapes, or the fraction with the same direction.
     pub likeness: f64,
-    /// The same with x and y exchanged.
+    /// Mean similarity after the exchange of x and y.
     pub exchanged: f64,
 }
 
-/// Whether all frequencies are the same, and the modes alike only once x and y of the later survey are exchanged.
+/// Whether all frequencies are equal, but the modes are similar only after an exchange of x and y in the later survey.
 ///
 /// # Limits
-/// At least two modes within 1 %, and all modes of the survey that has fewer. A structure that sways alike along x and y says nothing.
+/// Needs at least two modes within 1 %, and all modes of the survey with fewer modes. For a structure with equal modes along x and y, no
+/// decision is possible.
 pub(super) fn exchanged_directions(
     before: &[ObservedMode],
     after: &[ObservedMode],
@@ -62,7 +64,7 @@ pub(super) fn exchanged_directions(
     })
 }
 
-/// How alike two modes are, with x and y of the second exchanged if `turns`; `None` where neither shapes nor directions tell.
+/// Similarity of two modes, with x and y of the second exchanged if `turns`; `None` if there are neither shapes nor directions.
 fn likeness(a: &ObservedMode, b: &ObservedMode, turns: bool, options: &Pairing) -> Option<f64> {
     if !a.shape.is_empty() && !b.shape.is_empty() {
         let has_directions =
@@ -70,7 +72,7 @@ fn likeness(a: &ObservedMode, b: &ObservedMode, turns: bool, options: &Pairing) 
         if has_directions(a) && has_directions(b) {
             let turned: Vec<ObservedPoint> = b.shape.iter().map(|point| turned(point, turns)).collect();
             let [phi, psi] = shared(&a.shape, &turned, options.place_within_m);
-            // a direction that one survey did not measure tells nothing
+            // a direction that one survey did not measure gives no information
             return (phi.len() > 1).then(|| assurance(&phi, &psi));
         }
     }
@@ -115,7 +117,7 @@ mod tests {
         let found = of([stated(1.1, "y"), stated(1.5, "x")]).unwrap();
         assert_eq!((found.modes, found.likeness, found.exchanged), (2, 0.0, 1.0));
         assert_eq!(of([stated(1.1, "x"), stated(1.5, "y")]), None);
-        // other frequencies are a change
+        // different frequencies mean a change of the structure
         assert_eq!(of([stated(1.2, "y"), stated(1.5, "x")]), None);
     }
 }

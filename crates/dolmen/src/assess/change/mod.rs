@@ -1,4 +1,4 @@
-//! What changed between two surveys of one structure.
+//! Changes between two surveys of one structure.
 
 mod difference;
 mod directions;

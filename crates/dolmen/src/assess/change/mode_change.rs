@@ -1,23 +1,23 @@
-//! What changed from one survey to another, mode by mode.
+//! Changes from one survey to another, mode by mode.
 
 use super::difference::Difference;
 use super::notes::ChangeNote;
 use super::temperature::FittedTemperature;
 use crate::modal::{ModePair, ObservedMode};
 
-/// What is known of the temperatures of the two surveys.
+/// Knowledge of the temperatures of two surveys.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TemperatureKnowledge {
     /// One of them, or both, are not known: a change may be the weather's.
     NotMeasured,
-    /// They are the same.
+    /// The temperatures are equal.
     Same,
-    /// They differ, and what that does is not known: a change may be the weather's.
+    /// The temperatures differ, and their effect is unknown: a change may be due to the weather.
     Unexplained {
         /// After less before, °C.
         step_c: f64,
     },
-    /// They differ, and what that does is taken out.
+    /// The temperatures differ, and their effect has been removed.
     Corrected {
         /// After less before, °C.
         step_c: f64,
@@ -43,9 +43,9 @@ pub struct ModeChange {
     pub from: ObservedMode,
     /// After.
     pub to: ObservedMode,
-    /// Of the frequency, without what temperature explains, and relative to the one before.
+    /// Change of the frequency, without the part that temperature explains, relative to the earlier frequency.
     pub frequency: Difference,
-    /// Of the damping ratio, relative to the one before; `None` where one is not known.
+    /// Change of the damping ratio, relative to the earlier one; `None` if one of them is unknown.
     pub damping: Option<Difference>,
     /// Relative change of the frequency that temperature explains; `None` where it is not known.
     pub explained_by_temperature: Option<f64>,
@@ -59,14 +59,14 @@ pub struct ModeChange {
     pub uniform_stiffness_sd: Option<f64>,
 }
 
-/// What changed from one survey to another.
+/// Changes from one survey to another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurveyChange {
     /// Name of the survey before.
     pub from: String,
     /// Name of the survey after.
     pub to: String,
-    /// What is known of their temperatures.
+    /// Knowledge of the temperatures of the surveys.
     pub temperature: TemperatureKnowledge,
     /// Modes in both, by their frequency before.
     pub modes: Vec<ModeChange>,
@@ -74,15 +74,15 @@ pub struct SurveyChange {
     pub lost: Vec<ObservedMode>,
     /// Modes after without a partner.
     pub new: Vec<ObservedMode>,
-    /// Probability of finding any change where there is none.
+    /// Probability of a false finding: of any change although there is none.
     pub significance: f64,
     /// Power of the least detectable changes.
     pub power: f64,
     /// Modes before without a partner, and what each may be after, however far it moved.
     pub not_compared: Vec<NotCompared>,
-    /// Frequencies before and after of a pairing that has more pairs than this one; empty if there is none.
+    /// Frequencies before and after for an alternative pairing with more pairs; empty if there is none.
     pub other_pairing_hz: Vec<[f64; 2]>,
-    /// What must be known beside.
+    /// Notes on the changes.
     pub notes: Vec<ChangeNote>,
 }
 
@@ -93,7 +93,7 @@ pub struct NotCompared {
     pub from: ObservedMode,
     /// Whether it is the lowest of its survey.
     pub is_lowest: bool,
-    /// What it may be after; `None` if nothing is like it.
+    /// The mode that it may have become; `None` if no later mode is similar.
     pub may_be: Option<ObservedMode>,
     /// Their MAC, where shapes are known.
     pub assurance: Option<f64>,

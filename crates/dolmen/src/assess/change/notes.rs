@@ -1,9 +1,9 @@
-//! What must be known beside the numbers of a change.
+//! Notes on the numbers of a change.
 
 use super::directions::ExchangedDirections;
 use super::swapped::{SwappedChannels, TurnedChannel};
 
-/// What must be known beside the numbers.
+/// A note on the numbers of a change.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ChangeNote {
     /// No line over temperature could be fitted for a mode: its change is not corrected.
@@ -17,7 +17,7 @@ pub enum ChangeNote {
     BeyondTheLine {
         /// Temperature of the later survey, °C.
         temperature_c: f64,
-        /// Those of the line, °C.
+        /// Temperature range of the fitted line, °C.
         range_c: [f64; 2],
     },
     /// The earlier surveys scatter about the line over temperature by far more than each states.
@@ -26,10 +26,10 @@ pub enum ChangeNote {
         frequency_hz: f64,
         /// Deviation of a survey about the line, Hz.
         scatter_hz: f64,
-        /// What each survey states, Hz.
+        /// Standard deviation stated by the surveys, Hz.
         stated_hz: f64,
     },
-    /// Temperature goes with the order of the surveys, so that weather and ageing cannot be told apart.
+    /// Temperature is correlated with the order of the surveys, so that weather and ageing cannot be separated.
     LineWithTime {
         /// Frequency before, Hz.
         frequency_hz: f64,
@@ -38,7 +38,7 @@ pub enum ChangeNote {
     },
     /// Modes of one frequency in both surveys are no pairs, for their shapes are not alike.
     OtherShapes {
-        /// Their frequencies before, Hz.
+        /// Frequencies of these modes before, Hz.
         frequencies_hz: Vec<f64>,
     },
     /// Two channels look exchanged in one of the surveys.

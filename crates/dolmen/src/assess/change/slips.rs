@@ -1,4 +1,4 @@
-//! What looks like a slip of a survey: channels swapped, a wrong sampling rate.
+//! Detects probable mistakes in a survey: exchanged channels, a wrong sampling rate.
 
 use super::mode_change::ModeChange;
 use super::notes::ChangeNote;
@@ -10,7 +10,7 @@ use crate::modal::ObservedMode;
 const ONE_RATIO: f64 = 0.01;
 const RATIO_LEAST: f64 = 1.2;
 
-/// What looks like a slip of a survey: channels swapped, a wrong sampling rate.
+/// Probable mistakes in a survey: exchanged channels, a wrong sampling rate.
 pub(super) fn slips(modes: &[ModeChange], lost: &[ObservedMode], new: &[ObservedMode]) -> Vec<ChangeNote> {
     let mut notes = Vec::new();
     let has_twin = |mode: &&ObservedMode| {

@@ -20,7 +20,7 @@ use crate::modal::{ModePair, ObservedMode, Pairing, pair_modes};
 /// Scatter about a line over temperature beyond this many times what surveys state is no chance. Chosen here: with two degrees of freedom one in a
 /// thousand goes beyond 2.6.
 const SCATTER_BEYOND: f64 = 3.0;
-/// Correlation of temperature with the order of surveys from which weather and ageing are not told apart. Chosen here.
+/// Correlation of temperature with the order of the surveys from which weather and ageing cannot be separated. Chosen here.
 const WITH_TIME: f64 = 0.7;
 
 /// One survey: its modes, and how warm it was.
@@ -39,9 +39,9 @@ pub struct Surveyed {
 pub struct SurveyChangeOptions {
     /// How modes are paired.
     pub pairing: Pairing,
-    /// What is known of temperature.
+    /// Known effect of temperature.
     pub temperature: TemperatureEffect,
-    /// Probability of finding any change where there is none, of all modes together; default 0.05.
+    /// Probability of a false finding in any mode although nothing changed; default 0.05.
     pub significance: f64,
     /// Probability with which the least detectable change would have been found; default 0.8.
     pub power: f64,
@@ -58,8 +58,8 @@ impl Default for SurveyChangeOptions {
     }
 }
 
-/// What changed from one survey to another: modes paired, each difference with its deviation, what chance alone would do, and what could
-/// have been missed.
+/// Changes from one survey to another: pairs of modes, each difference with its standard deviation and its probability by chance, and the smallest
+/// change that would have been detected.
 ///
 /// ```text
 /// r = (f' - f (1 + κ ΔT)) / f
@@ -75,9 +75,9 @@ impl Default for SurveyChangeOptions {
 /// [`AssessError::Modal`] for modes that make no sense.
 ///
 /// # Limits
-/// A deviation stated by an identification is that of another record under the same conditions: moisture, crowd, strength of the wind
-/// and the temperature of the stone behind that of the air are not in it. Unchanged pairs of four modes drawn from normal variables with
-/// 30 blocks of time are called changed in 5 % of 4000 draws, to within 1 % (measured). One coefficient for all modes is a rough rule.
+/// The standard deviation of an identification describes another record under the same conditions. It does not include moisture, crowds, the
+/// strength of the wind, or a stone temperature that lags behind that of the air. For unchanged pairs of four modes, drawn from normal variables
+/// with 30 blocks of time, the test finds a change in 5 % of 4000 draws, within 1 % (measured). One coefficient for all modes is a rough rule.
 ///
 /// # Example
 /// ```
@@ -236,14 +236,14 @@ fn check(from: &Surveyed, to: &Surveyed, options: &SurveyChangeOptions) -> Resul
     Ok(())
 }
 
-/// What temperature does to one mode.
+/// Effect of temperature on one mode.
 struct Covariate {
     /// κ ΔT.
     explained: f64,
     /// Standard deviation of κ, 1/°C; of a fitted line `spread` is taken instead.
     sd_per_c: f64,
     fitted: Option<FittedTemperature>,
-    /// Of a fitted line: variance of f' - f - b ΔT, Hz², its degrees of freedom, and what of it the surveys state, Hz².
+    /// For a fitted line: variance of f' - f - b ΔT, Hz², its degrees of freedom, and the part of it that the surveys state, Hz².
     spread: Option<(f64, f64, f64)>,
 }
 

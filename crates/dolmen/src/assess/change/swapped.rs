@@ -11,11 +11,11 @@ use dolmen_linalg::Complex64;
 /// Two channels that look exchanged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SwappedChannels {
-    /// Their names in the first survey.
+    /// Names of the channels in the first survey.
     pub channels: [String; 2],
     /// Mean assurance of the shapes as they are.
     pub assurance: f64,
-    /// The same with the two exchanged.
+    /// Similarity after the exchange.
     pub exchanged: f64,
     /// Modes that it is the mean of.
     pub modes: usize,
@@ -28,13 +28,13 @@ pub struct TurnedChannel {
     pub channel: String,
     /// Mean assurance of the shapes as they are.
     pub assurance: f64,
-    /// The same with its sign changed.
+    /// Similarity after the change of sign.
     pub turned: f64,
     /// Modes that it is the mean of.
     pub modes: usize,
 }
 
-/// What one change of the channels makes the shapes of both surveys alike.
+/// The single change of the channels that makes the shapes of both surveys similar.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Slip {
     Swapped(SwappedChannels),
@@ -57,7 +57,7 @@ const PLACES_LEAST: usize = 3;
 /// Mean assurance above which shapes need no explanation, and below which an exchange explains nothing. Chosen here.
 const UNLIKE: f64 = 0.8;
 const ALIKE: f64 = 0.95;
-/// Part of what is left unexplained, 1 - MAC, that the second-best exchange must leave over that of the best. Chosen here.
+/// Least ratio of the unexplained part, 1 - MAC, of the second-best exchange to that of the best. Chosen here.
 const CLEARLY: f64 = 3.0;
 
 /// The two channels whose exchange, or the one whose change of sign, makes the shapes of two surveys alike, if one such change alone does.

@@ -1,52 +1,52 @@
-//! What temperature does to a frequency: a coefficient that is known, or one fitted to earlier surveys.
+//! Effect of temperature on a frequency: a known coefficient, or one fitted to earlier surveys.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | T_k, f_k | `t`, `f` | temperature and frequency of survey k | °C, Hz |
-//! | x_k | `x` | T_k less the mean temperature | °C |
+//! | x_k | `x` | T_k minus the mean temperature | °C |
 //! | b | `slope` | change of the frequency with temperature | Hz/°C |
-//! | s | `scatter_hz` | deviation of a survey about the line | Hz |
+//! | s | `scatter_hz` | standard deviation of a survey about the line | Hz |
 
 use crate::assess::AssessError;
 
-/// Fewest surveys with a temperature that a coefficient is fitted to: with four, two degrees of freedom are left.
+/// Fewest surveys with a temperature for a fit: four leave two degrees of freedom.
 pub const TEMPERATURE_SURVEYS_LEAST: usize = 4;
-/// Least spread of their temperatures, °C; chosen here: a line through less says nothing of the seasons.
+/// Least range of their temperatures, °C. Chosen here: a line over a smaller range says nothing about the seasons.
 const SPREAD_LEAST_C: f64 = 2.0;
 
-/// What is known of the effect of temperature on frequencies.
+/// Known effect of temperature on the frequencies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TemperatureEffect {
-    /// Nothing.
+    /// The effect is not known.
     Unknown,
-    /// The relative change of every frequency per °C.
+    /// The same relative change per °C for every frequency.
     Coefficient {
         /// Relative change per °C.
         per_c: f64,
-        /// Its standard deviation.
+        /// Standard deviation of the change.
         sd_per_c: f64,
     },
-    /// To be fitted to the surveys before the later one.
+    /// To be fitted to the surveys before the later of the two compared ones.
     Fitted,
 }
 
-/// A frequency as a line over temperature, by least squares.
+/// A frequency as a linear function of temperature, by least squares.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedTemperature {
-    /// Relative change per °C, of the frequency of the earlier survey compared.
+    /// Change per °C, relative to the frequency of the earlier compared survey.
     pub per_c: f64,
-    /// Its standard deviation.
+    /// Standard deviation of the change.
     pub sd_per_c: f64,
-    /// Deviation of one survey about the line, Hz.
+    /// Standard deviation of one survey about the line, Hz.
     pub scatter_hz: f64,
-    /// Surveys behind it.
+    /// Number of fitted surveys.
     pub surveys: usize,
-    /// Coldest and warmest of them, °C.
+    /// Lowest and highest temperature of these surveys, °C.
     pub range_c: [f64; 2],
 }
 
-/// One survey that a line is fitted to.
+/// One survey of the fit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FitPoint {
     pub(super) temperature_c: f64,
@@ -54,20 +54,21 @@ pub(super) struct FitPoint {
     pub(super) sd_hz: Option<f64>,
 }
 
-/// The line, and what it makes of a later survey.
+/// The fitted line, and its prediction for a later survey.
 pub(super) struct Line {
     pub(super) fitted: FittedTemperature,
-    /// b ΔT, Hz.
+    /// Change that temperature explains, b ΔT, Hz.
     pub(super) explained_hz: f64,
-    /// Variance of f' - f_first - b ΔT, Hz², if f' scatters about the line as the others do; f_first is one of its points.
+    /// Variance of f' - f_first - b ΔT, Hz², if f' scatters about the line as the other surveys do. f_first belongs to the
+    /// fitted surveys.
     pub(super) variance_hz2: f64,
-    /// Mean square of the deviations that the surveys state, Hz²: part of that scatter.
+    /// Mean square of the standard deviations that the surveys state, Hz²: part of the scatter about the line.
     pub(super) stated_hz2: f64,
-    /// Degrees of freedom.
+    /// Degrees of freedom of the fit.
     pub(super) degrees_of_freedom: f64,
 }
 
-/// Fits a line to `points`, of which the first is the survey that is compared with one at `to_c`.
+/// Fits a line to `points`. The first of them is the survey that is compared with one at the temperature `to_c`.
 ///
 /// ```text
 /// b = Σ x_k f_k / Σ x_k²,   s² = Σ e_k² / (n - 2),   e_k = f_k - mean f - b x_k
@@ -154,7 +155,7 @@ mod tests {
             found.fitted.per_c * 2.01
         );
         assert!((found.fitted.sd_per_c * 2.01 / STDERR - 1.0).abs() < 1e-12);
-        // no change of temperature: nothing is explained, and the variance is that of two surveys
+        // no change of temperature: nothing is explained, and the variance is the sum for two surveys
         assert_eq!(found.explained_hz, 0.0);
         assert!((found.variance_hz2 / found.fitted.scatter_hz.powi(2) - 2.0).abs() < 1e-12);
     }

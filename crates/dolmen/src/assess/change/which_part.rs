@@ -8,7 +8,7 @@
 
 use crate::numeric::{chi_squared_above, chi_squared_quantile, maximum_between};
 
-/// Stiffness of a part over what it was, within which it is sought. Chosen here.
+/// Range of the search for the stiffness of a part, relative to its earlier value. Chosen here.
 pub const FACTOR_SOUGHT: [f64; 2] = [0.02, 5.0];
 /// Factors tried before the least is refined.
 const TRIED: usize = 33;
@@ -62,7 +62,7 @@ pub struct WhichPart {
 }
 
 impl WhichPart {
-    /// Those that explain the change as well as the best does, to 95 %: none where the best does not explain it.
+    /// The parts that explain the change as well as the best one does, at 95 %; empty if the best one does not explain it.
     pub fn candidates(&self) -> &[PartFit] {
         let Some(best) = self.parts.first().filter(|best| best.explains()) else {
             return &[];
@@ -88,8 +88,8 @@ fn apart() -> f64 {
 
 /// Which part of `parts` explains the changes of the frequencies of a structure, if the stiffness of one part alone changed and no mass did.
 ///
-/// `changes_of` gives the relative changes of the same frequencies for a part, or all alike, with so many times its stiffness; `None` where the structure
-/// cannot be so. `None` as a result for fewer than two frequencies or parts, or a deviation that is none.
+/// `changes_of` gives the relative changes of the same frequencies if a part, or all parts together, has this multiple of its stiffness; `None` if
+/// the structure cannot have it. The result is `None` for fewer than two frequencies or parts, or for an invalid standard deviation.
 ///
 /// # Limits
 /// It says which **one** part explains the pattern if the model is right. Two parts that changed together, a lost mass or weather look like a part that is

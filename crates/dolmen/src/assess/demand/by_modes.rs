@@ -1,4 +1,4 @@
-//! What a response spectrum asks of the joints of a stack, mode by mode: the upper stones sway more than the lower.
+//! Demand of a response spectrum on the joints of a stack, by modal analysis: the upper stones move more than the lower ones.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -27,10 +27,10 @@ const MODES_MOST: usize = 400;
 /// Force, N, and moment about the origin, N m.
 type Wrench = [f64; 6];
 
-/// How much of what a spectrum asks for a stack bears, and what gives way first.
+/// Ratio of the capacity of a stack to the demand of a spectrum, and the part that governs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModalRatio {
-    /// What is borne over what is asked for: under the spectrum times this something begins to tip or slide.
+    /// Ratio of capacity to demand: under the spectrum times this factor a part begins to tip or slide.
     pub ratio: f64,
     /// Tipping or sliding, above which bodies; `None` where stones share their load and the limit analysis decided.
     pub first: Option<(LimitKind, String)>,
@@ -45,7 +45,7 @@ struct ModeUnderSpectrum<'a> {
     participation: [f64; 2],
     /// S, m/s².
     spectral: f64,
-    /// What of S is not in phase with the ground: √(S² − A₀²)/S; all of it where S is less than A₀.
+    /// Part of S that is not in phase with the ground: √(S² − A₀²)/S; 1 if S is below A₀.
     periodic: f64,
     /// Whether S is less than A₀: such a mode is not in phase with the ground.
     below_ground: bool,
@@ -132,7 +132,7 @@ impl<'a> ModalDemand<'a> {
         }))
     }
 
-    /// Largest force and moment of every stone, whatever the direction of shaking.
+    /// Largest force and moment of every stone over all directions of shaking.
     fn swaying(&self) -> Vec<SwayingForces> {
         let blocks = self.stack.blocks().iter().enumerate();
         let each = blocks.map(|(block, stone)| {
@@ -151,7 +151,7 @@ impl<'a> ModalDemand<'a> {
         each.collect()
     }
 
-    /// How much is borne of these, all at once, by limit analysis.
+    /// Ratio of capacity to these forces, acting together, by limit analysis.
     fn together(
         &self,
         swaying: &[SwayingForces],
@@ -240,7 +240,7 @@ struct Combined {
 }
 
 impl Combined {
-    /// Largest of a sum of force and moment, all modes periodic, or the part of them in phase with the ground added at once; the larger.
+    /// Largest sum of force and moment. The larger of two sums counts: all modes as periodic, or the part in phase with the ground added directly.
     fn largest(&self, row: &Wrench, direction: ShakenDirection) -> f64 {
         let product = |matrix: &[Wrench; 6]| -> f64 {
             matrix
@@ -300,7 +300,7 @@ fn inertia(stack: &Stack, block: usize, shape: &[f64; 6]) -> Wrench {
     [force.x, force.y, force.z, moment.x, moment.y, moment.z]
 }
 
-/// The same with the moment about another point.
+/// The force and moment, with the moment about another point.
 fn about(point: DVec3, [x, y, z, a, b, c]: Wrench) -> Wrench {
     let moment = DVec3::new(a, b, c) - point.cross(DVec3::new(x, y, z));
     [x, y, z, moment.x, moment.y, moment.z]

@@ -1,12 +1,12 @@
-//! Capacity of a local mechanism by Circolare 7/2019 to NTC 2018, C8.7.1.2.1, and what a site asks of it.
+//! Capacity of a local mechanism by Circolare 7/2019 to NTC 2018, C8.7.1.2.1, compared with the demand of a site.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | a₀* | `activation_m_s2` | acceleration of the oscillator at which the mechanism moves | m/s² |
+//! | a₀* | `activation_m_s2` | acceleration of the equivalent oscillator that activates the mechanism | m/s² |
 //! | FC | `confidence_factor` | confidence factor | – |
 //! | q | `behaviour_factor` | behaviour factor | – |
-//! | d_SLV | `limit_m` | displacement of the oscillator that it may reach | m |
-//! | T_SLV | `period_s` | period at which the spectrum asks for a displacement | s |
+//! | d_SLV | `limit_m` | allowed displacement of the equivalent oscillator | m |
+//! | T_SLV | `period_s` | period at which the displacement demand is read from the spectrum | s |
 
 use super::SiteDemand;
 use crate::stability::stack::LocalMechanism;
@@ -16,15 +16,15 @@ use std::f64::consts::{PI, TAU};
 const LIMIT_PART: f64 = 0.4;
 /// T_SLV over π √(d_SLV / a(d_SLV)).
 const PERIOD_FACTOR: f64 = 1.68;
-/// Damping ratio at which the spectrum of displacements is read.
+/// Damping ratio of the displacement spectrum.
 const DAMPING_RATIO: f64 = 0.08;
 
-/// The factors that the code leaves to the case.
+/// Factors that the user of the code chooses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CircolareFactors {
-    /// FC: 1.35, the one of the code where the crushing strength does not enter α₀. Default 1.35.
+    /// Confidence factor FC. Default 1.35, the value of the code if α₀ does not consider the crushing strength.
     pub confidence_factor: f64,
-    /// q of the check by force. Default 2.
+    /// Behaviour factor q of the force-based check. Default 2.
     pub behaviour_factor: f64,
 }
 
@@ -37,55 +37,55 @@ impl Default for CircolareFactors {
     }
 }
 
-/// What a local mechanism bears.
+/// Capacity of a local mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LocalMechanismCapacity {
     /// The mechanism.
     pub mechanism: LocalMechanism,
-    /// a₀*, m/s².
+    /// Activation acceleration a₀*, m/s².
     pub activation_m_s2: f64,
-    /// Peak acceleration of the ground that it bears by the check of forces, m/s²; `None` where a joint slides.
+    /// Capacity by the force-based check: peak ground acceleration, m/s²; `None` if a joint slides.
     pub by_force_m_s2: Option<f64>,
-    /// By the check of displacements; `None` where d₀* is not known.
+    /// Capacity by the displacement-based check; `None` if d₀* is not known.
     pub displacement: Option<DisplacementCapacity>,
 }
 
-/// What a local mechanism bears by the check of displacements.
+/// Capacity of a local mechanism by the displacement-based check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DisplacementCapacity {
-    /// d₀*, m.
+    /// Overturning displacement d₀*, m.
     pub overturning_m: f64,
-    /// d_SLV, m.
+    /// Allowed displacement d_SLV, m.
     pub limit_m: f64,
-    /// a(d_SLV), m/s².
+    /// a(d_SLV), the acceleration of the capacity curve at d_SLV, m/s².
     pub acceleration_m_s2: f64,
-    /// T_SLV, s.
+    /// Period T_SLV, s.
     pub period_s: f64,
 }
 
-/// A local mechanism against a site.
+/// Capacity of a local mechanism over the demand of a site.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalMechanismDemand {
-    /// Peak acceleration of the ground, m/s².
+    /// Peak ground acceleration of the site, m/s².
     pub ground_m_s2: f64,
-    /// What it bears by forces over that; `None` where that is not known.
+    /// Ratio of capacity to demand by the force-based check; `None` if the capacity is not known.
     pub by_force: Option<f64>,
-    /// By displacements; `None` where d₀* is not known, or a table ends before T_SLV.
+    /// The displacement-based check; `None` if d₀* is not known, or if the spectrum is a table that ends before T_SLV.
     pub by_displacement: Option<DisplacementDemand>,
 }
 
-/// The check of displacements against a site.
+/// Displacement-based check of a mechanism at a site.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DisplacementDemand {
-    /// ζ at which the spectrum is read: 8 %, of a table its own.
+    /// Damping ratio ζ of the spectrum: 8 %, or that of the table.
     pub damping_ratio: f64,
-    /// S_De(T_SLV), m.
+    /// Displacement demand S_De(T_SLV), m.
     pub displacement_m: f64,
-    /// d_SLV / S_De(T_SLV).
+    /// Ratio of capacity to demand, d_SLV / S_De(T_SLV).
     pub ratio: f64,
 }
 
-/// What a local mechanism bears by Circolare 7/2019.
+/// Capacity of a local mechanism by Circolare 7/2019.
 ///
 /// ```text
 /// a₀* = α₀ g / (e* FC)          by force: peak of the ground ≤ q a₀*, q = 2
@@ -94,12 +94,13 @@ pub struct DisplacementDemand {
 /// ```
 ///
 /// # Limits
-/// As for parts that stand on the ground: the code amplifies what it asks for of parts at a height, which is not done here. d_SLV is not
-/// cut by ties that break, since ties hold nothing in these mechanisms. What slides has no check: the code's q is for parts that turn. The code's
-/// near-collapse state (SLC) and the older circular 617/2009, whose periods are a third shorter, are left out.
+/// The mechanism is taken to stand on the ground: the amplification that the code requires for parts at a height is not included. d_SLV is not
+/// reduced for ties that break, because ties carry no force in these mechanisms. Sliding mechanisms are not checked: the q of the code is for
+/// mechanisms that rotate. The near-collapse state (SLC) is left out, and so is the older circular 617/2009, whose periods are a third shorter.
 ///
 /// # Source
-/// Circolare 7/2019 to NTC 2018, C8.7.1.2.1. Not held against its text.
+/// Circolare 7/2019 to NTC 2018, C8.7.1.2.1. Not compared with the text of the code. Tested here against walls, storeys and a portal in closed
+/// form.
 pub fn circolare_capacity(
     mechanism: LocalMechanism,
     gravity_m_s2: f64,
@@ -125,7 +126,7 @@ pub fn circolare_capacity(
     }
 }
 
-/// A local mechanism against a site; `None` if the site gives no acceleration of the ground.
+/// Checks a local mechanism at a site; `None` if the spectrum of the site does not give the peak ground acceleration.
 ///
 /// ```text
 /// by force          q a₀* / A_0
@@ -133,8 +134,8 @@ pub fn circolare_capacity(
 /// ```
 ///
 /// # Limits
-/// The spectrum of the site is taken as that of the life-safety state (SLV), whatever its return period. A table of accelerations is read at
-/// its own damping ratio.
+/// The spectrum of the site is taken as the spectrum of the life-safety state (SLV), whatever its return period. A table is read at its own
+/// damping ratio.
 pub fn circolare_demand(
     capacity: &LocalMechanismCapacity,
     site: &SiteDemand,
@@ -165,7 +166,7 @@ mod tests {
     use crate::stability::stack::local_mechanism;
     use crate::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
 
-    /// Boxes [width, depth, height] with the middle of their base.
+    /// Boxes: [width, depth, height] and the centre of the base of each.
     fn boxes(sizes: &[([f64; 3], [f64; 3])], friction: f64) -> Stack {
         let blocks = sizes.iter().enumerate().map(|(i, (size, at))| Block {
             name: format!("stone {}", i + 1),
@@ -184,7 +185,7 @@ mod tests {
         local_mechanism(stack, [1.0, 0.0]).unwrap().unwrap()
     }
 
-    /// b × h as one part: α₀ = b/h, e* = 1, M* the whole mass, d₀* = b/2.
+    /// The mechanism of a wall b × h that overturns as one part: α₀ = b/h, e* = 1, M* = whole mass, d₀* = b/2.
     fn is_one_part(found: &LocalMechanism, b: f64, h: f64, mass_kg: f64) {
         assert_eq!(found.parts.len(), 1, "{found:?}");
         assert!((found.multiplier - b / h).abs() < 1e-7, "{found:?}");
@@ -203,7 +204,7 @@ mod tests {
             .collect();
         let courses = along_x(&boxes(&courses, 0.6));
         is_one_part(&courses, 0.4, 4.0, 0.4 * 2.0 * 4.0 * 2600.0);
-        // running bond, two stones and a half in length
+        // running bond, 2.5 stones per course
         let bond: Vec<_> = (0..4)
             .flat_map(|i| {
                 let z = 0.5 * f64::from(i);
@@ -225,7 +226,7 @@ mod tests {
 
     #[test]
     fn exact_storey_above_the_joint_that_opens() {
-        // a slender upper storey of two stones on a broad base: .3 wide, 1.5 high
+        // a slender upper storey of two stones on a broad base: 0.3 m wide, 1.5 m high
         let stack = boxes(
             &[
                 ([2.0, 2.0, 0.5], [0.0; 3]),
@@ -250,7 +251,7 @@ mod tests {
 
     #[test]
     fn exact_parts_of_a_portal() {
-        // pillars .4 × .4 × 2 turn about their feet, the beam of 2 × .4 × .5 moves level: δ 1/2, 1/2 and 1
+        // pillars 0.4 × 0.4 × 2 m turn about their feet, the beam 2 × 0.4 × 0.5 m moves level: δ = 1/2, 1/2 and 1
         let stack = boxes(
             &[
                 ([0.4, 0.4, 2.0], [-0.8, 0.0, 0.0]),

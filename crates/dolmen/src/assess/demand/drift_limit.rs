@@ -1,45 +1,46 @@
-//! Allowable storey drift: what codes let a storey lean by under the design earthquake, over its height.
+//! Allowable storey drift of codes under the design earthquake, as a ratio to the storey height.
 
-/// Edition of the Korean code; its table is from memory of the code, not held against it.
+/// Edition of the Korean code. Its table is quoted from memory, and was not compared with the text.
 const KDS_41: &str = "KDS 41 17 00";
-/// Allowable drift over height of seismic grades special, I and II: table 8.2-4 of KDS 41 17 00:2019.
+/// Allowable drift ratios of the seismic grades special, I and II: table 8.2-4 of KDS 41 17 00:2019.
 const KDS_41_RATIOS: [f64; 3] = [0.010, 0.015, 0.020];
 /// Edition of the European code.
 const EUROCODE: &str = "EN 1998-1";
-/// Limit on ν d_r over height where non-structural elements are brittle, ductile, or not in the way: EN 1998-1:2004, 4.4.3.2 (1).
+/// Limits of ν d_r over height for non-structural elements that are brittle, ductile, or do not interfere: EN 1998-1:2004,
+/// 4.4.3.2 (1).
 const EUROCODE_RATIOS: [f64; 3] = [0.005, 0.0075, 0.010];
 /// ν of importance classes I to IV, recommended values: EN 1998-1:2004, 4.4.3.2 (2), note.
 const EUROCODE_NU: [f64; 4] = [0.5, 0.5, 0.4, 0.4];
 
-/// Drift over height beyond which Dolmen calls no storey standing: models of small drifts end there. Chosen here, as
-/// [`FrameRun::drift_ratio_most`](crate::dynamics::FrameRun).
+/// Drift ratio beyond which Dolmen considers no storey as standing, because models of small drifts are not valid there. Chosen
+/// here, as [`FrameRun::drift_ratio_most`](crate::dynamics::FrameRun).
 pub const DRIFT_RATIO_MOST: f64 = 0.1;
 
 /// Seismic grade of KDS 41 17 00.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SeismicGrade {
-    /// Special.
+    /// Grade special.
     Special,
-    /// I.
+    /// Grade I.
     First,
-    /// II.
+    /// Grade II.
     Second,
 }
 
 /// Importance class of EN 1998-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImportanceClass {
-    /// I.
+    /// Class I.
     First,
-    /// II.
+    /// Class II.
     Second,
-    /// III.
+    /// Class III.
     Third,
-    /// IV.
+    /// Class IV.
     Fourth,
 }
 
-/// Non-structural elements of a building, as EN 1998-1 has them.
+/// Non-structural elements of a building by EN 1998-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NonStructural {
     /// Brittle, attached to the structure.
@@ -50,29 +51,29 @@ pub enum NonStructural {
     None,
 }
 
-/// An allowable storey drift and where it comes from.
+/// An allowable storey drift and its source.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DriftLimit {
     /// KDS 41 17 00.
     Kds41(SeismicGrade),
     /// EN 1998-1.
     Eurocode8 {
-        /// Of the building.
+        /// Importance class of the building.
         importance: ImportanceClass,
-        /// What it carries.
+        /// Type of the non-structural elements.
         non_structural: NonStructural,
     },
-    /// A number of whoever judges.
+    /// A value given by the user.
     Given {
         /// Drift over height.
         ratio: f64,
-        /// Where it comes from, if said.
+        /// Source of the value, if given.
         source: Option<String>,
     },
 }
 
 impl DriftLimit {
-    /// Largest drift over height that is allowed under the design earthquake.
+    /// Largest allowed drift ratio under the design earthquake.
     ///
     /// ```text
     /// KDS 41 17 00:  Δ_a/h = 0.010, 0.015, 0.020 of grade special, I, II
@@ -80,8 +81,8 @@ impl DriftLimit {
     /// ```
     ///
     /// # Limits
-    /// For elastic responses to the whole design spectrum, not divided by a factor of behaviour: then d_s = d_e, and
-    /// C_d δ_xe/I_E = δ_x. Neither table has been held against the text of its code.
+    /// For the elastic response to the full design spectrum, without a behaviour factor: then d_s = d_e, and C_d δ_xe/I_E = δ_x.
+    /// Neither table was compared with the text of its code.
     ///
     /// # Source
     /// KDS 41 17 00:2019, table 8.2-4; EN 1998-1:2004, 4.4.3.2 with the recommended ν.
@@ -107,7 +108,7 @@ impl DriftLimit {
         }
     }
 
-    /// The code and the class, "KDS 41 17 00, I"; of a given number what the user says of it.
+    /// Code and class, "KDS 41 17 00, I"; for a given value, the source stated by the user.
     pub fn source(&self) -> Option<String> {
         match self {
             DriftLimit::Kds41(grade) => {

@@ -1,12 +1,12 @@
-//! Eurocode 8: EN 1998-1:2004, elastic horizontal spectra of recommended parameters.
+//! Eurocode 8 (EN 1998-1:2004): elastic horizontal spectra with the recommended parameters.
 
 use super::spectrum::{Branches, DampingFactor, STANDARD_GRAVITY_M_S2, Shape, within};
 use super::{DesignSpectrum, Unverified, VerticalRatio};
 use crate::assess::AssessError;
 
-/// Year of the edition; from memory, not held against it.
+/// Year of the edition, quoted from memory and not compared with its text.
 const YEAR: u16 = 2004;
-/// S, T_B, T_C and T_D, s, of ground A to E; type 1, type 2.
+/// S and T_B, T_C, T_D in s, for ground types A to E; first type 1, then type 2.
 const PARAMETERS: [[[f64; 4]; 5]; 2] = [
     [
         [1.0, 0.15, 0.4, 2.0],
@@ -23,19 +23,20 @@ const PARAMETERS: [[[f64; 4]; 5]; 2] = [
         [1.6, 0.05, 0.25, 1.2],
     ],
 ];
-/// Plateau over S a_g.
+/// Acceleration of the plateau over S a_g.
 const PLATEAU: f64 = 2.5;
-/// Vertical over horizontal ground acceleration of type 1 and 2; from memory of the code, not held against it.
+/// Vertical over horizontal ground acceleration of type 1 and 2, quoted from memory and not compared with the text of the
+/// code.
 const VERTICAL: [f64; 2] = [0.9, 0.45];
-/// Largest a_g taken, g: more is a mistaken unit. Chosen here.
+/// Largest accepted a_g, g: a larger value has a wrong unit. Chosen here.
 const GROUND_MOST_G: f64 = 2.0;
 
 /// Type of the spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EurocodeType {
-    /// Earthquakes above surface-wave magnitude 5.5 govern.
+    /// Earthquakes with a surface-wave magnitude above 5.5 govern.
     One,
-    /// They do not.
+    /// Earthquakes with a surface-wave magnitude up to 5.5 govern.
     Two,
 }
 
@@ -44,13 +45,13 @@ pub enum EurocodeType {
 pub enum EurocodeGround {
     /// Rock.
     A,
-    /// Very dense sand, gravel, very stiff clay.
+    /// Very dense sand, gravel or very stiff clay.
     B,
-    /// Dense sand, gravel, stiff clay.
+    /// Dense sand, gravel or stiff clay.
     C,
     /// Loose soil.
     D,
-    /// Some metres of C or D on rock.
+    /// Several metres of C or D on rock.
     E,
 }
 
@@ -58,15 +59,15 @@ pub enum EurocodeGround {
 ///
 /// ```text
 /// A_0 = S a_g    A_p = 2.5 S a_g    η = √(10/(5 + ξ)) ≥ 0.55, ξ in percent    beyond T_D: η A_p T_C T_D/T²
-/// a_v = 0.9 a_g (type 1), 0.45 a_g (type 2): without S, so that over A_0 it is 0.9/S, 0.45/S
+/// a_v = 0.9 a_g (type 1), 0.45 a_g (type 2), without S; the ratio to A_0 is therefore 0.9/S, 0.45/S
 /// ```
 ///
 /// # Errors
 /// [`AssessError::Numeric`] for a_g outside 0 … 2 g.
 ///
 /// # Limits
-/// Recommended parameters; a national annex may change them. T is used beyond 4 s, where the code refers to its annex A. η and
-/// the vertical acceleration (table 3.4 as it is commonly cited) have not been held against the text of the code.
+/// Recommended parameters; a national annex may change them. The formula is also used beyond T = 4 s, where the code refers to
+/// its annex A. η and the vertical acceleration (table 3.4 as commonly cited) were not compared with the text of the code.
 ///
 /// # Source
 /// EN 1998-1:2004, 3.2.2.2, tables 3.2 and 3.3.
@@ -189,7 +190,7 @@ mod tests {
                     [tb, tc, td],
                     "{kind:?} {ground:?}"
                 );
-                // the branches end there, not a thousandth off
+                // the branches end exactly at these periods
                 let at = |t: f64| spectrum.acceleration_m_s2(t, 0.05).unwrap() / (2.5 * peak);
                 let beside = [
                     (1.0005 * tb, 1.0),

@@ -10,13 +10,13 @@ use super::spectrum::{Branches, DampingFactor, STANDARD_GRAVITY_M_S2, Shape, wit
 use super::{DesignSpectrum, Unverified, VerticalRatio};
 use crate::assess::AssessError;
 
-/// Year of the edition of KDS 17 10 00; from memory, not held against it.
+/// Year of the edition of KDS 17 10 00, quoted from memory and not compared with its text.
 const YEAR_17: u16 = 2018;
-/// Year of the edition of KDS 41 17 00; from memory, not held against it.
+/// Year of the edition of KDS 41 17 00, quoted from memory and not compared with its text.
 const YEAR_41: u16 = 2019;
-/// The return period whose risk factor is from memory of the code, not held against it.
+/// The return period whose risk factor is quoted from memory and was not compared with the text of the code.
 const UNVERIFIED_YEARS: u32 = 4800;
-/// T_L of KDS 41 17 00, s; from memory of the code, not held against it.
+/// T_L of KDS 41 17 00, s, quoted from memory and not compared with the text of the code.
 const DISPLACEMENT_41_S: f64 = 5.0;
 /// What KDS 41 17 00 designs for, over the spectrum of 2400 years.
 const DESIGN_SHARE: f64 = 2.0 / 3.0;
@@ -45,7 +45,7 @@ const PLATEAU: f64 = 2.5;
 /// T_0 over T_s, and T_L, s.
 const RISE: f64 = 0.2;
 const DISPLACEMENT_S: f64 = 3.0;
-/// Vertical over horizontal peak; from memory of the code, not held against it.
+/// Vertical over horizontal peak, quoted from memory and not compared with the text of the code.
 const VERTICAL: VerticalRatio = VerticalRatio {
     ratio: 0.77,
     verified: false,
@@ -92,7 +92,7 @@ pub struct Kds41 {
 /// [`AssessError::ReturnPeriod`] unless 50, 100, 200, 500, 1000, 2400 or 4800 years.
 ///
 /// # Limits
-/// The factor 2.6 of 4800 years has not been held against the text of the code.
+/// The factor 2.6 of 4800 years was not compared with the text of the code.
 ///
 /// # Source
 /// KDS 17 10 00:2018, zone and risk factors.
@@ -115,7 +115,7 @@ pub fn kds_17_effective_acceleration_g(
 pub struct RiskFactor {
     /// I.
     pub factor: f64,
-    /// Whether it was held against the text of the code.
+    /// Whether it was compared with the text of the code.
     pub verified: bool,
 }
 
@@ -149,7 +149,7 @@ impl KoreanZone {
     }
 }
 
-/// What the soil makes of short and of 1 s periods.
+/// Amplification by the soil, at short periods and at 1 s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SoilAmplification {
     /// F_a.
@@ -205,7 +205,7 @@ fn amplification(site: KoreanSite, effective_acceleration_g: f64) -> Result<[f64
 /// [`AssessError::SiteSpecific`] for S6; [`AssessError::Numeric`] for S outside 0 … 0.3 g.
 ///
 /// # Limits
-/// The vertical ratio 0.77, and that η runs straight from 1 at T = 0 to its value at T_0, have not been held against the text
+/// The vertical ratio 0.77, and the linear variation of η from 1 at T = 0 to its value at T_0, were not compared with the text
 /// of the code.
 ///
 /// # Source
@@ -261,7 +261,7 @@ fn in_words(acceleration_g: f64) -> f64 {
 /// As [`kds_17`].
 ///
 /// # Limits
-/// Of the code only S_DS and S_D1 are verified; the shape, T_L and the factor of damping are from memory.
+/// Only S_DS and S_D1 were compared with the text of the code; the shape, T_L and the damping factor are quoted from memory.
 ///
 /// # Source
 /// KDS 41 17 00:2019.

@@ -1,4 +1,5 @@
-//! What codes demand of a site: design spectra. One code a file, its tables as data; and what they ask of a stack, a frame, a chain; how far storeys may drift.
+//! Seismic demand by codes: design spectra of a site (one code per file, with its tables as data), their demand on stacks, frames and chains, and
+//! allowable storey drifts.
 
 mod by_modes;
 mod circolare;

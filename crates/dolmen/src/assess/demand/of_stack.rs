@@ -1,4 +1,4 @@
-//! What a site asks of a stack: as rigid blocks against the peak of the ground, on elastic joints against the spectrum.
+//! Demand of a site on a stack: as rigid blocks by the peak ground acceleration, and on elastic joints by the spectrum.
 
 use super::by_modes::{ModalDemand, ModalRatio};
 use super::{ShakenDirection, SiteDemand};
@@ -18,16 +18,16 @@ pub struct StackDemandRow {
     /// Least acceleration at which it begins to move there, without vertical shaking; `None` if it does not stand, or is
     /// wedged.
     pub capacity: Option<Threshold>,
-    /// The same while the ground falls away with the vertical acceleration of the site; as `capacity` if the site has none.
+    /// Capacity while the vertical acceleration of the site reduces gravity; equal to `capacity` if the site has none.
     pub capacity_with_vertical: Option<Threshold>,
     /// First period there, s; in any direction that of the larger S_a; `None` if it is not known.
     pub period_s: Option<f64>,
     /// Largest Γ φ of the stones in that mode; in any direction the larger of both.
     pub amplification: Option<f64>,
-    /// What is left with the vertical acceleration, against both demands as published: on elastic joints S_a of the first mode acts on all masses
-    /// alike, which is up to several times too little for the upper ones.
+    /// Capacity with the vertical acceleration, compared with both demands as published. On elastic joints, S_a of the first mode acts on all masses
+    /// equally, which can be several times too small for the upper ones.
     pub comparison: DemandComparison,
-    /// What is left on elastic joints against the forces of all modes; `None` if they are not known, or nothing is left to begin with.
+    /// Capacity on elastic joints compared with the forces of all modes; `None` if they are unknown, or if there is no capacity without shaking.
     pub by_modes: Option<ModalRatio>,
     /// The worse of rigid blocks and elastic joints by modes. Without modes at best unknown.
     pub verdict: DemandVerdict,
@@ -42,7 +42,8 @@ pub struct StackDemandCheck {
     pub rows: Vec<StackDemandRow>,
     /// The worst of all.
     pub verdict: DemandVerdict,
-    /// Whether these are numbers of the stack without its static loads: they press on it and have no mass, and without them it bears less.
+    /// Whether these values are for the stack without its static loads. Static loads press on the stack but have no mass; it may resist less without
+    /// them.
     pub without_loads: bool,
 }
 
@@ -58,7 +59,7 @@ impl StackDemandCheck {
     }
 }
 
-/// A stack against a site: at what acceleration it begins to move, and what is asked for, both ways.
+/// Checks a stack at a site: the acceleration at which it begins to move, compared with the demand on rigid blocks and on elastic joints.
 ///
 /// `modes` are those of [`stack_modes`](crate::blocks::stack_modes), if they are known. `None` if the site gives no acceleration of the ground.
 ///
@@ -75,11 +76,11 @@ impl StackDemandCheck {
 /// [`AssessError`] where the stack cannot be checked. A table that has no value at a period leaves what needs it unknown.
 ///
 /// # Limits
-/// Those of [`check_stack`] and [`compare_with_demand`]. That the whole vertical peak comes with the whole horizontal one is
-/// on the safe side. Where static loads press on stones, the stack without them is looked at too, and the worse of both counts. Along x and y the capacity is that of the limit analysis, without
-/// strength of the stone and turning of the soil. By modes the joints stay closed and linear, until something tips or slides: a corner opens
-/// earlier (of a rectangle at a third), which lengthens the periods. Where stones share their load, the largest force and moment of every stone act at once in a limit
-/// analysis, which is on the safe side. The vertical acceleration is not amplified by the stack.
+/// As for [`check_stack`] and [`compare_with_demand`]. The full vertical peak is combined with the full horizontal peak, which is conservative. If
+/// static loads press on stones, the stack is also checked without them, and the worse result counts. Along x and y the capacity is that of the limit
+/// analysis, without strength of the stone and rotation of the soil. In the modal analysis the joints stay closed and linear until a part tips or
+/// slides; a corner opens earlier (in a rectangle at a third), which lengthens the periods. If stones share their load, the largest force and moment
+/// of every stone act together in a limit analysis, which is conservative. The stack does not amplify the vertical acceleration.
 ///
 /// # Source
 /// Kim, Koo & Hong (2018), eqs 9 and 16, as published. By modes: Der Kiureghian (1981) for ρ; Lindley & Yow (1980) for the part in phase.

@@ -1,4 +1,4 @@
-//! What a response spectrum asks of a structure that moves in one plane: drifts of a frame, moments of the joints of a chain.
+//! Demand of a response spectrum on a structure that moves in one plane: drifts of a frame, moments in the joints of a chain.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|

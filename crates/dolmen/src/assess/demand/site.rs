@@ -1,4 +1,4 @@
-//! A site: what its code, or a table, says, with every number on the way.
+//! Seismic demand at a site, by a code or from a table, with all intermediate values.
 
 use super::spectrum::{STANDARD_GRAVITY_M_S2, within};
 use super::{
@@ -8,28 +8,28 @@ use super::{
 };
 use crate::assess::AssessError;
 
-/// Return period that KDS 41 17 00 is for, years.
+/// Return period of KDS 41 17 00, years.
 const BUILDINGS_YEARS: u32 = 2400;
-/// Damping ratio that the plateaus of codes are for.
+/// Damping ratio of the plateaus of codes.
 const CODE_DAMPING: f64 = 0.05;
-/// Largest importance factor taken. Chosen here: codes have 0.8 to 1.4.
+/// Largest accepted importance factor. Chosen here: codes have 0.8 to 1.4.
 const IMPORTANCE_MOST: f64 = 3.0;
 
-/// Where a structure stands and by what it is judged.
+/// Location of a structure and code for its assessment.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Site {
     /// KDS 17 10 00: S = Z I.
     Kds17 {
-        /// Z, g.
+        /// Zone factor Z, g.
         zone_factor_g: f64,
         /// Return period, years.
         return_period_years: u32,
         /// Site class.
         soil: KoreanSite,
     },
-    /// KDS 41 17 00, buildings: two thirds of 2400 years.
+    /// KDS 41 17 00, buildings: two thirds of the acceleration for 2400 years.
     Kds41 {
-        /// Z, g.
+        /// Zone factor Z, g.
         zone_factor_g: f64,
         /// Site class.
         soil: KoreanSite,
@@ -38,91 +38,91 @@ pub enum Site {
     Eurocode8 {
         /// Reference ground acceleration on type A, a_gR, g.
         ground_acceleration_g: f64,
-        /// γ_I.
+        /// Importance factor γ_I.
         importance_factor: f64,
         /// Type of the spectrum.
         spectrum: EurocodeType,
         /// Ground type.
         ground: EurocodeGround,
     },
-    /// A table of its own.
+    /// A spectrum given as a table.
     Table {
-        /// What it is and who made it.
+        /// Name and author of the spectrum.
         source: String,
-        /// Periods, s, rising, and accelerations, m/s².
+        /// Ascending periods, s, and accelerations, m/s².
         points: Vec<[f64; 2]>,
-        /// Damping ratio that it holds for.
+        /// Damping ratio of the table.
         damping_ratio: f64,
-        /// Peak acceleration of the ground, m/s²; `None`: that of the table at T = 0.
+        /// Peak ground acceleration, m/s²; `None`: that of the table at T = 0.
         peak_ground_acceleration_m_s2: Option<f64>,
     },
 }
 
-/// Every number between a site and its spectrum.
+/// All intermediate values between a site and its spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SiteParameters {
-    /// Of the Korean codes.
+    /// By the Korean codes.
     Korea {
-        /// Z, g.
+        /// Zone factor Z, g.
         zone_factor_g: f64,
         /// Return period, years.
         return_period_years: u32,
-        /// I.
+        /// Risk factor I.
         risk_factor: f64,
         /// S = Z I, g.
         effective_acceleration_g: f64,
         /// Site class.
         soil: KoreanSite,
-        /// F_a, F_v.
+        /// Amplification factors F_a and F_v.
         amplification: SoilAmplification,
-        /// S_DS and S_D1 that KDS 41 17 00 makes of this S; `None` unless it is that of 2400 years.
+        /// S_DS and S_D1 by KDS 41 17 00 for this S; `None` if the return period is not 2400 years.
         design: Option<Kds41>,
-        /// T_0, T_s, T_L and the accelerations between them.
+        /// T_0, T_s, T_L and the accelerations between these periods.
         branches: SpectrumBranches,
     },
-    /// Of Eurocode 8.
+    /// By Eurocode 8.
     Eurocode {
-        /// a_gR, g.
+        /// Reference ground acceleration a_gR, g.
         ground_acceleration_g: f64,
-        /// γ_I.
+        /// Importance factor γ_I.
         importance_factor: f64,
         /// Type of the spectrum.
         spectrum: EurocodeType,
         /// Ground type.
         ground: EurocodeGround,
-        /// S, of the soil.
+        /// Soil factor S.
         soil_factor: f64,
-        /// T_B, T_C, T_D and the accelerations between them.
+        /// T_B, T_C, T_D and the accelerations between these periods.
         branches: SpectrumBranches,
     },
-    /// Of a table.
+    /// From a table.
     Table {
-        /// Rows.
+        /// Number of rows.
         rows: usize,
-        /// Its first period, s.
+        /// First period, s.
         least_s: f64,
-        /// Its last period, s.
+        /// Last period, s.
         most_s: f64,
     },
 }
 
-/// What an earthquake asks for at a site.
+/// Seismic demand at a site.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SiteDemand {
-    /// The numbers that it comes from.
+    /// The intermediate values.
     pub parameters: SiteParameters,
-    /// The spectrum.
+    /// The design spectrum.
     pub spectrum: DesignSpectrum,
-    /// ζ that it is read at.
+    /// Damping ratio ζ of the demand.
     pub damping_ratio: f64,
-    /// Peak horizontal acceleration of the ground, soil included, m/s²; `None` for a table that has none.
+    /// Peak horizontal ground acceleration, including the site soil, m/s²; `None` for a table without it.
     pub peak_ground_acceleration_m_s2: Option<f64>,
-    /// Vertical over horizontal; `None` if neither code nor user gives it: then no vertical shaking is in the demand.
+    /// Vertical over horizontal acceleration. `None` if neither code nor user gives it: the demand then has no vertical shaking.
     pub vertical: Option<VerticalRatio>,
 }
 
 impl SiteDemand {
-    /// The code without its edition and numbers; the source of a table.
+    /// Name of the code without its edition and numbers; for a table, its source.
     pub fn code(&self) -> &str {
         let source = &self.spectrum.source;
         match self.parameters {
@@ -133,14 +133,14 @@ impl SiteDemand {
         }
     }
 
-    /// The damping ratio at which the spectrum is read for a structure: its own if it has one, else that of the site. A table holds for its own
-    /// alone.
+    /// Damping ratio at which the spectrum is read for a structure: its own damping ratio if it has one, otherwise that of the site. A table is
+    /// valid only for its own damping ratio.
     pub fn damping_ratio_of(&self, own: Option<f64>) -> f64 {
         let of_table = self.spectrum.table_damping_ratio();
         of_table.or(own).unwrap_or(self.damping_ratio)
     }
 
-    /// The return period that was chosen, years; `None` where the code has one alone, or none.
+    /// The selected return period, years; `None` if the code has only one, or none.
     pub fn return_period_years(&self) -> Option<u32> {
         match self.parameters {
             SiteParameters::Korea {
@@ -156,9 +156,9 @@ impl SiteDemand {
     }
 }
 
-/// What an earthquake asks for at a site, with every number on the way.
+/// Seismic demand at a site, with all intermediate values.
 ///
-/// `vertical_ratio` takes the place of the code's, and counts as verified: who gives it answers for it.
+/// `vertical_ratio` replaces the value of the code. It counts as verified, because its author is responsible for it.
 ///
 /// # Errors
 /// [`AssessError`] for numbers out of their range; [`AssessError::SiteSpecific`] for soil S6.
@@ -255,7 +255,7 @@ pub fn site_demand(
     })
 }
 
-/// The map of the code may be read down to four fifths of zone II, 0.056 g: what is less is a slip.
+/// Smallest accepted zone factor. The map of the code may be read down to 80 % of zone II, 0.056 g; a smaller value is a mistake.
 const ZONE_FACTOR_LEAST_G: f64 = 0.05;
 
 fn korea(
@@ -321,7 +321,7 @@ fn eurocode(
     Ok((parameters, spectrum))
 }
 
-/// Of a code: those of a table are nothing, and never asked for.
+/// The branches of a code's spectrum. A table has no branches, and this function is not called for it.
 fn branches_of(spectrum: &DesignSpectrum) -> SpectrumBranches {
     spectrum.branches().unwrap_or(SpectrumBranches {
         ground_m_s2: f64::NAN,
@@ -371,7 +371,7 @@ mod tests {
             1e-12,
         );
         assert_eq!(demand.vertical, demand.spectrum.vertical);
-        // at 5 % nothing rests on factors of damping
+        // at 5 % no result depends on damping factors
         assert_eq!(demand.spectrum.unverified.len(), 2);
         assert_eq!(
             site_demand(&KOREAN, 0.02, None)

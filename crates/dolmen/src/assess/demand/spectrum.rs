@@ -1,8 +1,8 @@
-//! A design spectrum: what any code, or a table, says an oscillator must bear.
+//! Design spectrum of acceleration, from the formula of a code or from a table.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | A_0 | `ground_m_s2` | effective acceleration of the ground, soil included | m/s² |
+//! | A_0 | `ground_m_s2` | effective peak ground acceleration, including the site soil | m/s² |
 //! | A_p | `plateau_m_s2` | plateau at ζ = 5 % | m/s² |
 //! | T_0, T_s, T_L | `rise_s`, `plateau_s`, `displacement_s` | ends of rise, plateau and 1/T branch | s |
 //! | η | `damping_factor` | plateau at ζ over that at 5 % | – |
@@ -12,7 +12,7 @@ pub(super) use crate::known::STANDARD_GRAVITY_M_S2;
 use crate::numeric::NumericError;
 use std::fmt;
 
-/// Damping ratios that the factors of codes are for. Chosen here.
+/// Range of damping ratios for which the damping factors of codes hold. Chosen here.
 const DAMPING_LEAST: f64 = 0.005;
 const DAMPING_MOST: f64 = 0.3;
 
@@ -21,15 +21,15 @@ const DAMPING_MOST: f64 = 0.3;
 pub struct VerticalRatio {
     /// The ratio.
     pub ratio: f64,
-    /// Whether it was held against the text of the code. Where not, results that rest on it must say so.
+    /// Whether the ratio was compared with the text of the code. If not, results that use it must say so.
     pub verified: bool,
 }
 
-/// What of a code's numbers has not been held against its text. Results that rest on it must say so. `Display` says it in a few
-/// words.
+/// A value of a code that was not compared with the text of the code. Results that use it must say so. `Display` gives a short
+/// English description.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unverified {
-    /// The year of the edition whose tables these are.
+    /// The edition whose tables are used.
     Edition {
         /// The year.
         year: u16,
@@ -38,7 +38,7 @@ pub enum Unverified {
     RiskFactor {
         /// The return period, years.
         return_period_years: u32,
-        /// Its factor.
+        /// The factor.
         factor: f64,
     },
     /// Vertical over horizontal acceleration.
@@ -46,16 +46,16 @@ pub enum Unverified {
         /// The ratio.
         ratio: f64,
     },
-    /// The factor that changes the plateau with damping; only where the damping is not 5 %.
+    /// The factor that changes the plateau with damping; applies only if the damping ratio is not 5 %.
     DampingFactor,
-    /// How that factor runs from 1 at T = 0 to its value at T_0; only where the damping is not 5 %.
+    /// How that factor varies from 1 at T = 0 to its value at T_0; applies only if the damping ratio is not 5 %.
     DampingAtShortPeriods,
     /// The period from which the spectrum falls as 1/T².
     LongPeriods {
-        /// That period, s.
+        /// The period T_L, s.
         displacement_s: f64,
     },
-    /// The shape of the spectrum between its numbers.
+    /// The shape of the branches between the tabulated values.
     Shape,
 }
 
@@ -82,30 +82,30 @@ impl fmt::Display for Unverified {
     }
 }
 
-/// Ends of the branches of a code's spectrum, for a damping ratio of 5 %.
+/// Ends of the branches of a code's spectrum, at a damping ratio of 5 %.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpectrumBranches {
-    /// At T = 0, m/s²: soil included.
+    /// Acceleration at T = 0, including the site soil, m/s².
     pub ground_m_s2: f64,
-    /// The plateau, m/s².
+    /// Acceleration of the plateau, m/s².
     pub plateau_m_s2: f64,
-    /// Where the plateau begins: T_0, T_B, s.
+    /// Period at which the plateau begins, T_0 or T_B, s.
     pub rise_s: f64,
-    /// Where it ends: T_s, T_C, s.
+    /// Period at which the plateau ends, T_s or T_C, s.
     pub plateau_s: f64,
-    /// Where 1/T becomes 1/T²: T_L, T_D, s.
+    /// Period at which the branch 1/T ends and 1/T² begins, T_L or T_D, s.
     pub displacement_s: f64,
 }
 
 /// A design spectrum of acceleration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DesignSpectrum {
-    /// The code with its year, or what the table is called.
+    /// Name and year of the code, or name of the table.
     pub source: String,
-    /// Vertical over horizontal; `None` if the source gives none.
+    /// Vertical over horizontal acceleration; `None` if the source gives none.
     pub vertical: Option<VerticalRatio>,
-    /// What of it has not been held against the text of the code.
+    /// Values that were not compared with the text of the code.
     pub unverified: Vec<Unverified>,
     pub(super) shape: Shape,
 }
@@ -113,7 +113,7 @@ pub struct DesignSpectrum {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Shape {
     Branches(Branches),
-    /// Periods, s, rising, and accelerations, m/s², at one damping ratio.
+    /// Ascending periods, s, and accelerations, m/s², at one damping ratio.
     Table {
         points: Vec<[f64; 2]>,
         damping_ratio: f64,
@@ -133,9 +133,9 @@ pub(super) struct Branches {
 /// How a code changes the plateau with damping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum DampingFactor {
-    /// (6.42/(1.42 + ξ))^0.48, and between 1 at T = 0 and this at T_0 the factor is a straight line.
+    /// (6.42/(1.42 + ξ))^0.48. From T = 0 to T_0 the factor varies linearly from 1 to this value.
     Korea,
-    /// √(10/(5 + ξ)) ≥ 0.55, and between T = 0 and T_B the spectrum is a straight line.
+    /// √(10/(5 + ξ)) ≥ 0.55. From T = 0 to T_B the spectrum varies linearly.
     Eurocode,
 }
 
@@ -149,7 +149,7 @@ impl DampingFactor {
     }
 }
 
-/// A number that must lie in a range, both ends allowed.
+/// Checks that a number is in a closed range.
 pub(super) fn within(
     quantity: &'static str,
     given: f64,
@@ -169,11 +169,11 @@ pub(super) fn within(
 }
 
 impl DesignSpectrum {
-    /// A spectrum from a table of periods, s, and accelerations, m/s², that hold for one damping ratio. Straight between points.
+    /// A spectrum from a table of periods, s, and accelerations, m/s², at one damping ratio. Interpolation is linear.
     ///
     /// # Errors
-    /// [`AssessError::SpectrumTable`] below two points, or where a period does not rise or a number is negative or not finite;
-    /// [`AssessError::Numeric`] for the damping ratio.
+    /// [`AssessError::SpectrumTable`] for fewer than two points, periods that do not ascend, or a number that is negative or not
+    /// finite; [`AssessError::Numeric`] for a damping ratio outside 0.005 … 0.3.
     pub fn table(
         source: impl Into<String>,
         points: Vec<[f64; 2]>,
@@ -196,8 +196,8 @@ impl DesignSpectrum {
         })
     }
 
-    /// Effective peak acceleration of the ground, m/s², soil included: the spectrum at T = 0. `None` for a table that does
-    /// not begin there.
+    /// Effective peak ground acceleration, m/s², including the site soil: the spectrum at T = 0. `None` for a table that does
+    /// not begin at T = 0.
     pub fn ground_acceleration_m_s2(&self) -> Option<f64> {
         match &self.shape {
             Shape::Branches(branches) => Some(branches.ground_m_s2),
@@ -205,7 +205,7 @@ impl DesignSpectrum {
         }
     }
 
-    /// Ends of its branches; `None` for a table.
+    /// Ends of the branches; `None` for a table.
     pub fn branches(&self) -> Option<SpectrumBranches> {
         match &self.shape {
             Shape::Branches(branches) => Some(SpectrumBranches {
@@ -227,7 +227,8 @@ impl DesignSpectrum {
         }
     }
 
-    /// The only damping ratio at which it can be read; `None` where a rule gives others.
+    /// The damping ratio of a table, the only one at which it can be read; `None` if the code has a rule for other damping
+    /// ratios.
     pub(super) fn table_damping_ratio(&self) -> Option<f64> {
         match &self.shape {
             Shape::Branches(_) => None,

@@ -19,7 +19,7 @@ pub struct FragilityBand {
 }
 
 impl FragilityBand {
-    /// The middle part of the probabilities at an intensity that holds so much of the curves; `None` without a curve.
+    /// Central interval of the probabilities at an intensity that contains this fraction of the curves; `None` without a curve.
     ///
     /// # Errors
     /// [`AssessError::Numeric`] unless 0 < confidence < 1.
@@ -27,7 +27,7 @@ impl FragilityBand {
         self.middle(confidence, |curve| curve.probability(intensity))
     }
 
-    /// The same of θ.
+    /// Bootstrap interval of θ.
     ///
     /// # Errors
     /// As [`FragilityBand::probability`].
@@ -35,7 +35,7 @@ impl FragilityBand {
         self.middle(confidence, Fragility::theta)
     }
 
-    /// The same of β.
+    /// Bootstrap interval of β.
     ///
     /// # Errors
     /// As [`FragilityBand::probability`].
@@ -63,7 +63,7 @@ impl FragilityBand {
 /// as many draws with its share. Resample i draws from stream i of the seed.
 ///
 /// # Errors
-/// Those of [`fit_fragility`] for the observations as they are; resamples without a curve are counted.
+/// The errors of [`fit_fragility`] for the original observations. Resamples without a curve are counted.
 ///
 /// # Source
 /// Efron, B. and Tibshirani, R. (1993) An Introduction to the Bootstrap, ch. 6 and 13.
@@ -77,11 +77,11 @@ pub fn bootstrap_fragility(
     resampled(observations, &motions, resamples, seed)
 }
 
-/// The same where several observations are of one motion, as [`fit_fragility_of_motions`] takes them: motions are drawn, each with all that is
-/// of it.
+/// As [`bootstrap_fragility`], for several observations per motion, as in [`fit_fragility_of_motions`]: the motions are resampled, each with
+/// all its observations.
 ///
 /// # Errors
-/// Those of [`fit_fragility_of_motions`]; resamples without a curve are counted.
+/// The errors of [`fit_fragility_of_motions`]. Resamples without a curve are counted.
 pub fn bootstrap_fragility_of_motions(
     observations: &[Observation],
     motions: &[usize],

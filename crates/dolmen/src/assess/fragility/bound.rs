@@ -37,11 +37,11 @@ pub enum FragilityBound {
     },
 }
 
-/// 1 − 0.95: what is left out by a bound of 95 %.
+/// 1 − 0.95: complement of the confidence level of a bound.
 pub(super) const LEFT_OUT: f64 = 0.05;
 
 impl FragilityBound {
-    /// The same where only so many of the observations are of different motions.
+    /// The bound if only `different` of the observations are of different motions.
     pub(super) fn of_motions(self, different: usize) -> Self {
         let tail = |motions: usize| LEFT_OUT.powf(1.0 / motions as f64);
         match self {

@@ -15,7 +15,7 @@ pub struct Fragility {
 }
 
 impl Fragility {
-    /// A curve of a median and a dispersion.
+    /// A curve with this median and dispersion.
     ///
     /// # Errors
     /// [`AssessError::FragilityParameter`] unless both are positive numbers.
@@ -28,17 +28,17 @@ impl Fragility {
         Ok(Fragility { theta, beta })
     }
 
-    /// θ, the median: in the unit of the intensity.
+    /// θ, the median, in the unit of the intensity.
     pub fn theta(&self) -> f64 {
         self.theta
     }
 
-    /// β, the standard deviation of ln of the capacity, –.
+    /// β, the dispersion: standard deviation of ln of the capacity, –.
     pub fn beta(&self) -> f64 {
         self.beta
     }
 
-    /// Probability that the state is reached at an intensity; 0 at 0.
+    /// Probability that the damage state is reached at an intensity; 0 at intensity 0.
     pub fn probability(&self, intensity: f64) -> f64 {
         if intensity > 0.0 {
             normal_probability((intensity / self.theta).ln() / self.beta)
@@ -47,7 +47,7 @@ impl Fragility {
         }
     }
 
-    /// The intensity at which it is reached with a probability.
+    /// The intensity at which the damage state is reached with this probability.
     ///
     /// # Errors
     /// [`AssessError::Numeric`] unless 0 < probability < 1.
@@ -55,26 +55,26 @@ impl Fragility {
         Ok(self.theta * (self.beta * normal_quantile(probability)?).exp())
     }
 
-    /// The same median with another source of scatter added, independent of the first: √(β² + β_other²).
+    /// The curve with the same median and an additional, independent source of dispersion: √(β² + β_other²).
     ///
     /// # Errors
-    /// As [`Fragility::new`], for the dispersion that comes of it.
+    /// As [`Fragility::new`], for the resulting dispersion.
     pub fn with_more_dispersion(&self, beta: f64) -> Result<Self, AssessError> {
         Fragility::new(self.theta, self.beta.hypot(beta))
     }
 }
 
-/// Where two curves cross.
+/// The point where two curves cross.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// The intensity.
     pub intensity: f64,
-    /// The probability that both have there.
+    /// The probability of both curves at this intensity.
     pub probability: f64,
 }
 
-/// Where two curves cross, if they do: curves of one dispersion never do, others exactly once. Above or below it the worse state is
-/// called likelier than the milder one, which cannot be: only a crossing far out in the tails is without harm.
+/// The point where two fragility curves cross. Curves of equal dispersion do not cross; others cross exactly once. On one side of the crossing the
+/// worse damage state seems more probable than the milder state, which is impossible. So a crossing is harmless only far out in the tails.
 ///
 /// ```text
 /// ln x = (β₂ ln θ₁ − β₁ ln θ₂)/(β₂ − β₁)
@@ -104,7 +104,7 @@ mod tests {
         for curve in [mild, severe] {
             assert!((curve.probability(found.intensity) - found.probability).abs() < 1e-15);
         }
-        // below 0.3 · (4/3)^(5/2) the milder state is the likelier one
+        // below 0.3 · (4/3)^(5/2) the milder state is the more probable one
         assert!((found.intensity / (0.3 * (4.0_f64 / 3.0).powf(2.5)) - 1.0).abs() < 1e-14);
         assert_eq!(crossing(&mild, &Fragility::new(0.6, 0.5).unwrap()), None);
         assert_eq!((mild.probability(0.0), mild.probability(0.3)), (0.0, 0.5));

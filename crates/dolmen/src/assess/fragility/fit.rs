@@ -57,9 +57,9 @@ pub fn fit_fragility(observations: &[Observation]) -> Result<FragilityFit, Asses
     top.fit(observations, motions, top.likelihood.covariance())
 }
 
-/// The same curve of observations of which several are of one motion: turned, or with other samples of uncertain inputs. `motions` has one
-/// number an observation, that of its motion. What one motion does in several directions is alike, so errors come from how motions
-/// differ.
+/// As [`fit_fragility`], for several observations per motion: in other directions, or with other samples of uncertain inputs. `motions` has the
+/// number of the motion of each observation. The results of one motion in several directions are correlated, so the standard errors come from the
+/// differences between motions.
 ///
 /// ```text
 /// V = A⁻¹ (Σ g gᵀ) A⁻¹,   g the gradient of all that is of one motion, A the observed information; never below A⁻¹ for ln θ
@@ -399,7 +399,7 @@ mod tests {
             Err(AssessError::TooFewMotions { given: 2 })
         );
         assert_eq!(fit_fragility_of_motions(&one, &[4, 0, 1]), fit_fragility(&one));
-        // 5 motions × 60 samples of which none fell: 1 − 0.05^(1/5), not of 300
+        // 5 motions × 60 samples, none of which fell: 1 − 0.05^(1/5), not with 300
         let motions: Vec<usize> = (0..300).map(|i| i % 5).collect();
         let none = fit_fragility_of_motions(&[Observation::Above(0.4); 300], &motions).unwrap_err();
         let AssessError::NoFragility(FragilityBound::NoneReached { probability_most, .. }) = none else {

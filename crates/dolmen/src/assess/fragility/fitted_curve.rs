@@ -84,8 +84,9 @@ impl FragilityFit {
         })
     }
 
-    /// Standard deviation of what is not known of ln θ: the standard error, wider as it is itself estimated from few motions, so that a
-    /// normal distribution with it stands for Student's; √(n/(n − 3)) of it, of three motions √(n/(n − 1)) and more.
+    /// Standard deviation of ln θ for use in a normal distribution: the standard error, increased because it is estimated from few
+    /// motions, so that a normal distribution with it represents Student's. The factor is √(n/(n − 3)); for three motions it is √(n/(n
+    /// − 1)) or more.
     pub fn ln_theta_deviation(&self) -> f64 {
         let n = self.motions as f64;
         self.ln_theta_error * (n / (n - 3.0).max(1.0)).sqrt()

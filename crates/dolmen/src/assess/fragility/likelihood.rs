@@ -41,7 +41,7 @@ impl Likelihood {
     }
 }
 
-/// That of observations at a slope and an offset; `middle` is taken from the logarithms of intensities.
+/// Likelihood of observations at a slope and an offset; the logarithms of intensities are relative to `middle`.
 pub(super) fn likelihood(observations: &[Observation], middle: f64, [slope, offset]: [f64; 2]) -> Likelihood {
     let mut sum = Likelihood::default();
     let place = |intensity: f64| {

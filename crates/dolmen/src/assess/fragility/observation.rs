@@ -83,7 +83,7 @@ impl Observation {
     }
 }
 
-/// The bound of observations of which none, or all, reached the state; `None` if some did.
+/// Bound for observations none of which, or all of which, reached the state; `None` if only some did.
 pub(super) fn bound(observations: &[Observation]) -> Option<FragilityBound> {
     let motions: usize = observations.iter().map(Observation::motions).sum();
     let reached: usize = observations.iter().map(Observation::reached).sum();
@@ -162,7 +162,7 @@ pub(super) fn extent(observations: &[Observation]) -> (f64, f64) {
     (survived, reached)
 }
 
-/// What is known of the middle capacity: the lower middle of the lower ends of all brackets, and the upper middle of their upper ends.
+/// Interval of the median capacity: the lower median of the lower ends of all brackets, and the upper median of their upper ends.
 pub(super) fn middle_capacity(observations: &[Observation]) -> FragilityBound {
     let (mut lower, mut upper) = (Vec::new(), Vec::new());
     let mut add = |count: usize, low: f64, high: f64| {

@@ -1,4 +1,4 @@
-//! What capacities scatter by: how motions differ, and how little is known of the structure.
+//! Splits the scatter of capacities: differences between motions, and uncertainty of the structure.
 
 use super::fit::fit_fragility_of_motions;
 use super::observation::Observation;
@@ -13,9 +13,9 @@ const WITHOUT_CURVE_MOST: f64 = 0.1;
 /// The scatter of ln of the capacity in two parts, whose squares add up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScatterSplit {
-    /// Of one structure from motion to motion: the root of the mean of β² over samples, –.
+    /// β between motions for a given structure: the root of the mean of β² over samples, –.
     pub of_motions: f64,
-    /// Of the median from sample to sample of the structure's uncertain inputs, –.
+    /// Standard deviation of ln of the median between samples of the uncertain inputs, –.
     pub of_inputs: f64,
     /// Samples that have a curve.
     pub samples: usize,
@@ -53,7 +53,7 @@ impl ScatterSplit {
 /// ```
 ///
 /// # Errors
-/// Those of [`fit_fragility_of_motions`] that are not for want of a curve.
+/// The errors of [`fit_fragility_of_motions`], except those for data without a curve.
 ///
 /// # Limits
 /// All samples see the same motions, so that what these have in common is not in β_inputs; what one motion does to one sample alone is, over √n of n
@@ -147,7 +147,7 @@ mod tests {
         assert!((interval.upper / over - (29.0_f64 / 16.047).sqrt()).abs() < 1e-4);
     }
 
-    /// Of ten samples two never reach the state: their strength would be left out.
+    /// Two of ten samples never reach the state: a split would leave out the strongest.
     #[test]
     fn refuses_a_split_that_leaves_out_the_strongest() {
         let (mut seen, mut motions, mut samples) = (Vec::new(), Vec::new(), Vec::new());

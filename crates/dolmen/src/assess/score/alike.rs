@@ -13,9 +13,9 @@ pub enum Unlike {
     Quantity {
         /// Which.
         quantity: UnlikeQuantity,
-        /// Of the stack.
+        /// Value of the stack.
         given: f64,
-        /// Of the designs.
+        /// Value of the designs.
         trained: f64,
     },
     /// Joints have cohesion or tension.
@@ -37,7 +37,7 @@ pub enum Unlike {
     Frequency {
         /// Measured, Hz.
         measured_hz: f64,
-        /// Of its model, Hz.
+        /// Frequency of the model, Hz.
         computed_hz: f64,
     },
 }

@@ -29,7 +29,7 @@ pub enum EffectVerdict {
 /// By how much the capacity of the middle design moves with one factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FactorEffect {
-    /// Which; tan α and λ move together, so that λ stands for both.
+    /// The factor. tan α and λ vary together, so λ represents both.
     pub factor: Factor,
     /// Moved from here, in the unit of the factor.
     pub from: f64,
@@ -48,10 +48,10 @@ impl ScoreModel {
     /// several states makes their effects comparable.
     ///
     /// # Errors
-    /// Those of quantiles, and of pagodas that cannot be made.
+    /// The errors of quantiles, and of pagodas that cannot be made.
     ///
     /// # Source
-    /// Directions: Kim, N., Koo, I. Y. and Hong, S. G. (2018), Figs. 13 and 19 (falls; DS1 to DS3 were not looked at there).
+    /// Directions: Kim, N., Koo, I. Y. and Hong, S. G. (2018), Figs. 13 and 19 (falls only; the source has no DS1 to DS3).
     pub fn effects(&self, all: &[SixFactors]) -> Result<Vec<FactorEffect>, AssessError> {
         let at = |axis: usize, p: f64| {
             let values: Vec<f64> = all.iter().map(|factors| factors.values()[axis]).collect();

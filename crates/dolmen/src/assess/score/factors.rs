@@ -102,7 +102,7 @@ impl SixFactors {
         ]
     }
 
-    /// Coordinates in which capacity is a smooth surface: ln of each, φ as it is.
+    /// Coordinates in which capacity is a smooth surface: ln of each factor, except φ.
     ///
     /// # Errors
     /// [`AssessError::Factor`] for one that is not positive (φ: negative).

@@ -116,7 +116,7 @@ fn kernel(a: &[f64; 6], b: &[f64; 6], lengths: &[f64; 6]) -> f64 {
     along + (-0.5 * apart).exp()
 }
 
-/// What one choice of lengths and noise misses left-out points by.
+/// Leave-one-out errors for one choice of correlation lengths and noise.
 struct CrossValidation {
     lengths: [f64; 6],
     noise: f64,
@@ -253,7 +253,7 @@ impl Kriging {
         }
     }
 
-    /// y of the surface at `to` less that at `from`, with its standard deviation.
+    /// Difference of y between `to` and `from`, with its standard deviation.
     pub(super) fn difference(&self, from: &[f64; 6], to: &[f64; 6]) -> Predicted {
         let [from, to] = [from, to].map(|x| self.frame.place(x));
         let pairs = self.beside(&from).into_iter().zip(self.beside(&to));
@@ -433,7 +433,7 @@ mod tests {
             "{found:?}"
         );
         assert_eq!(surface.value(&place), found.value);
-        // a place beside itself: nothing; beside another: the difference of values
+        // the difference of a place with itself is zero; with another it is the difference of the values
         let other = [0.6, 0.2, 0.5, 0.3, 0.8, 0.1];
         assert!(surface.difference(&place, &place).sd < 1e-6);
         let apart = surface.difference(&place, &other);

@@ -35,7 +35,7 @@ pub struct OutsideFactor {
     pub trained: Interval,
 }
 
-/// What the score says of one pagoda in one damage state.
+/// The score of one pagoda in one damage state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PagodaScore {
     /// θ: half of the motions bring it to the state at this peak ground acceleration, m/s².
@@ -49,11 +49,11 @@ pub struct PagodaScore {
     pub beta: f64,
     /// Designs of this state with a lower capacity, %.
     pub percentile: f64,
-    /// The same at both ends of the interval of θ, %.
+    /// Percentiles at both ends of the interval of θ, %.
     pub percentile_interval: Interval,
-    /// What each factor adds to ln θ against the mean of the designs, in the order of [`Factor::ALL`]; they sum to the difference. Shapley
-    /// shares of what quadratic surfaces of some factors alone say, and of what the score says of all: of factors that go together each
-    /// gets its part, and what only all of them tell goes to them in equal parts.
+    /// Contribution of each factor to ln θ relative to the mean of the designs, in the order of [`Factor::ALL`]; the contributions sum to the
+    /// difference. They are Shapley values from quadratic surfaces over subsets of the factors, and from the full score over all factors. Correlated
+    /// factors share their effect, and an effect that only the full score has is divided equally.
     pub reasons: [f64; 6],
     /// Factors outside the range trained: not empty only if that was allowed.
     pub outside: Vec<OutsideFactor>,
@@ -84,7 +84,7 @@ impl PagodaScore {
 pub struct ScoreModel {
     designs: Vec<TrainedDesign>,
     surface: Kriging,
-    /// Of each coalition of some factors, as a bit mask.
+    /// A surface for each subset of the factors, indexed by bit mask.
     parts: Vec<Surface>,
     range: [Interval; 6],
     /// ln θ of the designs, rising.
@@ -95,8 +95,8 @@ pub struct ScoreModel {
 }
 
 impl ScoreModel {
-    /// Trains the score of one state on designs that so many motions shook. A search for the settings of its surface: of 150 designs half a
-    /// second.
+    /// Trains the score of one state on designs with this number of motions each. It includes the search for the settings of the surface, which takes
+    /// half a second for 150 designs.
     ///
     /// # Errors
     /// [`AssessError::TooFewDesigns`] below 28; [`AssessError::Factor`].
@@ -114,7 +114,7 @@ impl ScoreModel {
         Kriging::settings(&x, &y)
     }
 
-    /// The same with settings that were found before: milliseconds.
+    /// As [`ScoreModel::train`], but with settings that were found before: takes milliseconds.
     ///
     /// # Errors
     /// As [`ScoreModel::train`].
@@ -169,8 +169,8 @@ impl ScoreModel {
     /// case; [`AssessError::Factor`].
     ///
     /// # Limits
-    /// Of pagodas like those trained on: square, whole stones, one stack, their friction and stiffness, undamaged. The range is checked
-    /// factor by factor; combinations that no design comes near show in `ln_capacity_sd`.
+    /// For pagodas like those of the training: square, of whole stones, one stack, with their friction and stiffness, undamaged. The range is checked
+    /// for each factor alone; for combinations far from every design `ln_capacity_sd` is large.
     pub fn score(&self, factors: &SixFactors, outside_too: bool) -> Result<PagodaScore, AssessError> {
         let x = factors.coordinates()?;
         let mut outside = Vec::new();
@@ -226,12 +226,12 @@ impl ScoreModel {
         })
     }
 
-    /// ln θ at the second place less that at the first.
+    /// Difference of ln θ between the second and the first place.
     pub(super) fn difference(&self, from: &[f64; 6], to: &[f64; 6]) -> Predicted {
         self.surface.difference(from, to)
     }
 
-    /// What each factor adds; `ln_theta` is what all of them say.
+    /// Contribution of each factor; `ln_theta` is the prediction from all factors.
     fn reasons(&self, x: &[f64; 6], ln_theta: f64) -> [f64; 6] {
         let shares = shapley_shares(6, |used| {
             self.parts

@@ -3,7 +3,7 @@
 /// Most players: every coalition is valued once.
 const PLAYERS_MOST: usize = 16;
 
-/// The share of each player of `value` of all of them, less that of none.
+/// Shapley share of each player in the difference between the value of all players and that of none.
 ///
 /// ```text
 /// φ_i = Σ over S without i of |S|! (n − |S| − 1)!/n! · (v(S ∪ i) − v(S))        S as a bit mask; Σ φ_i = v(all) − v(none)
@@ -53,7 +53,7 @@ pub fn shapley_shares(players: usize, mut value: impl FnMut(u32) -> f64) -> Vec<
 mod tests {
     use super::*;
 
-    /// The mean over all orders, written down as it is defined.
+    /// The mean over all orders, directly from the definition.
     fn over_all_orders(players: usize, worth: &dyn Fn(u32) -> f64) -> Vec<f64> {
         fn orders(rest: &[usize]) -> Vec<Vec<usize>> {
             if rest.is_empty() {

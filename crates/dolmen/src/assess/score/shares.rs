@@ -23,7 +23,7 @@ pub struct FactorShare {
 pub struct FactorShares {
     /// In the order of [`Factor::ALL`]; they sum to `explained`.
     pub shares: Vec<FactorShare>,
-    /// What all factors together explain of designs left out, –.
+    /// Fraction of the variance that all factors together explain, by leave-one-out prediction, –.
     pub explained: f64,
 }
 

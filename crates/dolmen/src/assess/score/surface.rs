@@ -1,10 +1,10 @@
-//! A quadratic response surface: ridge regression with the penalty that predicts left-out points best.
+//! Quadratic response surface by ridge regression. The penalty is the one with the smallest leave-one-out error.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | z | `z` | coordinates less their mean, over their standard deviation | d |
+//! | z | `z` | coordinates, standardised: minus the mean, divided by the standard deviation | d |
 //! | Φ | `features` | 1, z_i, z_i z_j | n × p, p = 1 + d + d(d+1)/2 |
-//! | κ | `penalty` | penalty of all terms but the constant | – |
+//! | κ | `penalty` | penalty of all terms except the constant | – |
 //! | M | `inverse` | (ΦᵀΦ + κ I₀)⁻¹ | p × p |
 //! | h_i | `leverage` | φ_iᵀ M φ_i | – |
 
@@ -12,9 +12,9 @@ use super::kriging::{dot, variance_left_out};
 use crate::assess::AssessError;
 use dolmen_linalg::{Matrix, solve};
 
-/// Penalties that are tried, in units of the number of points: from none that matters to one that flattens everything. Chosen here.
+/// Candidate penalties, in units of the number of points: from a negligible one to one that makes the surface flat. Chosen here.
 const PENALTIES: [f64; 9] = [1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 3e-2, 1e-1, 3e-1];
-/// A coordinate that varies less than this does not vary.
+/// Standard deviation below which a coordinate counts as constant.
 const SPREAD_LEAST: f64 = 1e-12;
 
 /// A fitted surface y(x).
@@ -23,18 +23,18 @@ pub(super) struct Surface {
     middle: Vec<f64>,
     spread: Vec<f64>,
     coefficients: Vec<f64>,
-    /// Mean of the squares of what left-out points were missed by.
+    /// Mean square of the leave-one-out prediction errors.
     left_out_variance: f64,
-    /// 1 less `left_out_variance` over the variance of y left out likewise: 0 or less explains nothing.
+    /// 1 − `left_out_variance` / (leave-one-out variance of y). At 0 or below, the surface explains nothing.
     pub(super) explained: f64,
 }
 
 impl Surface {
-    /// The surface through points `x` (n × d, row by row) with values `y`. Coordinates that do not vary, and `used` does not name, are
-    /// left out.
+    /// Fits the surface to points `x` (n × d, row by row) with values `y`. Constant coordinates are left out, unless `used` selects
+    /// them.
     ///
     /// # Errors
-    /// [`AssessError::TooFewDesigns`] for fewer points than 3; a failed solution.
+    /// [`AssessError::TooFewDesigns`] for fewer than 3 points; the error of a failed solution.
     pub(super) fn fit(x: &[[f64; 6]], y: &[f64], used: u32) -> Result<Self, AssessError> {
         let n = x.len();
         if n < 3 {
@@ -99,7 +99,7 @@ impl Surface {
         features
     }
 
-    /// y at `x`.
+    /// Predicted y at `x`.
     pub(super) fn value(&self, x: &[f64; 6]) -> f64 {
         dot(&self.features(x), &self.coefficients)
     }
@@ -134,7 +134,7 @@ mod tests {
         let mut random = Random::new(4, 0);
         let y: Vec<f64> = x.iter().map(|x| x[0] + 0.1 * random.normal()).collect();
         let surface = Surface::fit(&x, &y, 0b11).unwrap();
-        // the same features without each point in turn: solved again, not downdated
+        // reference: the fit with the same features is solved again without each point in turn
         let rows: Vec<Vec<f64>> = x.iter().map(|point| surface.features(point)).collect();
         let p = rows[0].len();
         let missed = |penalty: f64, out: usize| {

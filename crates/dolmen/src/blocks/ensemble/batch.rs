@@ -20,9 +20,9 @@ pub(super) struct Batch<'a, S: Simd> {
     gravity: Vector<S>,
     shaking: Vector<S>,
     slack: Real<S>,
-    /// What the steps so far put in, what contacts did, what friction took, J.
+    /// Energies of the steps so far: work input, work of contacts, friction loss, J.
     counts: [Real<S>; 3],
-    /// What friction took in the present step, J.
+    /// Friction loss in the current step, J.
     friction: Real<S>,
     lane_runs: Vec<Option<LaneRun<'a>>>,
     bodies: Vec<BodyLanes<S>>,
@@ -35,12 +35,13 @@ pub(super) struct Batch<'a, S: Simd> {
     freed: bool,
     /// One a lane.
     clocks: Vec<Clock<'a>>,
-    /// Of each lane whether its patches have their places.
+    /// For each lane, whether its patches are in position.
     placed: Vec<bool>,
     forces: Forces,
 }
 
-/// How far the run of a lane is: what every step asks of it, side by side. Its own [`Run::step`] follows where it is looked at.
+/// Progress of the run of a lane: the quantities of every step, side by side. [`Run::step`] of the run itself is updated when
+/// the run is observed.
 ///
 /// [`Run::step`]: super::super::springs::Run::step
 #[derive(Clone, Copy, Debug)]
@@ -50,14 +51,14 @@ struct Clock<'a> {
     step: usize,
     /// Whether its joints are seen with those of the other lanes.
     watched: bool,
-    /// The next step at which it is looked at.
+    /// Next step at which the run is observed.
     look_at: usize,
     /// The steps after which it is judged next.
     judge_after: usize,
 }
 
 impl Clock<'_> {
-    /// Of a lane without a run.
+    /// Clock of a lane without a run.
     const STOPPED: Self = Clock {
         motion: None,
         h: 0.0,
@@ -265,7 +266,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         let mut places: Vec<Place> = Vec::new();
         for lane in 0..S::F64_LANES {
             self.write_back(lane);
-            // what has drifted in the step just done is looked at in the next, whatever its new place
+            // a patch that has drifted in this step is examined in the next one, at any new position
             if let Some(lane_run) = &mut self.lane_runs[lane] {
                 let drifted = self.joints.iter().filter(|joint| joint.has_drifted(lane));
                 drifted.for_each(|joint| lane_run.run.assembly.set_stale(joint.place.pair));

@@ -1,10 +1,10 @@
-//! The step of [`RigidBody`] for several runs at once.
+//! Time step of [`RigidBody`] for several runs at once, one run per lane.
 
 use super::super::bodies::{COSINE_SERIES, RigidBody, SERIES_MOST, SINE_SERIES, rotation_of};
 use super::lanes::{Columns, Real, Turn, Vector};
 use pulp::Simd;
 
-/// Force on a body of several runs, and torque about its centroid.
+/// Force on a body and torque about its centroid, in each lane.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(super) struct Load<S: Simd> {
@@ -12,7 +12,7 @@ pub(super) struct Load<S: Simd> {
     pub(super) torque: Vector<S>,
 }
 
-/// The same body of several runs.
+/// State of the same body in each lane.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(super) struct BodyLanes<S: Simd> {
@@ -30,7 +30,7 @@ pub(super) struct BodyLanes<S: Simd> {
 }
 
 impl<S: Simd> BodyLanes<S> {
-    /// The same in every lane.
+    /// Copies one body into every lane.
     pub(super) fn all(simd: S, body: &RigidBody) -> Self {
         BodyLanes {
             mass: Real::all(simd, body.mass),
@@ -61,7 +61,7 @@ impl<S: Simd> BodyLanes<S> {
         self.travel.set(lane, body.travel);
     }
 
-    /// Where it is.
+    /// Writes the position of a lane back to its body.
     pub(super) fn unload_place(&self, lane: usize, body: &mut RigidBody) {
         body.position = self.position.get(lane);
         body.rotation = self.rotation.get(lane);
@@ -77,7 +77,7 @@ impl<S: Simd> BodyLanes<S> {
     }
 }
 
-/// The step of all bodies, two at a time.
+/// Time step of all bodies, two at a time.
 #[inline(always)]
 pub(super) fn step_all<S: Simd, const DIAGONAL: bool>(
     bodies: &mut [BodyLanes<S>],
@@ -97,10 +97,10 @@ pub(super) fn step_all<S: Simd, const DIAGONAL: bool>(
     }
 }
 
-/// As [`RigidBody::step`]; the ground is gravity and shaking. Adds to the sums twice the mean power of the
-/// ground's shaking and of the forces, body by body.
+/// As [`RigidBody::step`]; `ground` contains gravity and shaking. For each body, adds to the sums twice the mean
+/// power of the shaking and of the forces.
 ///
-/// Stage by stage for N bodies: while one waits for its operands another goes on.
+/// N bodies are processed stage by stage: while one waits for its operands, the processor continues with another.
 #[inline(always)]
 fn step_bodies<S: Simd, const N: usize, const DIAGONAL: bool>(
     bodies: &mut [BodyLanes<S>; N],
@@ -163,7 +163,7 @@ fn step_bodies<S: Simd, const N: usize, const DIAGONAL: bool>(
     }
 }
 
-/// As [`rotation_of`], of vectors × `h`.
+/// As [`rotation_of`], for vectors × `h`.
 #[inline(always)]
 fn rotations_of<S: Simd, const N: usize>(spins: [Vector<S>; N], h: Real<S>) -> [Turn<S>; N] {
     let all = |value: f64| Real::all(h.0, value);
@@ -190,7 +190,7 @@ fn rotations_of<S: Simd, const N: usize>(spins: [Vector<S>; N], h: Real<S>) -> [
     turns
 }
 
-/// Turns of lanes that are too far for the series.
+/// Rotations of lanes whose angle is too large for the series.
 #[cold]
 fn far_turns<S: Simd>(turn: &mut Turn<S>, vector: &Vector<S>) {
     for lane in 0..S::F64_LANES {

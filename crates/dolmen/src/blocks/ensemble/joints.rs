@@ -7,7 +7,7 @@ use super::lanes::{Columns, Mask, Real, Vector};
 use glam::{DMat3, DVec3};
 use pulp::Simd;
 
-/// The same for each of the four points of a group. A closure would not be compiled for the machine's vectors.
+/// Repeats an expression for each of the four points of a group. A closure would not be compiled for the vector registers.
 macro_rules! four {
     ($k:ident => $value:expr) => {
         [
@@ -60,7 +60,7 @@ struct PointLanes<S: Simd> {
 enum Axes {
     /// No patch.
     None,
-    /// They are the same: a level joint, the plane of the stone below.
+    /// Both are equal: a level joint, in the plane of the stone below.
     Same,
     /// Half a turn about the first: a level joint, the plane of the stone above.
     Turned,
@@ -68,13 +68,13 @@ enum Axes {
     Any,
 }
 
-/// The same patch of several runs.
+/// A patch of the same joint in each lane.
 #[derive(Clone, Debug)]
 pub(super) struct JointLanes<S: Simd> {
     pub(super) place: Place,
-    /// Of each run.
+    /// Axes of each run.
     axes: Vec<Axes>,
-    /// What is true of all.
+    /// Properties common to all lanes.
     all_axes: Axes,
     /// Whether a point of any run is held.
     holds: bool,
@@ -234,7 +234,7 @@ impl<S: Simd> JointLanes<S> {
         self.frame.drifted.get(lane) != 0.0
     }
 
-    /// What the points of one run remember.
+    /// Writes the state of the points of one run back to its patch.
     pub(super) fn unload(&self, lane: usize, patch: &mut Patch) {
         patch.holds = false;
         for (group, points) in patch.points.iter_mut().zip(self.points.chunks_exact(LANES)) {
@@ -248,7 +248,8 @@ impl<S: Simd> JointLanes<S> {
         }
     }
 
-    /// Adds the forces of a step to the two bodies' loads; what friction took, and where the patch has drifted.
+    /// Adds the contact forces of a step to the loads of the two bodies; returns the friction loss, and where the patch has
+    /// drifted.
     #[inline(always)]
     pub(super) fn add_contact_forces(
         &mut self,
@@ -278,7 +279,7 @@ impl<S: Simd> JointLanes<S> {
         }
     }
 
-    /// The same from the axes of the plane and the first two of the points, in the ground's frame.
+    /// As the function above, from the axes of the plane and the first two axes of the points, in the axes of the ground.
     #[inline(always)]
     fn press_along(
         &mut self,
@@ -366,7 +367,7 @@ impl<S: Simd> JointLanes<S> {
 /// The law at four points: what each drags along the two axes, presses, turns about the three axes (the second with the opposite
 /// sign), and loses in friction.
 ///
-/// Stage by stage for the four: while one waits for its operands another goes on.
+/// Stage by stage for four points: while one waits for its operands, the processor continues with another.
 #[inline(always)]
 fn press_group<S: Simd, const HELD: bool>(
     frame: &FrameLanes<S>,

@@ -1,4 +1,4 @@
-//! Many runs at once, side by side in the lanes of the machine's vectors.
+//! Many runs at once, side by side in the lanes of the vector registers.
 
 mod batch;
 mod bodies;

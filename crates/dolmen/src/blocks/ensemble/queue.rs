@@ -38,8 +38,8 @@ pub(super) struct LaneRun<'a> {
 }
 
 impl<'a> Queue<'a, '_> {
-    /// The next run that goes side by side with others; those that do not, and those that can't start, are done at once.
-    /// `None` when there is none left.
+    /// The next run that can proceed side by side with others. Runs that cannot, or that fail to start, are completed
+    /// immediately. `None` when no run is left.
     pub(super) fn next(&mut self) -> Option<LaneRun<'a>> {
         loop {
             if let Some(lane_run) = self.again.pop() {

@@ -1,7 +1,7 @@
-//! Many runs at once: a run a lane of the machine's vectors, with the bits of each as if it ran alone.
+//! Simulates many stacks at once: one run per lane of the machine's vector registers. Each run gives the same bits as if it ran alone.
 //!
-//! Lanes share the steps of bodies and contacts. Looks at patches and at peaks are those of a single run: the lane is written
-//! back to its run for them. A lane whose run is over takes the next.
+//! All lanes share the steps of bodies and contacts. Observations of patches and peaks use the code of a single run: the state of the lane is written
+//! back to its run first. When a run ends, its lane takes the next run.
 
 use super::super::error::BlocksError;
 use super::super::history::StackHistory;
@@ -9,13 +9,13 @@ use super::batch::Batch;
 use super::queue::{Queue, StackRun};
 use pulp::{Arch, Simd, WithSimd};
 
-/// Simulates many stacks; `each` gets the index of a run and what [`simulate_springs`](crate::blocks::simulate_springs) would give for it, bit for bit, in
-/// the order in which runs end. `progress` gets the index and the simulated time of a run now and then, and stops that run by
-/// returning false.
+/// Simulates many stacks. `each` gets the index of a run and its result, in the order in which runs end; the result equals that of
+/// [`simulate_springs`](crate::blocks::simulate_springs) bit for bit. `progress` gets the index and the simulated time of a run at intervals, and
+/// stops that run by returning false.
 ///
-/// Runs of stacks with the same number of blocks go side by side, as many as the machine's vectors hold (8 with AVX-512,
-/// 4 with AVX2). Ties, side supports and bonded joints go one after another. Memory is that of the runs under way. For more
-/// than one thread give each a share of the runs: results do not depend on the shares.
+/// Runs of stacks with the same number of blocks proceed side by side, as many as the vector registers hold (8 with AVX-512, 4 with AVX2). Ties, side
+/// supports and bonded joints are computed one lane after another. The memory is that of the active runs. To use several threads, give each thread a
+/// part of the runs: the results do not depend on the division.
 ///
 /// # Example
 /// ```
@@ -45,7 +45,7 @@ pub fn simulate_springs_many(
     simulate_on(Arch::new(), runs, progress, each);
 }
 
-/// The same with the vectors of a given machine.
+/// As [`simulate_springs_many`], with the vector registers of a given machine.
 fn simulate_on(
     arch: Arch,
     runs: &[StackRun<'_>],

@@ -1,4 +1,4 @@
-//! How joints lie, for several runs at once: as [`Watch::see`].
+//! Relative poses of joints for several runs at once, as in [`Watch::see`].
 
 use super::super::bodies::RigidBody;
 use super::super::watch::{RelativePose, Watch, angle};
@@ -7,7 +7,7 @@ use super::lanes::{Columns, Real, Vector};
 use glam::{DMat3, DVec3};
 use pulp::Simd;
 
-/// The same joint of several runs, and how it was seen last.
+/// The same joint in each lane, and its last observation.
 #[derive(Clone, Debug)]
 pub(super) struct WatchLanes<S: Simd> {
     lower: usize,
@@ -28,7 +28,7 @@ pub(super) struct WatchLanes<S: Simd> {
 }
 
 impl<S: Simd> WatchLanes<S> {
-    /// Of nothing, between the bodies of a watch.
+    /// An empty observation between the bodies of a watch.
     pub(super) fn idle(simd: S, watch: &Watch) -> Self {
         let zero = Real::all(simd, 0.0);
         let nowhere = Vector::all(simd, DVec3::ZERO);
@@ -103,7 +103,7 @@ impl<S: Simd> WatchLanes<S> {
         (self.across, self.along) = (x.y - y.x, x.x + y.y);
     }
 
-    /// How the joint of one run was seen.
+    /// Last observed pose of the joint of one run.
     pub(super) fn seen(&self, lane: usize) -> RelativePose {
         let [x, y] = self.slip;
         RelativePose {

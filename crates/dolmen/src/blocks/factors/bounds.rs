@@ -1,33 +1,34 @@
-//! How soft a joint can be whatever the others are, and how far a factor can lie by one frequency: by frequencies that rise with every factor.
+//! Lower bounds of the joint factors: how soft each joint can be, whatever the other joints are, by the measured frequencies.
 //!
 //! ```text
-//! λ_q(c) rises with every c_g (Courant–Fischer), so that a mode measured at f excludes every c_j at which, all others rigid, it lies below f.
+//! λ_q(c) rises with every c_g (Courant–Fischer). So take all other joints rigid: a c_j that gives mode q a frequency below the measured f is
+//! excluded.
 //! ```
 
 use super::model::{Datum, FactorModel};
 use crate::numeric::{Bracketing, bracketed_root};
 use std::f64::consts::TAU;
 
-/// A joint this many times stiffer than by the common factor is rigid. Chosen here: what it leaves out of a bound is below 1e-4, and rounding of the
-/// decomposition takes 1e-7 of it.
+/// A joint this many times stiffer than the common factor counts as rigid. Chosen here: the flexibility that remains changes a bound by less than
+/// 1e-4, and the rounding of the eigendecomposition by 1e-7.
 pub(super) const RIGID: f64 = 1e6;
-/// Softest factor that is sought, over the common one: below it a joint is open. Chosen here.
+/// Softest factor in the search, relative to the common factor: a softer joint is open. Chosen here.
 const OPEN: f64 = 1e-6;
-/// Deviations below the measured frequency at which a factor is excluded.
+/// Number of standard deviations below the measured frequency at which a factor is excluded.
 const EXCLUDED_SD: f64 = 2.0;
-/// Bounds are found to this in ln c: far below what is measured.
+/// Tolerance of the bounds in ln c, far below the measurement error.
 const BOUND_WITHIN: f64 = 1e-7;
 
-/// The least factor that a joint can have.
+/// The lower bound of one joint factor.
 pub(super) struct LeastFactor {
     pub(super) factor: f64,
-    /// Which of the data excludes softer ones.
+    /// Index of the measured frequency that gives the bound.
     pub(super) datum: usize,
 }
 
 impl FactorModel {
-    /// The least factor of the springs `j` whatever the others are; `None` if no mode excludes any. Each mode is taken as of the highest order that it
-    /// has among those of its family with the factors `known`.
+    /// The lower bound of the factor of joint `j`, whatever the other factors are; `None` if no measured frequency gives one. Each measured frequency
+    /// is assigned the highest order that it has in its mode family for any of the factors `known`.
     pub(super) fn least(&self, j: usize, common: f64, known: &[Vec<f64>]) -> Option<LeastFactor> {
         let mut least: Option<LeastFactor> = None;
         for (at, datum) in self.data.iter().enumerate() {
@@ -57,7 +58,8 @@ impl FactorModel {
     }
 }
 
-/// The x_j between two ends at which ω² as `square` has it is that of the measured frequency times e^`off`, the others as given; `None` if there is none.
+/// Solves for x_j = ln c_j between two ends: `square`, which gives ω², must there equal the measured ω² times e^(2 `off`), with the other factors at
+/// `others`. `None` if there is no root between the ends.
 pub(super) fn crossing(
     square: impl Fn(&[f64]) -> Option<f64>,
     datum: &Datum,
@@ -71,7 +73,7 @@ pub(super) fn crossing(
     let mut away = |x: f64| {
         factors[j] = x.exp();
         let square = square(&factors).unwrap_or(f64::NAN);
-        // a mode without stiffness lies below every frequency
+        // a mode without stiffness has a frequency of zero, below every measured one
         0.5 * (square.max(f64::MIN_POSITIVE) / aim).ln() - off
     };
     let bracketing = Bracketing {

@@ -19,7 +19,7 @@ pub enum JointFactorsError {
         given: f64,
         /// Frequency of the mode, Hz.
         frequency_hz: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// An option out of its range.
@@ -29,7 +29,7 @@ pub enum JointFactorsError {
         option: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// No measured mode has a computed one that it certainly is.

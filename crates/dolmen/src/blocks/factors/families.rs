@@ -1,4 +1,4 @@
-//! Motions that no joint couples: a stack that is the same left and right sways along x, along y, twists and bounces by itself.
+//! Uncoupled families of motion: a symmetric stack sways along x, sways along y, twists and bounces independently.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -181,7 +181,7 @@ fn add_in_basis(sum: &mut Matrix, springs: &SpringsBetween, vectors: &Matrix) {
     }
 }
 
-/// Sets of indices that are coupled, over whatever detour, each ascending.
+/// Sets of indices that are coupled directly or through others, each ascending.
 fn connected(size: usize, is_coupled: impl Fn(usize, usize) -> bool) -> Vec<Vec<usize>> {
     let mut left: Vec<usize> = (0..size).collect();
     let mut sets = Vec::new();

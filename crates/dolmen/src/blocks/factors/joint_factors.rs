@@ -21,7 +21,7 @@ use super::unknowns::{Unknowns, multiplied, resettled_stiffness, unknowns};
 use crate::structure::stack::Stack;
 use dolmen_linalg::LinalgError;
 
-/// How factors are sought.
+/// Options of the search for joint factors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointFactorsOptions {
     /// How joints are made of springs. Default four points: exact for faces that stay closed.
@@ -35,7 +35,7 @@ pub struct JointFactorsOptions {
     pub shape_sd_assumed: f64,
     /// Joints with a factor of their own, at most: above that all joints of a plane share one. Default 24, our choice: a second of computing.
     pub joints_most: usize,
-    /// Factors whose ranges are sought, at most: above that only the common factor, the least factors and the energy are found. Default 24.
+    /// Largest number of factors with ranges; above it only the common factor, the least factors and the energies are computed. Default 24.
     pub ranges_most: usize,
 }
 
@@ -52,7 +52,7 @@ impl Default for JointFactorsOptions {
     }
 }
 
-/// What measured modes say of the springs of each joint.
+/// Factors on the springs of each joint from measured modes.
 ///
 /// K and therefore every ω² is linear in the factors on the springs, K(c) = Σ c_j K_j, about the rest of the stack as drawn:
 ///
@@ -67,9 +67,9 @@ impl Default for JointFactorsOptions {
 /// [`JointFactorsError`] for numbers that cannot be, no mode that can be paired, or a stack that finds no rest.
 ///
 /// # Limits
-/// Small motion about the rest as drawn: joints that stay closed where they are closed. `resettled` says how much the frequencies differ when the stack
-/// settles anew on the springs found. K_s/K_n stays as it is, and masses are taken as exact. The ranges of several modes are searched from
-/// several starts, not proved; those of one frequency, and the least factors, are exact.
+/// Small motion about the rest position as drawn: closed joints stay closed. `resettled` gives the change of the frequencies when the stack settles
+/// again on the new springs. K_s/K_n does not change, and masses are taken as exact. The ranges from several modes are searched from several starts,
+/// without proof; those from one frequency, and the least factors, are exact.
 ///
 /// # Example
 /// ```

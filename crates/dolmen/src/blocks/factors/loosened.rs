@@ -8,24 +8,24 @@ use super::unknowns::unknowns;
 use crate::structure::stack::Stack;
 use std::f64::consts::TAU;
 
-/// A stack at rest whose joints may lose stiffness.
+/// A stack at rest whose joint stiffnesses can be reduced by factors.
 pub struct LooseningStack {
     families: Vec<Family>,
     groups: Vec<Vec<usize>>,
 }
 
 impl LooseningStack {
-    /// Of a stack as drawn: a factor for each joint, or for each bed where more joints than `joints_most` have springs.
+    /// Prepares a stack as drawn: one factor per joint, or one per bed if more than `joints_most` joints have springs.
     ///
     /// ```text
     /// K(c) = K_o + Σ c_g K_g        o: dowels, clamps and side supports
     /// ```
     ///
     /// # Errors
-    /// [`JointFactorsError`] for a stack that finds no rest, or a decomposition that fails.
+    /// [`JointFactorsError`] for a stack without a rest position, or a decomposition that fails.
     ///
     /// # Limits
-    /// Small motion about the rest as drawn: joints that are closed stay closed, and K_s/K_n stays as it is.
+    /// Small motion about the rest position as drawn: closed joints stay closed, and K_s/K_n does not change.
     ///
     /// # Example
     /// ```
@@ -50,12 +50,13 @@ impl LooseningStack {
         })
     }
 
-    /// The joints that each factor multiplies.
+    /// Indices of the joints that each factor multiplies.
     pub fn joints(&self) -> &[Vec<usize>] {
         &self.groups
     }
 
-    /// Frequencies of the modes that are mostly of a motion, Hz, ascending, with a factor for each of [`Self::joints`]; `None` if a decomposition fails.
+    /// Frequencies of the modes in which `motion` predominates, Hz, ascending, for one factor per entry of [`Self::joints`]; `None` if a
+    /// decomposition fails.
     pub fn frequencies_hz(&self, motion: StackMotion, factors: &[f64]) -> Option<Vec<f64>> {
         let mut all = Vec::new();
         for family in &self.families {
@@ -74,8 +75,8 @@ mod tests {
     use crate::blocks::{StackMode, stack_modes};
     use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
 
-    /// Stones on each other, the upper ones off the middle by `off_m`, under a thousandth of gravity: so little that how deep they settle on softer
-    /// springs, which moves the beds, is no part of the comparison.
+    /// A pile of stones, the upper ones eccentric by `off_m`, under a thousandth of gravity. With so little weight the settlement on softer springs,
+    /// which moves the beds, does not affect the comparison.
     fn tower(off_m: f64) -> Stack {
         let sizes = [[1.2, 1.0, 0.6], [0.9, 0.8, 0.9], [1.1, 0.9, 0.3], [0.6, 0.5, 0.8]];
         let mut z = 0.0;
@@ -95,7 +96,7 @@ mod tests {
         Stack::new(blocks.collect(), JointMaterial::default(), 9.81e-3).unwrap()
     }
 
-    /// Energy along x of the centroids and of rocking with it is most of the mode: of a tower that is the same left and right, that along x is not 0.
+    /// Whether the energy along x, of the centroids and of rocking, predominates in the mode. In a symmetric tower the motion along x is then not 0.
     fn sways_along_x(mode: &StackMode) -> bool {
         mode.kinetic_energy_ratio[0] > 1e-6
     }

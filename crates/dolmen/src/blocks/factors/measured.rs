@@ -15,9 +15,9 @@ pub struct MeasuredStackMode {
 
 /// Deviations taken where none was measured.
 pub(super) struct Assumed {
-    /// Of a frequency, relative.
+    /// Standard deviation of a frequency, relative.
     pub(super) frequency_sd: f64,
-    /// Of a point of a shape, over its largest displacement.
+    /// Standard deviation of a point of a shape, relative to its largest displacement.
     pub(super) shape_sd: f64,
 }
 

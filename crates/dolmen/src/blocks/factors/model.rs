@@ -1,11 +1,11 @@
-//! Frequencies and shapes as functions of the logarithms of the factors, with their derivatives.
+//! Frequencies and mode shapes as functions of the logarithms of the joint factors, with their derivatives.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | x_g | `x` | ln c_g of the springs of factor g | – |
-//! | φ_q, λ_q | | mode of order q of its family, φᵀ M φ = 1, and ω² of it | |
-//! | a | `computed` | displacement at the points measured, of any scale | |
-//! | s | `scale` | scale that brings a nearest to what was measured | |
+//! | x_g | `x` | ln c_g, factor on the springs of group g | – |
+//! | φ_q, λ_q | | mode of order q in its family, φᵀ M φ = 1, and its ω² | |
+//! | a | `computed` | computed displacement at the measured points, with any scale | |
+//! | s | `scale` | scale that fits a to the measured shape | |
 
 use super::families::Family;
 use super::stack_motion::StackMotion;
@@ -15,23 +15,23 @@ use std::f64::consts::TAU;
 
 /// A measured shape.
 pub(super) struct ShapeData {
-    /// Rows that give the displacements at its points from a mode in the basis of the family, [points × d].
+    /// Rows that give the displacements at the measured points from a mode in the basis of the family, [points × d].
     pub(super) rows: Matrix,
     pub(super) displacement: Vec<f64>,
     pub(super) sd: Vec<f64>,
 }
 
-/// Which mode of a family a measured one is.
+/// How a measured mode is identified within its family.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum ModeOfFamily {
-    /// That of this order, 0 the lowest: of motions of one kind.
+    /// By its order among all modes of the family, 0 the lowest, if the modes are of one kind.
     Order(usize),
-    /// That of this number among those mostly of the measured motion, 0 the lowest: where sway along x, along y and twist couple, modes of one kind
-    /// pass those of another as springs change.
+    /// By its number among the modes in which the measured motion predominates, 0 the lowest. Used if sway along x, sway along y and twist are
+    /// coupled: modes of one kind then cross those of another as springs change.
     OfMotion(usize),
 }
 
-/// A measured mode beside the computed one that it is taken for.
+/// A measured mode and the computed mode that corresponds to it.
 pub(super) struct Datum {
     pub(super) motion: StackMotion,
     pub(super) family: usize,
@@ -42,7 +42,7 @@ pub(super) struct Datum {
     pub(super) shape: Option<ShapeData>,
 }
 
-/// The families of a stack and what was measured of them.
+/// The families of modes of a stack, and the measured data.
 pub(super) struct FactorModel {
     pub(super) families: Vec<Family>,
     pub(super) data: Vec<Datum>,
@@ -50,7 +50,7 @@ pub(super) struct FactorModel {
 }
 
 impl FactorModel {
-    /// Frequencies and points of shapes, less one a shape for its scale.
+    /// Number of data: frequencies, and points of shapes minus one per shape for its scale.
     pub(super) fn data_count(&self) -> usize {
         let of = |datum: &Datum| {
             1 + datum
@@ -61,7 +61,7 @@ impl FactorModel {
         self.data.iter().map(of).sum()
     }
 
-    /// Modes of the families that are measured; `None` if a decomposition fails.
+    /// Modes of the families that have measured modes; `None` if a decomposition fails.
     pub(super) fn modes(&self, factors: &[f64]) -> Option<Vec<Option<SymmetricEigen>>> {
         let of = |(at, family): (usize, &Family)| match self.data.iter().any(|datum| datum.family == at) {
             true => family.modes(factors).ok().map(Some),
@@ -70,7 +70,7 @@ impl FactorModel {
         self.families.iter().enumerate().map(of).collect()
     }
 
-    /// Order of a measured mode among those of its family.
+    /// Order of a measured mode in its family.
     pub(super) fn order(&self, datum: &Datum, modes: &SymmetricEigen) -> Option<usize> {
         match datum.which {
             ModeOfFamily::Order(order) => Some(order),
@@ -81,7 +81,7 @@ impl FactorModel {
         }
     }
 
-    /// Order of a measured mode among those of its family with these factors.
+    /// Order of a measured mode in its family with these factors.
     pub(super) fn order_at(&self, datum: &Datum, factors: &[f64]) -> Option<usize> {
         match datum.which {
             ModeOfFamily::Order(order) => Some(order),
@@ -92,14 +92,15 @@ impl FactorModel {
         }
     }
 
-    /// Frequency of a measured mode, Hz.
+    /// Computed frequency of a measured mode, Hz.
     pub(super) fn frequency_hz(&self, datum: &Datum, factors: &[f64]) -> Option<f64> {
         let order = self.order_at(datum, factors)?;
         let square = self.families[datum.family].square_of(factors, order)?;
         Some(square.max(0.0).sqrt() / TAU)
     }
 
-    /// ln f: (computed − measured)/sd, shapes: (s a − u)/sd, and their derivatives by x; `None` where a mode has no frequency.
+    /// Residuals (computed − measured)/sd of ln f, (s a − u)/sd of shapes, and their derivatives with respect to x; `None` if a mode has no
+    /// frequency.
     ///
     /// ```text
     /// d ln f/dx_g = c_g φᵀ K_g φ / (2 λ),    dφ_q/dx_g = Σ_p φ_p c_g φ_pᵀ K_g φ_q / (λ_q − λ_p)
@@ -139,7 +140,8 @@ impl FactorModel {
     }
 }
 
-/// Change of the displacements at the points of a shape by forces on the stones, Σ_p (rows φ_p) φ_pᵀ / (λ_q − λ_p) over all other modes, [points × d].
+/// Derivative of the displacements at the points of a shape with respect to forces on the stones, Σ_p (rows φ_p) φ_pᵀ / (λ_q − λ_p) over all other
+/// modes, [points × d].
 fn response(shape: &ShapeData, modes: &SymmetricEigen, order: usize) -> Matrix {
     let at_points = &shape.rows * &modes.vectors;
     let size = modes.values.len();
@@ -153,7 +155,7 @@ fn response(shape: &ShapeData, modes: &SymmetricEigen, order: usize) -> Matrix {
     &weighted * &modes.vectors.transpose()
 }
 
-/// Appends (s a − u)/sd with the s that makes its squares least, and its derivatives.
+/// Appends the residuals (s a − u)/sd, with the s that minimises their squares, and their derivatives.
 fn add_shape(
     shape: &ShapeData,
     mode: &[f64],

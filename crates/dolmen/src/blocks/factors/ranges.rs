@@ -9,9 +9,9 @@
 //! x_j is possible if  min over the other x in the band of χ²(x) ≤ χ²_least + 3.84 w²,   w² = max(1, χ²_least/(data − unknowns))
 //! ```
 //!
-//! One frequency decides by itself: the ends lie where all others are at one bound. Where the best fit is one point, whatever the start, the ends are
-//! followed outwards from it. Else the possible x_j farthest out is sought from outside inwards, each time from several starts, since different
-//! choices may explain the same modes.
+//! With one frequency the ends are exact: all other factors are then at one bound. If the best fit is a single point from every start, the ends are
+//! followed outwards from it. Otherwise the farthest possible x_j is searched from outside inwards, each time from several starts, because different
+//! factors may explain the same modes.
 
 use super::bounds::crossing;
 use super::model::{Datum, FactorModel, ModeOfFamily};
@@ -30,9 +30,9 @@ const STARTS: usize = 6;
 const SEED: u64 = 1;
 /// Points between the outermost bound and a possible factor at which it is asked whether a factor is possible. Chosen here.
 const SCAN: usize = 5;
-/// Ends sought from outside are found to this in ln c. Chosen here: one per cent.
+/// Tolerance in ln c of the ends that are searched from outside. Chosen here: one per cent.
 const END_WITHIN: f64 = 0.01;
-/// Ends followed from the best fit are found to this part of their distance from it, in so many guesses at most. Chosen here.
+/// Relative tolerance of the ends that are followed from the best fit, and largest number of trials. Chosen here.
 const END_NEAR: f64 = 0.01;
 const GUESSES: usize = 30;
 /// Where the fit of the others stops while one is held. Chosen here: far closer than ends are found.
@@ -60,7 +60,7 @@ pub(super) struct Ranges {
     pub(super) explains: bool,
     /// Best value and deviation of ln c of each factor that is determined.
     pub(super) determined: Vec<Option<[f64; 2]>>,
-    /// Of each factor; empty if nothing in the band explains the modes.
+    /// Range of each factor; empty if no factors in the band explain the modes.
     pub(super) ranges: Vec<FactorRange>,
 }
 
@@ -266,7 +266,7 @@ impl Search<'_> {
         from + side.sign * way
     }
 
-    /// The farthest possible x_j on a side, sought from outside inwards.
+    /// The farthest possible x_j on one side, searched from outside inwards.
     fn end_from_outside(&self, side: &Side, bound: f64, possible: &mut Vec<Vec<f64>>) -> f64 {
         if self.is_possible(side, bound, possible) {
             return bound;
@@ -299,7 +299,7 @@ impl Search<'_> {
         matches!(self.model.data.as_slice(), [datum] if datum.shape.is_none() && is_of_order(datum))
     }
 
-    /// The farthest x_j on a side at which each frequency by itself is possible for some choice of the others: none is farther out.
+    /// The farthest x_j on one side at which each frequency alone is possible for some values of the other factors: an outer bound.
     fn bound_of_each_frequency(&self, side: &Side) -> f64 {
         // to be soft, the others must be stiff
         let (edge, others) = match side.sign < 0.0 {

@@ -1,15 +1,15 @@
-//! What measured modes say of the springs of a stack.
+//! Result of identifying the springs of a stack from measured modes.
 
 use super::super::error::BlocksError;
 use super::stack_motion::StackMotion;
 
-/// What one factor multiplies.
+/// Springs that one factor multiplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum StiffnessOf {
     /// The springs of one joint.
     Joint,
-    /// Those of all joints of one plane: a stack of many joints.
+    /// All joints of one plane, in a stack of many joints.
     Bed,
 }
 
@@ -45,7 +45,7 @@ pub struct PairedMode {
     pub drawn_hz: f64,
     /// With the common factor, Hz.
     pub common_hz: f64,
-    /// With the factors that fit best, Hz; `None` where none were sought.
+    /// Frequency with the best factors, Hz; `None` if none were computed.
     pub best_hz: Option<f64>,
     /// Modal assurance of the measured shape and the computed one at the common factor; `None` with fewer points than 2.
     pub assurance: Option<f64>,
@@ -69,9 +69,9 @@ pub enum WhyUnused {
     },
     /// Counted from the lowest it is one mode, but its frequency is nearer to that of another.
     BetweenModes {
-        /// Of the one counted, with the factor of the lowest, Hz.
+        /// Frequency of the selected mode, with the factor of the lowest one, Hz.
         counted_hz: f64,
-        /// Of the nearest, Hz.
+        /// Frequency of the nearest mode, Hz.
         nearest_hz: f64,
     },
     /// Its shape is as like one computed mode as another.
@@ -144,12 +144,12 @@ impl FactorRange {
 pub struct JointFactor {
     /// Indices of the joints.
     pub joints: Vec<usize>,
-    /// A softer one is excluded whatever the others are: were all others rigid, a mode would still lie two deviations below its
+    /// A smaller factor is excluded for all values of the others: even with all other joints rigid, a mode would be two standard deviations below its
     /// measured frequency. `None` if no mode excludes any.
     pub least: Option<f64>,
     /// The measured mode, by its place in the list of those paired, that gives `least`.
     pub least_from: Option<usize>,
-    /// 95 % range if every other factor lies in the band; `None` where it is not sought, or where no choice in the band explains the modes.
+    /// 95 % range if every other factor is in the band; `None` if it is not computed, or if no factors in the band explain the modes.
     pub range: Option<FactorRange>,
     /// The factor, where the modes determine it.
     pub best: Option<f64>,
@@ -157,10 +157,10 @@ pub struct JointFactor {
     pub relative_sd: Option<f64>,
 }
 
-/// What measured modes say of the springs of a stack.
+/// Factors on the springs of a stack from measured modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointFactors {
-    /// What one factor multiplies.
+    /// Springs that one factor multiplies.
     pub of: StiffnessOf,
     /// One a joint or bed, in the order of the lowest joint.
     pub factors: Vec<JointFactor>,
@@ -168,7 +168,7 @@ pub struct JointFactors {
     pub open_joints: Vec<usize>,
     /// The modes that went in.
     pub modes: Vec<PairedMode>,
-    /// Those that did not.
+    /// Modes that were not used.
     pub unused: Vec<UnusedMode>,
     /// One factor for all.
     pub common: CommonFactor,
@@ -178,11 +178,12 @@ pub struct JointFactors {
     pub singular_values: Vec<f64>,
     /// Combinations of factors that the modes fix within the band.
     pub fixed_combinations: usize,
-    /// Root mean square of (computed − measured)/deviation of the best choice in the band; `None` where ranges are not sought.
+    /// Root mean square of (computed − measured)/deviation for the best factors in the band; `None` if ranges are not computed.
     pub best_misfit: Option<f64>,
-    /// Whether the best choice in the band explains the modes, but for what chance exceeds in one of a thousand surveys; `None` where it is not sought.
+    /// Whether the best factors in the band explain the modes, with a misfit that chance exceeds in more than one of a thousand surveys; `None` if
+    /// not computed.
     pub explains: Option<bool>,
-    /// How much, most, a frequency differs from that of this linear model when the stack settles anew on the best springs, or on those of the
-    /// common factor where no best was sought, relative; the error if it finds no rest on them.
+    /// Largest relative difference between a frequency of this linear model and that of the stack after settling again on the best springs, or on
+    /// those of the common factor if there are no best ones; an error if the stack finds no rest on them.
     pub resettled: Result<f64, BlocksError>,
 }

@@ -5,7 +5,7 @@ use super::result::CommonFactor;
 use crate::numeric::{BoundedStop, Residuals, bounded_least_squares};
 use dolmen_linalg::{LinalgError, Matrix, svd};
 
-/// Farthest that the common factor is sought: e¹⁸ each way, 7e7. Chosen here: far beyond stone on stone.
+/// Range of the common factor in the search: e^±18, a factor of 7e7. Chosen here: far beyond stone on stone.
 const COMMON_MOST: f64 = 18.0;
 /// Half-width of a two-sided interval of 95 %, in deviations.
 pub(super) const TWO_SIDED_95: f64 = 1.959_963_984_540_054;

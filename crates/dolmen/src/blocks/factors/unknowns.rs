@@ -1,4 +1,4 @@
-//! What the factors multiply: the springs of a stack at rest, by joint or by bed.
+//! Grouping of the springs of a stack at rest, by joint or by bed; each group has one factor.
 
 use super::super::assembly::Assembly;
 use super::super::beside::{add_springs_beside, springs_beside};
@@ -14,9 +14,10 @@ use crate::structure::stack::{Joint, Stack};
 use dolmen_linalg::Matrix;
 use glam::DVec3;
 
-/// Joints whose planes differ by less than this lie in one bed, m. Chosen here: stones of a course are levelled to a millimetre in a file.
+/// Distance between the planes of two joints below which they belong to one bed, m. Chosen here: the stones of a course are levelled to a
+/// millimetre in a file.
 const ONE_BED_M: f64 = 1e-3;
-/// Sine between normals of one bed. Chosen here: a millimetre over a metre.
+/// Sine of the largest angle between normals of one bed. Chosen here: a millimetre per metre.
 const ONE_BED_SINE: f64 = 1e-3;
 
 /// Springs that one factor multiplies.
@@ -29,14 +30,14 @@ pub(super) struct Group {
 pub(super) struct Unknowns {
     pub(super) of: StiffnessOf,
     pub(super) groups: Vec<Group>,
-    /// Springs that no factor multiplies: of dowels, clamps, side supports, and stones that touch where no joint was drawn.
+    /// Springs without a factor: those of dowels, clamps, side supports, and of stones that touch without a drawn joint.
     pub(super) others: Vec<SpringsBetween>,
     /// Joints without springs at rest.
     pub(super) open_joints: Vec<usize>,
     pub(super) mass: Matrix,
 }
 
-/// The springs by joint, or by bed where more joints than `joints_most` have any.
+/// Groups the springs by joint, or by bed if more than `joints_most` joints have springs.
 pub(super) fn unknowns(
     stack: &Stack,
     rule: ContactRule,
@@ -78,7 +79,7 @@ pub(super) fn unknowns(
     })
 }
 
-/// The joint whose springs these are, as the assembly chose it.
+/// The joint with these springs, as selected by the assembly.
 fn joint_between(stack: &Stack, springs: &SpringsBetween) -> Option<usize> {
     let [a, b] = springs.bodies;
     let joins = |joint: &Joint| {
@@ -115,7 +116,7 @@ fn in_one_plane(a: &Joint, b: &Joint) -> bool {
     normal.cross(other).length() < ONE_BED_SINE && between.dot(normal).abs() < ONE_BED_M
 }
 
-/// Stiffness of a stack that has settled anew on other springs, [6n × 6n].
+/// Stiffness of a stack after settling again on other springs, [6n × 6n].
 pub(super) fn resettled_stiffness(stack: &Stack, rule: ContactRule) -> Result<Matrix, BlocksError> {
     let mut assembly = Assembly::of(stack, rule);
     settle(&mut assembly, stack)?;
@@ -124,7 +125,7 @@ pub(super) fn resettled_stiffness(stack: &Stack, rule: ContactRule) -> Result<Ma
     Ok(stiffness)
 }
 
-/// The stack with the springs of the joints of each group multiplied.
+/// The stack with the springs of each group multiplied by its factor.
 pub(super) fn multiplied(stack: &Stack, groups: &[Group], factors: &[f64]) -> Result<Stack, BlocksError> {
     let mut scaled = stack.clone();
     for (group, factor) in groups.iter().zip(factors) {

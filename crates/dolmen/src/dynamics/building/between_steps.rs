@@ -19,8 +19,8 @@ pub(super) struct BetweenSteps<'a, S> {
 }
 
 impl<'a, S: Stepping> BetweenSteps<'a, S> {
-    /// Of `steps` steps of `h` seconds, the first of which is at rest, those at and beside `around`; `starts` are the states at the
-    /// beginnings of blocks.
+    /// The steps at and next to `around`, out of `steps` steps of `h` seconds, the first of which is at rest; `starts` are the states at
+    /// the beginnings of blocks.
     pub(super) fn new(
         stepping: &'a S,
         (steps, h): (usize, f64),

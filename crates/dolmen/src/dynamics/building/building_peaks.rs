@@ -66,6 +66,6 @@ pub struct BuildingPeaks {
     pub stroke_rates_m_s: Vec<Peak>,
     /// Shear in the walls of the lowest storey along x and y, N.
     pub base_shear_n: [Peak; 2],
-    /// Their torque about the vertical through the centre of all mass, N·m.
+    /// Torque of the base forces about the vertical axis through the centre of all mass, N·m.
     pub base_torque_n_m: Peak,
 }

@@ -1,4 +1,4 @@
-//! The same motion by the matrix exponential, where complex modes coincide or do not oscillate.
+//! Motion of a building by the matrix exponential, for complex modes that coincide or do not oscillate.
 
 use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;

@@ -105,7 +105,7 @@ impl LongestDrift {
 pub(super) struct PeakTracker<'a> {
     floor_extents: &'a [FloorExtent],
     largest: SignedPeaks,
-    /// Of each corner of each floor.
+    /// For each corner of each floor.
     longest: Vec<Vec<LongestDrift>>,
     drifts: Box<Drifts>,
 }

@@ -85,7 +85,7 @@ impl Watcher {
             })
             .collect();
         others.extend((coordinates..own.rows()).map(|i| {
-            // a displacement: the ground adds nothing to its rate at once
+            // a displacement: the ground has no direct effect on its rate
             let stroke: Vec<f64> = (0..states).map(|k| own[(i, k)]).collect();
             stepping.rate_row(&stroke)
         }));

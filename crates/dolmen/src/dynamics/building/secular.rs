@@ -16,7 +16,7 @@ use dolmen_linalg::Complex64;
 
 /// Largest number of iterations; 5 to 12 are needed.
 const ROUNDS_MOST: usize = 80;
-/// A root is found when it moves by less than this fraction of its shift, or of itself.
+/// Convergence of a root: its change is below this fraction of its shift, or of itself.
 const SHIFT_FOUND: f64 = 1e-13;
 const ROOT_FOUND: f64 = 2e-16;
 /// Largest distance of a first guess from its pole, over the size of the pole.

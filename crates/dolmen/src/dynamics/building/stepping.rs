@@ -39,7 +39,7 @@ pub(super) fn walk(
     walk_on(Arch::new(), (stepping, outputs), steps, ground, see)
 }
 
-/// The same with vectors of a given width.
+/// As the function above, with vector registers of a given width.
 fn walk_on(
     arch: Arch,
     (stepping, outputs): (&impl Stepping, &Matrix),

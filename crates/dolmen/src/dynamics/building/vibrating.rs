@@ -1,11 +1,11 @@
-//! A building with its damping and its tuned masses.
+//! A building with modal damping and tuned masses.
 
 use crate::dynamics::DynamicsError;
 use crate::structure::Building;
 use crate::structure::building::{BuildingDamping, BuildingModes, PlanDirection};
 use std::f64::consts::TAU;
 
-/// Largest damping ratio allowed for a mass on its own spring. Our choice: far above every tuning.
+/// Largest damping ratio of a tuned mass. Our choice: far above every tuning.
 const RATIO_MOST: f64 = 10.0;
 
 /// A mass on a spring and a dashpot at a point of a floor, free to move along one direction.
@@ -13,26 +13,26 @@ const RATIO_MOST: f64 = 10.0;
 pub struct TunedMass {
     /// The floor, from 1 at the bottom.
     pub floor: usize,
-    /// Place in plan, x, m.
+    /// Position in plan along x, m.
     pub x_m: f64,
-    /// Place in plan, y, m.
+    /// Position in plan along y, m.
     pub y_m: f64,
-    /// Direction in which it moves.
+    /// Direction of its motion.
     pub direction: PlanDirection,
     /// Mass, kg.
     pub mass_kg: f64,
-    /// Frequency on its own spring, Hz.
+    /// Natural frequency of the mass on its spring, Hz.
     pub frequency_hz: f64,
-    /// c/(2 m ω) with its own ω.
+    /// Damping ratio c/(2 m ω), with ω of the mass on its spring.
     pub damping_ratio: f64,
 }
 
-/// A mass in modal coordinates.
+/// A tuned mass in modal coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Oscillator {
-    /// Displacement of its place along its direction in each mode, 1/√kg.
+    /// Displacement of its position along its direction in each mode, 1/√kg.
     pub(super) row: Vec<f64>,
-    /// Its direction.
+    /// Unit vector of its direction.
     pub(super) unit: [f64; 2],
     pub(super) mass: f64,
     pub(super) stiffness: f64,
@@ -52,8 +52,8 @@ pub struct VibratingBuilding {
 impl VibratingBuilding {
     /// Builds a damped building with its tuned masses.
     ///
-    /// # Errors
-    /// [`DynamicsError::Building`] for invalid damping and places off the floor; [`DynamicsError::Argument`] for a mass, frequency or damping
+    /// [`DynamicsError::Building`] for invalid damping or a position off the floor; [`DynamicsError::Argument`] for a mass, frequency or
+    /// damping ratio out of its range.
     /// ratio out of its range.
     pub fn new(
         building: Building,
@@ -72,7 +72,7 @@ impl VibratingBuilding {
         alone.with_tuned_masses(tuned_masses)
     }
 
-    /// The same building with these tuned masses instead of its own.
+    /// The same building with its tuned masses replaced.
     ///
     /// # Errors
     /// As [`VibratingBuilding::new`].
@@ -122,7 +122,7 @@ impl VibratingBuilding {
         &self.building
     }
 
-    /// Its modes without the tuned masses.
+    /// Modes of the building without the tuned masses.
     pub fn modes(&self) -> &BuildingModes {
         &self.modes
     }

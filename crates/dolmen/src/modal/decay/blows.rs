@@ -1,4 +1,4 @@
-//! Forces within a decay: where swings grow at once, and what comes is not what went before foretells.
+//! Detects forces within a decay: the motion grows suddenly, and differs from the prediction by its past.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -17,11 +17,12 @@ const TERMS: usize = 24;
 const REACH: f64 = 0.1;
 /// Times that the rule is fitted again with less weight for what it does not foretell.
 const ROUNDS: usize = 4;
-/// What must rise: the error by this factor, to this share of the motion, and the motion itself; powers. Chosen here.
+/// Factors by which the prediction error must increase, relative to itself and to the motion, and by which the motion
+/// must increase; powers. Chosen here.
 const ERROR_RISES: f64 = 20.0;
 const ERROR_SHARE: f64 = 0.02;
 const MOTION_RISES: f64 = 1.5;
-/// Shorter records are not looked at.
+/// Shortest record that is examined.
 const SAMPLES_LEAST: usize = 240;
 
 /// Times, s from the first sample, at which a force sets the structure in motion anew.
@@ -172,7 +173,7 @@ mod tests {
             assert!(found.len() == 1 && (found[0] - 11.0).abs() < 0.3, "{found:?}");
             assert!(blows(&record(&modes, &[0.0], noise)).unwrap().is_empty());
         }
-        // two modes that beat: the motion dies wholly and grows again by itself
+        // two modes that beat: the motion vanishes and grows again without a force
         let close = [(1.6, 0.002, [1.0, 0.7]), (1.75, 0.002, [1.0, 0.7])];
         for noise in [0.0, 0.02] {
             assert!(blows(&record(&close, &[0.0], noise)).unwrap().is_empty());

@@ -24,7 +24,7 @@ pub(super) struct Fit {
     pub(super) explained: f64,
     /// Energy of each mode over the noise.
     pub(super) energy: Vec<f64>,
-    /// What is left, channels × samples.
+    /// Residual, channels × samples.
     pub(super) rest: Vec<Vec<f64>>,
     /// Deviation of each mode over that in white noise of the same power, 1 or more.
     pub(super) over_white: Vec<f64>,
@@ -110,7 +110,7 @@ struct Linear {
     information: Matrix,
     towards: Vec<f64>,
     energy: Vec<f64>,
-    /// Power of what is left, and of the record, each channel over its own power.
+    /// Power of the residual, with each channel divided by its own power.
     left: f64,
     power: f64,
     rest: Vec<Vec<f64>>,

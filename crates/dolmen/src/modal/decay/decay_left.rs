@@ -1,35 +1,35 @@
-//! How far what a decay leaves is from white noise at each mode: what a structure that is still shaken adds to the deviations.
+//! Compares the residual of a decay fit with white noise at each mode. A structure that is still shaken increases the standard deviations.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | q | `seen` | Σ_c conj(a_c) r_c/σ_c², what is left as the mode sees it, about its frequency |
-//! | X | `basis` | e^(-αt), t e^(-αt): the amplitude, and the root |
-//! | K | `kept` | e^(-α|t-t'|), the covariance of a mode that white forces shake |
-//! | ρ | `ratio` | its power over that of white noise |
+//! | q | `seen` | Σ_c conj(a_c) r_c/σ_c², the residual projected on the mode, relative to its frequency |
+//! | X | `basis` | e^(-αt), t e^(-αt): derivatives for the amplitude and the pole |
+//! | K | `kept` | e^(-α\|t-t'\|), covariance of a mode under white-noise forces |
+//! | ρ | `ratio` | power of K relative to that of white noise |
 
 use crate::modal::ModalError;
 use crate::signal::Record;
 use dolmen_linalg::{Complex64, Matrix, solve, symmetric_eigen};
 use std::f64::consts::PI;
 
-/// Blocks of whole periods that what is left is averaged over: as many as this in the record where the mode lives long.
+/// Number of blocks over the record, for a slowly decaying mode. A block averages the residual over whole periods.
 const BLOCKS: f64 = 40.0;
-/// Part of 1/α that a block may last.
+/// Longest duration of a block, as a fraction of 1/α.
 const BLOCK_OF_LIFE: f64 = 0.2;
-/// Fewest and most blocks for which a ratio is sought.
+/// Fewest blocks for estimating a ratio, and largest number of blocks used.
 const BLOCKS_LEAST: usize = 8;
 const BLOCKS_MOST: usize = 400;
-/// Ratios tried: a tenth of a decade apart.
+/// Range of tested ratios, in tenths of a decade.
 const RATIO_LOG: [i32; 2] = [-20, 60];
-/// What the model of white forces misses, on the variance that they add. Measured: with ambient motion of 1 % of a blow the deviations of three
-/// modes come out 1.06 to 1.31 times too small without it, over 80 decays.
+/// Factor on the additional variance, for what the model of white-noise forces misses. Measured over 80 decays: with ambient motion of 1 % of a
+/// blow, the standard deviations of three modes would be 1.06 to 1.31 times too small without it.
 const MISSED: f64 = 1.44;
 
-/// Twice the gain of ln likelihood from which it is more than white noise: one in a hundred records of white noise (half of χ² of one degree
-/// of freedom).
+/// Twice the gain in ln likelihood above which the residual is not white noise. One in a hundred records of white noise exceeds it (half of χ²
+/// with one degree of freedom).
 const BEYOND_CHANCE: f64 = 5.41;
 
-/// Standard deviation of a root over that of white noise, 1 or more.
+/// Factor on the standard deviation of a pole, relative to the value for white noise; 1 or more.
 ///
 /// ```text
 /// z(t) = X b + e,  cov e = s (I + ρ K)              ρ and s of the greatest restricted likelihood of the residual
@@ -37,7 +37,7 @@ const BEYOND_CHANCE: f64 = 5.41;
 /// ```
 ///
 /// # Limits
-/// The forces are white about the mode and go on as they are through the record.
+/// The forces are assumed white near the mode and stationary through the record.
 pub(super) fn over_white(
     record: &Record,
     left: &[Vec<f64>],
@@ -84,20 +84,20 @@ pub(super) fn over_white(
     factor(&seen, &times_s, alpha)
 }
 
-/// The factor of one series of blocks; white noise in them has a variance of 1.
+/// The factor for one series of blocks, in which white noise has a variance of 1.
 fn factor(seen: &[Complex64], times_s: &[f64], alpha: f64) -> Result<f64, ModalError> {
     let n = seen.len();
     let basis = Matrix::from_fn(n, 2, |i, j| {
         (-alpha * times_s[i]).exp() * if j == 0 { 1.0 } else { times_s[i] }
     });
     let inner = solve(&basis.transpose_times(&basis), &Matrix::identity(2))?;
-    // rows of (XᵀX)⁻¹Xᵀ, and what is not along X
+    // rows of (XᵀX)⁻¹Xᵀ, and the projection orthogonal to X
     let along = &inner * &basis.transpose();
     let off = |x: &Matrix| -> Matrix { x - &(&basis * &(&along * x)) };
     let kept = Matrix::from_fn(n, n, |i, j| (-alpha * (times_s[i] - times_s[j]).abs()).exp());
     let projected = off(&off(&kept).transpose());
     let e = symmetric_eigen(&projected)?;
-    // the two directions along X have no power of their own: their eigenvalues are the least, 0
+    // the two directions along X have the smallest eigenvalues, 0
     let of = |part: &dyn Fn(&Complex64) -> f64| {
         off(&Matrix::from_column(&seen.iter().map(part).collect::<Vec<_>>()))
     };
@@ -132,7 +132,7 @@ fn factor(seen: &[Complex64], times_s: &[f64], alpha: f64) -> Result<f64, ModalE
     }
     let (likelihood, ratio, scale) = best;
     if 2.0 * (likelihood - in_white) < BEYOND_CHANCE {
-        return Ok(1.0); // white noise does as well
+        return Ok(1.0); // white noise explains the residual as well
     }
     let row: Vec<f64> = (0..n).map(|i| along[(1, i)]).collect();
     let own: f64 = row.iter().map(|x| x * x).sum();
@@ -145,7 +145,7 @@ mod tests {
     use super::*;
     use crate::numeric::Random;
 
-    /// The slope of least squares of simulated series over its own deviation, as stated, and as of white noise.
+    /// Standard deviation of the least-squares slope over simulated series, relative to the stated one and to that for white noise.
     fn scatter(power: f64) -> [f64; 2] {
         let (alpha, step_s, n) = (0.12, 0.5, 40);
         let times_s: Vec<f64> = (0..n).map(|i| step_s * f64::from(i)).collect();

@@ -24,7 +24,7 @@ const ABOVE_NOISE: f64 = 5.0;
 pub struct Decrement {
     /// The channel, by index; default 0.
     pub channel: usize,
-    /// Lower and upper corner of the band that holds the mode and no other, Hz; `None` (default): the record as it is.
+    /// Lower and upper corner of a band with this mode only, Hz; `None` (default): the record is not filtered.
     pub band_hz: Option<[f64; 2]>,
     /// Extrema behind each value; default 8 (ours: four swings).
     pub extrema: usize,
@@ -49,7 +49,7 @@ impl Default for Decrement {
 pub struct AtAmplitude {
     /// Middle of the swings, s from the first sample.
     pub time_s: f64,
-    /// Their size: e to the mean of ln u, unit of the channel.
+    /// Amplitude of the swings: e to the mean of ln u, in the unit of the channel.
     pub amplitude: f64,
     /// Natural frequency, Hz.
     pub frequency_hz: f64,

@@ -51,14 +51,14 @@ pub struct FreeDecay {
     pub modes: Modes,
     /// Energy of each mode over that of the noise, in the same order.
     pub energy: Vec<f64>,
-    /// How much of the motion they explain: 1 less the power of what is left over that of the record.
+    /// Explained fraction of the motion: 1 minus the power of the residual over that of the record.
     pub explained: f64,
-    /// Standard deviation of what is left in each channel, in its unit.
+    /// Standard deviation of the residual of each channel, in its unit.
     pub noise: Vec<f64>,
-    /// What is left of each channel, in its unit: channels × samples.
+    /// Residual of each channel, in its unit: channels × samples.
     pub rest: Vec<Vec<f64>>,
-    /// Standard deviations of each mode over those in white noise of the same power: above 1 where what is left has the mode's own frequency,
-    /// since the structure is still shaken.
+    /// Factor on the standard deviations of each mode relative to white noise of the same power. It is above 1 if the residual contains the frequency
+    /// of the mode, because the structure is still shaken.
     pub over_white: Vec<f64>,
     /// Singular values of H₀, descending.
     pub singular_values: Vec<f64>,
@@ -77,16 +77,17 @@ pub struct FreeDecay {
 /// v ≥ 1: what is left as each mode sees it is white noise and the answer of that mode to white forces, each as strong as is likeliest
 /// ```
 /// The order is the number of singular values above the optimal threshold for white noise, ω(β) times their median. A pole is a mode if it
-/// swings, is damped within bounds and is coherent: its motion in V is the exponential that it stands for. Frequencies, damping ratios
-/// and amplitudes are then fitted to all samples together, which takes out what the truncation leaves.
+/// oscillates, its damping is within bounds and it is coherent: its time series in V equals its own exponential. Frequencies, damping ratios and
+/// amplitudes are then fitted to all samples together, which removes the error of the truncation.
 ///
 /// # Errors
 /// [`ModalError::DecayTooShort`], [`ModalError::Option`], [`ModalError::NoDecay`] if nothing swings above the noise; [`ModalError::Linalg`].
 ///
 /// # Limits
-/// Linear: a joint that works harder in strong motion has a frequency that rises as the motion dies, which shows as a low `explained`. Noise is
-/// white, or the structure's own answer to forces that go on evenly: deviations then hold to a third (docs). Exact decays give their poles to 1e-9; with white noise of 5 % of the first swing the scatter of frequency and
-/// damping is that of the bound (a test).
+/// The method is linear: if a joint moves more in strong motion, its frequency rises as the motion decays, which appears as a low `explained`. The
+/// noise must be white, or the response of the structure to stationary forces: the standard deviations are then right within a third (docs). Exact
+/// decays give their poles to 1e-9. With white noise of 5 % of the first amplitude, the scatter of frequency and damping is that of the bound (a
+/// test).
 ///
 /// # Source
 /// Juang & Pappa (1985) J. Guid. Control Dyn. 8(5):620-627. Threshold: Gavish & Donoho (2014) IEEE Trans. Inf. Theory 60(8):5040-5053.
@@ -333,8 +334,8 @@ mod tests {
 
     #[test]
     fn exact_bound_of_one_decay_in_noise() {
-        // many swings, dead within the record: Σ t² e^(-2αt) less its part along e^(-αt), halved for real samples:
-        // var ω = 16 σ² α³ Δt / |a|²
+        // many cycles, with complete decay within the record: Σ t² e^(-2αt) minus its projection on e^(-αt), halved for real samples: var ω = 16 σ²
+        // α³ Δt / |a|²
         let (f, zeta, sigma) = (5.0, 0.02, 0.01);
         let omega = 2.0 * PI * f;
         let mut random = Random::new(1, 0);

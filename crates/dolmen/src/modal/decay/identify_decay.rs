@@ -12,10 +12,10 @@ use crate::signal::{ChannelFault, Record, inspect};
 
 /// Samples over lines of the spectrum of a decay.
 const PARTS: usize = 16;
-/// Below so many samples a spectrum is no average.
+/// Number of samples below which a spectrum is not an average.
 pub(crate) const SHORT: usize = 1024;
 
-/// Modes of a free decay; the spectrum is only looked at.
+/// Modes of a free decay; the spectrum is only for information.
 pub(crate) fn of_decay(
     record: &Record,
     options: &Identify,
@@ -143,7 +143,7 @@ fn of_one_mode(found: &FreeDecay) -> Vec<Vec<usize>> {
     groups
 }
 
-/// The strongest pole of a group; of several its deviations say nothing of the mode.
+/// The strongest pole of a group. With several poles, its standard deviations do not describe the mode.
 fn strongest(found: &FreeDecay, group: &[usize]) -> Mode {
     let of = |best: usize, i: usize| {
         if found.energy[i] > found.energy[best] {
@@ -234,7 +234,7 @@ mod tests {
         };
         let found = identify(&record(1500), &options).unwrap();
         let decay = found.decay.as_ref().unwrap();
-        // one mode, though several poles stand for it, and no deviation that would say that it is well known
+        // a single mode, although several poles represent it, without a standard deviation, which would suggest precision
         assert_eq!(
             (found.modes.modes.len(), decay.modes.len()),
             (1, 1),

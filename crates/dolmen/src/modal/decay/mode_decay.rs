@@ -1,15 +1,15 @@
-//! What a free decay shows beside its modes.
+//! Results of a free decay besides its modes.
 
 use crate::modal::AtAmplitude;
 
-/// What a free decay shows beside its modes.
+/// Results of a free decay besides its modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decay {
     /// Channels of the record.
     pub channels: usize,
     /// Share of the motion that the poles explain.
     pub explained: f64,
-    /// Peaks of what is left, Hz, where it is not white; those of the modes shown are among them.
+    /// Peaks of the residual, Hz, if it is not white; they include those of the listed modes.
     pub left_peaks_hz: Vec<f64>,
     /// Each mode, by frequency.
     pub modes: Vec<ModeDecay>,
@@ -20,9 +20,9 @@ pub struct Decay {
 pub struct ModeDecay {
     /// Its frequency, Hz.
     pub frequency_hz: f64,
-    /// Frequencies of the poles that stand for it, Hz. More than one, of one shape and with bands that meet: it is no exponential, its
-    /// frequency and damping follow the size of its swings; the mode has the frequency of the strongest pole and the median damping of its swings where there are any, without a deviation. With one
-    /// channel every shape is alike: they may as well be several modes.
+    /// Frequencies of the poles that represent the mode, Hz. If there are several, with the same shape and overlapping bands, the decay is not an
+    /// exponential: frequency and damping depend on the amplitude. The mode then has the frequency of the strongest pole and the median damping of
+    /// its swings, if there are any, without a standard deviation. With one channel all shapes are equal, so there may be several modes.
     pub poles_hz: Vec<f64>,
     /// Its deviations over those in white noise of the same power: far above 1 where the structure is still shaken.
     pub over_white: f64,

@@ -1,8 +1,8 @@
-//! What a measured input shows beside the modes.
+//! Results of a record with measured inputs besides the modes.
 
 use super::responses::FrequencyResponses;
 
-/// What a measured input shows beside the modes.
+/// Results of a record with measured inputs besides the modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Driven {
     /// Names of the input channels.

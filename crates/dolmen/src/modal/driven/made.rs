@@ -1,4 +1,4 @@
-//! A made record: two storeys on a footing that the ground holds by a spring and a dashpot, shaken by waves and by wind.
+//! A simulated record: two storeys on a footing on soil (spring and dashpot), excited by waves and by wind.
 
 use crate::numeric::Random;
 use crate::signal::{Channel, Quantity, Record, SignalError, low_pass};

@@ -1,14 +1,14 @@
-//! Answers of a structure to a unit of each input and of each innovation, sample by sample (its Markov parameters).
+//! Markov parameters: sampled responses of a structure to a unit of each input and of each innovation.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | A_i, C_k | `recursion`, `direct` | y_t = Σ A_i y_{t-i} + Σ C_k [u; e]_{t-k}: the observer's coefficients | l × l, l × q |
-//! | h_k | `MarkovParameters` | answer k samples after a unit of an input or an innovation | l × q, q = m + l |
+//! | A_i, C_k | `recursion`, `direct` | coefficients of the observer, y_t = Σ A_i y_{t-i} + Σ C_k [u; e]_{t-k} | l × l, l × q |
+//! | h_k | `MarkovParameters` | response k samples after a unit input or innovation | l × q, q = m + l |
 
 use super::observer::Observer;
 use dolmen_linalg::Matrix;
 
-/// h_0, h_1 … one after the other, each row by row.
+/// h_0, h_1, …, one after the other, each row by row.
 pub(super) struct MarkovParameters {
     pub(super) rows: usize,
     pub(super) columns: usize,
@@ -25,7 +25,7 @@ impl MarkovParameters {
         self.at(step).iter().fold(0.0, |most, h| h.abs().max(most))
     }
 
-    /// Each h times a square matrix from the right.
+    /// Multiplies each h by a square matrix from the right.
     pub(super) fn weighted(mut self, weights: &Matrix) -> MarkovParameters {
         let mut row = vec![0.0; self.columns];
         for of in self.values.chunks_exact_mut(self.columns) {
@@ -39,17 +39,17 @@ impl MarkovParameters {
 }
 
 impl Observer {
-    /// Inputs and innovations.
+    /// Number of inputs and innovations.
     fn sources(&self) -> usize {
         self.inputs + self.outputs
     }
 
-    /// A_i of these coefficients at row r, column c.
+    /// Entry of A_i at row r, column c.
     fn recursion(&self, of: &Matrix, lag: usize, r: usize, c: usize) -> f64 {
         of[((lag - 1) * self.outputs + c, r)]
     }
 
-    /// C_k of these coefficients; `unit` is what an innovation adds at once.
+    /// C_k; `unit` is the immediate effect of an innovation.
     fn direct(&self, of: &Matrix, step: usize, unit: f64) -> Vec<f64> {
         let (l, m, q) = (self.outputs, self.inputs, self.sources());
         let mut direct = vec![0.0; l * q];
@@ -66,7 +66,7 @@ impl Observer {
         direct
     }
 
-    /// sum += A_i h, of these coefficients.
+    /// Adds A_i h to a sum.
     fn add_past(&self, of: &Matrix, lag: usize, h: &[f64], sum: &mut [f64]) {
         let q = self.sources();
         for (r, sum) in sum.chunks_exact_mut(q).enumerate() {
@@ -99,7 +99,7 @@ impl Observer {
         markov
     }
 
-    /// First-order change of the answers with the coefficients:
+    /// First-order change of the Markov parameters with the coefficients:
     ///
     /// ```text
     /// dh_k = dC_k + Σ (dA_i h_{k-i} + A_i dh_{k-i})

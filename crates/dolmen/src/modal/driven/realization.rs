@@ -17,8 +17,8 @@ use crate::modal::subspace::{
 use crate::modal::{ModalError, PoleDeviation};
 use dolmen_linalg::{Complex64, Matrix, Qr, Svd, cholesky, qr, svd};
 
-/// What sampling does to a frequency and a damping ratio, relative: the ground follows the structure within a sample. Measured on a made frame with ten
-/// samples in the period of its highest mode.
+/// Relative error of a frequency and a damping ratio due to sampling, because the ground follows the structure within a sample. Measured on a
+/// simulated frame with ten samples per period of its highest mode.
 const SAMPLED_FREQUENCY: f64 = 2e-4;
 const SAMPLED_DAMPING: f64 = 5e-3;
 
@@ -108,7 +108,7 @@ fn in_units(mut pole: Pole, scales: &[f64]) -> Pole {
     pole
 }
 
-/// Inputs and innovations are not correlated; each weighs as it is strong.
+/// Inputs and innovations are uncorrelated; each has a weight in proportion to its strength.
 fn weights(observer: &Observer) -> Result<Matrix, ModalError> {
     let (m, l) = (observer.inputs, observer.outputs);
     let (of_inputs, of_innovations) = (cholesky(&observer.of_inputs)?, cholesky(&observer.innovation)?);

@@ -9,7 +9,7 @@ use crate::modal::ModalError;
 use crate::signal::{CrossSpectra, Record, Welch, cross_spectra};
 use dolmen_linalg::{Complex64, ComplexMatrix, hermitian_eigen};
 
-/// Of the largest eigenvalue of S_xx, what is rounding.
+/// Fraction of the largest eigenvalue of S_xx below which an eigenvalue is rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Responses of all channels that are no inputs.

@@ -18,7 +18,7 @@ const RISE_MOST: f64 = 20.0;
 /// Largest coherence of two modes' forces.
 const COHERENCE_MOST: f64 = 0.999;
 
-/// What is sought.
+/// A frequency band and the unknowns of its modes.
 #[derive(Clone, Debug)]
 pub(super) struct Band {
     pub(super) oscillators: Vec<Oscillator>,
@@ -112,7 +112,7 @@ impl Band {
         plus(&scaled(&motion, self.risen(frequency_hz)), &self.noise)
     }
 
-    /// What the forces are over those at the middle; beyond the band, as at its end.
+    /// Density of the forces relative to that at the middle of the band; constant beyond the ends of the band.
     pub(super) fn risen(&self, frequency_hz: f64) -> f64 {
         (self.rise * self.logarithm(frequency_hz)).exp()
     }

@@ -11,14 +11,14 @@ use super::band_motion::{Recorded, Spectra};
 use super::hermitian::{adjoint, behind, lower, plus, real, scaled, times, whitened};
 use dolmen_linalg::{ComplexMatrix, Matrix, cholesky, solve, solve_lower, solve_lower_transposed};
 
-/// Lines so near to each other that one expectation holds for all.
+/// Neighbouring lines with the same expected spectrum.
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
     pub(super) frequency_hz: f64,
     pub(super) lines: f64,
     /// Mean of z z* over the lines.
     pub(super) product: ComplexMatrix,
-    /// What the modes of other bands put there.
+    /// Contribution of the modes of other bands.
     pub(super) others: ComplexMatrix,
 }
 
@@ -94,7 +94,7 @@ fn step(gradient: &[f64], information: &Matrix, damp: f64) -> Option<Vec<f64>> {
     Some(step.column(0).iter().zip(&scale).map(|(x, s)| x * s).collect())
 }
 
-/// Of a positive definite matrix, each row brought to its own scale first.
+/// Inverse of a positive definite matrix, with each row scaled first.
 fn inverse(a: &Matrix) -> Option<Matrix> {
     let n = a.rows();
     let scale: Vec<f64> = (0..n).map(|i| 1.0 / a[(i, i)].sqrt()).collect();
@@ -157,7 +157,7 @@ impl BandFit {
         Spectra::new(&self.band.oscillators, self.recorded)
     }
 
-    /// Matrices W of a line, one for each frequency and damping ratio in turn: what the line adds to the estimate is z* W z less its mean.
+    /// Matrices W of a line, one for each frequency and damping ratio in turn: the line contributes z* W z minus its mean to the estimate.
     pub(super) fn influence(
         &self,
         spectra: &Spectra,

@@ -34,13 +34,13 @@ const LINES_LEAST: f64 = 4.0;
 /// Lines to each side of a tone that are left out, and their share of its frequency.
 const TONE_LINES: f64 = 3.0;
 const TONE_SHARE: f64 = 2e-3;
-/// What came out further from where the subspace method found it, in the deviations of that, is another thing.
+/// Largest change of a mode from the subspace result, in standard deviations of that result; a mode farther away is a different one.
 pub(super) const DEVIATIONS_MOST: f64 = 5.0;
-/// And so is what has another shape, by its assurance criterion, or moves with another mode all but as one: within each other's half-power band the
-/// lines tell frequency from shape no more.
+/// Least MAC with the shape of the subspace method; also the largest similarity to another mode within its half-power band, above which the lines
+/// cannot separate frequency and shape.
 const ALIKE_LEAST: f64 = 0.95;
 const COHERENCE_MOST: f64 = 0.95;
-/// Least deviation, by the information, over its floor at which a mode of the band is not told from the rest.
+/// Ratio of the smallest standard deviation, by the information, to its lower bound at which a mode of the band cannot be separated from the rest.
 const FLOORS_MOST: f64 = 3.5;
 
 /// A mode's new numbers, each with what every block of time changes.
@@ -404,7 +404,7 @@ impl BandLines {
         })
     }
 
-    /// What the modes of the other bands put into each cell.
+    /// Contribution of the modes of other bands to each cell.
     pub(super) fn see_others<'a>(&mut self, others: impl Iterator<Item = &'a (BandFit, ComplexMatrix)>) {
         let r = self.along.rows();
         for cell in &mut self.cells {

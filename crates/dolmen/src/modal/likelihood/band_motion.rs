@@ -1,4 +1,4 @@
-//! What a finite record's periodogram shows of modes under white forces, its leakage counted exactly.
+//! Expected periodogram of modes under white-noise forces in a finite record, with its leakage computed exactly.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -17,7 +17,7 @@ pub(super) struct Oscillator {
     pub(super) damping_ratio: f64,
 }
 
-/// What is recorded of them, and for how long.
+/// Recorded quantity and duration of the record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Recorded {
     pub(super) derivatives: i32,
@@ -34,7 +34,7 @@ pub(super) struct CrossSpectrum {
 }
 
 impl CrossSpectrum {
-    /// Of two oscillators under the same white force of spectral density 1.
+    /// Expected periodogram of two oscillators under the same white-noise force of spectral density 1.
     ///
     /// ```text
     /// H(s) = s^k / ((s - p)(s - p̄)),   H_a(iω) H_b(-iω) = [k = 2] + Σ r_a H_b(-p_a)/(iω - p_a) + Σ r_b H_a(-p_b)/(-iω - p_b)
@@ -154,7 +154,7 @@ mod tests {
         damping_ratio: 0.05,
     };
 
-    /// H(iω) as it is written in textbooks.
+    /// H(iω) in the form of textbooks.
     fn transfer(of: Oscillator, derivatives: i32, hz: f64) -> Complex64 {
         let (w0, w) = (TAU * of.frequency_hz, TAU * hz);
         let iw = Complex64::new(0.0, w);

@@ -17,13 +17,13 @@ const ROUNDS: usize = 3;
 /// Deviations of the misfit: of records made by the model, it lies between -2.3 and 2 (one of 130 at 4); with a mode unseen in the band, above 10.
 const MISFIT_MOST: f64 = 4.0;
 
-/// What became of the modes.
+/// Result for the modes of a record.
 struct Refined {
     /// By frequency.
     modes: Vec<Mode>,
-    /// Those of peaks, Hz.
+    /// Frequencies of modes from peaks, Hz.
     from_peaks_hz: Vec<f64>,
-    /// Those that stayed as they were, Hz.
+    /// Frequencies of modes that were left unchanged, Hz.
     left_hz: Vec<f64>,
 }
 
@@ -39,7 +39,7 @@ struct Refine<'a> {
     time_blocks: usize,
 }
 
-/// What a fit starts from.
+/// Starting point of a fit.
 #[derive(Clone, Copy, PartialEq)]
 enum Source {
     /// A mode.

@@ -1,4 +1,4 @@
-//! Products, factors and free numbers of small complex matrices.
+//! Products, Cholesky factors and independent real parameters of small complex matrices.
 
 use dolmen_linalg::{Complex64, ComplexMatrix};
 
@@ -17,7 +17,8 @@ impl Part {
     }
 }
 
-/// A Hermitian matrix as real numbers whose products sum to the trace of the product.
+/// A Hermitian matrix as a real vector; the dot product of two such vectors is the trace of the product of the
+/// matrices.
 pub(super) fn real(a: &ComplexMatrix) -> Vec<f64> {
     let both = |z: Complex64, part: Part| match part {
         Part::Real => z.re,
@@ -34,7 +35,7 @@ pub(super) fn real(a: &ComplexMatrix) -> Vec<f64> {
         .collect()
 }
 
-/// Places of the free numbers of a Hermitian matrix, on and below its diagonal.
+/// Indices and parts of the independent real parameters of a Hermitian matrix, on and below the diagonal.
 pub(super) fn hermitian(size: usize) -> impl Iterator<Item = (usize, usize, Part)> {
     (0..size).flat_map(|i| {
         let below = (0..i).flat_map(move |j| [(i, j, Part::Real), (i, j, Part::Imaginary)]);
@@ -67,7 +68,7 @@ pub(super) fn adjoint(a: &ComplexMatrix) -> ComplexMatrix {
     ComplexMatrix::from_fn(a.columns(), a.rows(), |i, j| a[(j, i)].conj())
 }
 
-/// Cholesky's factor of a small Hermitian matrix; `None` where it is not positive.
+/// Cholesky factor of a small Hermitian matrix; `None` if the matrix is not positive definite.
 pub(super) fn lower(a: &ComplexMatrix) -> Option<ComplexMatrix> {
     let n = a.rows();
     let mut l = ComplexMatrix::zeros(n, n);

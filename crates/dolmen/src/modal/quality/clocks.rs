@@ -1,4 +1,4 @@
-//! Clocks of recorders held against each other: a phase between two channels that turns along the record is no structure's.
+//! Compares the clocks of recorders: a phase between two channels that drifts along the record cannot come from the structure.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -15,13 +15,13 @@ use std::f64::consts::{PI, TAU};
 const PARTS: usize = 12;
 /// Cycles of a Hann segment: narrow enough to part modes a tenth apart.
 const CYCLES: f64 = 24.0;
-/// Modes looked at: the best known ones.
+/// Number of modes in the check: those with the smallest standard deviations.
 const MODES_MOST: usize = 4;
-/// Mean coherence below which a mode says nothing of a channel. Chosen here.
+/// Mean coherence below which a mode gives no information about a channel. Chosen here.
 const COHERENCE_LEAST: f64 = 0.5;
 /// Drifts looked for. Chosen here: quartz clocks of recorders stay within 100 ppm.
 const PPM_MOST: f64 = 300.0;
-/// Steps of the search turn the highest mode by so much, rad.
+/// Phase of the highest mode in one step of the search, rad.
 const TURN_STEP: f64 = PI / 6.0;
 const STEPS_MOST: f64 = 4000.0;
 /// Deviations of a drift from none, and the turn of the highest mode's phase along the record, rad (10°), from which it counts.
@@ -240,7 +240,7 @@ mod tests {
         [0.6, -1.0, 0.3, 0.9],
     ];
 
-    /// Four floors for twenty minutes, each channel sampled by a clock that runs fast by so many ppm and taken for one of 100 Hz.
+    /// Four floors for twenty minutes; the clock of each channel is fast by this many ppm, but the rate is taken as 100 Hz.
     fn measured(ppm: [f64; 4], seed: u64) -> Record {
         let mode = |(frequency_hz, shape): (f64, [f64; 4])| MadeMode {
             frequency_hz,

@@ -8,10 +8,10 @@
 use crate::modal::modes::Mode;
 use crate::signal::Record;
 
-/// What standard deviations from blocks of unequal strength lack.
+/// Correction of standard deviations from blocks of unequal power.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Unequal {
-    /// What variances from the blocks must be multiplied by, 1 where all blocks are alike.
+    /// Factor on variances from the blocks; 1 if all blocks have equal power.
     pub(crate) widening: f64,
     /// Equally strong blocks that would tell as much, 2 at least.
     pub(crate) time_blocks: usize,

@@ -1,4 +1,4 @@
-//! Machines told from modes: the motion near one frequency is random in strength if noise drives it, steady if a machine does.
+//! Distinguishes machines from modes: near one frequency the amplitude fluctuates under random forces, and is steady for a machine.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -60,16 +60,16 @@ impl Kurtosis {
 /// a_s = u* Σ_t h(t) y(t_s + t) e^(-2πi f t dt),   γ = 3/2 mean |a|⁴ / (mean |a|²)²      h: Hann's window, half overlapping
 /// γ = 3 - 3/2 p²                                                     p: share of the sine in the power of the band
 /// ```
-/// Two lengths of part are looked at, 1/64 and 1/256 of the record; the one further below 3 counts. The deviation is
-/// 3/√n with n independent strengths: the parts, or π 2ζf T/2 if the motion of a mode of damping ratio
-/// `damping_ratio_least` follows itself for longer.
+/// Two lengths of part are tested, 1/64 and 1/256 of the record; the result farther below 3 counts. The standard deviation is 3/√n with n
+/// independent amplitudes: the number of parts, or π 2ζf T/2 if the motion of a mode of damping ratio `damping_ratio_least` is correlated
+/// for longer.
 ///
 /// # Errors
 /// [`ModalError::Option`] for a frequency outside 0 … half the sampling rate; [`ModalError::Linalg`].
 ///
 /// # Limits
-/// A sine below 3/4 of the power of its band is not told from a mode. Traffic or gusts that come and go raise γ above 3 and
-/// can hide one. Fewer than 36 independent strengths tell nothing: at 1 Hz and ζ 0.2 % 96 minutes, at 7 Hz 14 minutes.
+/// A sine below 3/4 of the power of its band cannot be distinguished from a mode. Intermittent traffic or gusts raise γ above 3 and can
+/// hide a sine. Fewer than 36 independent amplitudes allow no conclusion: they need 96 minutes at 1 Hz and ζ 0.2 %, 14 minutes at 7 Hz.
 ///
 /// # Source
 /// Jacobsen, Andersen & Brincker (2007) Proc. 2nd IOMAC: kurtosis of the band-passed signal. Differs from the source:

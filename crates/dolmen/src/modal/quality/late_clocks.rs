@@ -22,7 +22,7 @@ const DELAY_MOST_S: f64 = 2.0;
 const EXPLAINED: f64 = 4.0;
 /// Deviations of a delay from none from which it counts. Chosen here.
 const DEVIATIONS: f64 = 5.0;
-/// Steps of the search turn the highest mode by so much, rad (5°).
+/// Phase of the highest mode in one step of the search, rad (5°).
 const TURN_STEP: f64 = PI / 36.0;
 
 /// The phase of one channel in one mode.
@@ -47,9 +47,9 @@ impl Phase {
 /// ```text
 /// y_c(t + τ) = φ_c q(t)   →   arg φ_c = 2π f_j τ + k π          in every mode j, k whole
 /// ```
-/// A channel is looked at whose phase is no shape's, in the modes that no other overlaps and at the peaks that none of these explains, two at
-/// least. Channels that stand in one place have one recorder, and one delay: where each asks for another, no clock is late. Where one of them
-/// agrees with the others, the delay is that of a channel's own filter.
+/// A channel is tested if its phase cannot come from a mode shape. The test uses modes without overlap and peaks that none of these explains, at
+/// least two. Channels at one place have one recorder and one delay: if they give different delays, no clock is late. If one of them agrees with
+/// the other channels, the delay comes from the filter of a channel.
 ///
 /// # Limits
 /// Forces that are not random alike, and machines, give peaks phases of their own: a delay counts that turns two of them or more.
@@ -145,7 +145,7 @@ fn agreeing(seen: &[Mode], l: usize) -> Vec<usize> {
     (0..l).rev().map(group).max_by_key(Vec::len).unwrap_or_default()
 }
 
-/// Channels by the place where they stand; one whose place is not known stands by itself.
+/// Channels grouped by place; a channel with an unknown place forms its own group.
 fn stations(modes: &Modes) -> Vec<Vec<usize>> {
     let mut all: Vec<Vec<usize>> = Vec::new();
     for (c, channel) in modes.channels.iter().enumerate() {
@@ -268,7 +268,7 @@ mod tests {
         [0.6, -1.0, 0.3, 0.9],
     ];
 
-    /// Four floors for ten minutes, each channel late by so many samples of 0.01 s.
+    /// Four floors for ten minutes; each channel is late by this number of samples of 0.01 s.
     fn measured(late: [usize; 4], seed: u64) -> Record {
         let mode = |(frequency_hz, shape): (f64, [f64; 4])| MadeMode {
             frequency_hz,
@@ -340,7 +340,8 @@ mod tests {
     const CORNERS: [&str; 6] = ["roof x", "roof y", "mid x", "mid y", "low x", "low y"];
     const PAIRS_HZ: [f64; 5] = [1.314, 1.611, 4.127, 5.056, 6.78];
 
-    /// Three floors × (x, y) for ten minutes, axes turned by 20°; these channels late by so many samples of 0.005 s, those as velocities.
+    /// Three floors × (x, y) for ten minutes, axes rotated by 20°; the given channels are late by this number of samples of 0.005 s, or measure
+    /// velocity.
     fn floors(seed: u64, (late, samples): (&[usize], usize), velocities: &[usize]) -> Record {
         let shape = |mode: usize| -> Vec<f64> {
             let (along, number) = (mode % 2, mode / 2);

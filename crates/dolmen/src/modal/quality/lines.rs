@@ -1,4 +1,4 @@
-//! Sines told from modes by the finest lines that a record has: a sine keeps its phase for the whole record, a mode forgets it.
+//! Distinguishes sines from modes by the finest lines of a record: a sine keeps its phase for the whole record, a mode does not.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -25,11 +25,11 @@ const LOBE: usize = 2;
 /// Gain from which a line is a sine. Chosen on the development seeds of `unkind_modes`: neighbours share two thirds of their amplitude under
 /// Hann's window, so that what chance does at one line counts about three times.
 const GAIN_LEAST: f64 = 30.0;
-/// What is left of a mode under a sine rises so far over the noise beside it, and is so wide, lines, or there is none.
+/// Least ratio of a mode under a sine to the noise beside it, and its least width in lines; below these there is no mode.
 const MODE_OVER_NOISE: f64 = 10.0;
 const MODE_WIDE: f64 = 4.0;
 
-/// What the finest lines say of a peak or mode.
+/// Result of the finest spectral lines for a peak or mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LineTest {
     /// The line that stands out most, Hz.
@@ -50,7 +50,7 @@ impl LineTest {
     }
 }
 
-/// Spectra of whole channels, made when they are asked for.
+/// Spectra of whole channels, computed at first use.
 pub(crate) struct FineLines<'a> {
     record: &'a Record,
     channels: BTreeMap<usize, Vec<Complex64>>,

@@ -18,7 +18,7 @@ const STRENGTH_MOST: f64 = 15.0;
 /// Peaks that were taken for something else than modes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SetAside {
-    /// Frequencies of machines, and of what nobody can tell from one, Hz.
+    /// Frequencies of machines, and of lines that cannot be distinguished from machines, Hz.
     pub(crate) tones_hz: Vec<f64>,
     /// Each peak as a mode, with the reason.
     pub(crate) peaks: Vec<Candidate>,
@@ -261,7 +261,7 @@ fn note_wandering(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) 
     modes.modes.retain(|mode| !is_left_out(mode));
 }
 
-/// What refused a mode that was taken out for the steadiness of its motion.
+/// The refusal of a mode that was removed because its amplitude is too steady.
 pub(crate) fn of_steady(mode: &Mode) -> Refusal {
     match mode.harmonic() {
         true => Refusal::Machine,

@@ -1,4 +1,4 @@
-//! What a record and its modes leave in doubt: machines, clocks, sensors, gusts, pairs under one peak.
+//! Checks of a record and its modes: machines, clocks, sensors, gusts, pairs of modes under one peak.
 
 mod clocks;
 mod gusts;

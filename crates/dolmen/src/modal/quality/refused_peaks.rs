@@ -1,9 +1,9 @@
-//! Why a peak of the spectrum is no mode: which test refused what stands there, and by how much.
+//! Finds which test refused the poles at a peak of the spectrum, and by how much.
 
 use super::remarks::near;
 use crate::modal::{Cluster, Clustering, Fate, JudgedPole, Refusal, Stability, Stabilization};
 
-/// The poles of one analysis and their groups, as they were judged.
+/// The poles of one analysis and their clusters, with the result of every test.
 pub(crate) struct Diagram<'a> {
     pub(crate) stabilization: &'a Stabilization,
     pub(crate) clusters: &'a [Cluster],
@@ -12,8 +12,8 @@ pub(crate) struct Diagram<'a> {
 }
 
 impl Diagram<'_> {
-    /// Why nothing at this peak is a mode: the group of poles with most orders there or, where none is possible, what most poles fail. `None`
-    /// where the modes are the peaks.
+    /// Why no pole at this peak became a mode. The reason is that of the cluster with the most orders near the peak; without a cluster it is
+    /// the test that most poles there failed. `None` if the method takes the peaks themselves as modes.
     pub(crate) fn refusal(&self, peak_hz: f64) -> Option<Refusal> {
         if self.stabilization.poles.is_empty() {
             return None;
@@ -83,14 +83,14 @@ impl Diagram<'_> {
         }
     }
 
-    /// What refused this group of poles.
+    /// The test that refused this cluster of poles.
     pub(crate) fn of_group(&self, group: &Cluster) -> Refusal {
         let clustering = self.clustering;
         let floor_hz = group.medoid.floor_hz(self.duration_s);
         match group.fate {
             Fate::Mode => Refusal::Machine,
             Fate::FewOrders => {
-                // as the groups were judged: a share of the orders from the first that shows it
+                // as in clustering: the required number is a share of the orders from the first order in the cluster
                 let mut orders: Vec<usize> = self.stabilization.poles.iter().map(|p| p.pole.order).collect();
                 orders.dedup();
                 let first = group.orders.first().copied().unwrap_or(0);

@@ -1,4 +1,4 @@
-//! What the modes of a record leave open: peaks without a mode, pairs, few cycles.
+//! Remarks on the modes of a record: peaks without a mode, pairs, few cycles.
 
 use crate::modal::{Method, Mode, Modes, Note, Refusal, RefusedPeak};
 

@@ -1,4 +1,4 @@
-//! What the shapes tell of the sensors: units that differ, channels that stand still, clocks that are late.
+//! Checks of the sensors by the mode shapes: different units, constant channels, delayed clocks.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -20,7 +20,7 @@ const PHASE_DEVIATIONS: f64 = 4.0;
 const PHASE_ONCE: f64 = 45.0 * TAU / 360.0;
 const PHASE_TWICE: f64 = 30.0 * TAU / 360.0;
 
-/// What the channels of a record measure, where it differs.
+/// Measured quantities of the channels of a record, if they differ.
 pub(crate) struct Quantities {
     /// How often each differentiates displacement, and what most do; `None` where one is not known or all measure the same.
     orders: Option<(Vec<i32>, ShapeQuantity)>,

@@ -1,4 +1,4 @@
-//! Modes told from what footsteps leave: a mode stands out while nobody walks, too.
+//! Distinguishes modes from the effect of footsteps: a mode remains visible while nobody walks.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -14,7 +14,7 @@ use crate::signal::Record;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// Lines on each side that are looked at: beyond the main lobe.
+/// Lines examined on each side, outside the main lobe.
 const BESIDE: RangeInclusive<usize> = 4..=12;
 /// A mode stands out of what is beside it at least so far. Chosen on the development seeds of `unkind_modes`: of 271 modes the least has 2.7, of
 /// 38 lines that footsteps left 36 have less than 1.7.
@@ -60,7 +60,7 @@ pub(super) fn note_spells(found: Vec<InSpells>, notes: &mut Vec<Note>) {
     notes.push(Note::InSpells { modes: all });
 }
 
-/// What a mode is in spells, if it stands out of what is beside it there alone.
+/// Result for a mode that stands out of its surroundings only in some periods.
 ///
 /// ```text
 /// p/q < 2   in the half of the windows in which the structure moves least,

@@ -1,4 +1,4 @@
-//! Machines whose strength or speed wanders, told from modes: random forces change a motion along itself and across itself alike.
+//! Distinguishes modes from machines of variable amplitude or speed: random forces change a motion equally in phase and in quadrature.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -63,9 +63,9 @@ impl std::fmt::Display for Wander {
 /// ```text
 /// w_s = a_(s+1) − ρ a_s,   R = mean cos 2 arg(w_s (ρ a_s)*),   sd R = 1/√(2n)
 /// ```
-/// Under Gaussian forces a is circular whatever its spectrum and however its strength comes and goes: w and a are independent, and ψ is even on the
-/// circle. A machine changes its speed more than its strength (R < 0), or the other way round (R > 0), however slowly. Lengths of parts are
-/// tried from 1/64 of the record down, each half of the one before, to 16 cycles; the one furthest from 0 counts.
+/// Under Gaussian forces a is circular for any spectrum and any slow variation of their intensity: w and a are independent, and ψ is uniform on the
+/// circle. A machine changes its speed more than its amplitude (R < 0), or the reverse (R > 0), however slowly. The lengths of parts go from 1/64
+/// of the record down to 16 cycles, each half of the previous one; the value farthest from 0 counts.
 ///
 /// # Errors
 /// [`ModalError::Linalg`].
@@ -128,7 +128,7 @@ mod tests {
     use crate::numeric::Random;
     use std::f64::consts::PI;
 
-    /// A quantity of mean square 1 that wanders over so many steps.
+    /// A slowly varying quantity with mean square 1 over this number of steps.
     fn slow(random: &mut Random, length: usize, steps: f64) -> Vec<f64> {
         let rho = (-1.0 / steps).exp();
         let (mut fast, mut smooth) = (0.0, 0.0);

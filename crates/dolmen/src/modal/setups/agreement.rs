@@ -11,7 +11,7 @@ pub struct Agreement {
     pub spread: f64,
     /// Σ (x - mean)²/σ²; `None` where a deviation is not known.
     pub chi_squared: Option<f64>,
-    /// Probability of so much or more by chance, χ² with S - 1 degrees of freedom.
+    /// Probability of a χ² at least this large by chance, with S - 1 degrees of freedom.
     pub p: Option<f64>,
 }
 
@@ -31,7 +31,7 @@ pub(super) type Estimate = (f64, Option<f64>);
 pub(super) struct Mean {
     pub(super) value: f64,
     pub(super) sd: Option<f64>,
-    /// Of the deviation, where the spread of the setups made it.
+    /// Degrees of freedom of the standard deviation, if it comes from the spread of the setups.
     pub(super) degrees_of_freedom: Option<f64>,
     pub(super) agreement: Agreement,
 }

@@ -20,7 +20,7 @@ use dolmen_linalg::{LinalgError, Matrix, Operator, qr, solve_lower, solve_lower_
 /// Hankel matrices of one setup, sensors turned as the first setup has them; those that stay come first, in the order of their places.
 pub(super) struct Setup {
     whole: FuturePast,
-    /// Of each block of time, what it adds.
+    /// Deviation of each block of time.
     deviations: Vec<BlockHankel>,
     channels: usize,
     /// Sensors that stay.
@@ -157,11 +157,11 @@ impl Excitation {
     }
 }
 
-/// What the deviations of all blocks of time are taken from.
+/// Quantities from which the deviations of all blocks of time are computed.
 struct Stacked<'a> {
     setups: &'a [Setup],
     basis: Matrix,
-    /// Of the singular value decomposition of [`ReferenceHankels`].
+    /// From the singular value decomposition of [`ReferenceHankels`].
     beside_x: Matrix,
     /// Z_sᵀ.
     transposed: Vec<Matrix>,
@@ -256,7 +256,7 @@ pub(super) fn stacked(
 type Change<'a> = (Matrix, Option<&'a [usize]>);
 
 impl Stacked<'_> {
-    /// What the deviation of a block of time of the setup at `index` changes in the product of the stacked matrix with X.
+    /// First-order change of the product of the stacked matrix with X by the deviation of one block of time of the setup at `index`.
     fn changes(&self, index: usize, deviation: &BlockHankel) -> Result<Vec<Change<'_>>, ModalError> {
         let setup = &self.setups[index];
         let (basis, rows) = (&self.basis, self.basis.rows());
@@ -323,7 +323,7 @@ mod tests {
         (Complex64::new(-zeta, (1.0 - zeta * zeta).sqrt()) * omega * STEP_S).exp()
     }
 
-    /// Re Σ φ λ^k gᵀ of the channels of one setup, g whatever shook it; φ and λ of modes whose frequencies are `more` as large.
+    /// Re Σ φ λ^k gᵀ for the channels of one setup, with the excitation g; φ and λ of modes whose frequencies are multiplied by `more`.
     fn lags_of(channels: &[usize], g: &[[Complex64; 6]; 3], more: f64) -> Vec<f64> {
         let entry = |k: usize, a: usize, b: usize| -> f64 {
             let of = MODES.iter().zip(&SHAPES).zip(g);
@@ -407,7 +407,7 @@ mod tests {
         let found = stacked(&setups, 6, &ssi, 100.0).unwrap();
         assert_eq!(found.moved.len(), 6);
         let mut together = found.clone();
-        // blocks 0, 2 and 4 at once, and their opposites
+        // blocks 0, 2 and 4 together, and their opposites
         together.moved = (0..2)
             .map(|sign| {
                 let two = found.moved[sign].plus(&found.moved[2 + sign]);

@@ -1,4 +1,4 @@
-//! Several setups of one survey, each identified by itself, put together by the sensors that stayed.
+//! Merges the setups of a survey, each identified separately, through the sensors that stayed in place.
 //!
 //! φ_s, r and α_s: see merged_mode.rs; f_s, σ_s: frequency (or damping ratio) in setup s and its deviation.
 
@@ -52,7 +52,7 @@ pub struct MergedSetups {
     pub reference_faults: Vec<ReferenceFault>,
 }
 
-/// Frequencies of two setups so near, relative, may be one mode whatever the shapes. Chosen here.
+/// Relative difference up to which frequencies of two setups may belong to one mode whatever the shapes. Chosen here.
 const ONE_FREQUENCY: f64 = 0.02;
 
 /// Modes of several setups put together (post-separate estimation re-scaling).
@@ -195,7 +195,7 @@ mod tests {
         }
     }
 
-    /// Exact modes of four floors, seen at the channels named, each shape scaled by itself.
+    /// Exact modes of four floors at the given channels, each shape with its own scale.
     fn setup(channels: &[usize], scale: Complex64, factor: f64) -> Modes {
         let made = ReferenceCase::ClosePairs.made(0).unwrap();
         let mode = |m: &crate::modal::MadeMode| Mode {

@@ -20,7 +20,7 @@ pub struct MergedMode {
     pub frequency_hz: Vec<f64>,
     /// Damping ratio in each setup.
     pub damping_ratio: Vec<Option<f64>>,
-    /// What the shape of each setup was multiplied by; 1 for the first.
+    /// Factor on the shape of each setup; 1 for the first.
     pub scale: Vec<Complex64>,
     /// Assurance of each setup's shape with those before it, at the places both show; `None` for the first, and with fewer than two.
     pub reference_assurance: Vec<Option<f64>>,

@@ -1,4 +1,4 @@
-//! Which mode of one occasion is which of another: by frequency and shape, all at once.
+//! Pairs the modes of two occasions by frequency and shape, all at the same time.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -16,13 +16,13 @@ use dolmen_linalg::Complex64;
 const UNPAIRED: f64 = 1.0;
 /// Cost of what must not be paired: more than any sum of others.
 const FORBIDDEN: f64 = 1e6;
-/// What a mode without a partner costs where as many pairs as possible are wanted.
+/// Cost of a mode without a partner if the number of pairs is to be as large as possible.
 const UNPAIRED_AT_ALL: f64 = 1e3;
 /// MAC from which two modes may be one, however far their frequencies are apart. Chosen here.
 const LIKE_LEAST: f64 = 0.8;
 /// Directions of two sensors are the same, or opposite, if their cosine is so near 1: 2.6°.
 const PARALLEL: f64 = 0.999;
-/// Fewer places than this say nothing of a shape: one alone is always like itself.
+/// Fewest common places for comparing shapes: with a single place any two shapes are equal.
 const PLACES_LEAST: usize = 2;
 
 /// Options of [`pair_modes`].
@@ -47,7 +47,7 @@ impl Default for Pairing {
     }
 }
 
-/// What one sensor, or one point of a survey, shows of a mode.
+/// Displacement of a mode at one sensor or one point of a survey.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObservedPoint {
     /// The sensor: its name, place and direction.
@@ -143,7 +143,7 @@ pub struct ModePair {
     pub assurance: Option<f64>,
     /// Places that both show.
     pub places: usize,
-    /// What the whole pairing costs more if these two must not be a pair, 0 to 1.
+    /// Increase of the cost of the whole pairing if these two must not be a pair, 0 to 1.
     pub margin: f64,
 }
 
@@ -259,7 +259,7 @@ pub fn pair_modes(
     })
 }
 
-/// What modes without a partner may be: the one with the likest shape, or, without shapes, the next in order of frequency.
+/// Possible counterparts of modes without a partner: the mode with the most similar shape, or, without shapes, the next in order of frequency.
 fn moved_further(
     only_first: &[usize],
     only_second: &[usize],
@@ -328,7 +328,7 @@ struct Likeness {
     cost: f64,
     assurance: Option<f64>,
     places: usize,
-    /// They point along different directions.
+    /// The two point along different directions.
     strangers: bool,
 }
 

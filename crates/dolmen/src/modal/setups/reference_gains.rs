@@ -1,4 +1,4 @@
-//! Sensors that stay through several setups, held against themselves: one whose gain or sense is another in one setup.
+//! Checks the reference sensors of several setups against each other: a sensor may have another gain or sign in one setup.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
@@ -18,7 +18,8 @@ const NOT_STATED: f64 = 0.05;
 /// Least change of a factor that a note names, beside four of its deviations. Chosen here: well above what sensors of one kind differ by.
 const CHANGE_LEAST: f64 = 0.15;
 const DEVIATIONS: f64 = 4.0;
-/// One factor must leave so many times less unexplained than none, and than a factor of any other sensor.
+/// Factor by which one sensor's factor must reduce the unexplained variance, compared with no factor and with a factor of any other
+/// sensor.
 const EXPLAINS: f64 = 4.0;
 const TOLD_APART: f64 = 2.0;
 /// Modes that must show it.
@@ -29,11 +30,11 @@ const ROUNDS: usize = 30;
 /// A sensor that stays and is not the same in two setups.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReferenceFault {
-    /// The setup at fault and the one that it is held against, from 0; of two setups alone either may be at fault.
+    /// The setup at fault and the setup of comparison, from 0; with only two setups either may be at fault.
     pub setups: [usize; 2],
-    /// The sensors that explain it: one, or those that cannot be told apart.
+    /// The sensors that explain the difference: one, or several that cannot be distinguished.
     pub channels: Vec<String>,
-    /// What the first of them shows in the first of the setups over what it should; negative: turned round.
+    /// Ratio of the measured to the expected displacement of the first sensor in the first setup; negative if the sensor was reversed.
     pub factor: f64,
     /// Its standard deviation.
     pub factor_sd: f64,
@@ -213,7 +214,7 @@ impl Shared {
     }
 }
 
-/// What the factors of the sensors leave unexplained, over its variance.
+/// Variance that the factors of the sensors leave unexplained, relative.
 fn left(modes: &[Shared], factors: &[f64]) -> f64 {
     let of = |mode: &Shared| -> f64 {
         let (scale, _) = mode.scale(factors, None);

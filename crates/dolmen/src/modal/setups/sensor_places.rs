@@ -28,7 +28,7 @@ impl SensorPlaces {
         }
     }
 
-    /// The places that so many setups have.
+    /// The places that at least this number of setups have.
     pub(super) fn seen_by(&self, setups: usize) -> Vec<usize> {
         (0..self.seen.len()).filter(|&c| self.seen[c] >= setups).collect()
     }

@@ -196,7 +196,7 @@ fn refine(mode: &mut Mode, bell: &Bell, (peak, step_hz, lines): (usize, f64, usi
     let damped_hz = peak as f64 * step_hz + turn_hz;
     let frequency_hz = damped_hz.hypot(decay / (2.0 * PI));
     let zeta = decay / (2.0 * PI * frequency_hz);
-    // a decay that is not that of the peak: its frequency has left the bell, or its damping is none of a mode
+    // the decay does not belong to the peak: its frequency is outside the bell, or its damping is not that of a mode
     let away_hz = (frequency_hz - peak as f64 * step_hz).abs();
     let far = away_hz > (LINES_AWAY * step_hz).max(zeta * frequency_hz);
     if !(zeta > 0.0 && zeta <= Criteria::default().damping_ratio_most && frequency_hz.is_finite()) || far {

@@ -34,9 +34,9 @@ pub struct Fdd {
     /// Height of a peak over the higher of the two saddles beside it, dB; default 8: five standard deviations of a
     /// line that averages 30 parts, on either side (ours).
     pub prominence_db: f64,
-    /// Lowest frequency looked at, Hz; default 0.
+    /// Lowest frequency of the analysis, Hz; default 0.
     pub frequency_low_hz: f64,
-    /// Highest frequency looked at, Hz; `None` (default): half the sampling rate.
+    /// Highest frequency of the analysis, Hz; `None` (default): half the sampling rate.
     pub frequency_high_hz: Option<f64>,
 }
 
@@ -69,12 +69,12 @@ pub struct SingularSpectrum {
 pub struct FddResult {
     /// Modes without damping: frequency at the line (refined by a parabola through three), first singular vector.
     pub modes: Modes,
-    /// What was looked at.
+    /// The spectrum of the analysis.
     pub spectrum: SingularSpectrum,
     pub(super) at_peaks: Vec<AtPeak>,
 }
 
-/// What the spectral matrix says at one peak.
+/// Singular values and vectors of the spectral matrix at one peak.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct AtPeak {
     pub(super) frequency_hz: f64,
@@ -124,8 +124,7 @@ impl FddResult {
 /// [`ModalError::TooShort`], [`ModalError::Option`], [`ModalError::Linalg`]. No peak is no error: `modes` is empty.
 ///
 /// # Limits
-/// Of two modes closer than about 2/(M dt) only one peak is seen; damping is not estimated: `efdd` and the subspace methods
-/// do that.
+/// Two modes closer than about 2/(M dt) appear as one peak. Damping is not estimated: use `efdd` or the subspace methods.
 ///
 /// # Source
 /// Brincker, Zhang & Andersen (2001) Smart Mater. Struct. 10:441-445. Differs from the source: spectra come from
@@ -229,8 +228,8 @@ pub(crate) fn peaks_of(
     })
 }
 
-/// Deviation of each component of the first singular vector of a matrix averaged over so many parts, its largest component 1, in one direction
-/// of the complex plane.
+/// Standard deviation of each component of the first singular vector of a matrix averaged over this number of parts, in one direction of the
+/// complex plane. The largest component is 1.
 ///
 /// ```text
 /// var u₁(c) = Σ_(k > 1) |u_k(c)|² s₁ s_k / ((s₁ − s_k)² ν)

@@ -1,8 +1,8 @@
-//! Standard deviations of the poles of a matrix fraction, from the scatter of the correlations between blocks of time.
+//! Standard deviations of the poles of a matrix fraction, from the scatter of the correlations over blocks of time.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | dα | `changes` | change of the denominator when one block's deviation is added to the correlations | p r × r |
+//! | dα | `changes` | change of the denominator when the deviation of one block is added to the correlations | p r × r |
 //! | v, w | `right`, `left` | A(λ) v = 0, wᵀ A(λ) = 0 | r |
 
 use super::fraction_fit::Fit;
@@ -18,10 +18,11 @@ use dolmen_linalg::{Complex64, ComplexMatrix, Matrix, hermitian_eigen};
 /// ```text
 /// dα_j = α(R + dR_j) - α(R);   dλ = -wᵀ dA(λ) v / wᵀ A'(λ) v;   var f = b/(b-1) Σ df²      over the b blocks of time
 /// ```
-/// dR_j is a block's share in the mean, less the mean's own, so that the sum is that of the jackknife. Shapes have none.
+/// dR_j is the contribution of block j to the mean, minus the mean contribution, so that the sum equals that of the
+/// jackknife. Shapes get no standard deviation.
 pub(crate) struct FractionScatter<'a> {
     fraction: &'a MatrixFraction,
-    /// Sums of the mean, then of each block's change; made when they are first asked for.
+    /// Spectral sums of the mean, followed by those of each block's change; computed at first use.
     sums: Vec<Sums>,
     degrees: Vec<Option<Degree>>,
 }
@@ -41,7 +42,7 @@ impl<'a> FractionScatter<'a> {
         }
     }
 
-    /// Changes of frequency, Hz, and damping ratio by each block of time.
+    /// Changes of frequency, Hz, and damping ratio due to each block of time.
     fn changes(&mut self, pole: &Pole) -> Result<Vec<[f64; 2]>, ModalError> {
         let (fraction, r) = (self.fraction, self.fraction.references.len());
         let beta = -fraction.options.window_end.ln() / fraction.options.lags as f64;
@@ -64,7 +65,7 @@ impl<'a> FractionScatter<'a> {
                 }
                 power *= windowed;
             }
-            // λ itself is e^β times the windowed pole
+            // λ is e^β times the pole of the windowed correlations
             let d_lambda = -through(&moved) / slope * beta.exp();
             frequency_and_damping(pole, d_lambda, fraction.sampling_rate_hz)
         };
@@ -132,7 +133,7 @@ impl Deviations for FractionScatter<'_> {
     }
 }
 
-/// v and w with A v = 0 and wᵀ A = 0, A row by row.
+/// Null vectors v and w with A v = 0 and wᵀ A = 0. `a` is stored row by row.
 fn null_vectors(a: &[Complex64], r: usize) -> Result<(Vec<Complex64>, Vec<Complex64>), ModalError> {
     let of_right = ComplexMatrix::from_fn(r, r, |i, j| {
         (0..r).map(|k| a[k * r + i].conj() * a[k * r + j]).sum()
@@ -151,7 +152,7 @@ fn null_vectors(a: &[Complex64], r: usize) -> Result<(Vec<Complex64>, Vec<Comple
     Ok((right, left.iter().map(Complex64::conj).collect()))
 }
 
-/// Without the rounding that makes a product of A and A* less than Hermitian.
+/// Makes a product of A and A* exactly Hermitian, by removing its rounding error.
 fn hermitian(a: ComplexMatrix, r: usize) -> ComplexMatrix {
     ComplexMatrix::from_fn(r, r, |i, j| 0.5 * (a[(i, j)] + a[(j, i)].conj()))
 }

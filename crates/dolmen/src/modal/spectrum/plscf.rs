@@ -44,10 +44,10 @@ pub struct MatrixFraction {
 /// min Σ_ω |B(ω) - S⁺(ω) A(ω)|²,  A = I + Σ α_k z^k,  B = Σ β_k z^k,  z = e^(iω),  k ≤ p
 /// det A(λ) = 0;  μ = (ln λ + β)/dt;  f = |μ|/2π;  ζ = -Re μ/|μ|;  shape = B(λ) v with A(λ) v = 0
 /// ```
-/// At these lines the sum that ends at lag M is a rational function of z for every mode (λ^(M+1) is the same at each): nothing
-/// leaks, whatever the window. It lowers what noise the late lags bring, and β takes its decay out of the damping. A constant
-/// in S⁺, where white sensor noise stands, is one of the numerator. With the lowest coefficient held at I, poles that fit noise
-/// lie outside the unit circle: they grow, and are left out.
+/// At these lines the sum that ends at lag M is a rational function of z for every mode (λ^(M+1) is the same at each line), so
+/// there is no leakage with any window. The window reduces the noise of late lags, and β removes its decay from the damping. A
+/// constant in S⁺, such as white sensor noise, becomes part of the numerator. With the lowest coefficient fixed at I, poles that
+/// fit noise are outside the unit circle: they grow in time, and are left out.
 ///
 /// # Errors
 /// [`ModalError::Option`], [`ModalError::TooShort`], [`ModalError::Linalg`].

@@ -1,33 +1,33 @@
-//! Few reference channels that see what all channels see, chosen from the spectrum.
+//! Selects a few reference channels that represent the motion of all channels, from the spectrum.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | M | `seen` | Re Σ S(f)/tr S(f) over the peaks f of the spectrum | l × l |
-//! | M_k | `left` | what of M no linear function of the k channels taken explains | l × l |
+//! | M_k | `left` | residual of M after linear regression on the k selected channels | l × l |
 
 use dolmen_linalg::Matrix;
 
-/// Channels are taken until what they leave of the motion at the peaks is at most this share. Chosen here, on the records of the book: a
-/// tenth leaves 2 of 8 channels for close pairs, a hundredth takes nearly all.
+/// Channels are selected until the residual motion at the peaks is at most this fraction. Chosen here, on the records of the book: a
+/// tenth selects 2 of 8 channels for close pairs, a hundredth nearly all.
 const LEFT_MOST: f64 = 0.1;
-/// Fewest: it takes two references to tell apart two modes of one frequency.
+/// Fewest channels: two modes of the same frequency need two references.
 const LEAST: usize = 2;
 
-/// Reference channels, and how much they keep.
+/// Reference channels, and the fraction of the motion that they represent.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ReferenceChannels {
-    /// By index, ascending.
+    /// Indices of the channels, ascending.
     pub(crate) channels: Vec<usize>,
-    /// Share of the motion at the peaks that they explain, 0 to 1.
+    /// Fraction of the motion at the peaks that the channels explain, 0 to 1.
     pub(crate) kept: f64,
 }
 
-/// The channels that keep the most of the motion at the peaks, taken one after the other (pivoted Cholesky).
+/// Selects one channel after the other, each time the one that explains most of the remaining motion at the peaks (pivoted Cholesky).
 ///
 /// ```text
 /// c_k = argmax diag M_k;   M_(k+1) = M_k - m mᵀ/m_c,  m = column c_k of M_k;   until tr M_k ≤ .1 tr M         shape: l × l
 /// ```
-/// Each peak counts alike, however strong it is. M is the whole where there are no peaks to tell: all channels.
+/// Every peak has the same weight, however strong. Without peaks M is the whole spectrum, and all channels are selected.
 pub(crate) fn keeping_most(seen: &Matrix) -> ReferenceChannels {
     let l = seen.rows();
     let trace = |m: &Matrix| (0..l).map(|c| m[(c, c)].max(0.0)).sum::<f64>();
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn exact_channels_of_two_shapes_are_the_strongest_and_the_one_that_differs_most() {
-        // channel 3 has most; then what it does not explain is largest at channel 1
+        // channel 3 has the largest motion; the residual is then largest at channel 1
         let found = keeping_most(&of(&[[0.1, 0.3, 0.2, 1.0, 0.4], [0.2, -0.7, 0.1, 1.0, 0.3]]));
         assert_eq!(found.channels, [1, 3]);
         assert!((found.kept - 1.0).abs() < 1e-12, "{found:?}");
@@ -85,14 +85,14 @@ mod tests {
 
     #[test]
     fn exact_share_that_two_channels_keep_of_three_shapes_by_hand() {
-        // e0 e0ᵀ + e1 e1ᵀ + e2 e2ᵀ: each channel holds a third, and two leave more than a tenth
+        // e0 e0ᵀ + e1 e1ᵀ + e2 e2ᵀ: each channel has a third of the motion, and two leave more than a tenth
         let apart = [
             [1.0, 0.0, 0.0, 0.0, 0.0],
             [0.0, 1.0, 0.0, 0.0, 0.0],
             [0.0, 0.0, 1.0, 0.0, 0.0],
         ];
         assert_eq!(keeping_most(&of(&apart)).channels, [0, 1, 2]);
-        // one shape alone: two channels all the same, and nothing is left
+        // a single shape: still two channels, and no residual
         let one = keeping_most(&of(&[[0.0, 0.0, 2.0, 1.0, 0.0]]));
         assert_eq!((one.channels.len(), one.channels.contains(&2)), (2, true));
         assert!((one.kept - 1.0).abs() < 1e-12);

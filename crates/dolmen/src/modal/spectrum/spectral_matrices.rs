@@ -15,8 +15,8 @@ use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use std::cmp::Ordering;
 
-/// Sums of products of so many bytes are held at once: of a record of many channels those of some rows of the matrices, in as many passes
-/// as it takes.
+/// Largest memory for sums of products, bytes. For a record of many channels only some rows of the matrices are computed at a time, in
+/// several passes.
 const SUMS_BYTES: usize = 3 << 24;
 /// Bytes of a sum, complex.
 const SUM_BYTES: usize = 16;

@@ -1,4 +1,4 @@
-//! What tells an earthquake from other motion, before it is judged.
+//! Features of a strong motion that distinguish an earthquake from other motion.
 
 use super::levels::{Levels, Motion, peak_of};
 use super::shaking::{Shaking, ShakingKind};
@@ -6,47 +6,49 @@ use crate::signal::{Quantity, Record};
 use realfft::RealFftPlanner;
 use std::f64::consts::PI;
 
-/// Windows within which the growth of the score counts: two seconds.
+/// Number of windows over which the growth of the score is measured: two seconds.
 const GROWTH_WINDOWS: usize = 4;
-/// Share of the largest score from which on growing again counts.
+/// Fraction of the largest score from which renewed growth counts.
 const REGROWN_LEAST: f64 = 0.25;
-/// Highest lines of the spectrum, and lines on either side of each.
+/// Number of highest spectral lines, and of lines on each side of them.
 const LINES: usize = 4;
 const BESIDE: usize = 2;
-/// Sample over the level of the noise with which it begins: a Gaussian noise has one in 10⁵ above 3 deviations.
+/// Ratio of a sample to the noise level at which the motion begins. Gaussian noise has one sample in 10⁵ above 3 standard deviations.
 const BEGINS: f64 = 6.5;
-/// Shares of the energy between which the motion is strong (Husid; Trifunac and Brady 1975).
+/// Fractions of the energy at the start and end of the strong phase (Husid; Trifunac and Brady 1975).
 const STRONG: [f64; 2] = [0.05, 0.95];
 
-/// Share of the channels that may miss it.
+/// Fraction of the channels that may not show the motion.
 const MISSING: f64 = 0.25;
-/// Frequencies that traffic does not shake, Hz: its wheels and axles drive the ground at 5 to 30 Hz, and an earthquake that is felt all below.
+/// Frequency range without traffic, Hz: wheels and axles excite the ground at 5 to 30 Hz, but an earthquake that can be felt excites all lower
+/// frequencies.
 const LOW_HZ: [f64; 2] = [0.5, 2.0];
-/// Lowest sampling rate at which these are seen, Hz.
+/// Lowest sampling rate that includes this range, Hz.
 const RATE_LEAST_HZ: f64 = 5.0;
-/// Least time of the strong phase that is looked at, and of the quiet beside it, at least, at most and how far from it, s.
+/// Least duration of the strong phase in the test; least and largest duration of the quiet part beside it, and largest distance to it, s.
 const STRONG_LEAST_S: f64 = 4.0;
 const QUIET_LEAST_S: f64 = 8.0;
 const QUIET_MOST_S: f64 = 60.0;
 const APART_S: f64 = 1.0;
 
-/// What tells an earthquake from other motion.
+/// Features of a strong motion.
 #[derive(Clone, Debug)]
 pub(super) struct Features {
     pub(super) shaking: Shaking,
-    /// From the first sample above the noise to the peak of the channel that has its own last, s.
+    /// Time from the first sample above the noise to the peak of the channel with the latest peak, s.
     pub(super) latest_peak_s: f64,
-    /// How much it grows again after its peak.
+    /// Relative growth after the peak.
     pub(super) regrowth: f64,
-    /// Share of the power in the highest lines, of the channel that has least there.
+    /// Fraction of the power in the highest spectral lines, for the channel with the smallest fraction.
     pub(super) in_lines: f64,
-    /// How often its motion from 0.5 to 2 Hz is that of the quiet, of the channel in which that grows least; `None` where the record cannot tell.
+    /// Ratio of the motion from 0.5 to 2 Hz to that of the quiet part, for the channel with the smallest ratio; `None` if the record cannot give
+    /// it.
     pub(super) low_growth: Option<f64>,
     pub(super) peak_m_s2: Option<f64>,
     pub(super) peak_m_s: Option<f64>,
 }
 
-/// Of one motion; `None` of one without a sample.
+/// The features of one motion; `None` for a motion without samples.
 pub(super) fn features(
     record: &Record,
     levels: &Levels,
@@ -110,7 +112,7 @@ pub(super) fn features(
     })
 }
 
-/// From the first sample above the noise on any channel to the peak of the channel that has its own last, s.
+/// Time from the first sample above the noise on any channel to the peak of the channel with the latest peak, s.
 fn latest_peak_s(shaken: &[&[f64]], levels: &Levels) -> f64 {
     let noise = &levels.noise;
     let samples = shaken.first().map_or(0, |own| own.len());
@@ -124,7 +126,7 @@ fn latest_peak_s(shaken: &[&[f64]], levels: &Levels) -> f64 {
     levels.live().map(peak_of).max().unwrap_or(0) as f64 / levels.rate_hz
 }
 
-/// Share of the power in the highest lines, of the channel that has least there.
+/// Fraction of the power in the highest spectral lines, for the channel with the smallest fraction.
 fn in_lines(shaken: &[&[f64]], levels: &Levels) -> f64 {
     let length = shaken.first().map_or(0, |own| own.len()).max(2);
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(length);
@@ -132,7 +134,7 @@ fn in_lines(shaken: &[&[f64]], levels: &Levels) -> f64 {
         let mut part = shaken[c].to_vec();
         part.resize(length, 0.0);
         let mut lines = transform.make_output_vec();
-        // the lengths are those it asked for
+        // the buffers have the required lengths
         let _ = transform.process(&mut part, &mut lines);
         let mut power: Vec<f64> = lines.iter().map(|line| line.norm_sqr()).collect();
         let (all, mut high) = (power.iter().sum::<f64>(), 0.0);
@@ -147,7 +149,7 @@ fn in_lines(shaken: &[&[f64]], levels: &Levels) -> f64 {
     levels.live().map(share).fold(1.0, f64::min)
 }
 
-/// Root of the power from 0.5 to 2 Hz in the strong phase over that of the quiet before it, else after it; a quarter of the channels may have less.
+/// RMS from 0.5 to 2 Hz in the strong phase over that of the quiet part before it, or else after it. A quarter of the channels may have less.
 fn low_growth(levels: &Levels, [from, strong_to]: [usize; 2], end: usize) -> Option<f64> {
     let of_s = |s: f64| (s * levels.rate_hz) as usize;
     let length = levels.steady.first().map_or(0, Vec::len);
@@ -170,14 +172,14 @@ fn low_growth(levels: &Levels, [from, strong_to]: [usize; 2], end: usize) -> Opt
     each.get((MISSING * each.len() as f64) as usize).copied()
 }
 
-/// Mean power a line from 0.5 to 2 Hz (Hann).
+/// Mean power per spectral line from 0.5 to 2 Hz (Hann window).
 fn low_power(part: &[f64], rate_hz: f64) -> f64 {
     let n = part.len() as f64;
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(part.len());
     let window = |(t, x): (usize, &f64)| x * (PI * (t as f64 + 0.5) / n).sin().powi(2);
     let mut windowed: Vec<f64> = part.iter().enumerate().map(window).collect();
     let mut lines = transform.make_output_vec();
-    // the lengths are those it asked for
+    // the buffers have the required lengths
     let _ = transform.process(&mut windowed, &mut lines);
     let [low, high] = LOW_HZ.map(|hz| hz * n / rate_hz);
     let (first, last) = (low.ceil() as usize, (high.floor() as usize).min(lines.len() - 1));
@@ -185,7 +187,7 @@ fn low_power(part: &[f64], rate_hz: f64) -> f64 {
     own.iter().map(|line| line.norm_sqr()).sum::<f64>() / (own.len() as f64 * n)
 }
 
-/// Samples behind the start of the span at which the shares of the energy have come.
+/// Samples after the start of the span at which the fractions of the energy are reached.
 fn husid(shaken: &[&[f64]], weights: &[(usize, f64)]) -> [usize; 2] {
     let samples = shaken.first().map_or(0, |own| own.len());
     let mut sum = 0.0;

@@ -12,7 +12,7 @@ use std::ops::Range;
 
 /// Length of a window, s: longer than a footfall, shorter than the strong part of an earthquake. Chosen here.
 const WINDOW_S: f64 = 1.0;
-/// What is slower than this is drift of a sensor, s.
+/// Period above which motion counts as drift of the sensor, s.
 const SLOW_S: f64 = 4.0;
 /// Share of the channels that may miss the earthquake: dead, loose, or off by themselves.
 const MISSING: f64 = 0.25;
@@ -35,7 +35,7 @@ pub(super) struct Levels {
     pub(super) rate_hz: f64,
     /// Samples from one window to the next.
     hop: usize,
-    /// Each channel without its drift, once it is asked for.
+    /// Each channel without its drift, computed at first use.
     pub(super) steady: Vec<Vec<f64>>,
     /// Noise of each channel.
     pub(super) noise: Vec<f64>,
@@ -143,7 +143,7 @@ fn steady(record: &Record, c: usize, lost_s: &[[f64; 2]]) -> Vec<f64> {
     own
 }
 
-/// The channel less the average of what came before: a centred one would carry an arrival forward in time.
+/// The channel minus the average of earlier samples: a centred average would shift an arrival to an earlier time.
 pub(super) fn without_drift(x: &[f64], length: usize) -> Vec<f64> {
     let mut sums = Vec::with_capacity(x.len() + 1);
     sums.push(0.0);

@@ -1,6 +1,6 @@
-//! What a record misses, beside its samples.
+//! Missing samples and time of a record.
 
-/// What a record misses.
+/// Missing samples and time of a record.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Losses {
     /// Times at which samples were lost and are filled in, from and to, s from its first sample.

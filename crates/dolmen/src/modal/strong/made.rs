@@ -1,4 +1,5 @@
-//! A made record of an earthquake: two storeys whose stiffness changes in it, with what was before and after.
+//! A simulated record of an earthquake: two storeys whose stiffness changes during the shaking, with the motion
+//! before and after.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|

@@ -1,4 +1,4 @@
-//! Records that hold earthquakes: told from ambient vibration, and what the structure did before, in, between and after them.
+//! Records with earthquakes: their detection, and the behaviour of the structure before, during, between and after them.
 
 mod detection;
 mod features;

@@ -12,7 +12,7 @@ use crate::modal::{Method, Mode, Modes};
 use crate::signal::Record;
 use dolmen_linalg::Complex64;
 
-/// Shortest part in which modes are sought, s. Chosen here: below it standard deviations from blocks of time mean little.
+/// Shortest part for identifying modes, s. Chosen here: in shorter parts standard deviations from blocks of time are unreliable.
 const PART_LEAST_S: f64 = 40.0;
 /// Seconds that are kept from the earthquake: before it the length of a window; after it what a structure at 2 Hz and 2 % of damping takes to
 /// forget a swing of twice the noise.
@@ -21,10 +21,10 @@ const SETTLES_S: f64 = 5.0;
 /// Largest relative difference of two frequencies, and least likeness of two shapes, that are taken for one mode.
 const FREQUENCY_WITHIN: f64 = 0.35;
 const ALIKE: f64 = 0.8;
-/// The same within one part of a record. Chosen here.
+/// As above, within one part of a record. Chosen here.
 const TWICE_WITHIN: f64 = 0.25;
 const TWICE_ALIKE: f64 = 0.9;
-/// A state in which the structure moved little has a standard deviation so many times that of the one it moved in. Chosen here.
+/// Ratio of the standard deviation in a state with little motion to that in the state with motion, from which the former is dropped. Chosen here.
 const LITTLE_MOVED: f64 = 4.0;
 /// The strong phase with the quiet time before it, which weighs little beside it, s: a record of that length can be identified. Chosen here.
 const DRIVEN_S: f64 = 30.0;
@@ -199,7 +199,7 @@ fn is_one_mode(of: &Modes, one: &Mode, other: &Mode) -> bool {
     is_near && likeness((of, one), (of, other)) >= TWICE_ALIKE
 }
 
-/// Of a mode found in two states of the structure, that of the state in which it moved.
+/// If a mode is found in two states of the structure, keeps that of the state in which it moved.
 fn leave_little_moved(analysis: &mut ModalAnalysis) {
     let all = &analysis.modes;
     let is_weak = |weak: &Mode| {

@@ -1,4 +1,4 @@
-//! What each channel measured in an earthquake.
+//! Peak values of each channel in an earthquake.
 
 use super::losses::{AtLeast, Losses};
 use super::part::Part;
@@ -23,12 +23,12 @@ const PERIODS_S: [f64; 2] = [0.05, 4.0];
 const PERIODS: usize = 80;
 const DAMPING: f64 = 0.05;
 
-/// What a channel measured in an earthquake; `None` for what its unit or the record does not give.
+/// Peak values of a channel in an earthquake; `None` if its unit or the record does not give them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StrongChannel {
     /// Its name.
     pub name: String,
-    /// What it measures.
+    /// Measured quantity.
     pub quantity: Quantity,
     /// Largest distance from the mean of that part, in its unit.
     pub peak: f64,
@@ -51,7 +51,7 @@ pub struct StrongChannel {
     pub spectrum: Vec<SpectralOrdinate>,
 }
 
-/// What measures are taken from.
+/// Data for the measures of strength.
 pub(super) struct Strength<'a> {
     record: &'a Record,
     shakings: &'a [Shaking],
@@ -82,7 +82,7 @@ impl<'a> Strength<'a> {
         }
     }
 
-    /// What each channel measured in one of the earthquakes.
+    /// Peak values of each channel in one of the earthquakes.
     pub(super) fn channels(&self, event: usize) -> Vec<StrongChannel> {
         let each = (0..self.record.channels().len()).map(|at| StrongChannel {
             at_least: self.at_least(event, at),

@@ -1,6 +1,6 @@
 //! A strong motion in a record, with its times.
 
-/// What a strong motion is taken for.
+/// Classification of a strong motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShakingKind {
     /// An earthquake.
@@ -12,7 +12,7 @@ pub enum ShakingKind {
 /// A strong motion in a record, s from its first sample.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shaking {
-    /// What it is taken for.
+    /// Classification of the motion.
     pub kind: ShakingKind,
     /// It rises out of the noise.
     pub arrival_s: f64,
@@ -22,7 +22,7 @@ pub struct Shaking {
     pub strong_to_s: f64,
     /// It has sunk into the noise again, the next one begins, or the record ends.
     pub end_s: f64,
-    /// Whether the record goes on behind that.
+    /// Whether the record continues after the motion.
     pub ends: bool,
     /// Its largest level over that of the noise, of the channel that moves least.
     pub over_noise: f64,

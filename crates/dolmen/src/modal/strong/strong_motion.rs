@@ -16,7 +16,7 @@ use crate::signal::{Quantity, Record};
 pub struct StrongEvent {
     /// When it was and how it was told.
     pub shaking: Shaking,
-    /// What each channel measured.
+    /// Peak values of each channel.
     pub channels: Vec<StrongChannel>,
     /// The structure in it.
     pub during: During,
@@ -97,7 +97,7 @@ impl StrongMotion {
         inner.iter().rev().find(|part| part.analysis.is_some())
     }
 
-    /// What lasts in all; where that cannot be told, what the last one left of which it can.
+    /// The total lasting change; if it cannot be determined, the change by the last earthquake for which it can.
     pub fn shown(&self) -> &[LastingChange] {
         match self.compared {
             Some(_) => &self.changes,
@@ -108,18 +108,18 @@ impl StrongMotion {
         }
     }
 
-    /// Of the changes beyond chance that of the lowest mode.
+    /// Among the significant changes, that of the lowest mode.
     pub fn lasting(&self) -> Option<&LastingChange> {
         lowest_beyond(self.shown())
     }
 
-    /// Of the changes beyond chance the largest.
+    /// The largest significant change.
     pub fn lasting_most(&self) -> Option<&LastingChange> {
         let beyond = self.shown().iter().filter(|of| of.is_beyond_chance());
         beyond.max_by(|a, b| a.ratio.abs().total_cmp(&b.ratio.abs()))
     }
 
-    /// With all its times later by so much, s: as they are where the record is the rest of a longer one.
+    /// The result with all its times shifted by this number of seconds, for a record that is the rest of a longer one.
     #[must_use]
     pub fn later(mut self, by_s: f64) -> Self {
         for event in &mut self.events {
@@ -136,7 +136,7 @@ impl StrongMotion {
     }
 }
 
-/// Of the changes beyond chance that of the lowest mode.
+/// Among the significant changes, that of the lowest mode.
 fn lowest_beyond(changes: &[LastingChange]) -> Option<&LastingChange> {
     let beyond = changes.iter().filter(|of| of.is_beyond_chance());
     beyond.min_by(|a, b| a.before_hz.total_cmp(&b.before_hz))

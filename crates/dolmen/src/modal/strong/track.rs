@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 
 /// Periods of a window. Chosen here.
 const PERIODS: f64 = 12.0;
-/// Frequencies that are looked at over that before: a structure softens in an earthquake, and hardly stiffens.
+/// Range of the frequencies in the search, relative to the frequency before: a structure softens in an earthquake, and hardly stiffens.
 const BAND: [f64; 2] = [0.45, 1.15];
 /// Level over that before the arrival from which a window counts.
 const OVER_NOISE: f64 = 4.0;

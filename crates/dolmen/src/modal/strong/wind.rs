@@ -1,9 +1,9 @@
-//! A gust told from an earthquake where all sensors stand on the structure: whether the ground carries them.
+//! Distinguishes a gust from an earthquake if all sensors are on the structure: does the ground carry the sensors?
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | f_1, φ | `mode` | frequency and shape of the lowest mode at rest | Hz, – |
-//! | S_ck | `with` | cross spectrum of channel c and the strongest one k, summed over 0.25 to 0.5 f_1 | |
+//! | S_ck | `with` | cross spectrum of channel c with the strongest channel k, summed over 0.25 to 0.5 f_1 | |
 //! | r_c | `follows` | Re S_ck / S_kk | – |
 
 use super::losses::Losses;
@@ -15,17 +15,18 @@ use dolmen_linalg::Complex64;
 use realfft::RealFftPlanner;
 use std::f64::consts::PI;
 
-/// Frequencies that are looked at, over that of the lowest mode: below it the ground carries all floors alike, and wind pushes them as far as each gives way.
+/// Frequency range of the test, relative to the lowest mode. Below that mode the ground moves all floors equally, but wind moves each floor in
+/// proportion to its flexibility.
 const BELOW: [f64; 2] = [0.25, 0.5];
-/// Cosine from which two sensors point along one line.
+/// Cosine from which two sensors count as parallel.
 const ALONG: f64 = 0.99;
-/// Largest of φ_c/φ_k at which both can be told apart.
+/// Largest φ_c/φ_k for which the two cases can be distinguished.
 const APART: f64 = 0.75;
-/// Lines of the spectrum that are needed.
+/// Fewest spectral lines in the range.
 const LINES_LEAST: usize = 4;
 
-/// Whether the structure is pushed and not carried, as wind does: far below the lowest mode, channel by channel, it moves along the shape of that mode
-/// rather than all alike. `false` where the record cannot tell.
+/// Whether a force such as wind drives the structure, and not the ground: far below the lowest mode the channels then move in proportion to its
+/// shape, not equally. `false` if the record cannot decide.
 ///
 /// ```text
 /// carried by the ground   r_c = (1 + Γ φ_c h) / (1 + Γ φ_k h),  h = (f/f_1)² / (1 − (f/f_1)²) ≤ 1/3
@@ -62,7 +63,8 @@ pub(super) fn is_pushed((record, losses): (&Record, &Losses), shaking: &Shaking,
     pushed().unwrap_or(false)
 }
 
-/// The channel that moves most in a mode, and those along the same line that move so much less that both ways of moving differ; `None` without such.
+/// The channel with the largest motion in a mode, and the parallel channels whose motion is so much smaller that the two cases differ; `None` if
+/// there are none.
 fn alike(channels: &[Channel], mode: &Mode) -> Option<(usize, Vec<usize>)> {
     let size = |c: &usize| mode.shape[*c].norm();
     let strongest = (0..channels.len()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
@@ -80,7 +82,7 @@ fn alike(channels: &[Channel], mode: &Mode) -> Option<(usize, Vec<usize>)> {
     (!others.is_empty()).then_some((strongest, others))
 }
 
-/// Lines of the spectrum (Hann) within a band.
+/// Spectral lines (Hann window) within a band.
 fn lines(part: &[f64], rate_hz: f64, band_hz: [f64; 2]) -> Vec<Complex64> {
     let n = part.len() as f64;
     let mean = part.iter().sum::<f64>() / n;
@@ -88,7 +90,7 @@ fn lines(part: &[f64], rate_hz: f64, band_hz: [f64; 2]) -> Vec<Complex64> {
     let mut windowed: Vec<f64> = part.iter().enumerate().map(window).collect();
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(part.len());
     let mut all = transform.make_output_vec();
-    // the lengths are those it asked for
+    // the buffers have the required lengths
     let _ = transform.process(&mut windowed, &mut all);
     let [low, high] = band_hz.map(|hz| hz * n / rate_hz);
     let own = (low.ceil() as usize)..(high.floor() as usize + 1).min(all.len());

@@ -1,8 +1,8 @@
-//! What one block of time changes in a subspace, projected once for all orders; the symbols are those of uncertainty.rs.
+//! Change of a subspace by one block of time, projected once for all orders; the symbols are those of uncertainty.rs.
 
 use dolmen_linalg::{Matrix, Qr};
 
-/// What one block of time changes, projected.
+/// Projected change by one block of time.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
     pub(super) e: Matrix,
@@ -16,7 +16,7 @@ pub(crate) struct Block {
 
 #[cfg(test)]
 impl Block {
-    /// Of two blocks of time that move together.
+    /// Sum of two blocks of time that are correlated.
     pub(crate) fn plus(&self, other: &Block) -> Block {
         Block {
             e: &self.e + &other.e,
@@ -60,7 +60,7 @@ impl Rows {
         }
     }
 
-    /// Of the rows of D that belong to these channels; the others are zero.
+    /// The change from the rows of D that belong to these channels; the other rows are zero.
     pub(crate) fn block(&self, d: &Matrix) -> Block {
         let (k, n) = (self.channels.len(), d.columns());
         let rows = d.rows() - k;

@@ -20,12 +20,12 @@ pub(crate) struct BlockHankel {
     size: [usize; 2],
     block_rows: usize,
     transform: Transform,
-    /// Of each bin Re R̂ above Im R̂, 2l × r.
+    /// For each bin, Re R̂ above Im R̂, 2l × r.
     bins: Vec<Matrix>,
 }
 
 impl BlockHankel {
-    /// Of the lags 1 … 2 br - 1 of all channels with the reference channels.
+    /// The matrix from the lags 1 … 2 br - 1 of all channels with the reference channels.
     pub(crate) fn new(lags: &[f64], channels: usize, references: &[usize], block_rows: usize) -> Self {
         let (l, r) = (channels, references.len());
         let transform = Transform::of(2 * block_rows - 1);

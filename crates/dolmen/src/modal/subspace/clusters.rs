@@ -22,9 +22,9 @@ pub struct Clustering {
     pub orders_share_least: f64,
     /// Least number of orders; default 4 (ours).
     pub orders_least: usize,
-    /// Largest standard deviation of a mode's frequency over its floor √(ζ/2πN_c), at the order that knows it best;
-    /// default 3.5 (ours: modes of the made records stay below 2, of a timber building whose stiffness follows its
-    /// motion below 3; poles that fit noise start near 3.5).
+    /// Largest standard deviation of a mode's frequency relative to its lower bound √(ζ/2πN_c), at the order with the smallest deviation;
+    /// default 3.5 (our choice: modes of simulated records stay below 2, those of a timber building whose stiffness depends on amplitude
+    /// below 3; poles that fit noise start near 3.5).
     pub deviation_over_floor_most: f64,
 }
 
@@ -39,7 +39,7 @@ impl Default for Clustering {
     }
 }
 
-/// What became of a cluster.
+/// Result for a cluster.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fate {
     /// It is a mode.
@@ -48,10 +48,11 @@ pub enum Fate {
     FewOrders,
     /// Its standard deviation is above what the record's length explains, at every order.
     Scattered,
-    /// It splits off a mode with more orders: like shape, and frequencies not apart beyond their scatter. Or it lies between two modes that
-    /// higher orders alone tell apart.
+    /// It is split off a mode with more orders, with a similar shape and frequencies within their scatter. Or it lies between two modes that
+    /// only higher orders separate.
     Double,
-    /// It ends before the highest orders and is damped far above the modes: what several modes look like that the record does not tell apart.
+    /// It ends before the highest orders, with far more damping than the modes: the appearance of several modes that the record does not
+    /// separate.
     Blend,
 }
 
@@ -68,7 +69,7 @@ pub struct Cluster {
     pub frequency_spread_hz: f64,
     /// Standard deviation of the damping ratio between the orders that know it best, strays left out.
     pub damping_ratio_spread: f64,
-    /// What became of it.
+    /// Result for the cluster.
     pub fate: Fate,
 }
 
@@ -114,7 +115,7 @@ pub(crate) fn group_poles(
         .filter(|j| j.stability.possible())
         .collect();
     let groups = group(&poles, options);
-    // an order below twice the number of modes lumps some of them: biased, and no less sure of itself
+    // an order below twice the number of modes merges some of them: biased, with an equally small standard deviation
     let found = judged(&groups, &poles, 0, all, (deviations, options))?;
     let modes = found.iter().filter(|c| c.fate == Fate::Mode).count();
     let mut found = judged(&groups, &poles, 2 * modes, all, (deviations, options))?;
@@ -342,7 +343,7 @@ fn neighbours(pole: &Pole, poles: &[&JudgedPole], most: f64) -> Vec<Neighbour> {
     near
 }
 
-/// Of each order the nearest free neighbour; neighbours come by ascending order.
+/// The nearest free neighbour of each order; the neighbours are sorted by order.
 fn one_an_order<'a>(near: &'a [Neighbour], poles: &[&JudgedPole], free: &[bool]) -> Vec<&'a Neighbour> {
     let mut members: Vec<&Neighbour> = Vec::new();
     for n in near.iter().filter(|n| free[n.index]) {
@@ -439,7 +440,7 @@ mod tests {
             [0, 1, 2].map(|i| lumps(&all[i], &all))
         };
         assert_eq!(of(&[64, 72], &[72, 80], Fate::Mode), [false, true, false]);
-        // one of them may be there before; both may not, nor may one be no mode
+        // one of them may exist before; both may not, and none may be rejected
         assert_eq!(of(&[56, 64], &[72, 80], Fate::Mode), [false, true, false]);
         assert_eq!(of(&[56, 64], &[56, 80], Fate::Mode), [false; 3]);
         assert_eq!(of(&[64, 72], &[72, 80], Fate::FewOrders), [false; 3]);

@@ -1,4 +1,4 @@
-//! Singular values and vectors of the matrix that each subspace method decomposes.
+//! Singular value decomposition of the matrix of each subspace method.
 
 use super::block_hankel::FuturePast;
 use super::hankel::{future_past, past_past};
@@ -11,20 +11,20 @@ use dolmen_linalg::{
     solve_lower_transposed, svd,
 };
 
-/// Smaller matrices are decomposed in full; of larger ones the vectors asked are iterated for.
+/// Largest matrix that is decomposed in full; for larger ones, an iteration computes only the required vectors.
 const FULL_MOST: usize = 500;
-/// The part of a past sample that the others do not explain, over all of it (powers): below this the sums of products
-/// have lost half the digits, and the samples themselves are decomposed.
+/// Least fraction of the power of a past sample that the other samples do not explain. Below it the sums of products
+/// have lost half their digits, and the samples themselves are decomposed.
 const UNEXPLAINED_LEAST: f64 = 1e-8;
 
-/// U, the singular values, and X with U = (Y⁺ Y⁻ᵀ) X.
+/// Left singular vectors U, the singular values, and X with U = (Y⁺ Y⁻ᵀ) X.
 pub(crate) struct Decomposed {
     pub(crate) u: Matrix,
     pub(crate) x: Matrix,
     pub(crate) s: Vec<f64>,
 }
 
-/// Of the correlations.
+/// Decomposition of the correlations.
 pub(super) fn of_covariance(r: &Correlations, options: &Ssi) -> Result<Decomposed, ModalError> {
     let (references, br) = (&options.references, options.block_rows);
     let operator = FuturePast::new(r, references, br);
@@ -33,7 +33,7 @@ pub(super) fn of_covariance(r: &Correlations, options: &Ssi) -> Result<Decompose
     })
 }
 
-/// Of A Bᵀ, by the decomposition of R_A R_Bᵀ.   shape: m × n and k × n
+/// Decomposition of A Bᵀ through that of R_A R_Bᵀ.   shape: m × n and k × n
 pub(crate) fn of_product(a: &Matrix, b: &Matrix) -> Result<Decomposed, ModalError> {
     let (a, b) = (qr(a)?, qr(b)?);
     let f = svd(&(&a.r * &b.r.transpose()))?;
@@ -45,7 +45,7 @@ pub(crate) fn of_product(a: &Matrix, b: &Matrix) -> Result<Decomposed, ModalErro
     })
 }
 
-/// Of a matrix of correlations that need not be formed.
+/// Decomposition of a correlation matrix that is given as an operator, without forming it.
 pub(crate) fn of_operator(
     cross: &dyn Operator,
     order_most: usize,
@@ -60,7 +60,7 @@ pub(crate) fn of_operator(
     })
 }
 
-/// Of the projection of the future on the past.
+/// Decomposition of the projection of the future on the past.
 pub(super) fn of_data(record: &Record, r: &Correlations, options: &Ssi) -> Result<Decomposed, ModalError> {
     let lower = match independent_past(r, options)? {
         Some(lower) => lower,
@@ -88,7 +88,7 @@ pub(super) fn of_data(record: &Record, r: &Correlations, options: &Ssi) -> Resul
     })
 }
 
-/// L of Y⁻ Y⁻ᵀ / S = L Lᵀ; `None` if a past sample is almost a combination of the others.
+/// Cholesky factor L of Y⁻ Y⁻ᵀ / S = L Lᵀ; `None` if a past sample is nearly a linear combination of the others.
 fn independent_past(r: &Correlations, options: &Ssi) -> Result<Option<Matrix>, ModalError> {
     let past = past_past(r, &options.references, options.block_rows);
     let power: Vec<f64> = (0..past.rows()).map(|i| past[(i, i)]).collect();
@@ -102,9 +102,9 @@ fn independent_past(r: &Correlations, options: &Ssi) -> Result<Option<Matrix>, M
     }
 }
 
-/// The same from the samples: R of their QR, piece by piece.
+/// As [`of_data`], from the samples: R of their QR factorisation, in pieces.
 fn of_samples(record: &Record, options: &Ssi) -> Result<Decomposed, ModalError> {
-    const PIECES: usize = 4; // columns' worth of samples at once: memory of a few R
+    const PIECES: usize = 4; // number of column sets per piece, which keeps the memory at a few R
     let (l, r, br) = (
         record.channels().len(),
         options.references.len(),
@@ -141,7 +141,7 @@ fn of_samples(record: &Record, options: &Ssi) -> Result<Decomposed, ModalError> 
     let projection = Matrix::from_fn(l * br, past, |i, j| triangle[(j, past + i)]);
     let f = svd(&projection)?;
     let n = options.order_most.min(f.s.len());
-    // what the past does not span has no scatter to propagate: its diagonal is held off zero
+    // directions outside the span of the past have no scatter to propagate: keep their diagonal above zero
     let largest = (0..past).map(|i| triangle[(i, i)].abs()).fold(0.0, f64::max);
     let floor = UNEXPLAINED_LEAST * largest;
     let lower = Matrix::from_fn(past, past, |i, j| match i.cmp(&j) {
@@ -156,12 +156,12 @@ fn of_samples(record: &Record, options: &Ssi) -> Result<Decomposed, ModalError> 
     })
 }
 
-/// V S⁻¹, the first `n` columns.
+/// The first `n` columns of V S⁻¹.
 fn over_singular_values(f: &Svd, n: usize) -> Matrix {
     Matrix::from_fn(f.v.rows(), n, |i, j| f.v[(i, j)] / f.s[j].max(f64::MIN_POSITIVE))
 }
 
-/// The first `count` triplets of a large matrix, all of a small one.
+/// The first `count` singular triplets of a large matrix, or all of a small one.
 fn leading(
     operator: &dyn Operator,
     count: usize,
@@ -177,7 +177,7 @@ fn leading(
     svd(&dense()?)
 }
 
-/// Y⁺ Y⁻ᵀ L⁻ᵀ, not formed.
+/// The operator Y⁺ Y⁻ᵀ L⁻ᵀ, not formed as a matrix.
 struct Projected<'a> {
     cross: &'a FuturePast,
     lower: &'a Matrix,

@@ -41,8 +41,8 @@ pub(super) fn future_past(r: &Correlations, references: &[usize], block_rows: us
     out
 }
 
-/// Y⁻ Y⁻ᵀ / S, the lower triangle alone: block (j, i), j ≥ i, is G(br - 1 - j, br - 1 - i). After decimation it is that of the
-/// record with zeros behind it, which is never indefinite; it weighs the past and moves no pole of itself.
+/// Lower triangle of Y⁻ Y⁻ᵀ / S: block (j, i), j ≥ i, is G(br - 1 - j, br - 1 - i). After decimation it is that of the record
+/// followed by zeros, which is never indefinite; it only weights the past and does not move a pole.
 pub(super) fn past_past(r: &Correlations, references: &[usize], block_rows: usize) -> Matrix {
     let n = references.len();
     let mut out = Matrix::zeros(n * block_rows, n * block_rows);

@@ -81,7 +81,7 @@ pub struct Subspace {
     pub(crate) correlations: Correlations,
     /// First `order_most` left singular vectors.
     pub(crate) u: Matrix,
-    /// What makes them from the sums of products: U = (Y⁺ Y⁻ᵀ) X.
+    /// Factor that gives U from the sums of products: U = (Y⁺ Y⁻ᵀ) X.
     pub(crate) x: Matrix,
     /// Q R of O↑.
     pub(crate) upper: Qr,
@@ -135,9 +135,8 @@ pub fn ssi_cov(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
 /// As [`ssi_cov`].
 ///
 /// # Limits
-/// Where the past is almost a combination of itself (noise-free records) the sums of products would square its condition
-/// number: the samples are then decomposed by QR, piece by piece, which takes as long as in other programs; after
-/// decimation that is not possible, and the error says so.
+/// If the past is nearly linearly dependent (noise-free records), the sums of products would square its condition number: the samples are
+/// then decomposed by QR in pieces, which takes as long as in other programs. After decimation that is not possible, and the error says so.
 ///
 /// # Source
 /// Peeters & De Roeck (1999), as above; sums of products instead of samples: Van Overschee & De Moor (1996) Subspace

@@ -49,11 +49,11 @@ impl Default for Criteria {
     }
 }
 
-/// Half width of the narrowest mode that a record is asked to show, lines 1/T apart: its damping ratio is known to 33 % at best. What is
-/// narrower is a sine, or cannot be told from one.
+/// Half width of the narrowest mode that a record can resolve, in lines 1/T apart: its damping ratio has a standard deviation of at least
+/// 33 %. A narrower line is a sine, or cannot be distinguished from one.
 pub(crate) const HALF_WIDTH_LEAST: f64 = 1.5;
-/// Between these lies the least damping ratio of a mode, whatever the record shows: steel and single stones go down to 0.0005; the tones of
-/// machines lie below 0.002 (the four in the Palisaden record: 0.0001 to 0.0019).
+/// Range of the least damping ratio of a mode, for any record: steel and single stones go down to 0.0005; the tones of machines are below
+/// 0.002 (the four in the Palisaden record: 0.0001 to 0.0019).
 const DAMPING_LEAST: [f64; 2] = [0.0005, 0.002];
 
 impl Criteria {
@@ -78,7 +78,7 @@ impl Criteria {
     }
 }
 
-/// What the criteria say of one pole: the first that it fails, in this order.
+/// Result of the criteria for one pole: the first criterion that it fails, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
     /// Passes all.
@@ -100,7 +100,7 @@ pub enum Stability {
 }
 
 impl Stability {
-    /// Whether the pole passes what a mode must have by itself, whatever the order below holds.
+    /// Whether the pole fulfils the hard criteria, without comparison with the order below.
     pub fn possible(self) -> bool {
         use Stability::{Complex, Damping, OutOfRange, Scattered};
         !matches!(self, OutOfRange | Damping | Complex | Scattered)
@@ -123,7 +123,7 @@ pub struct JudgedPole {
 pub struct Stabilization {
     /// By order, then by frequency.
     pub poles: Vec<JudgedPole>,
-    /// What they were judged by.
+    /// The criteria.
     pub criteria: Criteria,
 }
 
@@ -147,7 +147,7 @@ impl<'a> AllOrders<'a> {
     }
 }
 
-/// Judges each pole: hard criteria by itself, soft ones against the possible poles of the order below.
+/// Judges each pole: hard criteria for the pole alone, soft ones by comparison with the possible poles of the order below.
 ///
 /// # Errors
 /// [`ModalError::Linalg`].

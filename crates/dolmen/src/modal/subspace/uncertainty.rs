@@ -22,13 +22,14 @@ use std::f64::consts::PI;
 /// Standard deviations of one pole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoleDeviation {
-    /// Of the frequency, Hz.
+    /// Standard deviation of the frequency, Hz.
     pub frequency_sd_hz: f64,
     /// Change of the frequency by each block of time, Hz: the squares sum to the square of `frequency_sd_hz`.
     pub frequency_changes_hz: Vec<f64>,
-    /// Of the damping ratio.
+    /// Standard deviation of the damping ratio.
     pub damping_ratio_sd: f64,
-    /// Of the modulus of each shape component; 0 for the component that is set to 1. Empty where the method gives none.
+    /// Standard deviation of the modulus of each shape component; 0 for the component that is set to 1. Empty if the
+    /// method gives none.
     pub shape_sd: Vec<f64>,
 }
 
@@ -172,7 +173,7 @@ impl<'a> Propagation<'a> {
     }
 }
 
-/// Of a sum of squares over blocks of time whose mean is their own.
+/// Correction of a sum of squares over blocks of time about their own mean.
 pub(crate) fn correction(blocks: usize) -> f64 {
     blocks as f64 / (blocks as f64 - 1.0)
 }
@@ -228,7 +229,7 @@ impl Order {
         })
     }
 
-    /// dλ of the eigenvalues of the upper half plane by each block's deviation, all of them at once.
+    /// First-order changes dλ of the eigenvalues in the upper half plane by the deviation of each block, all together.
     fn moves(&self, s: &Subspace, blocks: &[Block]) -> ComplexMatrix {
         let n = self.n;
         let upper: Vec<usize> = (0..n).filter(|&k| self.values[k].im > 0.0).collect();

@@ -1,4 +1,4 @@
-//! What an unkind record is made of, drawn from its seed.
+//! Composition of a simulated record with disturbances, drawn from its seed.
 
 use super::structures::{between, chance, log_between, structure, whole};
 use crate::modal::MadeMode;
@@ -15,7 +15,7 @@ const SAMPLES_MOST: f64 = 3e6;
 pub struct UnkindTone {
     /// Its frequency, Hz.
     pub frequency_hz: f64,
-    /// Root mean square over that of the mode it stands on, or over that of all motion.
+    /// RMS relative to that of the affected mode, or to that of the whole motion.
     pub strength: f64,
     /// The mode it stands on, by index.
     pub over_mode: Option<usize>,
@@ -25,7 +25,7 @@ pub struct UnkindTone {
     pub by_cable: bool,
 }
 
-/// What an unkind record is made of.
+/// Composition of a simulated record with disturbances.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnkindPlan {
     /// Seed.
@@ -38,7 +38,7 @@ pub struct UnkindPlan {
     pub sampling_rate_hz: f64,
     /// Duration, s.
     pub duration_s: f64,
-    /// What is measured.
+    /// Measured quantity.
     pub quantity: Quantity,
     /// Pole of the coloured part of the modal forces and its share: 0 is white.
     pub colour: [f64; 2],

@@ -28,16 +28,17 @@ pub struct UnkindMode {
 /// An unkind record and the truth behind it.
 #[derive(Clone, Debug)]
 pub struct UnkindRecord {
-    /// What was measured, samples that were lost included.
+    /// The measured record, including lost samples.
     pub record: Record,
     /// The modes by frequency.
     pub modes: Vec<UnkindMode>,
-    /// What it was made from.
+    /// The plan of the record.
     pub plan: UnkindPlan,
 }
 
 impl UnkindMode {
-    /// Whether the record can be asked for it: 10 dB over all else, and damping that may be known to 30 %. Chosen here.
+    /// Whether the record has enough energy for this mode: 10 dB above everything else, and a damping ratio that can be known to
+    /// 30 %. Chosen here.
     pub fn has_enough_energy(&self) -> bool {
         self.signal_over_rest >= 10.0 && self.damping_floor <= 0.3
     }
@@ -330,7 +331,7 @@ fn root_mean_square(x: &[f64]) -> f64 {
         .max(f64::MIN_POSITIVE)
 }
 
-/// What a clock that runs fast by `fast` shows: sample k at k / (1 + fast), by cubics through four samples.
+/// Samples by a clock that is fast by `fast`: sample k at k / (1 + fast), by cubic interpolation through four samples.
 fn late(y: &mut [f64], fast: f64) {
     let read = y.to_vec();
     for (k, y) in y.iter_mut().enumerate() {

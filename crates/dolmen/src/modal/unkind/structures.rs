@@ -64,7 +64,7 @@ fn cantilever(n: usize, s: f64) -> (f64, f64) {
     )
 }
 
-/// The same of a shear building.
+/// As above, for a shear building.
 fn storeyed(n: usize, s: f64) -> (f64, f64) {
     let odd = (2 * n + 1) as f64;
     (odd, (0.5 * PI * odd * s).sin())

@@ -107,7 +107,7 @@ impl FreeColumns {
         self.normal_n() * self.height_m / (2.0 * self.section.second_moment_m4())
     }
 
-    /// The same columns on beds that give this stiffness at small drift, N/m.
+    /// The columns on beds that give this stiffness at small drift, N/m.
     pub(crate) fn on_beds_of(&self, stiffness_n_m: f64) -> FreeColumns {
         let per_bed_m = 2.0 * self.count as f64 * self.section.second_moment_m4() / self.height_m.powi(2);
         FreeColumns {
@@ -133,7 +133,7 @@ impl FreeColumns {
         Ok(bracketed_root(off, 0.0, most_rad, &Bracketing::default())?)
     }
 
-    /// Their resistance under their weight alone; `None` if they do not stand.
+    /// Resistance of the columns under their weight alone; `None` if they do not stand.
     ///
     /// # Errors
     /// [`StabilityError::Numeric`] if a root is not found: none is known.

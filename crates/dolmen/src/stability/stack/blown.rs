@@ -3,14 +3,14 @@
 use crate::structure::stack::{Silhouette, Stack, StaticLoad, across, silhouettes};
 use crate::structure::wind::WindPressure;
 
-/// Wind data of a stack.
+/// Wind data of the blocks of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindSurfaces {
     /// Force coefficient of the blocks.
     pub force_coefficient: f64,
-    /// For each block: force coefficient × area that replaces its visible outline, m², with the area itself; `None` for the visible outline.
+    /// For each block: an area that replaces its visible outline; `None` to use the visible outline.
     pub instead: Vec<Option<WindArea>>,
-    /// Additional areas, such as banners.
+    /// Additional areas, such as banners: block, height in m, and area.
     pub more: Vec<(usize, f64, WindArea)>,
     /// Height of the ground, m.
     pub ground_m: f64,
@@ -19,30 +19,30 @@ pub struct WindSurfaces {
 /// An area across the wind.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WindArea {
-    /// m².
+    /// Area, m².
     pub area_m2: f64,
     /// Force coefficient × area, m².
     pub effective_m2: f64,
 }
 
-/// The wind on one block.
+/// Wind force on one block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BlownBlock {
-    /// The block.
+    /// Index of the block.
     pub block: usize,
-    /// Area that the wind meets, m², including banners and signs.
+    /// Area exposed to the wind, m², including banners and signs.
     pub area_m2: f64,
-    /// Share of its own outline hidden by other blocks, 0 to 1.
+    /// Fraction of the block's outline that other blocks hide, 0 to 1.
     pub hidden: f64,
     /// Point of application, m.
     pub position_m: [f64; 3],
-    /// The force along the wind, N.
+    /// Force along the wind, N.
     pub force_n: f64,
 }
 
 impl BlownBlock {
-    /// The static load in the direction of the wind, times a factor.
+    /// The wind force times a factor, as a static load in the direction of the wind.
     pub fn load(&self, direction: [f64; 2], factor: f64) -> StaticLoad {
         let [x, y] = direction.map(|part| part * self.force_n * factor);
         StaticLoad {
@@ -53,15 +53,15 @@ impl BlownBlock {
     }
 }
 
-/// Forces of a wind to `direction`, a unit vector in plan, on each block that it meets.
+/// Forces of a wind towards `direction`, a unit vector in plan, on each exposed block.
 ///
 /// ```text
 /// F = C_f ∫ q(z) b(z) dz over what is seen of the block + Σ C_f A q(z_A) of areas more, at its centroid
 /// ```
 ///
 /// # Limits
-/// Those of [`silhouettes`]. Uplift of caps, friction along the wind and suction on faces away from it are not included: a force coefficient
-/// covers windward and leeward sides together.
+/// As for [`silhouettes`]. Uplift of caps, friction along the wind and suction on leeward faces are not included separately: a force
+/// coefficient covers the windward and leeward sides together.
 pub fn blown_blocks(
     stack: &Stack,
     surfaces: &WindSurfaces,
@@ -129,7 +129,7 @@ impl ForceAndMoments {
         self.across += force * across;
     }
 
-    /// The visible part of a block, by height; under a uniform pressure the centroid is that of the outline.
+    /// Adds the visible part of a block, by height. Under uniform pressure its centroid is that of the outline.
     fn strips(&mut self, seen: &Silhouette, surfaces: &WindSurfaces, pressure: &WindPressure) {
         let (mut own, mut middle) = (ForceAndMoments::default(), [0.0; 2]);
         for strip in &seen.strips {

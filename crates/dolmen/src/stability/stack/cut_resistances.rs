@@ -3,8 +3,8 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | F, M | – | resultant of the inertia forces on the part, and its moment about the origin | N, N m |
-//! | f, m | `force`, `moment` | what of them counts | m or –, – |
-//! | s | `reserve` | what weight and friction bear of it | N m or N |
+//! | f, m | `force`, `moment` | coefficients of F and M in this limit state | m or –, – |
+//! | s | `reserve` | resistance by weight and friction | N m or N |
 
 use super::cuts::cuts;
 use super::part::Part;
@@ -36,7 +36,7 @@ pub struct CutResistance {
 /// [`StabilityError`] for loads and options out of their range.
 ///
 /// # Limits
-/// Those of [`stack_limits`](super::stack_limits). Ties are left out.
+/// As for [`stack_limits`](super::stack_limits). Ties are left out.
 pub fn cut_resistances(stack: &Stack, options: &StackLimits) -> Result<Vec<CutResistance>, StabilityError> {
     let (loads, soil) = acting(stack, options)?;
     let found = cuts(stack).cuts.into_iter().map(|cut| {

@@ -1,42 +1,42 @@
-//! The parts of a stack that can move as one: cuts through joints of one plane.
+//! Finds the parts of a stack that can move as one rigid body: cuts through joints in one plane.
 
 use crate::structure::stack::{BED_GAP_M, Body, Joint, Stack};
 use glam::DVec3;
 
-/// Smallest rise of the normal, as sine, of a joint that carries (about 6°); a steeper one is only beside. Chosen here: 5° is what the bed of a
-/// leaning upright face may show.
+/// Least sine of the inclination of a joint from the vertical for which it carries load (about 6°); a steeper joint is only a side contact.
+/// Chosen here: an upright face may lean by 5°.
 const CARRIES_LEAST: f64 = 0.1;
-/// Cosine of the largest angle between joints of one plane, 1°. Chosen here.
+/// Cosine of 1°, the largest angle between joints in one plane. Chosen here.
 const PARALLEL: f64 = 0.999_847_7;
 
-/// A part of the stack that can tip or slide off the rest as one body.
+/// A part of the stack that can tip or slide on the rest as one rigid body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cut {
-    /// The blocks above, ascending.
+    /// Indices of the blocks above the cut, ascending.
     pub blocks: Vec<usize>,
-    /// The joints that carry them, all in one plane, ascending.
+    /// Indices of the joints that carry them, all in one plane, ascending.
     pub joints: Vec<usize>,
 }
 
 /// All cuts of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cuts {
-    /// Lowest joint first.
+    /// The cuts, from the lowest joint up.
     pub cuts: Vec<Cut>,
-    /// Blocks that would move together but rest on joints of different planes, or lean on blocks beside them: their balance is statically
-    /// indeterminate, so only a limit analysis can judge them.
+    /// Groups of blocks that would move together but rest on joints in different planes, or have side contacts. Their equilibrium is statically
+    /// indeterminate, so they need a limit analysis.
     pub undecided: Vec<Vec<usize>>,
-    /// Whether every block rests on one joint and none stands beside it: equilibrium alone then gives the force in each joint, and the cuts are
-    /// complete.
+    /// Whether every block rests on one joint and has no side contact. Equilibrium alone then gives the force in each joint, and the cuts
+    /// include all mechanisms.
     pub statically_determinate: bool,
 }
 
-/// Whether each stone stands on one joint that carries, so that statics alone give the force in every joint.
+/// Whether each stone rests on exactly one load-carrying joint, so that statics alone gives the force in every joint.
 pub(crate) fn is_statically_determinate(stack: &Stack) -> bool {
     stack.joints().len() == stack.blocks().len() && stack.joints().iter().all(carries)
 }
 
-/// The cuts of a stack.
+/// Finds the cuts of a stack.
 ///
 /// ```text
 /// carried(A) = A and all blocks that stand on A, on what stands on A, …
@@ -46,9 +46,9 @@ pub(crate) fn is_statically_determinate(stack: &Stack) -> bool {
 /// ```
 ///
 /// # Limits
-/// In a stack where each block rests on one other these are all cuts. Where stones share their load (a storey of several, an arch) other
-/// mechanisms exist, and every cut is then an upper bound of the true limit. A part whose balance lacks a joint would give neither an upper nor
-/// a lower bound: it is undecided.
+/// If each block rests on one other block, the cuts are complete. If stones share their load (a storey of several stones, an arch), other
+/// mechanisms exist, and every cut is an upper bound of the true limit. A part with a joint missing from its equilibrium would give neither an
+/// upper nor a lower bound: it is undecided.
 pub fn cuts(stack: &Stack) -> Cuts {
     let joints = stack.joints();
     let carrying: Vec<usize> = (0..joints.len())
@@ -122,11 +122,11 @@ fn same_plane(a: &Joint, b: &Joint) -> bool {
     normal.dot(other) >= PARALLEL && normal.dot(between).abs() <= BED_GAP_M
 }
 
-/// The relation of blocks that lie on each other.
+/// Which blocks rest on each other.
 pub(super) struct SupportRelation {
-    /// The blocks on each.
+    /// The blocks on each block.
     on: Vec<Vec<usize>>,
-    /// The blocks under each.
+    /// The blocks under each block.
     under: Vec<Vec<usize>>,
 }
 
@@ -146,7 +146,7 @@ impl SupportRelation {
         carriers
     }
 
-    /// These blocks and all blocks on them, ascending.
+    /// These blocks and all blocks that they carry, ascending.
     pub(super) fn carried(&self, start: Vec<usize>) -> Vec<usize> {
         let mut above = vec![false; self.on.len()];
         let mut next = start;
@@ -158,7 +158,7 @@ impl SupportRelation {
         (0..above.len()).filter(|&block| above[block]).collect()
     }
 
-    /// Parts of these blocks that joints connect, each ascending.
+    /// The groups of these blocks that joints connect, each ascending.
     fn connected(&self, blocks: &[usize]) -> Vec<Vec<usize>> {
         let mut left = vec![false; self.on.len()];
         for &block in blocks {

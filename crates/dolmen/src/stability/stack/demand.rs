@@ -45,7 +45,7 @@ impl DemandVerdict {
     /// by 10 %, and so is a demand.
     pub const NEAR_BELOW: f64 = 1.25;
 
-    /// Of a ratio of capacity to demand; unknown if that is not a number.
+    /// Verdict for a ratio of capacity to demand; unknown if the ratio is not a number.
     pub fn of_ratio(ratio: f64) -> Self {
         if ratio.is_nan() {
             DemandVerdict::Unknown

@@ -28,7 +28,7 @@ pub struct Undilated {
 /// the lowest limit.
 ///
 /// # Errors
-/// Those of [`limit_analysis`].
+/// As for [`limit_analysis`].
 ///
 /// # Limits
 /// Joints that carry weight keep their friction, because the weight presses them together whether they dilate or not. If one slides while others
@@ -123,8 +123,8 @@ mod tests {
         Stack::new(blocks, JointMaterial::with_friction(0.6), 9.80665).unwrap()
     }
 
-    /// Two leaves of 0.2 × 3 m without through stones: each turns about its own toe, b/h = 0.2/3, whatever the friction between them. The
-    /// analysis with dilating friction gives 0.0869.
+    /// Two leaves of 0.2 × 3 m without through stones: each rotates about its own toe, b/h = 0.2/3, for any friction between them. The analysis
+    /// with dilating friction gives 0.0869.
     #[test]
     fn exact_two_leaves_bear_what_one_bears() {
         let options = LimitAnalysis {

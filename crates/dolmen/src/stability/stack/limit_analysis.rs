@@ -57,7 +57,7 @@ use crate::structure::stack::Stack;
 /// ```
 pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAnalysisResult, StabilityError> {
     let (mut result, moving) = match analysed(stack, options, false) {
-        // coarser joints bear less, never more, and make the programme much smaller
+        // coarser joints resist less, never more, and make the programme much smaller
         Err(StabilityError::ConicProgramme { .. }) if stack.least_strength_pa().is_some() => {
             analysed(stack, options, true)?
         }
@@ -284,7 +284,7 @@ mod tests {
 
     #[test]
     fn exact_portal_within_a_stack_is_a_piece_of_its_own() {
-        // on a pedestal and with a stone on the beam: the sway stays b/h = .2, whatever the beam carries
+        // on a pedestal and with a stone on the beam: the sway remains b/h = 0.2 for any load on the beam
         let block = |name: &str, size: [f64; 3], at: [f64; 3]| Block {
             name: name.into(),
             solid: Solid::cuboid(size[0], size[1], size[2])

@@ -3,7 +3,7 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | v, ω | `velocity`, `spin` | of a body in the mechanism, to a common scale | m, – |
-//! | t | – | pull that glue at every corner of every joint would have to bear for the stack to stand | N |
+//! | t | – | tension that glue at every corner of every joint would have to resist for the stack to stand | N |
 
 use super::limit_pieces::Piece;
 use super::limit_programme::{AccelerationSet, least_pull};
@@ -104,7 +104,7 @@ fn corners_of(joint: &Joint, motions: &[Vec<BodyMotion>]) -> Vec<Corner> {
         .collect()
 }
 
-/// A corner is closed where it opens no more than the dilation of its slip under associated friction.
+/// A corner is closed if its opening does not exceed the dilation of its slip under associated friction.
 fn moving(joint: usize, corners: &[Corner], friction: f64, least: f64) -> Option<MovingJoint> {
     let is_closed = |corner: &&Corner| corner.opens - friction * corner.slips <= least;
     let closed: Vec<&Corner> = corners.iter().filter(is_closed).collect();

@@ -9,9 +9,9 @@ pub enum Holding {
     /// None: every joint is dry and every tie is absent. Default.
     #[default]
     FrictionOnly,
-    /// Cohesion against sliding, in full in every joint at once, as if it could slip without breaking. Ties are gone.
+    /// Cohesion resists sliding, fully in every joint at the same time, as if joints could slip without breaking. Ties are left out.
     Cohesion,
-    /// Cohesion, and ties at their strengths all at once, as if each could stretch without breaking.
+    /// Cohesion, and all ties at their strength at the same time, as if ties could stretch without breaking.
     CohesionAndTies,
 }
 
@@ -52,7 +52,8 @@ pub struct SwayingForces {
 pub struct LimitAnalysisResult {
     /// Its status.
     pub status: LimitAnalysisStatus,
-    /// The mechanism: at the limit, or at once if it does not stand. `None` if nothing moves it, or it stands on an edge.
+    /// The mechanism at the limit; for a stack that does not stand, the mechanism of its fall. `None` if no acceleration moves the stack, or it
+    /// stands on an edge.
     pub mechanism: Option<Mechanism>,
     /// Acceleration below which forces in the joints balance every direction examined, over gravity.
     pub at_least_g: f64,

@@ -1,43 +1,43 @@
-//! One piece of a stack as a conic programme: the accelerations that its joints can balance.
+//! Limit analysis of one piece of a stack as a conic programme: the accelerations at which its joints can be in equilibrium.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | a | `acceleration` | horizontal acceleration of the inertia forces over gravity | – |
-//! | ν | `towards` | unit vector: the acceleration is to reach far along it | – |
-//! | f | `z` | forces at the corners of joints, each in Coulomb's cone, and in ties | over weight |
-//! | v | `x` | velocities and spins of the blocks: a mechanism | – |
-//! | A_most | `ACCELERATION_MOST` | where the search ends | – |
+//! | a | `acceleration` | horizontal acceleration of the inertia forces, over gravity | – |
+//! | ν | `towards` | unit vector along which the acceleration is maximised | – |
+//! | f | `z` | forces at the corners of joints, each in Coulomb's cone, and in ties, over the weight | – |
+//! | v | `x` | velocities and angular velocities of the blocks: a mechanism | – |
+//! | A_most | `ACCELERATION_MOST` | upper end of the search | – |
 
 use crate::stability::StabilityError;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 
-/// Acceleration over gravity that counts as unlimited. Chosen here: no ground moves so.
+/// Acceleration over gravity that counts as unlimited. Chosen here: far above any ground motion.
 pub(super) const ACCELERATION_MOST: f64 = 10.0;
-/// Tolerance of the solver, over the weight. Chosen here: a step or two more than its own 1e-8 needs.
+/// Tolerance of the solver, over the weight. Chosen here: one or two steps more than its default 1e-8.
 const SOUGHT: f64 = 1e-10;
-/// The same for a rough answer. Chosen here: some steps fewer.
+/// Tolerance for a rough result. Chosen here: several steps fewer.
 const SOUGHT_ROUGH: f64 = 1e-7;
-/// Largest error accepted: balance of forces, cones, difference of both bounds, over the weight. Chosen here; 1e-9 is usual.
+/// Largest accepted error of the force balance, of the cones and of the gap between both bounds, over the weight. Chosen here; 1e-9 is usual.
 const MISSED_MOST: f64 = 1e-6;
-/// Coefficients (of order 1) below this are rounding and left out. Chosen here.
+/// Coefficients (of order 1) below this are rounding errors and are left out. Chosen here.
 const ROUNDING: f64 = 1e-13;
 
-/// Possible forces of a joint or tie at one point: columns of the balance, one for each unknown component.
+/// Possible forces of a joint or tie at one point: columns of the force balance, one per unknown component.
 pub(super) enum Push {
     /// Coulomb's cone |f₁, f₂| ≤ f₀: columns of the normal and of μ times the two directions of the plane.
     Cone([Column; 3]),
-    /// Pushes only.
+    /// Compression only.
     Normal(Column),
-    /// Every block of full stress of one joint, each in Coulomb's cone; the sum of forces over their single capacities is at most 1.
+    /// All stress blocks of one joint, each in Coulomb's cone; the sum of their forces over their single capacities is at most 1.
     Toes(Vec<ToePush>),
-    /// Any direction of a plane up to a strength (over the weight); may be infinite.
+    /// Any direction in a plane up to a strength (over the weight), which may be infinite.
     Disc([Column; 2], f64),
-    /// Pulls only, up to a strength (over the weight); may be infinite.
+    /// Tension only, up to a strength (over the weight), which may be infinite.
     Pull(Column, f64),
 }
 
-/// One block of full stress: the columns of its cone, and its use of the joint's capacity per unit of force.
+/// One stress block: the columns of its cone, and the fraction of the joint's capacity per unit of force.
 pub(super) struct ToePush {
     pub(super) parts: [Column; 3],
     pub(super) share: f64,
@@ -46,10 +46,10 @@ pub(super) struct ToePush {
 /// Row and value.
 pub(super) type Column = Vec<(usize, f64)>;
 
-/// The accelerations considered.
+/// Set of accelerations in the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum AccelerationSet {
-    /// All of the horizontal plane.
+    /// The whole horizontal plane.
     Plane,
     /// Multiples of one direction.
     Line([f64; 2]),
@@ -58,31 +58,31 @@ pub(super) enum AccelerationSet {
 /// Result of one solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ProgrammeOutcome {
-    /// The farthest acceleration along `towards` that is balanced.
+    /// The largest acceleration along `towards` in equilibrium.
     Reaches(Support),
-    /// No forces balance any acceleration.
+    /// No acceleration is in equilibrium with possible forces.
     Falls,
 }
 
-/// The farthest point of the balanced accelerations in a direction, with its certificate.
+/// The farthest point in a direction of the set of accelerations in equilibrium, with its certificate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Support {
-    /// The point itself, which forces balance: a lower bound.
+    /// The point; forces in equilibrium exist for it, so it is a lower bound.
     pub(super) point: [f64; 2],
-    /// Largest value along the direction that a mechanism allows: an upper bound.
+    /// Largest value along the direction from a mechanism: an upper bound.
     pub(super) bound: f64,
-    /// Largest error of balance or cones, and the difference of both bounds.
+    /// Largest error of the force balance or cones, and the gap between both bounds.
     pub(super) missed: f64,
 }
 
-/// A conic programme, ready for any direction.
+/// A conic programme that can be solved for any direction.
 ///
 /// ```text
 /// forces      maximise ν·a over f, a:   Σ G f + load + a·m = 0,  f in its cones,  |a| ≤ A_most
 /// mechanism   minimise −load·v + Σ strength·|slip| + Σ crushing + A_most |ν − m·v| over v:  Gᵀ v in the dual cones
 /// ```
 ///
-/// Both are solved together; their agreement is the certificate.
+/// The solver treats both problems together; the agreement of their values is the certificate.
 pub(super) struct Programme {
     solver: DefaultSolver<f64>,
     matrix: CscMatrix<f64>,
@@ -94,7 +94,7 @@ pub(super) struct Programme {
 }
 
 impl Programme {
-    /// Builds it from loads at rest [rows], the loads of 1 g along x and along y [rows] and the pushes.
+    /// Builds the programme from the loads at rest [rows], the loads of 1 g along x and y [rows], and the possible forces.
     pub(super) fn new(
         at_rest: &[f64],
         shaking: [&[f64]; 2],
@@ -154,12 +154,12 @@ impl Programme {
         self.right.len()
     }
 
-    /// Number of equations of balance.
+    /// Number of equilibrium equations.
     pub(super) fn equations(&self) -> usize {
         self.costs.len() - 1
     }
 
-    /// Largest balanced acceleration along ν.
+    /// Largest acceleration along ν in equilibrium.
     pub(super) fn support(&mut self, towards: [f64; 2]) -> Result<ProgrammeOutcome, StabilityError> {
         match self.within {
             AccelerationSet::Plane => self.right[1..3].copy_from_slice(&towards.map(|part| -part)),
@@ -197,14 +197,14 @@ impl Programme {
         Ok(ProgrammeOutcome::Reaches(Support { point, bound, missed }))
     }
 
-    /// The mechanism that bounds the balanced accelerations along ν; `None` if nothing is balanced.
+    /// The mechanism that bounds the acceleration along ν; `None` if no acceleration is in equilibrium.
     pub(super) fn mechanism(&mut self, towards: [f64; 2]) -> Result<Option<Vec<f64>>, StabilityError> {
         let answer = self.support(towards)?;
         Ok((answer != ProgrammeOutcome::Falls).then(|| self.velocities().to_vec()))
     }
 
-    /// The velocities in which it falls whatever the acceleration along ν, or with the smallest one in the opposite direction; `None` if it
-    /// stands.
+    /// Velocities of the mechanism in which the piece falls for any acceleration along ν, or for the smallest acceleration in the opposite
+    /// direction; `None` if the piece stands.
     pub(super) fn falling_velocities(
         &mut self,
         towards: [f64; 2],
@@ -218,12 +218,12 @@ impl Programme {
         Ok(None)
     }
 
-    /// The velocities of the last solution.
+    /// Velocities of the last solution.
     pub(super) fn velocities(&self) -> &[f64] {
         &self.solver.solution.x[..self.rows]
     }
 
-    /// A mechanism that gains energy whatever the acceleration, after a check.
+    /// Checks and returns a mechanism that gains energy for any acceleration.
     fn falls(&self) -> Result<ProgrammeOutcome, StabilityError> {
         let x = &self.solver.solution.x;
         let gains = -dot(&self.costs, x);
@@ -236,7 +236,7 @@ impl Programme {
         )))
     }
 
-    /// share·b − A x: openings and slips of a mechanism.
+    /// Openings and slips of a mechanism: share·b − A x.
     fn slips(&self, x: &[f64], share: f64) -> Vec<f64> {
         let mut slips: Vec<f64> = self.right.iter().map(|right| share * right).collect();
         for (column, value) in x.iter().enumerate() {
@@ -247,7 +247,7 @@ impl Programme {
         slips
     }
 
-    /// Largest |Aᵀ z + q|: the residual of the balance.
+    /// Residual of the force balance: the largest |Aᵀ z + q|.
     fn balance_missed(&self, z: &[f64]) -> f64 {
         let mut most = 0.0_f64;
         for (column, cost) in self.costs.iter().enumerate() {
@@ -260,8 +260,8 @@ impl Programme {
         most
     }
 
-    /// Distance of a vector from the cones. Every cone is its own dual, except that without slip (`fixed`: 1 for slips, 0 for forces, which are
-    /// free).
+    /// Distance of a vector from the cones. Every cone is its own dual, except the cone without slip (`fixed`: 1 for slips, 0 for forces, which
+    /// are free).
     fn outside(&self, vector: &[f64], fixed: f64) -> f64 {
         let (mut most, mut row) = (0.0_f64, 0);
         for cone in &self.cones {
@@ -303,7 +303,7 @@ pub(super) fn settings() -> DefaultSettings<f64> {
     }
 }
 
-/// Settings of the solver if only the sign of the result beyond rest matters.
+/// Settings of the solver for a result of which only the sign relative to rest is used.
 pub(super) fn rough() -> DefaultSettings<f64> {
     DefaultSettings {
         tol_gap_abs: SOUGHT_ROUGH,
@@ -313,8 +313,8 @@ pub(super) fn rough() -> DefaultSettings<f64> {
     }
 }
 
-/// The velocities [rows] of the mechanism with the largest gain while its corners open by 1 together: the dual of the smallest pull, equal at
-/// every corner, that would balance loads at rest. `None` if the gain is rounding.
+/// Velocities [rows] of the mechanism with the largest gain while its corners together open by 1. It is the dual of the smallest tension, equal
+/// at every corner, that would be in equilibrium with the loads at rest. `None` if the gain is only rounding.
 pub(super) fn least_pull(
     at_rest: &[f64],
     pushes: &[Push],
@@ -379,7 +379,7 @@ impl Build {
                 self.cones.push(SupportedConeT::NonnegativeConeT(1));
             }
             Push::Toes(toes) => {
-                // the rate of crushing of the joint, which costs its whole capacity
+                // the rate of crushing of the joint, weighted by its whole capacity
                 self.bounded(1.0);
                 self.cones.push(SupportedConeT::NonnegativeConeT(1));
                 let variable = self.columns.len() - 1;
@@ -417,7 +417,7 @@ impl Build {
         }
     }
 
-    /// A row for one component of force.
+    /// Adds a row for one component of force.
     fn row(&mut self, part: &Column) {
         for &(row, value) in part {
             self.columns[row].push((self.next, -value));
@@ -425,7 +425,7 @@ impl Build {
         self.next += 1;
     }
 
-    /// A row and a variable, the slip, which costs its strength.
+    /// Adds a row and a variable, the slip, which is weighted by its strength.
     fn bounded(&mut self, strength: f64) {
         self.costs.push(strength);
         self.columns.push(vec![(self.next, -1.0)]);

@@ -2,9 +2,9 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | ν | `towards` | unit vector in which the region is asked how far it reaches |
-//! | h(ν) | `bound` | how far it reaches |
-//! | S | `symmetries` | turns and mirrors that leave the region as it is |
+//! | ν | `towards` | unit vector along which the extent of the region is computed |
+//! | h(ν) | `bound` | extent of the region along ν |
+//! | S | `symmetries` | rotations and mirrors that map the region onto itself |
 
 use super::limit_programme::{ACCELERATION_MOST, ProgrammeOutcome, Support};
 use crate::stability::StabilityError;
@@ -15,13 +15,13 @@ pub(super) type Symmetry = [[f64; 2]; 2];
 
 /// Relative difference of both bounds at which the search ends. Chosen here: a solution is accurate to 1e-8.
 const SAME: f64 = 1e-6;
-/// The same after [`ENOUGH`] directions: a smooth edge would need very many. Chosen here.
+/// Tolerance after [`ENOUGH`] directions, because a smooth boundary would need very many. Chosen here.
 const NEAR: f64 = 0.02;
 /// Number of directions before [`NEAR`] suffices. Chosen here: straight edges are found with fewer.
 const ENOUGH: usize = 12;
 /// Distance below which points are equal, over gravity: the line through them would be rounding. Chosen here.
 const APART: f64 = 1e-5;
-/// Largest number of directions; some 20 are usual. Chosen here.
+/// Largest number of directions; about 20 are usual. Chosen here.
 const DIRECTIONS_MOST: usize = 200;
 
 /// The smallest acceleration outside the region.

@@ -1,11 +1,11 @@
-//! The limits of a stack, cut by cut.
+//! Limit states of a stack: tipping and sliding of the part above each cut.
 
 use super::half_plane::HalfPlane;
 use super::{Cut, Standing, Threshold};
 use crate::stability::{StabilityError, Verdict};
 use crate::structure::stack::Polygon;
 
-/// Tipping over one edge of a contact, or over the line within it at which the stone crushes.
+/// Tipping about one edge of a contact, or about the line inside it at which the stone crushes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeLimit {
     /// A point of the axis of rotation, m.
@@ -16,65 +16,66 @@ pub struct EdgeLimit {
     pub distance_m: f64,
     /// Height of the centroid above the axis, m.
     pub height_m: f64,
-    /// Acceleration at which the part turns about it.
+    /// Acceleration at which the part tips about this axis.
     pub uplift: Threshold,
 }
 
-/// Limits of the part above one cut.
+/// Limit states of the part above one cut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CutLimits {
-    /// The blocks above and the joints below them.
+    /// The blocks above the cut and the joints below them.
     pub cut: Cut,
-    /// The bodies below, in words: "'body 1'", "the ground".
+    /// The bodies below the cut, in words: "'body 1'", "the ground".
     pub above: String,
     /// Weight of the blocks above, including vertical acceleration, N.
     pub weight_n: f64,
-    /// Their centroid, m.
+    /// Centroid of the blocks above, m.
     pub centroid_m: [f64; 3],
-    /// Origin of the contact's plane, m.
+    /// Origin of the plane of the contact, m.
     pub origin_m: [f64; 3],
-    /// Unit vectors of the plane: two in it, then its normal, upwards.
+    /// Unit vectors of the plane: two in the plane, then its upward normal.
     pub axes: [[f64; 3]; 3],
-    /// Convex hull of the patches, in that plane, m.
+    /// Convex hull of the contact patches, in the plane, m.
     pub contact: Polygon,
-    /// Point where the resultant of weight and static loads crosses the plane, in its coordinates, m.
+    /// Point where the resultant of weight and static loads crosses the plane, in coordinates of the plane, m.
     pub resultant_m: [f64; 2],
-    /// Its distance from the nearest edge of the contact, m; negative outside.
+    /// Distance from that point to the nearest edge of the contact, m; negative outside.
     pub depth_m: f64,
-    /// The smaller of two margins: the remaining share of the way from the contact's centroid to the edge, 1 for a centred resultant, 0 at the
-    /// edge; and that of friction, 1 without shear, 0 at sliding.
+    /// The smaller of two margins. The margin of the resultant is 1 at the centroid of the contact, 0 at its edge, and linear between them.
+    /// The margin of friction is 1 without shear and 0 at sliding.
     pub gravity_margin: f64,
-    /// Every axis about which it can tip; empty if it does not stand.
+    /// Every axis about which the part can tip; empty if it does not stand.
     pub edges: Vec<EdgeLimit>,
-    /// Distance from the edge of the contact of the axis about which it tips first, because the edge crushes, m; `None` without a strength, or
-    /// if it does not stand.
+    /// Distance between the edge of the contact and the axis about which the part tips first, m: the edge crushes. `None` without a
+    /// compressive strength, or if the part does not stand.
     pub crushed_m: Option<f64>,
-    /// First tipping, without ties. `None` if it does not stand.
+    /// First tipping, without ties. `None` if the part does not stand.
     pub uplift: Option<Threshold>,
-    /// Tipping with every tie of the cut pulling at its strength.
+    /// First tipping with every tie of the cut at its strength.
     pub uplift_with_ties: Option<Threshold>,
-    /// Sliding against friction and cohesion. `None` if it does not stand.
+    /// Sliding against friction and cohesion. `None` if the part does not stand.
     pub sliding: Option<Threshold>,
     /// Sliding against friction, cohesion and the shear strength of every tie.
     pub sliding_with_ties: Option<Threshold>,
-    /// Whether it stands without shaking.
+    /// Whether the part stands without shaking.
     pub standing: Standing,
     pub(super) tipping: Vec<HalfPlane>,
 }
 
 impl CutLimits {
-    /// Acceleration at which it tips under shaking in one direction (that of inertia forces), m/s²; `None` if it does not stand.
+    /// Acceleration at which the part tips under shaking in one direction (the direction of the inertia forces), m/s²; `None` if it does not
+    /// stand.
     ///
     /// ```text
     /// a(u) = min over lines with l·u > 0 of s / (l·u)
     /// ```
     ///
     /// # Errors
-    /// [`StabilityError::Direction`] unless the direction has a length.
+    /// [`StabilityError::Direction`] if the direction has no length.
     ///
     /// # Limits
-    /// With a compressive strength the limit is a curve; chords of it are used, which are never too high, and on a square contact at most 1 %
-    /// too low.
+    /// With a compressive strength the limit is a curve. Chords replace it, which are never too high, and at most 1 % too low on a square
+    /// contact.
     pub fn uplift_in_m_s2(&self, direction: [f64; 2]) -> Result<Option<f64>, StabilityError> {
         let length = direction[0].hypot(direction[1]);
         if !(length > 0.0 && length.is_finite()) {
@@ -92,7 +93,7 @@ impl CutLimits {
     }
 }
 
-/// The first motion.
+/// Kind of the first motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -103,7 +104,7 @@ pub enum LimitKind {
     Sliding,
 }
 
-/// The first motion, its place and acceleration.
+/// The first motion, with its cut and acceleration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Governing {
@@ -111,36 +112,37 @@ pub struct Governing {
     pub kind: LimitKind,
     /// Index of the cut in [`StackLimitStates::cuts`].
     pub cut: usize,
-    /// Its acceleration and direction.
+    /// Acceleration and direction.
     pub threshold: Threshold,
 }
 
-/// The limits of a stack.
+/// Limit states of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackLimitStates {
-    /// Cut by cut, lowest first.
+    /// The limits of each cut, lowest cut first.
     pub cuts: Vec<CutLimits>,
-    /// Whether it stands without shaking: the worst of all cuts.
+    /// Whether the stack stands without shaking: the worst result of all cuts.
     pub standing: Standing,
-    /// Smallest [`CutLimits::gravity_margin`]; `None` without a cut.
+    /// Smallest [`CutLimits::gravity_margin`]; `None` if there is no cut.
     pub gravity_margin: Option<f64>,
-    /// stable, marginal, unstable, without shaking; unknown if it seems to stand but is not statically determinate.
+    /// Verdict without shaking: stable, marginal or unstable; unknown if the stack seems to stand but is not statically determinate.
     pub verdict: Verdict,
-    /// First uplift of all cuts; `None` if the stack does not stand. An upper bound unless statically determinate.
+    /// First uplift of all cuts; `None` if the stack does not stand. An upper bound if the stack is not statically determinate.
     pub uplift: Option<Governing>,
-    /// First sliding of all cuts; `None` if the stack does not stand. An upper bound unless statically determinate.
+    /// First sliding of all cuts; `None` if the stack does not stand. An upper bound if the stack is not statically determinate.
     pub sliding: Option<Governing>,
-    /// The first of both; `None` if the stack does not stand, or is not statically determinate: these cuts then do not show what governs.
+    /// The earlier of uplift and sliding. `None` if the stack does not stand or is not statically determinate: these cuts then do not show
+    /// what governs.
     pub governing: Option<Governing>,
-    /// The first of both with ties at their strength, under the same conditions.
+    /// The earlier of uplift and sliding with ties at their strength, under the same conditions.
     pub governing_with_ties: Option<Governing>,
-    /// Factor of a rotating soil on every threshold: 1 − W h / K, 1 on rigid ground.
+    /// Factor on every threshold for the rotation of the soil: 1 − W h / K; 1 on rigid ground.
     pub soil_factor: f64,
-    /// Horizontal acceleration added to every part by the soil's rotation under static loads, m/s².
+    /// Horizontal acceleration that the rotation of the soil under static loads adds to every part, m/s².
     pub soil_offset_m_s2: [f64; 2],
-    /// Groups of blocks on joints of different planes, which are not judged here.
+    /// Groups of blocks on joints in different planes, which this method does not assess.
     pub undecided: Vec<Vec<usize>>,
-    /// Whether equilibrium alone gives the force in each joint. If not, every threshold here is an upper bound, and
-    /// a limit analysis decides.
+    /// Whether equilibrium alone gives the force in each joint. If not, every threshold here is an upper bound, and only limit analysis gives
+    /// the verdict.
     pub statically_determinate: bool,
 }

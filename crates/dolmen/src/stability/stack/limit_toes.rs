@@ -5,7 +5,7 @@
 //! | f, A | `strength_pa`, `area` | compressive strength, area of the patch | Pa, m² |
 //! | ν | `outward` | direction in the plane of the patch, unit | – |
 //! | α | `share` | part of the patch that a straight line cuts off | – |
-//! | N_k, c_k | `capacity_n`, `at_m` | α f A, what that part bears at full stress, and its centroid | N, m |
+//! | N_k, c_k | `capacity_n`, `at_m` | α f A, resistance of that part at full stress, and its centroid | N, m |
 
 use super::toe::toe;
 use crate::structure::stack::Polygon;
@@ -15,16 +15,16 @@ use crate::structure::stack::Polygon;
 const MANY: [f64; 12] = [
     0.85, 0.7, 0.57, 0.46, 0.36, 0.27, 0.19, 0.12, 0.07, 0.03, 0.006, 0.000_1,
 ];
-/// The same in stacks of many joints: 6.3 % and, with half of the directions, 12.2 %. Chosen here.
+/// Fewer values for stacks of many joints: the error is 6.3 %, and 12.2 % with half of the directions. Chosen here.
 const FEW: [f64; 9] = [0.75, 0.5, 0.3, 0.18, 0.1, 0.05, 0.02, 0.004, 0.000_05];
 /// Largest number of joints of a "few". Chosen here: a check of such an arch takes some seconds.
 const JOINTS_FEW: usize = 25;
-/// The same about a known force in the joint, for shaking, which hardly changes it. Chosen here.
+/// Values relative to a known force in the joint, for shaking, which hardly changes that force. Chosen here.
 const ABOUT_KNOWN: [f64; 5] = [1.0, 0.9, 1.1, 0.25, 4.0];
 /// And for growing loads, which may change it. Chosen here, as [`MANY`].
 const FROM_KNOWN: [f64; 12] = [1.0, 0.25, 0.7, 1.19, 1.41, 1.68, 2.0, 2.83, 4.0, 5.7, 8.0, 16.0];
-/// Number of directions from the normal of one edge to that of the next: for few joints, for many, and for patches with so many edges that their
-/// normals suffice. Chosen here.
+/// Number of directions between the normals of adjacent edges: for few joints, for many, and for patches with so many edges that their normals
+/// suffice. Chosen here.
 const BETWEEN_FEW: usize = 4;
 const BETWEEN_MANY: usize = 2;
 const EDGES_SUFFICE: usize = 12;

@@ -64,8 +64,8 @@ impl LoadFactor {
 /// [`StabilityError`] for a factor on the weight that is not positive, and a programme that the solver could not solve.
 ///
 /// # Limits
-/// Those of [`limit_analysis`](super::limit_analysis()): stone is rigid and infinitely strong, friction is associated, cohesion holds
-/// against sliding and ties hold nothing.
+/// As for [`limit_analysis`](super::limit_analysis()): stone is rigid and infinitely strong, friction is associated, cohesion resists sliding,
+/// and ties resist nothing.
 ///
 /// # Example
 /// ```

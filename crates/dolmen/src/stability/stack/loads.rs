@@ -1,15 +1,16 @@
-//! Loads on a stack besides its weight, summed block by block.
+//! Loads on a stack in addition to its weight, summed block by block.
 
 use crate::stability::StabilityError;
 use crate::structure::stack::{Block, Stack, StaticLoad};
 use glam::DVec3;
 
-/// Loads before any horizontal shaking, in addition to those of the stack itself ([`Stack::static_loads`]).
+/// Loads before horizontal shaking, in addition to those of the stack itself ([`Stack::static_loads`]).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StackLoads {
-    /// Vertical acceleration of the ground, m/s², positive up: multiplies all weight by 1 + a_z/g. Above −g. Default 0.
+    /// Vertical acceleration of the ground, m/s², positive upwards, above −g: multiplies all weights by 1 + a_z/g.
+    /// Default 0.
     pub vertical_acceleration_m_s2: f64,
-    /// Static lateral load, as an acceleration that acts on every mass, m/s². Default none.
+    /// Static lateral load as an acceleration of every mass, m/s². Default none.
     pub lateral_m_s2: [f64; 2],
     /// Forces on single blocks. Default none.
     pub forces: Vec<PointForce>,
@@ -20,33 +21,35 @@ pub struct StackLoads {
 /// A static force on one block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointForce {
-    /// The block.
+    /// Index of the block.
     pub block: usize,
     /// Point of application, m; `None` for the block's centroid.
     pub position_m: Option<[f64; 3]>,
-    /// The force, N.
+    /// Force, N.
     pub force_n: [f64; 3],
 }
 
-/// A steady wind on every block without sheltering by others.
+/// A steady wind on every block; blocks do not shelter each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wind {
-    /// Net pressure on the projected area, front and lee together (dynamic pressure × force coefficient), Pa, ≥ 0.
+    /// Net pressure on the projected area, windward and leeward side together (dynamic pressure × force coefficient),
+    /// Pa, ≥ 0.
     pub pressure_pa: f64,
-    /// Direction of the wind; need not be of unit length.
+    /// Direction of the wind, of any length above 0.
     pub direction: [f64; 2],
 }
 
-/// Loads on a group of blocks without horizontal shaking.
+/// Sum of the loads on a group of blocks, without horizontal shaking.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Load {
     pub(super) mass: f64,
-    /// Mass × centroid.
+    /// Mass × centroid, kg m.
     pub(super) first: DVec3,
     pub(super) force: DVec3,
-    /// About the origin.
+    /// Moment about the origin, N m.
     pub(super) moment: DVec3,
-    /// Moment about the origin of horizontal static loads alone, which rotates the soil from its settled position.
+    /// Moment about the origin of the horizontal static loads alone, N m. It rotates the soil from its settled
+    /// position.
     pub(super) static_moment: DVec3,
 }
 
@@ -70,7 +73,7 @@ impl Load {
     }
 }
 
-/// Static forces alone, without the weight of the blocks.
+/// Loads by static forces alone, without the weight of the blocks.
 pub(super) fn without_weight(count: usize, forces: &[StaticLoad]) -> Vec<Load> {
     let mut loads = vec![Load::default(); count];
     push_all(&mut loads, forces);
@@ -86,7 +89,7 @@ pub(super) fn push_all(loads: &mut [Load], forces: &[StaticLoad]) {
     }
 }
 
-/// Sum over these blocks.
+/// Sum of the loads on these blocks.
 pub(super) fn together(loads: &[Load], blocks: &[usize]) -> Load {
     let mut sum = Load::default();
     for &block in blocks {
@@ -96,14 +99,14 @@ pub(super) fn together(loads: &[Load], blocks: &[usize]) -> Load {
 }
 
 impl StackLoads {
-    /// The loads on each block.
+    /// Loads on each block.
     pub(super) fn on_blocks(&self, stack: &Stack) -> Result<Vec<Load>, StabilityError> {
         let mut loads = self.on_bare_blocks(stack)?;
         push_all(&mut loads, stack.static_loads());
         Ok(loads)
     }
 
-    /// The same without the loads of the stack itself.
+    /// Loads on each block, without those of the stack itself.
     fn on_bare_blocks(&self, stack: &Stack) -> Result<Vec<Load>, StabilityError> {
         let gravity = stack.gravity_m_s2();
         let vertical = self.vertical_acceleration_m_s2;
@@ -171,7 +174,7 @@ impl Wind {
         }
         let along = DVec3::new(self.direction[0], self.direction[1], 0.0) / length;
         let at = |i: usize| DVec3::from(block.solid.vertices_m()[i]);
-        // the shadow: faces that look to windward, each triangle with its projected area
+        // projected area: the triangles of windward faces, each projected on a plane across the wind
         let (mut area, mut first) = (0.0, DVec3::ZERO);
         for face in block.solid.faces() {
             for k in 1..face.len().saturating_sub(1) {

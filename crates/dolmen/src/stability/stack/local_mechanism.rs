@@ -75,10 +75,10 @@ pub struct LocalMechanism {
 /// [`StabilityError`] for a direction without length, and a programme that the solver could not solve.
 ///
 /// # Limits
-/// Those of [`limit_analysis`](super::limit_analysis()): friction is associated, so that what slides also rises; stone is infinitely strong;
-/// cohesion holds against sliding, ties and side supports hold nothing. Where several mechanisms move at the same acceleration, the one
-/// found may be a mixture of them, with more parts than either. d₀* of several parts that move against each other is not computed, nor
-/// that of a stack with static loads; these take part in α₀, and have no mass in M* and e*.
+/// As for [`limit_analysis`](super::limit_analysis()): friction is associated, so sliding parts also rise; stone is infinitely strong;
+/// cohesion resists sliding; ties and side supports resist nothing. If several mechanisms move at the same acceleration, the result may be a
+/// mixture of them, with more parts than each. d₀* is not computed for several parts that move relative to each other, nor for a stack with
+/// static loads. Static loads enter α₀, but have no mass in M* and e*.
 ///
 /// # Example
 /// ```

@@ -12,7 +12,7 @@ pub enum JointMotion {
     Slides,
     /// It slides on an edge or corner and opens elsewhere.
     OpensAndSlides,
-    /// It crushes, and neither opens nor slides.
+    /// The joint crushes, without opening or sliding.
     Crushes,
 }
 

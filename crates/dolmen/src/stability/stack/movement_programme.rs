@@ -20,7 +20,7 @@ const MISSED_MOST: f64 = 1e-6;
 /// Coefficients (of order 1) below this are rounding. Chosen here.
 const ROUNDING: f64 = 1e-13;
 
-/// Loads on a block whatever its motion: force at its centroid and moment about it.
+/// Constant loads on a block: force at its centroid and moment about it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BlockDeadLoad {
     pub(super) force: DVec3,

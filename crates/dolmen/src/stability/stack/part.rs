@@ -297,7 +297,7 @@ impl<'a> Part<'a> {
             });
         }
         limits.gravity_margin = margin;
-        // on the edge itself it does not stand, whatever the rounding
+        // exactly on the edge the part does not stand, for any rounding
         let edge = ON_EDGE * self.contact.hull.size_m();
         if limits.depth_m <= edge {
             limits.standing = Standing::Leaves {

@@ -132,7 +132,7 @@ impl RockingBlock {
         Ok((1.0 / (1.0 - share)).acosh() / self.frequency_parameter_rad_s)
     }
 
-    /// The same of the full equation θ″ = −p² sin(α − θ), by quadrature.
+    /// The quarter period from the full equation θ″ = −p² sin(α − θ), by quadrature.
     ///
     /// # Errors
     /// [`StabilityError::Option`] unless 0 < θ₀/α < 1.

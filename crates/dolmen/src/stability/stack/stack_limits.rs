@@ -2,14 +2,14 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | p, t | `pivot`, `axis` | a point of the line that a part turns about, unit vector along it | m, – |
+//! | p, t | `pivot`, `axis` | a point of the axis of rotation of a part, unit vector along the axis | m, – |
 //! | n | `normal` | normal of the joint, upwards | – |
-//! | m, c | `mass`, `centroid` | of the part above | kg, m |
-//! | F, M | `force`, `moment` | weight (1 + a_z/g) and static loads on it, about the origin | N, N m |
+//! | m, c | `mass`, `centroid` | mass and centroid of the part above | kg, m |
+//! | F, M | `force`, `moment` | weight (1 + a_z/g) and static loads on the part; moment about the origin | N, N m |
 //! | x | – | horizontal acceleration of the inertia forces m x | m/s² |
 //! | μ, C | `mu`, `cohesion` | least friction of the joints, cohesion × area | –, N |
-//! | f | `compressive_strength_pa` | strength of the stone in the toe, of a joint | Pa |
-//! | K | `rocking_stiffness_n_m_rad` | moment over rotation of the base on its soil, of the [stack](Stack::soil) | N m/rad |
+//! | f | `compressive_strength_pa` | compressive strength of the stone at the edge of a joint | Pa |
+//! | K | `rocking_stiffness_n_m_rad` | rocking stiffness of the base on its soil, of the [stack](Stack::soil) | N m/rad |
 
 use super::cuts::cuts;
 use super::loads::{Load, together};
@@ -18,11 +18,11 @@ use super::{CutLimits, Governing, LimitKind, StackLimitStates, StackLimits, Stan
 use crate::stability::{StabilityError, Verdict};
 use crate::structure::stack::Stack;
 
-/// The horizontal acceleration at which each part of a stack begins to rock or slide, and the first of them.
+/// Horizontal acceleration at which each part of a stack begins to rock or slide, and the first of these motions.
 ///
 /// ```text
 /// rocking about the line (p, t):   x · m (t × (c − p))_h  ≤  −t · (M − p × F)
-///     horizontal joint, weight only:  a/g = tan α = distance of the plumb line from the edge / height of the centroid
+///     horizontal joint, weight only:  a/g = tan α = distance of the centroid from the edge, in plan / its height
 ///     soonest along (t × (c − p))_h, so the least over all directions is the least over the edges
 /// sliding, all unit v in the plane: x · m (v + μ n)_h ≤ μ N + C − v · F,  N = −F · n
 ///     tilted by β, weight only: a/g = tan(φ − β)
@@ -35,11 +35,11 @@ use crate::structure::stack::Stack;
 /// [`StabilityError`] for loads and options out of their range.
 ///
 /// # Limits
-/// Uplift and sliding are computed separately: a part that twists while it slides, or opens while it slides, needs a limit analysis. In a stack
-/// that is not statically determinate every threshold is an upper bound, three times too high for a beam across two pillars, and the result
-/// names no governing joint. Stones beside a part neither hold nor push it; side supports are left out. The tensile strength of a joint is left
-/// out, and its cohesion acts in sliding only. Of joints with different friction or strength the smallest counts. With ties: each at its
-/// strength, although a brittle one may break before the next is stretched.
+/// Uplift and sliding are computed separately: a part that twists or opens while it slides needs a limit analysis. In a stack that is not
+/// statically determinate every threshold is an upper bound, three times too high for a beam across two pillars, and the result names no
+/// governing joint. Stones beside a part neither support nor push it; side supports are left out. The tensile strength of a joint is left out,
+/// and its cohesion acts only against sliding. If joints differ in friction or strength, the smallest value counts. With ties: each at its
+/// strength, although a brittle tie may break before the next one is stretched.
 ///
 /// # Source
 /// Housner (1963) for the single block; Kim, Koo & Hong (2018), eqs 9 and 16 and section 3.4.
@@ -82,7 +82,7 @@ pub fn stack_limits(stack: &Stack, options: &StackLimits) -> Result<StackLimitSt
     Ok(states)
 }
 
-/// The loads on each block, and the rotation of the soil.
+/// Loads on each block, and the rotation of the soil.
 pub(super) fn acting(stack: &Stack, options: &StackLimits) -> Result<(Vec<Load>, Soil), StabilityError> {
     let loads = options.loads.on_blocks(stack)?;
     let all: Vec<usize> = (0..stack.blocks().len()).collect();
@@ -116,7 +116,7 @@ fn soil(stack: &Stack, whole: &Load, options: &StackLimits) -> Soil {
     soil
 }
 
-/// The worst margin and the first motion of all cuts.
+/// The smallest margin and the first motion of all cuts.
 fn summarise(states: &mut StackLimitStates) {
     for cut in &states.cuts {
         let least = states.gravity_margin.unwrap_or(f64::INFINITY);
@@ -163,7 +163,7 @@ fn soonest(
     })
 }
 
-/// Uplift where both come at once.
+/// Uplift if both occur at the same acceleration.
 fn sooner(uplift: Option<Governing>, sliding: Option<Governing>) -> Option<Governing> {
     match (uplift, sliding) {
         (Some(uplift), Some(sliding)) => Some(
@@ -241,7 +241,7 @@ mod tests {
     #[test]
     fn exact_offset_lowers_one_direction_only() {
         let states = limits(&shifted(&[(1.0, 0.5), (1.0, 1.0)], &[0.0, 0.1], 0.9));
-        // upper stone on .9 × 1 of the lower: .4 to the edge of the lower, .5 in y, height .5
+        // upper stone on 0.9 × 1 of the lower: 0.4 to the edge of the lower, 0.5 in y, height 0.5
         let upper = &states.cuts[1];
         assert!((upper.uplift.unwrap().acceleration_g - 0.8).abs() < 1e-12);
         assert!((upper.uplift.unwrap().direction[0] - 1.0).abs() < 1e-12);
@@ -285,7 +285,7 @@ mod tests {
         let sliding = stack_limits(&block, &lateral).unwrap().sliding.unwrap().threshold;
         assert!((sliding.acceleration_g - 0.55).abs() < 1e-12);
         let weight = 0.32 * 2600.0 * 9.81;
-        // a push of .04 W at the top: moment .08 W m of the .2 W m that hold it, m h = 1
+        // a push of 0.04 W at the top: moment 0.08 W m of the resisting 0.2 W m, m h = 1
         let push = loads(StackLoads {
             forces: vec![PointForce {
                 block: 0,
@@ -295,7 +295,7 @@ mod tests {
             ..StackLoads::default()
         });
         assert!((uplift(&block, &push) - 0.12).abs() < 1e-12);
-        // wind on .8 m² at half height, askew: the projected width is .4 √2
+        // wind on 0.8 m² at half height, oblique: the projected width is 0.4 √2
         let wind = loads(StackLoads {
             wind: Some(Wind {
                 pressure_pa: 1000.0,
@@ -308,7 +308,7 @@ mod tests {
 
     #[test]
     fn exact_strength_moves_the_line_in() {
-        // N = .32 × 2600 × 9.81 = 8161.92 N over .4 m: strip N / (σ .4) = 20.4048 mm at 1 MPa, pivot half of it inside
+        // N = 0.32 × 2600 × 9.81 = 8161.92 N over 0.4 m: strip N / (σ 0.4) = 20.4048 mm at 1 MPa, with the axis in its middle
         let block = tower(&[(0.4, 2.0)], 0.6);
         let of_strength = |compressive_strength_pa: f64| {
             let material = JointMaterial {
@@ -321,7 +321,7 @@ mod tests {
         let crushing = of_strength(1e6);
         let inside = 0.32 * 2600.0 * 9.81 / 1e6 / 0.4 / 2.0;
         assert!((uplift(&crushing, &options) - (0.2 - inside)).abs() < 1e-9);
-        // in any direction never above the exact one, and close to it
+        // in no direction above the exact limit, and close to it
         let states = stack_limits(&crushing, &options).unwrap();
         let contact = &states.cuts[0].contact;
         let area = 0.32 * 2600.0 * 9.81 / 1e6;
@@ -367,7 +367,7 @@ mod tests {
         assert!((uplift(&on(10.0 * fall), &usual) - 0.18).abs() < 1e-12);
         let states = stack_limits(&on(0.9 * fall), &usual).unwrap();
         assert_eq!((states.governing, states.verdict), (None, Verdict::Unstable));
-        // a static lateral load of .05 g turns the base by .05 / 9, which costs .05 / 9 and the tenth
+        // a static lateral load of 0.05 g rotates the base by 0.05 / 9, which costs 0.05 / 9 and the tenth
         let mut both = usual;
         both.loads.lateral_m_s2 = [0.05 * 9.81, 0.0];
         assert!((uplift(&on(10.0 * fall), &both) - 0.9 * (0.15 - 0.05 / 9.0)).abs() < 1e-12);

@@ -210,7 +210,7 @@ enum StepOutcome {
     Taken {
         share: f64,
     },
-    /// They would move farther, or nothing balances them.
+    /// The supports would move farther, or no forces are in equilibrium.
     Falls,
     NotSolved,
 }

@@ -6,7 +6,7 @@
 pub struct Threshold {
     /// Acceleration, m/s²; infinite if no acceleration reaches it.
     pub acceleration_m_s2: f64,
-    /// The same over gravity.
+    /// The acceleration over gravity.
     pub acceleration_g: f64,
     /// Direction of the inertia force, unit vector in the plane: the direction in which the part tips or slides. The ground accelerates in the
     /// opposite direction.

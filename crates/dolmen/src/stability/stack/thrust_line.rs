@@ -18,7 +18,7 @@ pub struct ThrustPoint {
     pub above: String,
     /// Point where the resultant crosses the plane of the joint, m.
     pub point_m: [f64; 3],
-    /// The same in the joint's own plane, about the origin of its largest patch, m.
+    /// The point in the plane of the joint, relative to the origin of its largest patch, m.
     pub in_plane_m: [f64; 2],
     /// Distance from the nearest edge of the contact, m; negative outside, where the part above tips.
     pub depth_m: f64,

@@ -1,10 +1,10 @@
-//! Damping of a building. Every form here leaves the modes uncoupled.
+//! Damping of a building. All forms leave the modes uncoupled.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | ζ_j | | damping ratio of mode j | – |
-//! | a_0, a_1 | | of mass and of stiffness: ζ = a_0/(2ω) + a_1 ω/2 | 1/s, s |
-//! | a_k | | of Caughey's series: ζ = ½ Σ a_k ω^(2k − 1) | |
+//! | a_0, a_1 | | Rayleigh coefficients of mass and stiffness: ζ = a_0/(2ω) + a_1 ω/2 | 1/s, s |
+//! | a_k | | coefficients of Caughey's series: ζ = ½ Σ a_k ω^(2k − 1) | |
 
 use super::building_of_floors::Building;
 use super::error::BuildingError;
@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 /// Largest damping ratio allowed: a mode at 1 does not oscillate. Our choice.
 const RATIO_MOST: f64 = 0.95;
 
-/// A frequency and the damping ratio there.
+/// A frequency and the damping ratio at this frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DampingAnchor {
     /// Frequency, Hz.
@@ -27,11 +27,11 @@ pub struct DampingAnchor {
 /// The damping of a building.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BuildingDamping {
-    /// A ratio for each mode, lowest first; the last holds for all that follow.
+    /// A ratio for each mode, lowest first; the last also applies to all higher modes.
     Modal(Vec<f64>),
     /// C = a_0 M + a_1 K with the damping ratios at two frequencies.
     Rayleigh([DampingAnchor; 2]),
-    /// Caughey's series through the ratios of the lowest modes: C = M Σ a_k (M⁻¹K)^k, k = 0 … ratios − 1.
+    /// Caughey's series with the given ratios of the lowest modes: C = M Σ a_k (M⁻¹K)^k, k = 0 … ratios − 1.
     Caughey(Vec<f64>),
 }
 
@@ -44,8 +44,8 @@ impl BuildingModes {
     ///
     /// # Errors
     /// [`BuildingError::Argument`] for a ratio outside 0 to 0.95, no ratio, more ratios than modes, or two anchors at one frequency;
-    /// [`BuildingError::Damping`] if a mode would gain energy, or would not oscillate, as Caughey's series may cause between and beyond its
-    /// modes.
+    /// [`BuildingError::Damping`] if a mode would gain energy or would not oscillate. Caughey's series may cause this between and beyond
+    /// its modes.
     pub fn damping_ratios(&self, damping: &BuildingDamping) -> Result<Vec<f64>, BuildingError> {
         let omegas = self.omegas_rad_s();
         let (ratios, why) = match damping {
@@ -82,7 +82,7 @@ impl BuildingModes {
             }
             BuildingDamping::Caughey(given) => {
                 checked(given, omegas.len())?;
-                // in (ω/ω_1)², so that the powers stay near 1
+                // in powers of (ω/ω_1)², which stay near 1
                 let first = omegas[0];
                 let square = |j: usize| (omegas[j] / first).powi(2);
                 let n = given.len();
@@ -115,7 +115,7 @@ impl BuildingModes {
 }
 
 impl Building {
-    /// The damping matrix C, 3N × 3N, that gives the modes these ratios and leaves them uncoupled.
+    /// The damping matrix C, 3N × 3N, that gives the modes these ratios without coupling them.
     ///
     /// ```text
     /// C = M Φ diag(2 ζ_j ω_j) Φᵀ M
@@ -136,7 +136,7 @@ impl Building {
     }
 }
 
-/// The last damping ratio; all must be allowed.
+/// Checks all damping ratios; returns the last.
 fn checked(given: &[f64], most: usize) -> Result<f64, BuildingError> {
     let refuse = |argument, given, allowed| {
         Err(BuildingError::Argument {

@@ -25,7 +25,7 @@ pub enum BuildingError {
         quantity: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// A refused number of a wall or column.
@@ -39,7 +39,7 @@ pub enum BuildingError {
         quantity: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// A stiffness matrix that is not symmetric.
@@ -103,7 +103,7 @@ pub enum BuildingError {
     /// An outline that is not the plan of a floor.
     #[error("the outline {why}: give its corners in order, each once")]
     Outline {
-        /// What is wrong with it.
+        /// The fault.
         why: String,
     },
     /// A point outside a floor.
@@ -137,7 +137,7 @@ pub enum BuildingError {
         argument: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// Damping that adds energy to a mode.

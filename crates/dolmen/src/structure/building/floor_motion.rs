@@ -1,11 +1,11 @@
-//! Turns modes at the sensors on a floor into modes of the floor: its sway along x and y, and its rotation.
+//! Converts mode shapes at the sensors on a floor into rigid motion of the floor: sway along x, sway along y, and rotation.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | φ | `real` | components of a mode at the sensors of the floor, rotated in phase to be as real as possible | – |
-//! | G | `motions` | motion at the sensors for u, v and ρθ of the centre of mass: d_x, d_y, (d_y r_x − d_x r_y)/ρ | – |
+//! | φ | `real` | components of a mode at the sensors on the floor, with the phase rotated so that they are as real as possible | – |
+//! | G | `motions` | motion at each sensor for unit u, v and ρθ of the centre of mass: d_x, d_y, (d_y r_x − d_x r_y)/ρ | – |
 //! | q | `shape` | u, v, ρθ, by least squares: G q ≈ φ | – |
-//! | d, r | | direction of a sensor; its place from the centre of mass | –, m |
+//! | d, r | | direction of a sensor; its position relative to the centre of mass | –, m |
 
 use super::plan_storey::{PlanMode, PlanMotion, Twist};
 use crate::modal::{Mode, Modes};
@@ -13,16 +13,16 @@ use crate::signal::Channel;
 use crate::structure::directional::real_shape;
 use dolmen_linalg::{Complex64, Matrix, solve};
 
-/// Sensors within this distance of the height of the floor stand on it, m. Chosen here, as for sensors that contradict each other.
+/// Sensors within this vertical distance of the floor belong to it, m. Chosen here, as for sensors that contradict each other.
 const ON_FLOOR_M: f64 = 0.5;
 /// A sensor whose direction has a larger vertical part than this is not horizontal. Chosen here.
 const VERTICAL_MOST: f64 = 0.1;
 /// Fewest sensors that determine three motions.
 const SENSORS_LEAST: usize = 3;
-/// Fraction of each motion at the sensors that must be independent of the two others, for the three to be distinguished. Chosen here: sensors
-/// within 5 cm of one line on a floor of 10 m have less.
+/// Smallest fraction of each of the three motions, as seen by the sensors, that must be independent of the other two. Below it the motions cannot be
+/// distinguished. Chosen here: sensors within 5 cm of one line on a floor of 10 m have less.
 const APART_LEAST: f64 = 1e-4;
-/// The orders of three motions.
+/// All orders of three motions.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 /// Position of the floor.
@@ -32,26 +32,26 @@ pub struct FloorPlace {
     pub height_m: f64,
     /// Centre of mass in plan, m.
     pub centre_m: [f64; 2],
-    /// Radius of gyration about it, m.
+    /// Radius of gyration about the centre of mass, m.
     pub gyration_m: f64,
 }
 
-/// A mode of a record as a motion of the floor.
+/// A measured mode as a motion of the floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloorMode {
     /// Frequency, Hz.
     pub frequency_hz: f64,
     /// Its standard deviation, Hz; 0 if it is not known.
     pub frequency_sd_hz: f64,
-    /// u, v, ρθ of the centre of mass, their squares summing to 1.
+    /// u, v, ρθ of the centre of mass; the sum of their squares is 1.
     pub shape: [f64; 3],
-    /// Twist of the mode taken as one along x, ρθ/u, and along y, ρθ/v.
+    /// Twist of the mode: ρθ/u for a mode along x, and ρθ/v for a mode along y.
     pub twist: [Twist; 2],
-    /// Fraction of the motion at the sensors that is not that of a rigid floor.
+    /// Fraction of the motion at the sensors that a rigid floor cannot explain.
     pub unexplained: f64,
 }
 
-/// The modes of a record as motions of the floor.
+/// Measured modes as motions of the floor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FloorModes {
     /// Modes in ascending frequency.
@@ -60,13 +60,15 @@ pub struct FloorModes {
     pub sensors: usize,
 }
 
-/// The modes of a record as motions of the floor. `None` where fewer than three horizontal sensors stand on it, or where these cannot
-/// distinguish sway along x, along y and rotation.
+/// Converts measured modes into motions of the floor. `None` if fewer than three horizontal sensors are on the floor, or if they cannot distinguish
+/// sway along x, sway along y and rotation.
 ///
 /// ```text
 /// q = (GᵀG)⁻¹ Gᵀ φ = P φ,   var t = Σ_c ((ρθ row of P − t · u row of P)_c / u)² sd_c²,   t = ρθ/u
 /// ```
-/// The deviations are those of the components of the shape, assumed independent.
+/// sd_c is the standard deviation of shape component c; the components are assumed independent.
+///
+/// Tested by `floor_in_records`.
 pub fn floor_modes(modes: &Modes, floor: &FloorPlace) -> Option<FloorModes> {
     let on_floor = |channel: &Channel| motion(channel, floor);
     let rows: Vec<(usize, [f64; 3])> = modes
@@ -85,7 +87,7 @@ pub fn floor_modes(modes: &Modes, floor: &FloorPlace) -> Option<FloorModes> {
     })
 }
 
-/// Motion at a sensor for u, v and ρθ; `None` for a sensor that is not horizontal or not on the floor.
+/// Motion at a sensor for unit u, v and ρθ; `None` for a sensor that is not horizontal or not on the floor.
 fn motion(channel: &Channel, floor: &FloorPlace) -> Option<[f64; 3]> {
     let ([x, y, z], [d_x, d_y, d_z]) = (channel.position_m?, channel.direction?);
     let is_on = (z - floor.height_m).abs() <= ON_FLOOR_M && d_z.abs() < VERTICAL_MOST;
@@ -101,7 +103,7 @@ fn pseudo_inverse(rows: &[(usize, [f64; 3])]) -> Option<Matrix> {
     let g = Matrix::from_fn(rows.len(), 3, |row, column| rows[row].1[column]);
     let square = &g.transpose() * &g;
     let inverse = solve(&square, &Matrix::identity(3)).ok()?;
-    // 1/((GᵀG)⁻¹)_ii is the part of column i that is independent of the others
+    // 1/((GᵀG)⁻¹)_ii is the squared length of the part of column i that is independent of the other columns
     let is_apart = |i: usize| {
         let own = 1.0 / inverse[(i, i)];
         own > APART_LEAST * square[(i, i)]
@@ -154,15 +156,15 @@ fn floor_mode(mode: &Mode, rows: &[(usize, [f64; 3])], pseudo_inverse: &Matrix) 
 }
 
 impl FloorModes {
-    /// Mean fraction of the motion of the lowest three modes that is not that of a rigid floor.
+    /// Mean, over the lowest three modes, of the fraction of the motion that a rigid floor cannot explain.
     pub fn unexplained(&self) -> f64 {
         let lowest = self.modes.iter().take(3);
         let count = lowest.len().max(1) as f64;
         lowest.map(|mode| mode.unexplained).sum::<f64>() / count
     }
 
-    /// The lowest three modes. Each gets the name of its largest motion, if that distinguishes all three; with shapes, and with the twists of
-    /// those along x and y.
+    /// The lowest three modes, with shapes. Each is named for its largest motion, if that gives three different names. The modes along x and y also
+    /// have their twist.
     pub fn plan_modes(&self) -> Vec<PlanMode> {
         let lowest: Vec<&FloorMode> = self.modes.iter().take(3).collect();
         let share = |order: &[usize; 3]| -> f64 {
@@ -186,7 +188,7 @@ impl FloorModes {
         .collect()
     }
 
-    /// The mode nearest to a frequency, if it is within this fraction of it.
+    /// The mode nearest to a frequency, if they differ by at most the fraction `within`.
     pub fn nearest(&self, frequency_hz: f64, within: f64) -> Option<&FloorMode> {
         let apart = |mode: &&FloorMode| (mode.frequency_hz / frequency_hz - 1.0).abs();
         let nearest = self.modes.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)))?;

@@ -1,11 +1,11 @@
-//! Mass and stiffness of a building, and the motion of its points.
+//! Mass matrix, stiffness matrix and displacement rows of a building.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | M | `mass_matrix` | diagonal: m, m, m ρ² of each floor | kg, kg·m² |
-//! | K | `stiffness_matrix` | with P-delta if the building includes it | N/m, N/rad, N·m/rad |
+//! | M | `mass_matrix` | diagonal: m, m, m ρ² for each floor | kg, kg·m² |
+//! | K | `stiffness_matrix` | including P-delta if the building has it | N/m, N/rad, N·m/rad |
 //! | q_i | | u, v, θ of the centre of mass of floor i | m, rad |
-//! | T_i | | drift of the reference point per q_i: [1 0 y; 0 1 −x; 0 0 1], x, y of the centre from it | – |
+//! | T_i | | displacement of the reference point per q_i: [1 0 y; 0 1 −x; 0 0 1], with the centre of mass at x, y from it | – |
 
 use super::building_of_floors::{Building, PDelta};
 use super::error::BuildingError;
@@ -14,12 +14,12 @@ use super::stability::geometric;
 use dolmen_linalg::Matrix;
 
 impl Building {
-    /// M, diagonal, 3N × 3N.
+    /// Mass matrix M, diagonal, 3N × 3N.
     pub fn mass_matrix(&self) -> Matrix {
         Matrix::from_diagonal(&self.masses())
     }
 
-    /// The diagonal of M: m, m, m ρ² of each floor.
+    /// The diagonal of M: m, m, m ρ² for each floor.
     pub fn masses(&self) -> Vec<f64> {
         let each = self
             .floors()
@@ -28,16 +28,16 @@ impl Building {
         each.collect()
     }
 
-    /// K, symmetric and positive definite, 3N × 3N.
+    /// Stiffness matrix K, symmetric and positive definite, 3N × 3N.
     ///
     /// ```text
     /// K = Σ_s B_sᵀ (k_s − g_s) B_s,   B_s q = T_s q_s − T_(s−1) q_(s−1),   q_0 = 0        3 × 3N
     /// ```
-    /// k_s and g_s are against the drift at one reference point of the plan, the centre of mass of the lowest floor. So floors whose centres do
-    /// not lie above each other are coupled correctly.
+    /// k_s and g_s refer to the drift at one reference point of the plan, the centre of mass of the lowest floor. So floors are coupled
+    /// correctly even if their centres of mass are not above each other.
     ///
     /// # Limits
-    /// Floors are rigid. Walls that bend as one over several storeys are not modelled.
+    /// Floors are rigid. Walls that bend as one cantilever over several storeys are not modelled.
     pub fn stiffness_matrix(&self) -> Matrix {
         let n = self.floors().len();
         let about = self.floors()[0].centre_m;
@@ -64,23 +64,23 @@ impl Building {
         k
     }
 
-    /// T_i: displacement of the reference point per coordinate of floor i, numbered from 0.
+    /// T_i: displacement of the reference point per coordinate of floor i (index from 0).
     fn to_reference(&self, floor: usize) -> [[f64; 3]; 3] {
         let (about, centre) = (self.floors()[0].centre_m, self.floors()[floor].centre_m);
         let (x, y) = (centre[0] - about[0], centre[1] - about[1]);
         [[1.0, 0.0, y], [0.0, 1.0, -x], [0.0, 0.0, 1.0]]
     }
 
-    /// The row whose product with all coordinates is the displacement of a point of a floor along a direction. As a column it is the load of a
-    /// unit force there.
+    /// The row that gives the displacement of a point of a floor along a direction from all coordinates. As a column it is the load of a unit
+    /// force at this point.
     ///
     /// ```text
     /// cos α (u − (y − y_c) θ) + sin α (v + (x − x_c) θ)                                      3N values
     /// ```
     ///
     /// # Errors
-    /// [`BuildingError::Part`] for a floor that does not exist, numbered from 1 at the bottom; [`BuildingError::Outside`] for a point outside
-    /// its outline; [`BuildingError::Argument`] for a value that is not a number.
+    /// [`BuildingError::Part`] for a floor that does not exist (numbers from 1 at the bottom); [`BuildingError::Outside`] for a point outside
+    /// the outline of the floor; [`BuildingError::Argument`] for a value that is not a number.
     pub fn point_row(
         &self,
         floor: usize,
@@ -118,10 +118,10 @@ impl Building {
         Ok(row)
     }
 
-    /// The row whose product is the rotation of a floor.
+    /// The row that gives the rotation of a floor from all coordinates.
     ///
     /// # Errors
-    /// [`BuildingError::Part`] for a floor that does not exist, numbered from 1 at the bottom.
+    /// [`BuildingError::Part`] for a floor that does not exist (numbers from 1 at the bottom).
     pub fn rotation_row(&self, floor: usize) -> Result<Vec<f64>, BuildingError> {
         let index = self.floor_index(floor)?;
         let mut row = vec![0.0; self.coordinates()];
@@ -129,13 +129,13 @@ impl Building {
         Ok(row)
     }
 
-    /// All coordinates for a ground displacement of 1 along a direction, with the building rigid.
+    /// All coordinates of the rigid building for a unit displacement of the ground along a direction.
     pub fn ground_column(&self, direction: PlanDirection) -> Vec<f64> {
         let [cos, sin] = direction.unit();
         [cos, sin, 0.0].repeat(self.floors().len())
     }
 
-    /// All coordinates for a rigid rotation of the building by 1 about a point of the plan.
+    /// All coordinates of the rigid building for a unit rotation about a point of the plan.
     pub fn turn_column(&self, about_m: [f64; 2]) -> Vec<f64> {
         let each = self.floors().iter().flat_map(|floor| {
             [
@@ -147,11 +147,11 @@ impl Building {
         each.collect()
     }
 
-    /// Rows of the drift of a storey at the edges of the floor above it: along x at the smallest and the largest y, along y at the smallest and
-    /// the largest x. The largest drift along x or y anywhere on the floor is at one of these two edges. `None` if its outline is unknown.
+    /// Rows of the drift of a storey at the edges of the floor above: along x at the smallest and largest y, along y at the smallest and
+    /// largest x. The largest drift along x or y on the floor is always at one of these edges. `None` if the outline is unknown.
     ///
     /// # Errors
-    /// [`BuildingError::Part`] for a storey that does not exist, numbered from 1 at the bottom.
+    /// [`BuildingError::Part`] for a storey that does not exist (numbers from 1 at the bottom).
     pub fn edge_drift_rows(&self, storey: usize) -> Result<Option<[Vec<f64>; 4]>, BuildingError> {
         let index = self.floor_index(storey)?;
         let upper = &self.floors()[index];
@@ -183,10 +183,10 @@ impl Building {
         Ok(Some([row(0, front), row(0, back), row(1, left), row(1, right)]))
     }
 
-    /// Rows of the forces in the walls and columns of the lowest storey: shear along x and y, and torque about the vertical through the centre
-    /// of all mass. They contain only the three coordinates of the lowest floor.
+    /// Rows of the forces in the walls and columns of the lowest storey: shear along x and y, and torque about the vertical axis through the
+    /// centre of all mass. They depend only on the three coordinates of the lowest floor.
     ///
-    /// With P-delta the walls carry more than the reaction of the ground, because the weight leans on them: k_1 drift instead of (k_1 − g_1)
+    /// With P-delta the walls carry more than the reaction of the ground, because of the leaning weight: k_1 drift instead of (k_1 − g_1)
     /// drift.
     pub fn base_rows(&self) -> [Vec<f64>; 3] {
         let (from, about) = (self.floors()[0].centre_m, self.centre_of_mass_m());

@@ -4,9 +4,9 @@
 //! |:--|:--|:--|:--|
 //! | φ_j | `shape` | shape of mode j, φᵀ M φ = 1 | kg^−½, rad kg^−½ m^−1 |
 //! | ω_j | `omega_rad_s` | circular frequency | rad/s |
-//! | ι | | the building shifted by 1 along x, y, or turned by 1 about its centre of mass | – |
-//! | Γ | `participation` | φᵀ M ι: participation of the mode in shaking | √kg, √kg m |
-//! | r_x, r_y | `r_x_m`, `r_y_m` | mode centre from the centre of mass of the floor | m |
+//! | ι | | unit displacement of the building along x or y, or unit rotation about its centre of mass | – |
+//! | Γ | `participation` | φᵀ M ι, participation factor | √kg, √kg m |
+//! | r_x, r_y | `r_x_m`, `r_y_m` | mode centre relative to the centre of mass of the floor | m |
 
 use super::building_of_floors::Building;
 use super::error::BuildingError;
@@ -14,25 +14,25 @@ use super::plan_direction::PlanDirection;
 use dolmen_linalg::{Matrix, symmetric_eigen};
 use std::f64::consts::TAU;
 
-/// A floor moves without turning if its rotation times its radius of gyration is below this fraction of its displacement: its centre would lie a
-/// million radii away. Our choice.
+/// Ratio of rotation times radius of gyration to displacement below which a floor does not rotate: its mode centre would be a million radii
+/// away. Our choice.
 const WITHOUT_TURNING: f64 = 1e-6;
-/// A floor that moves less than this fraction of the floor that moves most has no centre either. Our choice.
+/// A floor whose motion is below this fraction of the largest floor motion has no mode centre either. Our choice.
 const AT_REST: f64 = 1e-9;
-/// Frequencies closer than this fraction are one pair, whose shapes can be mixed arbitrarily. Our choice.
+/// Relative difference below which two frequencies count as repeated; their shapes can then be combined arbitrarily. Our choice.
 const REPEATED: f64 = 1e-6;
 
-/// The point about which a floor turns in a mode.
+/// The point about which a floor rotates in a mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ModeCentre {
-    /// From the centre of mass of the floor along x, m: −φ_y/φ_θ.
+    /// Position along x relative to the centre of mass of the floor, m: −φ_y/φ_θ.
     pub r_x_m: f64,
-    /// From the centre of mass of the floor along y, m: φ_x/φ_θ.
+    /// Position along y relative to the centre of mass of the floor, m: φ_x/φ_θ.
     pub r_y_m: f64,
-    /// In plan, m.
+    /// x in plan, m.
     pub x_m: f64,
-    /// In plan, m.
+    /// y in plan, m.
     pub y_m: f64,
 }
 
@@ -40,24 +40,24 @@ pub struct ModeCentre {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BuildingMode {
-    /// ω, rad/s.
+    /// Circular frequency ω, rad/s.
     pub omega_rad_s: f64,
     /// Frequency, Hz.
     pub frequency_hz: f64,
-    /// Shape, φᵀ M φ = 1: u, v, θ of each floor, lowest first; its largest of u, v, ρθ is positive.
+    /// Shape, φᵀ M φ = 1: u, v, θ of each floor, lowest first. The largest of u, v, ρθ is positive.
     pub shape: Vec<f64>,
-    /// Participation in shaking along x and y, √kg, and in turning about the centre of mass, √kg m.
+    /// Participation factors for shaking along x and y, √kg, and for rotation about the centre of mass, √kg m.
     pub participation: [f64; 3],
-    /// Effective mass along x and y, kg, and effective moment of inertia, kg·m²: summed over all modes they are those of the building.
+    /// Effective mass along x and y, kg, and effective moment of inertia, kg·m². Their sums over all modes are those of the building.
     pub effective_mass: [f64; 3],
-    /// Shares of its kinetic energy in u, v and θ of the centres of mass; their sum is 1.
+    /// Fractions of the kinetic energy in u, v and θ of the centres of mass; their sum is 1.
     pub energy_shares: [f64; 3],
-    /// How much sway and twist are mixed: twice the smaller of the shares of energy in translation and in rotation; 0 for either alone, 1 for
-    /// half and half.
+    /// Coupling of sway and twist: twice the smaller of the energy fractions in translation and in rotation. 0 for pure sway or twist, 1 for
+    /// equal fractions.
     pub coupling: f64,
-    /// The point about which each floor turns, lowest first; `None` for a floor that moves without turning, or not at all.
+    /// Mode centre of each floor, lowest first; `None` for a floor without rotation or without motion.
     pub centres: Vec<Option<ModeCentre>>,
-    /// Whether another mode has the same frequency, to 1e-6: then its shape is one choice of many.
+    /// Whether another mode has the same frequency within 1e-6: the shape is then one of many possible.
     pub repeated: bool,
 }
 
@@ -86,13 +86,13 @@ impl Building {
     /// K φ = ω² M φ,  φᵀ M φ = 1                                                    3N modes of 3N values
     /// Γ = φᵀ M ι      effective mass Γ²      r_x = −φ_y/φ_θ      r_y = φ_x/φ_θ
     /// ```
-    /// For one floor whose rotation is mixed with y alone, r_x of the two mixed modes satisfy r_1 r_3 = −ρ².
+    /// For one floor whose rotation is coupled only with y, r_x of the two coupled modes satisfy r_1 r_3 = −ρ².
     ///
     /// # Errors
     /// [`BuildingError::Linalg`] if the range of values exceeds the precision of the numbers.
     ///
     /// # Source
-    /// Hwang, Min & Hong, eq. 12: mode centre from the centre of mass, which is their reference point.
+    /// Hwang, Min & Hong, eq. 12: mode centre relative to the centre of mass, which is their reference point. Tested by `building_modes`.
     pub fn modes(&self) -> Result<BuildingModes, BuildingError> {
         let masses = self.masses();
         let root: Vec<f64> = masses.iter().map(|m| m.sqrt()).collect();
@@ -171,7 +171,7 @@ impl Building {
             if turning <= WITHOUT_TURNING * u.hypot(v) || turning.max(u.hypot(v)) <= AT_REST * largest {
                 return None;
             }
-            // −0 would be printed
+            // adding 0 avoids −0 in the output
             let (r_x_m, r_y_m) = (-v / theta + 0.0, u / theta + 0.0);
             Some(ModeCentre {
                 r_x_m,

@@ -215,7 +215,7 @@ mod tests {
 
     #[test]
     fn exact_moments_of_an_l_shape() {
-        // 4 × 4 less its upper right 2 × 2, part by part
+        // 4 × 4 without its upper right 2 × 2, part by part
         let corners = vec![
             [0.0, 0.0],
             [4.0, 0.0],

@@ -19,7 +19,7 @@ const TWIST_MOST: f64 = std::f64::consts::SQRT_2;
 const NET: i32 = 20;
 const ROUNDS: usize = 6;
 const FINER: f64 = 0.2;
-/// The same for frequencies near the measured ones, about the twists found for these.
+/// Number of grid points for frequencies near the measured ones, about the twists found for these.
 const NEAR: i32 = 8;
 /// Radius of the sphere of frequencies in standard deviations, jointly: 95 % of one number. Number of steps of the search on the sphere. Chosen
 /// here.
@@ -96,7 +96,7 @@ impl Family<'_> {
         self.extreme_about([0.0, 0.0], (NET, 0), (quantity, sign))
     }
 
-    /// The same on a grid about given twists, without the first rounds.
+    /// The extreme value on a grid about given twists, without the first rounds.
     fn extreme_about(
         &self,
         twist: [f64; 2],
@@ -124,7 +124,7 @@ impl Family<'_> {
         best.map(|value| Extreme { value, twist: about })
     }
 
-    /// The same over all frequencies within 1.96 standard deviations jointly.
+    /// The extreme value over all frequencies within 1.96 standard deviations jointly.
     fn with_scatter(&self, quantity: usize, sign: f64) -> Option<f64> {
         let measured = self.extreme(quantity, sign)?;
         let at = |deviations: [f64; 3]| {

@@ -82,7 +82,7 @@ impl PlanSolution {
     }
 }
 
-/// A stiffness that its own frequency determines, whatever the others are.
+/// A stiffness that its own frequency determines for any values of the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SingleStiffness {
@@ -130,7 +130,7 @@ impl PlanStiffness {
 /// the two modes is not used.
 ///
 /// Solutions whose modes contradict the measured motions or shapes are kept, with the reason. With fewer than three frequencies the result has
-/// the stiffnesses that each determines by itself (only where no eccentricity prevents it), and the quantities that stay free.
+/// the stiffnesses that single frequencies determine (only if no eccentricity prevents it), and the quantities that remain undetermined.
 ///
 /// # Errors
 /// [`PlanStiffnessError`].

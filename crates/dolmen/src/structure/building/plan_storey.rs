@@ -1,6 +1,6 @@
-//! One storey in plan without its stiffness, its measured modes, and the errors of the search.
+//! Input and errors of the plan stiffness search: one storey in plan without its stiffness, and its measured modes.
 
-/// The main motion of a floor in a mode.
+/// Predominant motion of a floor in a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum PlanMotion {
@@ -13,21 +13,21 @@ pub enum PlanMotion {
 }
 
 impl PlanMotion {
-    /// All three, in the order of the coordinates u, v, θ.
+    /// All motions, in the order of the coordinates u, v, θ.
     pub const ALL: [PlanMotion; 3] = [PlanMotion::X, PlanMotion::Y, PlanMotion::Torsion];
 
-    /// Its place in [`PlanMotion::ALL`].
+    /// Index in [`PlanMotion::ALL`].
     pub fn index(self) -> usize {
         self as usize
     }
 }
 
-/// How much a floor turns in a mode along x or y.
+/// Rotation of a floor in a mode along x or y.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist {
-    /// ρθ over the displacement of the centre of mass along the direction of the mode; θ counterclockwise.
+    /// ρθ divided by the displacement of the centre of mass along the direction of the mode; θ counterclockwise.
     pub ratio: f64,
-    /// Its standard deviation; 0 if it is not known.
+    /// Standard deviation of the ratio; 0 if unknown.
     pub sd: f64,
 }
 
@@ -36,17 +36,17 @@ pub struct Twist {
 pub struct PlanMode {
     /// Frequency, Hz.
     pub frequency_hz: f64,
-    /// Its standard deviation, Hz; 0 if it is not known.
+    /// Standard deviation of the frequency, Hz; 0 if unknown.
     pub frequency_sd_hz: f64,
-    /// How the floor moves, if that was measured.
+    /// Predominant motion of the floor, if measured.
     pub motion: Option<PlanMotion>,
-    /// Its twist, if that was measured.
+    /// Twist of the mode, if measured.
     pub twist: Option<Twist>,
-    /// u, v and ρθ of the centre of mass, with any common scale, if all of them were measured.
+    /// u, v and ρθ of the centre of mass, with any common scale, if all three were measured.
     pub shape: Option<[f64; 3]>,
 }
 
-/// The floor and its storey, without the stiffness.
+/// Mass and geometry of a floor and its storey, without the stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanStorey {
     /// Mass, kg.
@@ -55,7 +55,7 @@ pub struct PlanStorey {
     pub gyration_m: f64,
     /// Reduction of the sway stiffness by the weight, m g/h, N/m; 0 without P-delta.
     pub weight_takes_n_m: f64,
-    /// Given centre of rigidity from the centre of mass, m. Not used where twists determine it.
+    /// Given position of the centre of rigidity relative to the centre of mass, m. Not used if twists determine it.
     pub eccentricity_m: [f64; 2],
 }
 
@@ -63,45 +63,46 @@ pub struct PlanStorey {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum EccentricityFrom {
-    /// It was given.
+    /// Given by the user.
     Stated,
     /// From the twists of the modes along x and y.
     Twists,
 }
 
-/// Which of the modes, in ascending order, moves along x, along y and in rotation, with the twists of the first two.
+/// Indices of the modes, in ascending order, that move along x, along y and in rotation, with the twists of the first
+/// two.
 #[derive(Clone, Copy)]
 pub(super) struct Labelled {
     pub(super) mode_of: [usize; 3],
     pub(super) twist: [f64; 2],
 }
 
-/// Why the search for a stiffness fails.
+/// Error of the stiffness search.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PlanStiffnessError {
-    /// A refused number.
+    /// A number is out of its range.
     #[error("{quantity} is {given}, but must be {allowed}")]
     Argument {
-        /// Its name with its unit.
+        /// Name of the quantity with its unit.
         quantity: &'static str,
-        /// The value given.
+        /// The given value.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
-    /// No frequency, or more than a floor has.
+    /// No frequency is given, or more than a floor has modes.
     #[error("{given} modes were measured, but one floor has 3: along x, along y, torsion")]
     Modes {
-        /// How many.
+        /// Number of frequencies.
         given: usize,
     },
-    /// Two modes with the same motion.
+    /// Two modes have the same motion.
     #[error("two modes of motion {motion:?} were measured, but one floor has one of each")]
     Twice {
         /// The motion.
         motion: PlanMotion,
     },
-    /// Two equal frequencies, with sway and twist coupled.
+    /// Two frequencies are equal although sway and twist are coupled.
     #[error(
         "{frequency_hz} Hz was measured twice: sway and twist that couple have no shapes of their own at one frequency"
     )]

@@ -22,7 +22,7 @@ impl Chain {
     /// ```
     ///
     /// # Errors
-    /// [`StructureError`] where a link with what it carries is none: a negative mass, a height that is no number.
+    /// [`StructureError`] if a link with its added mass is invalid: a negative mass, or a height that is not a number.
     pub fn with_added_masses(&self, added: &[AddedMass]) -> Result<Self, StructureError> {
         let mut links: Vec<Link> = self.links().to_vec();
         for of in added {

@@ -15,7 +15,7 @@ use crate::structure::{
 };
 use dolmen_linalg::Matrix;
 
-/// How the stiffness of joints is sought.
+/// Options of the search for joint stiffness.
 pub type ChainStiffness = StiffnessSearch;
 
 /// Joint stiffnesses that explain measured modes.
@@ -45,8 +45,8 @@ pub type ChainStiffness = StiffnessSearch;
 /// top, [`StructureError::Option`].
 ///
 /// # Limits
-/// Above five joints, and with shapes, "every solution" is every solution found: many starts are no proof. Standard deviations are linear: above some 30 %
-/// of k they are only an order of magnitude. Small rotations, rigid links, a known mass.
+/// Above five joints, and with shapes, "every solution" means every solution found: the search starts from many points and may miss one. Standard
+/// deviations are linearised: above about 30 % of k they give only the order of magnitude. Small rotations, rigid links, a known mass.
 ///
 /// # Source
 /// The future work announced by Choi (2021), sec. 5; damped Gauss–Newton with variable projection (Golub & Pereyra
@@ -83,7 +83,7 @@ pub fn chain_stiffness(
     stiffness_from_modes(chain, modes, options)
 }
 
-/// Most joints for which every solution is followed: 120 paths take 0.2 s, 720 some 2.5 s.
+/// Largest number of joints for which every solution is followed: 120 paths take 0.2 s, 720 about 2.5 s.
 const JOINTS_FOLLOWED_MOST: usize = 5;
 
 impl Sprung for Chain {

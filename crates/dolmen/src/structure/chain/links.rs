@@ -1,9 +1,9 @@
-//! The links of a chain, checked (Choi 2021, Figs 10, 11, 13).
+//! The links of a chain (Choi 2021, Figs 10, 11, 13).
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | m_i | `mass_kg` | mass of link i, 1 the lowest | kg |
-//! | L_i | `length_m` | length of link i, joint to joint | m |
+//! | m_i | `mass_kg` | mass of link i; i = 1 is the lowest | kg |
+//! | L_i | `length_m` | length of link i from joint to joint | m |
 //! | l_i | `centroid_m` | height of its centre of mass above its lower joint | m |
 //! | J_i | `inertia` | moment of inertia about its centre of mass, about a horizontal axis | kg m² |
 //! | b_i | `bed_width_m` | width of the bed below link i, in the direction of motion | m |
@@ -11,7 +11,7 @@
 use super::SideSupport;
 use crate::structure::StructureError;
 
-/// Where a link's moment of inertia about its centre of mass comes from.
+/// How the moment of inertia of a link about its centre of mass is determined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Inertia {
     /// Given, kg m².
@@ -36,13 +36,13 @@ pub struct Link {
     pub centroid_m: f64,
     /// Moment of inertia.
     pub inertia: Inertia,
-    /// Width of the bed below it in the direction of motion, m: for the uplift limit of its lower joint.
+    /// Width of the bed below the link in the direction of motion, m, for the uplift limit of the lower joint.
     pub bed_width_m: Option<f64>,
 }
 
 impl Link {
-    /// J, moment of inertia about the centre of mass, kg m²: as given, m (b² + L²)/12 for a box (Choi 2021 eqs 15,
-    /// 16), m L²/12 for a thin rod.
+    /// Moment of inertia J about the centre of mass, kg m²: the given value, m (b² + L²)/12 for a box (Choi 2021 eqs
+    /// 15, 16), or m L²/12 for a thin rod.
     pub fn inertia_kg_m2(&self) -> f64 {
         const SLENDER: f64 = 12.0; // second moment of a uniform line of length L about its middle is L³/12
         let (m, l) = (self.mass_kg, self.length_m);
@@ -54,12 +54,12 @@ impl Link {
     }
 }
 
-/// A chain of rigid links, lowest first, checked: only valid ones exist. The joints' stiffness is not part of it,
-/// since it is what is sought.
+/// A chain of rigid links, lowest first. [`Chain::new`] checks the data, so every `Chain` is valid. The stiffness of
+/// the joints is not included, because it is the unknown of the identification.
 ///
 /// # Limits
-/// Small rotations; rigid links; joints that pass moment both ways (no opening). A chain without its cap stone is
-/// on the unsafe side: put the cap's mass into the top link.
+/// Small rotations; rigid links; joints that transmit moments in both directions (no opening). A chain without its
+/// cap stone is unsafe: add the mass of the cap to the top link.
 ///
 /// # Example
 /// ```
@@ -87,8 +87,8 @@ impl Chain {
     /// A chain of links, lowest first.
     ///
     /// # Errors
-    /// [`StructureError::Empty`], [`StructureError::Gravity`], [`StructureError::NotPositive`],
-    /// [`StructureError::Centroid`].
+    /// [`StructureError::Empty`] without links; [`StructureError::Gravity`], [`StructureError::NotPositive`] or
+    /// [`StructureError::Centroid`] for a value out of its range.
     pub fn new(links: Vec<Link>, gravity_m_s2: f64) -> Result<Self, StructureError> {
         if links.is_empty() {
             return Err(StructureError::Empty {
@@ -133,21 +133,21 @@ impl Chain {
         })
     }
 
-    /// The same chain with one spring more against the ground at its side.
+    /// The chain with one more spring between it and the ground beside it.
     ///
     /// # Errors
-    /// [`StructureError::Height`] if it is not on the chain, [`StructureError::NotPositive`],
-    /// [`StructureError::Negative`] for the gap.
+    /// [`StructureError::Height`] if the spring is not on the chain; [`StructureError::NotPositive`] for its
+    /// stiffness; [`StructureError::Negative`] for its gap.
     pub fn with_side_support(mut self, support: SideSupport) -> Result<Self, StructureError> {
         support.check(self.side_supports.len() + 1, self.height_m())?;
         self.side_supports.push(support);
         Ok(self)
     }
 
-    /// The same chain with the centre of mass of one link (from 1 at the bottom) at `1 + change` times its height.
+    /// The chain with the centre of mass of one link (from 1 at the bottom) at `1 + change` times its height.
     ///
     /// # Errors
-    /// [`StructureError::Part`] if there is no such link, [`StructureError::Centroid`] if the new centre of mass lies
+    /// [`StructureError::Part`] if there is no such link; [`StructureError::Centroid`] if the new centre of mass is
     /// outside the link.
     pub fn with_centroid_changed(&self, link: usize, change: f64) -> Result<Self, StructureError> {
         let mut links = self.links.clone();
@@ -179,12 +179,12 @@ impl Chain {
         self.gravity_m_s2
     }
 
-    /// The springs at its side.
+    /// The side supports.
     pub fn side_supports(&self) -> &[SideSupport] {
         &self.side_supports
     }
 
-    /// The same chain with nothing at its side.
+    /// The chain without side supports.
     pub fn without_side_supports(&self) -> Self {
         Chain {
             side_supports: Vec::new(),
@@ -207,7 +207,7 @@ impl Chain {
         self.links.iter().scan(0.0, below).collect()
     }
 
-    /// Whether any moment of inertia is not given but assumed to be a thin rod's.
+    /// Whether any link without a given moment of inertia is taken as a thin rod.
     pub fn assumes_thin_rods(&self) -> bool {
         self.links.iter().any(|link| link.inertia == Inertia::ThinRod)
     }

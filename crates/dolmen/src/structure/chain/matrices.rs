@@ -6,7 +6,7 @@
 //! | S_i | `above_kg` | mass above link i | kg |
 //! | k_i | `stiffness` | rotational spring of the joint below link i | N m/rad |
 //! | d_i | `damping` | rotational dashpot of the joint below link i | N m s/rad |
-//! | G_i | `gravity_moments` | gravity moment per rotation of link i with all links above it | N m/rad |
+//! | G_i | `gravity_moments` | gravity moment per rotation of link i, with all links above it | N m/rad |
 //! | Γ_i | `base_influence` | G_i / g | kg m |
 //! | c_j(z) | `lever` | displacement at height z per rotation of link j | m/rad |
 
@@ -15,7 +15,7 @@ use crate::structure::StructureError;
 use dolmen_linalg::Matrix;
 
 impl Chain {
-    /// S_i = Σ_{j>i} m_j, kg, lowest first.
+    /// Mass above each link, S_i = Σ_{j>i} m_j, kg, lowest first.
     fn mass_above_kg(&self) -> Vec<f64> {
         let mut above = vec![0.0; self.links().len()];
         for i in (1..above.len()).rev() {
@@ -24,7 +24,7 @@ impl Chain {
         above
     }
 
-    /// Γ_i, moment of all mass that rotates with link i about its lower joint, kg m, lowest first: a base
+    /// Γ_i, first moment of the mass that moves with link i about its lower joint, kg m, lowest first. A base
     /// acceleration a_g loads the chain with −Γ a_g.
     ///
     /// ```text
@@ -36,7 +36,7 @@ impl Chain {
             .collect()
     }
 
-    /// G_i = g Γ_i, gravity moment per rotation of link i with all links above it, N m/rad, lowest first.
+    /// Gravity moment G_i = g Γ_i per rotation of link i, with all links above it, N m/rad, lowest first.
     ///
     /// # Source
     /// C_mg of Choi (2021), eq. 20.
@@ -45,8 +45,8 @@ impl Chain {
         self.base_influence_kg_m().iter().map(|gamma| g * gamma).collect()
     }
 
-    /// M_i = Σ_{j≥i} G_j, moment of the weight above joint i when all above it leans by 1 rad, N m/rad, lowest first:
-    /// the least stiffness of joint i when every other joint is rigid.
+    /// M_i = Σ_{j≥i} G_j, moment of the weight above joint i if all links above it lean by 1 rad, N m/rad, lowest
+    /// first. It is the least stiffness of joint i if all other joints are rigid.
     pub fn necessary_n_m_rad(&self) -> Vec<f64> {
         let mut sums = self.gravity_moments_n_m_rad();
         for i in (1..sums.len()).rev() {
@@ -55,7 +55,7 @@ impl Chain {
         sums
     }
 
-    /// M, kg m²/rad.
+    /// Mass matrix M, kg m²/rad.
     ///
     /// ```text
     /// M_ii = m_i l_i² + L_i² S_i + J_i
@@ -64,7 +64,7 @@ impl Chain {
     /// ```
     ///
     /// # Source
-    /// Choi (2021) eqs 19, 30, with J about the centre of mass (eqs 15, 16).
+    /// Choi (2021) eqs 19, 30, with J about the centre of mass (eqs 15, 16). Tested by `choi_2021`.
     pub fn mass_matrix(&self) -> Matrix {
         let (links, above) = (self.links(), self.mass_above_kg());
         let gamma = self.base_influence_kg_m();
@@ -80,7 +80,8 @@ impl Chain {
         })
     }
 
-    /// K of the springs alone, without gravity, N m/rad; positive definite. It holds side supports without a gap.
+    /// Stiffness matrix of the springs alone, without gravity, N m/rad; positive definite. It includes side supports
+    /// without a gap.
     ///
     /// ```text
     /// K_ii = k_i + k_{i+1},  K_{i,i+1} = −k_{i+1},  k_{n+1} = 0;  + s c cᵀ of each side support
@@ -88,7 +89,8 @@ impl Chain {
     /// ```
     ///
     /// # Errors
-    /// [`StructureError::Count`], [`StructureError::NotPositive`] for a joint's stiffness.
+    /// [`StructureError::Count`] for a wrong number of joints, [`StructureError::NotPositive`] for the stiffness of a
+    /// joint.
     pub fn elastic_stiffness_matrix(&self, stiffness_n_m_rad: &[f64]) -> Result<Matrix, StructureError> {
         self.check_stiffness(stiffness_n_m_rad)?;
         let mut k = joint_matrix(stiffness_n_m_rad);
@@ -104,7 +106,7 @@ impl Chain {
         Ok(k)
     }
 
-    /// K of springs and gravity, N m/rad: the chain stands if and only if it is positive definite.
+    /// Stiffness matrix K of springs and gravity, N m/rad. The chain stands if and only if K is positive definite.
     ///
     /// ```text
     /// K = K_springs − diag(G)        n × n
@@ -123,14 +125,14 @@ impl Chain {
         Ok(k)
     }
 
-    /// D of the joints' dashpots, N m s/rad.
+    /// Damping matrix D of the dashpots in the joints, N m s/rad.
     ///
     /// ```text
     /// D_ii = d_i + d_{i+1},  D_{i,i+1} = −d_{i+1},  d_{n+1} = 0        n × n
     /// ```
     ///
     /// # Errors
-    /// [`StructureError::Count`], [`StructureError::Negative`].
+    /// [`StructureError::Count`] for a wrong number of joints, [`StructureError::Negative`] for a negative dashpot.
     ///
     /// # Source
     /// Choi (2021) eq. 31.
@@ -149,7 +151,7 @@ impl Chain {
         Ok(joint_matrix(damping_n_m_s_rad))
     }
 
-    /// c(z), lateral displacement at height z per rotation of each link, m/rad, lowest first.
+    /// Lateral displacement c(z) at height z per rotation of each link, m/rad, lowest first.
     ///
     /// ```text
     /// u(z in link i) = Σ_{j<i} L_j θ_j + (z − z_i) θ_i = cᵀ θ        n values
@@ -158,7 +160,7 @@ impl Chain {
     /// # Errors
     /// [`StructureError::Height`] if z is below the lowest joint or above the top.
     pub fn lever_m_rad(&self, height_m: f64) -> Result<Vec<f64>, StructureError> {
-        // Heights in a file are sums of rounded lengths: a micrometre above the top is still the top.
+        // Heights in a file are sums of rounded lengths: a micrometre above the top counts as the top.
         const ROUNDING_M: f64 = 1e-6;
         let top_m = self.height_m();
         if !(height_m >= 0.0 && height_m <= top_m + ROUNDING_M) {
@@ -174,10 +176,10 @@ impl Chain {
             .collect())
     }
 
-    /// Refuses a wrong number of joint stiffnesses and any that is not positive.
+    /// Refuses a wrong number of joint stiffnesses, and a stiffness that is not positive.
     ///
     /// # Errors
-    /// [`StructureError::Count`], [`StructureError::NotPositive`].
+    /// [`StructureError::Count`] and [`StructureError::NotPositive`] in these cases.
     pub fn check_stiffness(&self, stiffness_n_m_rad: &[f64]) -> Result<(), StructureError> {
         self.check_count("stiffness_n_m_rad", stiffness_n_m_rad.len())?;
         match stiffness_n_m_rad
@@ -209,7 +211,7 @@ impl Chain {
     }
 }
 
-/// Σ k_i b_i b_iᵀ with b_i = e_i − e_{i−1}: tridiagonal.
+/// Tridiagonal matrix Σ k_i b_i b_iᵀ with b_i = e_i − e_{i−1}.
 fn joint_matrix(joints: &[f64]) -> Matrix {
     let n = joints.len();
     let next = |i: usize| joints.get(i + 1).copied().unwrap_or(0.0);

@@ -1,24 +1,25 @@
-//! How a chain moves: natural modes, and displacement from rotations.
+//! Natural modes of a chain, and displacements from its rotations.
 
 use super::Chain;
 use crate::structure::{NaturalMode, StructureError};
 use dolmen_linalg::generalized_symmetric_eigen;
 
 impl Chain {
-    /// Undamped natural modes under gravity, ascending; as many as links.
+    /// Undamped natural modes under gravity, ascending; one per link.
     ///
     /// ```text
     /// K φ = ω² M φ,  f = ω / 2π        K, M: n × n;  φ: n link rotations
     /// ```
     ///
     /// # Errors
-    /// [`StructureError::Count`], [`StructureError::NotPositive`], [`StructureError::Linalg`].
+    /// [`StructureError::Count`] or [`StructureError::NotPositive`] for the stiffnesses; [`StructureError::Linalg`]
+    /// if the decomposition fails.
     ///
     /// # Limits
     /// Small amplitudes. A chain that falls has a negative ω² in its first mode and frequency 0.
     ///
     /// # Source
-    /// Choi (2021) eq. 28.
+    /// Choi (2021) eq. 28. Tested by `choi_2021`.
     ///
     /// # Example
     /// ```
@@ -45,10 +46,10 @@ impl Chain {
             .collect())
     }
 
-    /// One mode from its rotations of any scale.
+    /// One mode from rotations of any scale.
     fn natural_mode(&self, omega_squared: f64, rotations: &[f64]) -> NaturalMode {
         let tops = self.top_displacements(rotations);
-        // the largest is 1: a chain moves most at the top of some link, since links are straight
+        // scaled to a largest displacement of 1, which occurs at the top of a link because links are straight
         let scale = tops
             .iter()
             .fold(0.0_f64, |most, &u| if u.abs() > most.abs() { u } else { most });
@@ -70,10 +71,11 @@ impl Chain {
         links.scan(0.0, climb).collect()
     }
 
-    /// u(z), lateral displacement at a height from the rotations of the links, m for rotations in rad.
+    /// Lateral displacement u(z) at a height from the rotations of the links; m for rotations in rad.
     ///
     /// # Errors
-    /// [`StructureError::Count`], [`StructureError::Height`].
+    /// [`StructureError::Count`] for a wrong number of rotations; [`StructureError::Height`] for a height outside the
+    /// chain.
     pub fn displacement_at(&self, rotations_rad: &[f64], height_m: f64) -> Result<f64, StructureError> {
         self.check_count("rotations_rad", rotations_rad.len())?;
         let lever = self.lever_m_rad(height_m)?;

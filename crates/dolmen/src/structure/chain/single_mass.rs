@@ -1,4 +1,5 @@
-//! The simplest model of a pole, to check others by: one rigid body on one rotational spring (Choi 2021, Fig. 7).
+//! The simplest model of a pole, for checking other models: one rigid body on one rotational spring (Choi 2021, Fig.
+//! 7).
 
 use super::Chain;
 use crate::structure::StructureError;
@@ -10,45 +11,46 @@ use crate::structure::StructureError;
 /// ```
 ///
 /// # Source
-/// Choi (2021) Fig. 7 and Choi & Cho (2021). Differs from the source: the body keeps its moment of inertia (Fig. 7
-/// takes a point: `inertia_kg_m2` = m h²), and gravity acts.
+/// Choi (2021) Fig. 7 and Choi & Cho (2021). Differs from the source: the body has its own moment of inertia (Fig. 7
+/// takes a point mass: `inertia_kg_m2` = m h²), and gravity acts. Tested by `choi_2021`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingleMass {
-    /// m, kg.
+    /// Mass m, kg.
     pub mass_kg: f64,
-    /// h, height of the centre of mass above the spring, m.
+    /// Height h of the centre of mass above the spring, m.
     pub height_m: f64,
-    /// I, moment of inertia about the spring, kg m².
+    /// Moment of inertia I about the spring, kg m².
     pub inertia_kg_m2: f64,
-    /// g, m/s².
+    /// Gravity g, m/s².
     pub gravity_m_s2: f64,
 }
 
 impl SingleMass {
-    /// m g h, the stiffness at which it just stands, N m/rad. For a chain this is M_1, the exact limit of its lowest
-    /// joint with every other rigid.
+    /// Critical stiffness m g h, at which the body just stands, N m/rad. For a chain this is M_1, the exact limit of
+    /// its lowest joint when all other joints are rigid.
     pub fn critical_stiffness_n_m_rad(&self) -> f64 {
         self.mass_kg * self.gravity_m_s2 * self.height_m
     }
 
-    /// Frequency with a spring at the foot, Hz; 0 if it falls.
+    /// Natural frequency with a rotational spring at the foot, Hz; 0 if the body falls.
     ///
-    /// For a chain with k_1 at the foot this is an upper bound of the first frequency: the other joints are rigid.
+    /// For a chain with k_1 at the foot it is an upper bound of the first frequency, because the other joints are
+    /// taken as rigid.
     ///
     /// # Errors
-    /// [`StructureError::NotPositive`].
+    /// [`StructureError::NotPositive`] if a value is not positive.
     pub fn frequency_hz(&self, stiffness_n_m_rad: f64) -> Result<f64, StructureError> {
         positive("joint", "stiffness_n_m_rad", stiffness_n_m_rad)?;
         let omega_squared = (stiffness_n_m_rad - self.critical_stiffness_n_m_rad()) / self.inertia_kg_m2;
         Ok(omega_squared.max(0.0).sqrt() / std::f64::consts::TAU)
     }
 
-    /// The spring that gives this frequency: k = m g h + I (2πf)², N m/rad.
+    /// Stiffness of the spring that gives this frequency, N m/rad: k = m g h + I (2πf)².
     ///
-    /// For a chain with this first frequency it is a lower bound of k_1.
+    /// For a chain with this first frequency the result is a lower bound of k_1.
     ///
     /// # Errors
-    /// [`StructureError::NotPositive`].
+    /// [`StructureError::NotPositive`] if a value is not positive.
     pub fn stiffness_n_m_rad(&self, frequency_hz: f64) -> Result<f64, StructureError> {
         positive("mode", "frequency_hz", frequency_hz)?;
         let omega = std::f64::consts::TAU * frequency_hz;

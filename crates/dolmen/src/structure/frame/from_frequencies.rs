@@ -1,4 +1,4 @@
-//! Every stiffness that gives a frame exactly the frequencies measured.
+//! All sets of storey stiffnesses that give a frame exactly the measured frequencies.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -7,14 +7,14 @@
 //! | Q | `product` | λ1 λ2 | (rad/s)⁴ |
 //! | r | `ratio` | f2 / f1 | – |
 //! | g_i | `geometric` | N_i / l_i | N/m |
-//! | κ_i | `kappa` | k_i − g_i, spring less P-delta (drift) | N/m |
+//! | κ_i | `kappa` | k_i − g_i, stiffness of the spring reduced by P-delta (drift) | N/m |
 //! | u, v | `u` | (k1 − g1 − g2)/m1 and (k2 − g2)/m2 (grounded) | (rad/s)² |
 
 use super::storeys::{Convention, Frame};
 use crate::structure::inverse::{FrequencyRoots, Sprung, roots_by_continuation};
 use crate::structure::{StiffnessNote, StructureError};
 
-/// Most storeys for which every root is found: n! paths are followed, 720 of them for six.
+/// Largest number of storeys for which all roots are computed: n! paths are followed, 720 for six storeys.
 pub(crate) const STOREYS_EXHAUSTIVE_MOST: usize = 6;
 
 /// All sets of n storey stiffnesses with which the frame has these n natural frequencies.
@@ -28,19 +28,19 @@ pub(crate) const STOREYS_EXHAUSTIVE_MOST: usize = 6;
 /// ```
 ///
 /// # Input
-/// * `frequencies_hz` -- of all n modes, ascending
+/// * `frequencies_hz` -- frequencies of all n modes, ascending, Hz
 ///
 /// # Errors
-/// [`StructureError::Frequencies`] unless there is one a storey; [`StructureError::Mode`] and
+/// [`StructureError::Frequencies`] unless there is one frequency per storey; [`StructureError::Mode`] and
 /// [`StructureError::FrequencyOrder`] unless they are positive and ascending; [`StructureError::Storeys`] above six storeys.
 ///
 /// # Limits
 /// Roots that agree to 1e-6 are reported as one. Each root reproduces every frequency to 1e-10.
 ///
 /// # Source
-/// Park & Min (2010), sec. 3.2, solve eq. 8 for one pair of stiffnesses. Differs from the source: both pairs are
-/// returned, and n storeys are allowed. That there are n! complex solutions: Friedland (1977) Linear Algebra Appl.
-/// 17(1):15-51, doi:10.1016/0024-3795(77)90039-8.
+/// Park & Min (2010), sec. 3.2, solve eq. 8 for one pair of stiffnesses. Differs from the source: both pairs are returned,
+/// and n storeys are allowed. There are n! complex solutions: Friedland (1977) Linear Algebra Appl. 17(1):15-51,
+/// doi:10.1016/0024-3795(77)90039-8. Tested by `park_min_2010`.
 ///
 /// # Example
 /// ```
@@ -119,7 +119,7 @@ fn one_storey(frame: &Frame, lambda: f64) -> FrequencyRoots {
     }
 }
 
-/// Both roots of x² − b x + c = 0 without cancellation; one if they are equal, none if they are not real.
+/// Real roots of x² − b x + c = 0, computed without cancellation; one root if both are equal, none if they are complex.
 fn quadratic(b: f64, c: f64) -> Vec<f64> {
     let discriminant = 0.25 * b * b - c;
     if discriminant < 0.0 {

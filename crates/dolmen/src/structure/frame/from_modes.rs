@@ -1,8 +1,9 @@
-//! Stiffness of a frame's storeys from measured modes: every solution, its uncertainty, and what the sensors do not see.
+//! Storey stiffness of a frame from measured modes: all solutions, their uncertainty, and the parts that the sensors cannot
+//! determine.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | K_0 | `rest` | K_ties − K_G: stiffness without the storeys' springs | N/m |
+//! | K_0 | `rest` | K_ties − K_G: stiffness without the storey springs | N/m |
 //! | b_i | `springs` | e_i − e_{i−1} (drift), e_i (grounded) | – |
 //! | h_i | | height of level i above the ground | m |
 
@@ -14,36 +15,37 @@ use crate::structure::{
 };
 use dolmen_linalg::Matrix;
 
-/// How the stiffness of storeys is sought.
+/// Options of the search for storey stiffness.
 pub type FrameStiffness = StiffnessSearch;
 
-/// Storey stiffnesses that explain measured modes of one direction.
+/// Storey stiffnesses that explain the measured modes of one direction.
 ///
 /// ```text
 /// min over ln k of Σ ((ln f_j(k) − ln f_j)/sd)² + Σ ((a_j c(z_p)ᵀ φ_j(k) − u_pj)/sd)²       a_j free
 /// cov(ln k) = (JᵀJ)⁻¹        J: data × storeys, exact derivatives
 /// ```
 ///
-/// As many frequencies as storeys have up to n! solutions, all of which are returned (as from
-/// [`stiffness_from_frequencies`]): frequencies alone cannot choose, one measured shape can. With fewer data than storeys
-/// the solution given is the one nearest to a fixed proportion of the storeys, and `choice` is
+/// If there are as many frequencies as storeys, up to n! solutions exist, and all are returned (as by
+/// [`stiffness_from_frequencies`]). Frequencies alone cannot select one of them; one measured shape can. With fewer data than
+/// storeys the result is the solution nearest to a fixed proportion between the storeys, and `choice` is
 /// [`Choice::Underdetermined`](crate::structure::Choice::Underdetermined).
 ///
 /// # Input
-/// * `modes` -- the **lowest** modes of this direction that do not twist, ascending, none left out between them.
-///   Displacements are those of points at heights above the ground; between levels they are taken on a straight line.
+/// * `modes` -- the **lowest** modes of this direction, without torsion, ascending, with none left out between them. The
+///   displacements belong to points at heights above the ground; between levels the shape is linear.
 ///
 /// # Errors
 /// [`StructureError::ModesMissing`], [`StructureError::ModesMost`] for more modes than storeys,
 /// [`StructureError::FrequencyOrder`], [`StructureError::Mode`], [`StructureError::Height`] for a sensor above the top.
 ///
 /// # Limits
-/// Standard deviations are linear: above some 30 % of k they are only an order of magnitude; `stiffness_range` is not
-/// linear, and there for up to four storeys. Above six storeys solutions are sought from many starts, which is no proof.
-/// Masses and axial forces are taken as known.
+/// Standard deviations are linearised: above about 30 % of k they give only the order of magnitude. `stiffness_range` is not
+/// linearised; it is available for up to four storeys. Above six storeys the search starts from many points and may miss a
+/// solution. Masses and axial forces are taken as known.
 ///
 /// # Source
-/// Park & Min (2010), sec. 3.2. Differs from the source: every solution, with intervals, and shapes to choose by.
+/// Park & Min (2010), sec. 3.2. Tested by `park_min_2010` and `stiffness_covariance`. Differs from the source: returns every
+/// solution, with intervals, and uses shapes to select one.
 ///
 /// # Example
 /// ```
@@ -90,9 +92,9 @@ impl Sprung for Frame {
         })
     }
 
-    /// Levels below and above share the displacement of a point between them.
+    /// The displacement of a point between levels is interpolated between the levels below and above.
     fn sensor(&self, height_m: f64) -> Result<Vec<f64>, StructureError> {
-        // Heights in a file are sums of rounded lengths: a micrometre above the top is still the top.
+        // Heights in a file are sums of rounded lengths: a micrometre above the top counts as the top.
         const ROUNDING_M: f64 = 1e-6;
         let levels = self.level_heights_m();
         let top_m = levels.iter().fold(0.0_f64, |most, h| most.max(*h));
@@ -117,8 +119,8 @@ impl Sprung for Frame {
         Ok(row)
     }
 
-    /// Drift: κ_i = ω² Σ_{j≥i} m_j φ_j / (φ_i − φ_{i−1}) of a straight shape, φ_i = h_i. Grounded: the mass above, so
-    /// that no two uncoupled storeys have the same frequency.
+    /// Drift: κ_i = ω² Σ_{j≥i} m_j φ_j / (φ_i − φ_{i−1}) for a straight shape, φ_i = h_i. Grounded: the mass of the storey
+    /// and all above, so that no two uncoupled storeys have the same frequency.
     fn proportion(&self) -> Vec<f64> {
         let drift = self.convention() == Convention::Drift;
         let mut sum = 0.0;

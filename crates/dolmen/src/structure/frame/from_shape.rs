@@ -95,7 +95,7 @@ pub fn stiffness_from_shape(
     Ok(stiffness)
 }
 
-/// What the spring of storey i sees: its drift, or its displacement.
+/// Deformation of the spring of storey i: its drift, or its displacement.
 fn extension(frame: &Frame, displacement: &[f64], i: usize) -> f64 {
     match frame.convention() {
         Convention::Grounded => displacement[i],

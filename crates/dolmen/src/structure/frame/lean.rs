@@ -1,4 +1,4 @@
-//! What the weight of a leaning frame pushes it aside with.
+//! Lateral forces of the weight of a leaning frame.
 
 use super::storeys::Frame;
 

@@ -1,10 +1,10 @@
-//! Mass, stiffness and P-delta of a frame, and its natural modes.
+//! Mass matrix, elastic stiffness, P-delta (geometric) stiffness and natural modes of a frame.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | M | `mass_matrix` | diagonal | kg |
 //! | K_E | `elastic_matrix` | springs of the storeys and ties | N/m |
-//! | K_G | `geometric_matrix` | what P-delta takes away | N/m |
+//! | K_G | `geometric_matrix` | reduction of the stiffness by P-delta | N/m |
 //! | B | | drifts from displacements: (B Y)_i = Y_i − Y_{i−1}, Y_0 = 0 | – |
 //! | e_a | | 1 at level a, 0 elsewhere; all 0 for the ground | – |
 
@@ -19,7 +19,7 @@ impl Frame {
         Matrix::from_diagonal(&masses)
     }
 
-    /// What P-delta takes from the stiffness, N/m; positive semidefinite, the same for both conventions.
+    /// Reduction of the stiffness by P-delta, N/m; positive semidefinite, and the same for both conventions.
     ///
     /// ```text
     /// K_G = Bᵀ diag(N_i / l_i) B                                                       n × n
@@ -32,7 +32,7 @@ impl Frame {
         k
     }
 
-    /// Stiffness of the storeys' springs and the ties, without P-delta, N/m; positive semidefinite.
+    /// Stiffness of the storey springs and the ties, without P-delta, N/m; positive semidefinite.
     ///
     /// ```text
     /// drift:      K_E = Bᵀ diag(k) B + Σ k_ab (e_b − e_a)(e_b − e_a)ᵀ                   n × n
@@ -40,8 +40,7 @@ impl Frame {
     /// ```
     ///
     /// # Errors
-    /// [`StructureError::Count`] unless there is one stiffness a storey; [`StructureError::Negative`] if one is
-    /// negative or not a number.
+    /// [`StructureError::Count`] unless there is one stiffness per storey; [`StructureError::Negative`] if a stiffness is negative or not a number.
     pub fn elastic_matrix(&self, stiffness_n_m: &[f64]) -> Result<Matrix, StructureError> {
         self.check_stiffness(stiffness_n_m)?;
         let mut k = Matrix::zeros(self.storeys().len(), self.storeys().len());
@@ -73,21 +72,21 @@ impl Frame {
     /// Small drifts: sin β = β, so a drift of 5 % of the height is wrong by 0.04 %.
     ///
     /// # Source
-    /// Park & Min (2010), eqs 1 to 7, for `Grounded`. Differs from the source: N_i is the axial force of the storey.
+    /// Park & Min (2010), eqs 1 to 7, for `Grounded`. Tested by `park_min_2010`. Differs from the source: N_i is the axial force of the storey.
     /// Eq. 7 has P1 + P2 in place of N1 although its printed P1 already holds P2; give
     /// [`storey_axial_forces_n`](crate::structure::storey_axial_forces_n) of the printed P to reproduce it.
     pub fn stiffness_matrix(&self, stiffness_n_m: &[f64]) -> Result<Matrix, StructureError> {
         Ok(&self.elastic_matrix(stiffness_n_m)? - &self.geometric_matrix())
     }
 
-    /// Natural modes, lowest first; a negative ω² is a shape in which the frame falls.
+    /// Natural modes, lowest first. A mode with ω² < 0 is a shape in which the frame falls.
     ///
     /// ```text
     /// K φ = ω² M φ                                        n modes, n displacements each
     /// ```
     ///
     /// # Errors
-    /// As [`Frame::elastic_matrix`]; [`StructureError::Linalg`] if the values differ by more than the numbers hold.
+    /// As [`Frame::elastic_matrix`]; [`StructureError::Linalg`] if the stiffnesses differ by more than double precision can resolve.
     pub fn natural_modes(&self, stiffness_n_m: &[f64]) -> Result<Vec<NaturalMode>, StructureError> {
         let eigen = generalized_symmetric_eigen(&self.stiffness_matrix(stiffness_n_m)?, &self.mass_matrix())?;
         let modes = eigen.values.iter().enumerate().map(|(j, &omega_squared)| {
@@ -119,7 +118,7 @@ impl Frame {
     }
 }
 
-/// Adds k (e_b − e_a)(e_b − e_a)ᵀ; level 0 is the ground and has no row.
+/// Adds k (e_b − e_a)(e_b − e_a)ᵀ. Level 0 is the ground and has no row.
 fn add_spring(matrix: &mut Matrix, a: usize, b: usize, stiffness: f64) {
     for level in [a, b] {
         if level > 0 {
@@ -132,7 +131,7 @@ fn add_spring(matrix: &mut Matrix, a: usize, b: usize, stiffness: f64) {
     }
 }
 
-/// The shape whose largest component is 1; of equal ones the lowest.
+/// The shape divided by its component of largest magnitude; if several are equal, by the lowest level's.
 fn scaled_to_one(shape: &[f64]) -> Vec<f64> {
     let largest = shape
         .iter()
@@ -175,7 +174,7 @@ mod tests {
 
     #[test]
     fn exact_a_tie_to_the_ground_is_a_grounded_spring() {
-        // Drift frame with k_2 = 0 and a tie from the ground to level 2 = grounded frame.
+        // A drift frame with k_2 = 0 and a tie from the ground to level 2 equals a grounded frame.
         let ties = vec![Tie {
             lower: 0,
             upper: 2,

@@ -1,17 +1,17 @@
-//! What a frame is made of.
+//! Storeys, ties and axial forces of a frame.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | m_i | `mass_kg` | mass of storey i, 1 the lowest | kg |
+//! | m_i | `mass_kg` | mass of storey i; i = 1 is the lowest | kg |
 //! | l_i | `height_m` | column height of storey i | m |
-//! | N_i | `axial_n` | gravity load that storey i carries: its own level and all above | N |
+//! | N_i | `axial_n` | gravity load that storey i carries: that of its own level and of all levels above | N |
 //! | P_i | `level_loads_n` | gravity load that acts at level i alone | N |
 //! | k_i | stiffness | lateral stiffness of storey i, by [`Convention`] | N/m |
 //! | Y_i | | lateral displacement of level i relative to the ground | m |
 
 use crate::structure::StructureError;
 
-/// What the spring k_i acts on.
+/// Which displacement the spring k_i acts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -29,25 +29,26 @@ pub struct Storey {
     pub mass_kg: f64,
     /// Column height, m.
     pub height_m: f64,
-    /// Axial force in it, N: the gravity loads of its top and all above. 0 leaves P-delta out.
+    /// Axial force in the storey, N: the gravity loads of its top level and of all levels above. 0 leaves P-delta
+    /// out.
     pub axial_n: f64,
 }
 
-/// A spring between any two levels, besides the storeys' own: a buttress, a rampart, a cable.
+/// A spring between two levels in addition to the storey springs: a buttress, a rampart, a cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tie {
-    /// One level; 0 is the ground.
+    /// One level, from 1; 0 is the ground.
     pub lower: usize,
     /// The other level.
     pub upper: usize,
-    /// Its lateral stiffness, N/m.
+    /// Lateral stiffness of the tie, N/m.
     pub stiffness_n_m: f64,
 }
 
-/// A frame of rigid storeys in one direction, lowest first, checked: only valid ones exist. The storeys' stiffness
-/// is not part of it, since it is what is sought.
+/// A frame of rigid storeys in one direction, lowest first. [`Frame::new`] checks the data, so every `Frame` is
+/// valid. The stiffness of the storeys is not included, because it is the unknown of the identification.
 ///
-/// Each direction of a building is a frame of its own; a mode that twists belongs to neither.
+/// Each direction of a building is a separate frame. Torsional modes belong to neither.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     storeys: Vec<Storey>,
@@ -59,9 +60,9 @@ impl Frame {
     /// A frame of storeys, lowest first.
     ///
     /// # Errors
-    /// [`StructureError::Empty`]; [`StructureError::NotPositive`] for a mass or height;
+    /// [`StructureError::Empty`] without storeys; [`StructureError::NotPositive`] for a mass or height;
     /// [`StructureError::Negative`] for an axial force; [`StructureError::AxialOrder`] if a storey carries less than
-    /// the one above it.
+    /// the storey above it.
     ///
     /// # Example
     /// ```
@@ -112,10 +113,10 @@ impl Frame {
         })
     }
 
-    /// The same frame with further springs between its levels or to the ground, in place of those it had.
+    /// Replaces the ties of the frame: springs between its levels or to the ground.
     ///
     /// # Errors
-    /// [`StructureError::Tie`] if one does not join two different levels; [`StructureError::Negative`] if its
+    /// [`StructureError::Tie`] if a tie does not connect two different levels; [`StructureError::Negative`] if its
     /// stiffness is negative or not a number.
     pub fn with_ties(self, ties: Vec<Tie>) -> Result<Self, StructureError> {
         let most = self.storeys.len();
@@ -139,12 +140,12 @@ impl Frame {
         &self.storeys
     }
 
-    /// What the springs act on.
+    /// Which displacements the springs act on.
     pub fn convention(&self) -> Convention {
         self.convention
     }
 
-    /// Springs besides the storeys' own.
+    /// Springs in addition to those of the storeys.
     pub fn ties(&self) -> &[Tie] {
         &self.ties
     }
@@ -158,13 +159,13 @@ impl Frame {
         heights.collect()
     }
 
-    /// N_i / l_i of each storey, N/m: what P-delta takes from the stiffness against drift.
+    /// N_i / l_i of each storey, N/m: reduction of the drift stiffness by P-delta.
     pub fn geometric_n_m(&self) -> Vec<f64> {
         self.storeys.iter().map(|s| s.axial_n / s.height_m).collect()
     }
 
-    /// Load that each level adds to the axial force, over the weight of its mass: near 1 when masses and axial forces
-    /// agree. 0 throughout when P-delta is left out.
+    /// Load that each level adds to the axial force, divided by the weight of its mass. The ratio is near 1 if masses
+    /// and axial forces agree, and 0 at every level if P-delta is left out.
     ///
     /// ```text
     /// (N_i − N_{i+1}) / (m_i g)                                                     n values
@@ -178,15 +179,15 @@ impl Frame {
     }
 }
 
-/// Axial force in each storey from the gravity load of each level alone, both N, lowest first.
+/// Axial force in each storey, N, from the gravity load of each level alone, N, lowest first.
 ///
 /// ```text
 /// N_i = Σ_{j≥i} P_j                                                                 n values
 /// ```
 ///
 /// # Source
-/// Park & Min (2010), eq. 7: its P1 − P2 = 2842 kN is the weight of its 290 t, so the printed P are already sums; put
-/// through this they count P2 twice, as eq. 7 does.
+/// Park & Min (2010), eq. 7: its P1 − P2 = 2842 kN is the weight of its 290 t, so the printed P are already sums.
+/// With these P as input, the function counts P2 twice, as eq. 7 does.
 pub fn storey_axial_forces_n(level_loads_n: &[f64]) -> Vec<f64> {
     let mut forces: Vec<f64> = level_loads_n
         .iter()

@@ -1,55 +1,58 @@
-//! All complex solutions of det(diag(k) + H − λ_j W) = 0, j = 1…n, by following them from a case that is solved.
+//! All complex solutions of det(diag(k) + H − λ_j W) = 0, j = 1…n, by continuation from a diagonal problem with known
+//! solutions.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | H, W | `h`, `w` | symmetric, W positive definite: stiffness without the springs sought, and mass |
-//! | S_j(t) | | λ_j W − H with its entries off the diagonal times t |
+//! | H, W | `h`, `w` | stiffness without the unknown springs, and mass; symmetric, W positive definite |
+//! | S_j(t) | | λ_j W − H with its off-diagonal entries multiplied by t |
 //! | A_j | `a` | diag(k) − S_j(t) |
-//! | s | `s` | way along the path, 0 to 1 |
+//! | s | `s` | parameter of the path, 0 to 1 |
 //!
-//! At t = 0 the matrices are diagonal: every assignment of frequencies to springs, k_i = S_j(i),ii, is a solution, n! of
-//! them. As t goes to 1 on an arc through the complex plane none of them meet (except on a set of measure zero) and none
-//! goes to infinity, so they become all n! solutions of the problem.
+//! At t = 0 the matrices are diagonal, and every assignment of frequencies to springs, k_i = S_j(i),ii, is a solution:
+//! n! solutions. Then t moves from 0 to 1 on an arc in the complex plane. On the arc no solutions meet (except on a set
+//! of measure zero) and none goes to infinity, so they end at the n! solutions of the problem.
 
 use dolmen_linalg::{Complex64, Matrix};
 
-/// The problem.
+/// The matrices and the frequencies of the problem.
 pub(crate) struct Pencil {
     pub(crate) h: Matrix,
     pub(crate) w: Matrix,
     pub(crate) lambda: Vec<f64>,
 }
 
-/// What was found.
+/// Result of the continuation.
 pub(crate) struct AllSolutions {
     /// Distinct solutions.
     pub(crate) solutions: Vec<Vec<Complex64>>,
-    /// How many there are, counted with multiplicity: n!.
+    /// Number of solutions counted with multiplicity: n!.
     pub(crate) expected: usize,
 }
 
-/// Heights of the arc that t takes beside the real axis, in order of trial; any would do, unlike numbers meet no
-/// special case twice.
+/// Heights of the arc of t beside the real axis, in the order in which they are tried. Any heights would do; unrelated
+/// numbers do not meet the same special case twice.
 const ARCS: [f64; 4] = [0.618, -0.377, 1.173, -0.845];
-/// First and longest step along the path, and shrinking of both for each further arc tried.
+/// Longest step along the path, also the first one, and the factor on it for each further arc.
 const STEP_MOST: f64 = 0.1;
 const CAUTION: f64 = 0.3;
-/// Step below which a path counts as lost: it ends where two solutions meet, which then differ by √ of this.
+/// Step below which a path counts as lost: two solutions meet there, and then differ by the square root of this.
 const STEP_LEAST: f64 = 1e-12;
-/// Steps after which a path counts as lost; 10 to 60 are usual. Frequencies within a per mille of each other need more.
+/// Number of steps after which a path counts as lost; 10 to 60 are usual, and frequencies within 0.1 % of each other
+/// need more.
 const STEPS_MOST: usize = 500;
-/// A corrector must start within this of the solution, relative, and end within the next after three iterations.
+/// Largest relative error at which the corrector may start, largest relative error after it, and its number of Newton
+/// iterations.
 const CORRECTION_MOST: f64 = 0.05;
 const CORRECTED: f64 = 1e-9;
 const CORRECTIONS: usize = 3;
-/// Newton iterations at the end of a path, to rounding.
+/// Number of Newton iterations at the end of a path, enough to converge to rounding.
 const FINISHING: usize = 12;
-/// Pivot, relative to the largest entry, that stands in for a smaller one: far below rounding, far above underflow.
+/// Pivot, relative to the largest entry, that replaces a smaller one: far below rounding, far above underflow.
 const PIVOT_LEAST: f64 = 1e-40;
-/// Two solutions nearer than this, relative, are one.
+/// Two solutions that differ by less than this, relative, are the same.
 const SAME: f64 = 1e-7;
 
-/// Every distinct complex solution.
+/// All distinct complex solutions.
 pub(crate) fn continue_all(pencil: &Pencil) -> AllSolutions {
     let starts = permutations(pencil.lambda.len());
     let expected = starts.len();
@@ -72,7 +75,7 @@ pub(crate) fn continue_all(pencil: &Pencil) -> AllSolutions {
     AllSolutions { solutions, expected }
 }
 
-/// All orders of 0…n−1.
+/// All permutations of 0…n−1.
 fn permutations(n: usize) -> Vec<Vec<usize>> {
     let mut all = vec![Vec::new()];
     for item in 0..n {
@@ -89,7 +92,7 @@ fn permutations(n: usize) -> Vec<Vec<usize>> {
     all
 }
 
-/// Largest difference of one unknown, relative to it.
+/// Largest relative difference of any unknown.
 fn distance(a: &[Complex64], b: &[Complex64]) -> f64 {
     let pairs = a.iter().zip(b);
     pairs.fold(0.0, |most, (a, b)| {
@@ -97,7 +100,7 @@ fn distance(a: &[Complex64], b: &[Complex64]) -> f64 {
     })
 }
 
-/// The end of one path; `None` if it is lost.
+/// End of one path; `None` if the path is lost.
 fn follow(pencil: &Pencil, start: &[usize], arc: f64, step_most: f64) -> Option<Vec<Complex64>> {
     let t = |s: f64| Complex64::new(s, arc * s * (1.0 - s));
     let dt = |s: f64| Complex64::new(1.0, arc * (1.0 - 2.0 * s));
@@ -139,7 +142,7 @@ fn follow(pencil: &Pencil, start: &[usize], arc: f64, step_most: f64) -> Option<
     }
     for _ in 0..FINISHING {
         let Some(change) = newton_step(pencil, &k, Complex64::ONE) else {
-            break; // singular to working precision: it is there
+            break; // singular to working precision: already at the solution
         };
         k = advanced(&k, &change, 1.0);
     }
@@ -150,7 +153,7 @@ fn advanced(k: &[Complex64], slope: &[Complex64], by: f64) -> Vec<Complex64> {
     k.iter().zip(slope).map(|(k, d)| k + d * by).collect()
 }
 
-/// A few Newton iterations at fixed t; `None` unless they start close and converge.
+/// A few Newton iterations at fixed t; `None` if the start is too far away or they do not converge.
 fn corrected(pencil: &Pencil, start: Vec<Complex64>, t: Complex64) -> Option<Vec<Complex64>> {
     let mut k = start;
     for iteration in 0..CORRECTIONS {
@@ -170,7 +173,7 @@ fn corrected(pencil: &Pencil, start: Vec<Complex64>, t: Complex64) -> Option<Vec
     None
 }
 
-/// Change of k that makes every det A_j zero to first order: Σ_i (A_j⁻¹)_ii dk_i = −1.
+/// Newton step: the dk that makes every det A_j zero to first order, Σ_i (A_j⁻¹)_ii dk_i = −1.
 fn newton_step(pencil: &Pencil, k: &[Complex64], t: Complex64) -> Option<Vec<Complex64>> {
     linearised(pencil, k, t, |_, _| Complex64::ONE)
 }
@@ -219,7 +222,7 @@ fn linearised(
 }
 
 /// X of A X = B from the rows of [A B], by Gauss–Jordan elimination with partial pivoting, row by row. A pivot below
-/// `pivot_least` is replaced by it: a singular A then has an inverse whose direction is right and whose size is huge.
+/// `pivot_least` is replaced by that value: a singular A then has an inverse with the right direction and a huge size.
 fn eliminated(mut rows: Vec<Complex64>, n: usize, right: usize, pivot_least: f64) -> Vec<Complex64> {
     let width = n + right;
     for pivot in 0..n {

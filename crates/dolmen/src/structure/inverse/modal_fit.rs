@@ -156,7 +156,7 @@ impl ModalFit {
         a
     }
 
-    /// The same residuals with frequencies as they were stated, in Hz: what lies far from a measured frequency is as far below as above.
+    /// The residuals with frequencies in Hz, as they were stated, so that residuals below and above a measured frequency count equally.
     ///
     /// ```text
     /// r = (f/f_measured − 1)/sd,   from r' = ln(f/f_measured)/sd and dr'/dx

@@ -1,4 +1,4 @@
-//! What the reader of an identification must know.
+//! Notes for the reader of an identification.
 
 use super::Sprung;
 use super::options::Weighting;
@@ -116,7 +116,7 @@ fn misfit(weighting: Weighting, misfit: f64) -> Misfit {
     }
 }
 
-/// What can change without any datum changing.
+/// Combinations of stiffness that can change without a change of any datum.
 pub(super) fn of_free_directions(spring: Spring, jacobian: &Svd, choice: Choice) -> Vec<StiffnessNote> {
     if choice != Choice::Underdetermined {
         return Vec::new();

@@ -1,28 +1,28 @@
-//! How stiffness is sought, and by what measure data are weighted.
+//! Options of the search for stiffness, and weighting of the data.
 
 use super::modal_fit::StandIn;
 use crate::structure::{MeasuredMode, StructureError};
 
-/// How stiffness is sought from measured modes.
+/// Options of the search for stiffness from measured modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StiffnessSearch {
-    /// Starting points scattered over the stiffnesses, where not every solution can be followed. Default 1000, our
-    /// choice: with five frequencies of the flagpole of Choi (2021) it finds what 10,000 find for stiffness in
-    /// proportion to M_i and for equal joints.
+    /// Number of random starting points, for problems in which not all solutions can be followed. Default 1000, our choice: with five
+    /// frequencies of the flagpole of Choi (2021) it finds the same solutions as 10,000 starts, for stiffness in proportion to M_i and
+    /// for equal joints.
     pub starts: usize,
-    /// Most solutions listed; how many more were found is noted. Default 64, our choice.
+    /// Largest number of listed solutions; a note gives the number of further ones. Default 64, our choice.
     pub solutions_most: usize,
-    /// Largest misfit of a solution where the modes carry standard deviations or shapes, in standard deviations, given or
-    /// assumed. Default 2, our choice.
+    /// Largest misfit of a solution, in standard deviations (given or assumed), if the modes have standard deviations or shapes. Default
+    /// 2, our choice.
     pub misfit_most: f64,
-    /// Largest misfit of frequencies alone where they carry none, relative. Default 0.01, our choice: frequencies of monuments repeat to
-    /// about that between seasons.
+    /// Largest relative misfit of frequencies, if there are only frequencies without standard deviations. Default 0.01, our choice: the
+    /// frequencies of monuments differ by about that between seasons.
     pub difference_most: f64,
-    /// Relative standard deviation taken for a frequency without one beside shapes or data that have theirs. Default 0.005, our
-    /// choice.
+    /// Relative standard deviation assumed for a frequency without one, if shapes or other data with standard deviations are given.
+    /// Default 0.005, our choice.
     pub frequency_sd_assumed: f64,
-    /// Standard deviation taken for a shape point without one, relative to the largest displacement of the mode. Default
-    /// 0.05, our choice: shapes of the field scatter by about that.
+    /// Standard deviation assumed for a shape point without one, relative to the largest displacement of the mode. Default 0.05, our
+    /// choice: measured shapes scatter by about that.
     pub shape_sd_assumed: f64,
 }
 
@@ -40,7 +40,7 @@ impl Default for StiffnessSearch {
 }
 
 impl StiffnessSearch {
-    /// Refuses what makes no sense.
+    /// Refuses options outside their ranges.
     pub(super) fn check(&self) -> Result<(), StructureError> {
         let positive = "a positive number";
         for (option, given, allowed) in [
@@ -63,23 +63,23 @@ impl StiffnessSearch {
     }
 }
 
-/// Whether the data are weighted by standard deviations.
+/// How the data are weighted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Weighting {
-    /// Frequencies alone, none with one: relative differences.
+    /// Frequencies only, without standard deviations: relative differences.
     Relative,
-    /// None has one, but shapes are given: all get an assumed one.
+    /// Shapes are given, but no datum has a standard deviation: all get an assumed one.
     Assumed,
-    /// All have.
+    /// All data have standard deviations.
     Given,
-    /// Some have; the others get an assumed one.
+    /// Some data have standard deviations; the others get an assumed one.
     PartlyAssumed,
 }
 
 impl Weighting {
     pub(super) fn of(modes: &[MeasuredMode]) -> Self {
         let all = modes.iter().flat_map(|mode| {
-            // one point without scatter among others with it is where the scale was taken
+            // the largest deviation of a shape counts: the point that sets its scale has none
             let points = mode.shape.iter().filter(|_| mode.shape.len() >= 2);
             let shape = points.map(|point| point.displacement_sd).reduce(f64::max);
             shape.into_iter().chain([mode.frequency_sd_hz])

@@ -7,14 +7,14 @@ use crate::numeric::{LeastSquaresFit, Residuals, levenberg_marquardt};
 use crate::structure::{Choice, StiffnessSolutions, StructureError};
 use dolmen_linalg::Matrix;
 
-/// Weights of the prior as it is let go, in units of the data's: the last is below rounding of what the data say.
+/// Decreasing weights of the prior, relative to that of the data: the last is below the rounding of the data.
 const PRIOR_WEIGHTS: [f64; 4] = [1.0, 1e-2, 1e-4, 1e-6];
 /// The first of them that hardly pulls.
 const LET_GO: usize = 2;
 
 impl<S: Sprung> Search<'_, S> {
-    /// Of all that fit, the one nearest to the prior in ln k, its common factor free; where the way from the prior ends
-    /// beside the data, the first fit found from scattered starts.
+    /// Of all fits, the one nearest to the prior in ln k, with a free common factor of the prior. If the search from
+    /// the prior ends without a fit, the first fit from scattered starts.
     pub(super) fn nearest_to_the_prior(&self, prior: &[f64]) -> Result<StiffnessSolutions, StructureError> {
         let mut accepted: Vec<Minimum> = Vec::new();
         let mut nearest: Option<f64> = None;

@@ -2,9 +2,9 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | x_i | `at` | ln k_i, held | |
+//! | x_i | `at` | fixed value of ln k_i | |
 //! | χ²(x) | | squares of (computed − measured)/sd | |
-//! | d | `way` | x_i less its best value | |
+//! | d | `way` | x_i minus its best value | |
 
 use super::Sprung;
 use super::search::{ITERATIONS_MOST, Minimum, Search};
@@ -52,7 +52,7 @@ impl<S: Sprung> Search<'_, S> {
         }
     }
 
-    /// One end of the interval of stiffness `i`; `None` if there is none on that side.
+    /// One end of the interval of stiffness `i`; `None` if it has no end on that side.
     fn end(&self, best: &Minimum, i: usize, side: f64, allowed: f64) -> Option<f64> {
         let softest = best.x.iter().copied().fold(f64::INFINITY, f64::min);
         if side > 0.0 && best.x[i] - softest > RIGID {

@@ -17,7 +17,7 @@ const NEARLY_REAL: f64 = 1e-3;
 pub struct FrequencyRoots {
     /// Each a stiffness a spring, N/m or N m/rad, lowest first; ordered by the first.
     pub stiffness: Vec<Vec<f64>>,
-    /// Solutions in complex numbers, n!, all of which were looked at.
+    /// Number of complex solutions, n!, all of which were followed.
     pub solutions_complex: usize,
     /// Whether all of them were reached. If not, real roots may be missing.
     pub complete: bool,

@@ -24,13 +24,13 @@ pub(super) struct Minimum {
 pub(super) struct Count {
     pub(super) starts: usize,
     pub(super) solutions: usize,
-    /// Of these, as good as the best.
+    /// Number of these that are as good as the best.
     pub(super) as_good: usize,
     /// Misfit of the best end of all, accepted or not.
     pub(super) nearest: Option<f64>,
     /// Whether the number of solutions shows that at least one is missing.
     pub(super) odd: bool,
-    /// What following every solution gave, where that was done.
+    /// Result of following all solutions, if that was done.
     pub(super) roots: Option<FrequencyRoots>,
 }
 
@@ -66,10 +66,10 @@ impl<S: Sprung> Search<'_, S> {
         }
     }
 
-    /// The same proportions with the common factor that fits the frequencies' logarithms on average.
+    /// The same proportions, with the common factor that fits the logarithms of the frequencies on average.
     ///
-    /// Gravity takes its share whatever the springs are, so the factor is found by doubling until the structure stands,
-    /// then by the secant of the mean of ln ω² (its slope in ln k is near 1).
+    /// Gravity reduces the stiffness by the same amount for any springs. So the factor is found by doubling until the
+    /// structure stands, then by the secant method on the mean of ln ω² (its slope in ln k is near 1).
     pub(super) fn scaled(&self, mut x: Vec<f64>) -> Vec<f64> {
         const DOUBLINGS_MOST: usize = 200;
         const CORRECTIONS: usize = 4;

@@ -1,9 +1,9 @@
-//! Matrices of a structure whose springs are sought.
+//! Matrices of a structure with unknown springs.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | K_0 | `rest` | stiffness without the springs sought: minus what gravity takes, plus what else is known |
-//! | b_i | `springs` | spring i sees b_iᵀ φ of a shape φ |
+//! | K_0 | `rest` | stiffness without the unknown springs: minus the reduction by gravity, plus all known stiffness |
+//! | b_i | `springs` | the deformation of spring i in a shape φ is b_iᵀ φ |
 
 use dolmen_linalg::{Matrix, SymmetricEigen, generalized_symmetric_eigen};
 

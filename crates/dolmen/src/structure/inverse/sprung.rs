@@ -1,4 +1,4 @@
-//! What the search needs to know of a structure.
+//! Interface between the stiffness search and a structure.
 
 use super::{FrequencyRoots, SpringModel};
 use crate::structure::{NaturalMode, Proportion, Spring, StiffnessNote, StructureError};
@@ -7,7 +7,7 @@ use crate::structure::{NaturalMode, Proportion, Spring, StiffnessNote, Structure
 pub(crate) trait Sprung {
     /// "links", "storeys".
     const PARTS: &'static str;
-    /// What has a stiffness.
+    /// Kind of element with the stiffness.
     const SPRING: Spring;
 
     fn model(&self) -> Result<SpringModel, StructureError>;
@@ -26,6 +26,6 @@ pub(crate) trait Sprung {
     /// Every stiffness with exactly these frequencies, one a part; `None` where that would take too long.
     fn roots(&self, frequencies_hz: &[f64]) -> Result<Option<FrequencyRoots>, StructureError>;
 
-    /// What the model takes for granted.
+    /// Assumptions of the model.
     fn assumptions(&self) -> Vec<StiffnessNote>;
 }

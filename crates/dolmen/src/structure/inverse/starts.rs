@@ -1,21 +1,21 @@
-//! Where the search for stiffness starts.
+//! Starting points of the search for stiffness.
 
 use super::{SpringModel, Sprung};
 use crate::structure::{MeasuredMode, StructureError};
 use dolmen_linalg::{LinalgError, Matrix, solve, solve_least_squares};
 
-/// Stiffness over the prior of the scattered starts, at most and at least, as a logarithm: e^±4 = 55 and 1/55. Stone
-/// joints of one pole differ by that much (our choice).
+/// Range of the scattered starts, as ln of the stiffness over the prior: e^±4 = 55 and 1/55. The stone joints of one
+/// pole differ by that much (our choice).
 const SCATTER: f64 = 4.0;
 
-/// The prior and a low-discrepancy scatter of ln k around it: points `first` to `first + count` of the sequence,
-/// of which point 0 is the prior.
+/// Points of ln k: a low-discrepancy scatter around the prior. Returns points `first` to `first + count` of the
+/// sequence, in which point 0 is the prior.
 ///
 /// # Source
 /// Roberts, M. (2018) The unreasonable effectiveness of quasirandom sequences: x_i = frac(½ + i g^(−j)), with g the
 /// positive root of g^(n+1) = g + 1.
 pub(super) fn scattered_starts(prior: &[f64], first: usize, count: usize) -> Vec<Vec<f64>> {
-    const HALVINGS: usize = 60; // of [1, 2] to the last bit
+    const HALVINGS: usize = 60; // halvings of [1, 2], to the last bit
     let n = prior.len() as i32;
     let (mut low, mut high) = (1.0_f64, 2.0_f64);
     for _ in 0..HALVINGS {
@@ -36,8 +36,8 @@ pub(super) fn scattered_starts(prior: &[f64], first: usize, count: usize) -> Vec
     (first..first + count.max(1)).map(point).collect()
 }
 
-/// ln k from the linear equations of the modes whose points give the whole shape; `None` if there are none or a
-/// stiffness comes out not positive.
+/// ln k from the linear equations of the modes whose points determine the whole shape; `None` if there are no such
+/// modes, or if a stiffness is not positive.
 ///
 /// ```text
 /// k_i (b_iᵀ φ) = (B⁻¹ (ω² M φ − K_0 φ))_i               one equation a spring and mode, linear in k
@@ -58,7 +58,7 @@ pub(super) fn linear_estimate(
         let pairs = inertia.iter().zip(model.rest.times(&shape));
         let force: Vec<f64> = pairs.map(|(m, rest)| omega * omega * m - rest).collect();
         let held = solve(&model.springs, &Matrix::from_column(&force))?;
-        // forces of a mode grow with ω²: weigh each mode's equations by it
+        // the forces of a mode increase with ω², so its squared equations get the weight ω⁻⁴
         let weight = omega.powi(-4);
         for i in 0..n {
             let extension = model.extension(i, &shape);
@@ -71,7 +71,7 @@ pub(super) fn linear_estimate(
     Ok(usable.then(|| k.iter().map(|k| k.ln()).collect()))
 }
 
-/// All coordinates from a mode's points, by least squares; `None` if the points do not give them.
+/// All coordinates of a mode from its measured points, by least squares; `None` if the points do not determine them.
 fn whole_shape(
     structure: &impl Sprung,
     coordinates: usize,
@@ -86,7 +86,7 @@ fn whole_shape(
     let matrix = Matrix::from_fn(points.len(), coordinates, |p, i| sensors[p][i]);
     match solve_least_squares(&matrix, &Matrix::from_column(&points)) {
         Ok(shape) => Ok(Some(shape.column(0).to_vec())),
-        Err(LinalgError::Singular { .. }) => Ok(None), // a part without a sensor
+        Err(LinalgError::Singular { .. }) => Ok(None), // a part has no sensor
         Err(fault) => Err(fault.into()),
     }
 }

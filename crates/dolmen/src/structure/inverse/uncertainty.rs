@@ -1,4 +1,4 @@
-//! How well the data know each stiffness of a solution.
+//! Uncertainty of each stiffness of a solution, as determined by the data.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,24 +11,24 @@ use super::search::{Minimum, Search, rank, tall};
 use crate::structure::{Choice, StiffnessBounds, StiffnessRange, StructureError, Visibility};
 use dolmen_linalg::{Matrix, svd};
 
-/// Relative standard deviation above which a linear interval of 95 % says nothing: it would reach below 0.
+/// Relative standard deviation above which a linear 95 % interval is meaningless, because it would extend below 0.
 const LINEAR_SD_MOST: f64 = 0.5;
-/// Change of data that counts as seen if they carry no sd, relative: frequencies of the field scatter by half a per
-/// cent. With sd the bound is one sd.
+/// Relative change of a datum that counts as visible if the data have no standard deviations: measured frequencies scatter by half a per cent. With
+/// standard deviations the bound is one standard deviation.
 const SEEN_RELATIVE: f64 = 0.005;
 
-/// What can be stated of the stiffnesses of one solution.
+/// Uncertainty of the stiffnesses of one solution.
 #[derive(Default)]
 pub(super) struct StiffnessUncertainty {
-    /// Standard deviation of each ln k, where the modes carry deviations.
+    /// Standard deviation of each ln k, if the modes have standard deviations.
     pub(super) relative_sd: Option<Vec<f64>>,
-    /// Ends of each, where a linear interval would reach below 0.
+    /// Interval of each stiffness, if a linear interval would extend below 0.
     pub(super) bounds: Option<Vec<StiffnessBounds>>,
 }
 
 impl<S: Sprung> Search<'_, S> {
-    /// A linear interval where the modes carry deviations and it is narrow; else, by deviations given or assumed, the
-    /// profile.
+    /// A linear interval if the modes have standard deviations and the interval is narrow; otherwise the profile likelihood, with given or assumed
+    /// standard deviations.
     pub(super) fn known(
         &self,
         found: &Minimum,
@@ -52,7 +52,7 @@ impl<S: Sprung> Search<'_, S> {
         })
     }
 
-    /// One standard deviation of a datum in units of its residual: without any given or assumed, that of a frequency.
+    /// One standard deviation of a datum in units of its residual. Without given or assumed ones, that of a frequency.
     pub(super) fn deviation_unit(&self) -> f64 {
         match self.weighting {
             Weighting::Relative => self.options.frequency_sd_assumed,
@@ -60,7 +60,7 @@ impl<S: Sprung> Search<'_, S> {
         }
     }
 
-    /// Where there are data to spare, a misfit above 1 widens every interval.
+    /// Factor on every interval: a misfit above 1 widens them if there are more data than unknowns.
     pub(super) fn widened(&self, found: &Minimum) -> f64 {
         let data = self.fit.data();
         match data.saturating_sub(found.x.len()) {
@@ -69,13 +69,13 @@ impl<S: Sprung> Search<'_, S> {
         }
     }
 
-    /// Whether the modes carry standard deviations and determine the stiffness.
+    /// Whether the modes have standard deviations and determine the stiffness.
     fn interval_stated(&self, choice: Choice) -> bool {
         matches!(self.weighting, Weighting::Given | Weighting::PartlyAssumed)
             && choice != Choice::Underdetermined
     }
 
-    /// Springs that change no datum by what counts as seen while their stiffness changes e-fold.
+    /// Springs whose stiffness can change by a factor e while every datum changes by less than the visible amount.
     pub(super) fn unseen_springs(&self, found: &Minimum) -> Vec<usize> {
         let j = &found.jacobian;
         let column = |i: usize| j.column(i).iter().map(|d| d * d).sum::<f64>().sqrt();
@@ -84,7 +84,7 @@ impl<S: Sprung> Search<'_, S> {
             .collect()
     }
 
-    /// Change of the data that counts as seen, in units of the residuals.
+    /// Change of the data that counts as visible, in units of the residuals.
     pub(super) fn seen_bound(&self) -> f64 {
         match self.weighting {
             Weighting::Relative => SEEN_RELATIVE,
@@ -92,7 +92,7 @@ impl<S: Sprung> Search<'_, S> {
         }
     }
 
-    /// While every frequency moves by √3 of its standard deviation.
+    /// Range of the stiffnesses while every frequency varies within √3 of its standard deviation.
     pub(super) fn range(&self, root: &[f64]) -> Option<StiffnessRange> {
         let frequencies: Vec<f64> = self.modes.iter().map(|mode| mode.frequency_hz).collect();
         let half_width = self
@@ -104,7 +104,8 @@ impl<S: Sprung> Search<'_, S> {
         positive.then(|| range_of_root(&self.model, &frequencies, &half_width, root))
     }
 
-    /// √diag J⁺ C J⁺ᵀ with C the correlations of the data, which is (JᵀJ)⁻¹ where they have none; widened by the misfit where there are data to spare; `None` if not determined.
+    /// Standard deviations √diag J⁺ C J⁺ᵀ, with C the correlations of the data; without correlations this is (JᵀJ)⁻¹. The misfit widens them if there
+    /// are more data than unknowns. `None` if the data do not determine the stiffness.
     pub(super) fn relative_sd(&self, found: &Minimum) -> Result<Option<Vec<f64>>, StructureError> {
         let n = found.x.len();
         let f = svd(&tall(&found.jacobian))?;

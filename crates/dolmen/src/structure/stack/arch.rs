@@ -1,43 +1,44 @@
-//! Arches of voussoirs from their span and rise.
+//! Makes an arch of voussoirs from its span and rise.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | s, h | `span_m`, `rise_m` | of the inner line: clear span at the springing, rise above it | m |
-//! | t | `thickness_m` | from the inner to the outer line, along the joints | m |
-//! | r | `radius` | of the inner line | m |
-//! | x_c, z_c | `centre` | centre of the left half's circle, from the middle of the springing line | m |
-//! | θ | `angle` | of a joint about that centre, from the horizontal on the left | rad |
+//! | s, h | `span_m`, `rise_m` | of the inner line: clear span at the springing, rise above the springing | m |
+//! | t | `thickness_m` | from the inner to the outer line, measured along the joints | m |
+//! | r | `radius` | radius of the inner line | m |
+//! | x_c, z_c | `centre` | centre of the circle of the left half, from the middle of the springing line | m |
+//! | θ | `angle` | angle of a joint about that centre, from the horizontal on the left | rad |
 
 use super::dimension::{all_positive, refused};
 use super::{Block, Solid, StackError};
 use std::f64::consts::FRAC_PI_2;
 
-/// Most voussoirs. Chosen here: a check of so many takes a second.
+/// Largest number of voussoirs. Chosen here: a check of that many takes a second.
 const VOUSSOIRS_MOST: u32 = 400;
 
-/// What makes an arch.
+/// Dimensions of an arch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArchFactors {
     /// Clear span of the inner line at the springing, m.
     pub span_m: f64,
-    /// Rise of the inner line above the springing, m: half the span is a round arch, less a segment of a circle, more two arcs with
-    /// their centres on the springing line (pointed).
+    /// Rise of the inner line above the springing, m. Half the span gives a round arch, less a segment of a circle. More gives a
+    /// pointed arch of two arcs with their centres on the springing line.
     pub rise_m: f64,
     /// Thickness along the joints, m.
     pub thickness_m: f64,
-    /// Depth, along y, m.
+    /// Depth along y, m.
     pub depth_m: f64,
-    /// Voussoirs, 2 to 400; an odd number has a keystone.
+    /// Number of voussoirs, 2 to 400; with an odd number there is a keystone.
     pub voussoirs: u32,
-    /// Height of the springing above the ground, m; 0: the arch stands on the ground, which only round and pointed ones can.
+    /// Height of the springing above the ground, m. With 0 the arch stands on the ground, which is allowed only for round and
+    /// pointed arches.
     pub springing_height_m: f64,
-    /// Width of the abutments at their foot, m, at least the thickness; of no effect without height.
+    /// Width of the abutments at the foot, m, at least the thickness. Not used if the springing height is 0.
     pub abutment_m: f64,
     /// Density, kg/m³.
     pub density_kg_m3: f64,
 }
 
-/// Circles of an arch: the left half, and its mirror image.
+/// The circle of the left half of an arch; the right half is its mirror image.
 struct Circles {
     centre: [f64; 2],
     radius: f64,
@@ -47,7 +48,7 @@ struct Circles {
     lift: f64,
 }
 
-/// An arch of flat-faced voussoirs, equal along the inner line, from left to right, with its abutments last.
+/// An arch of voussoirs with plane faces, of equal length along the inner line, from left to right. The abutments come last.
 ///
 /// ```text
 /// r = (s²/4 + h²) / (2h) if h ≤ s/2, centre at (0, h − r);   r = (s²/4 + h²) / s if more, centre at (r − s/2, 0)
@@ -55,10 +56,10 @@ struct Circles {
 /// ```
 ///
 /// # Errors
-/// [`StackError::Dimension`] for a factor out of its range.
+/// [`StackError::Dimension`] for a dimension out of its range.
 ///
 /// # Limits
-/// Faces are flat: n = 9 has 5 % less rise between its corners than the curve. Abutments are one stone each.
+/// Faces are plane: for n = 9 the rise between the corners is 5 % below that of the curve. Each abutment is one stone.
 ///
 /// # Example
 /// ```
@@ -164,13 +165,13 @@ fn circles(factors: &ArchFactors) -> Circles {
 }
 
 impl Circles {
-    /// Inner and outer end of the joint at a share of the way from the left springing to the right.
+    /// Inner and outer end of the joint at a fraction of the arch, from the left springing to the right.
     fn joint(&self, share: f64) -> [[f64; 2]; 2] {
         let [first, crown] = self.angles;
         let left = share.min(1.0 - share);
         let outer = self.radius + self.thickness;
         let ends = if left >= 0.5 * (1.0 - 1e-12) {
-            // upright, from the inner to the outer line
+            // vertical, from the inner to the outer line
             [self.radius, outer].map(|radius| {
                 [
                     0.0,
@@ -220,7 +221,7 @@ mod tests {
 
     #[test]
     fn holds_arches_of_every_rise_join_stone_to_stone() {
-        // n voussoirs and two abutments: n + 1 joints of the arch, and each abutment on the ground
+        // n voussoirs and two abutments: n + 1 joints of the arch, and one joint of each abutment with the ground
         for (rise, lift) in [
             (0.5, 1.0),
             (1.0, 0.3),
@@ -234,7 +235,7 @@ mod tests {
                 let stack = Stack::new(blocks, JointMaterial::default(), 9.81).unwrap();
                 let expected = count as usize + if lift > 0.0 { 3 } else { 1 };
                 assert_eq!(stack.joints().len(), expected, "{rise} {lift} {count}");
-                // the inner line rises as far as asked, at a joint of the crown
+                // the inner line has the required rise at a joint of the crown
                 let crown = stack.blocks()[count as usize / 2].solid.vertices_m();
                 let near = crown.iter().filter(|v| v[0].abs() < 1e-9).map(|v| v[2]);
                 let least = near.fold(f64::INFINITY, f64::min);

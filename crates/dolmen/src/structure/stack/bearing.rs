@@ -1,43 +1,45 @@
-//! How much stone there is in the contact of two faces: the face of a hull also spans what a mesh or an opening leaves empty.
+//! Determines how much of a contact between two faces is stone. The face of a convex hull also spans the gaps of a mesh and the
+//! openings.
 
 use super::{Polygon, Solid};
 use glam::DVec3;
 
-/// Stone within this depth behind the face of a hull bears in it, m. Chosen here: dressed stone is no flatter.
+/// Largest depth of stone behind the face of a hull that is still in contact, m. Chosen here: dressed stone is not flatter.
 const BEHIND_M: f64 = 0.001;
-/// Cosine of the largest angle between the face of a hull and triangles that bear in it, 5°: the same as between two beds.
+/// Cosine of 5°, the largest angle between the face of a hull and triangles in contact: as between two beds.
 const ALIGNED: f64 = 0.996_194_7;
-/// The outline of the stone in contact must hold this part of that of the hulls: a stone tips about its edge. Chosen here.
+/// Least area of the convex outline of the stone in contact, as a fraction of the hulls' contact: a stone tips about this
+/// outline. Chosen here.
 pub(super) const OUTLINE_LEAST: f64 = 1.0 - 1e-3;
-/// And this part of the area within must be stone, for springs and bonds count it whole: less lowers a frequency by more than a
-/// twentieth. Chosen here.
+/// Least area of stone, as a fraction of the hulls' contact. Springs and bonds use the full area: with less stone a frequency
+/// would be more than 5 % too high. Chosen here.
 pub(super) const AREA_LEAST: f64 = 0.9;
 
-/// The stone in a contact, as parts of the area that the hulls have in common.
+/// The stone in a contact, as fractions of the common area of the hulls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bearing {
-    /// Within the convex outline of the stone in contact.
+    /// Fraction within the convex outline of the stone in contact.
     pub(super) outline: f64,
-    /// Stone on stone.
+    /// Fraction with stone on stone.
     pub(super) area: f64,
 }
 
 impl Bearing {
-    /// Whether stones tip and bear there as the hulls do.
+    /// Whether tipping and bearing are as for the hulls.
     pub(super) fn is_whole(&self) -> bool {
         self.outline >= OUTLINE_LEAST && self.area >= AREA_LEAST
     }
 }
 
-/// A convex piece of stone in the plane of a face; what faces the other way counts against it, as in sections that are closed by
+/// A convex piece of stone in the plane of a face. Pieces that face the other way count as negative, as in sections closed by
 /// signed triangles.
 struct Piece {
     polygon: Polygon,
     sign: f64,
 }
 
-/// The stone in the contact of two faces (of the ground if there is no first) with this patch, in the plane of `axes` through
-/// `origin`.
+/// The stone in the contact patch of two faces, in the plane of `axes` through `origin`. Without a first face, the lower body is
+/// the ground.
 ///
 /// ```text
 /// area = Σ Σ s_i s_j |A_i ∩ B_j| / |patch|,   outline = |hull of all A_i ∩ B_j| / |patch|,   A_i, B_j convex pieces of the faces
@@ -55,7 +57,7 @@ pub(super) fn bearing(
     };
     let under = lower.map(|(solid, face)| pieces(solid, face, origin, axes));
     let over = pieces(upper.0, upper.1, origin, axes);
-    // faces without meshes and openings are those of their hulls
+    // faces without meshes or openings are the faces of their hulls
     let (under, over) = match (under, over) {
         (None | Some(None), None) => return whole,
         (under, over) => (under.flatten(), over),
@@ -93,7 +95,7 @@ pub(super) fn bearing(
     }
 }
 
-/// The stone in a face of a hull, in convex pieces; `None` where it is all of the face.
+/// The stone in a face of a hull, in convex pieces; `None` if the whole face is stone.
 fn pieces(solid: &Solid, face: usize, origin: DVec3, axes: &[DVec3; 3]) -> Option<Vec<Piece>> {
     let outward = solid.normal(face);
     let on = DVec3::from(solid.vertices_m()[solid.faces()[face][0]]);
@@ -114,7 +116,7 @@ fn pieces(solid: &Solid, face: usize, origin: DVec3, axes: &[DVec3; 3]) -> Optio
         .map(|&vertex| DVec3::from(solid.vertices_m()[vertex]))
         .collect();
     let mut own: Option<Vec<Piece>> = None;
-    // the faces of a scan with noise are fitted, and a joint knows how much of it is flat stone
+    // the faces of a noisy scan are fitted, and the joint stores how much of the face is flat stone
     if !solid.mesh.is_empty() && solid.scan.is_none() {
         let mut found = Vec::new();
         for triangle in solid.mesh.iter().filter(|triangle| triangle.iter().all(lies_in)) {
@@ -158,7 +160,8 @@ fn pieces(solid: &Solid, face: usize, origin: DVec3, axes: &[DVec3; 3]) -> Optio
     own
 }
 
-/// What a convex hole leaves of a convex polygon, in convex pieces: beyond each edge of the hole in turn.
+/// The remainder of a convex polygon after removal of a convex hole, in convex pieces: the part beyond each edge of the hole in
+/// turn.
 fn without(polygon: &Polygon, hole: &Polygon) -> Vec<Polygon> {
     let mut rest = polygon.clone();
     let mut left = Vec::new();
@@ -178,7 +181,7 @@ mod tests {
     use super::super::{Block, JointMaterial, Placement, Stack, StackError};
     use super::*;
 
-    /// A prism over an outline in plan given by convex parts that share whole edges, from z = `low` up.
+    /// A prism from z = `low` to `high` over an outline in plan, which is given by convex parts with common whole edges.
     fn prism(outline: &[[f64; 2]], parts: &[&[usize]], [low, high]: [f64; 2]) -> Solid {
         let n = outline.len();
         let ring = |z: f64| outline.iter().map(move |p| [p[0], p[1], z]);
@@ -197,7 +200,7 @@ mod tests {
         Solid::mesh(&corners, &triangles).unwrap()
     }
 
-    /// An L of 1 × 1 m without its corner beyond (0.7, 0.7), 0.5 m high.
+    /// An L-shaped prism of 1 × 1 m without its corner beyond (0.7, 0.7), 0.5 m high.
     fn l_shape() -> Solid {
         let outline = [[0., 0.], [1., 0.], [1., 0.7], [0.7, 0.7], [0.7, 1.], [0., 1.]];
         prism(&outline, &[&[0, 1, 2, 3], &[0, 3, 4, 5]], [0.0, 0.5])
@@ -220,7 +223,8 @@ mod tests {
         Stack::new(blocks.collect(), JointMaterial::default(), 9.81)
     }
 
-    /// Off the corner that is not there, half over it, and about it, where an L is left whose outline bridges the corner.
+    /// Contacts away from the missing corner, half over it, and around it, where the convex outline of the remaining L spans the
+    /// corner.
     #[test]
     fn exact_share_of_stone_below_a_post_on_an_l() {
         for (side, [x, y], [area, outline]) in [
@@ -247,11 +251,11 @@ mod tests {
         }
         let stands = stack([l_shape(), post(0.2, [0.5, 0.3, 0.5])]).unwrap();
         assert!((stands.joints()[1].patch.moments().area_m2 - 0.04).abs() < 1e-12);
-        // its own foot: 0.91 m² of the hull's 0.955 m²
+        // the foot of the L: 0.91 m² of the hull's 0.955 m²
         assert!((stands.joints()[0].patch.moments().area_m2 - 0.955).abs() < 1e-12);
     }
 
-    /// A box of 1 × 1 × 1.5 m with an opening from its floor on: what of its foot is left decides.
+    /// A box of 1 × 1 × 1.5 m with an opening from its floor up: the remaining part of the foot decides.
     #[test]
     fn exact_share_of_stone_below_an_opening_through_the_foot() {
         let shrine = |depth: f64, y: f64| {
@@ -263,7 +267,7 @@ mod tests {
             let lid = post(0.4, [0.0, 0.0, 1.5]);
             stack([whole.with_opening(&hole).unwrap(), lid])
         };
-        // from the front: a strip of 0.2 m is left, its outline is itself
+        // opening at the front: a strip of 0.2 m remains, and its outline is the strip
         let Err(StackError::JointHollow { outline, area, .. }) = shrine(0.8, -0.1) else {
             panic!("a stone on a fifth of its foot")
         };
@@ -271,7 +275,7 @@ mod tests {
             (outline - 0.2).abs() < 1e-9 && (area - 0.2).abs() < 1e-9,
             "{outline} {area}"
         );
-        // through the middle: two strips, whose outline is the whole foot
+        // opening through the middle: two strips, whose outline is the whole foot
         let Err(StackError::JointHollow { outline, area, .. }) = shrine(0.8, 0.0) else {
             panic!("a stone on two strips")
         };
@@ -279,7 +283,7 @@ mod tests {
             (outline - 1.0).abs() < 1e-9 && (area - 0.2).abs() < 1e-9,
             "{outline} {area}"
         );
-        // a small one tips and bears as the whole does
+        // with a small opening the stone tips and bears as without it
         assert!(shrine(0.05, 0.0).is_ok());
     }
 

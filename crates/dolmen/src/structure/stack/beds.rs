@@ -36,18 +36,18 @@ pub(super) struct Bed {
 }
 
 impl Bed {
-    /// The stone in it, if there is too little to bear and to tip as the hulls do.
+    /// The stone in the patch, if there is too little for bearing and tipping as the hulls do.
     pub(super) fn hollow(&self) -> Option<Bearing> {
         self.hollow
     }
 
-    /// The part of the patch that is flat stone, if that is too little to be a joint.
+    /// The fraction of the patch that is flat stone, if it is too small for a joint.
     pub(super) fn barely_used(&self) -> Option<f64> {
         let used = self.scanned?.used_ratio;
         (used < USED_LEAST).then_some(used)
     }
 
-    /// The part of all patches that this one is, if that is too little to stand for all.
+    /// The fraction of all patches that this one has, if it is too small to represent all.
     pub(super) fn is_facet(&self) -> Option<f64> {
         (self.scanned.is_none() && self.share < FACET_LEAST).then_some(self.share)
     }
@@ -97,7 +97,7 @@ impl Bed {
         self.axes[2].z
     }
 
-    /// The same patch seen from the other side.
+    /// The patch seen from the other side.
     pub(super) fn turned(self) -> Self {
         let [first, second, normal] = self.axes;
         let corners = self.patch.corners_m.iter().rev();

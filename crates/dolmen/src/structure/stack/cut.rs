@@ -1,26 +1,26 @@
-//! Solids cut by a plane: joint planes part a scan into stones.
+//! Cuts solids by a plane, for example a scan into stones at the planes of its joints.
 
 use super::solid::moments_of;
 use super::{Solid, StackError};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Less than this part of the solid is nothing. Chosen here: rounding.
+/// Fraction of the solid below which a part counts as empty. Chosen here, for rounding.
 const NOTHING: f64 = 1e-9;
 
 impl Solid {
-    /// The part of the solid behind a plane: the side that `normal` points away from.
+    /// The part of the solid behind a plane, on the side opposite to `normal`.
     ///
-    /// A mesh is cut as a mesh and closed again at the plane, then gets the convex hull of what is left. Openings are cut
-    /// along.
+    /// A mesh is cut as a mesh and closed at the plane, and then gets the convex hull of the remaining part. Openings are
+    /// cut too.
     ///
     /// # Errors
-    /// [`StackError::Position`] or [`StackError::Direction`] for a plane that is none, [`StackError::CutAway`] if nothing
-    /// is left.
+    /// [`StackError::Position`] or [`StackError::Direction`] for a plane that is not valid; [`StackError::CutAway`] if
+    /// nothing remains.
     ///
     /// # Limits
-    /// Of a drum its polygon of 32 sides is cut, with its mass spread evenly: what a cut through the axis leaves is right to
-    /// 0.1 % in volume, to 1 % in inertia.
+    /// A drum is cut as its polygon of 32 sides with uniform mass: for a cut through the axis the error is 0.1 % in volume
+    /// and 1 % in inertia.
     ///
     /// # Example
     /// ```
@@ -51,7 +51,7 @@ impl Solid {
         } else {
             self.mesh.clone()
         };
-        // openings count as stone here and are taken out again below; a drum holds more than its polygon
+        // openings count as stone here and are subtracted below; a drum is larger than its polygon
         let openings: f64 = self.openings.iter().map(Solid::volume_m3).sum();
         let before = moments_of(whole.iter().copied(), on).0;
         let evenly = (self.volume_m3() + openings) / before;
@@ -79,7 +79,7 @@ impl Solid {
     }
 }
 
-/// The triangles below a plane, closed along it by a fan of signed triangles: exact for every integral, also where the
+/// The triangles below a plane, closed along it by a fan of signed triangles. This is exact for every integral, even if the
 /// section is not convex.
 fn below(triangles: &[[DVec3; 3]], height: &dyn Fn(DVec3) -> f64) -> Vec<[DVec3; 3]> {
     let mut kept = Vec::new();
@@ -87,7 +87,7 @@ fn below(triangles: &[[DVec3; 3]], height: &dyn Fn(DVec3) -> f64) -> Vec<[DVec3;
         let part = clipped(triangle, height);
         kept.extend((2..part.len()).map(|i| [part[0], part[i - 1], part[i]]));
     }
-    // edges that only one triangle has, as often as they are left over
+    // edges that belong to only one triangle, with their multiplicity
     let bits = |v: DVec3| v.to_array().map(|value| (value + 0.0).to_bits()); // −0 is 0
     let mut open = BTreeMap::new();
     for triangle in &kept {
@@ -113,7 +113,7 @@ fn below(triangles: &[[DVec3; 3]], height: &dyn Fn(DVec3) -> f64) -> Vec<[DVec3;
     kept
 }
 
-/// The part of a convex polygon where `height` is not positive. A cut edge gets the same point from both of its sides.
+/// The part of a convex polygon with `height` ≤ 0. An edge that is cut gives the same point for both of its polygons.
 pub(super) fn clipped(polygon: &[DVec3], height: &dyn Fn(DVec3) -> f64) -> Vec<DVec3> {
     let mut part = Vec::with_capacity(polygon.len() + 1);
     for (&a, &b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
@@ -139,7 +139,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// A U: a box 3 × 1 × 2 m with a notch 1 m wide and 1 m deep in the middle of its top.
+    /// A U-shaped solid: a box 3 × 1 × 2 m with a notch 1 m wide and 1 m deep in the middle of its top.
     fn u_shape() -> Solid {
         let outline = [
             [0., 0.],
@@ -154,7 +154,7 @@ mod tests {
         let ring = |y: f64| outline.iter().map(move |p| [p[0], y, p[1]]);
         let corners: Vec<[f64; 3]> = ring(0.0).chain(ring(1.0)).collect();
         let flat = [[0, 1, 4], [0, 4, 5], [1, 2, 3], [1, 3, 4], [0, 5, 6], [0, 6, 7]];
-        let mut triangles: Vec<[usize; 3]> = flat.to_vec(); // seen along +y, counterclockwise is outward
+        let mut triangles: Vec<[usize; 3]> = flat.to_vec(); // seen along +y; counterclockwise is outward
         triangles.extend(flat.iter().map(|t| [t[0] + 8, t[2] + 8, t[1] + 8]));
         for i in 0..8 {
             let next = (i + 1) % 8;
@@ -172,12 +172,12 @@ mod tests {
         assert!(
             (prongs.centroid_m()[0] - 1.5).abs() < 1e-14 && (prongs.centroid_m()[2] - 1.625).abs() < 1e-14
         );
-        // two boxes 1 × 1 × .75 at a distance of 1 m from the middle: about the vertical, m (1/6 + 1)
+        // two boxes 1 × 1 × 0.75 m, 1 m from the middle: about the vertical axis, m (1/6 + 1)
         assert!((prongs.inertia_m5()[2][2] - 1.5 * (1.0 / 6.0 + 1.0)).abs() < 1e-13);
-        // then one prong of it: cut twice
+        // one prong of it, by a second cut
         let prong = prongs.cut([1.5, 0.0, 0.0], [1.0, 0.0, 0.0]).unwrap();
         assert!((prong.volume_m3() - 0.75).abs() < 1e-14 && (prong.centroid_m()[0] - 0.5).abs() < 1e-14);
-        // in the plane of the notch's floor
+        // cut in the plane of the notch's floor
         let foot = u.cut([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).unwrap();
         assert!((foot.volume_m3() - 3.0).abs() < 1e-14 && foot.faces().len() == 6);
     }
@@ -212,7 +212,7 @@ mod tests {
         let u = u_shape();
         assert!((u.with_opening(&chamber(0.5)).unwrap().volume_m3() - 4.875).abs() < 1e-14);
         for x in [1.5, 1.0] {
-            let fault = u.with_opening(&chamber(x)).unwrap_err(); // in the notch, in its wall
+            let fault = u.with_opening(&chamber(x)).unwrap_err(); // in the notch, and in its wall
             assert!(matches!(fault, StackError::OpeningInMesh { .. }), "{fault}");
         }
     }
@@ -234,7 +234,7 @@ mod tests {
     }
 
     proptest! {
-        /// What is behind a plane and what is before it make the whole: volume, first and second moments.
+        /// The parts behind and in front of a plane add up to the whole: volume, first and second moments.
         #[test]
         fn holds_two_parts_make_the_whole(
             at in [0.2..2.8_f64, 0.1..0.9_f64, 0.1..1.9_f64],

@@ -2,10 +2,10 @@
 
 use super::StackError;
 
-/// That each is a positive number.
+/// Checks that each dimension is a positive number.
 ///
 /// # Errors
-/// [`StackError::Dimension`] for the first that is none.
+/// [`StackError::Dimension`] for the first dimension that is not positive.
 pub(super) fn all_positive(dimensions: &[(&'static str, f64)]) -> Result<(), StackError> {
     for &(quantity, given) in dimensions {
         if !(given > 0.0 && given.is_finite()) {

@@ -25,9 +25,9 @@ pub enum StackError {
         position_m: [f64; 3],
         /// How far off the bounds of what it holds, m.
         beyond_m: f64,
-        /// What it holds.
+        /// Names of the blocks in the stack.
         blocks: Vec<String>,
-        /// What is allowed, m.
+        /// The allowed value, m.
         allowed_m: f64,
     },
     /// A dimension that must be positive and finite is not.
@@ -37,7 +37,7 @@ pub enum StackError {
         quantity: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// A prism with too few or too many sides.
@@ -112,7 +112,7 @@ pub enum StackError {
         place(*from_m), place(*to_m), plural(*triangles), plural(*count)
     )]
     MeshEdge {
-        /// What is wrong there.
+        /// The fault.
         fault: &'static str,
         /// First vertex of the edge.
         from: usize,
@@ -171,7 +171,7 @@ pub enum StackError {
     MeshOverfull {
         /// Its volume, m³.
         volume_m3: f64,
-        /// That of its hull, m³.
+        /// Volume of the convex hull, m³.
         hull_volume_m3: f64,
     },
     /// A scan whose flat faces bound no body like it.
@@ -189,7 +189,7 @@ pub enum StackError {
         /// Volume that the fitted planes bound, m³; `None` if none.
         fitted_m3: Option<f64>,
     },
-    /// Two fitted beds of which too little is stone.
+    /// Two fitted beds with too little stone in their overlap.
     #[error(
         "the joint of '{upper}' on '{lower}': only {:.0} % of the overlap of their beds is flat stone, but it must be {:.0} %: scan these \
          beds more closely, or give the stones as solids of points",
@@ -198,14 +198,14 @@ pub enum StackError {
     JointUsed {
         /// The upper block.
         upper: String,
-        /// What it stands on.
+        /// Name of the body below.
         lower: String,
         /// Area of both beds that is there, over their overlap.
         used: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: f64,
     },
-    /// Two stones that touch on several facets, none of which stands for all.
+    /// Two stones touch on several facets, none of which represents the others.
     #[error(
         "'{upper}' touches '{lower}' on several facets, of which the largest is {:.0} % of what touches, but it must be {:.0} %: give the \
          points of each bed in one plane, rounded to whole 1, 0.1 or 0.01 mm, or one of the plain shapes",
@@ -214,11 +214,11 @@ pub enum StackError {
     JointFacets {
         /// The upper block.
         upper: String,
-        /// What it stands on.
+        /// Name of the body below.
         lower: String,
         /// Area of the largest facet over that of all.
         share: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: f64,
     },
     /// A joint of hulls where the stones themselves do not meet, or not as the hulls do.
@@ -287,7 +287,7 @@ pub enum StackError {
         quantity: &'static str,
         /// The value given.
         given: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: &'static str,
     },
     /// Two blocks share space.
@@ -301,7 +301,7 @@ pub enum StackError {
         second: String,
         /// Least distance by which one must move to be free of the other, m.
         depth_m: f64,
-        /// What is allowed, m.
+        /// The allowed value, m.
         allowed_m: f64,
     },
     /// The ground is to move under a block that does not stand on it.
@@ -333,7 +333,7 @@ pub enum StackError {
         nearest: String,
         /// Distance to it, m.
         gap_m: f64,
-        /// What is allowed, m.
+        /// The allowed value, m.
         allowed_m: f64,
     },
     /// There is no such block.

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// A gap wider than this is more than the roughness of dressed stone, m. Chosen here.
 pub const GAP_CLOSED_M: f64 = 0.001;
-/// The same in standard deviations of the noise of scans: what both beds of a joint scatter. Chosen here.
+/// As above, in standard deviations of the noise of scans: the scatter of both beds of a joint. Chosen here.
 const GAP_NOISE: f64 = 3.0;
 
 /// The widest gap of joints that are drawn with one.
@@ -50,8 +50,8 @@ impl Stack {
         })
     }
 
-    /// The same stack without the joints that are drawn with a gap, but for those without which a stone would float, which stay
-    /// closed; `None` if none can be left out. The widest goes first.
+    /// The stack without the joints that are drawn with a gap, except for those without which a stone would have no support;
+    /// these stay closed. `None` if no joint can be left out. The widest gap is opened first.
     pub fn with_gaps_open(&self) -> Option<Stack> {
         let mut open = self.clone();
         let mut by_width = self.joints_drawn_open();
@@ -67,7 +67,7 @@ impl Stack {
         (!left_out.is_empty()).then_some(open)
     }
 
-    /// The same stack without joints across a gap that a third block fills, such as a sheet of lead in a bed.
+    /// The stack without joints across a gap that a third block fills, such as a sheet of lead in a bed.
     pub(super) fn without_joints_through_blocks(mut self) -> Self {
         let blocks = &self.blocks;
         self.joints.retain(|joint| {

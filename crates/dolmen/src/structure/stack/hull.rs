@@ -90,7 +90,7 @@ impl Solid {
         let size = (high - low).max_element();
         let near = FLAT * size;
         let hull = Hull::of(&points, low, size)?;
-        // corners closer than the tolerance are one; then the hull of what is left is exact again
+        // merge corners closer than the tolerance; the hull of the remaining corners is exact again
         let kept = apart(&points, hull.corners(), near);
         let points: Vec<DVec3> = kept.into_iter().map(|i| points[i]).collect();
         let hull = Hull::of(&points, low, size)?;

@@ -1,16 +1,16 @@
-//! Facets of a convex hull joined into faces: those of one plane, and of one plane but for rounded corners.
+//! Joins the triangles of a convex hull into plane faces. A face may include triangles that leave its plane only at rounded corners.
 
 use super::scan::Plane;
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Cosine of the largest angle between a facet and the face of rounded corners that it joins: chamfers keep their own.
+/// Cosine of the largest angle between a triangle and the face with rounded corners that it joins. Chamfers are steeper and stay separate faces.
 const ALIGNED_LEAST: f64 = 0.5;
-/// A corner this many tolerances off the plane so far may still lie in the plane of all: a fourth corner of a
-/// parallelogram carries the rounding of the other three. Chosen here.
+/// Height of a corner above the current plane, in tolerances, up to which the plane is fitted again with that corner. The fourth corner of a
+/// parallelogram can be this far off, because it carries the rounding of the other three. Chosen here.
 const REACH: f64 = 4.0;
 
-/// Triangles of one plane joined into faces; `None` if their edge is no single loop.
+/// Joins triangles of one plane into faces; `None` if the edges of a face do not form one loop.
 pub(super) fn merged(
     points: &[DVec3],
     triangles: &[[usize; 3]],
@@ -43,7 +43,7 @@ pub(super) fn merged(
         let (mut face, mut at, mut length) = (Vec::new(), start, 0);
         loop {
             if met[&at].len() >= 3 {
-                face.push(at); // where only two faces meet, the corner lies within an edge
+                face.push(at); // where only two faces meet, the corner lies inside an edge and is left out
             }
             at = *border.get(&at)?;
             length += 1;
@@ -59,7 +59,7 @@ pub(super) fn merged(
     Some(faces)
 }
 
-/// The triangle on the left of each directed edge.
+/// The triangle to the left of each directed edge.
 pub(super) fn edge_owners(triangles: &[[usize; 3]]) -> BTreeMap<(usize, usize), usize> {
     let edges = triangles.iter().enumerate().flat_map(|(number, triangle)| {
         (0..3).map(move |edge| ((triangle[edge], triangle[(edge + 1) % 3]), number))
@@ -67,7 +67,7 @@ pub(super) fn edge_owners(triangles: &[[usize; 3]]) -> BTreeMap<(usize, usize), 
     edges.collect()
 }
 
-/// The number of the face each triangle lies in: faces are grown from the largest triangle on.
+/// The face number of each triangle. Faces grow from their largest triangle.
 fn groups(points: &[DVec3], triangles: &[[usize; 3]], flat: f64, exact: f64) -> Vec<usize> {
     let normal = |t: &[usize; 3]| (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
     let normals: Vec<DVec3> = triangles.iter().map(normal).collect();
@@ -109,14 +109,14 @@ fn groups(points: &[DVec3], triangles: &[[usize; 3]], flat: f64, exact: f64) -> 
             if !std::mem::take(&mut plane_moved) {
                 break;
             }
-            at = 0; // what did not lie in the plane before may do so now
+            at = 0; // the plane has moved: try the rejected neighbours again
         }
         count += 1;
     }
     group
 }
 
-/// A face while it grows.
+/// A face that grows triangle by triangle.
 struct Face<'a> {
     points: &'a [DVec3],
     corners: BTreeSet<usize>,
@@ -141,7 +141,7 @@ impl<'a> Face<'a> {
         }
     }
 
-    /// Takes a triangle in if its corners lie in one plane with all others; whether the plane moved, `None` if not taken.
+    /// Adds a triangle if its corners and all others fit one plane. Returns whether the plane moved; `None` if the triangle does not fit.
     fn takes(&mut self, triangle: [usize; 3], normal: DVec3) -> Option<bool> {
         let height = |plane: &Plane, i: usize| plane.height_m(self.points[i]).abs();
         let farthest = triangle

@@ -2,7 +2,7 @@
 
 use super::{JointMaterial, Polygon};
 
-/// What a joint or tie connects.
+/// One side of a joint or tie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Body {
     /// The ground: the plane z = 0 and all below.
@@ -33,7 +33,7 @@ pub struct Joint {
     pub scanned: Option<ScannedJoint>,
 }
 
-/// What scans tell of a joint.
+/// Properties of a joint from scans.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScannedJoint {
     /// Area of both beds that is flat stone there, over the patch: the lesser of the two, at most 1.

@@ -1,17 +1,17 @@
-//! Beds of which a part no longer bears: crushed, spalled or washed out at one side.
+//! Beds with a lost part, crushed, spalled or washed out on one side.
 
 use super::{Block, JointMaterial, Solid, Stack, StackError};
 use glam::DVec3;
 
-/// Rise of the foot beyond what still bears, 30°. Chosen here: far steeper than beds count as parallel (5°), and a stone that has turned so far has
-/// fallen.
+/// Inclination of the foot beyond the remaining bed, 30°. Chosen here: far steeper than the tolerance for parallel beds (5°), and a stone that has
+/// rotated so far has fallen.
 const RISE_RAD: f64 = std::f64::consts::FRAC_PI_6;
 /// Least rise of the normal of a bed, as cosine: 45°. Chosen here; what leans more is a side.
 const UPRIGHT_LEAST: f64 = 0.7;
 /// Gravity for the look at the joints alone: no answer depends on it.
 const GRAVITY_M_S2: f64 = 9.806_65;
 
-/// A part of the bed below a block that no longer bears.
+/// Lost part of the bed below a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LostBed {
     /// The block above the bed, by its index.
@@ -22,10 +22,10 @@ pub struct LostBed {
     pub outward: [f64; 2],
 }
 
-/// The same blocks, one of which no longer bears on the outer part of its bed.
+/// The blocks, with one block that is no longer supported on the outer part of its bed.
 ///
-/// Its foot ends at a line across the bed and rises at 30° beyond it, so that it tips about that line. It weighs what it did, with the same centre and
-/// inertia: what no longer bears may still be there.
+/// The foot of the block ends at a line across the bed and rises at 30° beyond it, so that the block tips about that line. Its weight, centroid and
+/// inertia do not change: the lost part may still be there.
 ///
 /// ```text
 /// pivot of a bed of width b towards the lost side:   b/2 − s b from the middle
@@ -36,7 +36,7 @@ pub struct LostBed {
 /// nothing flat lies below the block, and what [`Stack::new`] refuses.
 ///
 /// # Limits
-/// Of a bed on several stones the whole width counts. Stiffness per area stays as it is: what is left of the bed is taken as sound.
+/// For a bed on several stones the whole width counts. The stiffness per area does not change: the rest of the bed is taken as sound.
 pub fn without_bed(mut blocks: Vec<Block>, lost: &LostBed) -> Result<Vec<Block>, StackError> {
     if !(lost.share > 0.0 && lost.share < 1.0) {
         return Err(StackError::Dimension {

@@ -1,4 +1,4 @@
-//! What acts in a joint: friction, bond, springs, damping.
+//! Material of a joint: friction, bond, springs, damping.
 
 use super::StackError;
 

@@ -18,9 +18,9 @@ impl Solid {
     /// with [`Solid::volume_m3`] to see how much of the hull is stone.
     ///
     /// # Errors
-    /// [`StackError`]: a coordinate that is not finite, an index that is not there, a triangle that names a corner twice,
-    /// an edge with one triangle (a hole) or more than two, neighbours that disagree about the outside, more than one
-    /// piece, an inside-out mesh, one that overlaps itself so much that it holds more than its hull, a flat one.
+    /// [`StackError`] for a coordinate that is not finite, an index that does not exist, a triangle with a repeated corner,
+    /// an edge with one triangle (a hole) or more than two, adjacent triangles with different orientation, more than one
+    /// piece, an inside-out mesh, a mesh that overlaps itself so that its volume exceeds that of its hull, or a flat mesh.
     ///
     /// # Limits
     /// Corners that lie in one place under two numbers do not join their triangles. A mesh that passes through itself is

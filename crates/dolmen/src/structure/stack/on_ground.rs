@@ -3,7 +3,7 @@
 use super::{Body, Stack, StackError, SupportMovement};
 
 impl Stack {
-    /// The same stack with a movement of the ground under one of its blocks, which a check follows; it stands as drawn before it.
+    /// The stack with a movement of the ground under one of its blocks, which a check follows; before it the stack stands as drawn.
     ///
     /// # Errors
     /// [`StackError`] for a block that is not there or does not stand on the ground, and a movement that is not finite or has no length.

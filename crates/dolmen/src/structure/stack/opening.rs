@@ -1,4 +1,4 @@
-//! Openings: niches and hollows that take mass away and leave contact as it is.
+//! Openings: niches and hollows that reduce the mass and do not change the contact.
 
 use super::cut::clipped;
 use super::overlap::overlap_depth;
@@ -10,19 +10,19 @@ use std::f64::consts::TAU;
 const STICKS_OUT: f64 = 1e-9;
 
 impl Solid {
-    /// The same solid without the mass of an opening: a niche, a relic chamber.
+    /// The solid without the mass of an opening, such as a niche or a relic chamber.
     ///
     /// ```text
     /// V = V₁ − V₂,   V c = V₁ c₁ − V₂ c₂,   S = S₁ + V₁ d₁d₁ᵀ − S₂ − V₂ d₂d₂ᵀ,   d = c₁ − c, c₂ − c
     /// ```
     ///
     /// # Errors
-    /// [`StackError::Opening`] unless its corners lie in the convex hull of the solid and what is left has mass;
-    /// [`StackError::Openings`] if it shares space with an earlier opening, [`StackError::OpeningInMesh`] if it reaches out
-    /// of the mesh of the solid.
+    /// [`StackError::Opening`] unless its corners are in the convex hull of the solid and the remaining solid has mass; [`StackError::Openings`] if
+    /// it intersects an earlier opening; [`StackError::OpeningInMesh`] if it extends outside the mesh of the solid.
     ///
     /// # Limits
-    /// Contact stays that of the whole: a stack refuses a bed of which an opening takes an edge or more than a tenth. Cut such a stone into several.
+    /// The contact remains that of the whole solid: a stack refuses a bed if an opening removes an edge or more than a tenth of it. Cut such a stone
+    /// into several.
     ///
     /// # Example
     /// ```

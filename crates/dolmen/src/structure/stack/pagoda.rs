@@ -1,50 +1,50 @@
-//! Pagodas made from the six factors of Kim, Koo & Hong (2018).
+//! Makes pagodas from the six factors of Kim, Koo & Hong (2018).
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | N_f | `storeys` | storeys | – |
-//! | H_t | `body_height_m` | height of all storeys, without the base | m |
-//! | tan α | `slenderness_angle` | least half width / height of the centroid above it, over the joints | – |
-//! | λ | `body_slenderness` | H_t / width of the first storey's body | – |
-//! | φ | `taper_rad` | the body's width shrinks by tan φ per metre of height | rad |
+//! | N_f | `storeys` | number of storeys | – |
+//! | H_t | `body_height_m` | total height of the storeys, without the base | m |
+//! | tan α | `slenderness_angle` | half width over height of the centroid above, the least of all joints | – |
+//! | λ | `body_slenderness` | H_t / width of the body of the first storey | – |
+//! | φ | `taper_rad` | taper: the width of the body decreases by tan φ per metre of height | rad |
 //! | γ_H | `body_base_height_ratio` | H_t / height of the base | – |
 
 use super::{Block, Placement, Solid, StackError};
 
-/// Width of an eave over that of the body below it. Chosen here, after the stack P20.
+/// Width of an eave over that of the body below. Chosen here, as in the stack P20.
 const EAVE: f64 = 1.68;
-/// Width and part of the height of the two bases and their cover stones, widths over that of the first body. Chosen here,
-/// after the stack P20.
+/// The two bases and their cover stones: width, relative to that of the first body, and fraction of the height of the base.
+/// Chosen here, as in the stack P20.
 const BASE: [(&str, f64, f64); 4] = [
     ("lower base", 2.24, 0.45 / 1.85),
     ("lower base cover", 2.40, 0.25 / 1.85),
     ("upper base", 1.84, 0.90 / 1.85),
     ("upper base cover", 2.00, 0.25 / 1.85),
 ];
-/// Slenderness of bodies between which tan α is sought. Chosen here: pagodas have 2 to 6.
+/// Range of λ in the search for tan α. Chosen here: pagodas have 2 to 6.
 const SLENDERNESS_RANGE: [f64; 2] = [0.2, 50.0];
 
 /// Which of the two slenderness factors is given; it determines the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PagodaSlenderness {
-    /// λ: height of all storeys over the width of the first body.
+    /// λ: total height of the storeys over the width of the first body.
     Body(f64),
-    /// tan α: the least half width over height of the centroid above it.
+    /// tan α: half width over height of the centroid above, the least of all joints.
     Angle(f64),
 }
 
-/// What makes a pagoda.
+/// Factors of a pagoda.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PagodaFactors {
-    /// N_f, 1 to 13. Default 3.
+    /// Number of storeys N_f, 1 to 13. Default 3.
     pub storeys: u32,
-    /// H_t, height of all storeys without the base, m. Default 3.
+    /// Total height H_t of the storeys without the base, m. Default 3.
     pub body_height_m: f64,
-    /// λ or tan α. Default λ = 3.74, the source's middle one.
+    /// λ or tan α. Default λ = 3.74, the middle value of the source.
     pub slenderness: PagodaSlenderness,
-    /// φ, rad, 0 or more. Default 8°, the source's.
+    /// Taper φ, rad, 0 or more. Default 8°, as in the source.
     pub taper_rad: f64,
-    /// γ_H. Default 3, the source's.
+    /// Height ratio γ_H. Default 3, as in the source.
     pub body_base_height_ratio: f64,
     /// Density, kg/m³. Default 2600, granite.
     pub density_kg_m3: f64,
@@ -63,14 +63,14 @@ impl Default for PagodaFactors {
     }
 }
 
-/// A made pagoda.
+/// A pagoda made from factors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pagoda {
-    /// Its square blocks, bottom up: two bases with their covers, then body and eave of each storey.
+    /// Square blocks from bottom to top: two bases with their cover stones, then body and eave of each storey.
     pub blocks: Vec<Block>,
-    /// tan α, as given or as it follows.
+    /// tan α, given or derived.
     pub slenderness_angle: f64,
-    /// λ, as given or as it follows.
+    /// λ, given or derived.
     pub body_slenderness: f64,
 }
 
@@ -80,17 +80,18 @@ pub struct Pagoda {
 /// b₁ = H_t/λ,   b_k = b₁ q^(k−1),   h_k = (b_k − b_k+1)/tan φ,   q = (1 − λ tan φ)^(1/N_f)
 /// ```
 ///
-/// Storeys are similar: their heights shrink as their widths do, half body, half eave, the eave 1.68 times as wide as the
-/// body. The base is two steps in the proportions of [`p20`](crate::comparisons::p20), as wide as the first body asks.
+/// Storeys are similar: their heights decrease in proportion to their widths. Half of each is the body, half the eave, which
+/// is 1.68 times as wide as the body. The base has two steps in the proportions of [`p20`](crate::comparisons::p20), scaled to
+/// the width of the first body.
 ///
 /// # Errors
 /// [`StackError::Dimension`] for a factor out of its range; [`StackError::Pagoda`] if the taper leaves no width at the top, or
-/// no body has the tan α asked for.
+/// no body has the required tan α.
 ///
 /// # Limits
-/// α and λ determine each other once the others are given: exactly one is an input. For 5 storeys, 8° and γ_H = 3 the source
-/// prints tan α .338, .385, .414 for λ 4.67, 3.74, 3.32; these blocks have .276, .320, .348, 16 to 18 % less: to match the
-/// source's tan α, give tan α.
+/// α and λ determine each other if the other factors are given, so exactly one of them is an input. For 5 storeys, 8° and γ_H
+/// = 3 the source prints tan α 0.338, 0.385, 0.414 for λ 4.67, 3.74, 3.32. These blocks have 0.276, 0.320, 0.348, which is 16
+/// to 18 % less: to obtain the tan α of the source, give tan α.
 ///
 /// # Example
 /// ```
@@ -103,9 +104,9 @@ pub struct Pagoda {
 /// ```
 ///
 /// # Source
-/// N. Kim, I. Y. Koo, S.-G. Hong (2018), six factors of Fig. 13, prototypes of Fig. 16. Differs from the source: it
-/// defines λ and φ by drawings without dimensions and shows no sizes of blocks; the definitions in the table above and all
-/// proportions are chosen here.
+/// N. Kim, I. Y. Koo, S.-G. Hong (2018), six factors of Fig. 13, prototypes of Fig. 16. Differs from the source: it defines λ
+/// and φ by drawings without dimensions and gives no sizes of blocks. The definitions in the table above and all proportions
+/// are chosen here.
 pub fn pagoda(factors: &PagodaFactors) -> Result<Pagoda, StackError> {
     let range = |quantity, given: f64, holds: bool, allowed| {
         if holds && given.is_finite() {
@@ -197,7 +198,7 @@ fn sizes(factors: &PagodaFactors, lambda: f64) -> Vec<StoneSize> {
             height: part * base,
         })
         .collect();
-    // similar storeys: each q times the one below
+    // similar storeys: each has q times the width of the one below
     let q = (1.0 - lambda * factors.taper_rad.tan())
         .max(0.0)
         .powf(1.0 / f64::from(storeys));
@@ -217,9 +218,9 @@ fn sizes(factors: &PagodaFactors, lambda: f64) -> Vec<StoneSize> {
     sizes
 }
 
-/// Least (half width of contact) / (height of the centroid above), over the joints.
+/// Least value over the joints of (half width of contact) / (height of the centroid above).
 fn least_slenderness(sizes: &[StoneSize]) -> f64 {
-    let (mut mass, mut moment, mut least) = (0.0, 0.0, f64::INFINITY); // of what is above, about the joint
+    let (mut mass, mut moment, mut least) = (0.0, 0.0, f64::INFINITY); // of the part above, about the joint
     for (i, size) in sizes.iter().enumerate().rev() {
         let own = size.width * size.width * size.height;
         moment += mass * size.height + 0.5 * own * size.height;
@@ -230,7 +231,7 @@ fn least_slenderness(sizes: &[StoneSize]) -> f64 {
     least
 }
 
-/// λ with this tan α: a wider body has more.
+/// λ for this tan α: a wider body has a larger tan α.
 fn slenderness_with(factors: &PagodaFactors, tan_alpha: f64) -> Result<f64, StackError> {
     let of = |lambda: f64| least_slenderness(&sizes(factors, lambda));
     let widest = SLENDERNESS_RANGE[0];
@@ -278,7 +279,7 @@ mod tests {
         let first = 3.0 / 3.74;
         assert!((width("storey 1 body") - first).abs() < 1e-14);
         assert!((width("storey 1 eave") - 1.68 * first).abs() < 1e-14);
-        // b_k falls by tan φ per metre: at the foot of the third storey
+        // b_k decreases by tan φ per metre: at the foot of the third storey
         let foot = made.blocks[8].solid.bounds_m()[0][2] - 1.0;
         let exact = first - 8.0_f64.to_radians().tan() * foot;
         assert!((width("storey 3 body") - exact).abs() < 1e-12);
@@ -302,8 +303,8 @@ mod tests {
         }
     }
 
-    /// Ours only: how far the choice of blocks is from the source's tan α .338, .385, .414 (5 storeys, 8°, γ_H 3). The
-    /// right sides come from the same sum over blocks written down apart from this code.
+    /// Only our own numbers: the difference between these blocks and the tan α of the source, 0.338, 0.385, 0.414 (5 storeys,
+    /// 8°, γ_H 3). The expected values are the same sum over blocks, written independently of this code.
     #[test]
     fn regress_slenderness_angles_beside_the_printed_ones() {
         for (lambda, ours, printed) in [

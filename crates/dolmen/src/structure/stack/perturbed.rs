@@ -1,4 +1,4 @@
-//! A stack with small differences, those that no survey can tell from it.
+//! Varies a stack by small differences that no survey could detect.
 
 use super::{Joint, JointMaterial, Stack, StackError};
 use crate::numeric::Random;
@@ -10,11 +10,11 @@ const BED_RISE_LEAST: f64 = 0.9;
 /// How far the inputs of a stack are known: each is drawn evenly from both sides of its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmallDifferences {
-    /// Of the friction of each joint, as a share. Default 0.02.
+    /// Relative standard deviation of the friction of each joint. Default 0.02.
     pub friction_share: f64,
-    /// Of the edges of each bed, m; only where all joints are beds. Default 1 mm.
+    /// Standard deviation of the edges of each bed, m; only if all joints are beds. Default 1 mm.
     pub bed_edge_m: f64,
-    /// Of the strength of a motion, as a share. Default 0.005.
+    /// Relative standard deviation of the strength of a motion. Default 0.005.
     pub motion_share: f64,
 }
 
@@ -63,7 +63,7 @@ impl SmallDifferences {
         Ok(other)
     }
 
-    /// Whether edges of beds differ too: not where stones fit between others, nor where they are scans.
+    /// Whether edges of beds vary too: not if stones fit between others, nor if they are scans.
     pub fn moves_edges(&self, stack: &Stack) -> bool {
         let beds = stack
             .joints()
@@ -75,7 +75,7 @@ impl SmallDifferences {
 }
 
 impl Stack {
-    /// The same stack with stones whose edges in plan lie farther out, along x and y, by what `farther_m` gives for each, m.
+    /// The stack with each stone widened in plan along x and y by the amounts from `farther_m`, m.
     fn widened(&self, mut farther_m: impl FnMut() -> [f64; 2]) -> Result<Stack, StackError> {
         let mut blocks = self.blocks().to_vec();
         for block in &mut blocks {

@@ -11,8 +11,8 @@ use super::{Solid, StackError};
 use glam::{DMat3, DVec3};
 use std::f64::consts::{PI, TAU};
 
-/// Sides of the polygon that stands for the circle of a drum where it touches. Chosen here: its corners lie on the circle,
-/// so that its area is 0.64 % and its reach at most 0.48 % smaller, on the safe side.
+/// Number of sides of the polygon that replaces the circle of a drum in contact. Chosen here: its corners are on the
+/// circle, so its area is 0.64 % and its extent at most 0.48 % smaller, which is conservative.
 const DRUM_SIDES: u32 = 32;
 
 /// Most sides of a prism. Chosen here: more are a drum.

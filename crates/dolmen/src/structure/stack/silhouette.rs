@@ -1,4 +1,4 @@
-//! What a wind sees of each block of a stack: its outline, less what blocks before it hide.
+//! Outline of each block of a stack as seen by the wind, without the parts that blocks in front hide.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -13,12 +13,12 @@ const CELLS: f64 = 500.0;
 /// Where in its cell a ray goes: not in the middle, where edges of round numbers lie.
 const IN_CELL: [f64; 2] = [0.503_17, 0.497_31];
 
-/// What is seen of one block.
+/// Visible outline of one block.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Silhouette {
     /// Area of its own outline, m².
     pub own_area_m2: f64,
-    /// What of it no other block hides, m².
+    /// Visible area, m².
     pub area_m2: f64,
     /// Centroid of that: across the wind and its height, m.
     pub centroid_m: [f64; 2],
@@ -26,7 +26,7 @@ pub struct Silhouette {
     pub strips: Vec<SilhouetteStrip>,
 }
 
-/// What is seen of a block between two heights.
+/// Visible part of a block between two heights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SilhouetteStrip {
     /// From, m.
@@ -44,7 +44,7 @@ pub fn across([x, y]: [f64; 2]) -> [f64; 2] {
     [-y, x]
 }
 
-/// What a wind that blows to `direction`, a unit vector in plan, sees of each block of a stack.
+/// Outlines of the blocks of a stack as seen by a wind that blows towards `direction`, a unit vector in plan.
 ///
 /// # Limits
 /// A block that nothing hides has its exact outline where it is convex. What is hidden, and the outline of a block that is not convex,

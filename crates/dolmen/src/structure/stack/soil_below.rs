@@ -5,7 +5,7 @@ use super::{Body, JointMaterial, Stack, StackError};
 use crate::structure::soil::{Footing, Soil};
 
 impl Stack {
-    /// The same stack on an elastic half-space: rigid footing on its surface, of the plan given or of the bed of the lowest stone.
+    /// The stack on an elastic half-space, with a rigid footing on its surface: of the given plan, or of that of the lowest bed.
     ///
     /// ```text
     /// K = least of the two rocking stiffnesses of the footing ([`Soil`]),   K_h = 8 G R/(2 − ν), R = √(A/π)
@@ -16,8 +16,8 @@ impl Stack {
     /// As [`with_soil`](Stack::with_soil).
     ///
     /// # Limits
-    /// Springs under the bed turn as the half-space does, and pull no more than it does; down they are up to 2.7 times as stiff as it. A bed that is
-    /// no square has one k_n for two directions, the softer. Radiation damping is left out: that of the joint counts.
+    /// Springs under the bed have the rotational stiffness of the half-space, and no more tension; vertically they are up to 2.7 times as stiff. A
+    /// bed that is not square has the softer k_n of its two directions. Radiation damping is left out; the damping of the joint counts.
     ///
     /// # Source
     /// K: see [`Soil`]. K_h: a rigid disc that is pushed along, R. D. Mindlin (1949) J. Appl. Mech. 16, 259-268; of other plans the disc of the same area.
@@ -48,7 +48,7 @@ impl Stack {
         })
     }
 
-    /// The same stack on soil: the springs of its joint on the ground come in series with it.
+    /// The stack on soil: the springs of the soil act in series with the joint on the ground.
     ///
     /// # Errors
     /// [`StackError::SoilUnderSeveral`] for a stack that stands on the ground with several blocks, [`StackError::Dimension`] for a stiffness that is

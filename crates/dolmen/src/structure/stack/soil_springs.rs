@@ -1,12 +1,12 @@
-//! Springs that stand for the soil under a stack.
+//! Springs that represent the soil under a stack.
 
-/// What the soil under a stack gives way to.
+/// Springs of the soil under a stack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SoilBelow {
     /// Moment over rotation of the base, the less of its two directions, N m/rad.
     pub rocking_stiffness_n_m_rad: f64,
-    /// Springs per area of the joint on the ground that stand for it, Pa/m.
+    /// Stiffness per area of the joint on the ground that represents the soil, Pa/m.
     pub normal_stiffness_pa_m: f64,
-    /// The same along the joint, Pa/m.
+    /// Stiffness along the joint, Pa/m.
     pub shear_stiffness_pa_m: f64,
 }

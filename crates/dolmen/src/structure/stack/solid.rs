@@ -11,11 +11,11 @@ pub struct Solid {
     volume_m3: f64,
     centroid_m: [f64; 3],
     second_m5: [[f64; 3]; 3],
-    /// What was taken out of it, already missing in volume, centroid and second moments.
+    /// Openings, already subtracted from volume, centroid and second moments.
     pub(super) openings: Vec<Solid>,
     /// The surface of its stone where that is not its hull: triangles, outward; empty otherwise.
     pub(super) mesh: Vec<[DVec3; 3]>,
-    /// What was found in a mesh with noise; its faces are fitted planes then.
+    /// Data of a mesh with noise; its faces are then fitted planes.
     pub(super) scan: Option<Box<Scan>>,
 }
 
@@ -24,7 +24,7 @@ pub struct Solid {
 pub struct Scan {
     /// Standard deviation of its vertices off the planes of its faces, m.
     pub noise_m: f64,
-    /// Of each face of the solid, the triangles of its mesh that lie in it.
+    /// For each face of the solid, its triangles of the mesh.
     pub(super) triangles: Vec<Vec<usize>>,
 }
 
@@ -115,7 +115,7 @@ impl Solid {
         solid
     }
 
-    /// What was found in it if it is a scan with noise.
+    /// Scan data, if the solid is a scan with noise.
     pub fn scan(&self) -> Option<&Scan> {
         self.scan.as_deref()
     }
@@ -161,7 +161,7 @@ impl Solid {
         (DMat3::from_diagonal(DVec3::splat(trace)) - second).to_cols_array_2d()
     }
 
-    /// The same solid elsewhere.
+    /// The solid at another position.
     pub fn placed(&self, placement: &Placement) -> Self {
         let rotation = placement.rotation();
         let shift = DVec3::from(placement.position_m);
@@ -237,7 +237,7 @@ impl Solid {
         bounds
     }
 
-    /// The same contact geometry with other mass: what meshes and openings need.
+    /// The solid with the same contact geometry and other moments of mass, for meshes and openings.
     pub(super) fn with_moments(mut self, volume_m3: f64, centroid_m: DVec3, second_m5: DMat3) -> Self {
         self.volume_m3 = volume_m3;
         self.centroid_m = centroid_m.into();

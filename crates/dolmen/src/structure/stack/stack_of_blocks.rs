@@ -88,9 +88,9 @@ impl Stack {
     /// more than [`BED_GAP_M`], touch on several facets of a bed that is not flat or where one is hollow, and blocks that no joint carries.
     ///
     /// # Limits
-    /// Contact is of convex hulls: a joint in which the stone itself does not bear as they do is refused, and such a stone must be
-    /// given as several. Within the outline up to a tenth of the area may be empty, which springs and bonds count whole. Two bodies share one joint, of
-    /// the pair of faces with the largest common patch. Faces up to 5° from parallel count as bedded.
+    /// Contact is between convex hulls. A joint in which the stone itself has less contact than the hulls is refused; such a stone must be given in
+    /// several parts. Within the outline up to a tenth of the area may be empty, but springs and bonds count it fully. Two bodies share one joint,
+    /// from the pair of faces with the largest common patch. Faces up to 5° from parallel count as bedded.
     ///
     /// # Example
     /// ```
@@ -248,7 +248,7 @@ impl Stack {
         }
     }
 
-    /// The same stack with something beside a block.
+    /// The stack with a support beside a block.
     ///
     /// # Errors
     /// [`StackError`] for a block that is not there or a value out of its range.
@@ -285,13 +285,13 @@ impl Stack {
         &self.ties
     }
 
-    /// The same stack with nothing beside its blocks.
+    /// The stack without side supports.
     pub fn without_side_supports(mut self) -> Self {
         self.side_supports.clear();
         self
     }
 
-    /// What stands beside blocks.
+    /// The side supports of blocks.
     pub fn side_supports(&self) -> &[SideSupport] {
         &self.side_supports
     }

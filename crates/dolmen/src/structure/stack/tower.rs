@@ -10,7 +10,7 @@ use super::dimension::{all_positive, refused};
 use super::{Block, Placement, Solid, StackError};
 use std::f64::consts::TAU;
 
-/// Most stones. Chosen here, as for walls: a check of so many takes some seconds.
+/// Largest number of stones. Chosen here, as for walls: a check then takes several seconds.
 const STONES_MOST: u32 = 600;
 /// Most courses. Chosen here.
 const COURSES_MOST: u32 = 200;
@@ -21,22 +21,22 @@ pub enum TowerPlan {
     /// A square, its sides along x and y. Hollow: four stones a course, each with one end against the next; every second course turns
     /// the other way round.
     Square,
-    /// A circle. Solid: drums. Hollow: rings of so many flat-faced stones, their outer corners on the circle; every second ring is turned by half a
-    /// stone.
+    /// A circle. Solid: drums. Hollow: rings of this number of flat-faced stones with their outer corners on the circle; every second ring is
+    /// rotated by half a stone.
     Round {
         /// Stones in a ring, 6 to 48.
         stones: u32,
     },
 }
 
-/// What makes a tower.
+/// Factors of a tower.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TowerFactors {
     /// Its plan.
     pub plan: TowerPlan,
     /// Width or diameter of the lowest course, m.
     pub width_m: f64,
-    /// The same of the top course, m: each course between is set back alike.
+    /// Width of the top course, m: the courses between are set back in equal steps.
     pub top_width_m: f64,
     /// Courses, 1 to 200.
     pub courses: u32,

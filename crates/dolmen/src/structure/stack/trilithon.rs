@@ -3,7 +3,7 @@
 use super::dimension::{all_positive, refused};
 use super::{Block, Placement, Solid, StackError};
 
-/// What makes a trilithon.
+/// Factors of a trilithon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrilithonFactors {
     /// Clear span between the posts, along x, m.

@@ -3,7 +3,7 @@
 use super::dimension::{all_positive, refused};
 use super::{Block, Placement, Solid, StackError};
 
-/// Most stones. Chosen here: a check of so many takes some seconds.
+/// Largest number of stones. Chosen here: a check then takes several seconds.
 const STONES_MOST: f64 = 600.0;
 /// A stone shorter than this part of a whole one joins that beside it. Chosen here: masons do not lay slivers.
 const SLIVER: f64 = 0.25;
@@ -12,7 +12,7 @@ const CORE_LEAST_M: f64 = 0.01;
 /// Length that counts as none, over that of a stone: rounding.
 const NOTHING: f64 = 1e-9;
 
-/// What makes a wall.
+/// Factors of a wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WallFactors {
     /// Length, along x, m.
@@ -29,7 +29,7 @@ pub struct WallFactors {
     pub leaves: u32,
     /// Width of the core between two leaves, m: its filling is left out. Of no effect with one leaf.
     pub core_m: f64,
-    /// Every so many courses one is of through stones, as thick as the wall; `None` for none.
+    /// Every n-th course consists of through stones, as thick as the wall; `None` for none.
     pub through_every: Option<u32>,
     /// Doors and windows.
     pub openings: Vec<WallOpening>,
@@ -135,7 +135,7 @@ pub fn wall(factors: &WallFactors) -> Result<Vec<Block>, StackError> {
     Ok(blocks)
 }
 
-/// A stone between two ends, in its course and leaf of so many.
+/// A stone between two ends, in its course and leaf, given the number of leaves.
 fn stone_at(
     factors: &WallFactors,
     name: String,
@@ -160,7 +160,7 @@ fn stone_at(
     })
 }
 
-/// What openings and lintels take of a course, from the left.
+/// Spans of a course that openings and lintels occupy, from the left.
 fn taken(factors: &WallFactors, course: u32) -> Result<Vec<CourseSpan>, StackError> {
     let mut all: Vec<CourseSpan> = factors
         .openings

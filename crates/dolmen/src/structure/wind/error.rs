@@ -30,7 +30,7 @@ pub enum WindError {
         /// Lowest natural frequency, Hz.
         frequency_hz: f64,
     },
-    /// Turbulence is defined for a mean wind, and this is none.
+    /// Turbulence is defined for a mean wind, but the wind is given as a gust or a pressure.
     #[error(
         "the wind is a gust or a pressure, but its turbulence goes with the mean of ten minutes by a code"
     )]

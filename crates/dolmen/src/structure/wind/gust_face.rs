@@ -1,4 +1,4 @@
-//! Forces of a turbulent wind on the strips of a face: their means, and their cross spectra.
+//! Forces of a turbulent wind on the strips of a face: mean forces and cross spectra.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -13,31 +13,31 @@ use dolmen_linalg::{LinalgError, Matrix, symmetric_eigen};
 /// Decay of the coherence across and up the face: C = 10.
 pub const COHERENCE_DECAY: f64 = 10.0;
 
-/// A strip of the face, as high as the wind on one floor.
+/// A horizontal strip of the face, as high as the tributary height of one floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GustStrip {
-    /// Height of its lower edge above the ground, m.
+    /// Height of the lower edge above the ground, m.
     pub bottom_m: f64,
-    /// Height of its upper edge, m.
+    /// Height of the upper edge above the ground, m.
     pub top_m: f64,
     /// Breadth across the wind, m.
     pub breadth_m: f64,
-    /// Force coefficient of windward and leeward side together.
+    /// Sum of the force coefficients of the windward and leeward sides.
     pub force_coefficient: f64,
-    /// The wind at its middle.
+    /// The wind at mid-height of the strip.
     pub wind: Turbulence,
 }
 
-/// Strips from the lowest up, and the air that flows against them.
+/// The strips of a face from the lowest up, and the properties of the air flow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GustFace {
     /// The strips; they do not overlap.
     pub strips: Vec<GustStrip>,
-    /// ρ, kg/m³.
+    /// Air density ρ, kg/m³.
     pub air_density_kg_m3: f64,
     /// Spectrum of the turbulence.
     pub spectrum: TurbulenceSpectrum,
-    /// C, [`COHERENCE_DECAY`]; with 0 the whole face feels the same gust.
+    /// C, default [`COHERENCE_DECAY`]; with 0 the same gust acts on the whole face.
     pub coherence_decay: f64,
 }
 
@@ -45,7 +45,7 @@ impl GustFace {
     /// Refuses invalid strips.
     ///
     /// # Errors
-    /// [`WindError::NotPositive`].
+    /// [`WindError::NotPositive`] if a dimension, coefficient or speed is not positive.
     pub fn check(&self) -> Result<(), WindError> {
         let positive = super::error::positive;
         positive("air_density_kg_m3", self.air_density_kg_m3)?;
@@ -66,7 +66,7 @@ impl GustFace {
         }
     }
 
-    /// A frequency below which the densities are flat to 1e-5, Hz.
+    /// Frequency below which the spectral densities are constant within 1e-5, Hz.
     pub(crate) fn lowest_hz(&self) -> f64 {
         const FLAT: f64 = 1e-6;
         let slow = self.strips.iter();
@@ -74,8 +74,8 @@ impl GustFace {
         slow.fold(f64::INFINITY, f64::min)
     }
 
-    /// The independent force patterns on the strips at a frequency, one value for each strip, each of length 1: the strongest first, down to a
-    /// fraction of the total variance.
+    /// Independent force patterns on the strips at a frequency, each with one value per strip and length 1. The patterns are ordered by
+    /// variance, the largest first, and include at least the fraction `part` of the total variance.
     ///
     /// # Errors
     /// [`LinalgError`] if the decomposition fails.
@@ -100,21 +100,21 @@ impl GustFace {
         self.air_density_kg_m3 * strip.force_coefficient * area_m2 * strip.wind.mean_speed_m_s
     }
 
-    /// One-sided cross spectral density of the forces on the strips at a frequency above 0, N²/Hz: real and symmetric.
+    /// One-sided cross spectral density of the strip forces at a frequency above 0, N²/Hz; real and symmetric.
     ///
     /// ```text
     /// S_ij = χ_i χ_j √(S_u,i S_u,j J_i J_j) · mean of exp(−c |z − z′|) over both strips                      strips × strips
     /// c = C n/V̄,  V̄ = (V_i + V_j)/2,  J_i = 2 (x − 1 + e^−x)/x²,  x = c b_i: the coherence averaged over the breadth
     /// ```
-    /// Averaging over a strip gives the aerodynamic admittance: a small gust does not act on the whole strip at once.
+    /// Averaging over a strip gives the aerodynamic admittance: a gust smaller than the strip does not act on all of it.
     ///
     /// # Limits
-    /// Quasi-steady and linear in the gust (I_u² is left out: some 3 % of the mean). Gusts act on the front and the back of the building at the
-    /// same time, and there is no aerodynamic damping: both are on the safe side.
+    /// Quasi-steady and linear in the gust speed (the term I_u² is left out: about 3 % of the mean). Gusts act on the front and the back of the
+    /// building at the same time, and aerodynamic damping is left out; both assumptions are conservative.
     ///
     /// # Source
-    /// Davenport A. G. (1967) J. Struct. Div. ASCE 93(3):11–34. With one strip over the whole height and C = 9.2, J J is R_h R_b of
-    /// EN 1991-1-4:2005, B.7 and B.8.
+    /// Davenport A. G. (1967) J. Struct. Div. ASCE 93(3):11–34. With one strip over the whole height and C = 9.2, the product of both J equals
+    /// R_h R_b of EN 1991-1-4:2005, B.7 and B.8. Tested by `gusts`.
     pub fn force_density_n2_hz(&self, frequency_hz: f64) -> Matrix {
         let n = self.strips.len();
         let gusts: Vec<f64> = self
@@ -133,7 +133,7 @@ impl GustFace {
         density
     }
 
-    /// The coherence averaged over two strips.
+    /// The coherence, averaged over strips i and j.
     fn together(&self, i: usize, j: usize, frequency_hz: f64) -> f64 {
         let (own, other) = (&self.strips[i], &self.strips[j]);
         let speed = 0.5 * (own.wind.mean_speed_m_s + other.wind.mean_speed_m_s);
@@ -155,7 +155,7 @@ impl GustFace {
 
 /// Mean of e^(−x |s − t|) over s, t in (0, 1): 2 (x − 1 + e^−x)/x².
 fn within(x: f64) -> f64 {
-    // below this the difference loses digits: the series is accurate to x³/60
+    // for smaller x the difference loses digits; the error of the series is x³/60
     const SMALL: f64 = 1e-4;
     match x < SMALL {
         true => 1.0 - x / 3.0 + x * x / 12.0,
@@ -195,7 +195,7 @@ mod tests {
         }
     }
 
-    /// The same by sums over many points of both strips, each point with the speed of its strip.
+    /// The same density by sums over many points of both strips, each point with the wind speed of its strip.
     fn by_points(face: &GustFace, i: usize, j: usize, hz: f64) -> f64 {
         const POINTS: usize = 200;
         let middle = |k: usize, low: f64, high: f64| low + (high - low) * (k as f64 + 0.5) / POINTS as f64;

@@ -1,21 +1,21 @@
-//! Pressure of a wind by height, and the force on a strip of a body.
+//! Wind pressure over height, and the wind force on a strip of a body.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | q | `pressure` | peak velocity pressure, with the factor for gusts, size and resonance | Pa |
+//! | q | `pressure` | peak velocity pressure, including the factor for gusts, size and resonance | Pa |
 //! | ρ | `air_density_kg_m3` | density of air | kg/m³ |
-//! | z_0, z_min | `roughness_m`, `lowest_m` | roughness length; height below which the pressure does not fall | m |
+//! | z_0, z_min | `roughness_m`, `lowest_m` | roughness length; height below which the pressure is constant | m |
 
-/// Properties of the body that a code needs.
+/// Properties of a body that wind codes use.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WindBody {
-    /// Height of its top above the ground, m.
+    /// Height of the top above the ground, m.
     pub height_m: f64,
     /// Mean breadth across the wind, m.
     pub breadth_m: f64,
-    /// Lowest natural frequency, Hz; `None` where the stiffness is not known.
+    /// Lowest natural frequency, Hz; `None` if the stiffness is unknown.
     pub frequency_hz: Option<f64>,
-    /// Damping ratio of that mode; `None` where it is not known.
+    /// Damping ratio of that mode; `None` if unknown.
     pub damping_ratio: Option<f64>,
 }
 
@@ -24,28 +24,28 @@ pub struct WindBody {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Resonance {
-    /// The body is stiff in the sense of the code: there is nothing to add.
+    /// The body is stiff by the definition of the code, so resonance is not considered.
     Stiff,
-    /// The factor includes it.
+    /// The factor includes resonance.
     Counted,
-    /// A given pressure or gust does not tell.
+    /// The pressure or gust is given, and it is unknown whether it includes resonance.
     NotCounted,
 }
 
-/// Pressure by height.
+/// Wind pressure over height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WindPressure {
     pub(super) profile: Profile,
-    /// Factor for gusts, size and resonance in the pressure: 1, c_s c_d or G_D.
+    /// Factor on the pressure for gusts, size and resonance: 1, c_s c_d or G_D.
     pub response_factor: f64,
-    /// Whether it includes resonance.
+    /// Whether the factor includes resonance.
     pub resonance: Resonance,
 }
 
 /// Variation of the pressure with height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Profile {
-    /// The same everywhere, Pa.
+    /// Constant, Pa.
     Uniform(f64),
     /// scale · (ln²(z/z_0) + linear · ln(z/z_0)); constant below z_min.
     Logarithmic {
@@ -56,22 +56,22 @@ pub(super) enum Profile {
     },
 }
 
-/// The wind on a strip of unit breadth between two heights.
+/// Wind force and moment on a strip of unit breadth between two heights.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WindStrip {
-    /// ∫ q dz, N/m.
+    /// Force ∫ q dz, N/m.
     pub force_n_m: f64,
-    /// ∫ q z dz, about the ground, N.
+    /// Moment ∫ q z dz about the ground, N.
     pub moment_n: f64,
 }
 
-/// ½ ρ v², Pa.
+/// Velocity pressure ½ ρ v², Pa.
 pub(super) fn velocity_pressure_pa(speed_m_s: f64, air_density_kg_m3: f64) -> f64 {
     0.5 * air_density_kg_m3 * speed_m_s * speed_m_s
 }
 
 impl WindPressure {
-    /// q at a height above the ground, Pa.
+    /// Pressure q at a height above the ground, Pa.
     pub fn at_pa(&self, height_m: f64) -> f64 {
         let pressure = match self.profile {
             Profile::Uniform(pressure_pa) => pressure_pa,
@@ -88,7 +88,7 @@ impl WindPressure {
         self.response_factor * pressure
     }
 
-    /// The wind on a strip of unit breadth from one height to another, in closed form.
+    /// Wind force and moment on a strip of unit breadth between two heights, in closed form.
     ///
     /// ```text
     /// ∫ ln u dz = z (ln u − 1)          ∫ z ln u dz = z² (ln u / 2 − 1/4)                u = z/z_0

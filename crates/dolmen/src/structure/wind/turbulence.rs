@@ -23,7 +23,7 @@ pub struct Turbulence {
 /// Distribution of the power of the turbulence along the wind over frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TurbulenceSpectrum {
-    /// That of Kaimal's form in EN 1991-1-4:2005, B.2: 6.8 f/(1 + 10.2 f)^(5/3).
+    /// Kaimal's form in EN 1991-1-4:2005, B.2: 6.8 f/(1 + 10.2 f)^(5/3).
     Kaimal,
     /// Von Kármán: 4 f/(1 + 70.8 f²)^(5/6).
     VonKarman,

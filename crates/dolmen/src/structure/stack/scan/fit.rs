@@ -10,7 +10,7 @@ use glam::DVec3;
 
 /// Distance within which a vertex lies in a plane, m, at least; in a small stone 1/100 of its size. Dressed stone is not flatter.
 const TOLERANCE_M: f64 = 0.003;
-/// The same in standard deviations of the noise.
+/// As above, in standard deviations of the noise.
 const TOLERANCE_NOISE: f64 = 4.0;
 /// A face may lie no farther inside than this in standard deviations: the mean of what noise adds to an outermost vertex.
 const OUTERMOST_NOISE: f64 = 2.0;
@@ -22,7 +22,7 @@ const VOLUME_MOST: f64 = 0.02;
 const BEVELS: usize = 8;
 /// A rounded edge is one whose faces end this much before it, as a part of the stone's size. Chosen here.
 const ROUNDED_LEAST: f64 = 0.004;
-/// Faces whose edges are looked at lie level within 10° as the stone stands: its beds. Chosen here.
+/// Cosine of 10°, the largest inclination of a face whose edges are examined: the beds of the stone in its position. Chosen here.
 const LEVEL_LEAST: f64 = 0.985;
 /// Planes of a fitted body at most.
 const PLANES_MOST: usize = 400;
@@ -36,7 +36,7 @@ const ONE_PLANE: f64 = 1e-3;
 pub(crate) struct Fitted {
     /// The body that carries contact.
     pub(crate) solid: Solid,
-    /// Of each of its faces, the triangles that lie in it.
+    /// Triangles in each of its faces.
     pub(crate) triangles: Vec<Vec<usize>>,
     /// Standard deviation of the vertices of faces off their planes, m.
     pub(crate) noise_m: f64,
@@ -407,8 +407,8 @@ mod tests {
         Solid::mesh(&vertices, &triangles).map_err(|why| why.to_string())
     }
 
-    /// Reach of the bed of a rounded box with vertices 20 mm apart: half its width less the radius. Where two rows of vertices or fewer show the
-    /// rounding, the bed may end a row or two before it, not behind it.
+    /// Extent of the bed of a rounded box with vertices 20 mm apart: half its width minus the radius. If two rows of vertices or fewer are in
+    /// the rounding, the bed may end a row or two before it, never after it.
     #[test]
     fn holds_a_bed_ends_where_its_edge_begins_to_round() {
         let mut wrong = Vec::new();

@@ -1,29 +1,32 @@
-//! Dressed faces in a noisy surface: regions of like normals, then every triangle to the plane it lies in.
+//! Finds the dressed faces in a noisy surface mesh: regions with similar normals first, then each triangle is
+//! assigned to its nearest plane.
 
 use super::plane::Plane;
 use super::surface::Surface;
 use glam::DVec3;
 use std::collections::VecDeque;
 
-/// Cosine of the angle within which a normal joins a region, 15°. Chosen here: smoothed normals scatter by 3° to 5°.
+/// Cosine of 15°, the largest angle between a region and a normal that joins it. Chosen here: smoothed normals
+/// scatter by 3° to 5°.
 const JOINS: f64 = 0.965_9;
-/// Cosine of the angle beyond which a smoothed normal cannot be of a plane's face, 45°.
+/// Cosine of 45°, the largest angle between a plane face and a smoothed normal on it.
 const FACES: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// Regions smaller than this part of the surface are no face. Chosen here: worn corners.
+/// Smallest region that counts as a face, as a fraction of the surface. Chosen here: smaller regions are worn
+/// corners.
 const AREA_LEAST: f64 = 0.004;
-/// Two regions whose normals are closer than this, as cosine of 8°, may be one face.
+/// Cosine of 8°, the angle between normals below which two regions may be one face.
 const ONE_FACE: f64 = 0.990_3;
-/// Rounds of fitting planes and giving triangles to the nearest.
+/// Number of rounds of fitting planes and reassigning triangles.
 const ROUNDS: usize = 4;
 
-/// A face: its plane and the triangles that lie in it.
+/// A face: its plane and its triangles.
 pub(super) struct Region {
     pub(super) plane: Plane,
     pub(super) triangles: Vec<usize>,
     pub(super) area_m2: f64,
 }
 
-/// The faces of a surface, largest first, each vertex within `tolerance_m` of its plane.
+/// The faces of a surface, largest first. Every vertex of a face is within `tolerance_m` of its plane.
 pub(super) fn regions(surface: &Surface, normals: &[(DVec3, f64)], tolerance_m: f64) -> Vec<Region> {
     let mut found = fitted(surface, grown(surface, normals, tolerance_m));
     for _ in 0..ROUNDS {
@@ -33,7 +36,8 @@ pub(super) fn regions(surface: &Surface, normals: &[(DVec3, f64)], tolerance_m: 
     found
 }
 
-/// Regions of like normals near the plane of their seed, grown from the flattest triangles on.
+/// Regions of triangles with similar normals near the plane of their first triangle, grown from the flattest
+/// triangles on.
 fn grown(surface: &Surface, normals: &[(DVec3, f64)], tolerance_m: f64) -> Vec<(DVec3, Vec<usize>)> {
     let mut seeds: Vec<usize> = (0..normals.len()).collect();
     seeds.sort_by(|&a, &b| normals[b].1.total_cmp(&normals[a].1).then(a.cmp(&b)));
@@ -67,7 +71,7 @@ fn grown(surface: &Surface, normals: &[(DVec3, f64)], tolerance_m: f64) -> Vec<(
     all
 }
 
-/// The planes of sets of triangles that are large enough, largest first.
+/// Fits planes to the sets of triangles that are large enough; the largest first.
 fn fitted(surface: &Surface, sets: Vec<(DVec3, Vec<usize>)>) -> Vec<Region> {
     let whole: f64 = surface.areas.iter().map(|area| area.length()).sum();
     let mut found: Vec<Region> = sets
@@ -89,7 +93,7 @@ fn fitted(surface: &Surface, sets: Vec<(DVec3, Vec<usize>)>) -> Vec<Region> {
     found
 }
 
-/// Without regions that lie in the plane of a larger one.
+/// Removes regions in the plane of a larger region.
 fn one_face_once(surface: &Surface, found: Vec<Region>, tolerance_m: f64) -> Vec<Region> {
     let mut kept: Vec<Region> = Vec::new();
     for region in found {
@@ -107,7 +111,7 @@ fn one_face_once(surface: &Surface, found: Vec<Region>, tolerance_m: f64) -> Vec
     kept
 }
 
-/// Each triangle to the plane that it lies nearest to, if any is near enough and faces its way.
+/// Assigns each triangle to the nearest plane, if one is close enough and has a similar normal.
 fn nearest(
     surface: &Surface,
     normals: &[(DVec3, f64)],

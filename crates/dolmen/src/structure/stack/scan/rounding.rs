@@ -1,41 +1,42 @@
-//! Where the flat part of a face ends before a rounded edge: a bed carries no farther than it is flat.
+//! Finds the end of the flat part of a face before a rounded edge: only the flat part of a bed carries load.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | x | `inside` | distance inwards from the line in which the plane of the face meets that of the next, m |
-//! | h | `depth` | depth of a vertex under the plane of the face, m |
-//! | x_f | `flat_end` | where the flat part ends, m |
+//! | x | `inside` | distance inwards from the line where the planes of two adjacent faces intersect, m |
+//! | h | `depth` | depth of a vertex below the plane of the face, m |
+//! | x_f | `flat_end` | end of the flat part, m |
 
 use super::plane::Plane;
 use super::surface::Surface;
 use glam::DVec3;
 
-/// The part of an edge that counts: near its ends other edges are rounded, too.
+/// Part of an edge that is used, as fractions of its length: near its ends the adjacent edges are also rounded.
 const ALONG: [f64; 2] = [0.2, 0.8];
-/// Cosine of the angle between the normals of a vertex and of the face beyond which it belongs to another face: 50°.
+/// Cosine of 50°, the angle between the normals of a vertex and of the face above which the vertex belongs to another face.
 const OWN_LEAST: f64 = 0.643;
-/// Radius of an arc over its length along the face up to there.
+/// Radius of an arc, divided by its length along the face up to that angle.
 const RADIUS: f64 = 1.305;
-/// Places tried for the end of the flat part.
+/// Number of trial values for the end of the flat part.
 const TRIED: usize = 80;
-/// Vertices that an edge needs, before the end of the flat part and in it: the cap of a cut has none inside, and its edge is sharp.
+/// Fewest vertices of an edge, outside and inside the flat part. The cap of a cut has no vertices inside, and its edge is sharp.
 const VERTICES_LEAST: [usize; 2] = [4, 12];
-/// How much better a rounded edge must explain the depths than a sharp one: F of one parameter more, where [`TRIED`] were tried.
+/// Least improvement of the fit by a rounded instead of a sharp edge: the F value of one additional parameter, with [`TRIED`] trial values.
 const BETTER_LEAST: f64 = 25.0;
-/// Ends of the flat part that explain the depths as well as the best one does: by so much more of its mean square. The innermost counts, so that a
-/// rounding which few vertices show does not seem smaller than it may be.
+/// Trial values whose sum of squares exceeds the best by at most this multiple of its mean square count as equally good. The innermost of them is
+/// used, so that a rounding with few vertices is not underestimated.
 const AS_GOOD: f64 = 1.0;
 /// An edge of a face.
 pub(super) struct Edge {
     pub(super) face: Plane,
-    /// Outward normal of the face beyond it.
+    /// Outward normal of the adjacent face.
     pub(super) beyond: DVec3,
     pub(super) ends: [DVec3; 2],
     /// Distance from the edge to the far side of the face, m.
     pub(super) across_m: f64,
 }
 
-/// The plane through the end of the flat part of a face, half turned towards the face beyond, if the flat part ends more than `least_m` before the edge.
+/// The plane through the end of the flat part of a face, inclined halfway towards the adjacent face, if the flat part ends more than `least_m` before
+/// the edge.
 pub(super) fn chamfer(surface: &Surface, edge: &Edge, least_m: f64, noise_m: f64) -> Option<Plane> {
     let [from, to] = edge.ends;
     let along = (to - from).normalize_or_zero();
@@ -43,7 +44,7 @@ pub(super) fn chamfer(surface: &Surface, edge: &Edge, least_m: f64, noise_m: f64
     let toward = across * across.dot(edge.beyond).signum();
     let most_m = 0.4 * edge.across_m;
     let mut depths = depths(surface, edge, toward, (most_m, noise_m));
-    // from the outermost vertex: the face beyond may be a piece that a rounded edge was fitted by
+    // from the outermost vertex: the adjacent face may be a piece fitted to the rounded edge
     let outermost_m = depths.iter().map(|d| d[0]).fold(f64::INFINITY, f64::min);
     depths.iter_mut().for_each(|d| d[0] -= outermost_m);
     let flat_m = flat_end_m(&depths, most_m - outermost_m)? + outermost_m;
@@ -54,7 +55,7 @@ pub(super) fn chamfer(surface: &Surface, edge: &Edge, least_m: f64, noise_m: f64
     })
 }
 
-/// Distance from the edge and depth of the vertices of one face near it.
+/// Distance from the edge, and depth, of the vertices of one face near that edge.
 fn depths(surface: &Surface, edge: &Edge, toward: DVec3, (most_m, noise_m): (f64, f64)) -> Vec<[f64; 2]> {
     let [from, to] = edge.ends;
     let along = (to - from).normalize_or_zero();
@@ -77,7 +78,7 @@ fn depths(surface: &Surface, edge: &Edge, toward: DVec3, (most_m, noise_m): (f64
         .collect()
 }
 
-/// The end of the flat part, by least squares; `None` of a sharp edge, and of one that too few vertices show.
+/// The end of the flat part, by least squares; `None` for a sharp edge or too few vertices.
 ///
 /// ```text
 /// h = h_0 + c [r - √(r² - (x_f - x)²)] for x < x_f, h_0 beyond,   r = x_f / sin 50°

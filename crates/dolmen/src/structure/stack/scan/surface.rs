@@ -2,16 +2,17 @@
 
 use glam::DVec3;
 
-/// Angle between neighbours below which there is no modelled edge, rad: 3°, a cylinder of 120 sides. Chosen here.
+/// Angle between adjacent triangles below which a mesh has no modelled edge, rad: 3°, a cylinder of 120 sides. Chosen here.
 const TURN_MODELLED_RAD: f64 = 0.052;
-/// The same for triangles that may be part of a bed, rad: 8°. Neighbours on the side of a drum may differ by less, those on a modelled bed do not differ. Chosen here.
+/// As above for triangles that may be part of a bed, rad: 8°. Neighbours on the side of a drum may differ by less, those on a modelled bed do not
+/// differ. Chosen here.
 const TURN_BED_RAD: f64 = 0.14;
 /// Least vertical component of the unit normal of a triangle that may be part of a bed: a slope of 20°.
 const BED_RISE: f64 = 0.94;
 /// Median of the absolute value of a normal variable over its standard deviation.
 const MEDIAN_OF_NORMAL: f64 = 0.6745;
 
-/// A mesh with what the fit of planes needs.
+/// A mesh with the data for fitting planes.
 pub(super) struct Surface {
     pub(super) vertices: Vec<DVec3>,
     pub(super) triangles: Vec<[usize; 3]>,
@@ -19,7 +20,8 @@ pub(super) struct Surface {
     pub(super) across: Vec<[usize; 3]>,
     /// Normals of triangles, as long as their areas, m².
     pub(super) areas: Vec<DVec3>,
-    /// Unit normals of vertices: the mean, by area, of the triangles around each and around its neighbours. Noise s turns that of one triangle by 2 s/ℓ.
+    /// Unit normals of vertices: mean over the triangles around a vertex and its neighbours, weighted by area. Noise s changes the normal of one
+    /// triangle by 2 s/ℓ.
     pub(super) normals: Vec<DVec3>,
     /// Median length of an edge, m.
     pub(super) edge_m: f64,
@@ -77,7 +79,7 @@ impl Surface {
         (a + b + c) / 3.0
     }
 
-    /// Whether any two neighbours either lie in one plane or meet in an edge: only noise and fine curvature turn them by a small angle.
+    /// Whether adjacent triangles either are in one plane or meet at an edge. Small angles between them come only from noise or fine curvature.
     pub(super) fn is_modelled(&self, flat_m: f64) -> bool {
         (0..self.triangles.len()).all(|t| {
             let normal = self.areas[t].normalize_or_zero();
@@ -95,15 +97,15 @@ impl Surface {
         })
     }
 
-    /// Standard deviation of the vertices from the surface, m: from the median, over the vertices, of the distance of each from the mean of its
-    /// neighbours along its normal. Curvature within one edge counts as noise.
+    /// Standard deviation of the vertices about the surface, m. It comes from the median over the vertices of the distance, along the normal, from
+    /// the mean of the neighbours. Curvature within one edge length counts as noise.
     pub(super) fn noise_m(&self) -> f64 {
         let mut sums = vec![(DVec3::ZERO, DVec3::ZERO, 0.0); self.vertices.len()];
         for (t, corners) in self.triangles.iter().enumerate() {
             for edge in 0..3 {
                 let sum = &mut sums[corners[edge]];
                 sum.0 += self.areas[t];
-                sum.1 += self.vertices[corners[(edge + 1) % 3]]; // counts each neighbour of the vertex once
+                sum.1 += self.vertices[corners[(edge + 1) % 3]]; // counts each adjacent vertex once
                 sum.2 += 1.0;
             }
         }
@@ -118,8 +120,8 @@ impl Surface {
         median(&mut heights) / MEDIAN_OF_NORMAL
     }
 
-    /// For each triangle the unit normal of the connected area within `radius_m`, and the flatness of that area
-    /// (length of the sum of its normals over the sum of their lengths).
+    /// For each triangle, the unit normal of the connected area within `radius_m`, and the flatness of that area (length of the sum of its normals
+    /// over the sum of their lengths).
     pub(super) fn smoothed(&self, radius_m: f64) -> Vec<(DVec3, f64)> {
         let centres: Vec<DVec3> = (0..self.triangles.len()).map(|t| self.centre(t)).collect();
         let mut seen = vec![usize::MAX; self.triangles.len()];

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 /// Area that the triangles may miss of that of the polygon, as a part of it.
 const AREA_MISSED: f64 = 1e-7;
 
-/// What an outline bounds.
+/// Region inside an outline.
 #[derive(Debug)]
 pub(super) enum Outline {
     /// Triangles between its corners, counterclockwise.
@@ -90,7 +90,7 @@ pub(super) fn triangles_of(places: &[DVec2]) -> Outline {
             if !has_cut && least < 0.0 {
                 return Outline::Crossed;
             }
-            // what was cut since may have stood in the way of others
+            // an ear cut since then may have blocked others
             least = if has_cut { rounding } else { -rounding };
             has_cut = false;
             waiting.extend(passed.iter().map(|&corner| (ring.cut(corner), corner)));

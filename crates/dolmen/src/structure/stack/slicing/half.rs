@@ -43,7 +43,7 @@ impl Part {
     }
 }
 
-/// What is on one side of a plane, with a cap in it.
+/// The part of a body on one side of a plane, with a cap in the plane.
 ///
 /// # Errors
 /// [`SliceError`] for a section that no cap closes.
@@ -161,7 +161,7 @@ impl<'a> Cutting<'a> {
         new
     }
 
-    /// What is kept of a triangle.
+    /// Keeps the part of a triangle on this side.
     fn keep(&mut self, triangle: [usize; 3]) {
         let mut corners: Vec<usize> = Vec::with_capacity(4);
         for edge in 0..3 {

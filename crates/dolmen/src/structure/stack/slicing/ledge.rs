@@ -11,16 +11,16 @@ const LOOKED_SHARE: f64 = 0.25;
 const SECTIONS: usize = 20;
 /// A step is more than this part of the root of the section's area.
 const STEP_LEAST: f64 = 0.01;
-/// More than so many standard deviations of the noise.
+/// Least step, in standard deviations of the noise.
 const STEP_NOISE: f64 = 4.0;
-/// And more than so many times the change over the same height just below and just above: slopes are no steps.
+/// Least ratio of the step to the change over the same height just below and just above: slopes are not steps.
 const STEP_SLOPES: f64 = 2.0;
 /// Rounds of bisection: 20 mm become less than 1e-10 m.
 const ROUNDS: usize = 28;
 /// Heights nearer than this are one, m.
 const ONE_HEIGHT_M: f64 = 1e-6;
 
-/// A bed as it is cut.
+/// The position at which a bed is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bed {
     /// Height at which it is put, m.
@@ -29,7 +29,7 @@ pub(super) struct Bed {
     pub(super) apart_m: f64,
 }
 
-/// What is given of a bed: its height, how far off its neighbours are, and the noise of the scan, m.
+/// Given data of a bed: its height, the distance of its neighbours, and the noise of the scan, m.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Named {
     pub(super) height_m: f64,

@@ -14,7 +14,7 @@ impl Part {
         moments_of(triangles, near).0
     }
 
-    /// What hangs together by its vertices, each with its own; the leftmost first, of those the foremost.
+    /// The connected parts, each with its own vertices; the leftmost first, and among equals the foremost.
     ///
     /// # Errors
     /// [`SliceError::Void`] for a piece that is inside out.

@@ -11,7 +11,7 @@ pub(super) struct Body<'a> {
     pub(super) triangles: &'a [[usize; 3]],
 }
 
-/// What a section measures: the root of its area, then its reach from the middle in each direction, m.
+/// Size of a section: the square root of its area, then its extent from the middle in each direction, m.
 #[derive(Clone, Debug)]
 pub(super) struct Section {
     /// Area, m².

@@ -75,8 +75,8 @@ pub struct SlicedBed {
 /// hole, or with an outline that crosses itself; stones whose volumes differ from the whole by more than 0.5 %.
 ///
 /// # Limits
-/// The caps are planes because they are cut: how rough the real bed is, and how much of it bears, the outside does not show. Stones that touch
-/// within a course come out as one.
+/// The caps are planes because they are cut: the outside does not show how rough the real bed is, or how much of it is in contact. Stones that
+/// touch within a course become one stone.
 pub fn slice(
     vertices_m: &[[f64; 3]],
     triangles: &[[usize; 3]],
