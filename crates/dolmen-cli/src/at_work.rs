@@ -3,6 +3,7 @@
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Quantity, messages};
 use std::sync::OnceLock;
+use std::time::Duration;
 
 messages! {
     /// Progress, and the lines of `doctor`.
@@ -12,6 +13,9 @@ messages! {
         Identifying { file: String } => { en: "modes of {file}", ko: "{file} 모드 식별 중" },
         Joining => { en: "all setups as one", ko: "모든 측정 배치를 하나로 식별 중" },
         Left => { en: "left; Ctrl-C keeps what is done", ko: "남음. Ctrl-C로 멈추면 그때까지의 결과를 남긴다" },
+        Seconds { seconds: u64 } => { en: "{seconds}s", ko: "{seconds}초" },
+        Minutes { minutes: u64 } => { en: "{minutes}m", ko: "{minutes}분" },
+        Hours { hours: u64, minutes: u64 } => { en: "{hours}h {minutes}m", ko: "{hours}시간 {minutes}분" },
         RunsOf => { en: "of about", ko: "/ 약" },
         Runs => { en: "runs,", ko: "회," },
         On { version: String, system: String, processor: String } => {
@@ -19,6 +23,7 @@ messages! {
             ko: "dolmen {version}, {system} {processor}",
         },
         Processors { count: usize } => { en: "processors    {count}", ko: "프로세서      {count}개" },
+        Reproducing => { en: "reproducing published numbers, some 20 s", ko: "문헌값 재현 중(약 20초)" },
         Numbers { count: usize } => {
             en: "numbers       {count} published numbers reproduced",
             ko: "문헌값        {count}개 모두 재현됨",
@@ -49,6 +54,21 @@ static LANGUAGE: OnceLock<Language> = OnceLock::new();
 /// The language of progress from now on.
 pub(crate) fn speak(language: Language) {
     let _ = LANGUAGE.set(language); // the first stays
+}
+
+/// A time that is left, in one or two units.
+pub(crate) fn time_left(left: Duration) -> String {
+    let seconds = left.as_secs();
+    let minutes = seconds.div_ceil(60);
+    match (seconds, minutes) {
+        (..120, _) => AtWork::Seconds { seconds },
+        (_, ..120) => AtWork::Minutes { minutes },
+        (_, minutes) => AtWork::Hours {
+            hours: minutes / 60,
+            minutes: minutes % 60,
+        },
+    }
+    .text()
 }
 
 impl AtWork {

@@ -1,9 +1,9 @@
 //! Progress on standard error, on a terminal only.
 
-use crate::at_work::AtWork;
+use crate::at_work::{AtWork, time_left};
 use crate::signals;
 use dolmen_work::{Progress, Stage};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use std::io::IsTerminal as _;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
@@ -85,6 +85,14 @@ impl Terminal {
         )
     }
 
+    /// Shows a message while something is under way.
+    pub(crate) fn waiting<T>(&self, message: AtWork, work: impl FnOnce() -> T) -> T {
+        let bar = self.spinner(message.text());
+        let done = work();
+        bar.finish_and_clear();
+        done
+    }
+
     fn spinner(&self, message: String) -> ProgressBar {
         let bar = if self.quiet {
             ProgressBar::hidden()
@@ -100,7 +108,10 @@ impl Terminal {
 
 fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
     if let Ok(style) = ProgressStyle::with_template(template) {
-        bar.set_style(style);
+        let left = |state: &ProgressState, out: &mut dyn std::fmt::Write| {
+            let _ = out.write_str(&time_left(state.eta())); // a bar without it is no loss
+        };
+        bar.set_style(style.with_key("eta", left));
     }
     bar
 }

@@ -57,7 +57,7 @@ enum Format {
 }
 
 impl Format {
-    /// By the extension of a file; a page where there is none, as of a pipe.
+    /// By the extension of a file; a page where there is none.
     fn of(file: &Path) -> Result<Self> {
         let extension = file.extension().map(|of| of.to_string_lossy().to_lowercase());
         match extension.as_deref() {
@@ -74,6 +74,15 @@ impl Format {
             }
             .into()),
         }
+    }
+}
+
+/// A page has the ending .html where none is given, but for a pipe or device.
+fn with_ending(output: &Path) -> PathBuf {
+    let is_special = output.exists() && !output.is_file();
+    match output.extension().is_none() && !is_special {
+        true => output.with_extension("html"),
+        false => output.to_owned(),
     }
 }
 
@@ -126,9 +135,10 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
         };
     }
     let mut formats = Vec::new();
-    for output in &options.output {
-        outputs.refuse(output)?;
-        formats.push((output, Format::of(output)?));
+    for output in options.output.iter().map(|output| with_ending(output.as_path())) {
+        outputs.refuse(&output)?;
+        let format = Format::of(&output)?;
+        formats.push((output, format));
     }
     let (mut answers, mut others, mut faults) = (Vec::new(), Vec::new(), Vec::new());
     for (path, found) in each {
@@ -170,7 +180,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
             .parent()
             .filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
         let made = made.map(|folder| folder.display().to_string());
-        outputs.file(output, &bytes)?;
+        outputs.file(&output, &bytes)?;
         if !manner.quiet {
             if let Some(folder) = made {
                 note!("{}", Noted::FolderMade { folder }.text(manner));

@@ -3,6 +3,7 @@
 use crate::at_work::AtWork;
 use crate::examples::{self, Example};
 use crate::outcome::Outcome;
+use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::wrong::CommandError;
 use anyhow::Result;
@@ -59,7 +60,7 @@ pub(crate) fn doctor() -> Result<Outcome> {
         count: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
     })?;
 
-    let cases = all_cases()?;
+    let cases = Terminal::new(false).waiting(AtWork::Reproducing, all_cases)?;
     let wrong: Vec<&Case> = cases.iter().filter(|case| !case.agrees()).collect();
     if let Some(case) = wrong.first() {
         return Err(CommandError::NotReproducedFirst {

@@ -4,7 +4,7 @@
 
 use super::error::Fault;
 use super::schema_tree::Tree;
-use super::type_words::{alternatives, type_word_of, type_words};
+use super::type_words::{alternatives, is_by_direction, lower_first, type_word_of, type_words};
 use super::wrong::{Common, WrongKey, either, of_schema};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, nearest};
@@ -393,6 +393,15 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                     written: written.to_string(),
                 })
             }
+            DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) | DeValue::Array(_)
+                if needed_word == "a table" && is_by_direction(path) && is_short =>
+            {
+                let (key, written) = (
+                    path.rsplit('.').next().unwrap_or(path).to_owned(),
+                    written.to_owned(),
+                );
+                Some(WrongKey::GiveByDirection { key, written })
+            }
             DeValue::String(_) if needed_word == "a table" && path.ends_with(".files") => {
                 Some(WrongKey::SayWhichComponentIt {
                     written: written.to_string(),
@@ -444,13 +453,6 @@ fn entry(entries: Option<&'static [(&'static str, Tree)]>, name: &str) -> Option
 fn description(schema: &Tree) -> Option<String> {
     let text = schema.get("description")?.text()?;
     Some(text.split_whitespace().collect::<Vec<_>>().join(" "))
-}
-
-/// A description within a sentence: without its capital and its full stop.
-fn lower_first(sentence: &str) -> String {
-    let mut characters = sentence.trim_end_matches('.').chars();
-    let first = characters.next().into_iter().flat_map(char::to_lowercase);
-    first.chain(characters).collect()
 }
 
 /// The alternatives of a schema, itself if it has none.

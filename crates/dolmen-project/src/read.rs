@@ -415,12 +415,9 @@ fn warn_of_assumed(reader: &mut Reader, project: &Project) {
                 .into(),
                 _ => Both::from(paths.join(", ")),
             };
-
-            let warned = match (paths.len(), is_scatter) {
-                (1, false) => Warned::OneAssumed { path: listed },
-                (1, true) => Warned::OneScatter { path: listed },
-                (count, false) => Warned::Assumed { count, paths: listed },
-                (count, true) => Warned::Scatter { count, paths: listed },
+            let warned = match is_scatter {
+                false => Warned::Assumed { paths: listed },
+                true => Warned::Scatter { paths: listed },
             };
             reader.warn(WarningKind::Assumed, first, warned);
         }

@@ -41,3 +41,15 @@ pub(super) fn alternatives(words: &[&str]) -> Both {
         None => Both::from(""),
     }
 }
+
+/// Whether the values of a survey at a path stand by direction.
+pub(super) fn is_by_direction(path: &str) -> bool {
+    path.starts_with("survey.") && (path.ends_with(".tilt") || path.ends_with(".frequencies"))
+}
+
+/// A description within a sentence: without its capital and its full stop.
+pub(super) fn lower_first(sentence: &str) -> String {
+    let mut characters = sentence.trim_end_matches('.').chars();
+    let first = characters.next().into_iter().flat_map(char::to_lowercase);
+    first.chain(characters).collect()
+}

@@ -10,21 +10,13 @@ messages! {
             en: "the part at the very top (cap stone) is left out: its weight would lower the load factor and every frequency, so what follows is on the unsafe side",
             ko: "최상부 부재(옥개석)를 모델에서 제외하였다. 그 무게는 하중배율과 모든 고유진동수를 낮추므로 이하의 결과는 불안전측이다",
         },
-        OneAssumed { path: Both } => {
-            en: "1 input is assumed, and what rests on it is no finding: {path}",
-            ko: "입력 1개가 가정값이며, 이에 의존하는 결과는 확인된 것이 아니다: {path}",
+        Assumed { paths: Both } => {
+            en: "assumed inputs, and what rests on them is no finding: {paths}",
+            ko: "가정값이 쓰였으며, 이에 의존하는 결과는 확인된 것이 아니다: {paths}",
         },
-        Assumed { count: usize, paths: Both } => {
-            en: "{count} inputs are assumed, and what rests on them is no finding: {paths}",
-            ko: "입력 {count}개가 가정값이며, 이에 의존하는 결과는 확인된 것이 아니다: {paths}",
-        },
-        OneScatter { path: Both } => {
-            en: "1 input is given with an assumed scatter, and so is every probability: {path}",
-            ko: "입력 1개의 변동계수가 가정값이므로 모든 확률도 가정에 의존한다: {path}",
-        },
-        Scatter { count: usize, paths: Both } => {
-            en: "{count} inputs are given with an assumed scatter, and so is every probability: {paths}",
-            ko: "입력 {count}개의 변동계수가 가정값이므로 모든 확률도 가정에 의존한다: {paths}",
+        Scatter { paths: Both } => {
+            en: "inputs with an assumed scatter, and so is every probability: {paths}",
+            ko: "변동계수에 가정값이 쓰였으며, 모든 확률도 가정에 의존한다: {paths}",
         },
         ThinRods { links: String } => {
             en: "no moment of inertia for link {links}: taken as a thin rod, m L²/12; give breadth for that of a box. It touches frequencies, not stability",

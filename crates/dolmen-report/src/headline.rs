@@ -5,8 +5,8 @@ use crate::document::{TextStyle, wrapped};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Template, Unit, messages};
 use dolmen_work::judgement::{
-    Alarming, DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement, MeasuredFrequency, MovedBy,
-    VersionJudgement, Weight, WindFinding, WindLimit,
+    Alarming, AssumedInputs, DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement,
+    MeasuredFrequency, MovedBy, VersionJudgement, Weight, WindFinding, WindLimit,
 };
 
 /// Digits of ratios and frequencies.
@@ -45,7 +45,7 @@ messages! {
         Model { evidence: Sentence } => { en: "Model: {evidence}", ko: "모델: {evidence}" },
         Calibrated { survey: String } => {
             en: "Model: not measured (calibrated to {survey})",
-            ko: "모델: 독립 계측 없음({survey} 조사에 보정)",
+            ko: "모델: 독립 계측 없음({survey} 조사로 추정한 강성)",
         },
         AtSite { source: String, said: Sentence } => { en: "Earthquake {source}: {said}", ko: "지진 {source}: {said}" },
         AtSiteYears { source: String, years: usize, said: Sentence } => {
@@ -125,6 +125,7 @@ messages! {
             en: "cracks or other damage beyond their limits ({count})",
             ko: "한계를 넘은 균열·손상 {count}건",
         },
+        Undamped => { en: "computed with 0 % damping (none is given)", ko: "감쇠비 0 %로 해석(입력 없음)" },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "not in it: tilt {tilt} of survey {survey}",
             ko: "{survey} 조사의 기울기 {tilt} 미반영",
@@ -203,9 +204,13 @@ pub(crate) fn verdict_line(judged: &VersionJudgement, style: TextStyle) -> Strin
     wrapped(&said, "", "  ", style.columns())
 }
 
-/// A variant that is worse than the structure as it is.
+/// A variant that is worse than the structure as it is, whose headline counts the assumed inputs.
 pub(crate) fn worse(variant: Both, judged: &VersionJudgement) -> Sentence {
-    let words = Both::of(|language| headline(judged, language));
+    let judged = VersionJudgement {
+        inputs: AssumedInputs::default(),
+        ..judged.clone()
+    };
+    let words = Both::of(|language| headline(&judged, language));
     Headline::WorseThan { variant, words }.into()
 }
 
@@ -223,12 +228,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     let mut all = Vec::new();
     let contradicted = match &judged.evidence {
         Evidence::Contradicted(of) => Some(contradicted(of)),
-        Evidence::Agrees { .. }
-        | Evidence::TooRough(_)
-        | Evidence::Unread { .. }
-        | Evidence::NotCompared { .. }
-        | Evidence::MarkedAssumed { .. }
-        | Evidence::NotMeasured { .. } => None,
+        _ => None,
     };
     let is_unknown = matches!(judged.weight, Some(Weight::Unknown { .. }));
     all.extend(
@@ -238,6 +238,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     );
     all.extend(earthquake(judged));
     all.extend(wind(judged));
+    all.extend(judged.is_undamped.then(|| Headline::Undamped.into()));
     all.extend(judged.tilt_beyond_limit.then(|| Headline::TiltBeyondLimit.into()));
     match (contradicted, &judged.evidence) {
         // said beside the weight
@@ -254,6 +255,11 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
             }
             .into(),
         ),
+        (None, Evidence::InDoubt(_)) => {
+            let word = Both::of(|language| judged.evidence.words(language));
+            let evidence = Headline::Word { word }.into();
+            all.push(Headline::Model { evidence }.into());
+        }
         (None, _) => {}
     }
     all.extend(judged.tilt_left_out.clone().map(|of| {
@@ -463,7 +469,6 @@ fn word(of: &EarthquakeFinding) -> Headline {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dolmen_work::judgement::AssumedInputs;
 
     fn judged() -> VersionJudgement {
         VersionJudgement {
@@ -508,6 +513,7 @@ mod tests {
             inputs: AssumedInputs { assumed: 3, all: 12 },
             made_up_surveys: Vec::new(),
             damage: Vec::new(),
+            is_undamped: false,
         }
     }
 
@@ -524,9 +530,8 @@ mod tests {
             korean.contains("판정 불가(이 모델이 옳다면 1.95; 2009 조사와 불일치"),
             "{korean}"
         );
-        let mut stack = judged();
-        stack.weight = Some(Weight::Stable);
-        let said = headline(&stack, Language::English);
+        let weight = Some(Weight::Stable);
+        let said = headline(&VersionJudgement { weight, ..judged() }, Language::English);
         assert!(said.contains("· Model: survey 2009 contradicts it"), "{said}");
     }
 

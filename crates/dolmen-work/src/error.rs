@@ -57,6 +57,15 @@ pub enum WorkError {
     },
     /// No survey determines the stiffness that the file could hold.
     NothingToWrite,
+    /// The springs of a stack are not written by the program.
+    SpringsToType {
+        /// The survey.
+        survey: String,
+        /// The factor on all springs that fits its modes.
+        factor: String,
+        /// Keys and values to type where all joints are alike, otherwise the keys alone.
+        keys: String,
+    },
     /// Several surveys determine it.
     SeveralToWrite {
         /// Their names.

@@ -7,6 +7,7 @@ use crate::frame::simulate::FrameOptions;
 use crate::loads::LoadsAnswer;
 use crate::motion::MotionAnswer;
 use crate::progress::Progress;
+use crate::scattered_inputs::add_scatter_of_inputs;
 use crate::simulation::Simulation;
 use crate::stack::simulate::{StackOptions, StackOutcome};
 use crate::stack::{Law, Repeating};
@@ -174,11 +175,13 @@ pub(crate) fn stiffness(
         notes,
         loads: &project.loads,
     };
-    match &project.structure {
+    let found = |pick: Pick<'_>| match &project.structure {
         Structure::Stack(_) | Structure::Building(_) | Structure::Survey => Ok(Vec::new()),
-        Structure::Chain(part) => chain::stiffness::stiffness(part, &measured),
-        Structure::Frame(part) => frame::stiffness::stiffness(part, &measured),
-    }
+        Structure::Chain(part) => chain::stiffness::stiffness(part, &measured, pick),
+        Structure::Frame(part) => frame::stiffness::stiffness(part, &measured, pick),
+    };
+    let nominal = found(&mut Quantity::nominal)?;
+    Ok(add_scatter_of_inputs(project, nominal, found))
 }
 
 /// Contradictions between the shapes of a record and a chain or frame; other kinds check floors or faces.

@@ -40,6 +40,18 @@ impl Simulation {
         }
     }
 
+    /// Whether a chain or frame moved without damping and friction.
+    pub fn is_undamped(&self) -> bool {
+        match self {
+            Simulation::Chain(of) => of.undamped.is_some(),
+            Simulation::Frame(of) => of.undamped.is_some(),
+            Simulation::Stack(_)
+            | Simulation::Supports(_)
+            | Simulation::Building(_)
+            | Simulation::Wind(_) => false,
+        }
+    }
+
     /// Whether the structure fell.
     pub fn falls(&self) -> bool {
         match self {

@@ -4,6 +4,7 @@ use crate::answer::IdentifyAnswer;
 use crate::building::PlanAnswer;
 use crate::error::WorkError;
 use crate::opened::Opened;
+use crate::survey_dates::date;
 use crate::surveyed::{StiffnessAnswer, SurveyAnswer};
 use dolmen::structure::StiffnessSolution;
 use dolmen_project::{
@@ -11,6 +12,7 @@ use dolmen_project::{
     StoreyStiffnessPart, Structure, with_values,
 };
 use dolmen_records::Files;
+use dolmen_words::number::significant;
 
 /// A project file with the stiffness from a survey written into it.
 #[derive(Clone, Debug)]
@@ -36,7 +38,7 @@ pub fn write_back(
     let surveys: Vec<String> = each.iter().map(|(survey, _)| (*survey).to_owned()).collect();
     let [(survey, values)] = each.as_slice() else {
         return Err(match surveys.is_empty() {
-            true => WorkError::NothingToWrite,
+            true => springs_to_type(answer).unwrap_or(WorkError::NothingToWrite),
             false => WorkError::SeveralToWrite { surveys },
         });
     };
@@ -48,6 +50,32 @@ pub fn write_back(
         opened,
         survey: (*survey).to_owned(),
         numbers: numbers.collect(),
+    })
+}
+
+/// The springs of a stack by the common factor of its latest survey; `None` where no survey has one that explains its modes.
+fn springs_to_type(answer: &IdentifyAnswer) -> Option<WorkError> {
+    let known = answer.surveys.iter().filter_map(|survey| {
+        let factors = survey.factors.as_deref()?;
+        (!factors.common_misses()).then_some((survey.name.as_str(), factors))
+    });
+    let (survey, factors) = known.max_by_key(|(name, _)| date(name))?;
+    let factor = factors.found.common.factor;
+    let drawn: Option<Vec<[f64; 2]>> = (0..factors.found.factors.len())
+        .map(|at| factors.drawn_stiffness_pa_m(at))
+        .collect();
+    let alike = drawn.filter(|all| all.windows(2).all(|pair| pair[0] == pair[1]));
+    let keys = match alike.and_then(|all| all.first().copied()) {
+        Some([normal, shear]) => {
+            let [normal, shear] = [normal, shear].map(|drawn| format!("\"{:.3e} Pa/m\"", factor * drawn));
+            format!("normal_stiffness = {normal}, shear_stiffness = {shear}")
+        }
+        None => "normal_stiffness, shear_stiffness".to_owned(),
+    };
+    Some(WorkError::SpringsToType {
+        survey: survey.to_owned(),
+        factor: significant(factor, 3),
+        keys,
     })
 }
 

@@ -398,7 +398,7 @@ fn holds_check_says_how_near_measured_frequencies_are() {
     let near = of_gate("check-near", &gate(&survey(1.001 * lowest), &[]));
     let said = near.briefly("check project.toml").words();
     assert!(
-        said.contains("Measured frequencies agree with this model: direction x"),
+        said.contains("The lowest measured frequencies agree with this model: direction x"),
         "{said}"
     );
 }

@@ -67,6 +67,7 @@ mod names;
 mod not_known;
 mod nrml;
 mod once_escaped;
+mod one_answer;
 mod one_stones;
 mod out_of_range;
 mod plan_stiffness;

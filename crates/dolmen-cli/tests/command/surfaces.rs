@@ -70,6 +70,42 @@ fn holds_a_rough_measurement_is_neither_agreement_nor_contradiction() {
 }
 
 #[test]
+fn holds_a_higher_mode_that_the_model_does_not_have_leaves_it_in_doubt() {
+    let second = format!("{GATE}[survey.2025-05-01]\nfrequencies.x = [1.63, 2.0]\n");
+    let (status, of) = judgement("doubt", &second, "check project.toml --json");
+    let evidence = &of["versions"][0]["evidence"];
+    assert_eq!((status, &evidence["word"]), (0, &"in doubt".into()), "{of}");
+    assert_eq!(
+        (&evidence["mode"], &evidence["measured_hz"]),
+        (&2.into(), &2.0.into())
+    );
+    assert_eq!(of["colour"], "amber");
+    // the closed form of the two storeys
+    let (k_1, k_2, m_1, m_2) = (9.0e6_f64, 6.0e6_f64, 40e3_f64, 25e3_f64);
+    let (p_1, p_2) = ((m_1 + m_2) * 9.80665 / 4.2, m_2 * 9.80665 / 3.0);
+    let (k_1, k_2) = (k_1 - p_1, k_2 - p_2);
+    let (b, c) = ((k_1 + k_2) / m_1 + k_2 / m_2, k_1 * k_2 / (m_1 * m_2));
+    let highest = (0.5 * (b + (b * b - 4.0 * c).sqrt())).sqrt() / std::f64::consts::TAU;
+    let computed = evidence["computed_hz"].as_f64().unwrap();
+    assert!((computed / highest - 1.0).abs() < 1e-3, "{computed} {highest}");
+    let percent = 100.0 * (2.0 / highest - 1.0);
+    let said_so = format!(
+        "mode 2 in direction x 2.00 Hz measured, {highest:.2} Hz modelled, −{:.0} %",
+        -percent
+    );
+    for verb in [CHECK, "simulate project.toml --motion el-centro-1940-ns"] {
+        let (_, words) = said("doubt-said", &second, verb);
+        let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            words.contains(&format!("Model: in doubt: {said_so}")),
+            "{said_so}: {words}"
+        );
+    }
+    let (_, words) = said("doubt-agrees", &second.replace(", 2.0]", "]"), CHECK);
+    assert!(!words.contains("in doubt"), "{words}");
+}
+
+#[test]
 fn holds_a_direction_that_cannot_be_run_is_not_decided() {
     let unknown = GATE.replace(
         "direction.y = { stiffness = [9.0, 6.0]",

@@ -112,13 +112,21 @@ impl ChainPart {
 
     /// The bed below a link, from 0 at the bottom, as motion in its direction meets it; `None` where its width is not given.
     pub fn bed(&self, link: usize, pick: Pick<'_>) -> Option<BedEdge> {
-        let width_m = pick(self.links.get(link)?.bed_width.as_ref()?);
+        let part = self.links.get(link)?;
+        let width_m = pick(part.bed_width.as_ref()?);
         let joint = self.joints.as_ref().and_then(|joints| joints.get(link));
-        let depth = joint.and_then(|joint| joint.bed_depth.as_ref());
+        let given = joint.and_then(|joint| joint.bed_depth.as_ref());
+        // without a depth of its own the bed is as oblong as the link on it
+        let depth_m = match (given, &part.depth, &part.breadth) {
+            (Some(given), ..) => Some(pick(given)),
+            (None, Some(depth), Some(breadth)) => Some(width_m * pick(depth) / pick(breadth)),
+            (None, Some(depth), None) => Some(pick(depth).min(width_m)),
+            (None, None, _) => None,
+        };
         let strength = joint.and_then(|joint| joint.strength.as_ref());
         Some(BedEdge {
             width_m,
-            depth_m: depth.map(&mut *pick),
+            depth_m,
             strength_pa: strength.map(&mut *pick),
         })
     }

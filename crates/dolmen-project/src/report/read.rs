@@ -88,6 +88,16 @@ pub(crate) fn words(reader: &mut Reader, raw: Option<&At<NamesRaw>>, path: &str)
     Some(read)
 }
 
+/// The same of what a form may leave empty: nothing is then given.
+fn words_or_none(reader: &mut Reader, raw: Option<&At<NamesRaw>>, path: &str) -> Option<Names> {
+    let read = names(raw?.value.clone());
+    let mut given = [&read.en, &read.ko].into_iter().flatten();
+    match given.all(|text| text.trim().is_empty()) {
+        true => None,
+        false => words(reader, raw, path),
+    }
+}
+
 /// Each of a list with its path.
 fn each<R, T>(
     reader: &mut Reader,
@@ -185,8 +195,8 @@ fn listed(names: &[String]) -> Both {
 
 fn author(reader: &mut Reader, raw: &At<AuthorRaw>, path: &str) -> Option<Author> {
     let raw = &raw.value;
-    let role = words(reader, raw.role.as_ref(), &format!("{path}.role"));
-    let licence = words(reader, raw.licence.as_ref(), &format!("{path}.licence"));
+    let role = words_or_none(reader, raw.role.as_ref(), &format!("{path}.role"));
+    let licence = words_or_none(reader, raw.licence.as_ref(), &format!("{path}.licence"));
     let name = words(reader, raw.name.as_ref(), &format!("{path}.name"))?;
     Some(Author { name, role, licence })
 }

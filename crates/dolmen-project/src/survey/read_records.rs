@@ -363,6 +363,9 @@ fn format(
             let is_workbook = WORKBOOKS.iter().any(|of| ending.eq_ignore_ascii_case(of));
             reader.fault(fault.help(match is_workbook {
                 true => WrongRecords::SaveAsXlsx,
+                false if may_lie_outside(&file.value) => WrongRecords::CopyItAndWriteFormat {
+                    names: names.join(", "),
+                },
                 false => WrongRecords::WriteFormatOneOf {
                     names: names.join(", "),
                 },
@@ -370,6 +373,19 @@ fn format(
             None
         }
     }
+}
+
+/// Whether a path may lead out of the folder of the project, where files are not read without leave.
+fn may_lie_outside(file: &str) -> bool {
+    let path = std::path::Path::new(file);
+    let mut parts = path.components();
+    path.has_root()
+        || parts.any(|part| {
+            matches!(
+                part,
+                std::path::Component::ParentDir | std::path::Component::Prefix(_)
+            )
+        })
 }
 
 /// The unit of samples must be one that the readers of records know.

@@ -74,6 +74,10 @@ messages! {
             ko: "대괄호로 묶는다: [{written}]",
         },
         Table => { en: "a table", ko: "표" },
+        GiveByDirection { key: String, written: String } => {
+            en: "say in which direction: {key} = {{ x = {written} }}",
+            ko: "방향을 적는다: {key} = {{ x = {written} }}",
+        },
         SayWhichComponentIt { written: String } => {
             en: "say which component it is: {{ x = {written} }}",
             ko: "어느 성분인지 쓴다: {{ x = {written} }}",

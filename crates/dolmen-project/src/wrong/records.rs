@@ -101,6 +101,10 @@ messages! {
             en: "write format = one of {names} beside it",
             ko: "그 옆에 format을 {names} 중 하나로 쓴다",
         },
+        CopyItAndWriteFormat { names: String } => {
+            en: "copy it into the folder of the project, outside which no file is read without --allow-outside, and write format = one of {names} beside it",
+            ko: "프로젝트 폴더로 복사하고(폴더 밖의 파일은 --allow-outside 없이 읽지 않는다) 그 옆에 format을 {names} 중 하나로 쓴다",
+        },
         SaveAsXlsx => {
             en: "of workbooks only .xlsx is read: save it so, or the sheet as CSV (in a spreadsheet: Save as, CSV UTF-8), and name that file",
             ko: "통합 문서는 .xlsx만 읽는다. .xlsx나 CSV로 저장하고(다른 이름으로 저장, CSV UTF-8) 그 파일을 쓴다",

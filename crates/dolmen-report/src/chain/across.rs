@@ -9,6 +9,8 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 /// Digits of stiffness and shares.
 const DIGITS: usize = 3;
+/// Shares that differ by less, relative, are printed alike.
+const ALIKE: f64 = 5e-4;
 
 messages! {
     /// A chain in its direction of motion and across.
@@ -30,6 +32,10 @@ messages! {
         Taken { joints: Vec<Sentence>, least: Quantity, most: Quantity } => {
             en: "How stiff joints {joints} are across is not given, and was assumed: that of the direction of motion times (bed_depth / bed_width)², as of a bed of equal springs, at most 1; {least} to {most} of it. Give stiffness_across, or measure frequencies in y.",
             ko: "접합면 {joints}의 직각 방향 강성이 주어지지 않아 가정하였다. 균일한 스프링 위의 접합면처럼 운동 방향 강성에 (bed_depth / bed_width)²을 곱하고 1을 넘지 않게 하였으며, 그 비는 {least}~{most}이다. stiffness_across를 입력하거나 y 방향 고유진동수를 계측해야 한다.",
+        },
+        TakenAlike { joints: Vec<Sentence>, share: Quantity } => {
+            en: "How stiff joints {joints} are across is not given, and was assumed: that of the direction of motion times (bed_depth / bed_width)², as of a bed of equal springs, at most 1; {share} of it. Give stiffness_across, or measure frequencies in y.",
+            ko: "접합면 {joints}의 직각 방향 강성이 주어지지 않아 가정하였다. 균일한 스프링 위의 접합면처럼 운동 방향 강성에 (bed_depth / bed_width)²을 곱하고 1을 넘지 않게 하였으며, 그 비는 {share}이다. stiffness_across를 입력하거나 y 방향 고유진동수를 계측해야 한다.",
         },
         Joint { number: usize } => { en: "{number}", ko: "{number}" },
         Soil { soil: Quantity } => {
@@ -111,13 +117,22 @@ fn stands(check: &ChainCheck, across: &ChainAcross) -> Vec<Finding> {
 fn taken(all: &[StiffnessTaken]) -> Option<Finding> {
     let shares = || all.iter().map(|of| of.of_along);
     let percent = |share: f64| Quantity::percent(share, DIGITS);
-    let said = Across::Taken {
-        joints: all
-            .iter()
-            .map(|of| Across::Joint { number: of.joint }.into())
-            .collect(),
-        least: percent(shares().fold(f64::INFINITY, f64::min)),
-        most: percent(shares().fold(0.0, f64::max)),
+    let [least, most] = [
+        shares().fold(f64::INFINITY, f64::min),
+        shares().fold(0.0, f64::max),
+    ];
+    let numbers = all.iter().map(|of| Across::Joint { number: of.joint }.into());
+    let joints = numbers.collect();
+    let said = match most - least < ALIKE * most {
+        true => Across::TakenAlike {
+            joints,
+            share: percent(most),
+        },
+        false => Across::Taken {
+            joints,
+            least: percent(least),
+            most: percent(most),
+        },
     };
     (!all.is_empty()).then(|| Finding::key(Tone::Warn, said).with_code("assumed-input"))
 }

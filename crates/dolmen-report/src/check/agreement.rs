@@ -3,6 +3,7 @@
 use crate::document::{Finding, Tone};
 use crate::stack::beside;
 use dolmen_project::Project;
+use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::judgement::{MeasuredFrequency, first_sway, latest_frequencies};
 use dolmen_work::state::{Check, State};
@@ -15,25 +16,25 @@ const WORTH: f64 = 0.02;
 messages! {
     /// Measured frequencies near those of the model.
     pub(crate) enum Agreement in "check.agreement" {
-        Off { survey: String, direction: String, measured: Quantity, computed: Quantity, relative: Quantity, deviations: Quantity, stiffness: Quantity } => {
+        Off { survey: String, direction: Both, measured: Quantity, computed: Quantity, relative: Quantity, deviations: Quantity, stiffness: Quantity } => {
             en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. That counts as agreement (10 %), but is {relative} and {deviations} standard deviations off: the stiffness of the structure over its mass may be {stiffness} of that of the model.",
-            ko: "{survey} 조사의 {direction} 방향 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 10 % 이내이므로 일치로 보지만 {relative}, 표준편차의 {deviations}배 차이가 난다. 질량에 대한 실제 강성은 모델의 {stiffness}일 수 있다.",
+            ko: "{survey} 조사의 {direction} 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 10 % 이내이므로 일치로 보지만 {relative}, 표준편차의 {deviations}배 차이가 난다. 질량에 대한 실제 강성은 모델의 {stiffness}일 수 있다.",
         },
         Agree { each: Vec<Sentence> } => {
-            en: "Measured frequencies agree with this model: {each}.",
-            ko: "실측 고유진동수가 해석 모델과 일치한다: {each}.",
+            en: "The lowest measured frequencies agree with this model: {each}.",
+            ko: "최저 실측 고유진동수가 해석 모델과 일치한다: {each}.",
         },
         WithDampers { each: Vec<Sentence> } => {
             en: "Measured frequencies are held against those of the whole, with its dampers: {each}.",
             ko: "실측 고유진동수는 감쇠기를 포함한 전체의 값과 비교한다: {each}.",
         },
-        Whole { direction: String, whole: Quantity, without: Quantity } => {
+        Whole { direction: Both, whole: Quantity, without: Quantity } => {
             en: "direction {direction} {whole} ({without} without dampers)",
-            ko: "{direction} 방향 {whole}(감쇠기가 없으면 {without})",
+            ko: "{direction} {whole}(감쇠기가 없으면 {without})",
         },
-        One { survey: String, direction: String, measured: Quantity, computed: Quantity } => {
+        One { survey: String, direction: Both, measured: Quantity, computed: Quantity } => {
             en: "direction {direction} {measured}, model {computed} (survey {survey})",
-            ko: "{direction} 방향 {measured}, 모델 {computed}({survey} 조사)",
+            ko: "{direction} {measured}, 모델 {computed}({survey} 조사)",
         },
     }
 }
@@ -65,7 +66,7 @@ fn held_against(project: &Project, state: &State) -> Vec<Finding> {
             let each = compared.iter().filter_map(|of| {
                 let (without, _) = first_sway(answer, &of.direction)?;
                 let said = Agreement::Whole {
-                    direction: of.direction.clone(),
+                    direction: direction_words(&of.direction),
                     whole: hertz(of.computed_hz),
                     without: hertz(without),
                 };
@@ -93,7 +94,7 @@ fn said_off(of: &MeasuredFrequency) -> Option<Finding> {
     let ratio = of.measured_hz / of.computed_hz;
     let said = Agreement::Off {
         survey: of.survey.clone(),
-        direction: of.direction.clone(),
+        direction: direction_words(&of.direction),
         measured: measured(of),
         computed: hertz(of.computed_hz),
         relative: Quantity::percent((ratio - 1.0).abs(), 2),
@@ -106,11 +107,23 @@ fn said_off(of: &MeasuredFrequency) -> Option<Finding> {
 fn one(of: &MeasuredFrequency) -> Sentence {
     Agreement::One {
         survey: of.survey.clone(),
-        direction: of.direction.clone(),
+        direction: direction_words(&of.direction),
         measured: measured(of),
         computed: hertz(of.computed_hz),
     }
     .into()
+}
+
+/// "x", "x 방향"; torsion is none in Korean.
+pub(super) fn direction_words(direction: &str) -> Both {
+    let korean = match direction {
+        "torsion" => "비틀림".to_owned(),
+        other => format!("{other} 방향"),
+    };
+    Both {
+        english: direction.to_owned(),
+        korean,
+    }
 }
 
 fn measured(of: &MeasuredFrequency) -> Quantity {

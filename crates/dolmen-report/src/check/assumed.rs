@@ -3,54 +3,60 @@
 use super::variants::title;
 use crate::document::{Finding, Tone};
 use crate::html::words::input_words;
-use dolmen_project::{Cap, Project, Quantity as Input, Structure};
+use dolmen_project::{Cap, JointDefaults, Project, Quantity as Input, Structure};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
+use dolmen_work::judgement::AssumedInputs;
 use dolmen_work::state::VariantAnswer;
+
+/// Number of inputs that a sentence names before it counts the rest.
+const NAMED_MOST: usize = 3;
 
 messages! {
     /// Assumed values.
     pub(crate) enum Assumed in "check.assumed" {
-        All { parts: Vec<Sentence> } => {
-            en: "Assumed, not measured: {parts}.",
-            ko: "실측이 아닌 가정값: {parts}.",
+        All { assumed: usize, all: usize, parts: Vec<Sentence> } => {
+            en: "Assumed, not measured, {assumed} of {all} inputs: {parts}.",
+            ko: "실측이 아닌 가정값(입력 {all}개 중 {assumed}개): {parts}.",
         },
-        StonesBody { count: usize } => {
-            en: "{count} of the dimensions, densities and frictions (every result that uses them)",
-            ko: "치수·밀도·마찰 {count}개(이를 사용한 모든 결과)",
+        Names { names: Both } => { en: "{names}", ko: "{names}" },
+        NamesAndMore { names: Both, more: usize } => { en: "{names} and {more} more", ko: "{names} 외 {more}개" },
+        StonesBody { inputs: Sentence } => {
+            en: "{inputs} (every result that uses them)",
+            ko: "{inputs}(이를 사용한 모든 결과)",
         },
-        Body { count: usize } => {
-            en: "{count} of the dimensions and weights (every result that uses them)",
-            ko: "치수·무게 {count}개(이를 사용한 모든 결과)",
+        Body { inputs: Sentence } => {
+            en: "{inputs} (every result that uses them)",
+            ko: "{inputs}(이를 사용한 모든 결과)",
         },
-        StonesStiffness { count: usize } => {
-            en: "stiffness values, {count} (natural frequencies, demand on elastic joints and with it the verdict on the earthquake, and simulated motion rest on them; whether it stands and the limits do not)",
-            ko: "강성 {count}개(고유진동수, 탄성 접합면의 요구 수준과 그에 따른 지진 판정, 지진응답이 이에 의존하며 자중에 대한 판정과 한계 가속도는 무관하다)",
+        StonesStiffness { inputs: Sentence } => {
+            en: "{inputs} (natural frequencies, demand on elastic joints and with it the verdict on the earthquake, and simulated motion rest on them; whether it stands and the limits do not)",
+            ko: "{inputs}(고유진동수, 탄성 접합면의 요구 수준과 그에 따른 지진 판정, 지진응답이 이에 의존하며 자중에 대한 판정과 한계 가속도는 무관하다)",
         },
-        ChainStiffness { count: usize } => {
-            en: "stiffness values, {count} (the verdict, the load factor, the margins and the modes rest on them; limits from weights and lengths do not)",
-            ko: "강성 {count}개(판정, 하중배율, 여유도, 모드가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)",
+        ChainStiffness { inputs: Sentence } => {
+            en: "{inputs} (the verdict, the load factor, the margins and the modes rest on them; limits from weights and lengths do not)",
+            ko: "{inputs}(판정, 하중배율, 여유도, 모드가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)",
         },
-        Stiffness { count: usize } => {
-            en: "stiffness values, {count} (the verdict, the load factor and the modes rest on them; limits from weights and lengths do not)",
-            ko: "강성 {count}개(판정, 하중배율, 모드가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)",
+        Stiffness { inputs: Sentence } => {
+            en: "{inputs} (the verdict, the load factor and the modes rest on them; limits from weights and lengths do not)",
+            ko: "{inputs}(판정, 하중배율, 모드가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)",
         },
-        Surveyed { count: usize } => {
-            en: "frequencies, {count} (the stiffness found from them is an illustration, not a finding)",
-            ko: "고유진동수 {count}개(이로부터 추정한 강성은 예시일 뿐 결과가 아니다)",
+        Surveyed { inputs: Sentence } => {
+            en: "{inputs} (the stiffness found from them is an illustration, not a finding)",
+            ko: "{inputs}(이로부터 추정한 강성은 예시일 뿐 결과가 아니다)",
         },
-        BuildingDamping { count: usize } => {
-            en: "damping values, {count} (the response to spectra and motions rests on them; verdict and modes do not)",
-            ko: "감쇠 {count}개(스펙트럼과 지진에 대한 응답이 이에 의존하며 판정과 모드는 무관하다)",
+        BuildingDamping { inputs: Sentence } => {
+            en: "{inputs} (the response to spectra and motions rests on them; verdict and modes do not)",
+            ko: "{inputs}(스펙트럼과 지진에 대한 응답이 이에 의존하며 판정과 모드는 무관하다)",
         },
-        StonesDamping { count: usize } => {
-            en: "damping values, {count} (simulated motion alone rests on them)",
-            ko: "감쇠 {count}개(지진응답만 이에 의존한다)",
+        StonesDamping { inputs: Sentence } => {
+            en: "{inputs} (simulated motion alone rests on them)",
+            ko: "{inputs}(지진응답만 이에 의존한다)",
         },
-        Damping { count: usize } => {
-            en: "damping values, {count} (the response to the spectrum of a site and to motions, and changes from survey to survey, rest on them; stability and modes do not)",
-            ko: "감쇠 {count}개(부지 스펙트럼과 지진동에 대한 응답, 조사 사이의 변화가 이에 의존하며 안정성과 모드는 무관하다)",
+        Damping { inputs: Sentence } => {
+            en: "{inputs} (the response to the spectrum of a site and to motions, and changes from survey to survey, rest on them; stability and modes do not)",
+            ko: "{inputs}(부지 스펙트럼과 지진동에 대한 응답, 조사 사이의 변화가 이에 의존하며 안정성과 모드는 무관하다)",
         },
         OfVariant { variant: Both, inputs: Vec<Sentence> } => {
             en: "Every result of the variant “{variant}” rests on what is assumed, not measured: {inputs}.",
@@ -58,8 +64,8 @@ messages! {
         },
         Input { input: Both, written: String } => { en: "{input} {written}", ko: "{input} {written}" },
         Defaults { values: Vec<Sentence> } => {
-            en: "Not given for the joints, and taken by Dolmen, which is assumed: {values}. Give them in `joint`.",
-            ko: "접합면에 주어지지 않아 기본값으로 가정하였다: {values}. joint에 주어야 한다.",
+            en: "{values} (not given for the joints, taken by Dolmen: give them in `joint`)",
+            ko: "{values}(접합면에 주어지지 않은 Dolmen의 기본값. joint에 입력한다)",
         },
         Friction { value: Quantity } => { en: "friction {value}", ko: "마찰계수 {value}" },
         NormalStiffness { value: Quantity } => { en: "normal stiffness {value}", ko: "수직강성 {value}" },
@@ -98,7 +104,6 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
         all.push(Finding::new(Tone::Warn, said));
     }
     all.extend(of_project(project));
-    all.extend(defaults(project));
     all.extend(
         answer
             .variants
@@ -109,11 +114,7 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
 }
 
 /// What Dolmen takes for joints of stones where the file gives nothing.
-fn defaults(project: &Project) -> Option<Finding> {
-    let Structure::Stack(part) = &project.structure else {
-        return None;
-    };
-    let taken = part.joint_defaults();
+fn defaults(taken: &JointDefaults) -> Option<Sentence> {
     let bare = |value: f64| Quantity::new(value, Unit::ratio(), Digits::Trimmed(3));
     let stiffness = |value: f64| Quantity::new(value, Unit::si("Pa/m"), Digits::Significant(2));
     let each = [
@@ -131,58 +132,82 @@ fn defaults(project: &Project) -> Option<Finding> {
             .map(|value| Assumed::DampingRatio { value: bare(value) }),
     ];
     let values: Vec<Sentence> = each.into_iter().flatten().map(Sentence::from).collect();
-    // limits rest on friction, an earthquake on stiffness
-    let is_key = taken.friction.is_some() || taken.normal_stiffness_pa_m.is_some();
-    let finding = Finding::key(Tone::Warn, Assumed::Defaults { values }).with_code("assumed-input");
-    (taken.count() > 0).then_some(Finding { is_key, ..finding })
+    (!values.is_empty()).then(|| Assumed::Defaults { values }.into())
 }
 
 /// Of the project as it is; `None` if nothing is assumed.
 pub(crate) fn of_project(project: &Project) -> Option<Finding> {
+    let structure = &project.structure;
     let assumed: Vec<&Input> = project.inputs().into_iter().filter(|q| q.is_assumed()).collect();
-    let is_stiffness = |q: &&Input| q.path.ends_with("stiffness") || q.path.contains("stiffness[");
-    let is_damping = |q: &&Input| q.path.contains("damping");
-    let count = |which: &dyn Fn(&&Input) -> bool| assumed.iter().copied().filter(|q| which(q)).count();
-    let stiffness = count(&is_stiffness);
-    let damping = count(&is_damping);
-    let surveyed = count(&|q| q.path.starts_with("survey.") && !is_damping(q));
-    let body = assumed.len() - stiffness - damping - surveyed;
+    let is_damping = |q: &Input| q.path.contains("damping");
+    let is_stiffness =
+        |q: &Input| !is_damping(q) && (q.path.ends_with("stiffness") || q.path.contains("stiffness["));
+    let is_surveyed = |q: &Input| q.path.starts_with("survey.") && !is_damping(q);
+    let is_body = |q: &Input| !is_stiffness(q) && !is_damping(q) && !is_surveyed(q);
+    let of = |which: &dyn Fn(&Input) -> bool| {
+        let own: Vec<&Input> = assumed.iter().copied().filter(|q| which(q)).collect();
+        named(structure, &own)
+    };
+    let taken = match structure {
+        Structure::Stack(part) => Some(part.joint_defaults()),
+        _ => None,
+    };
     let parts = [
-        (body, body_words(&project.structure, body)),
-        (stiffness, stiffness_words(&project.structure, stiffness)),
-        (surveyed, Assumed::Surveyed { count: surveyed }),
-        (damping, damping_words(&project.structure, damping)),
+        of(&is_body).map(|inputs| body_words(structure, inputs)),
+        of(&is_stiffness).map(|inputs| stiffness_words(structure, inputs)),
+        of(&is_surveyed).map(|inputs| Assumed::Surveyed { inputs }),
+        of(&is_damping).map(|inputs| damping_words(structure, inputs)),
     ];
-    let parts: Vec<Sentence> = parts
-        .into_iter()
-        .filter(|(count, _)| *count > 0)
-        .map(|(_, said)| said.into())
-        .collect();
-    (!parts.is_empty()).then(|| Finding::new(Tone::Warn, Assumed::All { parts }).with_code("assumed-input"))
+    let parts = parts.into_iter().flatten().map(Sentence::from);
+    let parts: Vec<Sentence> = parts.chain(taken.as_ref().and_then(defaults)).collect();
+    let AssumedInputs { assumed, all } = AssumedInputs::of(project);
+    // limits rest on friction, an earthquake on stiffness
+    let is_key = taken.is_some_and(|of| of.friction.is_some() || of.normal_stiffness_pa_m.is_some());
+    (!parts.is_empty()).then(|| {
+        let said = Assumed::All { assumed, all, parts };
+        let finding = Finding::new(Tone::Warn, said).with_code("assumed-input");
+        Finding { is_key, ..finding }
+    })
 }
 
-fn body_words(structure: &Structure, count: usize) -> Assumed {
+/// "friction of the joints, width of body 1, width of roof 1 and 4 more"; `None` of no input.
+fn named(structure: &Structure, inputs: &[&Input]) -> Option<Sentence> {
+    let (some, rest) = inputs.split_at(inputs.len().min(NAMED_MOST));
+    let names = Both::of(|language| {
+        let each = some
+            .iter()
+            .map(|input| input_words(structure, &input.path, language));
+        each.collect::<Vec<_>>().join(", ")
+    });
+    match (some.is_empty(), rest.len()) {
+        (true, _) => None,
+        (false, 0) => Some(Assumed::Names { names }.into()),
+        (false, more) => Some(Assumed::NamesAndMore { names, more }.into()),
+    }
+}
+
+fn body_words(structure: &Structure, inputs: Sentence) -> Assumed {
     match structure {
-        Structure::Stack(_) => Assumed::StonesBody { count },
+        Structure::Stack(_) => Assumed::StonesBody { inputs },
         Structure::Chain(_) | Structure::Frame(_) | Structure::Building(_) | Structure::Survey => {
-            Assumed::Body { count }
+            Assumed::Body { inputs }
         }
     }
 }
 
-fn stiffness_words(structure: &Structure, count: usize) -> Assumed {
+fn stiffness_words(structure: &Structure, inputs: Sentence) -> Assumed {
     match structure {
-        Structure::Stack(_) => Assumed::StonesStiffness { count },
-        Structure::Chain(_) => Assumed::ChainStiffness { count },
-        Structure::Frame(_) | Structure::Building(_) | Structure::Survey => Assumed::Stiffness { count },
+        Structure::Stack(_) => Assumed::StonesStiffness { inputs },
+        Structure::Chain(_) => Assumed::ChainStiffness { inputs },
+        Structure::Frame(_) | Structure::Building(_) | Structure::Survey => Assumed::Stiffness { inputs },
     }
 }
 
-fn damping_words(structure: &Structure, count: usize) -> Assumed {
+fn damping_words(structure: &Structure, inputs: Sentence) -> Assumed {
     match structure {
-        Structure::Stack(_) => Assumed::StonesDamping { count },
-        Structure::Building(_) => Assumed::BuildingDamping { count },
-        Structure::Chain(_) | Structure::Frame(_) | Structure::Survey => Assumed::Damping { count },
+        Structure::Stack(_) => Assumed::StonesDamping { inputs },
+        Structure::Building(_) => Assumed::BuildingDamping { inputs },
+        Structure::Chain(_) | Structure::Frame(_) | Structure::Survey => Assumed::Damping { inputs },
     }
 }
 

@@ -35,6 +35,10 @@ messages! {
             en: "{evidence}. If survey {survey} did measure them, mark them: frequencies.x = [{{ value = …, source = \"measured\" }}], or set evidence = \"measured\" at the head of the file and mark what is assumed.",
             ko: "{evidence}. {survey} 조사에서 실제로 계측한 값이면 frequencies.x = [{{ value = …, source = \"measured\" }}]로 표시하거나, 파일 머리에 evidence = \"measured\"를 쓰고 가정한 값을 따로 표시한다.",
         },
+        InDoubt { evidence: Both } => {
+            en: "The model is {evidence}. The lowest frequencies alone do not confirm it: check which modes these are, the stiffness and the masses.",
+            ko: "모델 {evidence}. 최저 고유진동수만으로는 모델을 확인할 수 없으므로 모드의 차수, 강성, 질량을 확인해야 한다.",
+        },
         UnreadableMotion { motion: String, why: Both } => {
             en: "Motion {motion} of the file cannot be simulated: {why}",
             ko: "파일의 지반운동 {motion}(으)로는 해석할 수 없다: {why}",
@@ -77,6 +81,7 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
     all.extend(demand::findings(state.demand.as_ref(), has_moved));
     all.extend(unusual(state));
     all.extend(marked_assumed(project, state));
+    all.extend(in_doubt(project, state));
     all.extend(next(project, state));
     all.extend(after);
     all.extend(agreement(project, state));
@@ -103,6 +108,16 @@ fn unusual(state: &State) -> Option<Finding> {
         most: Quantity::ratio(LOAD_FACTOR_USUAL_MOST, 4),
     };
     Some(Finding::key(Tone::Warn, said).with_code("unit-slip"))
+}
+
+/// Higher modes of a survey that are not those of the model.
+fn in_doubt(project: &Project, state: &State) -> Option<Finding> {
+    let evidence = Evidence::of(project, &state.check);
+    let is_doubt = matches!(evidence, Evidence::InDoubt(_));
+    is_doubt.then(|| {
+        let evidence = Both::of(|language| evidence.words(language));
+        Finding::key(Tone::Warn, Unusual::InDoubt { evidence })
+    })
 }
 
 /// Frequencies of surveys that the file marks as assumed, beside the model.
@@ -156,6 +171,7 @@ pub(super) fn unread(answer: &CheckAnswer) -> Option<Finding> {
         }
         Evidence::Agrees { survey } => survey,
         Evidence::Contradicted(of) | Evidence::TooRough(of) => of.survey,
+        Evidence::InDoubt(of) => of.survey,
         Evidence::MarkedAssumed { .. } | Evidence::NotCompared { .. } | Evidence::NotMeasured { .. } => {
             return None;
         }

@@ -1,5 +1,6 @@
 //! What surveys say against the model: a tilt that overturns, a frequency that the model does not have.
 
+use super::agreement::direction_words;
 use crate::document::{Finding, Tone};
 use crate::engineer::damage_words;
 use dolmen::assess::demand::DriftLimit;
@@ -112,13 +113,13 @@ messages! {
             ko: "{survey} 점검에서 심한 손상이 발견되었으나 모델에는 반영되지 않았다: {found}.",
         },
         Damaged { part: String, what: Sentence } => { en: "{part}: {what}", ko: "{part} {what}" },
-        Rough { survey: String, measured: Quantity, direction: String, computed: Quantity } => {
+        Rough { survey: String, measured: Quantity, direction: Both, computed: Quantity } => {
             en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. The measurement is too rough to tell whether they are of one structure.",
-            ko: "{survey} 조사의 {direction} 방향 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 계측 오차가 커서 모델이 실제와 맞는지 판단할 수 없다.",
+            ko: "{survey} 조사의 {direction} 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 계측 오차가 커서 모델이 실제와 맞는지 판단할 수 없다.",
         },
-        Superseded { survey: String, measured: Quantity, direction: String, computed: Quantity, later: String } => {
+        Superseded { survey: String, measured: Quantity, direction: Both, computed: Quantity, later: String } => {
             en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}, which survey {later} decides. `dolmen compare` says what changed between them.",
-            ko: "{survey} 조사의 {direction} 방향 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 판정은 이후의 {later} 조사에 따른다. 두 조사 사이의 변화는 `dolmen compare`로 본다.",
+            ko: "{survey} 조사의 {direction} 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 판정은 이후의 {later} 조사에 따른다. 두 조사 사이의 변화는 `dolmen compare`로 본다.",
         },
         OtherDirection { survey: String, measured: Quantity, direction: String, known: Vec<String> } => {
             en: "Survey {survey} measured {measured} in direction {direction}, which this model does not have: it is not compared. The directions of the model: {known}.",
@@ -133,9 +134,9 @@ messages! {
             ko: "여러 해의 조사에서 조치되지 않은 경보가 있는지는 이 검토에서 다루지 않는다(날짜가 있는 조사 {surveys}회). `dolmen watch`와 `dolmen report`에 나온다.",
         },
         Likely { contradicted: Sentence, likely: Sentence } => { en: "{contradicted} {likely}", ko: "{contradicted} {likely}" },
-        Contradicted { survey: String, measured: Quantity, direction: String, computed: Quantity } => {
+        Contradicted { survey: String, measured: Quantity, direction: Both, computed: Quantity } => {
             en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. Its stiffness or mass is not that of the structure measured, and the verdict is on the model.",
-            ko: "{survey} 조사의 {direction} 방향 실측 고유진동수는 {measured}이나 해석 모델은 {computed}이다. 모델의 강성 또는 질량이 실제와 다르며, 판정은 모델에 대한 것이다.",
+            ko: "{survey} 조사의 {direction} 실측 고유진동수는 {measured}이나 해석 모델은 {computed}이다. 모델의 강성 또는 질량이 실제와 다르며, 판정은 모델에 대한 것이다.",
         },
     }
 }
@@ -471,7 +472,7 @@ fn frame_tilt(of: &TiltCheck, limit: Sentence) -> Finding {
 }
 
 fn contradiction(found: &FrequencyContradiction) -> Finding {
-    let (survey, direction) = (found.survey.clone(), found.direction.clone());
+    let (survey, direction) = (found.survey.clone(), direction_words(&found.direction));
     let (measured, computed) = (hertz(found.measured_hz), hertz(found.computed_hz));
     if let Some(later) = found.superseded_by.clone() {
         let said = Measured::Superseded {

@@ -52,10 +52,10 @@ messages! {
         LoadFactor => { en: "λ", ko: "λ" },
         LeastMargin => { en: "least margin", ko: "최소 여유도" },
         Lowest => { en: "lowest frequency", ko: "최저 고유진동수" },
-        OverDemand => { en: "earthquake: capacity/demand", ko: "지진: 성능/요구" },
+        OverDemand => { en: "earthquake: capacity/demand", ko: "지진: 저항/요구" },
         Worse { variant: Both, from: Quantity, to: Quantity, before: Quantity, after: Quantity } => {
             en: "Variant “{variant}” is better under weight (λ {from} → {to}), worse under the earthquake of the site (capacity over demand {before} → {after}).",
-            ko: "대안 ‘{variant}’은(는) 자중에서는 유리하나(λ {from} → {to}) 부지의 지진에서는 불리하다(성능/요구 {before} → {after}).",
+            ko: "대안 ‘{variant}’은(는) 자중에서는 유리하나(λ {from} → {to}) 부지의 지진에서는 불리하다(저항/요구 {before} → {after}).",
         },
         FallsShare => { en: "P(falls by its weight)", ko: "자중 전도 확률" },
         OverloadedShare => { en: "P(loads at a limit)", ko: "하중 한계 도달 확률" },

@@ -3,7 +3,7 @@
 use super::axis::Axis;
 use super::ink::{BLUE, GREEN, GREY, Line, ORANGE, Shape};
 use super::plot::{Key, Plot};
-use super::words::{Axes, Factors, Titles, say};
+use super::words::{Axes, Factors, Titles, body_words, say};
 use dolmen_words::Language;
 use dolmen_work::stack::FactorsAnswer;
 
@@ -17,7 +17,7 @@ pub(crate) fn joint_factors(answer: &FactorsAnswer, language: Language) -> Strin
         .map(|at| {
             let [upper, lower] = answer.names(at);
             let first = |names: &[&str]| names.first().map_or_else(String::new, |name| (*name).to_owned());
-            let name = format!("{} / {}", first(&upper), first(&lower));
+            let name = format!("{} / {}", first(&upper), body_words(&first(&lower), language));
             name.chars().take(NAME_MOST).collect()
         })
         .collect();

@@ -3,7 +3,7 @@
 use super::Figure;
 use super::history_series::history_series;
 use super::lines::{Lines, Series};
-use super::words::{Axes, Titles};
+use super::words::{Axes, Titles, body_words};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 use dolmen_words::Language;
@@ -38,15 +38,15 @@ impl StackPlot {
 
     /// Its SVG; `None` without a sample.
     pub(crate) fn draw(self, simulation: &StackSimulation, language: Language) -> Option<String> {
-        self.lines(simulation).draw(language)
+        self.lines(simulation, language).draw(language)
     }
 
     /// Its numbers.
     pub(crate) fn series(self, simulation: &StackSimulation) -> Vec<crate::document::Series> {
-        history_series(|_| Some(self.lines(simulation)))
+        history_series(|language| Some(self.lines(simulation, language)))
     }
 
-    fn lines(self, simulation: &StackSimulation) -> Lines {
+    fn lines(self, simulation: &StackSimulation, language: Language) -> Lines {
         let (lines, axis, title) = match self {
             Self::Ground => (
                 ground_series(simulation),
@@ -59,19 +59,21 @@ impl StackPlot {
                 Titles::DisplacementOfTheHighestStone,
             ),
             Self::Opening => (
-                joint_series(simulation, |joint, sample| 1e3 * joint.opening_m[sample]),
+                joint_series(simulation, language, |joint, sample| {
+                    1e3 * joint.opening_m[sample]
+                }),
                 Axes::Opening,
                 Titles::OpeningOfTheJoints,
             ),
             Self::Slip => (
-                joint_series(simulation, |joint, sample| {
+                joint_series(simulation, language, |joint, sample| {
                     1e3 * joint.slip_m[sample][0].hypot(joint.slip_m[sample][1])
                 }),
                 Axes::Slip,
                 Titles::SlipOfTheJoints,
             ),
             Self::Yaw => (
-                joint_series(simulation, |joint, sample| 1e3 * joint.yaw_rad[sample]),
+                joint_series(simulation, language, |joint, sample| 1e3 * joint.yaw_rad[sample]),
                 Axes::Yaw,
                 Titles::YawOfTheJoints,
             ),
@@ -130,6 +132,7 @@ fn top_series(simulation: &StackSimulation) -> Vec<Series> {
 /// The joints of which a value was largest, largest first.
 fn joint_series(
     simulation: &StackSimulation,
+    language: Language,
     value: impl Fn(&dolmen::blocks::JointHistory, usize) -> f64,
 ) -> Vec<Series> {
     let time_s = &simulation.history.time_s;
@@ -138,7 +141,7 @@ fn joint_series(
         let points: Vec<[f64; 2]> = (0..time_s.len()).map(|i| [time_s[i], value(joint, i)]).collect();
         let most = points.iter().map(|p| p[1].abs()).fold(0.0, f64::max);
         let [upper, lower] = simulation.joint_names(number);
-        let name = format!("{upper} / {lower}");
+        let name = format!("{upper} / {}", body_words(lower, language));
         all.push((most, Series { name, points }));
     }
     all.sort_by(|a, b| b.0.total_cmp(&a.0));

@@ -8,6 +8,14 @@ pub(crate) fn say(words: impl Into<Sentence>, language: Language) -> String {
     words.into().text(language)
 }
 
+/// A stone as the file names it, or the ground.
+pub(super) fn body_words(name: &str, language: Language) -> String {
+    match name {
+        "ground" => language.pick("ground", "지반").to_owned(),
+        name => name.to_owned(),
+    }
+}
+
 messages! {
     /// Heads of the columns of a figure's numbers.
     pub(crate) enum Columns in "figure.column" {

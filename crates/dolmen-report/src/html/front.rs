@@ -7,13 +7,13 @@ use crate::engineer::Given;
 use crate::headline::{headline, over_the_years, worse as worse_words};
 use crate::stack;
 use dolmen::stability::Verdict;
-use dolmen_project::{Quantity, Structure};
+use dolmen_project::Structure;
 use dolmen_words::message::Both;
 use dolmen_words::number::beside_one;
 use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{
-    Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
+    AssumedInputs, Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
 };
 use dolmen_work::state::{Check, State};
 
@@ -155,14 +155,7 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
             .into(),
     };
     let sentence = stack.map_or_else(factor_words, |answer| stack::banner(answer).text(language));
-    // What a survey assumes touches stiffness from vibration, not this verdict.
-    let structural = |q: &&Quantity| q.is_assumed() && !q.path.starts_with("survey.");
-    let inputs = answer.project.inputs();
-    let assumed = if verdict == Verdict::Unknown {
-        0
-    } else {
-        inputs.into_iter().filter(structural).count()
-    };
+    let inputs = judged.filter(|_| verdict != Verdict::Unknown).map(|of| of.inputs);
     let doubtful = doubtful(&answer.project).into_iter();
     let mut first: Vec<String> = doubtful.map(|said| said.text(language)).collect();
     let worse = worse(answer, &judgement, language).into_iter();
@@ -196,12 +189,14 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
         words,
         first,
         sentence,
-        assumed: (assumed > 0).then(|| {
-            language.pick(
-                format!("This rests on {assumed} assumed values; see the findings."),
-                format!("가정값 {assumed}개에 의존한다(결과 요약 참조)."),
-            )
-        }),
+        assumed: inputs
+            .filter(|of| of.assumed > 0)
+            .map(|AssumedInputs { assumed, all }| {
+                language.pick(
+                    format!("This rests on assumed inputs, {assumed} of {all}; see the findings."),
+                    format!("입력 {all}개 중 가정값 {assumed}개에 의존한다(결과 요약 참조)."),
+                )
+            }),
         scale: match stack {
             Some(_) => stack::thresholds().text(language),
             None => thresholds(language),

@@ -66,7 +66,7 @@ messages! {
         },
         Underdetermined { modes: usize, free: usize } => {
             en: "not determined. Measured modes: {modes}; directions of the stiffness that stay free: {free}; any solution shown is one point of a continuous family.",
-            ko: "정해지지 않는다. 계측 모드 {modes}개로는 강성의 방향 {free}개가 정해지지 않으며, 제시된 해는 연속적인 해집합의 한 점이다.",
+            ko: "정해지지 않는다. 계측 모드 {modes}개로는 독립적인 강성 조합 {free}개가 정해지지 않으며, 제시된 해는 연속적인 해집합의 한 점이다.",
         },
         UnderdeterminedSomehow { modes: usize } => {
             en: "not determined. Measured modes: {modes}; some directions of the stiffness stay free; any solution shown is one point of a continuous family.",

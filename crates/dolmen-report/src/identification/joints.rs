@@ -14,8 +14,6 @@ use dolmen_work::told;
 /// How much a frequency may differ as the stack settles anew on the springs found, relative, before that is a finding. Our choice: what a good
 /// survey scatters by.
 const RESETTLED_MOST: f64 = 0.01;
-/// Standard deviations, root mean square, by which a common factor may miss the modes. Chosen here: as for measured frequencies.
-const MISFIT_MOST: f64 = 3.0;
 
 messages! {
     /// Factors on the springs of joints.
@@ -164,7 +162,7 @@ pub(super) fn findings(survey: &str, answer: &FactorsAnswer) -> Vec<Finding> {
     let found = &answer.found;
     let factor = joint_tables::factor(found.common.factor, Some(found.common.relative_sd));
     let modes = Modes::counted(found.modes.len());
-    let (common_tone, common) = match found.common.misfit > MISFIT_MOST {
+    let (common_tone, common) = match answer.common_misses() {
         false => (Tone::Good, Joints::Common { factor, modes }),
         true => {
             let misfit = Quantity::ratio(found.common.misfit, 2);

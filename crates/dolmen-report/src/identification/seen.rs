@@ -2,7 +2,7 @@
 
 use dolmen::structure::Visibility;
 use dolmen_project::{Project, Quantity as Input, Structure};
-use dolmen_words::number::{TWO_SIDED_95, subscript};
+use dolmen_words::number::subscript;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::surveyed::SurveyAnswer;
 
@@ -14,7 +14,7 @@ messages! {
     pub(crate) enum Seen in "identification.seen" {
         Shares { shares: Vec<Sentence>, free: usize } => {
             en: "Share of each that the data see (at 1 all of it, at 0 nothing): {shares}; directions that stay free: {free}.",
-            ko: "자료로 정해지는 정도(1 완전, 0 전혀 없음): {shares}; 정해지지 않는 방향 {free}개.",
+            ko: "자료로 정해지는 정도(1 완전, 0 전혀 없음): {shares}; 정해지지 않는 강성 조합 {free}개.",
         },
         Share { spring: Sentence, share: Quantity } => { en: "{spring}: {share}", ko: "{spring}: {share}" },
         Little { springs: Vec<Sentence> } => {
@@ -22,12 +22,12 @@ messages! {
             ko: "{springs}에 대해서는 자료가 알려 주는 것이 거의 없다.",
         },
         Masses => {
-            en: "The deviations of the stiffness are of the frequencies alone, masses taken as exact; 1 % more mass is 1 % more of every k.",
-            ko: "강성의 표준편차는 진동수에서만 비롯한 것이며 질량은 정확하다고 보았다. 질량이 1 % 크면 모든 k가 1 % 크다.",
+            en: "The deviations of the stiffness are of the frequencies alone; the file gives weights and dimensions no scatter (cov), so they count as exact. 1 % more mass is 1 % more of every k.",
+            ko: "강성의 표준편차는 진동수에서만 비롯한 것이다. 파일에 무게와 치수의 변동계수(cov)가 없어 정확한 값으로 보았다. 질량이 1 % 크면 모든 k가 1 % 크다.",
         },
-        MassesScatter { most: Quantity, adds: Quantity } => {
-            en: "The deviations of the stiffness are of the frequencies alone, masses taken as exact; 1 % more mass is 1 % more of every k; the file gives them a scatter of up to {most}, which adds up to ± {adds} to every interval (95 %, all off together).",
-            ko: "강성의 표준편차는 진동수에서만 비롯한 것이며 질량은 정확하다고 보았다. 질량이 1 % 크면 모든 k가 1 % 크다. 파일에 준 질량의 변동계수는 최대 {most}이며, 모든 질량이 함께 벗어나면 각 구간에 최대 ± {adds}이(가) 더해진다(95 %).",
+        MassesScatter { most: Quantity } => {
+            en: "The deviations of the stiffness are of the frequencies and of the scatter that the file gives weights and dimensions (up to {most}), each on its own; 1 % more mass is 1 % more of every k.",
+            ko: "강성의 표준편차는 진동수의 오차와 파일에 준 무게·치수의 변동계수(최대 {most})를 서로 독립으로 보아 합한 값이다. 질량이 1 % 크면 모든 k가 1 % 크다.",
         },
     }
 }
@@ -82,10 +82,7 @@ pub(super) fn masses(survey: &SurveyAnswer, project: &Project) -> Option<Sentenc
     let most = masses.iter().filter_map(|mass| mass.cov).fold(0.0, f64::max);
     let percent = |share: f64| Quantity::new(share, Unit::percent(), Digits::Fixed(0));
     let said = match most > 0.0 {
-        true => Seen::MassesScatter {
-            most: percent(most),
-            adds: percent(TWO_SIDED_95 * most),
-        },
+        true => Seen::MassesScatter { most: percent(most) },
         false => Seen::Masses,
     };
     Some(said.into())

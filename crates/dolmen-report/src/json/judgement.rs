@@ -56,6 +56,7 @@ fn version(version: &VersionJudgement) -> Value {
         "leans": version.leans.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.tilt })),
         "solution": version.solution.map(|of| json!({ "number": of.number, "of": of.of })),
         "after": version.after.as_ref().map(|of| json!({ "first": of.first, "second": of.second })),
+        "undamped": version.is_undamped,
         "damage": version.damage.iter().map(damage).collect::<Vec<_>>(),
         "made_up_surveys": version.made_up_surveys,
         "assumed_inputs": version.inputs.assumed,
@@ -110,6 +111,7 @@ fn evidence(evidence: &Evidence) -> Value {
             (Some(survey), None)
         }
         Evidence::Contradicted(of) | Evidence::TooRough(of) => (Some(&of.survey), None),
+        Evidence::InDoubt(of) => (Some(&of.survey), None),
         Evidence::MarkedAssumed { survey, .. } => (Some(survey), None),
         Evidence::NotMeasured { calibrated_to } => (None, calibrated_to.as_ref()),
     };
@@ -118,13 +120,24 @@ fn evidence(evidence: &Evidence) -> Value {
         Evidence::MarkedAssumed { farthest, .. } => farthest.as_ref(),
         _ => None,
     };
+    let doubt = match evidence {
+        Evidence::InDoubt(of) => Some(of),
+        _ => None,
+    };
+    let mode = doubt.and_then(|of| of.mode.as_ref());
     json!({
         "word": evidence.key(),
         "colour": evidence.colour().word(),
         "survey": survey,
         "calibrated_to": calibrated_to,
-        "direction": contradicted.map(|of| &of.direction),
-        "measured_hz": contradicted.map(|of| of.measured_hz),
-        "computed_hz": contradicted.map(|of| of.computed_hz),
+        "direction": contradicted.map(|of| &of.direction).or(mode.and_then(|of| of.direction.as_ref())),
+        "measured_hz": contradicted.map(|of| of.measured_hz).or(mode.map(|of| of.measured_hz)),
+        "computed_hz": contradicted.map(|of| of.computed_hz).or(mode.map(|of| of.computed_hz)),
+        "mode": mode.map(|of| of.number),
+        "modes_in_doubt": doubt.map(|of| of.modes),
+        "unexplained": doubt.and_then(|of| of.unexplained.as_ref()).map(|of| json!({
+            "direction": of.direction,
+            "deviations": of.deviations,
+        })),
     })
 }

@@ -43,6 +43,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "noise_seed": study.artificial.map(|made| made.seed),
         "notes": answer.notes.iter().map(|note| &note.english).collect::<Vec<_>>(),
         "left_out_of_runs": answer.left_out_of_runs.iter().map(|said| &said.english).collect::<Vec<_>>(),
+        "undamped": answer.is_undamped,
         "after": after(answer),
         "copies": answer.copies.iter().map(|copy| json!({ "motion": copy.motion, "of": copy.of })).collect::<Vec<_>>(),
         "inputs": inputs.collect::<Vec<_>>(),
@@ -68,8 +69,15 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "measures": measures_json(answer),
         "sufficiency": sufficiency_json(answer),
         "joints": joints_json(answer)?,
-        "hazard": answer.hazard.as_ref().map(|hazard| hazard.curve.points().iter().map(|[peak, rate]| json!({ "peak_acceleration_m_s2": peak, "annual_rate": rate })).collect::<Vec<_>>()),
+        "hazard": hazard(answer),
     }))
+}
+
+/// The hazard at the site; `None` where it is not known.
+fn hazard(answer: &StudyAnswer) -> Option<Vec<Value>> {
+    let points = answer.hazard.as_ref()?.curve.points().iter();
+    let point = |[peak, rate]: &[f64; 2]| json!({ "peak_acceleration_m_s2": peak, "annual_rate": rate });
+    Some(points.map(point).collect())
 }
 
 /// The motion before the runs, and the state in which it leaves each case; `null` without one.

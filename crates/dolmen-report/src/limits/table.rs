@@ -35,8 +35,8 @@ messages! {
             ko: "접합면별 지진 모멘트와, 모서리로만 지지되는 모멘트에서 기울기와 정하중의 몫을 뺀 값.",
         },
         UseMeaning => {
-            en: "Below 1 it is within its limit, from 0.8 near it.",
-            ko: "비가 1 이하이면 허용 범위 안이며 0.8을 넘으면 근접이다.",
+            en: "Below 1 it is beyond its limit, below 1.25 near it.",
+            ko: "저항/요구가 1 미만이면 기준 불만족, 1.25 미만이면 기준에 근접이다.",
         },
         PartHead => { en: "Part", ko: "부위" },
         Along => { en: "Along", ko: "방향" },
@@ -47,7 +47,7 @@ messages! {
         Moment => { en: "moment", ko: "모멘트" },
         Left => { en: "left", ko: "남은 모멘트" },
         Edge => { en: "on its edge at", ko: "전도 모멘트" },
-        Use => { en: "demand / limit", ko: "요구/허용" },
+        OverDemand => { en: "capacity / demand", ko: "저항/요구" },
     }
 }
 
@@ -83,7 +83,8 @@ pub(crate) fn section(document: &mut Document<'_>, parts: &[PartLimit], limit: O
 fn table((head, demand, capacity): (Limits, Limits, Limits), parts: &[&PartLimit], unit: &Unit) -> Table {
     let number = |value: f64| Quantity::new(value, unit.clone(), Digits::Significant(DIGITS));
     let row = |of: &&PartLimit| {
-        let ratio = of.use_ratio().map(|ratio| Quantity::ratio(ratio, DIGITS));
+        let over_demand = of.ratio().filter(|ratio| ratio.is_finite());
+        let ratio = over_demand.map(|ratio| Quantity::ratio(ratio, DIGITS));
         let direction = match &of.direction {
             Some(direction) => Limits::Direction {
                 direction: direction.clone(),
@@ -96,7 +97,7 @@ fn table((head, demand, capacity): (Limits, Limits, Limits), parts: &[&PartLimit
             Cell::number(number(of.demand)),
             Cell::Number(of.capacity.map(number)),
             match ratio {
-                Some(ratio) if of.use_ratio() > Some(1.0) => Cell::Bad(ratio),
+                Some(ratio) if over_demand.is_some_and(|ratio| ratio < 1.0) => Cell::Bad(ratio),
                 known => Cell::Number(known),
             },
         ]
@@ -110,7 +111,7 @@ fn table((head, demand, capacity): (Limits, Limits, Limits), parts: &[&PartLimit
             Column::words(Limits::Along),
             Column::numbers(demand, unit.clone()),
             Column::numbers(capacity, unit.clone()),
-            Column::numbers(Limits::Use, Unit::ratio()),
+            Column::numbers(Limits::OverDemand, Unit::ratio()),
         ],
         rows: parts.iter().map(row).collect(),
     }

@@ -17,8 +17,8 @@ messages! {
         },
         Caption => { en: "Which mode of the model each measured mode is.", ko: "계측 모드별 모델 모드." },
         Meaning { least: Quantity, channels: usize } => {
-            en: "By the shapes at {channels} channels: MAC {least} or more with one mode of the model alone. Modes of the model within 1 % of one frequency are taken together. The judgement rests on the lowest frequency along each axis alone.",
-            ko: "{channels}채널에서의 형상이 기준이며, 모델 모드 하나와만 MAC {least} 이상이면 그 모드로 본다. 진동수 차이가 1 % 이내인 모델 모드는 하나로 묶었다. 판정에는 축별 최저 고유진동수만 쓴다.",
+            en: "By the shapes at {channels} channels: MAC {least} or more with one mode of the model alone. Modes of the model within 1 % of one frequency are taken together. The judgement rests on the lowest frequency along each axis; a mode more than 10 % and three standard deviations off leaves the model in doubt.",
+            ko: "{channels}채널에서의 형상이 기준이며, 모델 모드 하나와만 MAC {least} 이상이면 그 모드로 본다. 진동수 차이가 1 % 이내인 모델 모드는 하나로 묶었다. 판정에는 축별 최저 고유진동수를 쓰며, 10 %와 표준편차의 3배를 넘게 차이 나는 모드가 있으면 모델을 ‘확인 필요’로 본다.",
         },
         Mode => { en: "Measured", ko: "계측" },
         Frequency => { en: "frequency", ko: "진동수" },

@@ -10,15 +10,15 @@ messages! {
         Head { name: Both } => { en: "Sensors for {name}", ko: "{name}: 센서 배치" },
         TellsApart { modes: usize, mac: Quantity, share: Quantity } => {
             en: "These sensors tell all {modes} modes apart: MAC of two modes {mac} at most, and of each mode they read at least {share} of its largest motion.",
-            ko: "이 센서로 모드 {modes}개를 모두 구별한다. 두 모드의 MAC은 {mac} 이하이고, 모드마다 최대 변위의 {share} 이상을 읽는다.",
+            ko: "이 센서로 모드 {modes}개를 모두 구별한다. 두 모드의 MAC은 {mac} 이하이고, 모드마다 최대 변위의 {share} 이상을 측정한다.",
         },
         SeesOne { share: Quantity } => {
             en: "These sensors read {share} of the mode's largest motion.",
-            ko: "이 센서는 모드 최대 변위의 {share}을(를) 읽는다.",
+            ko: "이 센서는 모드 최대 변위의 {share}을(를) 측정한다.",
         },
         TellsApartByFrequency { modes: usize, mac: Quantity, share: Quantity } => {
             en: "These sensors read at least {share} of the largest motion of each of {modes} modes, but two of the modes look much alike to them (MAC {mac}): only their frequencies tell those apart.",
-            ko: "이 센서는 모드 {modes}개에서 모두 최대 변위의 {share} 이상을 읽는다. 그러나 두 모드는 형상이 비슷하여(MAC {mac}) 고유진동수로만 구별할 수 있다.",
+            ko: "이 센서는 모드 {modes}개 각각의 최대 변위를 {share} 이상 측정한다. 그러나 두 모드는 형상이 비슷하여(MAC {mac}) 고유진동수로만 구별할 수 있다.",
         },
         HardlySeen { mode: usize, share: Quantity } => {
             en: "Mode {mode} is hardly seen: the sensors read {share} of its largest motion. Give more sensors or axes, or raise --up-to.",

@@ -12,6 +12,10 @@ messages! {
             en: "Under {motion} with a horizontal peak of {peak} (x and y together): {ending}",
             ko: "{motion}(수평 최대 {peak}, x·y 합성) 작용 시: {ending}",
         },
+        UnderOne { motion: String, peak: Quantity, ending: Sentence } => {
+            en: "Under {motion} with a horizontal peak of {peak}: {ending}",
+            ko: "{motion}(수평 최대 {peak}) 작용 시: {ending}",
+        },
         LoadsAct => {
             en: "The static loads of the file act all the time, as they are; they have no mass.",
             ko: "입력한 정하중은 계수 없이 전 시간 동안 작용하며 질량은 없다.",
@@ -77,7 +81,7 @@ messages! {
         },
         Fell { block: String, at: Quantity, upper: String, lower: Sentence } => {
             en: "it fell; '{block}' came down, first of all, at {at}; by then '{upper}' on '{lower}' had opened or slipped farthest.",
-            ko: "붕괴. ‘{block}’이(가) {at}에 가장 먼저 떨어졌다. 이때 ‘{lower}’ 위의 ‘{upper}’이(가) 가장 크게 벌어지거나 미끄러졌다.",
+            ko: "붕괴. {at}에 ‘{block}’이(가) 가장 먼저 쓰러지거나 떨어졌다. 이때 ‘{lower}’ 위의 ‘{upper}’이(가) 가장 크게 벌어지거나 미끄러졌다.",
         },
         StillMoving { at: Quantity, block: String, left: Quantity } => {
             en: "it still moved at the end of the run, {at}; '{block}' is not at rest, {left} of the way from its plumb line to the edge that carries it is left; no verdict. Give a longer --duration.",

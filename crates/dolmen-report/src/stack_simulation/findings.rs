@@ -8,6 +8,7 @@ use crate::simulated::millimetres;
 use crate::stack::{lean, megapascals, widest};
 use dolmen::assess::DamageState;
 use dolmen::blocks::{ContactLaw, Outcome, StackHistory};
+use dolmen::signal::Component;
 use dolmen::structure::stack::Body;
 use dolmen_words::{Digits, Quantity, Unit};
 use dolmen_work::judgement::Earthquake;
@@ -19,14 +20,17 @@ const ABOVE_EDGE_LEAST: f64 = 0.005;
 /// How it ended and what may be concluded from it, the most important first.
 pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     let simulation = &runs.deciding;
-    let said = Ending::Under {
-        motion: simulation.motion.motion.name().to_owned(),
-        peak: Quantity::new(
-            simulation.peak_horizontal_g(),
-            Unit::si("g"),
-            Digits::Significant(3),
-        ),
-        ending: laws::endings(runs),
+    let of = &simulation.motion.motion;
+    let motion = of.name().to_owned();
+    let peak = Quantity::new(
+        simulation.peak_horizontal_g(),
+        Unit::si("g"),
+        Digits::Significant(3),
+    );
+    let ending = laws::endings(runs);
+    let said = match of.has(Component::X) && of.has(Component::Y) {
+        true => Ending::Under { motion, peak, ending },
+        false => Ending::UnderOne { motion, peak, ending },
     };
     let mut all = vec![Finding::key(tone(simulation), said)];
     all.extend(laws::finding(runs));

@@ -18,6 +18,10 @@ messages! {
             en: "The outcome depends on joint stiffness that nobody measured: DS{springs} with springs of the stiffness assumed, DS{rigid} with rigid joints. The worse one counts. Frequencies of a survey would tell which is nearer.",
             ko: "결과가 실측되지 않은 접합면 강성에 따라 달라진다. 가정한 강성의 접촉 스프링 해석은 DS{springs}, 강체 접촉 해석은 DS{rigid}이며 나쁜 쪽으로 판정한다. 고유진동수를 실측하면 어느 쪽에 가까운지 알 수 있다.",
         },
+        DifferMeasured { springs: usize, rigid: usize, survey: String } => {
+            en: "The outcome depends on the stiffness of the joints: DS{springs} with springs of the stiffness of the file, DS{rigid} with rigid joints. The worse one counts. `dolmen identify` says which stiffness the frequencies of survey {survey} ask for; write it into the file.",
+            ko: "결과가 접합면 강성에 따라 달라진다. 파일의 강성을 쓴 접촉 스프링 해석은 DS{springs}, 강체 접촉 해석은 DS{rigid}이며 나쁜 쪽으로 판정한다. {survey} 조사의 고유진동수에 맞는 강성을 `dolmen identify`로 구하여 파일에 입력한다.",
+        },
         TooLong { updates: Quantity, most: Quantity } => {
             en: "Joint stiffness is assumed, and rigid joints were not tried beside it: with so many stones that is slow, about {updates} updates of contact points, beyond {most}. --law both does it all the same.",
             ko: "접합면 강성은 가정값이나 강체 접촉 해석은 함께 하지 않았다. 부재가 많아 접촉점 갱신이 약 {updates}회로 한도 {most}회를 넘어 오래 걸린다. --law both를 주면 함께 해석한다.",
@@ -70,9 +74,14 @@ fn of_both(runs: &StackRuns) -> Option<[&StackSimulation; 2]> {
 /// That the laws differ, or why one was left out.
 pub(super) fn finding(runs: &StackRuns) -> Option<Finding> {
     if let Some([springs, rigid]) = of_both(runs).filter(|_| runs.differing_states().is_some()) {
-        let said = Laws::Differ {
-            springs: state(springs),
-            rigid: state(rigid),
+        let (springs, rigid) = (state(springs), state(rigid));
+        let said = match runs.deciding.measured_by.clone() {
+            Some(survey) => Laws::DifferMeasured {
+                springs,
+                rigid,
+                survey,
+            },
+            None => Laws::Differ { springs, rigid },
         };
         return Some(Finding::key(Tone::Warn, said));
     }

@@ -28,7 +28,7 @@ messages! {
         Both { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
         Fell { factor: Quantity, length: Quantity, block: String } => {
             en: "it gave way at {factor} times that ({length}), and '{block}' came down first.",
-            ko: "그 {factor}배({length})에서 무너지기 시작하여 ‘{block}’이(가) 가장 먼저 떨어졌다.",
+            ko: "그 {factor}배({length})에서 무너지기 시작하여 ‘{block}’이(가) 가장 먼저 쓰러지거나 떨어졌다.",
         },
         StoodTo { factor: Quantity, length: Quantity } => {
             en: "it stood up to the end, {factor} times that ({length}).",

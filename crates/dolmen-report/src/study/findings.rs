@@ -12,6 +12,10 @@ use std::collections::BTreeSet;
 messages! {
     /// Findings on a study.
     pub(crate) enum Found in "study.findings" {
+        Undamped => {
+            en: "Computed with 0 % damping: neither a damping ratio nor friction is given, so that it swings more and longer than it would. Give damping_ratio; stone poles and timber frames have 1 to 5 %.",
+            ko: "감쇠비 0 %로 해석하였다. 감쇠비와 마찰이 주어지지 않아 실제보다 크고 오래 흔들린다. damping_ratio를 준다. 석조 당간과 목조 골조는 1~5 %이다.",
+        },
         NoneFell { scans: Sentence, state: Sentence, largest: Quantity } => {
             en: "None of {scans} reached “{state}”, up to {largest}.",
             ko: "{scans} 모두 {largest}까지 ‘{state}’ 상태에 이르지 않았다.",
@@ -73,7 +77,12 @@ messages! {
 
 /// The findings, doubts first.
 pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
-    let mut all = before::findings(answer);
+    let undamped = answer.is_undamped.then_some(Found::Undamped);
+    let mut all: Vec<Finding> = undamped
+        .into_iter()
+        .map(|said| Finding::key(Tone::Warn, said))
+        .collect();
+    all.extend(before::findings(answer));
     let doubts = run::doubts(answer).into_iter();
     all.extend(doubts.map(|doubt| Finding::key(Tone::Bad, doubt)));
     let left_out = answer.left_out_of_runs.iter().map(|said| {

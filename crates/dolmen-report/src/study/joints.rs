@@ -1,6 +1,6 @@
 //! Joints of a stack by what they need for each state.
 
-use super::words::{count, name, of_case, unit_g};
+use super::words::{count, joint as joint_words, of_case, unit_g};
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen_words::{Sentence, Unit, messages};
 use dolmen_work::study::{CombinationFragility, JointFragility, StudyAnswer};
@@ -61,7 +61,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
 }
 
 fn row(answer: &StudyAnswer, joint: &JointFragility) -> Vec<Cell> {
-    let mut row = vec![Cell::words(of_case(answer, name(&joint.name), joint.job))];
+    let mut row = vec![Cell::words(of_case(answer, joint_words(&joint.name), joint.job))];
     let states = joint.states.iter();
     row.extend(states.map(|state| Cell::words(Sentence::of_symbol(&state.median_words(answer)))));
     row.push(count(joint.gave_way));

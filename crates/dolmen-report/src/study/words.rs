@@ -55,6 +55,23 @@ pub(super) fn name(name: &str) -> Sentence {
     }
 }
 
+/// The joint "upper on lower", "상부 / 하부".
+pub(super) fn joint(name: &str) -> Sentence {
+    let korean = name.rsplit_once(" on ").map_or_else(
+        || name.to_owned(),
+        |(upper, lower)| match lower {
+            "ground" => format!("{upper} / 지반"),
+            lower => format!("{upper} / {lower}"),
+        },
+    );
+    Sentence {
+        id: "study.joint".to_owned(),
+        arguments: Vec::new(),
+        english: vec![Run::Name(name.to_owned())],
+        korean: vec![Run::Name(korean)],
+    }
+}
+
 pub(super) fn scans(count: usize) -> Sentence {
     match count {
         1 => Words::OneScan.into(),

@@ -45,6 +45,7 @@ fn simulation() -> StackSimulation {
         tilt_left_out: None,
         gaps: None,
         lean: None,
+        measured_by: None,
         loosened: Vec::new(),
         damage: stack_damage(&stack, &limits, &history, &DamageThresholds::default()),
         limits,

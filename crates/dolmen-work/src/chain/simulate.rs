@@ -164,8 +164,6 @@ fn simulate_one(
         .collect();
     let modes = model.chain().natural_modes(&stiffness)?;
     let growth = chain_growth(&model, &history)?;
-    let mut joints = model.joints().iter();
-    let is_damped = model.has_friction() || joints.any(|joint| joint.damping_n_m_s_rad > 0.0);
     let left_out = LeftOutOfRuns::of(version.project);
     Ok(ChainSimulation {
         file: version.file.to_owned(),
@@ -181,7 +179,7 @@ fn simulate_one(
         },
         carried_n: carried_n(loads),
         loads_left_out: left_out.wind || left_out.forces,
-        undamped: (!is_damped).then(|| Undamped::of(&version.project.surveys, None)),
+        undamped: (!is_damped(&model)).then(|| Undamped::of(&version.project.surveys, None)),
         lean: part.lean.clone(),
         tilt_left_out: left_out.tilt.filter(|_| part.lean.is_none()),
         model,
@@ -191,6 +189,12 @@ fn simulate_one(
         growth,
         history,
     })
+}
+
+/// Whether a chain has dashpots or friction.
+pub(super) fn is_damped(model: &ChainModel) -> bool {
+    let mut joints = model.joints().iter();
+    model.has_friction() || joints.any(|joint| joint.damping_n_m_s_rad > 0.0)
 }
 
 /// Weight of the static loads, N.

@@ -1,7 +1,7 @@
 //! Runs of chains.
 
 use super::ChainTogether;
-use super::simulate::{one_plane_only, start_rotation_rad};
+use super::simulate::{is_damped, one_plane_only, start_rotation_rad};
 use crate::at_rest::AtRest;
 use crate::error::WorkError;
 use crate::progress::Progress;
@@ -27,6 +27,14 @@ pub(crate) struct MovingChain {
     /// The joint that couples two components, and why.
     one_plane: Option<WorkError>,
     pub(crate) links: Vec<String>,
+}
+
+impl MovingChain {
+    /// Whether a direction has neither damping nor friction.
+    pub(crate) fn is_undamped(&self) -> bool {
+        let mut planes = std::iter::once(&self.chain).chain(&self.across);
+        planes.any(|plane| !is_damped(plane))
+    }
 }
 
 /// The chain of a study, or why it is refused.

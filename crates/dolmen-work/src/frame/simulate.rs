@@ -235,7 +235,7 @@ fn plane(
 }
 
 /// Whether a direction of a frame has dashpots or friction.
-fn is_damped(part: &FramePart, direction: &str, frame: &FrictionFrame) -> bool {
+pub(super) fn is_damped(part: &FramePart, direction: &str, frame: &FrictionFrame) -> bool {
     let own = part.directions.iter().find(|own| own.name == direction);
     let ratio = own.and_then(|own| own.damping_ratio.as_ref());
     let mut friction = frame.friction().iter();

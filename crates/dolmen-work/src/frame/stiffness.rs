@@ -5,14 +5,15 @@ use crate::stiffness::MeasuredDirection;
 use crate::surveyed::StiffnessAnswer;
 use dolmen::stability::frame_stability;
 use dolmen::structure::{Convention, Frame, FrameStiffness, frame_stiffness};
-use dolmen_project::{FramePart, Quantity};
+use dolmen_project::{FramePart, Pick};
 
 /// Every stiffness that explains the modes, one answer a convention.
 pub(crate) fn stiffness(
     part: &FramePart,
     measured: &MeasuredDirection<'_>,
+    pick: Pick<'_>,
 ) -> Result<Vec<StiffnessAnswer>, WorkError> {
-    let built = part.build(&mut Quantity::nominal)?;
+    let built = part.build(pick)?;
     let mut answers = Vec::new();
     for convention in [Convention::Drift, Convention::Grounded] {
         let frame = Frame::new(built.storeys().to_vec(), convention)?;

@@ -1,7 +1,7 @@
 //! Runs of frames.
 
 use super::FrameTogether;
-use super::simulate::storey_names;
+use super::simulate::{is_damped, storey_names};
 use super::together::{Leaning, Plane, both_directions, has_both, is_in_plan, lean_together};
 use crate::at_rest::AtRest;
 use crate::error::WorkError;
@@ -28,6 +28,15 @@ pub(crate) struct FrameModel {
     directions: [String; 2],
     pub(crate) storeys: Vec<String>,
     heights_m: Vec<f64>,
+}
+
+impl FrameModel {
+    /// Whether a direction has neither damping nor friction.
+    pub(crate) fn is_undamped(&self, part: &FramePart) -> bool {
+        let planes = std::iter::once(&self.first).chain(&self.across);
+        let mut planes = planes.zip(&self.directions);
+        planes.any(|(plane, direction)| !is_damped(part, direction, &plane.frame))
+    }
 }
 
 /// The frame of a study, or why it is refused.

@@ -1,16 +1,16 @@
 //! Evidence: does the model represent the structure? Frequencies of a survey compared with those of the model.
 
 use super::colour::Colour;
+use super::in_doubt::{FromRecords, InDoubt, PairedMode};
+use super::measured_frequency::{MeasuredFrequency, RecordFrequency};
 use crate::building::BuildingAnswer;
-use crate::state::{Check, FREQUENCY_RATIO_MOST};
+use crate::state::Check;
 use crate::survey_dates::date;
 use dolmen::damper::lowest_seen;
+use dolmen::structure::NaturalMode;
 use dolmen_project::{Evidence as Source, ModeKind, Project, Quantity, Survey, SurveyMode};
 use dolmen_words::Language;
 use dolmen_words::number::significant;
-
-/// Number of standard deviations within which a measured frequency agrees with the model. Chosen here: 1 in 400 by chance.
-const DEVIATIONS_MOST: f64 = 3.0;
 
 /// The fixed words.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,8 @@ pub enum Evidence {
     Contradicted(MeasuredFrequency),
     /// A frequency of the latest survey differs from the model, but its scatter is too large to tell.
     TooRough(MeasuredFrequency),
+    /// The lowest frequencies do not contradict the model, but a higher mode does, or no stiffness explains the modes of the survey.
+    InDoubt(InDoubt),
     /// A survey has vibration records whose modes were not identified here.
     Unread {
         /// The survey.
@@ -48,58 +50,6 @@ pub enum Evidence {
     },
 }
 
-/// A measured frequency and that of the model.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeasuredFrequency {
-    /// The survey.
-    pub survey: String,
-    /// Direction of the mode.
-    pub direction: String,
-    /// Lowest measured frequency of translation, Hz.
-    pub measured_hz: f64,
-    /// Its standard deviation, Hz; `None` if unknown.
-    pub sd_hz: Option<f64>,
-    /// Lowest frequency of the model, Hz.
-    pub computed_hz: f64,
-}
-
-impl MeasuredFrequency {
-    /// ln of the larger over the smaller: 0 where they are equal.
-    fn apart(&self) -> f64 {
-        (self.measured_hz / self.computed_hz).ln().abs()
-    }
-
-    /// Whether they differ by more than [`FREQUENCY_RATIO_MOST`], whatever the scatter.
-    pub fn differs(&self) -> bool {
-        self.apart() > FREQUENCY_RATIO_MOST.ln()
-    }
-
-    /// Whether they differ by more than [`FREQUENCY_RATIO_MOST`] but by no more than three standard deviations, which proves neither.
-    pub fn is_too_rough(&self) -> bool {
-        let within = |sd_hz: f64| (self.measured_hz - self.computed_hz).abs() <= DEVIATIONS_MOST * sd_hz;
-        self.differs() && self.sd_hz.is_some_and(within)
-    }
-
-    /// Whether they contradict each other. False for NaN.
-    pub fn contradicts(&self) -> bool {
-        let is_same = self.apart() <= FREQUENCY_RATIO_MOST.ln();
-        !is_same && !self.is_too_rough()
-    }
-}
-
-/// A frequency from the records of a survey that is not written in the file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RecordFrequency {
-    /// The survey.
-    pub survey: String,
-    /// Direction of the mode, "x" or "y".
-    pub direction: &'static str,
-    /// The lowest one, Hz.
-    pub frequency_hz: f64,
-    /// Its standard deviation, Hz.
-    pub sd_hz: f64,
-}
-
 impl Evidence {
     /// Evidence of surveys for a model, in the worst direction; for each direction the latest survey with a frequency counts.
     ///
@@ -107,11 +57,35 @@ impl Evidence {
     /// A survey from which stiffness was identified does not confirm the model where it agrees, and contradicts it like any other where it does
     /// not.
     pub fn of(project: &Project, check: &Check) -> Evidence {
-        Evidence::with_records(project, check, &[])
+        Evidence::with_records(project, check, &FromRecords::default())
     }
 
-    /// The same, with results of records.
-    pub(crate) fn with_records(project: &Project, check: &Check, found: &[RecordFrequency]) -> Evidence {
+    /// The same, with what the surveys were found to say.
+    pub(crate) fn with_records(project: &Project, check: &Check, found: &FromRecords) -> Evidence {
+        let evidence = Evidence::of_lowest(project, check, &found.lowest);
+        let survey = match &evidence {
+            Evidence::Agrees { survey } => survey.clone(),
+            Evidence::TooRough(of) => of.survey.clone(),
+            Evidence::NotMeasured {
+                calibrated_to: Some(survey),
+            } => survey.clone(),
+            // a contradiction says more; of the others nothing was compared
+            Evidence::Contradicted(_)
+            | Evidence::InDoubt(_)
+            | Evidence::NotCompared { .. }
+            | Evidence::Unread { .. }
+            | Evidence::MarkedAssumed { .. }
+            | Evidence::NotMeasured { calibrated_to: None } => return evidence,
+        };
+        let higher = higher_modes(project, check);
+        match InDoubt::of(survey, higher, &found.doubts) {
+            Some(doubt) => Evidence::InDoubt(doubt),
+            None => evidence,
+        }
+    }
+
+    /// By the lowest frequency in each direction.
+    fn of_lowest(project: &Project, check: &Check, found: &[RecordFrequency]) -> Evidence {
         let mut measured = measured_frequencies(&project.surveys, check);
         let is_made_up = |name: &str| {
             let mut surveys = project.surveys.iter();
@@ -212,10 +186,15 @@ impl Evidence {
         matches!(self, Evidence::Contradicted(_))
     }
 
+    /// Whether a survey contradicts the model or leaves it in doubt.
+    pub fn is_doubted(&self) -> bool {
+        matches!(self, Evidence::Contradicted(_) | Evidence::InDoubt(_))
+    }
+
     /// Its colour.
     pub fn colour(&self) -> Colour {
         match self {
-            Evidence::Contradicted(_) => Colour::Amber,
+            Evidence::Contradicted(_) | Evidence::InDoubt(_) => Colour::Amber,
             Evidence::Agrees { .. }
             | Evidence::TooRough(_)
             | Evidence::Unread { .. }
@@ -234,6 +213,7 @@ impl Evidence {
             Evidence::Agrees { .. } => "agrees",
             Evidence::Contradicted(_) => "contradicted",
             Evidence::TooRough(_) => "too rough",
+            Evidence::InDoubt(_) => "in doubt",
             Evidence::Unread { .. } => "not read",
             Evidence::NotCompared { .. } => "not compared",
             Evidence::MarkedAssumed { .. } => "marked assumed",
@@ -247,6 +227,7 @@ impl Evidence {
             Evidence::Agrees { .. } => language.pick("agrees", "계측과 일치"),
             Evidence::Contradicted(_) => language.pick("contradicted", "계측과 불일치"),
             Evidence::TooRough(_) => language.pick("not decided", "판별 불가"),
+            Evidence::InDoubt(_) => language.pick("in doubt", "확인 필요"),
             Evidence::Unread { .. } | Evidence::NotCompared { .. } => {
                 language.pick("not compared", "비교 불가")
             }
@@ -257,6 +238,10 @@ impl Evidence {
             Evidence::TooRough(of) => language.pick(
                 format!("{word}: survey {} measured too roughly to tell", of.survey),
                 format!("{word}({} 조사의 계측 오차가 커서 판단할 수 없음)", of.survey),
+            ),
+            Evidence::InDoubt(of) => language.pick(
+                format!("{word}: {}", of.words(language)),
+                format!("{word}({})", of.words(language)),
             ),
             Evidence::Unread { survey } => language.pick(
                 format!("{word} with the records of survey {survey}, whose modes were not sought"),
@@ -285,9 +270,9 @@ impl Evidence {
                 calibrated_to: Some(survey),
             } => language.pick(
                 format!("{word} (calibrated to {survey})"),
-                format!("{word}({survey} 조사에 보정)"),
+                format!("{word}({survey} 조사로 추정한 강성)"),
             ),
-            // only the lowest frequency of each direction is compared
+            // nothing but the lowest frequency of each direction may have been compared
             Evidence::Agrees { .. } => language.pick(
                 format!("{word} (lowest frequencies)"),
                 format!("{word}(최저 고유진동수)"),
@@ -355,17 +340,66 @@ fn frequencies(
         translation.into_iter().chain(torsion).map(move |of| (survey, of))
     });
     let compared = compared.filter_map(|(survey, (direction, mode))| {
-        let measured = &mode.frequency;
-        let is_measured = |sd_hz: &f64| *sd_hz > 0.0 && measured.cov_source != Some(Source::Assumed);
         Some(MeasuredFrequency {
             survey: survey.name.clone(),
             direction: direction.to_owned(),
-            measured_hz: measured.value,
-            sd_hz: Some(measured.standard_deviation()).filter(is_measured),
+            measured_hz: mode.frequency.value,
+            sd_hz: measured_sd(&mode.frequency),
             computed_hz: first_frequency(check, direction)?,
         })
     });
     compared.collect()
+}
+
+/// The measured modes above the lowest of each direction, beside those of a chain or frame: by their order, as the identification of stiffness
+/// takes them.
+fn higher_modes(project: &Project, check: &Check) -> Vec<PairedMode> {
+    let latest = latest_frequencies(project, check);
+    let of_latest = latest.iter().flat_map(|lowest| {
+        let survey = project.surveys.iter().find(|survey| survey.name == lowest.survey);
+        let modes = survey.and_then(|survey| survey.modes.get(&lowest.direction));
+        let translation = modes
+            .into_iter()
+            .flatten()
+            .filter(|mode| mode.kind == ModeKind::Translation);
+        let both = translation
+            .zip(natural_modes(check, &lowest.direction))
+            .enumerate()
+            .skip(1);
+        let counted = both.filter(|(_, (mode, _))| !mode.frequency.is_assumed());
+        counted.map(|(at, (mode, model))| PairedMode {
+            survey: lowest.survey.clone(),
+            direction: Some(lowest.direction.clone()),
+            number: at + 1,
+            measured_hz: mode.frequency.value,
+            sd_hz: measured_sd(&mode.frequency),
+            computed_hz: model.frequency_hz,
+        })
+    });
+    of_latest.collect()
+}
+
+/// Standard deviation of a measured frequency, Hz; `None` if unknown or assumed.
+fn measured_sd(measured: &Quantity) -> Option<f64> {
+    let is_measured = |sd_hz: &f64| *sd_hz > 0.0 && measured.cov_source != Some(Source::Assumed);
+    Some(measured.standard_deviation()).filter(is_measured)
+}
+
+/// The modes of a chain or frame in a direction; none with the weights of loads, whose higher modes are not computed.
+fn natural_modes<'a>(check: &'a Check, direction: &str) -> &'a [NaturalMode] {
+    match check {
+        Check::Chain(chain) if chain.loaded.is_some() => &[],
+        Check::Chain(chain) => match (&chain.across, direction) {
+            (None, _) | (Some(_), "x") => &chain.modes,
+            (Some(across), "y") => &across.modes,
+            (Some(_), _) => &[],
+        },
+        Check::Frame(all) => {
+            let own = all.iter().find(|d| d.direction == direction);
+            own.map_or(&[], |own| &own.check.modes)
+        }
+        Check::Stack(_) | Check::Building(_) => &[],
+    }
 }
 
 /// The lowest measured mode of translation.
@@ -388,17 +422,8 @@ fn first_frequency(check: &Check, direction: &str) -> Option<f64> {
                 (Some(_), _) => None,
             }
         }
-        Check::Chain(chain) => {
-            let modes = match (&chain.across, direction) {
-                (None, _) | (Some(_), "x") => &chain.modes,
-                (Some(across), "y") => &across.modes,
-                (Some(_), _) => return None,
-            };
-            modes.first().map(|mode| mode.frequency_hz)
-        }
-        Check::Frame(all) => {
-            let own = all.iter().find(|d| d.direction == direction);
-            let first = own.and_then(|d| d.check.modes.first());
+        Check::Chain(_) | Check::Frame(_) => {
+            let first = natural_modes(check, direction).first();
             first.map(|mode| mode.frequency_hz)
         }
         Check::Stack(stack) => {

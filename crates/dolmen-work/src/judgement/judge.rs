@@ -2,8 +2,9 @@
 
 use super::colour::Colour;
 use super::earthquake::{EarthquakeFinding, of_row};
-use super::evidence::{Evidence, RecordFrequency};
+use super::evidence::Evidence;
 use super::exit::{Verb, exit_status};
+use super::in_doubt::FromRecords;
 use super::runs::{RunFindings, of_simulation, of_stack};
 use super::tilt_limit::is_tilt_beyond;
 use super::version::{AfterMotion, VersionJudgement, leaning, version};
@@ -16,6 +17,7 @@ use crate::inventory::InventoryLine;
 use crate::lowest_of_records::lowest_of_records;
 use crate::simulation::{SimulateAnswer, Simulation};
 use crate::stack::StackSimulation;
+use crate::survey_doubts::survey_doubts;
 use crate::watched::WatchAnswer;
 use dolmen::damper::Choice;
 
@@ -99,7 +101,7 @@ impl Judgement {
         let checked = self.versions.iter().find(|version| version.variant.is_none());
         let checked = checked.map(|version| version.evidence.clone());
         let evidence = &checked
-            .filter(Evidence::is_contradicted)
+            .filter(Evidence::is_doubted)
             .unwrap_or_else(|| of.evidence.clone());
         // runs depend on stiffness, those of stacks too; a variant has no survey of its own
         if evidence.is_contradicted() && is_as_it_is {
@@ -123,6 +125,7 @@ impl Judgement {
                     .or(version.tilt_left_out.take());
             }
             version.leans = leaning(run).or(version.leans.take());
+            version.is_undamped |= run.is_undamped();
             if !of.damage.is_empty() {
                 version.damage.clone_from(&of.damage);
             }
@@ -132,7 +135,7 @@ impl Judgement {
             if let Simulation::Wind(run) = run {
                 version.wind = of_wind_histories(run, is_contradicted);
             }
-            if is_contradicted {
+            if evidence.is_doubted() && is_as_it_is {
                 version.evidence = evidence.clone();
             }
             // a chain that falls without any shaking is unstable, whatever happens under the motion
@@ -203,7 +206,13 @@ impl Judgement {
 pub fn judge(answers: &[Answer]) -> Judgement {
     let mut judgement = Judgement::empty();
     let found = answers.iter().find_map(|answer| match answer {
-        Answer::Identify(identified) => Some(lowest_of_records(&identified.project, &identified.surveys)),
+        Answer::Identify(identified) => {
+            let (project, surveys) = (&identified.project, &identified.surveys);
+            Some(FromRecords {
+                lowest: lowest_of_records(project, surveys),
+                doubts: survey_doubts(project, surveys),
+            })
+        }
         _ => None,
     });
     for answer in answers {
@@ -251,7 +260,7 @@ fn after_motion(of: &SimulateAnswer) -> Option<AfterMotion> {
 }
 
 /// The versions of a check, each with its weight and its demand.
-fn of_check(checked: &CheckAnswer, found: &[RecordFrequency]) -> Vec<VersionJudgement> {
+fn of_check(checked: &CheckAnswer, found: &FromRecords) -> Vec<VersionJudgement> {
     let as_it_is = checked.state.as_ref().map(|state| {
         // a survey belongs to the structure as it is
         let evidence = Evidence::with_records(&checked.project, &state.check, found);
@@ -274,7 +283,7 @@ fn of_check(checked: &CheckAnswer, found: &[RecordFrequency]) -> Vec<VersionJudg
 /// The judgement of a check alone.
 pub fn judge_check(checked: &CheckAnswer) -> Judgement {
     Judgement {
-        versions: of_check(checked, &[]),
+        versions: of_check(checked, &FromRecords::default()),
         is_done: true,
         alarming: Alarming::default(),
     }

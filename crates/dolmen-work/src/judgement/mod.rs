@@ -4,7 +4,9 @@ mod colour;
 mod earthquake;
 mod evidence;
 mod exit;
+mod in_doubt;
 mod judge;
+mod measured_frequency;
 mod runs;
 mod tilt_limit;
 mod version;
@@ -14,12 +16,12 @@ mod wind;
 pub use colour::Colour;
 pub use earthquake::{DecidedBy, Earthquake, EarthquakeFinding};
 pub(crate) use evidence::superseded_by;
-pub use evidence::{
-    Evidence, MeasuredFrequency, RecordFrequency, first_sway, latest_frequencies, lowest_measured,
-    measured_frequencies,
-};
+pub use evidence::{Evidence, first_sway, latest_frequencies, lowest_measured, measured_frequencies};
 pub use exit::{Verb, exit_status, first_status};
+pub(crate) use in_doubt::SurveyDoubts;
+pub use in_doubt::{InDoubt, PairedMode, Unexplained};
 pub use judge::{Alarming, Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run};
+pub use measured_frequency::{MeasuredFrequency, RecordFrequency};
 pub(crate) use runs::is_worse_stack_run;
 pub(crate) use tilt_limit::is_tilt_beyond;
 pub use tilt_limit::{TiltAgainstLimit, last_tilt, tilt_against_limit, tilt_beyond_limit};

@@ -52,6 +52,8 @@ pub struct VersionJudgement {
     pub made_up_surveys: Vec<String>,
     /// Inspected damage in the model.
     pub damage: Vec<ModelDamage>,
+    /// Whether a run had neither damping nor friction.
+    pub is_undamped: bool,
 }
 
 /// One of several accepted solutions.
@@ -102,7 +104,8 @@ pub struct AssumedInputs {
 }
 
 impl AssumedInputs {
-    fn of(project: &Project) -> Self {
+    /// Those of a project that the file marks as assumed, and each value that Dolmen takes for joints where the file gives none.
+    pub fn of(project: &Project) -> Self {
         let all = project.inputs();
         let defaults = match &project.structure {
             Structure::Stack(part) => part.joint_defaults().count(),
@@ -136,6 +139,7 @@ impl VersionJudgement {
             inputs: AssumedInputs::default(),
             made_up_surveys: Vec::new(),
             damage: Vec::new(),
+            is_undamped: false,
         }
     }
 
@@ -191,7 +195,7 @@ impl VersionJudgement {
     }
 
     /// The headline: the fixed words, the worst first, then in the order of the questions. It leaves out an earthquake without a demand, and
-    /// evidence that does not contradict.
+    /// evidence that does not contradict the model or leave it in doubt.
     pub fn words(&self, language: Language) -> Vec<String> {
         let earthquake = self.earthquake_word();
         let mut words = Vec::new();
@@ -218,7 +222,7 @@ impl VersionJudgement {
             };
             words.push((wind.colour(), said));
         }
-        if self.evidence.is_contradicted() {
+        if self.evidence.is_doubted() {
             words.push((self.evidence.colour(), self.evidence.words(language)));
         }
         words.sort_by_key(|(colour, _)| std::cmp::Reverse(*colour));

@@ -4,6 +4,9 @@ use dolmen::blocks::{BesideInSmallMotion, JointFactors, StiffnessOf};
 use dolmen::structure::LeftOut;
 use dolmen::structure::stack::{Body, Stack};
 
+/// Standard deviations, root mean square, by which a common factor may miss the modes. Chosen here: as for measured frequencies.
+const MISFIT_MOST: f64 = 3.0;
+
 /// Factors on the springs of a stack's joints, from the modes of a survey.
 #[derive(Clone, Debug)]
 pub struct FactorsAnswer {
@@ -49,6 +52,21 @@ impl FactorsAnswer {
         };
         let first = of(joints.first()?);
         joints.iter().all(|joint| of(joint) == first).then_some(first)
+    }
+
+    /// Whether no one factor for all springs explains the modes.
+    pub fn common_misses(&self) -> bool {
+        self.found.common.misfit > MISFIT_MOST
+    }
+
+    /// Standard deviations, root mean square, by which the best factors miss the modes, where none explain them; where a factor of each bed is not
+    /// sought, those of the common factor.
+    pub fn misfit(&self) -> Option<f64> {
+        match self.found.explains {
+            Some(true) => None,
+            Some(false) => self.found.best_misfit,
+            None => self.common_misses().then_some(self.found.common.misfit),
+        }
     }
 
     /// Whether a factor is common to all joints of a bed.

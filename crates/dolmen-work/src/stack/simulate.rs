@@ -6,9 +6,10 @@ use super::sliding::sliding;
 use super::{DrawnGaps, LeftOut, StackRuns, StackSimulation};
 use crate::error::WorkError;
 use crate::in_runs::LeftOutOfRuns;
-use crate::judgement::is_worse_stack_run;
+use crate::judgement::{is_worse_stack_run, lowest_measured};
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
+use crate::survey_dates::date;
 use crate::told::told;
 use crate::version::Version;
 use dolmen::assess::{DamageThresholds, StackCheckOptions, check_stack, stack_damage};
@@ -16,7 +17,7 @@ use dolmen::blocks::{AfterFall, ContactLaw, ContactRule, Outcome, Rigid, Springs
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::{StackLimitStates, StackLimits, Standing, stack_limits};
 use dolmen::structure::stack::Stack;
-use dolmen_project::{Quantity, StackPart};
+use dolmen_project::{Project, Quantity, StackPart, Survey};
 
 /// Largest number of updates of contact points (points times steps) for the rigid law by default. Chosen here: about a minute where stones slide
 /// on each other.
@@ -135,6 +136,20 @@ pub(super) fn crushes_together(
     }))
 }
 
+/// The latest survey with a measured frequency of sway.
+fn measured_by(project: &Project) -> Option<String> {
+    let has_sway = |survey: &&Survey| {
+        let mut each = survey.modes.values();
+        each.any(|modes| lowest_measured(modes).is_some())
+    };
+    let latest = project
+        .surveys
+        .iter()
+        .filter(has_sway)
+        .max_by_key(|survey| date(&survey.name));
+    latest.map(|survey| survey.name.clone())
+}
+
 /// A stack and its motion.
 struct Shakable<'a> {
     version: &'a Version<'a>,
@@ -162,6 +177,7 @@ impl Shakable<'_> {
             variant: version.variant.map(str::to_owned),
             stack: stack.clone(),
             lean: self.part.lean.clone(),
+            measured_by: measured_by(version.project),
             loosened: left_out.loosened,
             without_wind: left_out.wind,
             tilt_left_out: left_out.tilt,

@@ -33,6 +33,8 @@ pub struct StackSimulation {
     pub lean: Option<SurveyedLean>,
     /// Stones whose beds have lost stiffness, as inspections found them.
     pub loosened: Vec<String>,
+    /// The latest survey with a measured frequency of sway, which may say how stiff the joints are; `None` without one.
+    pub measured_by: Option<String>,
     /// Whether the file gives a wind, which does not blow during a motion.
     pub without_wind: bool,
     /// A measured tilt that is not in the start of the runs.

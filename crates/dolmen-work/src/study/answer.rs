@@ -65,6 +65,8 @@ pub struct StudyAnswer {
     pub model_damage: Vec<ModelDamage>,
     /// Properties of the file that the runs leave out.
     pub left_out_of_runs: Vec<Both>,
+    /// Whether runs have neither damping nor friction.
+    pub is_undamped: bool,
     /// Motions that are copies of others.
     pub copies: Vec<MotionCopy>,
     /// Inputs, the varied ones first.

@@ -46,6 +46,8 @@ pub(super) struct ReadCombination {
     pub(super) left_out: Vec<Both>,
     /// Properties that they include besides the structure.
     pub(super) held: Vec<Both>,
+    /// Whether they have neither damping nor friction.
+    pub(super) is_undamped: bool,
     /// The samples drawn.
     pub(super) samples: Vec<Drawn>,
     /// Value and SI unit of each varied input that is a quantity.

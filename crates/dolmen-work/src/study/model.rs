@@ -76,6 +76,20 @@ pub(super) fn model_of(study: &StudyPart, project: &Project, sample: &Drawn) -> 
     model.map_err(NoModel::Refused)
 }
 
+/// Whether a chain or frame moves without damping and friction.
+pub(super) fn is_undamped(study: &StudyPart, project: &Project) -> bool {
+    let pick = &mut Quantity::nominal;
+    match &project.structure {
+        Structure::Chain(part) => {
+            chain::study::model(part, &project.loads, pick).is_ok_and(|model| model.is_undamped())
+        }
+        Structure::Frame(part) => {
+            frame::study::model(study, part, pick).is_ok_and(|model| model.is_undamped(part))
+        }
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
+    }
+}
+
 fn stack_model(stack: Stack) -> Result<Model, NoModel> {
     if let Some(why) = no_capacity(&stack) {
         return Err(NoModel::Refused(why.into()));

@@ -8,6 +8,7 @@ use super::fitted::Fitted;
 use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, value_at};
 use super::journal::JournalHeader;
 use super::kind::StudyKind;
+use super::model::is_undamped;
 use super::motions::{MotionCopy, PreparedMotion, motion_names, prepared};
 use super::run::Run;
 use super::shaking_measure::ShakingScales;
@@ -55,6 +56,8 @@ pub struct Plan<'o> {
     /// Properties of the file that runs leave out, and those that they include besides the structure.
     left_out: Vec<Both>,
     held: Vec<Both>,
+    /// Whether runs of a combination have neither damping nor friction.
+    is_undamped: bool,
     fingerprints: Vec<(String, String)>,
 }
 
@@ -97,6 +100,7 @@ impl<'o> Plan<'o> {
             models: Vec::new(),
             left_out: Vec::new(),
             held: Vec::new(),
+            is_undamped: false,
             fingerprints: Vec::new(),
         };
         plan.read_inputs()?;
@@ -142,6 +146,9 @@ impl<'o> Plan<'o> {
                     model,
                     left_out: left_out.unwrap_or_default(),
                     held: project.as_ref().map(held_in_runs).unwrap_or_default(),
+                    is_undamped: project
+                        .as_ref()
+                        .is_some_and(|project| is_undamped(self.study, project)),
                     samples: (0..samples).map(draw).collect::<Result<_, WorkError>>()?,
                     values: self.study.vary.iter().enumerate().map(value).collect(),
                 })
@@ -154,6 +161,7 @@ impl<'o> Plan<'o> {
         if self.kind != StudyKind::Stack && self.motions.iter().any(is_vertical) {
             self.left_out.push(OfRuns::VerticalLeftOut.into());
         }
+        self.is_undamped = read.iter().any(|read| read.is_undamped);
         self.held = once_each(read.iter().flat_map(|read| &read.held));
         for (combination, read) in read.iter().enumerate() {
             let (variant, values) = self.study.combination(combination);
@@ -383,6 +391,7 @@ impl<'o> Plan<'o> {
             notes: self.notes(),
             model_damage: self.opened.project.damage.clone(),
             left_out_of_runs: self.left_out.clone(),
+            is_undamped: self.is_undamped,
             copies: copies(&self.motions),
             inputs: self.inputs.clone(),
             cases: self.cases.clone(),

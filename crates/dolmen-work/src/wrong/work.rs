@@ -38,6 +38,10 @@ sentences! {
             en: "nothing is written: no survey leads to one stiffness that the file can hold. Several solutions, one known only between bounds, directions of a chain that disagree, a lowest joint that its soil alone is softer than, a storey in plan whose centre of rigidity no mode tells, walls or a matrix of a building, what a record leads to whose sensors are doubted, and the springs of a stack are not written; `dolmen identify --full` says what was found",
             ko: "쓴 것이 없다. 파일에 쓸 수 있는 강성을 하나로 정하는 조사가 없다. 해가 여럿이거나 상·하한만 정해진 강성, 방향마다 다른 체인의 강성, 지반만의 강성보다 큰 맨 아래 접합부 강성, 모드로 강성 중심을 알 수 없는 건물의 평면 강성, 건물의 벽체나 행렬, 적층 구조의 스프링, 센서가 의심스러운 기록에서 구한 값은 쓰지 않는다. 추정 결과는 `dolmen identify --full`로 본다",
         },
+        SpringsToType { survey, factor, keys } as { survey, factor, keys } => {
+            en: "nothing is written: with other springs other joints of a stack close, so its springs are typed and identified again. By survey {survey} all of them are {factor} times those of the file: in joint give {keys}, each with source = \"identified\" and survey = \"{survey}\"",
+            ko: "쓴 것이 없다. 적층 구조는 강성이 바뀌면 닿는 접합면도 바뀌므로 강성을 직접 입력하고 다시 추정한다. {survey} 조사에 따르면 모든 접합부 강성은 파일 값의 {factor}배이다. joint에 {keys}을(를) 입력하고 각각 source = \"identified\", survey = \"{survey}\"를 함께 적는다",
+        },
         SeveralToWrite { surveys } as { surveys: surveys.join(", ") } => {
             en: "nothing is written: several surveys determine the stiffness ({surveys}); name one with --survey",
             ko: "쓴 것이 없다. 강성을 정하는 조사가 여럿이다({surveys}). --survey로 하나를 지정한다",

@@ -1,5 +1,6 @@
 //! Factors on the springs of the joints of a stack, from its measured modes.
 
+mod alike;
 mod bounds;
 mod error;
 mod families;

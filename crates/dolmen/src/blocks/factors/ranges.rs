@@ -13,6 +13,7 @@
 //! followed outwards from it. Otherwise the farthest possible x_j is searched from outside inwards, each time from several starts, because different
 //! factors may explain the same modes.
 
+use super::alike::{alike, say_alike};
 use super::bounds::crossing;
 use super::model::{Datum, FactorModel, ModeOfFamily};
 use super::result::FactorRange;
@@ -94,7 +95,7 @@ pub(super) fn ranges(model: &FactorModel, centre: f64, half_band: f64) -> Option
     let mut possible: Vec<Vec<f64>> = minima.into_iter().map(|one| one.x).collect();
     possible.push(best.x.clone());
     let linear = linear(&best, n, excess.sqrt());
-    let ranges: Vec<FactorRange> = match explains {
+    let mut ranges: Vec<FactorRange> = match explains {
         true => (0..n)
             .into_par_iter()
             .map(|j| search.range(j, linear[j], possible.clone()))
@@ -110,6 +111,7 @@ pub(super) fn ranges(model: &FactorModel, centre: f64, half_band: f64) -> Option
     });
     let mut determined: Vec<Option<[f64; 2]>> = determined.collect();
     determined.resize(n, None);
+    say_alike(&alike(model, centre), &mut determined, &mut ranges);
     Some(Ranges {
         squares: best.squares,
         best: best.x,

@@ -1,0 +1,210 @@
+//! What leaves a model in doubt although its lowest frequencies were measured: higher modes, and modes that no stiffness explains.
+
+use super::measured_frequency::{RecordFrequency, apart, contradict};
+use dolmen_words::Language;
+use dolmen_words::number::significant;
+
+/// What the surveys were found to say, beside what the file states.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct FromRecords {
+    /// The lowest frequencies of their records.
+    pub(crate) lowest: Vec<RecordFrequency>,
+    /// What may leave the model in doubt, survey by survey.
+    pub(crate) doubts: Vec<SurveyDoubts>,
+}
+
+/// What one survey says against the model.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SurveyDoubts {
+    /// Its name.
+    pub(crate) survey: String,
+    /// Its modes paired with those of the model.
+    pub(crate) modes: Vec<PairedMode>,
+    /// That no stiffness explains them.
+    pub(crate) unexplained: Option<Unexplained>,
+}
+
+/// A measured mode and that of the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PairedMode {
+    /// The survey.
+    pub survey: String,
+    /// Direction of the mode; `None` where it was paired by its shape alone.
+    pub direction: Option<String>,
+    /// Number of the mode in its direction, from 1; without a direction that of the model's mode.
+    pub number: usize,
+    /// Measured frequency, Hz.
+    pub measured_hz: f64,
+    /// Its standard deviation, Hz; `None` if unknown.
+    pub sd_hz: Option<f64>,
+    /// Frequency of the model, Hz.
+    pub computed_hz: f64,
+}
+
+/// Measured modes that no stiffness of the model explains.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unexplained {
+    /// The direction; `None` for modes of all directions together.
+    pub direction: Option<String>,
+    /// Standard deviations, root mean square, by which the best is off; `None` where there is no best.
+    pub deviations: Option<f64>,
+}
+
+/// What leaves the model in doubt; at least one of both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InDoubt {
+    /// The survey.
+    pub survey: String,
+    /// The mode farthest from the model, of those beyond 10 % and three standard deviations.
+    pub mode: Option<PairedMode>,
+    /// Number of such modes.
+    pub modes: usize,
+    /// That no stiffness explains the modes.
+    pub unexplained: Option<Unexplained>,
+}
+
+impl InDoubt {
+    /// By the higher modes that the file states and by what this survey was found to say; `None` where nothing is in doubt.
+    pub(super) fn of(survey: String, higher: Vec<PairedMode>, found: &[SurveyDoubts]) -> Option<InDoubt> {
+        let own = found.iter().find(|of| of.survey == survey);
+        let paired = own.into_iter().flat_map(|own| own.modes.clone());
+        let all = higher.into_iter().chain(paired);
+        let off: Vec<PairedMode> = all.filter(PairedMode::contradicts).collect();
+        let modes = off.len();
+        let worst = off.into_iter().max_by(|a, b| a.apart().total_cmp(&b.apart()));
+        let unexplained = own.and_then(|own| own.unexplained.clone());
+        let is_any = worst.is_some() || unexplained.is_some();
+        is_any.then(|| InDoubt {
+            survey: worst.as_ref().map_or(survey, |mode| mode.survey.clone()),
+            mode: worst,
+            modes,
+            unexplained,
+        })
+    }
+
+    /// "mode 3 in direction x 3.60 Hz measured, 8.00 Hz modelled, −55 % (survey 2026-04-02)".
+    pub fn words(&self, language: Language) -> String {
+        let survey = &self.survey;
+        let mode = self
+            .mode
+            .as_ref()
+            .map(|mode| mode.words(self.modes - 1, language));
+        let unexplained = self.unexplained.as_ref().map(|of| of.words(language));
+        let said: Vec<String> = mode.into_iter().chain(unexplained).collect();
+        let said = said.join("; ");
+        language.pick(
+            format!("{said} (survey {survey})"),
+            format!("{survey} 조사: {said}"),
+        )
+    }
+}
+
+impl PairedMode {
+    fn apart(&self) -> f64 {
+        apart(self.measured_hz, self.computed_hz)
+    }
+
+    fn contradicts(&self) -> bool {
+        contradict(self.measured_hz, self.sd_hz, self.computed_hz)
+    }
+
+    fn words(&self, further: usize, language: Language) -> String {
+        let [measured, computed] = [self.measured_hz, self.computed_hz].map(|hz| significant(hz, 3));
+        let percent = 100.0 * (self.measured_hz / self.computed_hz - 1.0);
+        let percent = format!("{percent:+.0} %").replace('-', "−");
+        let number = self.number;
+        let mode = match &self.direction {
+            Some(direction) if direction == "torsion" => language.pick(
+                format!("mode {number} of torsion"),
+                format!("비틀림 {number}차 모드"),
+            ),
+            Some(direction) => language.pick(
+                format!("mode {number} in direction {direction}"),
+                format!("{direction} 방향 {number}차 모드"),
+            ),
+            None => language.pick(
+                format!("mode {number} of the model"),
+                format!("모델의 {number}차 모드"),
+            ),
+        };
+        let further = match further {
+            0 => String::new(),
+            more => language.pick(format!(" and {more} more off"), format!(" 외 {more}개 모드")),
+        };
+        language.pick(
+            format!("{mode} {measured} Hz measured, {computed} Hz modelled, {percent}{further}"),
+            format!("{mode} 실측 {measured} Hz, 모델 {computed} Hz, {percent}{further}"),
+        )
+    }
+}
+
+impl Unexplained {
+    fn words(&self, language: Language) -> String {
+        let direction = self.direction.as_ref().map_or_else(String::new, |direction| {
+            language.pick(format!(" in direction {direction}"), format!("{direction} 방향 "))
+        });
+        let off = self
+            .deviations
+            .map(|of| significant(of, 2))
+            .map_or_else(String::new, |of| {
+                language.pick(
+                    format!(", the best is {of} standard deviations off"),
+                    format!("(가장 가까운 값도 표준편차의 {of}배 차이)"),
+                )
+            });
+        language.pick(
+            format!("no stiffness explains the measured modes{direction}{off}"),
+            format!("{direction}계측 모드를 설명하는 강성이 없음{off}"),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mode(number: usize, measured_hz: f64, sd_hz: Option<f64>) -> PairedMode {
+        PairedMode {
+            survey: "2026-04-02".into(),
+            direction: Some("x".into()),
+            number,
+            measured_hz,
+            sd_hz,
+            computed_hz: 8.0,
+        }
+    }
+
+    #[test]
+    fn holds_a_higher_mode_far_from_the_model_leaves_it_in_doubt() {
+        let of = |modes| InDoubt::of("2026-04-02".into(), modes, &[]);
+        assert_eq!(of(vec![mode(2, 8.7, None), mode(3, 10.0, Some(0.7))]), None);
+        let found = of(vec![mode(2, 9.0, Some(0.1)), mode(3, 3.6, Some(0.1))]).unwrap();
+        assert_eq!(
+            found.words(Language::English),
+            "mode 3 in direction x 3.60 Hz measured, 8.00 Hz modelled, −55 % and 1 more off (survey 2026-04-02)"
+        );
+        assert_eq!(
+            found.words(Language::Korean),
+            "2026-04-02 조사: x 방향 3차 모드 실측 3.60 Hz, 모델 8.00 Hz, −55 % 외 1개 모드"
+        );
+    }
+
+    #[test]
+    fn holds_modes_that_no_stiffness_explains_leave_the_model_in_doubt() {
+        let found = SurveyDoubts {
+            survey: "2026-04-02".into(),
+            modes: Vec::new(),
+            unexplained: Some(Unexplained {
+                direction: None,
+                deviations: Some(5.23),
+            }),
+        };
+        let doubt = InDoubt::of("2026-04-02".into(), Vec::new(), std::slice::from_ref(&found)).unwrap();
+        assert_eq!(
+            doubt.words(Language::English),
+            "no stiffness explains the measured modes, the best is 5.2 standard deviations off (survey 2026-04-02)"
+        );
+        // of another survey nothing is said
+        assert_eq!(InDoubt::of("2020-01-01".into(), Vec::new(), &[found]), None);
+    }
+}

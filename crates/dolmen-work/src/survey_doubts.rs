@@ -1,0 +1,113 @@
+//! What the modes of surveys and the stiffness sought from them say against the model.
+
+use crate::judgement::{PairedMode, SurveyDoubts, Unexplained};
+use crate::model_modes::WhichMode;
+use crate::stack::FactorsAnswer;
+use crate::surveyed::{StiffnessAnswer, SurveyAnswer};
+use dolmen::blocks::StackMotion;
+use dolmen::structure::Choice;
+use dolmen_project::{Project, Structure};
+
+/// Survey by survey; none of a survey that nobody measured.
+pub(crate) fn survey_doubts(project: &Project, surveys: &[SurveyAnswer]) -> Vec<SurveyDoubts> {
+    let is_measured = |answer: &&SurveyAnswer| {
+        let mut own = project.surveys.iter().filter(|survey| survey.name == answer.name);
+        own.all(|survey| {
+            let stated = survey.modes.values().flatten();
+            !survey.is_made_up && !stated.clone().any(|mode| mode.frequency.is_assumed())
+        })
+    };
+    let measured = surveys
+        .iter()
+        .filter(|answer| !answer.is_shaken())
+        .filter(is_measured);
+    measured.map(|answer| of_survey(project, answer)).collect()
+}
+
+fn of_survey(project: &Project, answer: &SurveyAnswer) -> SurveyDoubts {
+    let modes = match &answer.factors {
+        Some(factors) => of_stack(&answer.name, factors),
+        None => by_shape(answer),
+    };
+    SurveyDoubts {
+        survey: answer.name.clone(),
+        modes,
+        unexplained: unexplained(project, answer),
+    }
+}
+
+/// The modes of a stack beside those on the springs of the file.
+fn of_stack(survey: &str, factors: &FactorsAnswer) -> Vec<PairedMode> {
+    let each = factors.found.modes.iter().map(|mode| PairedMode {
+        survey: survey.to_owned(),
+        direction: Some(
+            match mode.motion {
+                StackMotion::X => "x",
+                StackMotion::Y => "y",
+                StackMotion::Torsion => "torsion",
+            }
+            .to_owned(),
+        ),
+        number: mode.number,
+        measured_hz: mode.measured_hz,
+        sd_hz: Some(mode.measured_sd_hz).filter(|sd_hz| *sd_hz > 0.0),
+        computed_hz: mode.drawn_hz,
+    });
+    each.collect()
+}
+
+/// The modes of records that look like one mode of the model alone; none beside a model without its dampers.
+fn by_shape(answer: &SurveyAnswer) -> Vec<PairedMode> {
+    let model = answer
+        .model
+        .as_ref()
+        .filter(|model| model.without_dampers.is_empty());
+    let Some((model, (found, _))) = model.zip(answer.modes()) else {
+        return Vec::new();
+    };
+    let each = model.measured.iter().zip(&found.modes);
+    let known = each.filter_map(|(beside, mode)| match beside.is {
+        WhichMode::One(place) => Some((mode, &model.of_model[place])),
+        WhichMode::Several(_) | WhichMode::None(_) => None,
+    });
+    let paired = known.map(|(mode, of_model)| PairedMode {
+        survey: answer.name.clone(),
+        direction: None,
+        number: of_model.first + 1,
+        measured_hz: mode.frequency_hz,
+        sd_hz: mode.frequency_sd_hz.filter(|sd_hz| *sd_hz > 0.0),
+        computed_hz: of_model.frequency_hz,
+    });
+    paired.collect()
+}
+
+/// That no stiffness explains the modes: in a direction of a chain or frame by the convention of the file, in plan, or on the joints of a stack.
+fn unexplained(project: &Project, answer: &SurveyAnswer) -> Option<Unexplained> {
+    let of_file = match &project.structure {
+        Structure::Frame(part) => Some(part.convention),
+        _ => None,
+    };
+    let is_impossible =
+        |of: &&StiffnessAnswer| of.convention == of_file && of.solutions.choice == Choice::Impossible;
+    if let Some(of) = answer.stiffness.iter().find(is_impossible) {
+        return Some(Unexplained {
+            direction: Some(of.direction.clone()),
+            deviations: None,
+        });
+    }
+    if let Some(plan) = &answer.plan
+        && plan.found.accepted().next().is_none()
+        && plan.bounds.is_none()
+    {
+        return Some(Unexplained {
+            direction: None,
+            deviations: None,
+        });
+    }
+    answer.factors.as_ref().and_then(|factors| {
+        Some(Unexplained {
+            direction: None,
+            deviations: Some(factors.misfit()?),
+        })
+    })
+}
