@@ -4,7 +4,7 @@ use dolmen_work::portfolio::read_portfolio;
 use std::collections::BTreeSet;
 
 pub(super) fn run(bytes: &[u8]) {
-    if let Ok(table) = read_portfolio(bytes) {
+    if let Ok(table) = read_portfolio(bytes, "list.csv") {
         let names: BTreeSet<&str> = table.rows.iter().map(|row| row.name.as_str()).collect();
         assert_eq!(names.len(), table.rows.len());
     }

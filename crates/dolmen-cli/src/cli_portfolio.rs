@@ -30,7 +30,7 @@ pub(crate) struct Score {
 
 #[derive(Debug, Args)]
 pub(crate) struct Rank {
-    /// Table of structures (CSV), or a folder of project folders
+    /// Table of structures (XLSX, ODS, CSV), or a folder of project folders
     pub(crate) source: PathBuf,
     /// Damage state to rank by
     #[arg(long, value_enum, default_value_t = State::Ds3)]

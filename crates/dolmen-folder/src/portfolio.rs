@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// Name of a project file in its folder.
 const PROJECT: &str = "project.toml";
 
-/// The structures of a table (CSV), or of the projects that lie in a folder.
+/// The structures of a table (XLSX, ODS, CSV), or of the projects that lie in a folder.
 ///
 /// # Errors
 /// Where the table cannot be read, or the folder is itself a project or holds none.
@@ -22,7 +22,7 @@ pub fn portfolio(source: &Path, access: Access) -> Result<PortfolioTable> {
     let shown = || source.display().to_string();
     if !source.is_dir() {
         let bytes = read(source, access.most(TABLE_BYTES_MOST))?;
-        return read_portfolio(&bytes).with_context(shown);
+        return read_portfolio(&bytes, &shown()).with_context(shown);
     }
     if source.join(PROJECT).is_file() {
         return Err(PathError::OneProject { path: shown() }.into());
@@ -43,6 +43,7 @@ pub fn portfolio(source: &Path, access: Access) -> Result<PortfolioTable> {
     Ok(PortfolioTable {
         rows,
         refused: Vec::new(),
+        left_out: Vec::new(),
     })
 }
 

@@ -105,7 +105,12 @@ fn combined(
         }
     }
     match read_one((text, files), (&mut root, &span), Some(starts), &mut faults) {
-        Some(project) if faults.is_empty() => Ok(project),
+        Some(mut project) if faults.is_empty() => {
+            project
+                .warnings
+                .extend(lists.iter().filter_map(|list| list.warnings(text)));
+            Ok(project)
+        }
         _ => Err(faults),
     }
 }

@@ -58,6 +58,8 @@ pub enum WarningKind {
     Doubtful,
     /// An entry of `allow` that nothing needed.
     AllowedInVain,
+    /// Columns of a table of parts that no part takes.
+    ColumnsLeftOut,
 }
 
 /// Something that does not stop the reading, but that every result carries.

@@ -161,6 +161,9 @@ fn read_with(text: &str, files: &dyn Files, lists: &[Tabled]) -> Result<Project,
                 .flat_map(|variant| doubts_of(variant, &project));
             let own: Vec<Warning> = own.collect();
             project.warnings.extend(own);
+            project
+                .warnings
+                .extend(lists.iter().filter_map(|list| list.warnings(text)));
             project.variants = read_variants;
             Ok(project)
         }

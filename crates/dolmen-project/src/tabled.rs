@@ -7,8 +7,10 @@ use super::placed::place;
 use super::totals::{Total, total};
 use super::units::parse_unit;
 use super::wrong::{Common, WrongTable};
+use crate::content::{Warning, WarningKind};
+use crate::warned::Warned;
 use crate::wrong::said;
-use dolmen_records::{Files, SHEET_BYTES_MOST, SheetCell, SheetValue, read_sheet};
+use dolmen_records::{Files, SHEET_BYTES_MOST, SheetCell, SheetValue, is_misspelt, read_sheet};
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -47,6 +49,33 @@ const STOREYS: &[Column] = &[
     ("height", &["높이", "층고"], Some(Measure::Length)),
     ("axial_force", &["축력"], Some(Measure::Force)),
 ];
+/// What parts have that their table does not take: such a column would be missed in the model.
+const ELSEWHERE: [&str; 24] = [
+    "tilt",
+    "lean",
+    "offset",
+    "friction",
+    "stiffness",
+    "strength",
+    "cohesion",
+    "tension",
+    "damping",
+    "damping ratio",
+    "at",
+    "x",
+    "y",
+    "z",
+    "columns",
+    "기울기",
+    "이동",
+    "이동량",
+    "마찰",
+    "마찰계수",
+    "강성",
+    "강도",
+    "감쇠비",
+    "좌표",
+];
 const LISTS: [(&str, &[Column]); 3] = [("blocks", BLOCKS), ("links", LINKS), ("storeys", STOREYS)];
 
 /// A list that was read from a table.
@@ -57,6 +86,8 @@ pub(super) struct Tabled {
     file: String,
     /// The cell of each value by its path, and of each row.
     places: BTreeMap<String, String>,
+    /// Heads of columns that no part takes.
+    left_out: Vec<String>,
     /// The survey in whose table it belongs; `None` for a list of the file.
     survey: Option<String>,
 }
@@ -69,8 +100,24 @@ impl Tabled {
             text,
             file: String::new(),
             places: BTreeMap::new(),
+            left_out: Vec::new(),
             survey: Some(survey),
         }
+    }
+
+    /// What to know of the table: the columns that were not read.
+    pub(super) fn warnings(&self, text: &str) -> Option<Warning> {
+        if self.left_out.is_empty() {
+            return None;
+        }
+        let said = Warned::ColumnsLeftOut {
+            file: self.file.clone(),
+            heads: self.left_out.clone(),
+        };
+        let key = self.text.split(' ').next().unwrap_or_default();
+        let mut warning = Warning::new(WarningKind::ColumnsLeftOut, key, said.into());
+        warning.line = Fault::new(self.span.clone(), "", "").locate(text).line;
+        Some(warning)
     }
 
     /// The list in place of the table that names it; its faults stand where the project file names it.
@@ -172,12 +219,10 @@ pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<F
             }
         };
         match list(key, columns, &rows, &root, file) {
-            Ok((text, places)) => all.push(Tabled {
+            Ok(list) => all.push(Tabled {
                 span: given.span(),
-                text,
                 file: file.to_owned(),
-                places,
-                survey: None,
+                ..list
             }),
             Err(why) => faults.extend(why.into_iter().map(|(message, help)| at(key, message).help(help))),
         }
@@ -201,8 +246,6 @@ fn unit_of_file<'a>(root: &'a DeTable<'_>, measure: Measure) -> Option<(&'static
     Some((key, units.get(key)?.get_ref().as_str()?))
 }
 
-type Written = (String, BTreeMap<String, String>);
-
 /// The rows as a list in TOML, and the place of each value; or what is wrong, with what to do.
 fn list(
     key: &'static str,
@@ -210,7 +253,7 @@ fn list(
     rows: &[Vec<SheetCell>],
     root: &DeTable<'_>,
     file: &str,
-) -> Result<Written, Vec<(Both, Both)>> {
+) -> Result<Tabled, Vec<(Both, Both)>> {
     let (header, body) = rows.split_first().unwrap_or((&rows[0], &[]));
     let heads = heads(key, columns, header, root, file)?;
     refuse_total(&heads, body, file)?;
@@ -221,19 +264,23 @@ fn list(
         text.push_str("{ ");
         let path = format!("{key}[{number}]");
         for (at, cell) in row.iter().enumerate() {
-            let head = heads.get(at).and_then(Option::as_ref);
-            if cell.value == SheetValue::Empty {
+            let (name, unit) = match heads.get(at).unwrap_or(&Head::Missing) {
+                Head::LeftOut(_) => continue,
                 // where a value is missing, its cell is what must be filled
-                places.extend(head.map(|(name, _)| (format!("{path}.{name}"), cell.place.clone())));
-                continue;
-            }
-            let Some((name, unit)) = head else {
-                let message = WrongTable::CellStandsUnderNo {
-                    file: file.to_string(),
-                    place: cell.place.to_string(),
-                };
-                faults.push((message.into(), WrongTable::NameColumnInFirst.into()));
-                continue;
+                Head::Of(name, _) if cell.value == SheetValue::Empty => {
+                    places.insert(format!("{path}.{name}"), cell.place.clone());
+                    continue;
+                }
+                Head::Of(name, unit) => (name, unit),
+                Head::Missing if cell.value == SheetValue::Empty => continue,
+                Head::Missing => {
+                    let message = WrongTable::CellStandsUnderNo {
+                        file: file.to_string(),
+                        place: cell.place.to_string(),
+                    };
+                    faults.push((message.into(), WrongTable::NameColumnInFirst.into()));
+                    continue;
+                }
             };
             let value = written(name, &cell.value, unit.as_deref());
             let _ = write!(text, "{name} = {value}, "); // into a String: cannot fail
@@ -254,33 +301,57 @@ fn list(
         }
     }
     text.push(']');
+    let left_out = heads.into_iter().filter_map(|head| match head {
+        Head::LeftOut(head) => Some(head),
+        Head::Of(..) | Head::Missing => None,
+    });
     match faults.is_empty() {
-        true => Ok((text, places)),
+        true => Ok(Tabled {
+            span: 0..0,
+            text,
+            file: String::new(),
+            places,
+            left_out: left_out.collect(),
+            survey: None,
+        }),
         false => Err(faults),
     }
 }
 
-/// A head of the table: the key that its column stands for, and its unit.
-type Head = (&'static str, Option<String>);
+/// The head of a column.
+enum Head {
+    /// The key that it stands for, and its unit.
+    Of(&'static str, Option<String>),
+    /// Of a column that no part takes.
+    LeftOut(String),
+    /// None.
+    Missing,
+}
 
-/// The heads of a table, `None` over a column without one.
+impl Head {
+    fn is_of(&self, key: &str) -> bool {
+        matches!(self, Head::Of(known, _) if *known == key)
+    }
+}
+
+/// The heads of a table.
 fn heads(
     key: &'static str,
     columns: &[Column],
     header: &[SheetCell],
     root: &DeTable<'_>,
     file: &str,
-) -> Result<Vec<Option<Head>>, Vec<(Both, Both)>> {
+) -> Result<Vec<Head>, Vec<(Both, Both)>> {
     let mut faults = Vec::new();
-    let mut heads: Vec<Option<Head>> = Vec::new();
+    let mut heads: Vec<Head> = Vec::new();
     for cell in header {
         let SheetValue::Text(head) = &cell.value else {
             // an empty head over an empty column is no column
-            heads.push(None);
+            heads.push(Head::Missing);
             continue;
         };
         match column(head, columns) {
-            Some((of, _)) if heads.iter().flatten().any(|(known, _)| *known == of.0) => {
+            Some((of, _)) if heads.iter().any(|head| head.is_of(of.0)) => {
                 let message = WrongTable::CellColumnIsThere {
                     file: file.to_string(),
                     place: cell.place.to_string(),
@@ -289,7 +360,7 @@ fn heads(
                 faults.push((message.into(), Common::KeepOneOfThem.into()));
             }
             Some((of, unit)) => match checked_unit(of, unit, root) {
-                Ok(unit) => heads.push(Some((of.0, unit))),
+                Ok(unit) => heads.push(Head::Of(of.0, unit)),
                 Err((said, help)) => faults.push((
                     Both::from(WrongTable::Cell {
                         file: file.to_string(),
@@ -299,6 +370,7 @@ fn heads(
                     help,
                 )),
             },
+            None if !is_needed(head, columns) => heads.push(Head::LeftOut(head.clone())),
             None => {
                 let known: Vec<&str> = columns.iter().map(|(known, ..)| *known).collect();
                 let message = WrongTable::CellIsNoColumn {
@@ -320,16 +392,29 @@ fn heads(
     }
 }
 
+/// Whether an unknown head means something of a part: misspelt, or what stands in the project file alone.
+fn is_needed(head: &str, columns: &[Column]) -> bool {
+    let name = head.split_once(['(', '[']).map_or(head, |(name, _)| name).trim();
+    let mut all = columns.iter();
+    ELSEWHERE.contains(&name.to_lowercase().replace('_', " ").as_str())
+        || all.any(|(known, others, _)| {
+            is_misspelt(name, known) || others.iter().any(|other| is_misspelt(name, other))
+        })
+}
+
 /// Refuses a row that is the total of the others.
-fn refuse_total(
-    heads: &[Option<Head>],
-    body: &[Vec<SheetCell>],
-    file: &str,
-) -> Result<(), Vec<(Both, Both)>> {
-    let name_at = heads
+fn refuse_total(heads: &[Head], body: &[Vec<SheetCell>], file: &str) -> Result<(), Vec<(Both, Both)>> {
+    let name_at = heads.iter().position(|head| head.is_of("name"));
+    let mut body = body.to_vec();
+    for (at, _) in heads
         .iter()
-        .position(|head| head.as_ref().is_some_and(|(name, _)| *name == "name"));
-    if let Some(total) = total(body, name_at) {
+        .enumerate()
+        .filter(|(_, head)| matches!(head, Head::LeftOut(_)))
+    {
+        let cells = body.iter_mut().filter_map(|row| row.get_mut(at));
+        cells.for_each(|cell| cell.value = SheetValue::Empty);
+    }
+    if let Some(total) = total(&body, name_at) {
         let file = file.to_owned();
         let message = match total {
             Total::Named(cell) => WrongTable::RowIsTotal {
@@ -423,8 +508,8 @@ pub(super) fn written(name: &str, value: &SheetValue, unit: Option<&str>) -> Str
         },
         // a spreadsheet keeps numbers as text where a cell was formatted so
         SheetValue::Text(text) if !is_words && is_number(text) => match unit {
-            Some(unit) => quoted(&format!("{} {unit}", text.trim())),
-            None => text.trim().to_owned(),
+            Some(unit) => quoted(&format!("{} {unit}", plain(text))),
+            None => plain(text),
         },
         SheetValue::Text(text) => quoted(text),
         SheetValue::Empty => quoted(""),
@@ -436,6 +521,13 @@ fn is_number(text: &str) -> bool {
     text.starts_with(|sign: char| sign.is_ascii_digit() || sign == '-')
         && text.ends_with(|sign: char| sign.is_ascii_digit())
         && text.parse::<f64>().is_ok()
+}
+
+/// A number as TOML writes it: without zeros before it.
+fn plain(text: &str) -> String {
+    let text = text.trim();
+    text.parse::<f64>()
+        .map_or_else(|_| text.to_owned(), |number| number.to_string())
 }
 
 pub(super) fn quoted(text: &str) -> String {

@@ -50,6 +50,10 @@ messages! {
             en: "{slip}; the file allows it",
             ko: "의심스러운 값을 파일의 allow 항목에 따라 허용하였다: {slip}",
         },
+        ColumnsLeftOut { file: String, heads: Vec<String> } => {
+            en: "{file}: the model does not use the columns {heads}",
+            ko: "{file}: 모델에 쓰지 않은 열은 {heads}이다",
+        },
         AllowedInVain { path: String } => {
             en: "allow names \"{path}\", but nothing there needs it: take it out",
             ko: "allow에 \"{path}\"이(가) 있으나 그곳에는 필요하지 않다. 삭제한다",

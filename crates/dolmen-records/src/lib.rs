@@ -15,6 +15,7 @@ mod score_form;
 mod seismic;
 mod sheet;
 mod sheet_error;
+mod sheet_heads;
 mod sheet_limits;
 mod start;
 mod text_code;
@@ -32,6 +33,7 @@ pub use photo::{PHOTO_BYTES_MOST, PHOTO_PIXELS_MOST, Photo, PhotoError, PhotoFor
 pub use score_form::{FormFactor, ScoreForm, ScoreFormError, read_score_form};
 pub use sheet::{SHEET_BYTES_MOST, SheetCell, SheetValue, read_sheet};
 pub use sheet_error::SheetError;
+pub use sheet_heads::is_misspelt;
 pub use start::{start_of_text, time_text};
 pub use text_code::utf8;
 pub use wrong::{ERRORS, of_records};

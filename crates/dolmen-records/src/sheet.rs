@@ -127,7 +127,15 @@ pub(crate) fn of_xlsx(
 ) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     refuse_bomb(bytes)?;
     let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
-    let name = chosen(&book.sheet_names(), sheet)?;
+    let mut names = book.sheet_names();
+    if sheet.is_none() && names.len() > 1 {
+        // Excel used to make three, of which two stay empty
+        names = match filled_sheets(bytes)? {
+            filled if filled.is_empty() => names,
+            filled => filled,
+        };
+    }
+    let name = chosen(&names, sheet)?;
     let merged = book.merge_cells_by_sheet_name(&name).map_err(unreadable)?;
     if let Some(Dimensions { start, end }) = merged.first() {
         let corner = |(row, column): (u32, u32)| place(row as usize, column as usize);
@@ -221,7 +229,10 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
         ))
     })?;
     let text = text.trim_start_matches('\u{feff}');
-    let first = text.lines().next().unwrap_or_default();
+    // a remark above the table has no part in it
+    let mut lines = text.lines();
+    let first = lines.clone().find(|line| !line.starts_with('#')).or(lines.next());
+    let first = first.unwrap_or_default();
     let count = |mark: u8| first.bytes().filter(|byte| *byte == mark).count();
     let delimiter = [b',', b';', b'\t']
         .into_iter()
@@ -233,8 +244,16 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
         .flexible(true)
         .from_reader(text.as_bytes());
     let mut rows = Vec::new();
-    for (number, record) in reader.records().enumerate() {
+    // lines that a spreadsheet shows within one cell
+    let mut within_cells = 0;
+    for record in reader.records() {
         let record = record.map_err(unreadable)?;
+        let line = record.position().map_or(rows.len() + 1, |at| at.line() as usize);
+        let number = line.saturating_sub(1 + within_cells);
+        within_cells += record
+            .iter()
+            .map(|cell| cell.matches('\n').count())
+            .sum::<usize>();
         if number >= ROWS_MOST || record.len() > COLUMNS_MOST {
             return Err(too_many(number + 1, record.len()));
         }
@@ -245,7 +264,10 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
             }
             let value = match (field, field.parse::<f64>()) {
                 ("", _) => SheetValue::Empty,
-                (_, Ok(number)) if number.is_finite() => SheetValue::Number(number),
+                // "007" is a name, or a folder
+                (_, Ok(number)) if number.is_finite() && !has_leading_zero(field) => {
+                    SheetValue::Number(number)
+                }
                 _ => SheetValue::Text(field.to_owned()),
             };
             Ok(SheetCell { place, value })
@@ -259,6 +281,11 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
         );
     }
     Ok(rows)
+}
+
+fn has_leading_zero(field: &str) -> bool {
+    let mut signs = field.chars();
+    signs.next() == Some('0') && signs.next().is_some_and(|sign| sign.is_ascii_digit())
 }
 
 #[cfg(test)]
@@ -281,6 +308,14 @@ mod tests {
         assert!(told(b"a\n1\n", "a.csv", Some("x")).contains("has no sheets"));
         assert!(told(&[0xb0, 0xff], "a.csv", None).contains("not UTF-8"));
         assert!(told(b"PK\x03\x04", "a.xlsx", None).contains("cannot be read"));
+    }
+
+    #[test]
+    fn exact_rows_are_those_of_a_spreadsheet() {
+        let rows = read_sheet("name,\"width\n(mm)\"\na,1\n\n007,2\n".as_bytes(), "a.csv", None).unwrap();
+        let places: Vec<&str> = rows.iter().map(|row| row[1].place.as_str()).collect();
+        assert_eq!(places, ["B1", "B2", "B4"]);
+        assert_eq!(rows[2][0].value, SheetValue::Text("007".to_owned()));
     }
 
     #[test]

@@ -365,6 +365,13 @@ pub enum WorkError {
         reasons: Both,
     },
     /// A project without anything to rank it by.
+    SurveyToRank,
+    /// A project without a study or a score.
+    NoStudyToRankBy {
+        /// Its file.
+        file: String,
+    },
+    /// Neither results nor a score.
     NothingToRankBy {
         /// The project file.
         file: String,

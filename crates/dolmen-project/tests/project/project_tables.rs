@@ -1,6 +1,7 @@
 //! Lists of parts in a table beside the file: the same project as if they were written in it, and the faults of tables that cannot be.
 
-use dolmen_project::{MemoryFiles, Project, Structure, parse_project_with};
+use dolmen_project::{MemoryFiles, Project, Structure, WarningKind, parse_project_with};
+use dolmen_words::Language;
 
 const STACK: &str =
     "schema = 1\nkind = \"stack\"\nname = \"A\"\nUNITS\nblocks = { file = \"stones.csv\" }\ndensity = 2600\n";
@@ -55,12 +56,37 @@ fn agrees_a_table_is_the_list_that_it_stands_for() {
 }
 
 #[test]
+fn holds_columns_of_no_part_are_left_out_and_named() {
+    let bare = read("", "name,width,height\nbase,1.2,0.4\nbody,0.95,0.6\n");
+    let more = read(
+        "",
+        "번호,이름,폭,높이,비고,무게 (kN)\n1,base,1.2,0.4,,12\n2,body,0.95,0.6,깨짐,9\n",
+    );
+    let (Structure::Stack(bare), Structure::Stack(told)) = (&bare.structure, &more.structure) else {
+        panic!("no stacks")
+    };
+    assert_eq!(told.blocks, bare.blocks);
+    let said = more
+        .warnings
+        .iter()
+        .find(|warning| warning.kind == WarningKind::ColumnsLeftOut);
+    let said = said.map(|warning| (warning.path.clone(), warning.message.text(Language::English)));
+    let expected = "stones.csv: the model does not use the columns 번호, 비고 and 무게 (kN)";
+    assert_eq!(said, Some(("blocks".to_owned(), expected.to_owned())));
+}
+
+#[test]
 fn refuses_tables_by_their_cell() {
     for (units, table, said) in [
         (
             "",
-            "name,width,color\nbase,1,red\n",
-            "stones.csv, cell C1: \"color\" is no column of blocks",
+            "name,width,hieght\nbase,1,1\n",
+            "stones.csv, cell C1: \"hieght\" is no column of blocks",
+        ),
+        (
+            "",
+            "이름,폭,높이,기울기 (도)\nbase,1,1,2\n",
+            "stones.csv, cell D1: \"기울기 (도)\" is no column of blocks",
         ),
         (
             "",

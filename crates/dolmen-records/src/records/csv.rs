@@ -5,6 +5,7 @@
 
 use super::column_units::{NamedColumn, refuse_other_units};
 use super::csv_start::{Start, TimeName, WordOfTime, time_name, unit_of_named_time};
+use super::date_text::minute_of_hour;
 use super::dates::{Dates, held_against};
 use super::dialect::{holds_cells, line_at, unquoted};
 use super::lost_samples::{Spans, UsableRows, fill};
@@ -308,7 +309,10 @@ impl Table {
         let mut samples = vec![0.0; rows_most * count];
         let mut block = vec![0.0; ROWS_AT_ONCE * count];
         let (given_hz, lost_samples) = (options.sampling_rate_hz, options.lost_samples);
-        let mut stamps = plan.time.map(|t| Spans::new(t.unit_s, given_hz, lost_samples));
+        let mut stamps = plan.time.map(|t| match start.numeric[t.column] {
+            true => Spans::new(t.unit_s, given_hz, lost_samples),
+            false => Spans::new(1.0, given_hz, lost_samples).of_hours(),
+        });
         let (mut rows, mut flushed) = (0, 0);
         let (mut at, mut number) = (start.samples_at, start.samples_line);
         while let Some(line) = line_at(bytes, at, number)? {
@@ -492,11 +496,14 @@ impl LineReader<'_> {
                 column: name(),
                 text: text(),
             }),
-            None if self.uses[column] == Use::Time => Err(RecordError::TimeText {
-                line,
-                column: name(),
-                text: text(),
-            }),
+            None if self.uses[column] == Use::Time => match minute_of_hour(&text()) {
+                Some(at) => Ok(at.printed(end)),
+                None => Err(RecordError::TimeText {
+                    line,
+                    column: name(),
+                    text: text(),
+                }),
+            },
             None => Err(RecordError::NotANumber {
                 line,
                 column: name(),

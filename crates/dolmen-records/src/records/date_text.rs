@@ -1,6 +1,7 @@
 //! Dates and times of day as printed in tables.
 
 use super::dialect::unquoted;
+use crate::number::Number;
 use crate::start::time_of;
 
 /// Seconds in a day.
@@ -13,6 +14,17 @@ pub(super) const SERIAL_DAYS: std::ops::Range<f64> = 20_000.0..80_000.0;
 pub(crate) struct At {
     pub(crate) seconds: f64,
     pub(crate) resolution_s: f64,
+}
+
+impl At {
+    /// The same as a printed number of seconds that ends at `end`.
+    pub(super) fn printed(self, end: usize) -> Number {
+        Number {
+            value: self.seconds,
+            end,
+            decimals: -(self.resolution_s.log10().round() as i32),
+        }
+    }
 }
 
 /// Days since 30 December 1899, as spreadsheets store dates.
@@ -52,6 +64,9 @@ pub(crate) fn date_time(text: &str) -> Option<At> {
         return None;
     };
     let second = parts.get(2).copied();
+    if second.is_none() && minute.contains('.') {
+        return None; // minutes and seconds
+    }
     let hour = hour_of_day(hour.parse().ok()?, half_day_h)?;
     let minute: f64 = minute.parse().ok()?;
     let of_minute: f64 = second.map_or(Ok(0.0), str::parse).ok()?;
@@ -65,6 +80,31 @@ pub(crate) fn date_time(text: &str) -> Option<At> {
         seconds: day + 3600.0 * hour + 60.0 * minute + of_minute,
         resolution_s,
     })
+}
+
+/// Seconds in an hour.
+pub(super) const HOUR_S: f64 = 3600.0;
+
+/// Minutes and seconds of an hour that is not written, "59:30.0", as spreadsheets show times by "mm:ss.0"; s from the beginning of the hour.
+pub(super) fn minute_of_hour(text: &str) -> Option<At> {
+    let (minute, second) = text.trim().split_once(':')?;
+    let second = second.replace(',', ".");
+    // without decimals it may be hours and minutes
+    let (_, decimals) = second.split_once('.')?;
+    let minutes: f64 = minute.parse::<u32>().ok()?.into();
+    let seconds: f64 = second.parse().ok()?;
+    ((0.0..60.0).contains(&minutes) && (0.0..60.0).contains(&seconds)).then(|| At {
+        seconds: 60.0 * minutes + seconds,
+        resolution_s: 10f64.powi(-(decimals.len() as i32)),
+    })
+}
+
+/// A time of the hour after another: an hour later where the hour passed between.
+pub(super) fn after_in_hours(before_s: f64, of_hour_s: f64) -> f64 {
+    match before_s - of_hour_s > 0.5 * HOUR_S {
+        true => of_hour_s + HOUR_S * ((before_s - of_hour_s) / HOUR_S).round(),
+        false => of_hour_s,
+    }
 }
 
 /// A text in lower case without its word for the half of the day, and the first hour of that half.
@@ -180,6 +220,17 @@ mod tests {
                 "{text}"
             );
         }
+        let at = minute_of_hour("59:30.05").unwrap();
+        assert_eq!((at.seconds, at.resolution_s), (3570.05, 0.01));
+        for text in ["59:30", "60:00.0", "10:60.0", "9:59:30.0", "-1:30.0", "1.5"] {
+            assert_eq!(minute_of_hour(text), None, "{text}");
+        }
+        assert_eq!(date_time("09:30.5"), None);
+        assert_eq!(
+            (after_in_hours(3599.9, 0.1), after_in_hours(7199.9, 0.1)),
+            (3600.1, 7200.1)
+        );
+        assert_eq!(after_in_hours(100.0, 99.0), 99.0);
         assert_eq!(serial("45448.5").map(|at| at.seconds), Some(45448.5 * DAY_S));
         for text in [
             "noon",

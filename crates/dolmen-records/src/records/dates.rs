@@ -2,7 +2,7 @@
 
 use super::RecordError;
 use super::csv_start::Start;
-use super::date_text::{At, DAY_S, date_time, serial};
+use super::date_text::{At, DAY_S, HOUR_S, after_in_hours, date_time, minute_of_hour, serial};
 use super::dialect::{holds_cells, unquoted};
 
 /// Relative difference allowed between a given rate and that of dates, beyond their last digit. As for stamps in seconds.
@@ -57,9 +57,7 @@ pub(super) fn held_against(
             match (start.numeric[column], named) {
                 (true, true) => serial(text),
                 (true, false) => None,
-                (false, _) => {
-                    date_time(text).or_else(|| date_time(&format!("{text} {}", cells.get(column + 1)?)))
-                }
+                (false, _) => time(text, || cells.get(column + 1).cloned()),
             }
         };
         let (Some(a), Some(b)) = (at(&first), at(&last)) else {
@@ -78,7 +76,10 @@ pub(super) fn held_against(
         if !start.numeric[column] {
             refuse_gap(body, (start, column), given_hz)?;
         }
+        let is_of_hour = minute_of_hour(&first[column]).is_some();
         let passed = match b.seconds - a.seconds {
+            // the hour that fits best: gaps within it are refused above
+            of_hour if is_of_hour => of_hour + HOUR_S * ((steps / given_hz - of_hour) / HOUR_S).round(),
             back if back < 0.0 && a.seconds < DAY_S => back + DAY_S, // times of the day across midnight
             passed => passed,
         };
@@ -98,6 +99,13 @@ pub(super) fn held_against(
     Ok(unread.map_or(Dates::None, Dates::Unread))
 }
 
+/// The time in a cell, or in it and the next.
+fn time(text: &str, next: impl FnOnce() -> Option<String>) -> Option<At> {
+    minute_of_hour(text)
+        .or_else(|| date_time(text))
+        .or_else(|| date_time(&format!("{text} {}", next()?)))
+}
+
 /// Steps from which a time after the one before is a gap, as in seconds.
 const GAP_STEPS: f64 = 1.5;
 
@@ -114,9 +122,11 @@ fn refuse_gap(body: &[u8], (start, column): (&Start, usize), given_hz: f64) -> R
             Some(String::from_utf8_lossy(unquoted(cell.trim_ascii_end())).into_owned())
         };
         let Some(text) = next() else { continue };
-        let read = date_time(&text).or_else(|| date_time(&format!("{text} {}", next()?)));
-        let Some(at) = read else { continue };
+        let Some(mut at) = time(&text, next) else { continue };
         if let Some((line, text_before, earlier)) = &before {
+            if minute_of_hour(&text).is_some() {
+                at.seconds = after_in_hours(earlier.seconds, at.seconds);
+            }
             let step_s = at.seconds - earlier.seconds;
             steps_s.push(step_s);
             if widest.as_ref().is_none_or(|(other, _, _)| step_s > *other) {

@@ -3,6 +3,7 @@
 //!
 //! A step of one and a half steps or more is a gap; a smaller deviation is an uneven clock, which is refused, and so is a step back.
 
+use super::date_text::after_in_hours;
 use super::series::Series;
 use super::stamps::Stamps;
 use super::{LostSamples, RecordError};
@@ -38,6 +39,8 @@ pub(super) struct Spans {
     gaps: Vec<LostSpan>,
     /// The error for the first gap, if it is refused.
     fault: Option<RecordError>,
+    /// Whether stamps are minutes and seconds of an hour that is not written.
+    is_of_hours: bool,
 }
 
 /// The rows of a text in use, and the results of their stamps.
@@ -63,12 +66,24 @@ impl Spans {
             done: Vec::new(),
             gaps: Vec::new(),
             fault: None,
+            is_of_hours: false,
+        }
+    }
+
+    /// Of minutes and seconds: they begin again with every hour.
+    pub(super) fn of_hours(self) -> Self {
+        Spans {
+            is_of_hours: true,
+            ..self
         }
     }
 
     /// Takes the next stamp; refuses one that is neither even nor after a gap.
     #[inline]
-    pub(super) fn push(&mut self, printed: Number, line: usize) -> Result<(), RecordError> {
+    pub(super) fn push(&mut self, mut printed: Number, line: usize) -> Result<(), RecordError> {
+        if let (true, Some((before, _))) = (self.is_of_hours, self.last) {
+            printed.value = after_in_hours(before.value, printed.value);
+        }
         if let Err(fault) = self.now.push(printed, line) {
             self.after_a_gap(printed, line, fault)?;
         }

@@ -44,8 +44,8 @@ sentences! {
             ko: "시트가 여럿이다({known}). sheet = \"…\"로 하나를 지정한다",
         },
         SeveralTables { known } => {
-            en: "has values in several sheets ({known}): save the one with the samples or readings as a workbook of its own, or as CSV",
-            ko: "시트 여럿에 값이 있다({known}). 기록이 든 시트만 따로 저장하거나 CSV로 저장한다",
+            en: "has values in several sheets ({known}): save the one that is meant as a workbook of its own, or as CSV",
+            ko: "시트 여럿에 값이 있다({known}). 해당하는 시트만 따로 저장하거나 CSV로 저장한다",
         },
         NoSheets => {
             en: "is text and has no sheets: take sheet = \"…\" out",

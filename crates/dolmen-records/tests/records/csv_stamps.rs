@@ -316,3 +316,48 @@ fn refuses_a_second_stamp_that_is_not_after_the_first() {
         "{fault}"
     );
 }
+
+/// "mm:ss.00" of Excel across an hour, without a rate: the record, and faults by their line.
+#[test]
+fn exact_minutes_and_seconds_without_their_hour() {
+    let of = |stamp: &dyn Fn(usize) -> String| -> String {
+        let lines = (0..400).map(|i| format!("{},{}\n", stamp(i), (i * 37) % 11));
+        format!("시간,x\n{}", lines.collect::<String>())
+    };
+    // 3598 s of the hour at 100 Hz
+    let stamp = |hundredths: usize| {
+        let second = hundredths / 100;
+        format!(
+            "{:02}:{:02}.{:02}",
+            second / 60 % 60,
+            second % 60,
+            hundredths % 100
+        )
+    };
+    let read = read_csv(of(&|i| stamp(359_800 + i)).as_bytes(), &RecordOptions::default()).unwrap();
+    assert_eq!(
+        (read.record.sampling_rate_hz(), read.record.length()),
+        (100.0, 400)
+    );
+    let refused = |text: String| {
+        read_csv(text.as_bytes(), &RecordOptions::default())
+            .unwrap_err()
+            .to_string()
+    };
+    // a gap of a second behind the 251st: the longest span is left, as of stamps in seconds
+    let gap = of(&|i| stamp(359_800 + i + if i > 250 { 100 } else { 0 }));
+    let kept = read_csv(gap.as_bytes(), &RecordOptions::default()).unwrap();
+    assert_eq!(
+        (kept.record.sampling_rate_hz(), kept.record.length()),
+        (100.0, 251)
+    );
+    // "mm:ss.0" shows ten samples alike
+    let coarse = refused(of(&|i| stamp(10 * ((359_800 + i) / 10))[..7].to_owned()));
+    assert!(coarse.contains("line 12"), "{coarse}");
+    // hours and minutes, or minutes and seconds
+    let either = refused(of(&|i| stamp(100 * i)[..5].to_owned()));
+    assert!(
+        either.starts_with("line 2, column \"시간\": the time stamp \"00:00\""),
+        "{either}"
+    );
+}

@@ -41,9 +41,12 @@ pub(super) fn section<'a>(document: &mut Document<'a>, chain: Option<Chain>, che
     document.heading(Modes::Head);
     let Some(chain) = chain else { return };
     let thin = chain.links().iter().any(|link| link.inertia == Inertia::ThinRod);
-    let caption = vec![Modes::Caption.into(), Modes::CaptionMeaning.into()];
-    let shapes = Figure::drawn(caption, move |language| drawn(&chain, check, language));
-    document.charted(shapes.with_series(|| table_series(&table(&check.modes))));
+    // the shape of one link is no finding
+    if chain.links().len() > 1 {
+        let caption = vec![Modes::Caption.into(), Modes::CaptionMeaning.into()];
+        let shapes = Figure::drawn(caption, move |language| drawn(&chain, check, language));
+        document.charted(shapes.with_series(|| table_series(&table(&check.modes))));
+    }
     document.put(Block::Table(table(&check.modes)));
     if thin {
         document.note(Modes::ThinRods);

@@ -6,7 +6,8 @@ use super::ink::{Anchor, BLUE, GREY, Label, Line, Shape, VERMILLION, text_width}
 use super::scene::Scene;
 use super::sheet::{LEFT_PX, Sheet, View, put_names, put_outlines, sheet};
 use super::words::say;
-use dolmen_project::{Project, RecordSource, Survey};
+use dolmen::signal::Component;
+use dolmen_project::{Project, RecordSource, Structure, Survey};
 use dolmen_words::message::Both;
 use dolmen_words::number::{NARROW_SPACE, trimmed};
 use dolmen_words::{Language, Sentence, messages};
@@ -24,6 +25,7 @@ messages! {
         Title { name: Both } => { en: "{name} as entered", ko: "{name}: 입력한 구조" },
         Heights => { en: "Heights in m, to scale.", ko: "높이 단위 m, 축척에 따름." },
         NoWidths => { en: "Widths are not in the file and not to scale.", ko: "폭은 입력값이 없어 축척에 따르지 않는다." },
+        Columns => { en: "Columns and beams are schematic.", ko: "기둥과 보는 개략도이다." },
         Offsets { times: String } => { en: "Offsets of stones drawn {times} times as large.", ko: "부재의 어긋남은 {times}배로 과장하였다." },
         Tilts { times: String } => { en: "Tilts of stones drawn {times} times as large.", ko: "부재의 기울기는 {times}배로 과장하였다." },
         Posts => {
@@ -75,7 +77,7 @@ fn drawn(
             put_names(&mut scene, view, sheet.ground_px);
         }
         if let Some(survey) = leaning {
-            put_lean(&mut scene, view, survey, several);
+            put_lean(&mut scene, view, survey, (&project.structure, several));
         }
         put_sensors(&mut scene, view, &sensors);
         if several {
@@ -102,6 +104,9 @@ fn notes(sheet: &Sheet, leaning: Option<&Survey>, has_sensors: bool) -> Vec<Sent
     let mut all: Vec<Sentence> = vec![Drawn::Heights.into()];
     if sheet.views.iter().any(|view| !view.elevation.has_widths) {
         all.push(Drawn::NoWidths.into());
+    }
+    if sheet.views.iter().any(|view| view.elevation.is_frame) {
+        all.push(Drawn::Columns.into());
     }
     // one factor for all views
     let most = |of: fn(&View) -> f64| sheet.views.iter().map(of).fold(1.0, f64::max);
@@ -226,16 +231,28 @@ fn put_width(scene: &mut Scene, view: &View, y: f64) {
     );
 }
 
+/// Across which of the two views a direction runs.
+fn axis_of(structure: &Structure, direction: &str) -> usize {
+    let own = match structure {
+        Structure::Frame(frame) => frame.directions.iter().find(|own| own.name == direction),
+        _ => None,
+    };
+    let is_y = match own.and_then(|own| own.along) {
+        Some(along) => along == Component::Y,
+        None => direction == "y",
+    };
+    usize::from(is_y)
+}
+
 /// The tilts of a survey along the view as leaning lines from the foot.
-fn put_lean(scene: &mut Scene, view: &View, survey: &Survey, several: bool) {
+fn put_lean(scene: &mut Scene, view: &View, survey: &Survey, (structure, several): (&Structure, bool)) {
     let [least, most] = view.elevation.bounds();
     let foot = 0.5 * (least[0] + most[0]);
     let height = most[1] - least[1];
     let times = lean_times(survey);
-    let of_view = |direction: &str| match (several, direction) {
-        (true, "x") => view.elevation.axis == 0,
-        (true, "y") => view.elevation.axis == 1,
-        _ => view.elevation.axis == 0,
+    let of_view = |direction: &str| match several {
+        true => view.elevation.axis == axis_of(structure, direction),
+        false => view.elevation.axis == 0,
     };
     let shown = survey.tilt.iter().filter(|(direction, _)| of_view(direction));
     for (number, (direction, tilt)) in shown.enumerate() {

@@ -1,13 +1,19 @@
 //! A structure as it is entered, in a vertical plane: the outline of each part in metres, and where it stands on the sheet.
 
 use super::side_posts::{DrawnSupport, SidePosts, side_posts};
+use dolmen::signal::Component;
 use dolmen::structure::stack::{Body, Stack};
-use dolmen_project::{BuildingPart, ChainAxis, ChainPart, FramePart, Quantity, StackPart, Structure};
+use dolmen_project::{
+    BuildingPart, ChainAxis, ChainPart, ColumnsPart, FramePart, Quantity, StackPart, Structure,
+};
 
 /// Widths that are not in the file, as shares of the height. Chosen here: they only carry names.
 const CHAIN_WIDTH: f64 = 0.07;
 const FRAME_WIDTH: f64 = 0.7;
 const FLOOR_WIDTH: f64 = 0.5;
+/// A column and the beam on it, as shares of a storey's width and height. Chosen here: seen as a frame.
+const COLUMN_WIDTH: f64 = 0.08;
+const BEAM_HEIGHT: f64 = 0.12;
 /// By how much of its width an upper storey of a frame stands back, as in its sketch.
 const SET_BACK: f64 = 0.06;
 /// Exaggerated offsets reach this share of the widest part, exaggerated tilts this slope. Chosen here: seen, and not taken for the shape.
@@ -20,6 +26,8 @@ pub(super) struct PartOutline {
     pub(super) name: String,
     /// Corners in order, m: across, up.
     pub(super) corners_m: Vec<[f64; 2]>,
+    /// Between the columns of a frame, m.
+    pub(super) openings_m: Vec<Vec<[f64; 2]>>,
 }
 
 impl PartOutline {
@@ -44,6 +52,8 @@ pub(super) struct Elevation {
     pub(super) posts: SidePosts,
     /// Whether the file gives the widths.
     pub(super) has_widths: bool,
+    /// Whether columns and beams are drawn that the file does not place.
+    pub(super) is_frame: bool,
     /// How many times larger than they are the offsets and tilts of stones are drawn; 1 where there are none.
     pub(super) offsets_times: f64,
     pub(super) tilts_times: f64,
@@ -78,7 +88,10 @@ impl Elevation {
 pub(super) fn elevations(structure: &Structure, exaggerate: bool) -> Vec<Elevation> {
     match structure {
         Structure::Chain(part) => part.axes().iter().map(|axis| of_chain(part, *axis)).collect(),
-        Structure::Frame(part) => vec![of_frame(part)],
+        Structure::Frame(part) => frame_axes(part)
+            .into_iter()
+            .map(|axis| of_frame(part, axis))
+            .collect(),
         Structure::Building(part) => (0..2).map(|axis| of_building(part, axis)).collect(),
         Structure::Stack(part) => {
             // as entered: upright, the lean of a survey is drawn beside it
@@ -103,6 +116,7 @@ fn plain(axis: usize, parts: Vec<PartOutline>, has_widths: bool) -> Elevation {
         parts,
         posts: SidePosts::default(),
         has_widths,
+        is_frame: false,
         offsets_times: 1.0,
         tilts_times: 1.0,
     }
@@ -114,6 +128,7 @@ fn a_box(name: String, [left, right]: [f64; 2], low: f64, height: f64) -> PartOu
     PartOutline {
         name,
         corners_m: vec![[left, low], [right, low], [right, high], [left, high]],
+        openings_m: Vec::new(),
     }
 }
 
@@ -166,17 +181,62 @@ fn of_chain(part: &ChainPart, axis: ChainAxis) -> Elevation {
     }
 }
 
-fn of_frame(part: &FramePart) -> Elevation {
+/// Both sides of a frame whose directions say which is x and which is y.
+fn frame_axes(part: &FramePart) -> Vec<usize> {
+    let is_known = |of| part.along(of).is_some();
+    match is_known(Component::X) && is_known(Component::Y) {
+        true => vec![0, 1],
+        false => vec![0],
+    }
+}
+
+/// Columns that are seen from a side: those of the file, if they stand in one row; else two at the ends, for a number that no row tells.
+pub(crate) fn columns_seen(columns: Option<&ColumnsPart>) -> usize {
+    match columns.map(|columns| columns.count) {
+        Some(count @ (1 | 2 | 3)) => count,
+        Some(_) | None => 2,
+    }
+}
+
+/// Openings between columns below a beam.
+fn openings([left, right]: [f64; 2], low: f64, height: f64, columns: usize) -> Vec<Vec<[f64; 2]>> {
+    let width = right - left;
+    let (column, top) = (COLUMN_WIDTH * width, low + (1.0 - BEAM_HEIGHT) * height);
+    let gap = |from: f64, to: f64| vec![[from, low], [to, low], [to, top], [from, top]];
+    match columns {
+        1 => {
+            let half = 0.5 * (width - column);
+            vec![gap(left, left + half), gap(right - half, right)]
+        }
+        several => {
+            let free = (width - several as f64 * column) / (several - 1) as f64;
+            let from = |at: usize| left + column + at as f64 * (free + column);
+            (0..several - 1)
+                .map(|at| gap(from(at), from(at) + free))
+                .collect()
+        }
+    }
+}
+
+fn of_frame(part: &FramePart, axis: usize) -> Elevation {
     let total: f64 = part.storeys.iter().map(|storey| storey.height.value).sum();
     let mut low = 0.0;
     let mut parts = Vec::new();
     for (index, storey) in part.storeys.iter().enumerate() {
         let half = 0.5 * FRAME_WIDTH * total * (1.0 - SET_BACK * index as f64).max(0.4);
         let name = name_or_number(storey.name.as_ref(), index);
-        parts.push(a_box(name, [-half, half], low, storey.height.value));
-        low += storey.height.value;
+        let height = storey.height.value;
+        let seen = columns_seen(storey.columns.as_ref());
+        parts.push(PartOutline {
+            openings_m: openings([-half, half], low, height, seen),
+            ..a_box(name, [-half, half], low, height)
+        });
+        low += height;
     }
-    plain(0, parts, false)
+    Elevation {
+        is_frame: true,
+        ..plain(axis, parts, false)
+    }
 }
 
 fn of_building(part: &BuildingPart, axis: usize) -> Elevation {
@@ -263,6 +323,7 @@ fn of_stack(part: &StackPart, stack: &Stack, axis: usize, exaggerate: bool) -> E
         let outline = PartOutline {
             name: block.name.clone(),
             corners_m: hull(corners),
+            openings_m: Vec::new(),
         };
         parts.push((depth, outline));
     }
@@ -272,6 +333,7 @@ fn of_stack(part: &StackPart, stack: &Stack, axis: usize, exaggerate: bool) -> E
         parts: parts.into_iter().map(|(_, part)| part).collect(),
         posts: SidePosts::default(),
         has_widths: true,
+        is_frame: false,
         offsets_times,
         tilts_times,
     }

@@ -12,10 +12,10 @@ use dolmen_words::number::{self, subscript};
 /// Height of the drawn frame, px.
 const SKETCH_PX: f64 = 250.0;
 
-/// The frame's storeys to scale in height, with what each carries, and the verdict on each storey's margin.
+/// The frame's storeys to scale in height, on as many columns as are seen of each, with what each carries, and the verdict on each storey's margin.
 pub fn frame_sketch(
     frame: &Frame,
-    names: &[Option<String>],
+    (names, columns): (&[Option<String>], &[usize]),
     stability: Option<&FrameStability>,
     language: Language,
 ) -> String {
@@ -46,7 +46,13 @@ pub fn frame_sketch(
         );
         // Upper storeys of gates and pagodas stand back.
         let inset = 14.0 * i as f64;
-        for x in [left + inset + 8.0, 0.5 * (left + right), right - inset - 8.0] {
+        let (first, last) = (left + inset + 8.0, right - inset - 8.0);
+        let number = columns.get(i).copied().unwrap_or(2);
+        for at in 0..number {
+            let x = match number {
+                1 => 0.5 * (first + last),
+                several => first + (last - first) * at as f64 / (several - 1) as f64,
+            };
             scene.line([x, low], [x, high + 7.0], Line::new(BLACK, 2.2));
         }
         let floor = [

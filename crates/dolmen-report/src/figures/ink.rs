@@ -9,6 +9,7 @@ pub(crate) const BLACK: &str = "#000000";
 pub(crate) const TEXT: &str = "#1f2328";
 pub(crate) const GREY: &str = "#767b81";
 pub(crate) const LIGHT: &str = "#e3e6e9";
+pub(crate) const WHITE: &str = "#ffffff";
 pub(crate) const STONE: &str = "#f1efea";
 pub(crate) const ORANGE: &str = "#e69f00";
 pub(crate) const SKY: &str = "#56b4e9";

@@ -78,6 +78,7 @@ pub use demand::design_spectrum;
 pub(crate) use demand::spectrum_curves;
 pub(crate) use drawing::{drawing, planned_drawing};
 pub(crate) use earthquakes::{frequency_through, lowest_of_parts, spectra_of_channels};
+pub(crate) use elevation::columns_seen;
 pub use frame::frame_sketch;
 pub(crate) use frame_histories::FramePlot;
 pub use frame_histories::frame_histories;

@@ -1,7 +1,7 @@
 //! Elevations beside each other on one sheet: scale, ground, outlines, names.
 
 use super::elevation::{Elevation, PartOutline};
-use super::ink::{Anchor, BLACK, GREY, LIGHT, Label, Line, STONE, text_width};
+use super::ink::{Anchor, BLACK, GREY, LIGHT, Label, Line, STONE, WHITE, text_width};
 use super::scene::Scene;
 
 /// Size of a drawn structure at most, px.
@@ -98,6 +98,10 @@ pub(super) fn put_outlines(scene: &mut Scene, view: &View, ground_px: f64) {
     for part in &view.elevation.parts {
         let corners: Vec<[f64; 2]> = part.corners_m.iter().map(|corner| view.px(*corner)).collect();
         scene.polygon(&corners, STONE, Line::new(BLACK, 1.0));
+        for opening in &part.openings_m {
+            let corners: Vec<[f64; 2]> = opening.iter().map(|corner| view.px(*corner)).collect();
+            scene.polygon(&corners, WHITE, Line::new(BLACK, 1.0));
+        }
     }
     let posts = &view.elevation.posts;
     for post in &posts.posts {

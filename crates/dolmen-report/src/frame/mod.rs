@@ -11,7 +11,7 @@ mod tenons;
 pub(crate) use findings::findings;
 
 use crate::document::{Document, Figure};
-use crate::figures::{frame_series, frame_sketch};
+use crate::figures::{columns_seen, frame_series, frame_sketch};
 use dolmen::structure::{Convention, Frame};
 use dolmen_project::{FramePart, Quantity as Input};
 use dolmen_words::{Sentence, Template, messages};
@@ -30,6 +30,10 @@ messages! {
         Grounded => {
             en: "spring on displacement from the ground (as printed)",
             ko: "지반 기준 변위에 작용하는 스프링(논문 표기)",
+        },
+        SameColumns { storey: usize, direction: String } => {
+            en: "The columns of storey {storey} hold the same as in direction {direction}.",
+            ko: "{storey}층 기둥의 복원력은 {direction} 방향과 같다.",
         },
         Direction { direction: String } => { en: "Direction {direction}", ko: "{direction} 방향" },
     }
@@ -55,9 +59,13 @@ pub(crate) fn sections<'a>(part: &FramePart, directions: &'a [DirectionCheck]) -
     document.heading(Stability::Head);
     if let Some(frame) = frame.clone() {
         let names: Vec<Option<String>> = part.storeys.iter().map(|storey| storey.name.clone()).collect();
-        sketch(&mut document, frame, names, directions);
+        let columns = part
+            .storeys
+            .iter()
+            .map(|storey| columns_seen(storey.columns.as_ref()));
+        sketch(&mut document, frame, (names, columns.collect()), directions);
     }
-    for direction in directions {
+    for (at, direction) in directions.iter().enumerate() {
         document.subheading(Stability::Direction {
             direction: direction.direction.clone(),
         });
@@ -70,7 +78,15 @@ pub(crate) fn sections<'a>(part: &FramePart, directions: &'a [DirectionCheck]) -
             tenons::section(&mut document, tenons);
         }
         for columns in &direction.columns {
-            columns::section(&mut document, columns);
+            // round columns on rigid stones hold as much in every direction
+            let mut before = directions[..at].iter();
+            match before.find(|other| other.columns.contains(columns)) {
+                Some(other) => document.note(Stability::SameColumns {
+                    storey: columns.storey,
+                    direction: other.direction.clone(),
+                }),
+                None => columns::section(&mut document, columns),
+            }
         }
     }
     document
@@ -79,7 +95,7 @@ pub(crate) fn sections<'a>(part: &FramePart, directions: &'a [DirectionCheck]) -
 fn sketch<'a>(
     document: &mut Document<'a>,
     frame: Frame,
-    names: Vec<Option<String>>,
+    (names, columns): (Vec<Option<String>>, Vec<usize>),
     directions: &'a [DirectionCheck],
 ) {
     let springs: Sentence = match frame.convention() {
@@ -98,7 +114,7 @@ fn sketch<'a>(
     };
     let (of, named) = (frame.clone(), names.clone());
     let sketch = Figure::drawn(caption, move |language| {
-        frame_sketch(&frame, &names, known, language)
+        frame_sketch(&frame, (&names, &columns), known, language)
     });
     document.charted(sketch.with_series(move || frame_series(&of, &named)));
 }

@@ -36,7 +36,8 @@ pub(super) fn section<'a>(document: &mut Document<'a>, frame: Option<Frame>, che
     if check.modes.is_empty() {
         return;
     }
-    if let Some(frame) = frame {
+    // the shape of one storey is no finding
+    if let Some(frame) = frame.filter(|frame| frame.storeys().len() > 1) {
         let caption = vec![Modes::Caption.into(), Modes::Drawn.into()];
         let shapes = Figure::drawn(caption, move |language| drawn(&frame, &check.modes, language));
         document.charted(shapes.with_series(|| table_series(&table(&check.modes))));

@@ -1,5 +1,6 @@
 //! A report as a document of Hangul (HWPX, KS X 6101): what Korean authorities file, to be edited and used again.
 
+mod equation;
 mod header;
 mod lines;
 mod looks;

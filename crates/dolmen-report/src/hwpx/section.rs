@@ -1,5 +1,6 @@
 //! What stands on the pages, as paragraphs of sections.
 
+use super::equation::equation;
 use super::lines::{HUNDREDTHS_OF_TWIP, Lines, stretches, sub_list, written};
 use super::looks::{Letters, Lie, Looks, Style};
 use super::picture::picture;
@@ -53,8 +54,16 @@ impl<'a> Writer<'a> {
             Piece::Heading(of) => self.heading(of),
             Piece::Caption(of) => self.with_lines(|xml, lines| lines.caption(xml, of)),
             Piece::Equation(formula) => {
-                let style = Style::Figure;
-                self.words(style, style.lie(), &[Run::Words(linear(formula), Ink::PLAIN)]);
+                self.text.push_str(&linear(formula));
+                self.text.push_str("\r\n");
+                let number = self.paragraphs as usize;
+                self.with_lines(|xml, lines| {
+                    lines.holding(xml, Style::Figure, Style::Figure.lie(), |xml, _| {
+                        xml.element("hp:run", &[("charPrIDRef", "0")], |xml| {
+                            equation(xml, formula, number);
+                        });
+                    });
+                });
             }
             Piece::Table(grid) => self.with_lines(|xml, lines| {
                 lines.holding(xml, Style::Normal, Style::Normal.lie(), |xml, lines| {

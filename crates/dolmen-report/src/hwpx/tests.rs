@@ -51,7 +51,17 @@ fn paragraphs(section: &str) -> Vec<String> {
     let said = tree.descendants().filter(|node| node.has_tag_name((HP, "p")));
     let said = said.map(|paragraph| {
         let runs = paragraph.children().filter(|node| node.has_tag_name((HP, "run")));
-        let words = runs.flat_map(|run| run.children().filter(|node| node.has_tag_name((HP, "t"))));
+        // a formula is said in plain characters beside its script
+        let is_said = |node: &roxmltree::Node<'_, '_>| {
+            node.has_tag_name((HP, "t")) || node.has_tag_name((HP, "shapeComment"))
+        };
+        let words = runs.flat_map(|run| {
+            let equations = run.children().filter(|node| node.has_tag_name((HP, "equation")));
+            let all = run
+                .children()
+                .chain(equations.flat_map(|equation| equation.children()));
+            all.filter(is_said).collect::<Vec<_>>()
+        });
         words.filter_map(|words| words.text()).collect()
     });
     said.collect()

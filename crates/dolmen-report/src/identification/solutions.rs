@@ -79,7 +79,13 @@ pub(super) fn section<'a>(
         return;
     }
     document.put(Block::Table(table(answer)));
-    if matches!(project.structure, Structure::Chain(_) | Structure::Frame(_)) {
+    let has_shapes = match &project.structure {
+        // the shape of one link or storey is no finding
+        Structure::Chain(chain) => chain.links.len() > 1,
+        Structure::Frame(frame) => frame.storeys.len() > 1,
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
+    };
+    if has_shapes {
         let drawn = Figure::drawn(shapes_caption(answer), move |language| {
             solution_shapes(&project.structure, answer, &measured, language).unwrap_or_default()
         });

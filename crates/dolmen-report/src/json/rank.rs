@@ -66,6 +66,7 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
         "designs": answer.designs,
         "draws": answer.draws,
         "structures": rows.collect::<Vec<_>>(),
+        "columns_left_out": answer.columns_left_out,
         "left_out": left_out.map(|one| json!({ "name": one.name, "why": one.why.english })).collect::<Vec<_>>(),
     })
 }

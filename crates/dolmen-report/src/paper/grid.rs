@@ -44,7 +44,7 @@ fn wide(text: &str, half_points: usize) -> usize {
     // a letter is at most about 0.64 of its size wide, a Korean one twice that, and these up to 1.05
     let broad = text
         .chars()
-        .filter(|sign| matches!(sign, 'm' | 'M' | 'W' | '%'))
+        .filter(|sign| matches!(sign, 'm' | 'M' | 'w' | 'W' | '%'))
         .count();
     ((text.width_cjk() * 64 + broad * 41) * half_points).div_ceil(10) + ROOM
 }
@@ -120,6 +120,16 @@ mod tests {
         };
         let letters = 3.0 * 1.042 + 0.365 + 2.0 * 0.457;
         assert!(column as f64 >= letters * 17.0 * 10.0 + ROOM as f64, "{column}");
+    }
+
+    #[test]
+    fn holds_a_word_of_broad_letters_does_not_break() {
+        let [column] = widths(&grid(&["unknown"]), 15)[..] else {
+            panic!("one column");
+        };
+        // of DejaVu Sans: n and u 0.634 of its size wide, k 0.579, o 0.612, w 0.818
+        let letters = 4.0 * 0.634 + 0.579 + 0.612 + 0.818;
+        assert!(column as f64 >= letters * 15.0 * 10.0 + ROOM as f64, "{column}");
     }
 
     #[test]

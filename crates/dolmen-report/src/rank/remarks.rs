@@ -70,6 +70,10 @@ messages! {
             en: "Without a place: {count}. They are named below the table and may be the worst.",
             ko: "순위를 매기지 못한 구조물: {count}기. 표 아래에 제시하였으며 가장 취약할 수도 있다.",
         },
+        ColumnsLeftOut { columns: Vec<String> } => {
+            en: "The ranking does not use the columns {columns}.",
+            ko: "평가에 쓰지 않은 열은 {columns}이다.",
+        },
         LeftOutHead { count: usize, names: Sentence } => {
             en: "Without a place, look at these yourself: {count} ({names})",
             ko: "순위를 매기지 못한 구조물 {count}기({names}): 직접 검토 필요",
@@ -192,11 +196,20 @@ pub(super) fn before(document: &mut Document<'_>, answer: &PortfolioAnswer) {
     if !apart.is_empty() {
         document.put(Block::List(apart));
     }
+    if let Some(said) = columns_left_out(answer) {
+        document.paragraph(said);
+    }
     let names = hazards_replaced(answer).into_iter().map(str::to_owned);
     let names: Vec<String> = names.collect();
     if !names.is_empty() {
         document.paragraph(Remarks::HazardsReplaced { names });
     }
+}
+
+/// Columns of the table that a ranking does not use.
+pub(super) fn columns_left_out(answer: &PortfolioAnswer) -> Option<Sentence> {
+    let columns = answer.columns_left_out.clone();
+    (!columns.is_empty()).then(|| Remarks::ColumnsLeftOut { columns }.into())
 }
 
 /// How many have no place.

@@ -38,6 +38,7 @@ fn brief(answer: &PortfolioAnswer, style: TextStyle) -> String {
     for remark in remarks::fall_alone(answer)
         .into_iter()
         .chain(remarks::apart(answer))
+        .chain(remarks::columns_left_out(answer))
     {
         brief.block_within(Block::List(vec![remark]), REMARKS_MOST);
     }

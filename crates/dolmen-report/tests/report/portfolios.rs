@@ -62,6 +62,7 @@ fn exact_rows_of_a_table_of_structures() {
         "\u{feff}# a comment\nname,storeys,body_height_m,slenderness_angle,body_slenderness,taper_deg,body_base_height_ratio,project,study,zone_factor_g,soil\n\
          가, 5, 6.0, 0.35, 3.4, 9, 3,,,0.11,S4\nb,,,,,,,../b,shaken,,\n"
             .as_bytes(),
+        "list.csv",
     )
     .unwrap();
     let rows = table.rows;
@@ -84,13 +85,45 @@ fn exact_rows_of_a_table_of_structures() {
     );
 }
 
+/// One list in CSV, in CP949 and as a workbook of two sheets with remarks beside it gives the same rows.
+#[test]
+fn agrees_korean_lists_of_every_format() {
+    let csv = "번호,이름,층수,탑신 높이 (m),몸돌 세장비,체감각 (도),탑신/기단 높이비,지진구역,지반,종류,위도,경도,비고\n\
+               1,가리 석탑,5,5.1,4.7,7,2,I,S3,석탑,35.8,129.2,\n2,나리 석탑,3,3.9,3.1,6.5,2.4,0.11,S2,석탑,35.9,129.3,보수함\n";
+    let mut book = rust_xlsxwriter::Workbook::new();
+    let sheet = book.add_worksheet();
+    for (row, line) in (0..).zip(csv.lines()) {
+        for (column, cell) in (0..).zip(line.split(',').filter(|cell| !cell.is_empty())) {
+            match cell.parse::<f64>() {
+                Ok(number) => sheet.write_number(row, column, number).unwrap(),
+                Err(_) => sheet.write_string(row, column, cell).unwrap(),
+            };
+        }
+    }
+    book.add_worksheet();
+    let xlsx = book.save_to_buffer().unwrap();
+    let plain = "name,storeys,body_height_m,body_slenderness,taper_deg,body_base_height_ratio,zone_factor_g,soil\n\
+                 가리 석탑,5,5.1,4.7,7,2,0.11,S3\n나리 석탑,3,3.9,3.1,6.5,2.4,0.11,S2\n";
+    let bare = read_portfolio(plain.as_bytes(), "list.csv").unwrap();
+    // of Python 3.11: the first columns of both rows
+    let cp949 = b"\xc0\xcc\xb8\xa7,\xc3\xfe\xbc\xf6,\xc5\xbe\xbd\xc5 \xb3\xf4\xc0\xcc (m),\xb8\xf6\xb5\xb9 \xbc\xbc\xc0\xe5\xba\xf1,\xc3\xbc\xb0\xa8\xb0\xa2 (\xb5\xb5),\xc5\xbe\xbd\xc5/\xb1\xe2\xb4\xdc \xb3\xf4\xc0\xcc\xba\xf1,\xc1\xf6\xc1\xf8\xb1\xb8\xbf\xaa,\xc1\xf6\xb9\xdd\n\xb0\xa1\xb8\xae \xbc\xae\xc5\xbe,5,5.1,4.7,7,2,I,S3\n\xb3\xaa\xb8\xae \xbc\xae\xc5\xbe,3,3.9,3.1,6.5,2.4,0.11,S2\n";
+    let read = read_portfolio(cp949, "목록.csv").unwrap();
+    assert_eq!(read.rows, bare.rows);
+    for (bytes, file) in [(csv.as_bytes(), "목록.csv"), (&*xlsx, "목록.xlsx")] {
+        let read = read_portfolio(bytes, file).unwrap();
+        assert_eq!(read.rows, bare.rows, "{file}");
+        assert_eq!(read.left_out, ["번호", "종류", "위도", "경도", "비고"], "{file}");
+    }
+    assert!(bare.left_out.is_empty());
+}
+
 #[test]
 fn refuses_two_slendernesses_more_than_a_tenth_from_those_of_one_pagoda() {
     let row = |angle: String| {
         let table = format!(
             "name,storeys,body_height_m,slenderness_angle,body_slenderness,taper_deg,body_base_height_ratio\na,5,6,{angle},3.4,9,3\n"
         );
-        read_portfolio(table.as_bytes()).map(|table| table.rows[0].source.clone())
+        read_portfolio(table.as_bytes(), "list.csv").map(|table| table.rows[0].source.clone())
     };
     let factors = |angle: &str| match row(angle.to_owned()).unwrap() {
         RowSource::Factors(factors) => factors,
@@ -110,7 +143,7 @@ fn refuses_tables_of_structures_with_line_and_what_to_do() {
     let head =
         "name,storeys,body_height_m,body_slenderness,taper_deg,body_base_height_ratio,zone_factor_g,soil\n";
     let fault = |rows: &str| {
-        read_portfolio(format!("{head}{rows}").as_bytes())
+        read_portfolio(format!("{head}{rows}").as_bytes(), "list.csv")
             .unwrap_err()
             .to_string()
     };
@@ -140,26 +173,43 @@ fn refuses_tables_of_structures_with_line_and_what_to_do() {
             "a,5,6,3,9,2,,\nb,5,6,3,9,2,,\na,5,6,3,9,2,,\n",
             "lines 2 and 4 are both \"a\"",
         ),
-        ("a,5,6\n", "the table cannot be read"),
+        ("a,5,6\n", "fill body_slenderness/slenderness_angle, taper_deg"),
+        ("a,5,6,3,9,2,0.11,S2,7\n", "more cells than the table has heads"),
+        (
+            "a,5,6,3,9,2,11,S2\n",
+            "line 2 (a): zone_factor_g is \"11\", but must be above 0 and at most 0.15, in g",
+        ),
+        (
+            "a,5,\"6,2\",3,9,2,,\n",
+            "body_height_m is \"6,2\", but must be a number, with a decimal point: 6.2",
+        ),
+        (
+            "a,5,\"3,900\",3,9,2,,\n",
+            "3.900 if it is a decimal sign, 3900 if it separates thousands",
+        ),
     ] {
         let found = fault(rows);
         assert!(found.contains(says), "{rows}: {found}");
     }
     // one row that is wrong does not cost the others
-    let some = read_portfolio(format!("{head}a,5,6,3,9,2,,\nb,5,6,3,57,2,,\n").as_bytes()).unwrap();
+    let some = read_portfolio(
+        format!("{head}a,5,6,3,9,2,,\nb,5,6,3,57,2,,\n").as_bytes(),
+        "list.csv",
+    )
+    .unwrap();
     assert_eq!((some.rows.len(), some.refused.len()), (1, 1));
     assert_eq!(some.refused[0].0, "b");
     assert!(
-        read_portfolio(b"storeys\n5\n")
+        read_portfolio(b"storeys\n5\n", "list.csv")
             .unwrap_err()
             .to_string()
             .starts_with("the table has no column \"name\"")
     );
     assert!(
-        read_portfolio(b"name,height\na,5\n")
+        read_portfolio("name,body height (mm)\na,5\n".as_bytes(), "list.csv")
             .unwrap_err()
             .to_string()
-            .contains("\"height\" is not known")
+            .starts_with("column \"body height (mm)\" is misspelt or in another unit")
     );
 }
 

@@ -7,7 +7,7 @@ use dolmen::stability::frame_stability;
 use dolmen::structure::{Convention, Frame, FrameStiffness, frame_stiffness};
 use dolmen_project::{FramePart, Pick};
 
-/// Every stiffness that explains the modes, one answer a convention.
+/// Every stiffness that explains the modes, one answer a convention; of a single storey that of the file.
 pub(crate) fn stiffness(
     part: &FramePart,
     measured: &MeasuredDirection<'_>,
@@ -15,7 +15,13 @@ pub(crate) fn stiffness(
 ) -> Result<Vec<StiffnessAnswer>, WorkError> {
     let built = part.build(pick)?;
     let mut answers = Vec::new();
-    for convention in [Convention::Drift, Convention::Grounded] {
+    // of one storey both are one spring
+    let is_one = built.storeys().len() == 1;
+    let conventions = [Convention::Drift, Convention::Grounded];
+    for convention in conventions
+        .into_iter()
+        .filter(|of| !is_one || *of == part.convention)
+    {
         let frame = Frame::new(built.storeys().to_vec(), convention)?;
         let found = frame_stiffness(&frame, measured.modes, &FrameStiffness::default())?;
         let load_factor = |k: &[f64]| Ok(frame_stability(&frame, k)?.load_factor);

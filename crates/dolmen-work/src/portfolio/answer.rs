@@ -94,6 +94,8 @@ pub struct PortfolioAnswer {
     pub by_falls: Vec<Option<usize>>,
     /// Structures without a place.
     pub left_out: Vec<LeftOut>,
+    /// Heads of columns of the table that a ranking does not use.
+    pub columns_left_out: Vec<String>,
     /// Number of designs behind the score.
     pub designs: usize,
     /// Number of draws for the intervals of ranks.
@@ -133,6 +135,7 @@ impl PortfolioAnswer {
             ranked,
             by_falls,
             left_out,
+            columns_left_out: Vec::new(),
             designs: 0,
             draws,
             gravity_m_s2: GRAVITY_M_S2,

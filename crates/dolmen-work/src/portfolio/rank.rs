@@ -10,6 +10,7 @@ use crate::study::StudyError;
 use crate::study::{StudyAnswer, StudyJournals, studies_run};
 use crate::told::told_both;
 use dolmen::assess::{Hazard, ScoreModel, Unlike};
+use dolmen_project::Structure;
 use dolmen_records::Files;
 use dolmen_words::message::Both;
 use rayon::prelude::*;
@@ -64,7 +65,11 @@ pub fn rank(
     options: &RankOptions,
     projects: &dyn Projects,
 ) -> Result<PortfolioAnswer, WorkError> {
-    let PortfolioTable { rows, refused } = table;
+    let PortfolioTable {
+        rows,
+        refused,
+        left_out: columns_left_out,
+    } = table;
     let scores = Scores {
         models: std::array::from_fn(|state| designs.model(state).ok()),
         options,
@@ -111,6 +116,7 @@ pub fn rank(
     }
     let mut answer = PortfolioAnswer::of(source, options.state, entries, left_out, options.draws)?;
     answer.designs = designs.designs.len();
+    answer.columns_left_out = columns_left_out;
     Ok(answer)
 }
 
@@ -169,6 +175,10 @@ fn entry(
                     Some(factors) => {
                         let unlike = check_alike(project, extrapolate)?;
                         scored(&factors, &unlike, hazard)
+                    }
+                    None if matches!(project.structure, Structure::Survey) => Err(WorkError::SurveyToRank),
+                    None if project.studies.is_empty() => {
+                        Err(WorkError::NoStudyToRankBy { file: file.clone() })
                     }
                     None => Err(WorkError::NothingToRankBy { file: file.clone() }),
                 },

@@ -226,17 +226,21 @@ sentences! {
 
 sentences! {
     PortfolioError in "portfolio.error" {
-        Table { why } => {
-            en: "the table cannot be read: {why}",
-            ko: "표를 읽을 수 없다: {why}",
+        Table(why) => {
+            en: "{why}",
+            ko: "{why}",
         },
         NoName as { columns: COLUMNS.join(", ") } => {
             en: "the table has no column \"name\": the first line names the columns, {columns}",
             ko: "표에 \"name\" 열이 없다. 첫 줄에 열 이름을 쓴다: {columns}",
         },
         Column { column } as { column, columns: COLUMNS.join(", ") } => {
-            en: "column \"{column}\" is not known: columns are {columns}",
-            ko: "알 수 없는 열 \"{column}\"이다. 쓸 수 있는 열: {columns}",
+            en: "column \"{column}\" is misspelt or in another unit: columns are {columns} (body_height_m in m, taper_deg in degrees), in English or Korean",
+            ko: "열 \"{column}\"은(는) 이름이나 단위가 다르다. 쓸 수 있는 열(한글 이름도 가능): {columns}(body_height_m은 m, taper_deg는 도)",
+        },
+        ColumnTwice { column } => {
+            en: "two columns are {column}: keep one of them",
+            ko: "{column} 열이 둘이다. 하나만 남긴다",
         },
         Missing { line, name, what } => {
             en: "line {line} ({name}): {what}",

@@ -215,6 +215,10 @@ messages! {
             en: "the structure has no name: fill the column name",
             ko: "구조물의 이름이 없다. name 열을 채운다",
         },
+        Heads => {
+            en: "it has more cells than the table has heads: name every column in the first row",
+            ko: "열 이름보다 셀이 많다. 첫 행에 모든 열의 이름을 쓴다",
+        },
         ZoneAndSoil => {
             en: "zone_factor_g and soil belong together: fill both or neither",
             ko: "zone_factor_g와 soil은 함께 쓴다. 둘 다 채우거나 둘 다 비운다",
@@ -226,6 +230,15 @@ messages! {
     /// Allowed values in a table of structures.
     pub(crate) enum RowNeeds in "portfolio.needs" {
         Number => { en: "a number, 0 or more, in the unit of the column", ko: "열의 단위로 0 이상인 수" },
+        DecimalPoint { number: String } => { en: "a number, with a decimal point: {number}", ko: "소수점(.)을 쓴 수({number})" },
+        CommaOfEither { decimal: String, thousands: String } => {
+            en: "a number without a comma: {decimal} if it is a decimal sign, {thousands} if it separates thousands",
+            ko: "쉼표 없는 수(쉼표가 소수점이면 {decimal}, 천 단위 구분이면 {thousands})",
+        },
+        ZoneFactor => {
+            en: "above 0 and at most 0.15, in g: KDS 17 10 00 has 0.11 in zone I and 0.07 in zone II",
+            ko: "g 단위로 0보다 크고 0.15 이하(KDS 17 10 00의 지역계수: 지진구역 I 0.11, II 0.07)",
+        },
         WholeNumber => { en: "a whole number", ko: "정수" },
         BodyHeight => { en: "at most 100, in m: is it in mm?", ko: "m 단위로 100 이하(mm 값이 아닌가?)" },
         Slenderness => {

@@ -274,6 +274,14 @@ sentences! {
             en: "none of {structures} structures can be ranked:{reasons}",
             ko: "구조물 {structures}기 가운데 순위를 매길 수 있는 것이 없다:{reasons}",
         },
+        SurveyToRank => {
+            en: "it is a survey without a structure (kind = \"survey\"), so nothing says how much shaking it bears: leave it out, or give the project of the structure",
+            ko: "구조물이 없는 조사(kind = \"survey\")여서 저항능력을 알 수 없다. 목록에서 빼거나 구조물의 과제를 지정한다",
+        },
+        NoStudyToRankBy { file } => {
+            en: "it has no study and is no pagoda of six factors: add a [study.NAME] with motions to {file}, run dolmen study {file}, and rank again",
+            ko: "해석(study)도 여섯 인자의 석탑도 없다. {file}에 지진파를 쓰는 [study.이름]을 더하고 dolmen study {file}을(를) 실행한 뒤 다시 평가한다",
+        },
         NothingToRankBy { file } => {
             en: "it has neither results of a study nor a pagoda of six factors: run dolmen study {file} first",
             ko: "study의 결과도 여섯 인자의 석탑도 없다. 먼저 dolmen study {file}을(를) 실행한다",
