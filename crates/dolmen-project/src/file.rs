@@ -129,6 +129,9 @@ pub(super) struct FileRaw {
     pub(super) as_inspected: Option<At<String>>,
     /// What was measured, by occasion: [survey.2010-05-12].
     pub(super) survey: Option<BTreeMap<String, At<SurveyRaw>>>,
+    /// Surveys in a table beside the file, a row a date, beside those of [survey.DATE]: { file = "history.xlsx", sheet = "list" }.
+    #[expect(dead_code, reason = "read before the file is")]
+    pub(super) surveys: Option<At<SurveysTableRaw>>,
     /// How two surveys are compared, for `dolmen compare`.
     pub(super) change: Option<At<ChangeRaw>>,
     /// What the report says beside the computation: client, authors, photographs, opinion. Given by the engineer, never computed.
@@ -180,4 +183,18 @@ pub(super) struct UnitsRaw {
     pub(super) density: Option<At<String>>,
     /// cohesion, tension; default "Pa".
     pub(super) stress: Option<At<String>>,
+}
+
+/// A table of surveys.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[expect(dead_code, reason = "read before the file is")]
+pub(super) struct SurveysTableRaw {
+    /// The table beside the project file: XLSX, ODS or CSV.
+    #[schemars(required)]
+    file: Option<At<String>>,
+    /// The sheet of a workbook with several.
+    sheet: Option<At<String>>,
+    /// Heads of columns that hold nothing of surveys.
+    ignore: Option<Vec<At<String>>>,
 }

@@ -50,8 +50,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys that hold for the whole file: a variant cannot change them.
-const KEYS_OF_THE_FILE: [&str; 8] = [
-    "schema", "kind", "units", "variant", "study", "change", "report", "watch",
+const KEYS_OF_THE_FILE: [&str; 9] = [
+    "schema", "kind", "units", "variant", "study", "change", "report", "watch", "surveys",
 ];
 
 /// Paths that one warning names, our choice: more are counted.

@@ -4,6 +4,7 @@
 use super::error::Fault;
 use super::measure::Measure;
 use super::placed::place;
+use super::tabled_heads::{Column, ELSEWHERE, LISTS};
 use super::totals::{Total, total};
 use super::units::parse_unit;
 use super::wrong::{Common, WrongTable};
@@ -15,68 +16,8 @@ use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::Range;
+use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-
-/// A column: the key that it stands for, what else its head may be, and what it measures.
-pub(super) type Column = (&'static str, &'static [&'static str], Option<Measure>);
-
-const BLOCKS: &[Column] = &[
-    ("name", &["이름", "부재", "부재명"], None),
-    ("shape", &["형상"], None),
-    ("width", &["폭", "너비"], Some(Measure::Length)),
-    ("depth", &["깊이", "두께"], Some(Measure::Length)),
-    ("height", &["높이"], Some(Measure::Length)),
-    ("top_width", &["상부 폭", "상부폭"], Some(Measure::Length)),
-    ("top_depth", &["상부 깊이", "상부깊이"], Some(Measure::Length)),
-    ("diameter", &["지름", "직경"], Some(Measure::Length)),
-    ("top_diameter", &["상부 지름", "상부지름"], Some(Measure::Length)),
-    ("sides", &["변 수", "변수"], None),
-    ("density", &["밀도"], Some(Measure::Density)),
-];
-const LINKS: &[Column] = &[
-    ("name", &["이름", "부재", "부재명"], None),
-    ("weight", &["무게", "중량"], Some(Measure::Force)),
-    ("mass", &["질량"], Some(Measure::Mass)),
-    ("length", &["길이", "높이"], Some(Measure::Length)),
-    ("centroid", &["무게중심", "무게중심 높이"], Some(Measure::Length)),
-    ("breadth", &["폭", "너비"], Some(Measure::Length)),
-    ("bed_width", &["접합면 폭", "접합면폭"], Some(Measure::Length)),
-];
-const STOREYS: &[Column] = &[
-    ("name", &["이름", "층"], None),
-    ("weight", &["무게", "중량"], Some(Measure::Force)),
-    ("mass", &["질량"], Some(Measure::Mass)),
-    ("height", &["높이", "층고"], Some(Measure::Length)),
-    ("axial_force", &["축력"], Some(Measure::Force)),
-];
-/// What parts have that their table does not take: such a column would be missed in the model.
-const ELSEWHERE: [&str; 24] = [
-    "tilt",
-    "lean",
-    "offset",
-    "friction",
-    "stiffness",
-    "strength",
-    "cohesion",
-    "tension",
-    "damping",
-    "damping ratio",
-    "at",
-    "x",
-    "y",
-    "z",
-    "columns",
-    "기울기",
-    "이동",
-    "이동량",
-    "마찰",
-    "마찰계수",
-    "강성",
-    "강도",
-    "감쇠비",
-    "좌표",
-];
-const LISTS: [(&str, &[Column]); 3] = [("blocks", BLOCKS), ("links", LINKS), ("storeys", STOREYS)];
 
 /// A list that was read from a table.
 pub(super) struct Tabled {
@@ -93,6 +34,23 @@ pub(super) struct Tabled {
 }
 
 impl Tabled {
+    /// Surveys, each a table of its own.
+    pub(super) fn of_surveys(
+        span: Range<usize>,
+        text: String,
+        file: String,
+        places: BTreeMap<String, String>,
+    ) -> Self {
+        Tabled {
+            span,
+            text,
+            file,
+            places,
+            left_out: Vec::new(),
+            survey: None,
+        }
+    }
+
     /// Modes of a survey.
     pub(super) fn of_survey(span: Range<usize>, text: String, survey: String) -> Self {
         Tabled {
@@ -132,7 +90,18 @@ impl Tabled {
         let Some(within) = within else { return };
         for (key, mut value) in parsed.into_inner() {
             place(&mut value, &self.span);
-            within.insert(key, value);
+            // surveys stand beside those of the file
+            let known = within
+                .get_mut(key.get_ref().as_ref())
+                .map(|known| known.get_mut());
+            match (known, value.into_inner()) {
+                (Some(DeValue::Table(known)), DeValue::Table(more)) if key.get_ref() == "survey" => {
+                    known.extend(more);
+                }
+                (_, value) => {
+                    within.insert(key, Spanned::new(self.span.clone(), value));
+                }
+            }
         }
     }
 
@@ -147,7 +116,14 @@ impl Tabled {
                         .split_once(']')
                         .and_then(|(row, _)| tabled.places.get(&format!("{row}]")))
                 };
-                Some((tabled, exact.or_else(row)?))
+                // what is wrong with a part of a value
+                let above = || {
+                    let all = tabled.places.iter();
+                    all.filter(|(path, _)| fault.is_at_or_below(path))
+                        .map(|(_, cell)| cell)
+                        .next_back()
+                };
+                Some((tabled, exact.or_else(row).or_else(above)?))
             });
             if let Some((tabled, place)) = found {
                 fault.say_cell(&tabled.file, place);

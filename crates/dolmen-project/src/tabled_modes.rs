@@ -3,7 +3,9 @@
 
 use super::error::Fault;
 use super::measure::Measure;
-use super::tabled::{Column, Tabled, checked_unit, column, quoted, tabled, written};
+use super::tabled::{Tabled, checked_unit, column, quoted, tabled, written};
+use super::tabled_heads::Column;
+use super::tabled_surveys::surveys_in_table;
 use super::units::parse_unit;
 use super::wrong::{Common, WrongModes, WrongTable};
 use crate::wrong::said;
@@ -44,13 +46,14 @@ const COLUMNS: &[Column] = &[
 /// A fault, and what to do.
 type Wrong = (Both, Both);
 
-/// Every list of parts and all modes of surveys that stand in a file beside the project.
+/// Every list of parts, all modes of surveys and all surveys that stand in a file beside the project.
 pub(super) fn beside_the_file(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<Fault>> {
     let mut all = tabled(text, files)?;
     let (root, syntax) = DeTable::parse_recoverable(text);
     let mut faults = Vec::new();
     if syntax.is_empty() {
         modes_in_files(root.get_ref(), files, &mut all, &mut faults);
+        surveys_in_table(root.get_ref(), files, &mut all, &mut faults);
     }
     match faults.is_empty() {
         true => Ok(all),

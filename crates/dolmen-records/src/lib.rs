@@ -31,7 +31,7 @@ pub use limits::LimitError;
 pub use log::{Log, LogError, read_log};
 pub use photo::{PHOTO_BYTES_MOST, PHOTO_PIXELS_MOST, Photo, PhotoError, PhotoFormat, read_photo};
 pub use score_form::{FormFactor, ScoreForm, ScoreFormError, read_score_form};
-pub use sheet::{SHEET_BYTES_MOST, SheetCell, SheetValue, read_sheet};
+pub use sheet::{SHEET_BYTES_MOST, SheetCell, SheetValue, read_dated_sheet, read_sheet};
 pub use sheet_error::SheetError;
 pub use sheet_heads::is_misspelt;
 pub use start::{start_of_text, time_text};

@@ -33,10 +33,31 @@ pub struct SheetCell {
 /// # Errors
 /// [`SheetError`]: no table, a formula, merged cells, or too much; each names the cell.
 pub fn read_sheet(bytes: &[u8], file: &str, sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+    rows_of(bytes, file, sheet, SheetUse::Parts)
+}
+
+/// As [`read_sheet`], of a table with a date in each row: dates of a spreadsheet are text, "2026-11-25".
+///
+/// # Errors
+/// [`SheetError`].
+pub fn read_dated_sheet(
+    bytes: &[u8],
+    file: &str,
+    sheet: Option<&str>,
+) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+    rows_of(bytes, file, sheet, SheetUse::Dated)
+}
+
+fn rows_of(
+    bytes: &[u8],
+    file: &str,
+    sheet: Option<&str>,
+    of: SheetUse,
+) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     let ending = file.rsplit('.').next().map(str::to_lowercase);
     let mut rows = match ending.as_deref() {
-        Some("xlsx") => of_xlsx(bytes, sheet, SheetUse::Parts)?,
-        Some("ods") => of_ods(bytes, sheet)?,
+        Some("xlsx") => of_xlsx(bytes, sheet, of)?,
+        Some("ods") => of_ods(bytes, sheet, of)?,
         Some("csv" | "tsv" | "txt") if sheet.is_some() => return Err(SheetError::NoSheets),
         Some("csv" | "tsv" | "txt") => of_text(bytes)?,
         _ => return Err(SheetError::NotATable),
@@ -59,6 +80,8 @@ const SAMPLES_MOST: usize = 1 << 20;
 pub(crate) enum SheetUse {
     /// Parts of a structure: dates are mistakes.
     Parts,
+    /// Surveys of a structure, a row a date: dates are text.
+    Dated,
     /// Samples or readings, with dates and times as text.
     Samples,
 }
@@ -66,7 +89,7 @@ pub(crate) enum SheetUse {
 impl SheetUse {
     fn rows_most(self) -> usize {
         match self {
-            SheetUse::Parts => ROWS_MOST,
+            SheetUse::Parts | SheetUse::Dated => ROWS_MOST,
             SheetUse::Samples => SAMPLES_MOST,
         }
     }
@@ -148,13 +171,13 @@ pub(crate) fn of_xlsx(
     cells(&book.worksheet_range(&name).map_err(unreadable)?, of)
 }
 
-fn of_ods(bytes: &[u8], sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+fn of_ods(bytes: &[u8], sheet: Option<&str>, of: SheetUse) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     refuse_bomb(bytes)?;
     refuse_repeats(bytes)?;
     let mut book: Ods<_> = Ods::new(Cursor::new(bytes)).map_err(unreadable)?;
     let name = chosen(&book.sheet_names(), sheet)?;
     refuse_formula(&book.worksheet_formula(&name).map_err(unreadable)?)?;
-    cells(&book.worksheet_range(&name).map_err(unreadable)?, SheetUse::Parts)
+    cells(&book.worksheet_range(&name).map_err(unreadable)?, of)
 }
 
 fn refuse_formula(formulas: &Range<String>) -> Result<(), SheetError> {
@@ -187,8 +210,8 @@ fn cells(range: &Range<Data>, of: SheetUse) -> Result<Vec<Vec<SheetCell>>, Sheet
             Data::Float(number) => SheetValue::Number(*number),
             Data::String(text) if text.trim().is_empty() => SheetValue::Empty,
             Data::String(text) => SheetValue::Text(text.trim().to_owned()),
-            Data::DateTime(at) if of == SheetUse::Samples => SheetValue::Text(moment(*at)),
-            Data::DateTimeIso(at) if of == SheetUse::Samples => SheetValue::Text(at.replace('T', " ")),
+            Data::DateTime(at) if of != SheetUse::Parts => SheetValue::Text(moment(*at)),
+            Data::DateTimeIso(at) if of != SheetUse::Parts => SheetValue::Text(at.replace('T', " ")),
             other => {
                 let what = match other {
                     Data::Error(error) => format!("the error {error}"),
@@ -248,7 +271,12 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     let mut within_cells = 0;
     for record in reader.records() {
         let record = record.map_err(unreadable)?;
-        let line = record.position().map_or(rows.len() + 1, |at| at.line() as usize);
+        // a record begins behind the one before, empty lines among it
+        let line = record.position().map_or(rows.len() + 1, |at| {
+            let ahead = text.as_bytes().get(at.byte() as usize..).unwrap_or_default();
+            let empty = ahead.iter().take_while(|byte| matches!(byte, b'\n' | b'\r'));
+            at.line() as usize + empty.filter(|byte| **byte == b'\n').count()
+        });
         let number = line.saturating_sub(1 + within_cells);
         within_cells += record
             .iter()
@@ -341,6 +369,22 @@ mod tests {
         }
         sheet.write_string(3, 1, "몸돌").unwrap();
         sheet.write_number(3, 2, 950.0).unwrap();
+    }
+
+    #[test]
+    fn exact_dates_of_a_spreadsheet_are_text_where_rows_have_dates() {
+        let dated = book(|sheet| {
+            let day = rust_xlsxwriter::Format::new().set_num_format("yyyy-mm-dd");
+            sheet.write_string(0, 0, "date").unwrap();
+            let when = rust_xlsxwriter::ExcelDateTime::from_ymd(2016, 5, 3).unwrap();
+            sheet.write_datetime_with_format(1, 0, &when, &day).unwrap();
+        });
+        let rows = read_dated_sheet(&dated, "list.xlsx", None).unwrap();
+        assert_eq!(rows[1][0].value, SheetValue::Text("2016-05-03".to_owned()));
+        assert!(matches!(
+            read_sheet(&dated, "list.xlsx", None),
+            Err(SheetError::Other { .. })
+        ));
     }
 
     #[test]

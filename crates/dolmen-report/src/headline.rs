@@ -68,7 +68,7 @@ messages! {
         WordDrift { word: Both, ratio: Quantity } => { en: "{word} (drift: {ratio})", ko: "{word}(층간변위: {ratio})" },
         Falls => { en: "it falls", ko: "전도" },
         Word { word: Both } => { en: "{word}", ko: "{word}" },
-        WordRatio { word: Both, ratio: Quantity } => { en: "{word} ({ratio})", ko: "{word}({ratio})" },
+        WordRatio { word: Both, ratio: Quantity } => { en: "{word} (capacity/demand {ratio})", ko: "{word}(저항/요구 {ratio})" },
         WordFalls { word: Both } => { en: "{word} (it falls)", ko: "{word}(붕괴)" },
         WordDamage { word: Both, state: usize } => { en: "{word} (DS{state})", ko: "{word}(DS{state})" },
         WordRuns { word: Both, state: usize, runs: usize, all: usize } => {
@@ -523,7 +523,7 @@ mod tests {
         assert_eq!(
             english,
             "Own weight: unknown (1.95 if this model were right; survey 2009 contradicts it: 2.10\u{202f}Hz measured, 0.233\u{202f}Hz \
-             modelled) · Earthquake KDS, 2400 y: below demand (0.170) · assumed inputs: 3 of 12"
+             modelled) · Earthquake KDS, 2400 y: below demand (capacity/demand 0.170) · assumed inputs: 3 of 12"
         );
         let korean = headline(&judged(), Language::Korean);
         assert!(

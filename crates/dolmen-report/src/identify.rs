@@ -46,8 +46,9 @@ pub fn identification_text(answer: &IdentifyAnswer, style: TextStyle) -> String 
     for survey in &answer.surveys {
         out += &document_text(&modal::sections(survey), style);
     }
-    out += &document_text(&identification::sections(&answer.project, &answer.surveys), style);
-    out += &document_text(&identification::appendix(&answer.project, &answer.surveys), style);
+    let every: Vec<&SurveyAnswer> = answer.surveys.iter().collect();
+    out += &document_text(&identification::sections(&answer.project, &every), style);
+    out += &document_text(&identification::appendix(&answer.project, &every), style);
     out + &notes_text(&answer.project, style)
 }
 

@@ -50,6 +50,7 @@ mod stack;
 mod stack_simulation;
 mod study;
 mod surveys_given;
+mod surveys_many;
 pub mod tables;
 pub mod text;
 mod tune;

@@ -8,6 +8,7 @@ use crate::identify::Nothing;
 use crate::inputs_by_part::ByPart;
 use crate::load_factor::LoadFactor;
 use crate::surveys_given::Given;
+use crate::surveys_many::Many;
 use crate::{
     after_first, building, building_simulation, chain, change, check, damaged, demand, document, engineer,
     figures, frame, frame_simulation, headline, identification, kept, limits, loads, modal, motion,
@@ -26,6 +27,7 @@ pub fn sentences() -> Vec<Template> {
         Method::TEMPLATES,
         ByPart::TEMPLATES,
         Given::TEMPLATES,
+        Many::TEMPLATES,
     ];
     groups.extend(chain::TEMPLATES);
     groups.extend(loads::TEMPLATES);

@@ -4,7 +4,7 @@ use crate::document::{Document, Finding, Tone};
 use crate::engineer::{self, Pictures};
 use crate::{
     building, building_simulation, chain, change, check, demand, frame, frame_simulation, identification,
-    loads, modal, stack, stack_simulation, study, tune, watch,
+    loads, modal, stack, stack_simulation, study, surveys_many, tune, watch,
 };
 use dolmen_project::Structure;
 use dolmen_words::Language;
@@ -56,10 +56,12 @@ pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
         whole.append(engineer::tests_made(given));
     }
     whole.append(engineer::damage(&answer.project, Pictures::of(answer)));
-    for survey in answer.surveys() {
+    whole.append(surveys_many::sections(&answer.project, answer.surveys()));
+    let detailed = surveys_many::detailed(&answer.project, answer.surveys());
+    for survey in &detailed {
         whole.append(modal::sections(survey));
     }
-    whole.append(identification::sections(&answer.project, answer.surveys()));
+    whole.append(identification::sections(&answer.project, &detailed));
     if let Some(state) = answer.state() {
         model(&mut whole, answer, state);
         if let Some(demand) = &state.demand {
@@ -96,7 +98,7 @@ pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
     if let Some(Check::Chain(check)) = answer.state().map(|state| &state.check) {
         whole.append(chain::appendix(check));
     }
-    whole.append(identification::appendix(&answer.project, answer.surveys()));
+    whole.append(identification::appendix(&answer.project, &detailed));
     whole
 }
 

@@ -2,7 +2,8 @@
 
 use crate::building::{BuildingSimulation, TogetherAnswer, TuneAnswer};
 use crate::chain::ChainSimulation;
-use crate::changed_part::ChangedPart;
+use crate::changed_part::{ChangedPart, ModelOff};
+use crate::compared_history::ComparedHistory;
 use crate::compared_readings::ComparedReadings;
 use crate::frame::FrameSimulation;
 use crate::motion::MotionReport;
@@ -97,8 +98,12 @@ pub struct CompareAnswer {
     pub to: String,
     /// The change of the modes; `None` where one of the two has no modes.
     pub change: Option<SurveyChange>,
+    /// What all surveys say beside these two, whose weather and scatter are taken; `None` where they are too few.
+    pub history: Option<ComparedHistory>,
     /// The part of the model that explains the change, by direction; empty where no change is significant.
     pub parts: Vec<ChangedPart>,
+    /// Why none is sought, where the model is too far from the measured frequencies.
+    pub model_off: Option<ModelOff>,
     /// Tilts and inspections of both.
     pub readings: ComparedReadings,
     /// Which of both surveys have records with an earthquake, and from which part of the records their modes are.

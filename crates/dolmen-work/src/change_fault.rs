@@ -23,6 +23,13 @@ pub enum ChangeFault {
         /// Its name.
         given: String,
     },
+    /// Two dates have one record.
+    SameRecord {
+        /// Names of both surveys.
+        surveys: [String; 2],
+        /// The file of each.
+        files: [String; 2],
+    },
     /// Too few surveys to watch.
     TooFewToWatch {
         /// Surveys that can be watched.

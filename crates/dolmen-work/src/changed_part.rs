@@ -24,6 +24,28 @@ pub struct ChangedPart {
     pub found: WhichPart,
 }
 
+/// A model too far from the structure for a part to be sought: its nearest frequency belongs to another mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModelOff {
+    /// The measured frequency that changed most beyond its deviation, Hz.
+    pub measured_hz: f64,
+    /// The nearest of the model in its direction, Hz.
+    pub model_hz: f64,
+}
+
+impl ModelOff {
+    /// The larger of both over the smaller.
+    pub fn factor(&self) -> f64 {
+        let ratio = self.measured_hz / self.model_hz;
+        ratio.max(1.0 / ratio)
+    }
+
+    /// The largest such factor within which the two are taken for one mode.
+    pub fn allowed() -> f64 {
+        SAME_MODE
+    }
+}
+
 /// Change of one measured frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MeasuredChange {
@@ -39,9 +61,12 @@ pub(crate) struct MeasuredChange {
 
 /// The part that explains the significant changes from one survey to another, by direction; empty where none is significant, and where the model
 /// has no such parts.
-pub(crate) fn changed_parts(project: &Project, change: &SurveyChange) -> Vec<ChangedPart> {
+pub(crate) fn changed_parts(
+    project: &Project,
+    change: &SurveyChange,
+) -> (Vec<ChangedPart>, Option<ModelOff>) {
     if change.changed().count() == 0 {
-        return Vec::new();
+        return (Vec::new(), None);
     }
     let each = change.modes.iter().map(|mode| MeasuredChange {
         direction: match mode.from.direction.as_deref() {
@@ -52,18 +77,62 @@ pub(crate) fn changed_parts(project: &Project, change: &SurveyChange) -> Vec<Cha
         relative: mode.frequency.relative,
         sd: mode.frequency.evidence.as_ref().map(|evidence| evidence.sd),
     });
-    parts_that_explain(project, &each.collect::<Vec<_>>())
+    let each: Vec<MeasuredChange> = each.collect();
+    let models = loosening(project);
+    let parts = explained_by(&models, &each);
+    let off = parts.is_empty().then(|| model_off(&models, &each)).flatten();
+    (parts, off)
 }
 
-/// The part that explains changes of frequencies, by direction; empty where the model has no such parts.
-pub(crate) fn parts_that_explain(project: &Project, changes: &[MeasuredChange]) -> Vec<ChangedPart> {
-    explained_by(&loosening(project), changes)
-}
-
-/// The same for given models.
+/// The part of given models that explains changes of frequencies, by direction; empty where the models have no such parts.
 pub(crate) fn explained_by(models: &[Loosening<'_>], changes: &[MeasuredChange]) -> Vec<ChangedPart> {
     let each = models.iter().filter_map(|model| explained(model, changes));
     each.collect()
+}
+
+/// Where fewer than two frequencies of every model are near measured ones: the changed frequency that is farthest beyond its deviation among those
+/// without a partner. `None` where parts can be sought, or the directions of the model were not measured.
+pub(crate) fn model_off(models: &[Loosening<'_>], changes: &[MeasuredChange]) -> Option<ModelOff> {
+    let mut apart: Vec<(f64, ModelOff)> = Vec::new();
+    for model in models {
+        let given = (model.frequencies_hz)(None, 1.0)?;
+        let mut partners = 0;
+        for (direction, model_hz) in model.along.iter().zip(&given) {
+            let own = along(direction.as_deref(), changes);
+            let pairs = matched(&own, model_hz);
+            partners += pairs.len();
+            let alone = own
+                .into_iter()
+                .filter(|of| !pairs.iter().any(|(pair, _)| std::ptr::eq(*pair, *of)));
+            apart.extend(alone.filter_map(|of| {
+                let off = |hz: f64| (of.frequency_hz / hz).ln().abs();
+                let nearest = model_hz
+                    .iter()
+                    .copied()
+                    .min_by(|a, b| off(*a).total_cmp(&off(*b)))?;
+                let is_apart = off(nearest) > SAME_MODE.ln();
+                let found = ModelOff {
+                    measured_hz: of.frequency_hz,
+                    model_hz: nearest,
+                };
+                is_apart.then(|| (of.sd.map_or(0.0, |sd| (of.relative / sd).abs()), found))
+            }));
+        }
+        if partners > 1 {
+            return None;
+        }
+    }
+    let farthest = apart.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    farthest.map(|(_, found)| found)
+}
+
+/// The changes along a direction of a model; of any but torsion without one.
+fn along<'c>(direction: Option<&str>, changes: &'c [MeasuredChange]) -> Vec<&'c MeasuredChange> {
+    let is_along = |mode: &&MeasuredChange| match direction {
+        None => mode.direction.as_deref() != Some(TORSION),
+        Some(own) => mode.direction.as_deref() == Some(own),
+    };
+    changes.iter().filter(is_along).collect()
 }
 
 /// A measured change with the index of the direction in the model, and the mode in it.
@@ -77,11 +146,7 @@ fn explained(model: &Loosening<'_>, changes: &[MeasuredChange]) -> Option<Change
     let given = (model.frequencies_hz)(None, 1.0)?;
     let mut all: Vec<Matched<'_>> = Vec::new();
     for (along, (direction, given)) in model.along.iter().zip(&given).enumerate() {
-        let is_along = |mode: &&MeasuredChange| match direction {
-            None => mode.direction.as_deref() != Some(TORSION),
-            Some(own) => mode.direction.as_ref() == Some(own),
-        };
-        let own: Vec<&MeasuredChange> = changes.iter().filter(is_along).collect();
+        let own = self::along(direction.as_deref(), changes);
         let own = matched(&own, given).into_iter();
         all.extend(own.map(|(change, mode)| Matched { change, along, mode }));
     }
@@ -131,4 +196,36 @@ fn matched<'c>(measured: &[&'c MeasuredChange], model_hz: &[f64]) -> Vec<(&'c Me
         is_same.then_some((*mode, at))
     });
     each.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn changes(x_hz: f64, y_hz: f64) -> Vec<MeasuredChange> {
+        let each = [("x", x_hz, -0.04), ("y", y_hz, -0.01)];
+        let each = each.map(|(direction, frequency_hz, relative)| MeasuredChange {
+            direction: Some(direction.to_owned()),
+            frequency_hz,
+            relative,
+            sd: Some(0.002),
+        });
+        each.to_vec()
+    }
+
+    #[test]
+    fn exact_a_model_too_far_off_is_named_with_its_factor() {
+        let model = [Loosening {
+            direction: None,
+            parts: Vec::new(),
+            along: vec![Some("x".to_owned()), Some("y".to_owned())],
+            frequencies_hz: Box::new(|_, _| Some(vec![vec![3.0, 9.0], vec![3.1]])),
+        }];
+        let off = model_off(&model, &changes(4.5, 4.6)).unwrap();
+        assert_eq!((off.measured_hz, off.model_hz, off.factor()), (4.5, 3.0, 1.5));
+        let off = model_off(&model, &changes(2.0, 3.2)).unwrap();
+        assert_eq!((off.measured_hz, off.factor()), (2.0, 1.5));
+        assert_eq!(model_off(&model, &changes(3.3, 3.2)), None);
+        assert_eq!(model_off(&[], &changes(4.5, 4.6)), None);
+    }
 }

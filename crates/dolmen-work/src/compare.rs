@@ -5,16 +5,19 @@ use crate::change_fault::ChangeFault;
 use crate::changed_part::changed_parts;
 use crate::compared_readings::{compared_readings, has_modes};
 use crate::error::WorkError;
+use crate::history_behind::{Behind, behind, has_history};
 use crate::identify;
+use crate::left_out::found_without;
+use crate::modes_of_survey::surveyed;
 use crate::opened::Opened;
 use crate::progress::Progress;
 use crate::rate_slip::rate_slip;
+use crate::same_record::refuse_same_records;
 use crate::survey_dates::date;
 use crate::surveyed::{ModesOf, SurveyAnswer};
 use dolmen::assess::{SurveyChange, SurveyChangeOptions, Surveyed, TemperatureEffect, survey_change};
-use dolmen::modal::{ObservedMode, ObservedPoint, Pairing};
-use dolmen::signal::Channel;
-use dolmen_project::{ModeKind, Project, Survey, SurveyMode, TemperaturePart};
+use dolmen::modal::Pairing;
+use dolmen_project::{Project, Survey, TemperaturePart};
 use dolmen_records::Files;
 
 /// Names of the surveys to compare.
@@ -26,7 +29,7 @@ pub struct CompareOptions {
     pub to: Option<String>,
 }
 
-/// Compares two surveys.
+/// Compares two surveys. Where the project has enough others, the weather and the scatter are those of all.
 ///
 /// # Errors
 /// Surveys that cannot be compared, or whose records cannot be read.
@@ -41,36 +44,60 @@ pub fn compare(
     let needed = [compared.from, compared.to]
         .into_iter()
         .chain(compared.earlier.iter().copied());
-    let answers: Vec<SurveyAnswer> = needed
+    let is_among_many = has_history(project, [compared.from, compared.to]);
+    let used = |at: &usize| is_among_many || [compared.from, compared.to].contains(at);
+    let used = (0..project.surveys.len()).filter(used);
+    refuse_same_records(used.map(|at| &project.surveys[at]), files)?;
+    let mut answers: Vec<SurveyAnswer> = needed
         .map(|i| identify::found_in(&project.surveys[i], files, progress))
         .collect::<Result<_, _>>()?;
-    Ok(compared_of(opened, &compared, &answers)?)
+    if is_among_many {
+        for survey in &project.surveys {
+            let is_found = answers.iter().any(|answer| answer.name == survey.name);
+            let has_records = survey.records.is_some() || !survey.setups.is_empty();
+            if has_records && !is_found {
+                // a record that cannot be used leaves the history, not the comparison
+                answers.extend(found_without(survey, files, progress).ok().map(|found| found.0));
+            }
+        }
+    }
+    compared_of(opened, &compared, &answers, files)
 }
 
 /// Compares two surveys of a project; `answers` hold the results of their records.
 ///
 /// # Errors
-/// [`ChangeFault::Assess`].
+/// [`ChangeFault::Assess`]; logs that cannot be read.
 pub(crate) fn compared_of(
     opened: &Opened,
     compared: &ComparedSurveys,
     answers: &[SurveyAnswer],
-) -> Result<CompareAnswer, ChangeFault> {
+    files: &dyn Files,
+) -> Result<CompareAnswer, WorkError> {
     let project = &opened.project;
     let [from, to] = [compared.from, compared.to].map(|at| &project.surveys[at]);
-    let change = match has_modes(from) && has_modes(to) {
-        true => Some(change_of(project, compared, answers)?),
+    let have_modes = has_modes(from) && has_modes(to);
+    let history = match have_modes {
+        true => behind(opened, [compared.from, compared.to], answers, files)?,
         false => None,
     };
+    let change = match have_modes {
+        true => Some(change_of(project, compared, answers, history.as_ref())?),
+        false => None,
+    };
+    let is_taken = |change: &SurveyChange| change.modes.iter().any(|mode| mode.history.is_some());
+    let history = history.filter(|_| change.as_ref().is_some_and(is_taken));
+    let explained = change.as_ref().map(|change| changed_parts(project, change));
+    let (parts, model_off) = explained.unwrap_or_default();
     Ok(CompareAnswer {
         file: opened.file.clone(),
         project: opened.project.clone(),
         from: from.name.clone(),
         to: to.name.clone(),
-        parts: change
-            .as_ref()
-            .map_or_else(Vec::new, |change| changed_parts(project, change)),
+        parts,
+        model_off,
         change,
+        history: history.map(|of| of.told),
         readings: compared_readings(project, compared.from, compared.to),
         shaken: shaken(project, compared, answers),
     })
@@ -177,69 +204,12 @@ pub fn surveys_to_compare(
     Ok(ComparedSurveys { from, to, earlier })
 }
 
-/// The modes of a survey: from its records if it has any, otherwise those stated in the file.
-pub fn surveyed(survey: &Survey, found: Option<&SurveyAnswer>) -> Surveyed {
-    let mut modes = match found.and_then(SurveyAnswer::modes) {
-        Some((modes, time_blocks)) => {
-            let mut all = ObservedMode::all(modes, time_blocks);
-            let setups = found
-                .and_then(|found| found.setups.as_ref())
-                .filter(|setups| setups.joint.is_none());
-            let merged = setups.iter().flat_map(|setups| &setups.merged.merged);
-            for (mode, merged) in all.iter_mut().zip(merged) {
-                let own = merged.degrees_of_freedom.unwrap_or(f64::INFINITY);
-                mode.degrees_of_freedom = mode.degrees_of_freedom.min(own);
-            }
-            all
-        }
-        None => {
-            let listed = survey.modes.iter();
-            listed
-                .flat_map(|(direction, modes)| modes.iter().map(|mode| stated(direction, mode)))
-                .collect()
-        }
-    };
-    modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-    Surveyed {
-        name: survey.name.clone(),
-        temperature_c: survey.temperature_c,
-        modes,
-    }
-}
-
-fn stated(direction: &str, mode: &SurveyMode) -> ObservedMode {
-    let twists = mode.kind == ModeKind::Torsion;
-    ObservedMode {
-        accepted: false,
-        frequency_hz: mode.frequency.value,
-        frequency_sd_hz: mode.frequency.cov.map(|_| mode.frequency.standard_deviation()),
-        damping_ratio: mode.damping_ratio.as_ref().map(|zeta| zeta.value),
-        damping_ratio_sd: mode
-            .damping_ratio
-            .as_ref()
-            .and_then(|zeta| zeta.cov.map(|_| zeta.standard_deviation())),
-        degrees_of_freedom: f64::INFINITY,
-        direction: Some(if twists {
-            "torsion".to_owned()
-        } else {
-            direction.to_owned()
-        }),
-        shape: mode
-            .shape
-            .iter()
-            .map(|point| {
-                let name = format!("{direction} at {:.3} m", point.height_m);
-                ObservedPoint::real(Channel::named(name), point.displacement)
-            })
-            .collect(),
-    }
-}
-
 /// The change of modes between two surveys of a project.
 fn change_of(
     project: &Project,
     compared: &ComparedSurveys,
     answers: &[SurveyAnswer],
+    history: Option<&Behind>,
 ) -> Result<SurveyChange, ChangeFault> {
     let of = |i: usize| {
         let survey = &project.surveys[i];
@@ -261,10 +231,19 @@ fn change_of(
             }
             TemperaturePart::Fitted => TemperatureEffect::Fitted,
         },
+        history: history.map_or_else(Vec::new, |of| of.effects.clone()),
         ..SurveyChangeOptions::default()
     };
     let earlier: Vec<Surveyed> = compared.earlier.iter().map(|i| of(*i)).collect();
-    let (from, to) = (of(compared.from), of(compared.to));
+    let (mut from, mut to) = (of(compared.from), of(compared.to));
+    if let Some(Behind {
+        temperatures_c: [before_c, after_c],
+        ..
+    }) = history
+    {
+        from.temperature_c = from.temperature_c.or(*before_c);
+        to.temperature_c = to.temperature_c.or(*after_c);
+    }
     let mut change = survey_change(&from, &to, &earlier, &options)?;
     let answer = |of: &Surveyed| answers.iter().find(|answer| answer.name == of.name);
     change
@@ -276,7 +255,11 @@ fn change_of(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compared_history::Course;
+    use crate::progress::Silent;
     use dolmen_project::parse_project;
+    use dolmen_records::NoFiles;
+    use std::sync::Arc;
 
     fn project(surveys: &[&str], change: &str) -> Project {
         let mut text = "schema = 1\nkind = \"survey\"\nname = \"Gate\"\n".to_owned() + change;
@@ -303,6 +286,75 @@ mod tests {
         );
         let found = surveys_to_compare(&five, None, Some("2022-05-01")).unwrap();
         assert_eq!((found.from, found.to, found.earlier), (1, 4, vec![0, 2]));
+    }
+
+    /// Fourteen surveys in warm and cold months, −0.08 % per °C; from the ninth on 4 % lower.
+    fn of_many() -> Project {
+        let off = [
+            0.4, -0.7, 0.1, 0.9, -0.5, -0.2, 0.6, -0.8, 0.3, -0.4, 0.8, -0.1, -0.6, 0.2,
+        ];
+        let mut text = "schema = 1\nkind = \"survey\"\nname = \"Gate\"\n".to_owned();
+        for (i, off) in off.iter().enumerate() {
+            let temperature_c = if i % 2 == 0 { 20.0 } else { 6.0 } + 5.0 * off;
+            let step = if i < 8 { 1.0 } else { 0.96 };
+            let hz = 3.0 * step * (1.0 - 0.0008 * (temperature_c - 13.0)) * (1.0 + 0.001 * off * off);
+            text += &format!(
+                "[survey.{}-{:02}-07]\ntemperature_c = {temperature_c}\nfrequencies.x = [{{ value = {hz}, sd = 0.003 }}]\n",
+                2018 + i / 2,
+                5 + 6 * (i % 2)
+            );
+        }
+        parse_project(&text, "project.toml").unwrap()
+    }
+
+    fn compared(project: &Project, from: Option<&str>) -> CompareAnswer {
+        let opened = Opened {
+            project: Arc::new(project.clone()),
+            text: String::new(),
+            file: String::new(),
+            identified: Vec::new(),
+        };
+        let options = CompareOptions {
+            from: from.map(str::to_owned),
+            to: None,
+        };
+        compare(&opened, &options, &NoFiles, &Silent).unwrap()
+    }
+
+    #[test]
+    fn holds_weather_and_scatter_are_those_of_all_surveys() {
+        let all = of_many();
+        for from in [None, Some("2019-11-07")] {
+            let answer = compared(&all, from);
+            let change = answer.change.unwrap();
+            let frequency = &change.modes[0].frequency;
+            assert!((frequency.relative + 0.04).abs() < 0.003, "{frequency:?}");
+            assert!(!change.temperature.leaves_doubt() && change.changed().count() == 1);
+            let history = answer.history.unwrap();
+            assert_eq!(history.surveys, 14);
+            let [of] = history.lasting.as_slice() else {
+                panic!("{:?}", history.lasting)
+            };
+            assert!((of.ratio + 0.04).abs() < 0.003, "{of:?}");
+            assert!(
+                matches!(&of.course, Course::Step { before, .. } if before == "2022-05-07"),
+                "{of:?}"
+            );
+        }
+        // before the step nothing changed, and nothing lasting is named
+        let mut earlier = all.clone();
+        earlier.surveys.truncate(8);
+        let answer = compared(&earlier, None);
+        assert!(answer.history.unwrap().lasting.is_empty());
+        assert_eq!(answer.change.unwrap().changed().count(), 0);
+    }
+
+    #[test]
+    fn holds_few_surveys_are_compared_alone() {
+        let mut few = of_many();
+        few.surveys.truncate(7);
+        let answer = compared(&few, None);
+        assert!(answer.history.is_none() && answer.change.unwrap().modes[0].history.is_none());
     }
 
     #[test]

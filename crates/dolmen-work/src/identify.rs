@@ -12,6 +12,7 @@ use crate::opened::Opened;
 use crate::progress::{Progress, Stage};
 use crate::record::{self, OpenedRecord};
 use crate::record_seen::RecordSeen;
+use crate::same_record::refuse_same_records;
 use crate::sensor_alarms::SensorFault;
 use crate::stack::factors::{self as stack, factors};
 use crate::surveyed::{
@@ -78,6 +79,7 @@ pub(crate) fn surveys(
         .surveys
         .iter()
         .filter(|survey| only.is_none_or(|name| survey.name == name));
+    refuse_same_records(chosen.clone(), files)?;
     chosen
         .map(|survey| {
             let before = opened.identified.iter().find(|known| known.name == survey.name);

@@ -66,6 +66,7 @@ pub fn report(
             opened,
             &compared,
             &identified.surveys,
+            files,
         )?)));
     }
     if is_watched {

@@ -1,7 +1,6 @@
 //! The history of a structure: every survey of a project in time.
 
 use crate::change_fault::ChangeFault;
-use crate::compare::surveyed;
 use crate::compared_readings::has_modes;
 use crate::days::{Days, days};
 use crate::error::WorkError;
@@ -10,8 +9,10 @@ use crate::inspected::{inspected, inspections};
 use crate::judgement::tilt_beyond_limit;
 use crate::left_out::found_without;
 use crate::logs::Logs;
+use crate::modes_of_survey::surveyed;
 use crate::opened::Opened;
 use crate::progress::Progress;
+use crate::same_record::refuse_same_records;
 use crate::sensor_alarms::{SensorFaults, sensor_alarms};
 use crate::survey_dates::{date, day_of};
 use crate::surveyed::{Earthquake, SurveyAnswer};
@@ -30,8 +31,8 @@ use std::collections::BTreeMap;
 /// Fewest surveys with modes, or with tilts, for a history.
 pub const SURVEYS_LEAST: usize = 3;
 
-/// Number of surveys from which a report has a section on the years: with fewer no change is sought, and two are compared.
-const REPORTED_LEAST: usize = 8;
+/// Number of surveys from which changes are sought: with fewer two are compared alone, and a report has no section on the years.
+pub(crate) const CHANGES_LEAST: usize = 8;
 
 /// Number of inspections from which a report has a section on the years: with fewer two are compared.
 const INSPECTIONS_REPORTED_LEAST: usize = 3;
@@ -48,7 +49,7 @@ pub fn can_watch(project: &Project) -> bool {
         .iter()
         .any(|log| log.kind != LogKind::Temperature);
     let is_inspected = inspections(project).count() >= INSPECTIONS_REPORTED_LEAST;
-    has_logs || is_inspected || usable.count() >= REPORTED_LEAST
+    has_logs || is_inspected || usable.count() >= CHANGES_LEAST
 }
 
 /// The history of a structure from the surveys of a project.
@@ -57,6 +58,7 @@ pub fn can_watch(project: &Project) -> bool {
 /// Fewer than three surveys with a date and modes, with tilts, and with inspections, and no log; records and logs that cannot be read. Failed
 /// sensors and records without modes are left out.
 pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Result<WatchAnswer, WorkError> {
+    refuse_same_records(opened.project.surveys.iter(), files)?;
     let (mut answers, mut failed, mut without_modes) = (Vec::new(), Vec::new(), Vec::new());
     for survey in &opened.project.surveys {
         if survey.records.is_some() || !survey.setups.is_empty() {
@@ -98,12 +100,26 @@ pub fn watch_of(
     answers: &[SurveyAnswer],
     files: &dyn Files,
 ) -> Result<WatchAnswer, WorkError> {
+    let mut answer = history_of(opened, answers, files)?;
+    (answer.parts, answer.model_off) = years_parts(&opened.project, &answer.watched.modes, EXPLAINED_MOST);
+    Ok(answer)
+}
+
+/// The same without the parts that explain its changes.
+///
+/// # Errors
+/// As [`watch_of`].
+pub(crate) fn history_of(
+    opened: &Opened,
+    answers: &[SurveyAnswer],
+    files: &dyn Files,
+) -> Result<WatchAnswer, WorkError> {
     let faults = answers
         .iter()
         .map(|answer| (answer.name.clone(), answer.faults()));
     let logs = Logs::read(&opened.project, files)?;
     let own = |survey: &Survey| answers.iter().find(|answer| answer.name == survey.name);
-    let mut answer = watch_surveys(opened, &faults.collect(), &logs, |survey| {
+    watch_surveys(opened, &faults.collect(), &logs, |survey| {
         let own = own(survey);
         let mut of = surveyed(survey, own);
         if own.is_some_and(SurveyAnswer::is_shaken) {
@@ -111,9 +127,7 @@ pub fn watch_of(
         }
         let felt = own.and_then(SurveyAnswer::earthquake).filter(|of| of.is_one());
         (of, felt.map(Earthquake::part))
-    })?;
-    answer.parts = years_parts(&opened.project, &answer.watched.modes, EXPLAINED_MOST);
-    Ok(answer)
+    })
 }
 
 /// Results of the records of surveys, by the name of the survey, in the form of a store.
@@ -147,7 +161,7 @@ pub fn watch_observed(opened: &Opened, observed: &Observed, logs: &Logs) -> Resu
 /// [`ChangeFault`].
 pub fn watch_stored(opened: &Opened, observed: &Observed, logs: &Logs) -> Result<WatchAnswer, WorkError> {
     let mut answer = watch_observed(opened, observed, logs)?;
-    answer.parts = years_parts(&opened.project, &answer.watched.modes, 1);
+    (answer.parts, answer.model_off) = years_parts(&opened.project, &answer.watched.modes, 1);
     Ok(answer)
 }
 
@@ -293,6 +307,7 @@ fn watch_surveys(
         logs,
         inspected,
         parts: Vec::new(),
+        model_off: None,
         watched,
     })
 }

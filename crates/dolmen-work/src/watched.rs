@@ -1,5 +1,6 @@
 //! Results of a history of surveys.
 
+use crate::changed_part::ModelOff;
 use crate::inspected::Inspected;
 use crate::judgement::tilt_beyond_limit;
 use crate::sensor_alarms::SensorAlarm;
@@ -43,6 +44,8 @@ pub struct WatchAnswer {
     /// The parts of the model that explain the lasting changes; for a structure in a store only for the strongest change, and none in `watch
     /// --follow`.
     pub parts: Vec<YearsParts>,
+    /// Why none is sought, where the model is too far from the measured frequencies.
+    pub model_off: Option<ModelOff>,
     /// Results of the surveys.
     pub watched: Watched,
 }

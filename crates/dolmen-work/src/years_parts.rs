@@ -1,6 +1,6 @@
 //! The joint of a chain or stack, or storey of a frame or building, that explains a change over the years.
 
-use crate::changed_part::{ChangedPart, MeasuredChange, explained_by};
+use crate::changed_part::{ChangedPart, MeasuredChange, ModelOff, explained_by, model_off};
 use crate::loosened::loosening;
 use dolmen::monitoring::{ChangeForm, WatchedChange, WatchedMode};
 use dolmen_project::Project;
@@ -22,16 +22,21 @@ pub struct YearsParts {
 }
 
 /// The part that explains each of the lasting changes of a history, the strongest first, at most `most`. Modes without a change at that date
-/// also count with their data there: that they did not change helps to distinguish parts.
-pub(crate) fn years_parts(project: &Project, modes: &[WatchedMode], most: usize) -> Vec<YearsParts> {
+/// also count with their data there: that they did not change helps to distinguish parts. And why none is sought, where the model is too far off.
+pub(crate) fn years_parts(
+    project: &Project,
+    modes: &[WatchedMode],
+    most: usize,
+) -> (Vec<YearsParts>, Option<ModelOff>) {
     let strength = |of: &WatchedChange| (of.ratio / of.sd).abs();
     let mut all: Vec<WatchedChange> = modes.iter().flat_map(|mode| mode.changes.clone()).collect();
     all.sort_by(|a, b| strength(b).total_cmp(&strength(a)));
     if all.is_empty() {
-        return Vec::new();
+        return (Vec::new(), None);
     }
     let models = loosening(project);
     let mut found: Vec<YearsParts> = Vec::new();
+    let mut off: Option<ModelOff> = None;
     for change in all {
         let is_told = |of: &YearsParts| {
             of.form == change.form && of.after <= change.before && change.after <= of.before
@@ -51,13 +56,18 @@ pub(crate) fn years_parts(project: &Project, modes: &[WatchedMode], most: usize)
                 sd: Some(there.sd),
             })
         });
+        let measured: Vec<MeasuredChange> = measured.collect();
+        let parts = explained_by(&models, &measured);
+        if parts.is_empty() && off.is_none() {
+            off = model_off(&models, &measured);
+        }
         found.push(YearsParts {
             form: change.form,
             after: change.after,
             before: change.before,
-            parts: explained_by(&models, &measured.collect::<Vec<_>>()),
+            parts,
         });
     }
     found.retain(|of| !of.parts.is_empty());
-    found
+    (found, off)
 }

@@ -87,6 +87,12 @@ fn holds_a_comparison_names_what_was_accepted() {
     let text = std::fs::read_to_string(&file).unwrap();
     let second =
         text[text.find("[survey.ambient]").unwrap()..].replace("survey.ambient", "survey.2026-02-01");
+    let second = second.replace("record.npy", "second.npy");
+    scratch.copy_as_take(
+        1,
+        "examples/palisaden/record.npy",
+        "examples/palisaden/second.npy",
+    );
     let first = text.replace("survey.ambient", "survey.2026-01-01");
     let all = format!("{first}\n{second}\n[survey.2026-02-01.records.modal]\naccept = [11.355]\n");
     std::fs::write(&file, all).unwrap();

@@ -14,10 +14,11 @@ use std::fs;
 /// Modes as frequency, Hz, and components of the channels.
 type Decaying = Vec<(f64, Vec<f64>)>;
 
-/// 20 s of a free decay with noise of a thousandth, as CSV.
-fn decay(modes: &Decaying, names: &[&str], rate_hz: f64) -> String {
+/// 20 s of a free decay with noise of a thousandth, as CSV; each take has its own noise.
+fn decay(modes: &Decaying, names: &[&str], take: u64) -> String {
+    let rate_hz = 50.0;
     let mut text = names.join(",") + "\n";
-    let mut random = Random::new(20261126, 1);
+    let mut random = Random::new(20261126, take);
     for sample in 0..(20.0 * rate_hz) as usize {
         let t = sample as f64 / rate_hz;
         let value = |channel: usize| {
@@ -74,7 +75,7 @@ fn gate(stiffness: &str, surveys: &[Placed<'_>]) -> String {
         let channels: String = GATE_CHANNELS.iter().zip(places).map(channel).collect();
         write!(
             text,
-            "[survey.{name}.records]\nfile = \"gate.csv\"\nsampling_rate = \"{rate_hz} Hz\"\nunit = \"m/s2\"\nchannels = [\n{channels}]\n\
+            "[survey.{name}.records]\nfile = \"gate-{name}.csv\"\nsampling_rate = \"{rate_hz} Hz\"\nunit = \"m/s2\"\nchannels = [\n{channels}]\n\
              [survey.{name}.records.modal]\nmethod = \"era\"\n"
         )
         .unwrap();
@@ -87,11 +88,11 @@ const UNKNOWN: &str = "direction.x.stiffness = \"unknown\"\ndirection.y.stiffnes
 
 fn of_gate(name: &str, project: &str) -> Scratch {
     let scratch = Scratch::new(name);
-    fs::write(
-        scratch.path().join("gate.csv"),
-        decay(&gate_modes(), &GATE_CHANNELS, 50.0),
-    )
-    .unwrap();
+    let files = project.lines().filter_map(|line| line.strip_prefix("file = \""));
+    for (file, take) in files.zip(1..) {
+        let text = decay(&gate_modes(), &GATE_CHANNELS, take);
+        fs::write(scratch.path().join(file.trim_end_matches('"')), text).unwrap();
+    }
     fs::write(scratch.path().join("project.toml"), project).unwrap();
     scratch
 }
@@ -246,7 +247,7 @@ fn floor(name: &str, places: &[[f64; 2]; 5], signs: &[&str; 5], survey: &str) ->
     let scratch = Scratch::new(name);
     fs::write(
         scratch.path().join("floor.csv"),
-        decay(&floor_modes(), &FLOOR_CHANNELS, 50.0),
+        decay(&floor_modes(), &FLOOR_CHANNELS, 1),
     )
     .unwrap();
     let channels: String = FLOOR_CHANNELS

@@ -79,8 +79,15 @@ fn holds_modes_of_records_are_those_that_were_stored() {
     let text = fs::read_to_string(&path).unwrap();
     let (head, ambient) = text.split_at(text.find("[survey.ambient]").unwrap());
     let years: String = ["2019", "2020", "2021"]
-        .map(|year| ambient.replace("survey.ambient", &format!("survey.{year}")))
+        .map(|year| {
+            let of_year = ambient.replace("survey.ambient", &format!("survey.{year}"));
+            of_year.replace("record.npy", &format!("{year}.npy"))
+        })
         .concat();
+    for (year, take) in [("2019", 1), ("2020", 2), ("2021", 4)] {
+        let file = format!("examples/palisaden/{year}.npy");
+        scratch.copy_as_take(take, "examples/palisaden/record.npy", &file);
+    }
     let years = head.to_owned() + &years;
     fs::write(&path, years).unwrap();
     good(scratch.briefly(&format!("survey add examples/palisaden {STORE}")));

@@ -40,6 +40,14 @@ impl Scratch {
         &self.0
     }
 
+    /// Copies a record to a file of other bytes: each take has its own rounding in the last value.
+    pub(crate) fn copy_as_take(&self, take: u8, from: &str, to: &str) {
+        let mut bytes = std::fs::read(self.path().join(from)).unwrap();
+        let last = bytes.len() - 8;
+        bytes[last] ^= take;
+        std::fs::write(self.path().join(to), bytes).unwrap();
+    }
+
     pub(crate) fn path_with_dolmen(&self) -> std::ffi::OsString {
         let own = Path::new(env!("CARGO_BIN_EXE_dolmen"))
             .parent()

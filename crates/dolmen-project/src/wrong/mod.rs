@@ -26,6 +26,7 @@ mod stack_slips;
 mod still_mode;
 mod study;
 mod survey;
+mod tabled_surveys;
 mod tables;
 mod toml;
 mod units;
@@ -56,6 +57,7 @@ pub(crate) use stack_slips::StackSlip;
 pub(crate) use still_mode::StillMode;
 pub(crate) use study::WrongStudy;
 pub(crate) use survey::WrongSurvey;
+pub(crate) use tabled_surveys::WrongSurveys;
 pub(crate) use tables::WrongTable;
 pub(crate) use toml::WrongToml;
 pub(crate) use units::WrongUnit;
@@ -76,7 +78,7 @@ pub(crate) fn either<T: AsRef<str>>(words: &[T]) -> Both {
 }
 
 /// All sentences of errors of project files.
-pub const ERRORS: [&[Template]; 32] = [
+pub const ERRORS: [&[Template]; 33] = [
     Framed::TEMPLATES,
     Common::TEMPLATES,
     WrongToml::TEMPLATES,
@@ -86,6 +88,7 @@ pub const ERRORS: [&[Template]; 32] = [
     WrongUnit::TEMPLATES,
     Slip::TEMPLATES,
     WrongModes::TEMPLATES,
+    WrongSurveys::TEMPLATES,
     WrongTable::TEMPLATES,
     Needed::TEMPLATES,
     WrongSite::TEMPLATES,

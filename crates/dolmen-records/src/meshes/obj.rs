@@ -1,4 +1,4 @@
-//! Wavefront OBJ: vertices and faces; all else (normals, textures, groups, lines) is passed over.
+//! Reads Wavefront OBJ files: vertices and faces; everything else (normals, textures, groups, lines) is ignored.
 
 use super::mesh::{CORNERS_MOST, number, words};
 use super::{Mesh, MeshError};
@@ -6,12 +6,12 @@ use crate::limits::line_end;
 use crate::number::parse_number;
 use crate::wrong::OfMesh;
 
-/// A mesh from the bytes of an OBJ file; all its objects together.
+/// Reads a mesh from the bytes of an OBJ file, with all its objects together.
 ///
-/// Faces may count vertices from the first (1, 2, …) or back from the last (−1, −2, …); a line may go on after a `\`.
+/// Vertex numbers of faces count from the first vertex (1, 2, …) or back from the last (−1, −2, …). A `\` continues a line.
 ///
 /// # Errors
-/// [`MeshError`] with the line.
+/// [`MeshError`], with the line.
 pub fn read_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut mesh = Mesh::default();
     let mut lines = bytes.split(|&b| b == b'\n').enumerate();
@@ -56,7 +56,8 @@ pub fn read_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
     mesh.checked()
 }
 
-/// Whether a line is that of a vertex: `v` and two numbers at least. A text with any other is no OBJ, and none of it is quoted.
+/// Whether a line describes a vertex: `v` and at least two numbers. A text without such a line is not an OBJ file, and the
+/// error quotes none of it.
 pub(super) fn is_vertex(line: &[u8]) -> bool {
     let mut words = words(line);
     let is_number = |word: &[u8]| parse_number(word).is_some();
@@ -64,7 +65,7 @@ pub(super) fn is_vertex(line: &[u8]) -> bool {
 }
 
 fn vertex<'a>(words: impl Iterator<Item = &'a [u8]>, line: usize) -> Result<[f64; 3], MeshError> {
-    // a weight or a colour may follow the place
+    // a weight or a colour may follow the coordinates
     let place: Vec<f64> = words
         .take(3)
         .map(|word| number(word, line))
@@ -75,7 +76,7 @@ fn vertex<'a>(words: impl Iterator<Item = &'a [u8]>, line: usize) -> Result<[f64
     })
 }
 
-/// `7`, `7/1`, `7//3`, `7/1/3` or `-1`.
+/// Vertex index of `7`, `7/1`, `7//3`, `7/1/3` or `-1`.
 fn corner(word: &[u8], vertices: usize, line: usize) -> Result<usize, MeshError> {
     let first = word.split(|&b| b == b'/').next().unwrap_or_default();
     let text = String::from_utf8_lossy(first);

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 /// Relative difference allowed between a given rate and that of the file, as with time stamps.
 const RATE_TOLERANCE: f64 = 1e-4;
 
-/// One record of the requested channels of a file, in SI.
+/// One record of the requested channels of a file, in SI units.
 pub(super) fn assembled(found: FileSeries, options: &RecordOptions) -> Result<Reading, RecordError> {
     refuse_channels(found.format.name(), found.series.len())?;
     if options.picks.is_empty() {
@@ -90,9 +90,9 @@ struct RequestedChannels {
     pieces: Vec<Piece>,
     /// Unit of the columns in the file, or their units if they differ.
     unit: String,
-    /// Whether their starts are clock times, not only relative to one another.
+    /// Whether the start times are clock times, not only relative to each other.
     clocked: bool,
-    /// Parts cut because of lost samples.
+    /// Parts that were cut off because of lost samples.
     cut: Vec<Processing>,
 }
 
@@ -146,7 +146,7 @@ fn wanted(mut found: FileSeries, options: &RecordOptions) -> Result<RequestedCha
     })
 }
 
-/// "mg", or "mg and not given" where channels differ.
+/// Text for the units: "mg", or "mg and not given" if channels differ.
 fn named(units: &BTreeSet<&'static str>) -> String {
     let words = units.iter().map(|unit| match *unit {
         "" if units.len() > 1 => "not given",
@@ -201,7 +201,7 @@ fn chosen(found: &FileSeries, options: &RecordOptions) -> Result<Vec<usize>, Rec
     Ok(chosen)
 }
 
-/// The unit of a channel: that of the file, or the given one; a given unit never overrides that of the file.
+/// The unit of a channel: that of the file, or the given one. A given unit never replaces that of the file.
 fn unit_of(series: &Series, given: Unit, scaled: bool, format: &'static str) -> Result<Unit, RecordError> {
     if let Some(quantity) = series.quantity
         && given.quantity() != Quantity::Unknown

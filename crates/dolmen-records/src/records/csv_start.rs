@@ -12,24 +12,24 @@ use crate::quoted::shown;
 
 /// Number of lines examined for the delimiter.
 const LINES_LOOKED_AT: usize = 20;
-/// The layout found in the first lines.
+/// The layout detected in the first lines.
 #[derive(Clone, Debug)]
 pub(super) struct Start {
     pub(super) delimiter: Delimiter,
     pub(super) decimal: Decimal,
     pub(super) header_line: Option<usize>,
     pub(super) columns: Vec<String>,
-    /// First and last line of text above the names.
+    /// First and last line of the text above the column names.
     pub(super) passed_over: Option<[usize; 2]>,
-    /// Whether names are neither UTF-8 nor CP949.
+    /// Whether some names are neither UTF-8 nor CP949.
     pub(super) names_unread: bool,
-    /// Whether units stand in a line of their own below the names.
+    /// Whether the units are in a separate line below the names.
     pub(super) units_apart: bool,
-    /// Whether each line of samples has one delimiter too many at its end.
+    /// Whether each line of samples ends with an additional delimiter.
     pub(super) trailing_delimiter: bool,
     /// Which cells of the first line of samples are numbers.
     pub(super) numeric: Vec<bool>,
-    /// Start of the samples, and the number of that line.
+    /// Position of the first sample, and the number of its line.
     pub(super) samples_at: usize,
     pub(super) samples_line: usize,
 }
@@ -90,7 +90,7 @@ impl Start {
                 last: !samples.ended,
             });
         }
-        // a line of units stands between the names and the samples
+        // a line of units is between the names and the samples
         let of_units = match passed_over.checked_sub(1).map(|at| &lines[at]) {
             Some(line) if has_header && is_of_units(&names, &cells) => {
                 let above = delimiter.cells(line.text);
@@ -130,7 +130,7 @@ impl Start {
 /// Names of the columns.
 struct ColumnNames {
     columns: Vec<String>,
-    /// Whether some are neither UTF-8 nor CP949.
+    /// Whether some names are neither UTF-8 nor CP949.
     names_unread: bool,
 }
 
@@ -142,7 +142,7 @@ impl ColumnNames {
         }
     }
 
-    /// The names as written; `above` are those that stand above a line of units.
+    /// The names as written; `above` are the names above a line of units.
     fn of(names: &[&[u8]], above: Option<&[&[u8]]>) -> Self {
         let mut named = Self::numbered(names.len());
         for (at, (column, name)) in named.columns.iter_mut().zip(names).enumerate() {
@@ -161,7 +161,7 @@ impl ColumnNames {
                     let unit = name.trim_matches(['(', ')', '[', ']']);
                     shown(&format!("{} ({unit})", above.trim()))
                 }
-                // zeros fill names of fixed width
+                // names of fixed width are filled with zero bytes
                 None => shown(name.trim_matches(char::is_control)),
             };
         }
@@ -169,7 +169,7 @@ impl ColumnNames {
     }
 }
 
-/// Whether a line is a header: it has no number, or a name for time.
+/// Whether a line is a header: it contains no number, or a name for time.
 fn is_header(cells: &[&[u8]], decimal: Decimal, line: usize) -> Result<bool, RecordError> {
     // an empty cell is a missing sample, not a name
     let texts = cells.iter().filter(|c| !c.is_empty());
@@ -198,14 +198,14 @@ fn is_unit(cell: &[u8]) -> bool {
         )
 }
 
-/// Whether a line is of units: one a cell, and any text or none above dates.
+/// Whether a line contains units: one per cell, and above dates any text or none.
 fn is_of_units(names: &[&[u8]], samples: &[&[u8]]) -> bool {
     let is_unit = |name: &&[u8]| is_unit(unquoted(name));
     let fits = |(name, sample): (&&[u8], &&[u8])| is_unit(name) || is_date_cell(sample);
     names.iter().any(is_unit) && names.iter().zip(samples).all(fits)
 }
 
-/// Refuses more columns than any recorder has; one more may come from the delimiter at the end of every line.
+/// Refuses more columns than any recorder has; the delimiter at the end of every line may add one.
 fn refuse_wide(found: usize, line: usize) -> Result<(), LimitError> {
     match found.saturating_sub(1) <= CHANNELS_MOST {
         true => Ok(()),
@@ -217,8 +217,8 @@ fn refuse_wide(found: usize, line: usize) -> Result<(), LimitError> {
     }
 }
 
-/// Lines of text above the column names, as recorders write them: those before the last line without a number that is as wide as the samples
-/// below it. None where any of them could be samples.
+/// Number of text lines above the column names, as recorders write them: those before the last line without a number that has as many cells as the
+/// samples below it. Zero if any of them could be samples.
 fn above_names(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
     let rows: Vec<Vec<&[u8]>> = lines.iter().map(|line| delimiter.cells(line.text)).collect();
     let is_number = |c: &&[u8]| parse_cell(unquoted(c), decimal.byte()).is_some();
@@ -243,7 +243,7 @@ fn above_names(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> us
     }
 }
 
-/// Delimiter and decimal sign under which the first lines make most sense; among equals, the first of `;`, tab, `,`, white space, and the point
+/// Delimiter and decimal sign with the highest score for the first lines. Among equal scores the order is `;`, tab, `,`, white space, and the point
 /// before the comma.
 fn detect(lines: &[Line<'_>], options: &RecordOptions) -> (Delimiter, Decimal) {
     let mut best = (Delimiter::Semicolon, Decimal::Point);
@@ -270,8 +270,8 @@ fn detect(lines: &[Line<'_>], options: &RecordOptions) -> (Delimiter, Decimal) {
     best
 }
 
-/// Score of the lines: 4 for each that has the usual width and only numbers, 2 if mostly numbers and dates; 4 if the first has the usual width; 1 if that
-/// is more than one cell.
+/// Score of the lines: 4 for each line with the usual width and only numbers, 2 if it has mostly numbers and dates; 4 if the first line has the usual
+/// width; 1 if that width is more than one cell.
 fn score(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
     let rows: Vec<Vec<&[u8]>> = lines
         .iter()
@@ -310,7 +310,7 @@ pub(super) enum TimeName {
     No,
     /// Time stamps.
     Seconds {
-        /// Seconds in one unit of them.
+        /// Seconds per unit of the time stamps.
         unit_s: f64,
         /// Whether the name states the unit.
         named: bool,
@@ -322,18 +322,18 @@ pub(super) enum TimeName {
 /// Meaning of a word as a unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum WordOfTime {
-    /// None.
+    /// Not a unit.
     None,
     /// A unit.
     Unit {
-        /// Seconds in one.
+        /// Seconds per unit.
         seconds: f64,
     },
-    /// A unit that does not count from a start, or is ambiguous: 시 is an hour, and o'clock.
+    /// A unit that is ambiguous or may mean a time of day: 시 is an hour, and o'clock.
     Unclear,
 }
 
-/// A unit of time, in small letters.
+/// Recognises a unit of time in lower-case letters.
 pub(super) fn unit_of_time(word: &str) -> WordOfTime {
     let seconds = match word {
         "s" | "sec" | "secs" | "second" | "seconds" | "초" => 1.0,
@@ -424,7 +424,7 @@ mod tests {
         let names: Vec<&str> = read.record.channels().iter().map(|of| of.name.as_str()).collect();
         assert_eq!(names, ["EW (gal)", "NS (gal)"]);
         assert!((read.record.sampling_rate_hz() - 100.0).abs() < 1e-9);
-        // units alone, with nothing above them, are names
+        // a line of units without names above it contains the names
         let alone = read_csv(b"t,g,mg\n0.00,1,2\n0.01,3,4\n", &RecordOptions::default()).unwrap();
         assert_eq!(alone.record.channels()[0].name, "g");
     }
@@ -470,7 +470,7 @@ mod tests {
         // the unit below a name still counts
         let other = units.replace("gal", "g");
         assert!(read_csv(other.as_bytes(), &with(["X", "Y"])).is_err());
-        // a first sample that is missing is no title
+        // a missing first sample is not a title
         let missing = "일시,X (gal),Y (gal)\n2026-10-14 10:00:00.00,,2\n2026-10-14 10:00:00.01,3,4\n";
         assert!(read_csv(missing.as_bytes(), &with(["X (gal)", "Y (gal)"])).is_err());
     }
@@ -491,7 +491,7 @@ mod tests {
             },
         );
         assert_eq!(record.unwrap().record.channels().len(), 4096);
-        // the error gives one wide line among others with its number of cells
+        // for one wide line among others the error gives the number of its cells
         let ragged = format!("1,2\n3,4\n{}1\n", "1,".repeat(9999));
         assert!(
             refusal(ragged.as_bytes()).starts_with("line 3 holds 10000 cells, but"),

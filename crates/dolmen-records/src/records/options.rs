@@ -83,15 +83,15 @@ pub struct Pick {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum LostSamples {
-    /// Fills runs of at most eight lost samples by linear prediction, if they are at most 1 % of the record; otherwise as `Longest`.
+    /// Fills runs of at most eight samples, if they are at most one in a hundred, by linear prediction; then as `longest`.
     #[default]
     Fill,
-    /// Uses the longest span without lost samples in any channel, and reports the parts that were cut off.
+    /// Uses the longest span that is whole in all channels, and reports the parts cut off.
     Longest,
-    /// Refuses the record.
+    /// Refuses it.
     Refuse,
-    /// Uses the whole record: fills runs of at most eight samples, and replaces longer ones by the mean of their channel, for callers that
-    /// handle them.
+    /// Uses all of it: runs of at most eight samples are filled, and longer ones hold the mean of their channel, for callers that know where
+    /// they are.
     #[serde(skip)]
     Bridged,
 }

@@ -2,6 +2,7 @@
 
 use super::doubts::doubts;
 use super::events_between::{between, fitted_through};
+use super::history;
 use super::parts;
 use super::quantities::{bare_percent, hertz, percent, plus};
 use super::readings;
@@ -108,7 +109,14 @@ pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
     all.splice(0..0, doubts(change));
     all.extend(damping(change));
     all.push(frequencies(change));
+    all.extend(answer.history.as_ref().map(|of| history::finding(of, change)));
     all.extend(parts::findings(&answer.parts));
+    all.extend(
+        answer
+            .model_off
+            .as_ref()
+            .map(|of| parts::off(of, &answer.project)),
+    );
     all.extend(between(answer));
     all.extend(fitted_through(change));
     if change.temperature.leaves_doubt() {

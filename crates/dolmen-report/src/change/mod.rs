@@ -5,6 +5,7 @@ mod doubts;
 mod events_between;
 mod findings;
 mod frequencies;
+mod history;
 mod notes;
 mod parts;
 mod quantities;
@@ -13,7 +14,7 @@ mod remarks;
 mod temperature;
 
 pub(crate) use findings::{findings, undated};
-pub(crate) use parts::{findings as part_findings, section as part_section};
+pub(crate) use parts::{findings as part_findings, off as model_off, section as part_section};
 
 use crate::document::{Document, Figure, table_series};
 use crate::figures::survey_changes;
@@ -43,8 +44,9 @@ messages! {
 }
 
 /// The sentences on two surveys as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 11] = [
+pub(crate) const TEMPLATES: [&[Template]; 12] = [
     findings::Found::TEMPLATES,
+    history::Behind::TEMPLATES,
     events_between::Befell::TEMPLATES,
     doubts::Doubted::TEMPLATES,
     Compared::TEMPLATES,
@@ -76,6 +78,7 @@ pub(crate) fn sections(answer: &CompareAnswer) -> Document<'_> {
         document.charted(drawn.with_series(|| table_series(&frequencies::table(change))));
         frequencies::section(&mut document, change);
         temperature::fitted(&mut document, change);
+        history::section(&mut document, change);
         dampings::section(&mut document, change);
         parts::section(&mut document, &answer.parts);
     }

@@ -4,8 +4,9 @@ use super::quantities::hertz;
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
 use crate::limits::part_words;
 use dolmen::assess::PartFit;
+use dolmen_project::{Project, Structure};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::changed_part::ChangedPart;
+use dolmen_work::changed_part::{ChangedPart, ModelOff};
 
 messages! {
     /// Which part explains a change.
@@ -25,6 +26,18 @@ messages! {
         None { count: usize, chance: Sentence } => {
             en: "No single part of the model explains the pattern of the changes (frequencies: {count}, best {chance}): several parts, the mass or the weather changed, or the model is not that of the structure.",
             ko: "모델의 어느 한 부위의 변화로도 변화 양상이 설명되지 않는다(고유진동수 {count}개, 최대 유의확률 {chance}). 여러 부위, 질량 또는 기온이 변하였거나 모델이 실제와 다르다.",
+        },
+        ModelOff { measured: Quantity, model: Quantity, factor: Quantity, allowed: Quantity, verb: Sentence } => {
+            en: "Which part changed is not sought: {measured} was measured, and the nearest frequency of the model is {model}, a factor of {factor} apart; beyond {allowed} it counts as another mode. {verb}",
+            ko: "변한 부위는 찾지 않았다. 계측한 {measured}에 가장 가까운 모델의 고유진동수가 {model}(으)로 {factor}배 차이가 난다. {allowed}배를 넘으면 다른 모드로 본다. {verb}",
+        },
+        FitStack => {
+            en: "Multiply normal_stiffness and shear_stiffness of the joints by the factor that `dolmen identify` gives, and run this again.",
+            ko: "`dolmen identify`가 주는 배율을 접합부의 normal_stiffness와 shear_stiffness에 곱한 뒤 다시 실행한다.",
+        },
+        FitModel => {
+            en: "Set the stiffness that `dolmen identify` finds in the file, and run this again.",
+            ko: "`dolmen identify`로 구한 강성을 파일에 쓴 뒤 다시 실행한다.",
         },
         Alike { factor: Quantity, low: Quantity, high: Quantity } => {
             en: "All parts alike explain the changes as well: {factor} of the stiffness is left everywhere ({low} to {high}), as weather does too.",
@@ -78,6 +91,23 @@ fn name(of: &ChangedPart, fit: &PartFit) -> Sentence {
         Some(part) => part_words(part),
         None => Parted::AllParts.into(),
     }
+}
+
+/// Why no part is sought.
+pub(crate) fn off(of: &ModelOff, project: &Project) -> Finding {
+    let factor = |of: f64| Quantity::new(of, Unit::ratio(), Digits::Fixed(2));
+    let said = Parted::ModelOff {
+        measured: hertz(of.measured_hz),
+        model: hertz(of.model_hz),
+        factor: factor(of.factor()),
+        allowed: factor(ModelOff::allowed()),
+        verb: match &project.structure {
+            Structure::Stack(_) => Parted::FitStack,
+            _ => Parted::FitModel,
+        }
+        .into(),
+    };
+    Finding::key(Tone::Unknown, said)
 }
 
 /// What explains the changes, a finding a direction.

@@ -3,6 +3,7 @@
 use super::quantities::plus;
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
 use crate::engineer::named_damage;
+use dolmen_project::date_of;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::answer::CompareAnswer;
 use dolmen_work::compared_readings::{ComparedItem, ComparedTilt, ItemCourse};
@@ -17,6 +18,10 @@ messages! {
         TiltsGrew { from: String, to: String, each: Vec<Sentence> } => {
             en: "From survey {from} to {to} it leans further: {each}. Two readings cannot tell this from their own error: read again, at the same marks.",
             ko: "{from} 조사에서 {to} 조사까지 기울기가 커졌다: {each}. 두 번의 측정만으로는 측정 오차와 구별할 수 없으므로 같은 기준점에서 다시 잰다.",
+        },
+        TiltsGrewOfMany { from: String, to: String, each: Vec<Sentence>, readings: usize } => {
+            en: "From survey {from} to {to} it leans further: {each}. Two readings cannot tell this from their own error; `dolmen watch` tests all {readings}.",
+            ko: "{from} 조사에서 {to} 조사까지 기울기가 커졌다: {each}. 두 번의 측정만으로는 측정 오차와 구별할 수 없다. `dolmen watch`는 측정 {readings}회를 모두 써서 검정한다.",
         },
         Tilts { from: String, to: String, each: Vec<Sentence> } => {
             en: "From survey {from} to {to} no tilt grew: {each}.",
@@ -129,7 +134,7 @@ fn tilts(answer: &CompareAnswer) -> Vec<Finding> {
         let each: Vec<Sentence> = straight.into_iter().map(tilt).collect();
         match (each.is_empty(), has_grown) {
             (true, _) => {}
-            (false, true) => all.push(Finding::key(Tone::Warn, Readings::TiltsGrew { from, to, each })),
+            (false, true) => all.push(Finding::key(Tone::Warn, grew(answer, each))),
             (false, false) => all.push(Finding::key(Tone::Plain, Readings::Tilts { from, to, each })),
         }
     }
@@ -138,6 +143,34 @@ fn tilts(answer: &CompareAnswer) -> Vec<Finding> {
         all.push(Finding::key(Tone::Unknown, Readings::TiltsOfOne { directions }));
     }
     all
+}
+
+/// Fewest readings of a tilt that `watch` tests.
+const TESTED_LEAST: usize = 3;
+
+/// That tilts grew, and what tells that from their error.
+fn grew(answer: &CompareAnswer, each: Vec<Sentence>) -> Readings {
+    let (from, to) = (answer.from.clone(), answer.to.clone());
+    let dated = answer
+        .project
+        .surveys
+        .iter()
+        .filter(|survey| date_of(&survey.name).is_some());
+    let readings = answer.readings.tilts.iter().map(|tilt| {
+        let own = dated
+            .clone()
+            .filter(|survey| survey.tilt.contains_key(&tilt.direction));
+        own.count()
+    });
+    match readings.max().unwrap_or(0) {
+        readings if readings >= TESTED_LEAST => Readings::TiltsGrewOfMany {
+            from,
+            to,
+            each,
+            readings,
+        },
+        _ => Readings::TiltsGrew { from, to, each },
+    }
 }
 
 /// Sizes of two tilts of opposite signs that are one with a sign turned, larger over smaller. Chosen here.

@@ -193,7 +193,7 @@ fn frame_axes(part: &FramePart) -> Vec<usize> {
 /// Columns that are seen from a side: those of the file, if they stand in one row; else two at the ends, for a number that no row tells.
 pub(crate) fn columns_seen(columns: Option<&ColumnsPart>) -> usize {
     match columns.map(|columns| columns.count) {
-        Some(count @ (1 | 2 | 3)) => count,
+        Some(count @ 1..=3) => count,
         Some(_) | None => 2,
     }
 }

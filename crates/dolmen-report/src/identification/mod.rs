@@ -74,10 +74,11 @@ pub(crate) const TEMPLATES: [&[Template]; 17] = [
 ];
 
 /// The stiffness of springs that act on what those of the file do not.
-pub(crate) fn appendix<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Document<'a> {
+pub(crate) fn appendix<'a>(project: &'a Project, all: &[&'a SurveyAnswer]) -> Document<'a> {
     let mut document = Document::default();
     let each = all
         .iter()
+        .copied()
         .flat_map(|survey| survey.stiffness.iter().map(move |answer| (survey, answer)));
     for (survey, answer) in each.filter(|(_, answer)| !place::is_asked(project, answer)) {
         if document.blocks.is_empty() {
@@ -89,7 +90,7 @@ pub(crate) fn appendix<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Doc
 }
 
 /// The section of all surveys that lead to a stiffness.
-pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Document<'a> {
+pub(crate) fn sections<'a>(project: &'a Project, all: &[&'a SurveyAnswer]) -> Document<'a> {
     let mut document = Document::default();
     if all.iter().all(|survey| {
         survey.stiffness.is_empty()
@@ -100,7 +101,7 @@ pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Doc
         return document;
     }
     document.heading(Stiffness::Head);
-    for survey in all {
+    for survey in all.iter().copied() {
         for answer in survey
             .stiffness
             .iter()

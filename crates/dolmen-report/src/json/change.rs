@@ -1,6 +1,6 @@
 //! `dolmen compare` as JSON.
 
-use super::changed_part::changed_part;
+use super::changed_part::{changed_part, model_off};
 use super::check::project;
 use super::earthquake::modes_of;
 use crate::engineer::damage_words;
@@ -8,6 +8,7 @@ use dolmen::assess::{ModeChange, SurveyChange, TemperatureKnowledge};
 use dolmen_words::Language;
 use dolmen_words::advice::Advice;
 use dolmen_work::answer::CompareAnswer;
+use dolmen_work::compared_history::{ComparedHistory, Course, LastingChange};
 use dolmen_work::compared_readings::{ComparedItem, ComparedReadings, ItemCourse};
 use dolmen_work::events_between::EventBetween;
 use serde_json::{Value, json};
@@ -23,10 +24,12 @@ pub fn change_json(answer: &CompareAnswer) -> Value {
             EventBetween::Work(work) => json!({ "date": work.date, "kind": work.kind.word(), "what": work.what }),
             EventBetween::Earthquake(survey) => json!({ "date": survey, "kind": "earthquake", "what": Value::Null }),
         }).collect::<Vec<_>>(),
+        "history": answer.history.as_ref().map(history),
         "tilts": tilts(&answer.readings),
         "inspections": answer.readings.items.iter().map(item).collect::<Vec<_>>(),
         "without_modes": answer.readings.without_modes,
         "parts": answer.parts.iter().map(changed_part).collect::<Vec<_>>(),
+        "model_off": answer.model_off.as_ref().map(model_off),
     });
     if let (Some(all), Some(Value::Object(of_modes))) =
         (all.as_object_mut(), answer.change.as_ref().map(modes))
@@ -81,9 +84,35 @@ fn mode(mode: &ModeChange) -> Value {
         "damping_ratio": mode.damping,
         "explained_by_temperature": mode.explained_by_temperature,
         "temperature_coefficient": mode.fitted,
+        "history": mode.history,
         "explaining_per_c": mode.explaining_per_c,
         "uniform_stiffness": mode.uniform_stiffness,
         "uniform_stiffness_sd": mode.uniform_stiffness_sd,
+    })
+}
+
+fn history(of: &ComparedHistory) -> Value {
+    json!({
+        "surveys": of.surveys,
+        "first": of.span[0],
+        "last": of.span[1],
+        "lasting": of.lasting.iter().map(lasting).collect::<Vec<_>>(),
+    })
+}
+
+fn lasting(of: &LastingChange) -> Value {
+    let (form, after, before) = match &of.course {
+        Course::Step { after, before } => ("step", after, Some(before)),
+        Course::Drift { since } => ("slope", since, None),
+        Course::Repair(work) => ("repair", &work.date, Some(&work.date)),
+    };
+    json!({
+        "frequency_hz": of.frequency_hz,
+        "form": form,
+        "after": after,
+        "before": before,
+        "change_ratio": of.ratio,
+        "sd": of.sd,
     })
 }
 

@@ -1,7 +1,7 @@
 //! Which part of a model explains changes of frequencies, as JSON.
 
 use dolmen::assess::PartFit;
-use dolmen_work::changed_part::ChangedPart;
+use dolmen_work::changed_part::{ChangedPart, ModelOff};
 use serde_json::{Value, json};
 
 /// Every part with what its stiffness would have to be, one direction.
@@ -23,5 +23,15 @@ pub(super) fn changed_part(of: &ChangedPart) -> Value {
         "fits": of.found.parts.iter().map(fit).collect::<Vec<_>>(),
         "all_alike": fit(&of.found.alike),
         "all_alike_explains": of.found.is_alike_possible(),
+    })
+}
+
+/// Why no part is sought.
+pub(super) fn model_off(of: &ModelOff) -> Value {
+    json!({
+        "measured_hz": of.measured_hz,
+        "model_hz": of.model_hz,
+        "factor": of.factor(),
+        "factor_most": ModelOff::allowed(),
     })
 }

@@ -1,7 +1,7 @@
 //! `dolmen watch` as JSON.
 
 use super::change_form::form;
-use super::changed_part::changed_part;
+use super::changed_part::{changed_part, model_off};
 use super::check::project;
 use super::inspected::inspected;
 use dolmen::monitoring::{AlarmKind, NoSlope, NotJudged, TiltTrend, WatchedMode, WeatherKnown};
@@ -68,6 +68,7 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         })).collect::<Vec<_>>(),
         "temperatures_of_log": answer.temperatures_of_log,
         "logs": answer.logs.iter().map(|found| log(found, answer)).collect::<Vec<_>>(),
+        "model_off": answer.model_off.as_ref().map(model_off),
         "changed_parts": answer.parts.iter().map(|of| json!({
             "form": form(of.form), "date_earliest": name(of.after), "date_latest": name(of.before),
             "parts": of.parts.iter().map(changed_part).collect::<Vec<_>>(),

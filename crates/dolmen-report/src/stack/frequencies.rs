@@ -2,6 +2,7 @@
 
 use super::beside::beside;
 use crate::document::{Block, Cell, Column, Document, Table};
+use crate::surveys_many::MANY_FROM;
 use dolmen::blocks::StackMode;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::state::{MODES_SHOWN, SpringFit, StackAnswer, StackFrequencies};
@@ -40,6 +41,10 @@ messages! {
             en: "Survey {survey}: every joint {factor} times as stiff fits its frequencies best ({directions}).",
             ko: "{survey} 조사: 모든 접합부 강성을 {factor}배로 하면 실측 진동수와 가장 잘 맞는다({directions}).",
         },
+        OtherFits { surveys: usize, least: Quantity, largest: Quantity } => {
+            en: "The {surveys} surveys before it ask for {least} to {largest} times the stiffness.",
+            ko: "그 이전 조사 {surveys}회에 맞는 배율은 {least}~{largest}이다.",
+        },
         Direction { direction: String, measured: Quantity, computed: Quantity } => {
             en: "{direction} {measured} measured, {computed} then",
             ko: "{direction} 방향 실측 {measured} → 조정 후 {computed}",
@@ -72,11 +77,28 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer, fits: &
     document.note(Frequencies::OfHeight {
         frequency: Quantity::new(frequency, Unit::si("Hz"), Digits::Significant(2)),
     });
-    for fit in fits {
-        for sentence in fitted(fit).into_iter().chain(not_compared(fit)) {
-            document.note(sentence);
-        }
+    let (others, detailed) = fits.split_at(if fits.len() < MANY_FROM { 0 } else { fits.len() - 1 });
+    let of_detailed = detailed.iter().filter_map(fitted);
+    for sentence in of_detailed
+        .chain(of_others(others))
+        .chain(fits.iter().filter_map(not_compared))
+    {
+        document.note(sentence);
     }
+}
+
+/// The range of the factors of several surveys.
+fn of_others(fits: &[SpringFit]) -> Option<Frequencies> {
+    let mut factors: Vec<f64> = fits.iter().filter_map(|fit| fit.factor).collect();
+    factors.sort_by(f64::total_cmp);
+    let [least, .., largest] = factors[..] else {
+        return None;
+    };
+    Some(Frequencies::OtherFits {
+        surveys: factors.len(),
+        least: Quantity::beside_one(least, 5),
+        largest: Quantity::beside_one(largest, 5),
+    })
 }
 
 fn table(modes: &[StackMode]) -> Table {

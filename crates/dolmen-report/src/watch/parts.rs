@@ -1,7 +1,7 @@
 //! Which part explains a lasting change, with its date.
 
 use super::numbers::name;
-use crate::change::{part_findings, part_section};
+use crate::change::{model_off, part_findings, part_section};
 use crate::document::{Document, Finding};
 use dolmen::monitoring::ChangeForm;
 use dolmen_words::{Sentence, messages};
@@ -46,7 +46,8 @@ pub(super) fn parts(answer: &WatchAnswer) -> Vec<Finding> {
             ..found
         })
     });
-    each.collect()
+    let off = answer.model_off.as_ref().map(|of| model_off(of, &answer.project));
+    each.chain(off).collect()
 }
 
 /// The tables of all parts.

@@ -1,4 +1,5 @@
-//! Raw files in rows: compressed and in pieces, so that neither side holds more than one piece besides the file itself.
+//! Raw files in rows of a server, compressed and in pieces, so that client and server need memory for only one piece in addition
+//! to the file.
 
 use super::address::Address;
 use super::link::Link;
@@ -8,10 +9,11 @@ use crate::raw::{Kept, RawFiles, hash_of_bytes, lost, packed, refuse_no_hash, un
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// Largest number of bytes in a piece. Chosen here: a server holds a few copies of each value, and refuses one of 1 GiB.
+/// Largest number of bytes in a piece. Chosen here: a server keeps a few copies of each value, and refuses a value of 1 GiB.
 const PIECE_BYTES_MOST: usize = 4 << 20;
 
-/// Raw files on a server. They have their own connection, because they are read while rows are, and stored before rows name them.
+/// Raw files on a server. They use a separate connection, because they are read together with rows, and stored before rows refer
+/// to them.
 #[derive(Debug)]
 pub(crate) struct Pieces(Mutex<Link>);
 
@@ -45,7 +47,7 @@ fn pieces_of(link: &mut Link, hash: &str) -> Result<Option<i64>, StoreError> {
     Ok(pieces)
 }
 
-/// Whether it is new.
+/// Stores a file; returns whether it is new.
 fn put(link: &mut Link, hash: &str, packed: &[u8]) -> Result<bool, StoreError> {
     let pieces = packed.chunks(PIECE_BYTES_MOST);
     let head = [Value::Text(hash.to_owned()), Value::Whole(pieces.len() as i64)];

@@ -39,7 +39,7 @@ sentences! {
             ko: "쓴 것이 없다. 파일에 쓸 수 있는 강성을 하나로 정하는 조사가 없다. 해가 여럿이거나 상·하한만 정해진 강성, 방향마다 다른 체인의 강성, 지반만의 강성보다 큰 맨 아래 접합부 강성, 모드로 강성 중심을 알 수 없는 건물의 평면 강성, 건물의 벽체나 행렬, 적층 구조의 스프링, 센서가 의심스러운 기록에서 구한 값은 쓰지 않는다. 추정 결과는 `dolmen identify --full`로 본다",
         },
         SpringsToType { survey, factor, keys } as { survey, factor, keys } => {
-            en: "nothing is written: with other springs other joints of a stack close, so its springs are typed and identified again. By survey {survey} all of them are {factor} times those of the file: in joint give {keys}, each with source = \"identified\" and survey = \"{survey}\"",
+            en: "nothing is written: the springs of a stack are not written, since with other springs other joints close; type them and identify again. By survey {survey} all of them are {factor} times those of the file: in joint give {keys}, each with source = \"identified\" and survey = \"{survey}\"",
             ko: "쓴 것이 없다. 적층 구조는 강성이 바뀌면 닿는 접합면도 바뀌므로 강성을 직접 입력하고 다시 추정한다. {survey} 조사에 따르면 모든 접합부 강성은 파일 값의 {factor}배이다. joint에 {keys}을(를) 입력하고 각각 source = \"identified\", survey = \"{survey}\"를 함께 적는다",
         },
         SeveralToWrite { surveys } as { surveys: surveys.join(", ") } => {
@@ -308,6 +308,10 @@ sentences! {
         Same { given } => {
             en: "survey \"{given}\" cannot be compared with itself",
             ko: "조사 \"{given}\"을(를) 그 자신과 비교할 수 없다",
+        },
+        SameRecord { surveys, files } as { first: surveys[0], second: surveys[1], of_first: files[0], of_second: files[1] } => {
+            en: "surveys \"{first}\" ({of_first}) and \"{second}\" ({of_second}) have the same record, byte for byte: name the file of each date. Where one file holds both, give each its own channels, or its own stretch with conditioning.cut",
+            ko: "조사 \"{first}\"({of_first})와(과) \"{second}\"({of_second})의 기록이 바이트까지 같다. 날짜마다 그 날짜의 파일을 지정한다. 한 파일에 두 기록이 함께 있으면 조사마다 channels의 열을 따로 쓰거나 conditioning.cut으로 구간을 따로 지정한다",
         },
         TooFewToWatch { given, least } => {
             en: "{given} surveys of the file have modes, a tilt or an inspection, and a name that begins with a date (2026-03-10), but a history needs {least}: measure again, or compare two surveys with dolmen compare",

@@ -27,7 +27,7 @@ pub struct ChainCheck {
     /// With what its static loads weigh, which swings too; `None` where they weigh nothing.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub loaded: Option<Box<LoadedChain>>,
-    /// Across, where the chain has something of its own there; `None`: as in the direction of motion.
+    /// The results across, if the chain has its own properties there; `None`: as in the direction of motion.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub across: Option<Box<ChainAcross>>,
 }
@@ -91,7 +91,7 @@ pub struct JointOnSoil {
     pub soil_n_m_rad: f64,
     /// Stiffness of the joint alone, N m/rad; `None` if it is not known.
     pub joint_n_m_rad: Option<f64>,
-    /// Both in series, which is what moves, N m/rad.
+    /// Stiffness of joint and soil in series, N m/rad.
     pub together_n_m_rad: Option<f64>,
 }
 
@@ -102,7 +102,7 @@ impl JointOnSoil {
     }
 }
 
-/// By how much each centre of mass is lowered to show what it does: 20 %, as in Table 3 of Choi (2021).
+/// Relative change of each centre of mass for this table: 20 % lower, as in Table 3 of Choi (2021).
 pub const CENTROID_CHANGE: f64 = -0.2;
 
 /// All results for a chain without a time history: limits from weights and lengths, the effect of lowering
@@ -191,7 +191,7 @@ fn without_supports(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<
 /// * `change` -- relative change of the height of its centre of mass: −0.2 is 20 % lower
 ///
 /// # Errors
-/// [`AssessError::Structure`] if there is no such link or the centre of mass leaves it.
+/// [`AssessError::Structure`] if there is no such link, or if the centre of mass would be outside it.
 ///
 /// # Source
 /// Choi (2021), Table 3. Differs from the source: some of its k_cr rise, and it concludes that lowering a centre of

@@ -16,7 +16,7 @@ pub struct DamageThresholds {
     pub offset_m: f64,
     /// DS3: residual offset over the joint's width, –, not below that of DS2. Default 0.02.
     pub severe_offset_ratio: f64,
-    /// DS3: rocking of a joint over the slenderness angle of what stands on it, –, positive. Default 0.35.
+    /// DS3: rocking of a joint over the slenderness angle of the part above, –, positive. Default 0.35.
     pub severe_rocking_ratio: f64,
 }
 
@@ -73,7 +73,7 @@ pub struct JointDamage {
     pub residual_slip_m: f64,
     /// Residual slip over the width of the joint in that direction, –.
     pub residual_slip_ratio: f64,
-    /// Rocking, opening over the least width, over the slenderness angle of what stands on it, –; 0 where that part has none.
+    /// Rocking (opening over the least width) over the slenderness angle of the part above, –; 0 if that part has none.
     pub peak_rocking_ratio: f64,
     /// Largest turn of the stone above on the one below, rad.
     pub peak_yaw_rad: f64,
@@ -188,7 +188,7 @@ fn state(found: &JointDamage, from: &DamageThresholds) -> DamageState {
     }
 }
 
-/// α of what stands on a joint, rad.
+/// Slenderness angle α of the part above a joint, rad.
 fn slenderness_angle_rad(limits: &StackLimitStates, joint: usize) -> Option<f64> {
     let cuts = limits.cuts.iter().filter(|cut| cut.cut.joints.contains(&joint));
     let smallest = cuts.min_by_key(|cut| cut.cut.blocks.len())?;

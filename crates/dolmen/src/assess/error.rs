@@ -197,7 +197,7 @@ pub enum AssessError {
         /// The value.
         value: f64,
     },
-    /// Observations that allow no fragility curve, and what they say all the same.
+    /// The observations allow no fragility curve, but a bound.
     #[error("{}", no_fragility(.0))]
     NoFragility(FragilityBound),
     /// Observations whose likeliest curve does not rise.

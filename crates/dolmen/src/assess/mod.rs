@@ -31,9 +31,9 @@ pub use chain::{
 };
 pub use change::{
     ChangeNote, Difference, Evidence, ExchangedDirections, FACTOR_SOUGHT, FittedTemperature, FrequencyChange,
-    ModeChange, NotCompared, PartFit, SurveyChange, SurveyChangeOptions, Surveyed, SwappedChannels,
-    TEMPERATURE_SURVEYS_LEAST, TemperatureEffect, TemperatureKnowledge, TurnedChannel, WhichPart,
-    survey_change, which_part,
+    HistoryEffect, ModeChange, NotCompared, PartFit, SurveyChange, SurveyChangeOptions, Surveyed,
+    SwappedChannels, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect, TemperatureKnowledge, TurnedChannel,
+    WhichPart, survey_change, which_part,
 };
 pub use damage::{DamageState, DamageThresholds, JointDamage, StackDamage, stack_damage};
 pub use error::AssessError;

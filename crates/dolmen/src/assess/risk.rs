@@ -173,8 +173,8 @@ impl AnnualRisk {
 /// ```
 ///
 /// # Limits
-/// Where much of λ lies beyond the points of the hazard, it rests on slopes that nobody gave: both shares are in the answer. The
-/// structure is as it was before each earthquake.
+/// If a large part of λ comes from beyond the points of the hazard, it depends on extrapolated slopes: the result contains both
+/// fractions. The structure is taken as undamaged before each earthquake.
 ///
 /// # Source
 /// Cornell, C. A. (1996) Calculating building seismic performance reliability. Proc. 11th WCEE.
@@ -244,7 +244,8 @@ mod tests {
         assert!((one.annual_rate / closed - 1.0).abs() < 1e-9, "{one:?} {closed}");
     }
 
-    /// ∫ H(x) f(x) dx by the trapezoidal rule in z, which converges faster than any power for what dies out at both ends.
+    /// ∫ H(x) f(x) dx by the trapezoidal rule in z, which converges faster than any power for a function that decays at both
+    /// ends.
     fn by_quadrature(hazard: &Hazard, fragility: &Fragility) -> f64 {
         const STEP: f64 = 1e-3;
         (-20_000..=20_000)

@@ -1,4 +1,4 @@
-//! A whole check of a stack of stones: whether it stands, at what acceleration it begins to move, what is asked of it.
+//! Complete check of a stack of stones: whether it stands, at what acceleration it begins to move, and the demand.
 
 use super::AssessError;
 use super::stack_notes::{Gaps, SettleRun, StackNote};
@@ -76,7 +76,7 @@ impl Crushing {
     }
 }
 
-/// By how much sooner it must begin to move for crushing to govern. Chosen here: less than what dimensions leave open.
+/// Relative reduction of the capacity from which crushing governs. Chosen here: less than the uncertainty of the dimensions.
 const CRUSHING_COUNTS: f64 = 0.05;
 /// Horizontal acceleration, over gravity, below which a stack that stands is "marginal": a tilt of the ground of 1.1°, which a
 /// survey can miss. Chosen here.
@@ -420,7 +420,7 @@ fn with_kinetic_friction(stack: &Stack) -> Result<Option<Stack>, AssessError> {
     Ok(less.then_some(moving))
 }
 
-/// A verdict, with what supports that move make of it.
+/// The verdict, modified by the result for moving supports.
 pub(super) fn with_movement(verdict: Verdict, supports: Option<&MovedSupports>) -> Verdict {
     let Some(supports) = supports else { return verdict };
     let at_least = |other: Verdict| match verdict {

@@ -73,7 +73,7 @@ pub enum StackNote {
     AnalysisFalls,
     /// Static loads press on stones, but have no mass that an earthquake shakes.
     LoadsWithoutMass {
-        /// Acceleration at which it begins to move with them, over gravity; `None` where it has no such limit.
+        /// Acceleration at which the stack begins to move with them, over gravity; `None` if it has no such limit.
         with_g: Option<f64>,
         /// And without them.
         without_g: Option<f64>,

@@ -29,7 +29,7 @@ pub struct StackWind<'a> {
     pub surfaces: &'a WindSurfaces,
 }
 
-/// A combination of what acts.
+/// A load combination.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StackCombination<'a> {
     /// Factor on the weight of the blocks, above 0.
@@ -49,7 +49,7 @@ pub struct StackCombination<'a> {
 pub enum Grows {
     /// Wind and static loads together.
     All,
-    /// Both, but for what presses downwards: it may hold the stones.
+    /// Both, without the part that presses downwards, because it may stabilise the stones.
     AllButDownwards,
     /// The wind, without the static loads that press downwards; the others are as they are.
     Wind,

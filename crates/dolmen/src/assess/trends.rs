@@ -1,4 +1,4 @@
-//! Trends of a result with an input, all else equal: rank correlation, with what chance alone would give.
+//! Trends of a result with an input, all else equal: rank correlation, compared with chance.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -15,7 +15,7 @@ const EXPECTED_BELOW: f64 = 0.05;
 const EITHER_BELOW: f64 = 0.025;
 /// Largest group without ties for which all orders of the results are enumerated; larger ones use Mahonian numbers.
 const COUNTED_MOST: usize = 7;
-/// Most pairs of all groups for which the chance is counted: more are as good as normal. Chosen here.
+/// Largest total number of pairs for which the distribution is enumerated; above it the normal approximation is as good. Chosen here.
 const PAIRS_MOST: usize = 20_000;
 
 /// Which way a result goes as an input grows.
@@ -222,7 +222,7 @@ fn chance_of_group(points: &[(f64, f64)]) -> Option<Vec<f64>> {
     Some(chance)
 }
 
-/// Every order of what is not placed yet.
+/// Visits every order of the remaining entries.
 fn each_order(order: &mut Vec<usize>, placed: usize, visit: &mut dyn FnMut(&[usize])) {
     if placed + 1 >= order.len() {
         visit(order);

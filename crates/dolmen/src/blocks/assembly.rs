@@ -95,7 +95,7 @@ impl Assembly {
         Assembly::with_pairs(stack, rule, all, true)
     }
 
-    /// The stack as drawn, with what touches there alone: for small motion.
+    /// The stack as drawn with its initial contacts only: for small motion.
     pub(super) fn of_joints(stack: &Stack, rule: ContactRule) -> Self {
         let mut ends: Vec<(usize, usize)> = stack.joints().iter().map(ends_of).collect();
         ends.sort_by_key(|&(first, second)| (second, first));
@@ -171,7 +171,7 @@ impl Assembly {
         assembly
     }
 
-    /// Gives a stone that rests on the ground a ground of its own, which can move; its body.
+    /// Gives a stone that rests on the ground a ground body of its own, which can move; returns that body.
     ///
     /// No other stone touches this ground, and this stone does not touch the ground of the others.
     pub(super) fn put_on_own_ground(&mut self, stone: usize) -> usize {
@@ -218,7 +218,7 @@ impl Assembly {
         1..self.bodies.len() - self.on_own_ground.len()
     }
 
-    /// The ground that a stone has to itself, or that of all.
+    /// The ground body of a stone: its own, or the common one.
     pub(super) fn ground_under(&self, stone: usize) -> usize {
         let own = self.on_own_ground.iter().position(|on| *on == stone);
         own.map_or(0, |place| self.bodies.len() - self.on_own_ground.len() + place)

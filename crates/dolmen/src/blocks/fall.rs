@@ -1,4 +1,4 @@
-//! When a stone has fallen: judged against what it stood on, not against the ground.
+//! Detects the fall of a stone, relative to its initial support and not to the ground.
 
 use super::assembly::Assembly;
 use super::bodies::{RigidBody, index_of};
@@ -8,24 +8,24 @@ use super::watch::lower_body;
 use crate::structure::stack::{Body, Stack};
 use glam::{DMat3, DVec3};
 
-/// Drop of a stone's centroid against what it stood on that counts as a fall, in parts of its least thickness. Chosen here.
+/// Drop of a stone's centroid relative to its support that counts as a fall, as a fraction of its least thickness. Chosen here.
 const DROP: f64 = 0.5;
-/// Cosine of the turn of a bed on what it lay on that counts as a fall, 45°.
+/// Cosine of 45°, the rotation of a bed relative to its support that counts as a fall.
 const TURN_LEAST: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// Time without contact after which it is lost for good, s: a stone that flies so long comes down metres below. Chosen here.
+/// Time without contact after which a stone counts as fallen, s: after so long a flight it lands metres below. Chosen here.
 const APART_MOST_S: f64 = 1.0;
-/// Time for which a stack is still before it is at rest, s: less of a stone apart is a leap.
+/// Time without contact from which a stone of a resting stack counts as fallen, s; a shorter time is a jump.
 const REST_S: f64 = 0.5;
-/// Gap up to which two stones touch, m. Chosen here: ten times that of an open joint.
+/// Gap up to which two stones are in contact, m. Chosen here: ten times that of an open joint.
 const TOUCHES_M: f64 = 1e-3;
-/// Cosine of the angle between two faces from which a stone lies on another one, 10°. Chosen here: beds lie within 5° of each other.
+/// Cosine of 10°, the angle between two faces from which a stone lies on another face. Chosen here: beds are within 5° of each other.
 const SAME_FACE: f64 = 0.985;
 
 /// Support of a stone at rest.
 #[derive(Clone, Debug)]
 struct Support {
     body: usize,
-    /// The stone's centroid at rest, from that of the support, in the support's axes as drawn, m.
+    /// Centroid of the stone at rest relative to that of the support, in the axes of the support as drawn, m.
     place: DVec3,
     /// Normal of the joint, from the support into the stone, in the axes as drawn.
     normal: DVec3,
@@ -36,16 +36,15 @@ struct Stone {
     supports: Vec<Support>,
     /// Drop that counts as a fall, m.
     drop: f64,
-    /// Whether the ground below something that it stands on is moved: then a stone that still lies on that one has not fallen, however far it came
-    /// down against the others.
+    /// Whether the ground below one of its supports is moved. Then a stone that still lies on that support has not fallen, however far it has
+    /// dropped relative to the others.
     on_moved_ground: bool,
-    /// Since when it touches nothing that it stood on, s.
+    /// Time since which it touches none of its supports, s.
     apart_since_s: Option<f64>,
 }
 
 impl Stone {
-    /// Whether its bed turned over on something that it stood on, or it dropped too far below its place there; on moved ground below all of its
-    /// places.
+    /// Whether its bed has turned over on one of its supports, or it has dropped too far relative to one; on moved ground relative to all of them.
     fn has_left(&self, assembly: &Assembly, body: &RigidBody) -> bool {
         let dropped = |of: &Support| of.is_above(assembly, body, self.drop);
         let has_dropped = match self.on_moved_ground {
@@ -56,14 +55,14 @@ impl Stone {
     }
 }
 
-/// Watches every stone for its fall.
+/// Watches all stones for falls.
 #[derive(Clone, Debug)]
 pub(super) struct Falls {
     stones: Vec<Stone>,
 }
 
 impl Falls {
-    /// Stones at rest.
+    /// The stones at rest.
     pub(super) fn of(stack: &Stack, assembly: &Assembly) -> Self {
         let bodies = &assembly.bodies;
         let each = stack.blocks().iter().enumerate().map(|(block, of)| {
@@ -75,7 +74,7 @@ impl Falls {
                 })
                 .collect();
             if supports.is_empty() {
-                // held by ties or from aside alone
+                // supported only by ties or side supports
                 supports.push(Support::of(bodies, index_of(Body::Ground), block + 1, DVec3::Z));
             }
             Stone {
@@ -135,14 +134,14 @@ impl Support {
         }
     }
 
-    /// Whether a stone dropped too far below its place on this.
+    /// Whether a stone has dropped too far relative to this support.
     fn is_above(&self, assembly: &Assembly, stone: &RigidBody, drop: f64) -> bool {
         let support = &assembly.bodies[self.body];
         let place = support.position + support.rotation * self.place;
         place.z - stone.position.z > drop
     }
 
-    /// Whether the bed of a stone turned over on this.
+    /// Whether the bed of a stone has turned over relative to this support.
     fn is_turned_over(&self, assembly: &Assembly, stone: &RigidBody) -> bool {
         let support = &assembly.bodies[self.body];
         let turn = (support.rotation * self.normal).dot(stone.rotation * self.normal);
@@ -150,7 +149,7 @@ impl Support {
     }
 }
 
-/// Least distance of two parallel planes that hold a body between them, one of them a face of it, m.
+/// Least distance between two parallel planes that enclose a body, one of them along a face, m.
 fn least_thickness(hull: &Hull) -> f64 {
     let along = |normal: &DVec3| {
         let places = hull.corners.iter().map(|corner| corner.dot(*normal));
@@ -162,7 +161,7 @@ fn least_thickness(hull: &Hull) -> f64 {
     hull.normals.iter().map(along).fold(f64::INFINITY, f64::min)
 }
 
-/// Whether two bodies touch.
+/// Whether two bodies are in contact.
 fn touches(assembly: &Assembly, first: usize, second: usize) -> bool {
     let Some((patch, _)) = assembly.contact_of(first, second) else {
         return false;
@@ -173,7 +172,7 @@ fn touches(assembly: &Assembly, first: usize, second: usize) -> bool {
     points.any(|group| (0..LANES).any(|lane| group.area[lane] > 0.0 && gap(lane, group) < TOUCHES_M))
 }
 
-/// Whether a stone rests on a support with another face than its bed.
+/// Whether a stone rests on a support with a face other than its bed.
 fn lies_on_another_face(assembly: &Assembly, support: &Support, stone: usize) -> bool {
     let Some((patch, outline)) = assembly.contact_of(support.body, stone) else {
         return false;
@@ -182,7 +181,7 @@ fn lies_on_another_face(assembly: &Assembly, support: &Support, stone: usize) ->
     !outline.of_edges() && touches(assembly, support.body, stone) && inward.dot(support.normal) < SAME_FACE
 }
 
-/// Normal of the face of a body that a patch lies on, into the body, in the axes as drawn.
+/// Normal of the face of a body under a patch, into the body, in the axes as drawn.
 fn face_of(patch: &Patch, body: usize) -> DVec3 {
     match patch.point_body == body {
         true => patch.point_axes.z_axis,

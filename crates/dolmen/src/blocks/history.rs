@@ -1,6 +1,6 @@
 //! Result of a simulation: how it ended, and the data to draw, check and repeat it.
 
-/// Energy that counts as none, J: rounding. Chosen here.
+/// Energy below which created energy is rounding, J. Chosen here.
 const MADE_OF_NOTHING_J: f64 = 1e-6;
 
 /// How a run ended.
@@ -12,26 +12,26 @@ pub enum Outcome {
     Uplifted {
         /// The joint that opened first, as an index of the stack's joints.
         joint: usize,
-        /// When, s.
+        /// Time, s.
         at_s: f64,
     },
-    /// No stone fell, but one lies on the brink at the end: it slid by more than half the width of its bed, or less than half is
-    /// left of the way from its plumb line to the edge of what carries it.
+    /// No stone fell, but one is on the brink at the end: it slid by more than half the width of its bed, or less than half of its distance to the
+    /// edge of the support remains.
     Slid {
-        /// The one with the least left, as an index of the stack's blocks.
+        /// The stone with the smallest remaining distance, as an index of the stack's blocks.
         block: usize,
-        /// How far it lies from where it lay at rest on what carries it, m.
+        /// Distance from its position at rest on the support, m.
         slip_m: f64,
         /// Remaining distance from the vertical through the centroid to the edge of the support, over that at rest, –; negative if the vertical is
         /// outside the support.
         margin_ratio: f64,
     },
-    /// The run came to its end while stones moved, not less and less, or with a stone whose plumb line lies at or beyond the edge of what carries it: there is
-    /// no verdict.
+    /// The run ended while stones moved without decreasing amplitude, or with a stone whose centroid is at or beyond the edge of its support: there
+    /// is no verdict.
     StillMoving {
         /// The stone, as an index of the stack's blocks.
         block: usize,
-        /// When, s.
+        /// Time, s.
         at_s: f64,
         /// Remaining distance from the vertical through the centroid to the edge of the support, over that at rest, –.
         margin_ratio: f64,
@@ -39,72 +39,72 @@ pub enum Outcome {
     /// A stone fell relative to its initial support: its centroid dropped by more than half its least thickness, its bed rotated by more than 45°, it
     /// touched no part of the support for a second or at the end, or it rests there on another face.
     Fell {
-        /// The first, as an index of the stack's blocks.
+        /// The first stone that fell, as an index of the stack's blocks.
         block: usize,
-        /// The joint that gave way, as an index of the stack's joints: at that time it had opened or slipped farthest. The
-        /// stone that comes down first may be another than the one that lost its hold.
+        /// The joint that gave way, as an index of the stack's joints: the one with the largest opening or slip at that time. The stone that falls
+        /// first is not always the one that lost its support.
         joint: usize,
-        /// When, s.
+        /// Time, s.
         at_s: f64,
     },
-    /// The caller stopped it.
+    /// The caller stopped the run.
     Stopped {
-        /// When, s.
+        /// Time, s.
         at_s: f64,
     },
-    /// A step of the rigid law found no velocities that obey the law of every contact: the run ends before it.
+    /// A step of the rigid law found no velocities that satisfy the law of every contact: the run ends before this step.
     NotConverged {
-        /// When, s.
+        /// Time, s.
         at_s: f64,
-        /// How far its last try was from the law, m/s.
+        /// Residual of the last attempt, m/s.
         residual_m_s: f64,
     },
     /// Numbers overflowed, or contacts created more than a hundredth of the input energy even with the shortest step: the run is unusable.
     Diverged {
-        /// When, s.
+        /// Time, s.
         at_s: f64,
     },
 }
 
-/// Where a block is, against where it was drawn: a point drawn at x₀ is now at c + R (x₀ − c₀).
+/// Position of a block relative to the drawing: a point drawn at x₀ is now at c + R (x₀ − c₀).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// c: its centroid, in the frame of the ground, m.
+    /// c, its centroid in the axes of the ground, m.
     pub centroid_m: [f64; 3],
     /// R as a unit quaternion, scalar first.
     pub rotation: [f64; 4],
 }
 
-/// One joint at the times of the history.
+/// History of one joint at the sample times.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct JointHistory {
-    /// Largest gap at a corner of the patch as drawn, beyond that at rest, m; 0 while closed.
+    /// Largest gap at a corner of the patch as drawn, minus that at rest, m; 0 while closed.
     pub opening_m: Vec<f64>,
-    /// Shift of the upper stone on the lower along the joint's first two axes, at its middle, from the settled state, m.
+    /// Slip of the upper stone on the lower along the joint's first two axes, at its middle, from the settled state, m.
     pub slip_m: Vec<[f64; 2]>,
-    /// Turn of the upper stone on the lower about the joint's normal, from the settled state, rad.
+    /// Rotation of the upper stone on the lower about the joint's normal, from the settled state, rad.
     pub yaw_rad: Vec<f64>,
     /// Largest opening at any observed step, m.
     pub peak_opening_m: f64,
-    /// Largest shift, m.
+    /// Largest slip, m.
     pub peak_slip_m: f64,
-    /// Largest turn, rad.
+    /// Largest rotation, rad.
     pub peak_yaw_rad: f64,
 }
 
 impl JointHistory {
-    /// Shift at the end, m.
+    /// Slip at the end, m.
     pub fn residual_slip_m(&self) -> f64 {
         self.slip_m.last().map_or(0.0, |slip| slip[0].hypot(slip[1]))
     }
 
-    /// Turn at the end, rad.
+    /// Rotation at the end, rad.
     pub fn residual_yaw_rad(&self) -> f64 {
         self.yaw_rad.last().copied().unwrap_or(0.0)
     }
 }
 
-/// The balance of energy at one time, all from the start, J.
+/// Energy balance at one time, since the start, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Energy {
@@ -112,71 +112,69 @@ pub struct Energy {
     pub kinetic_j: f64,
     /// Potential energy, J.
     pub potential_j: f64,
-    /// In springs, bonds and ties.
+    /// Energy stored in springs, bonds and ties, J.
     pub stored_j: f64,
-    /// Work of the shaking: of the inertia forces in the frame of the ground.
+    /// Work of the shaking, which is that of the inertia forces in the frame of the ground, J.
     pub input_j: f64,
-    /// Taken by friction and by what broke.
+    /// Energy dissipated by friction and by failures, J.
     pub friction_j: f64,
     /// Energy dissipated by dashpots: total loss in contacts minus the other losses, J.
     pub damping_j: f64,
-    /// Taken by clipping patches again and by changes of faces; negative if they gave some.
+    /// Energy lost when patches are computed again and when faces change, J; negative for a gain.
     pub clipping_j: f64,
 }
 
 /// A simulated motion of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackHistory {
-    /// How it ended.
+    /// How the run ended.
     pub outcome: Outcome,
     /// Times of the samples, s.
     pub time_s: Vec<f64>,
     /// Number of blocks, the row length of `poses`.
     pub blocks: usize,
-    /// Where each block is: samples × blocks, row by row.
+    /// Position of each block: samples × blocks, row by row.
     pub poses: Vec<Pose>,
-    /// One history a joint of the stack.
+    /// One history per joint of the stack.
     pub joints: Vec<JointHistory>,
-    /// Balance of energy at the samples; the first is the start and counts as zero but for motion.
+    /// Energy balance at the samples. The first sample is the start; its energies are zero except the kinetic one.
     pub energy: Vec<Energy>,
-    /// Largest energy that contacts gave back beyond what they had stored, between any two samples, J.
+    /// Largest energy that contacts returned beyond their stored energy, between any two samples, J.
     pub energy_made_j: f64,
     /// Indices of ties that broke.
     pub broken_ties: Vec<usize>,
-    /// The step taken, s.
+    /// Time step of the run, s.
     pub time_step_s: f64,
     /// The longest stable step, s.
     pub longest_step_s: f64,
-    /// Steps taken.
+    /// Number of steps.
     pub steps: usize,
-    /// Contact points of all joints at the start.
+    /// Number of contact points of all joints at the start.
     pub contact_points: usize,
     /// Settlement of the highest block's centroid under its own weight, before the start, m.
     pub settlement_m: f64,
-    /// How well the rigid law was obeyed; `None` of springs.
+    /// Accuracy under the rigid law; `None` for the springs law.
     pub rigid: Option<RigidEvidence>,
 }
 
 /// Accuracy of the solutions of the rigid law in a run, and their cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RigidEvidence {
-    /// Largest distance of any contact point from unilateral contact and Coulomb's law, and of any stone from its balance of
-    /// momentum, m/s.
+    /// Largest residual of unilateral contact and Coulomb's law at any contact point, and of the momentum balance of any stone, m/s.
     pub residual_most_m_s: f64,
-    /// Deepest that any point lay in the other stone at the end of a step, m; beyond what they overlapped as drawn or as they met
-    /// unseen.
+    /// Largest penetration of any point at the end of a step, m, in addition to overlaps as drawn or of undetected contacts.
     pub penetration_most_m: f64,
-    /// Impacts found inside steps.
+    /// Number of impacts located inside steps.
     pub impacts: usize,
-    /// Solutions of the law: one a step that is not wholly at rest, and up to four an impact.
+    /// Number of solutions of the law: one per step that is not wholly at rest, and up to four per impact.
     pub solutions: usize,
-    /// Newton steps of all solutions.
+    /// Number of Newton steps in all solutions.
     pub newton_steps: usize,
-    /// Steps in which all stones moved with the ground.
+    /// Number of steps in which all stones moved with the ground.
     pub steps_at_rest: usize,
     /// Number of solutions with a residual above 1e-6 m/s that further iterations did not improve: a nanometre in a step of 1 ms.
     pub loose_solutions: usize,
-    /// Times that a step, or the rest of one, was halved because the whole found no solution.
+    /// Number of halvings of a step, or of the rest of one, without a solution.
     pub halvings: usize,
 }
 
@@ -193,7 +191,7 @@ impl StackHistory {
         self.poses[sample * self.blocks + block]
     }
 
-    /// Energy made by contacts over the work put in (shaking and start), –; infinite if some was made and none put in.
+    /// Energy created by contacts over the input energy (shaking and start), –; infinite if energy was created without input.
     pub fn energy_made_ratio(&self) -> f64 {
         let start = self.energy.first().map_or(0.0, |e| e.kinetic_j + e.potential_j);
         let input = self

@@ -5,7 +5,7 @@ use super::forces::Forces;
 use crate::structure::stack::{SideSupport, Tie};
 use glam::DVec3;
 
-/// A dowel or clamp between a point of one body and the point of another that was drawn in the same place.
+/// A dowel or clamp between a point of one body and a point of another that coincide in the drawing.
 #[derive(Clone, Debug)]
 pub(super) struct Link {
     pub(super) lower: usize,
@@ -35,7 +35,7 @@ impl Link {
         }
     }
 
-    /// Stretch of the upper point against the lower, in the lower body's axes: along the axis (tension only), across it.
+    /// Extension between the two points, in the axes of the lower body: along the axis (tension only), and across it.
     fn stretch(&self, bodies: &[RigidBody]) -> (f64, DVec3) {
         let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
         let apart = lower.rotation.transpose() * (upper.now(self.drawn) - lower.now(self.drawn));
@@ -43,7 +43,7 @@ impl Link {
         (along.max(0.0), apart - self.axis * along)
     }
 
-    /// Adds its force; returns the energy lost if it breaks now, J.
+    /// Adds the force of the link; returns the energy lost if it breaks now, J.
     pub(super) fn pull(&mut self, bodies: &[RigidBody], forces: &mut Forces) -> f64 {
         if self.broken {
             return 0.0;
@@ -72,7 +72,7 @@ impl Link {
         (lower.rotation * -pull, upper.now(self.drawn))
     }
 
-    /// Energy in it, J.
+    /// Elastic energy of the link, J.
     pub(super) fn stored(&self, bodies: &[RigidBody]) -> f64 {
         if self.broken {
             return 0.0;
@@ -82,7 +82,7 @@ impl Link {
     }
 }
 
-/// Something beside a block that it meets after a gap.
+/// A side support of a block, in contact after a gap.
 #[derive(Clone, Debug)]
 pub(super) struct Prop {
     pub(super) body: usize,
@@ -103,13 +103,13 @@ impl Prop {
         }
     }
 
-    /// How deep its body has met it, m; 0 before.
+    /// Penetration of its body, m; 0 before contact.
     pub(super) fn depth(&self, body: &RigidBody) -> f64 {
         let moved = body.now(self.drawn) - self.drawn;
         (moved.dot(self.direction) - self.gap).max(0.0)
     }
 
-    /// Adds its force, the mean over a step of `h` seconds as in a contact.
+    /// Adds the force of the support, averaged over a step of `h` seconds as for contacts.
     pub(super) fn push(&self, bodies: &[RigidBody], forces: &mut Forces, h: f64) {
         let body = &bodies[self.body];
         let at = body.now(self.drawn);
@@ -130,7 +130,7 @@ impl Prop {
         forces.torque[self.body] += (at - body.position).cross(force);
     }
 
-    /// Energy in it, J.
+    /// Elastic energy of the support, J.
     pub(super) fn stored(&self, bodies: &[RigidBody]) -> f64 {
         let depth = self.depth(&bodies[self.body]);
         0.5 * self.stiffness * depth * depth

@@ -72,8 +72,8 @@ pub(super) enum Closed {
     Stuck,
 }
 
-/// Stiffness of what joins two bodies, about a point fixed to both, in the ground's axes: force and moment on the second as
-/// it moves by u and turns by θ against the first are −(F u + C θ) and −(Cᵀ u + T θ).
+/// Stiffness between two bodies, about a point fixed to both, in the axes of the ground: when the second moves by u and
+/// rotates by θ relative to the first, the force and moment on it are −(F u + C θ) and −(Cᵀ u + T θ).
 #[derive(Clone, Copy, Debug)]
 struct Bond {
     force: DMat3,
@@ -365,7 +365,7 @@ pub(super) fn longest_step_of_held(assembly: &Assembly) -> f64 {
     2.0 / largest(assembly, &springs).sqrt()
 }
 
-/// Largest eigenvalue of M⁻¹A, by power iteration, raised by a per cent for what it may lack.
+/// Largest eigenvalue of M⁻¹A, by power iteration, increased by one per cent for the error of the iteration.
 fn largest(assembly: &Assembly, matrix: &Matrix) -> f64 {
     let size = matrix.rows();
     // no symmetry of the stack may hide its largest mode: a start that has none

@@ -10,7 +10,7 @@ use super::springs::simulate_springs_on;
 use crate::structure::stack::Stack;
 use glam::DVec3;
 
-/// How slowly supports move, and how far.
+/// Speed and amount of the movement of supports.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlowMovement {
     /// Factor on the movements of the stack at which the ground stands still again. Default 1.
@@ -29,7 +29,7 @@ impl Default for SlowMovement {
     }
 }
 
-/// Supports that move slowly for a stack, and by what that is measured.
+/// Slow movements of supports scaled for a stack, and the measure of slowness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlowGround {
     /// How the ground moves.

@@ -15,8 +15,8 @@ use glam::DVec3;
 
 /// Time between looks for peaks and falls, s: peaks are flat, and no stone falls faster. Chosen here.
 const LOOK_STEP_S: f64 = 5e-3;
-/// Part of its bed's width by which a stone must slide to lie on the brink, and part of its plumb line's way to the edge below
-/// which it does. Chosen here: half of what keeps it from tipping is gone.
+/// Slip, as a fraction of the width of the bed, from which a stone is on the brink; and remaining fraction of its distance to the edge below which
+/// it is. Chosen here: half of its margin against tipping is gone.
 const BRINK: f64 = 0.5;
 
 /// Gathers a [`StackHistory`].
@@ -182,7 +182,7 @@ impl Observer {
         let (mut kinetic, mut input, mut contact) = (0.0, self.input, self.contact);
         let stones = assembly.stones();
         for (body, force) in assembly.bodies.iter().zip(&forces.force).skip(stones.end) {
-            // ground that moves: what it does on its stone is put in
+            // moving ground: its work on the stone is input
             let work = half * force.dot(body.velocity);
             contact += work;
             input -= work;

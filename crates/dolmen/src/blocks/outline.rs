@@ -76,7 +76,7 @@ impl Outline {
         motion.along_x.z.hypot(motion.along_y.z)
     }
 
-    /// Whether the present faces are as good as the best axis, but for less than `favour`, m.
+    /// Whether the present faces separate the bodies as well as the best axis, within `favour`, m.
     pub(super) fn still_serves(
         &self,
         best: &Separation,

@@ -65,8 +65,8 @@ fn unbalanced(assembly: &mut Assembly, forces: &mut Forces) -> Unbalanced {
 /// Moves the bodies of an assembly to where gravity and springs balance.
 ///
 /// # Errors
-/// [`BlocksError::NoRest`] if there is no such place near: the stack does not stand, or slides;
-/// [`BlocksError::Topples`] if there is one from which any touch would topple it.
+/// [`BlocksError::NoRest`] if there is no rest position nearby: the stack does not stand, or slides; [`BlocksError::Topples`]
+/// if there is one from which the slightest disturbance would topple the stack.
 pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), BlocksError> {
     let mut forces = Forces::default();
     let mut closed = Closed::Touching;
@@ -134,7 +134,7 @@ fn newton_step(assembly: &Assembly, closed: Closed, forces: &[f64]) -> Option<Ve
     Some(step.column(0).to_vec())
 }
 
-/// Steps under gravity in which much of the motion is taken away.
+/// Time steps under gravity with strong damping of the motion.
 fn relax(assembly: &mut Assembly, forces: &mut Forces, h: f64) {
     let gravity = DVec3::new(0.0, 0.0, -assembly.gravity);
     for _ in 0..DAMPED_STEPS {

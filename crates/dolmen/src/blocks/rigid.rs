@@ -125,7 +125,7 @@ impl Rigid {
 /// Stones are rigid; contact is between convex hulls. Impacts are located within the step, ends of slips are not. In each joint only the total force
 /// and torque are unique; their distribution over the points is that of a uniform elastic bed. With friction and rocking together several solutions
 /// may exist (Painlevé); the method always finds the same one. Dowels, clamps and side supports are springs that act at the positions of each step,
-/// as in [`super::simulate_springs`]. Tested by `stack_rigid` and `stack_motion`.
+/// as in [`super::simulate_springs`]. Tested by `stack_rigid`.
 ///
 /// # Source
 /// Moreau, J. J. (1988) in Nonsmooth Mechanics and Applications, CISM 302; Alart, P. & Curnier, A. (1991) Comput. Methods Appl.

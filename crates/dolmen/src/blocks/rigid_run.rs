@@ -18,7 +18,7 @@ use super::rigid_rest::AtRest;
 use super::rigid_solve::{Inertia, LOOSE_FROM_M_S, Momentum, Solver};
 use glam::DVec3;
 
-/// Gap up to which a point counts as touching, m: far above rounding, far below what is seen. Chosen here.
+/// Gap up to which a point counts as touching, m: far above rounding, far below visible gaps. Chosen here.
 const TOUCHES_M: f64 = 1e-8;
 /// Gap at which the time of an impact is found, m. Chosen here.
 pub(super) const FOUND_M: f64 = 1e-10;
@@ -27,7 +27,8 @@ const IMPACTS_MOST: usize = 30;
 /// Closing velocity, over g h, from which an impact is found inside the step and restitution counts: slower ones are what a step adds
 /// itself. Chosen here.
 pub(super) const IMPACT_FROM: f64 = 0.5;
-/// Velocity below which a stack is at rest, m/s: ten times what a solution may be off. Chosen here: thresholds are that of a step, 1e-5 g.
+/// Velocity below which a stack is at rest, m/s: ten times the tolerance of a solution. Chosen here: in terms of acceleration over a step,
+/// 1e-5 g.
 const AT_REST_M_S: f64 = 1e-7;
 /// Times that points on their way are added to a solution.
 const ADDED_MOST: usize = 8;
@@ -70,7 +71,7 @@ enum OpenPoints {
     Hard,
 }
 
-/// Why a step ends: how far its last try was from the law, m/s.
+/// Residual of the last attempt, m/s, when a step has no solution.
 pub(super) type Unsolved = f64;
 
 /// Acceleration of the ground at a time.
@@ -285,7 +286,7 @@ impl Run {
         }
     }
 
-    /// Solves for the velocities in the middle of the drift, with what meets slowly in it.
+    /// Solves for the velocities in the middle of the drift, including contacts that close slowly in it.
     fn kick(&mut self, time_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
         let h = self.drift_s;
         self.see_faces(h, 0.0);

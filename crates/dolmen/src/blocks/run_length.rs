@@ -10,7 +10,7 @@ const AGAIN_S: f64 = 0.1;
 
 /// Largest number of steps without confirmation by the user. Chosen here: with 20 stones they take about ten minutes.
 const STEPS_MOST: f64 = 2e7;
-/// Most samples of the history of such a run. Chosen here: of 20 stones they hold a few gigabytes.
+/// Largest number of history samples of such a run. Chosen here: with 20 stones they take a few gigabytes.
 const SAMPLES_MOST: f64 = 1e6;
 
 /// Samples may lie this far apart, s, however short the run is: then it has its first alone.

@@ -1,7 +1,7 @@
-//! A pile of flat blocks that slide and twist on each other but do not rock: the second method beside the two laws of contact.
+//! A pile of flat blocks that slide and twist on each other but do not rock: a second method in addition to the two contact laws.
 //!
-//! Between the changes of a joint (it is let go, it stops) the motion is smooth: an implicit Runge–Kutta method of fourth order
-//! with a controlled error. Steps end where a joint changes.
+//! Between state changes of joints (release, stop) the motion is smooth. An implicit Runge–Kutta method of fourth order with error
+//! control integrates it; steps end where a joint changes its state.
 
 use super::contact_points::ContactRule;
 use super::error::{BlocksError, check_times};
@@ -15,7 +15,7 @@ use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 use glam::{DVec2, DVec3};
 
-/// Stages, their weights and times, and the weights of the error: SDIRK of five stages, orders 4 and 3, L-stable.
+/// Stages, their weights and times, and the weights of the error: SDIRK with five stages, orders 4 and 3, L-stable.
 ///
 /// # Source
 /// Hairer, E. & Wanner, G. (1996) Solving Ordinary Differential Equations II, 2nd ed., table IV.6.5.
@@ -30,37 +30,38 @@ const STAGES: [[f64; 4]; 5] = [
 const TIMES: [f64; 5] = [0.25, 0.75, 11.0 / 20.0, 0.5, 1.0];
 const ERROR: [f64; 5] = [-3.0 / 16.0, -27.0 / 32.0, 25.0 / 32.0, 0.0, 0.25];
 
-/// A joint lets go where it would have to give this much more than friction can. Chosen here: 1e-7 s late in an earthquake.
+/// Relative excess of the required force over the friction at which a joint is released. Chosen here: a delay of 1e-7 s in an
+/// earthquake.
 const LETS_GO: f64 = 1e-6;
-/// Sliding slower than this and slowing down, a joint stops, m/s. Chosen here: 1e-18 m are left.
+/// Velocity of a slowing joint below which it stops, m/s. Chosen here: the remaining slip is 1e-18 m.
 const STOPS_M_S: f64 = 1e-9;
 /// Fraction of the time until a slowing joint stops that one step may cover.
 const TOWARDS_STOP: f64 = 0.9;
-/// Smoothing of friction at rest, over gravity, from the first to the last of the steps that bring it down.
+/// Smoothing of friction at rest, over gravity, from the first to the last step of its reduction.
 const SMOOTH_FIRST: f64 = 10.0;
 const SMOOTH_LAST: f64 = 1e-13;
-/// Acceleration over gravity from which a joint at rest counts as let go.
+/// Acceleration over gravity from which a joint at rest counts as released.
 const MOVES: f64 = 1e-8;
-/// Part of the weight that counts as none. Chosen here: what it loses in a shortest step is less.
+/// Fraction of the weight that counts as zero. Chosen here: more than the change in a shortest step.
 const WEIGHTLESS: f64 = 1e-7;
-/// Shortest step, s: what is not solved by then is not solved.
+/// Shortest step, s: the run ends if it has no solution.
 const STEP_LEAST_S: f64 = 1e-11;
 
 /// Options of [`simulate_sliding`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sliding {
-    /// Points of a bed over which pressure and friction are summed. Default 6 × 6.
+    /// Points of a bed for the sums of pressure and friction. Default 6 × 6.
     pub contact_rule: ContactRule,
     /// Largest error of a velocity in a step, m/s. Default 1e-8.
     pub tolerance_m_s: f64,
-    /// Length of the run, s; `None`, the default, for the motion and `rest_s` more.
+    /// Duration of the run, s. Default `None`: the motion plus `rest_s`.
     pub duration_s: Option<f64>,
     /// Time after the motion, s. Default 2.
     pub rest_s: f64,
     /// Time between samples of the history, s. Default 0.01.
     pub output_step_s: f64,
-    /// Sliding velocity, m/s, and spin, rad/s, of each block relative to the one below at the start, counted from the bottom; empty,
-    /// the default, for rest.
+    /// Initial sliding velocity, m/s, and spin, rad/s, of each block relative to the one below, counted from the bottom. Default
+    /// empty: at rest.
     pub starts: Vec<[f64; 3]>,
 }
 
@@ -79,18 +80,18 @@ impl Default for Sliding {
 
 /// Motion of a pile of blocks with level beds that slide and twist on each other under base motion of up to three components.
 ///
-/// `progress` gets the simulated time now and then, and stops the run by returning false.
+/// `progress` gets the simulated time at intervals, and stops the run by returning false.
 ///
 /// ```text
 /// m_i (v̇_i + a_g) = F_i − F_{i+1},   I_i ω̇_i = T_i − T_{i+1} − d × F_{i+1}
 /// N_i(x, y) = C (1 + α x + β y), nowhere tension, balances the weight and the overturning moment of all above
 /// (F_i, T_i) = −∫ μ N u/|u| dA where the joint slides with u(x, y);  within reach of that where it is stuck
 /// ```
-/// Stick, slide, twist and both are one law; blocks that are stuck to each other move as one.
+/// One law describes stick, slide, twist and both together; blocks that stick to each other move as one.
 ///
 /// # Errors
-/// [`BlocksError::Option`]; [`BlocksError::NotAPile`] for a stack that is no single pile of dry level beds;
-/// [`BlocksError::NoSliding`] where no accelerations are found.
+/// [`BlocksError::Option`] for an option out of range; [`BlocksError::NotAPile`] for a stack that is not a single pile of dry level
+/// beds; [`BlocksError::NoSliding`] if no accelerations are found.
 ///
 /// # Limits
 /// Blocks neither rock nor jump: if they would, the run ends with a status. Position errors are 1e-8 m in 30 s, plus the error of a
@@ -98,8 +99,9 @@ impl Default for Sliding {
 ///
 /// # Source
 /// Hwang, I. S. & Kim, J. K. (2002), analysis of sliding of piled multi-block systems considering horizontal rotation (in Korean).
-/// Differs from the source: the pressure is a sum of tilts, its eq. for N a product; accelerations and pressures are solved together;
-/// friction is static up to its limit in force and torque together; no smoothing, the ends of steps are the events.
+/// Differs from the source: the pressure is a sum of linear functions, in its eq. for N a product; accelerations and pressures are
+/// solved together; friction is static up to its limit in force and torque together; without smoothing, because steps end at the
+/// events.
 ///
 /// # Example
 /// ```
@@ -162,12 +164,12 @@ pub fn simulate_sliding(
     Ok(run.record.finish(outcome, &run.state, run.time_s))
 }
 
-/// A step that was tried.
+/// A trial step.
 struct Step {
     state: State,
     k: Vec<Twist>,
     error: f64,
-    /// How near the stuck joints are to being let go.
+    /// Largest ratio of required to available friction among the stuck joints.
     gauge: f64,
 }
 
@@ -178,7 +180,7 @@ struct Run<'a> {
     tolerance: f64,
     time_s: f64,
     duration_s: f64,
-    /// The step that the error allows.
+    /// Step length allowed by the error.
     step_s: f64,
     state: State,
     slides: Vec<Slide>,
@@ -269,7 +271,7 @@ impl Run<'_> {
 
     fn end(&self, trouble: NoAcceleration) -> Result<SlidingOutcome, BlocksError> {
         match trouble {
-            // no pressure either, where nothing presses any more
+            // without weight there is no pressure, so no rocking either
             NoAcceleration::Rocks(_) if self.shaking(self.time_s).weight < WEIGHTLESS * self.gravity => {
                 Ok(SlidingOutcome::LeftTheGround { at_s: self.time_s })
             }
@@ -307,7 +309,7 @@ impl Run<'_> {
         }
     }
 
-    /// Size of a twist as a velocity: the spin at the half diagonal of a square bed.
+    /// Magnitude of a twist as a velocity: the spin counts at the half diagonal of a square bed.
     fn size(&self, joint: usize, twist: Twist) -> f64 {
         twist
             .truncate()
@@ -315,7 +317,7 @@ impl Run<'_> {
             .hypot(0.5 * self.chain.stones[joint].bed_size * twist.z)
     }
 
-    /// How long a step may be so as not to pass the stop of a joint that slows down, s.
+    /// Longest step that does not pass the stop of a slowing joint, s.
     fn towards_stop(&self) -> f64 {
         let mut most = f64::INFINITY;
         for i in 0..self.slides.len() {
@@ -330,7 +332,7 @@ impl Run<'_> {
         most
     }
 
-    /// −½ d(size²)/dt of a joint's velocity.
+    /// Rate of decrease −½ d(size²)/dt of a joint's velocity.
     fn slowing(&self, joint: usize) -> f64 {
         let (w, k) = (self.state.twists[joint], self.k[joint]);
         let half = 0.5 * self.chain.stones[joint].bed_size;
@@ -352,7 +354,7 @@ impl Run<'_> {
         stopped
     }
 
-    /// Which of the joints at rest are let go and how all of them then move; how near the others are to it.
+    /// Determines which joints at rest are released and their motion; returns the largest friction ratio of the others.
     fn release(&mut self) -> Result<f64, NoAcceleration> {
         let n = self.slides.len();
         let at_rest: Vec<bool> = self
@@ -363,7 +365,7 @@ impl Run<'_> {
             .collect();
         let shaking = self.shaking(self.time_s);
         let mut gone = vec![false; n];
-        // each round lets joints slide that static friction does not hold; then kinetic friction acts in them
+        // each iteration releases joints that static friction cannot hold; kinetic friction then acts in them
         for _ in 0..=n {
             let law = |i: usize| {
                 let stone = &self.chain.stones[i];
@@ -386,7 +388,7 @@ impl Run<'_> {
                 smooth *= 0.1;
                 for i in (0..n).filter(|&i| at_rest[i]) {
                     if self.size(i, k[i]) < 100.0 * smooth {
-                        k[i] *= 0.1; // what is all but stuck scales with the smoothing
+                        k[i] *= 0.1; // the velocity of nearly stuck joints is proportional to the smoothing
                     }
                 }
             }
@@ -409,7 +411,7 @@ impl Run<'_> {
                 Slide::Slides
             };
         }
-        // once more without smoothing, with what is stuck truly stuck
+        // once more without smoothing, with stuck joints exactly stuck
         let slides: Vec<Slide> = (0..n)
             .map(|i| match self.slides[i] {
                 Slide::Slides if at_rest[i] => Slide::LetsGo {
@@ -437,7 +439,7 @@ impl Run<'_> {
         }
     }
 
-    /// How near the stuck joints are to being let go.
+    /// Largest ratio of required to available friction among the stuck joints.
     fn gauge(&self, solved: &super::sliding_solve::Solved, shaking: Shaking) -> Result<f64, NoAcceleration> {
         let mut most: f64 = 0.0;
         for (i, slide) in self.slides.iter().enumerate() {

@@ -12,9 +12,9 @@ use glam::{DMat3, DVec2, DVec3};
 
 /// Most rounds in which points without pressure are left out.
 const ROUNDS_MOST: usize = 50;
-/// Steps to find how far a joint is from slipping.
+/// Largest number of iterations for the ratio of required to available friction of a joint.
 const GAUGE_STEPS_MOST: usize = 40;
-/// Smoothing of |u| in the gauge, over its size: its square is what the gauge is wrong by.
+/// Smoothing of |u| for that ratio, relative; the error of the ratio is its square.
 const GAUGE_SMOOTH: f64 = 1e-6;
 
 /// Squared friction radius of a point's tributary area, over the area, because the area also resists spin about its own point.
@@ -64,8 +64,8 @@ pub(super) struct Friction {
 }
 
 impl Pressure {
-    /// Pressure in a plane over the points, nowhere tension, with a sum and a resultant; `None` if no such pressure exists:
-    /// the resultant leaves the bed.
+    /// Linear pressure over the points without tension, with this sum and resultant; `None` if no such pressure exists,
+    /// because the resultant is outside the bed.
     ///
     /// ```text
     /// N_p = A_p max(0, c·φ_p),   Σ N_p φ_p = N (1, X)           φ_p = (1, x_p, y_p)
@@ -111,7 +111,7 @@ impl Pressure {
         None
     }
 
-    /// Friction of a face that slides with `u`, of sizes smoothed by `smooth`; `gain` is ∂u/∂(what is solved for).
+    /// Friction of a face that slides with `u`, whose magnitude is smoothed by `smooth`; `gain` is ∂u/∂(unknowns).
     ///
     /// ```text
     /// W = −μ Σ N_p (t_p, x_p × t_p + r_p² ω/s_p),   t_p = u_p/s_p,   s_p = √(|u_p|² + r_p² ω² + ε²),   u_p = u + ω × x_p

@@ -220,7 +220,7 @@ impl Chain {
         motion
     }
 
-    /// Points of a bed, from the centroid of its upper block: of the whole face, or of what lies on the block below.
+    /// Points of a bed, relative to the centroid of its upper block: of the whole face, or of the part on the block below.
     fn bed(&self, i: usize, lower_yaw: f64, yaw: f64, arm: DVec2) -> Vec<(DVec2, f64)> {
         let stone = &self.stones[i];
         let own = DVec2::from_angle(yaw);

@@ -22,7 +22,7 @@ struct Watch {
     slides_from_s: Option<f64>,
 }
 
-/// Keeps what is wanted of a run.
+/// Records the requested results of a run.
 #[derive(Debug)]
 pub(super) struct Recorder {
     output_step_s: f64,
@@ -79,7 +79,7 @@ impl Recorder {
         self.sample(0.0, &state.places);
     }
 
-    /// Takes a step: the samples in it, by cubics through places and velocities at its ends.
+    /// Records a step: the samples in it, by cubics through positions and velocities at its ends.
     pub(super) fn take(&mut self, chain: &Chain, before: &State, after: &State, [from_s, to_s]: [f64; 2]) {
         self.history.steps += 1;
         let h = to_s - from_s;
@@ -110,7 +110,7 @@ impl Recorder {
                     place.shift += *weight * end.shift;
                     place.yaw += *weight * end.yaw;
                 }
-                // what is stuck stays, to the bit
+                // a stuck joint stays exactly in place
                 if before.places[i] == after.places[i] {
                     after.places[i]
                 } else {

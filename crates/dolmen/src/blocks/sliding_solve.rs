@@ -1,4 +1,4 @@
-//! Accelerations of a sliding pile, by Newton's method: those for which every bed gives by friction what it has to carry.
+//! Accelerations of a sliding pile, by Newton's method: those for which the friction of every bed equals its load.
 //!
 //! ```text
 //! W_i(k) = −μ Σ N_p(k) (t_p, x_p × t_p)  where a joint slides,   k_i = 0 where it is stuck        one row of three a joint
@@ -42,7 +42,7 @@ pub(super) struct Stage<'a> {
     pub(super) smooth: f64,
 }
 
-/// Accelerations found, with what they go with.
+/// The accelerations of a solution, with pressures and friction.
 #[derive(Clone, Debug)]
 pub(super) struct Solved {
     pub(super) k: Vec<Twist>,
@@ -157,7 +157,7 @@ impl Chain {
         Pressure::of(&motion.beds[joint], total, load.resultant[joint]).ok_or(NoAcceleration::Rocks(joint))
     }
 
-    /// Friction of the joints that slide, and what it lacks of what they have to carry.
+    /// Friction of the joints that slide, and the residual to their load.
     fn rows(&self, stage: &Stage<'_>, solved: &Solved, free: &[usize]) -> Vec<(Wrench, Friction)> {
         let row = |&i: &usize| {
             let (u, mu) = match stage.slides[i] {

@@ -50,7 +50,7 @@ pub struct Start {
 }
 
 impl Start {
-    /// No push: fill in what is wanted.
+    /// A start without velocity; set the fields as needed.
     pub fn of(block: usize) -> Self {
         Start {
             block,
@@ -66,7 +66,7 @@ impl Start {
 /// Options of [`simulate_springs`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Springs {
-    /// Points of a joint. Default 4 × 4.
+    /// Contact points of a joint. Default 4 × 4.
     pub contact_rule: ContactRule,
     /// Time step, s; `None`, the default, for 0.9 of the longest stable one (0.1 where a joint has a `normal_restitution`), shortened so that samples are whole steps apart,
     /// and halved up to three times where contacts would make more than a thousandth of the work put in.

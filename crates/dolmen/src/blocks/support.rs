@@ -13,8 +13,7 @@ const LEANS: f64 = 0.342;
 /// a leaning tower, and of scans, have less.
 const WEDGE: [f64; 2] = [0.139, 0.052];
 
-/// Distance from a body's plumb line to the edge of the convex hull of what lies beneath it, m: negative outside; `None` if
-/// nothing lies beneath.
+/// Distance, in plan, from the centroid of a body to the edge of the convex hull of its support, m: negative outside; `None` if it has no support.
 pub(super) fn plumb_margin(assembly: &Assembly, body: usize) -> Option<f64> {
     let mut points = Vec::new();
     for patch in assembly.patches() {

@@ -16,18 +16,19 @@ use super::matrices::{Closed, Entries, Part, add_contacts, add_mass, add_pressed
 use super::patch::LANES;
 use glam::DVec3;
 
-/// Part of the stiffness added to itself, against rounding: a stone that nothing holds counts as neutral. Chosen here.
+/// Fraction of the stiffness that is added to it against rounding: a stone without support counts as neutral. Chosen
+/// here.
 pub(super) const NEUTRAL: f64 = 1e-12;
 /// Halvings of the interval in which the factor lies, and its upper end.
 const HALVINGS: usize = 40;
 const FACTOR_MOST: f64 = 1e6;
-/// The least shift that is tried, (rad/s)², and by what it then grows. Chosen here.
+/// Smallest trial shift, (rad/s)², and factor to the next. Chosen here.
 const SHIFT_LEAST: f64 = 1e-6;
 const SHIFT_GROWS: f64 = 16.0;
 const SHIFTS_MOST: usize = 40;
 /// Halvings of the interval in which the shift lies: to 0.3 %.
 const SHIFT_HALVINGS: usize = 10;
-/// Rounds of inverse iteration: at such a shift each takes a hundredth of what is not of the softest modes. Chosen here.
+/// Number of inverse iterations: at such a shift each reduces all but the softest modes to a hundredth. Chosen here.
 const ROUNDS: usize = 12;
 
 /// The smallest factor on all springs with which a stack stands that does not stand on its own springs.

@@ -1,4 +1,4 @@
-//! How the two sides of a joint lie on each other: what is watched of it in a run.
+//! Relative pose of the two sides of a joint, as observed in a run.
 
 use super::assembly::Assembly;
 use super::bodies::{RigidBody, index_of};
@@ -32,7 +32,7 @@ pub(super) struct RelativePose {
     pub(super) yaw: f64,
 }
 
-/// The body below a joint: of ground that moves the one under its stone.
+/// The body below a joint; with moving ground, the ground body under its stone.
 pub(super) fn lower_body(joint: &Joint, assembly: &Assembly) -> usize {
     match joint.lower {
         Body::Ground => assembly.ground_under(joint.upper + 1),

@@ -6,7 +6,7 @@ use crate::known::columns;
 use crate::stability::{BedEdge, chain_limits, chain_stability};
 use crate::structure::{BeamTheory, Chain, Inertia, Jointing, Link, Pole, Section, Shaft, Stone};
 
-/// Mass of links that should be weightless, relative to the load: what it adds is below rounding.
+/// Mass of links that should be weightless, relative to the load: its effect is below rounding.
 const WEIGHTLESS: f64 = 1e-14;
 
 pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {

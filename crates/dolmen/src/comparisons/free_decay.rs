@@ -1,4 +1,4 @@
-//! A free decay whose poles are known, and the bound of what noise leaves of them.
+//! Comparison: a free decay with known poles, and the lower bound of their scatter under noise.
 
 use super::{Case, ValidationError};
 use crate::modal::{Era, era};

@@ -9,7 +9,7 @@ use crate::structure::{
 const SOURCE: &str = "Park & Min (2010)";
 const KILO: f64 = 1e3;
 const N_M_A_KN_MM: f64 = 1e6;
-/// Which of the two pairs of stiffness the source prints: the one with the larger k1.
+/// Index of the pair of stiffnesses in the source: the one with the larger k1.
 const PRINTED_ROOT: usize = 1;
 
 const ROUNDED: &str = "The source prints frequencies to 0.1 Hz and says stiffness to three digits: it needs 1.0889 and \
@@ -18,11 +18,11 @@ const ROUNDED: &str = "The source prints frequencies to 0.1 Hz and says stiffnes
                        P2 twice, its printed P1 being the sum of both levels already.";
 const FORWARD: &str = "From the stiffness printed; the source measured this frequency to 0.1 Hz.";
 
-/// The gate Heunginjimun of Park & Min (2010), with axial force in each storey as the source's figures mean it: P1 holds
-/// P2 already.
+/// The gate Heunginjimun of Park & Min (2010). The axial forces are as the source means its figures: P1 already includes
+/// P2.
 ///
 /// # Errors
-/// None: the numbers are fixed.
+/// No error occurs, because the numbers are fixed.
 pub fn heunginjimun_gate(convention: Convention) -> Result<Frame, ValidationError> {
     gate(convention, paper::AXIAL_KN.map(|p| p * KILO).to_vec())
 }
@@ -30,7 +30,7 @@ pub fn heunginjimun_gate(convention: Convention) -> Result<Frame, ValidationErro
 /// The gate with P2 counted twice in the lower storey, as eq. 7 is printed.
 ///
 /// # Errors
-/// None: the numbers are fixed.
+/// No error occurs, because the numbers are fixed.
 pub fn heunginjimun_gate_as_printed(convention: Convention) -> Result<Frame, ValidationError> {
     gate(
         convention,

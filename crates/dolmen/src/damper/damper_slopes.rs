@@ -67,7 +67,7 @@ impl Judged {
     }
 }
 
-/// A damper at one frequency: F, what it brings per felt acceleration or motion, stroke per motion.
+/// A damper at one frequency: F, its effect per unit excitation, and stroke per motion.
 #[derive(Clone, Copy)]
 struct AtFrequency {
     force: Complex64,
@@ -287,7 +287,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// ω² for what feels an acceleration, 1 for a dashpot.
+    /// ω² if the excitation is an acceleration, 1 for a dashpot.
     fn weight(&self, k: usize) -> f64 {
         match self.is_dashpot[k] {
             true => 1.0,

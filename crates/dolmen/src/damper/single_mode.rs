@@ -124,7 +124,7 @@ const LAST_STEP_MOST: f64 = 1e-5;
 ///
 /// # Limits
 /// Agrees within 1e-6 with the closed forms for an undamped structure, which are exact for random loads and for
-/// [`TuningRule::NishiharaAsami`]. Tested by `damper_designs`.
+/// [`TuningRule::NishiharaAsami`]. Tested by `tuned_mass`.
 ///
 /// # Example
 /// ```

@@ -1,9 +1,9 @@
-//! Which joints of a chain stick and which turn after an event, by Coulomb's law for all of them together.
+//! Determines which joints of a chain stick and which rotate after an event, by Coulomb's law for all joints together.
 //!
 //! Moments and rates are compared by their Taylor series, coefficient by coefficient: if the moment of a joint is exactly at its limit,
-//! the first coefficient above rounding decides whether the joint turns or holds. In these series the law is a linear complementarity
-//! problem with a positive definite matrix, solved by pivoting: the joint that violates the law most changes first. If that does not end
-//! after some rounds, the lowest such joint changes instead, which always ends (Murty).
+//! the first coefficient above rounding decides whether the joint rotates or sticks. In these series the law is a linear complementarity
+//! problem with a positive definite matrix, solved by pivoting: the joint with the largest violation changes first. If that does not end
+//! after some iterations, the violating joint with the lowest index changes instead, which always ends (Murty).
 //!
 //! # Source
 //! Murty, K. G. (1974) Note on a Bard-type scheme for solving the complementarity problem. Opsearch 11:123-130. Differs from the
@@ -16,14 +16,14 @@ use super::frame_model::Slider;
 use super::{ChainSlip, DynamicsError, TimeFunction};
 use crate::numeric::first_descent;
 
-/// Events closer than this belong together and count as one, s.
+/// Events closer together than this count as one, s.
 const PILE_S: f64 = 1e-9;
-/// Share of the largest moment below which a moment at an event, or its rate over the step, counts as rounding; as for frames.
+/// Fraction of the largest moment below which a moment at an event, or its rate over the step, counts as rounding; as for frames.
 const ROUNDING: f64 = 1e-12;
-/// Angular velocity below which every link must be for a chain at rest, rad/s.
+/// Angular velocity of every link below which a chain is at rest, rad/s.
 const REST_RAD_S: f64 = 1e-13;
 
-/// A joint that violates the law: at which power of time, by how much, and the state that it should take.
+/// A joint that violates the law: the power of time at which it does, by how much, and the state that it should take.
 struct LawViolation {
     power: usize,
     excess: f64,
@@ -32,7 +32,7 @@ struct LawViolation {
 }
 
 impl Run<'_> {
-    /// First change of a joint's friction within the step, with its time σ as a share of the step.
+    /// First change of a joint's friction within the step, with its time σ as a fraction of the step.
     pub(super) fn first_slider_change(&self, joint: usize) -> Option<(f64, Change)> {
         let [holds, _] = self.series.model.joints[joint].friction.moments_n_m()?;
         let zeros = self.friction.zeros[joint].min(DEGREE + 1);
@@ -51,7 +51,7 @@ impl Run<'_> {
                 for sign in [1.0, -1.0] {
                     let mut left = held.map(|c| -sign * c);
                     left[0] += holds;
-                    // only for the limit at which the joint is
+                    // only for the limit at which the moment is
                     if left[0] < 0.5 * holds {
                         left[..zeros].fill(0.0);
                     }
@@ -67,7 +67,7 @@ impl Run<'_> {
         }
     }
 
-    /// Changes a joint's friction. `settle` finds before the next step what all joints then do.
+    /// Changes the friction state of a joint. Before the next step `settle` determines the states of all joints.
     pub(super) fn change_slider(&mut self, joint: usize, change: Change) -> Result<(), DynamicsError> {
         let friction = &mut self.friction;
         if self.at_s - friction.pile_at_s > PILE_S {
@@ -96,19 +96,19 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Finds which joints at rest hold and which turn, if an event has left that open; `h` is the step looked ahead, s.
+    /// Determines which joints at rest stick and which rotate, if an event has left that open. `h` is the length of the next step, s.
     pub(super) fn settle(&mut self, load: &TimeFunction, mut h: f64) -> Result<(), DynamicsError> {
         let Some(before) = self.friction.unsettled.take() else {
             return Ok(());
         };
         let n = self.state.sliders.len();
         for joint in 0..n {
-            // released at this same time, so still at rest
+            // released at the same time, so still at rest
             let at_rest = self.friction.zeros[joint] > 0 && !self.friction.gone.contains(&joint);
             if at_rest && matches!(self.state.sliders[joint], Slider::Slipping(_)) {
                 self.state.sliders[joint] = Slider::Stuck;
             }
-            // links on both sides of a stuck joint have one rate, to the last digit
+            // links on both sides of a stuck joint have exactly the same angular velocity
             if self.state.sliders[joint] == Slider::Stuck {
                 self.state.omega[joint] = joint.checked_sub(1).map_or(0.0, |below| self.state.omega[below]);
             }
@@ -117,7 +117,7 @@ impl Run<'_> {
             .filter(|joint| self.state.sliders[*joint] == Slider::Stuck)
             .collect();
         let worst_first = 10 + 4 * n;
-        // the most states that Murty's rule can visit with few joints; with many joints it visits far fewer
+        // upper bound of the states that Murty's rule visits with few joints; with many joints it visits far fewer
         let tries_most = worst_first + (1usize << resting.len().min(12));
         for tried in 0..=tries_most {
             self.series.coefficients(&self.state, load, self.at_s, h);
@@ -144,12 +144,12 @@ impl Run<'_> {
         })
     }
 
-    /// The joints at rest that violate the law, in order. Also notes at which power the series of each joint begins.
+    /// The joints at rest that violate the law, in order. Also records the power at which the series of each joint begins.
     fn off_the_law(&mut self, resting: &[usize], h: f64) -> Vec<LawViolation> {
         let mut rounding_n_m = [0.0; DEGREE - 1];
         let mut largest: f64 = 0.0;
         for (k, rounding) in rounding_n_m.iter_mut().enumerate() {
-            // the error of one power stays in all that follow
+            // the error of one power propagates to all higher powers
             largest = largest.max(ROUNDING * self.series.moment_scale(&self.state, k, h));
             *rounding = largest;
         }
@@ -181,7 +181,7 @@ impl Run<'_> {
             };
             let power = (0..DEGREE - 1).find(|&k| margin(k).abs() > rounding_n_m[k]);
             let stuck = matches!(to, Slider::Slipping(_));
-            // at a static limit above the kinetic one it holds until the limit is passed
+            // at a static limit above the kinetic one the joint sticks until the limit is exceeded
             let may_pass = |power: usize| !(stuck && power > 0 && holds > turns);
             if let Some(power) = power.filter(|power| margin(*power) < 0.0 && may_pass(*power)) {
                 let excess = -margin(power) / holds;
@@ -202,7 +202,7 @@ impl Run<'_> {
         off
     }
 
-    /// Records the joints that began to turn, turned back or stopped.
+    /// Records the joints that began to slip, reversed or stopped.
     fn note_slips(&mut self, before: &[Slider]) {
         let mut changed = false;
         for (joint, before) in before.iter().enumerate() {

@@ -14,7 +14,7 @@ pub(super) enum Change {
 
 /// State of friction during a run.
 pub(super) struct Friction {
-    /// How many first coefficients of what each joint waits for are zero, after an event: there they hold rounding.
+    /// For each joint, number of first coefficients that are zero after an event and contain only rounding.
     pub(super) zeros: Vec<usize>,
     /// States of the joints before the event, if they may have to change before the next step.
     pub(super) unsettled: Option<Vec<Slider>>,

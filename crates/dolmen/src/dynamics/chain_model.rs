@@ -2,12 +2,12 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | φ_i | `across_rad` | θ_i − θ_{i−1}, rotation across joint i; θ_0 is the lean of the whole | rad |
+//! | φ_i | `across_rad` | θ_i − θ_{i−1}, rotation across joint i; θ_0 is the lean of the whole chain | rad |
 //! | k_i | `stiffness_n_m_rad` | spring of joint i | N m/rad |
 //! | d_i | `damping_n_m_s_rad` | dashpot of joint i | N m s/rad |
 //! | N_i | | weight above joint i | N |
 //! | b_i | `bed_width_m` | width of the bed in joint i | m |
-//! | f_s, f_k | `static_moment_n_m`, `kinetic_moment_n_m` | moment of dry friction before and while the joint turns | N m |
+//! | f_s, f_k | `static_moment_n_m`, `kinetic_moment_n_m` | moment of dry friction before and during rotation of the joint | N m |
 
 use super::DynamicsError;
 use super::chain_props::Prop;
@@ -15,36 +15,36 @@ use super::chain_rotations::ChainRotations;
 use crate::structure::{Chain, StructureError};
 use dolmen_linalg::generalized_symmetric_eigen;
 
-/// Largest lean of the whole chain allowed, rad.
+/// Largest allowed lean of the whole chain, rad.
 const LEAN_MOST_RAD: f64 = std::f64::consts::FRAC_PI_6;
 
 /// Whether a joint opens.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum JointOpening {
-    /// It carries any moment.
+    /// The joint carries any moment.
     #[default]
     Held,
-    /// Its moment is at most N b/2: then the stone above turns about the edge of its bed.
+    /// The moment is at most N b/2; then the stone above rotates about the edge of its bed.
     AtBedEdge,
 }
 
-/// Dry friction of a joint against turning.
+/// Dry friction of a joint against rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum JointFriction {
     /// None.
     #[default]
     None,
-    /// A slider beside the spring: Coulomb's law, set-valued; sticking is exact.
+    /// A slider in parallel with the spring: Coulomb's law without regularisation; sticking is exact.
     Coulomb {
-        /// Moment at which it starts to turn, N m; at least the kinetic one.
+        /// Moment at which the joint begins to rotate, N m; at least the kinetic one.
         static_moment_n_m: f64,
-        /// Moment while it turns, N m.
+        /// Moment during rotation, N m.
         kinetic_moment_n_m: f64,
     },
 }
 
 impl JointFriction {
-    /// Coulomb's law with one moment.
+    /// Coulomb's law with equal static and kinetic moments.
     pub fn coulomb(moment_n_m: f64) -> Self {
         JointFriction::Coulomb {
             static_moment_n_m: moment_n_m,
@@ -67,13 +67,13 @@ impl JointFriction {
 /// One joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainJoint {
-    /// k, N m/rad, 0 or positive.
+    /// Stiffness k, N m/rad, 0 or positive.
     pub stiffness_n_m_rad: f64,
-    /// d, N m s/rad, 0 or positive.
+    /// Dashpot d, N m s/rad, 0 or positive.
     pub damping_n_m_s_rad: f64,
     /// Whether it opens.
     pub opening: JointOpening,
-    /// Dry friction beside the spring.
+    /// Dry friction in parallel with the spring.
     pub friction: JointFriction,
 }
 
@@ -89,7 +89,7 @@ impl ChainJoint {
     }
 }
 
-/// A chain for motion.
+/// A chain with its joints, for simulations of motion.
 ///
 /// ```text
 /// moment of joint i:  τ_i = k_i φ_i                                      held
@@ -118,7 +118,8 @@ impl ChainModel {
     /// A chain and its joints, lowest first.
     ///
     /// # Errors
-    /// [`DynamicsError::ChainCount`], [`DynamicsError::ChainPart`], [`DynamicsError::NoBedWidth`].
+    /// [`DynamicsError::ChainCount`] unless there is one joint per link; [`DynamicsError::ChainPart`] for a value out of range;
+    /// [`DynamicsError::NoBedWidth`] for an opening joint without a bed width.
     pub fn new(
         chain: Chain,
         joints: Vec<ChainJoint>,

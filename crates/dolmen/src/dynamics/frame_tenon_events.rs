@@ -7,8 +7,8 @@ use crate::numeric::{COEFFICIENTS_MOST, first_descent};
 /// first larger rate decides. The force is continuous at each change, so that rate is the same before and after it.
 const ROUNDING: f64 = 1e-12;
 
-/// The first change of a storey's tenons within a step, and its place, from the coefficients of the drift. `moved_m` bounds the motion of its
-/// levels within the step, whose difference is the drift.
+/// The first change of a storey's tenons within a step, and its time, from the coefficients of the drift. `moved_m` bounds the motion of the
+/// two levels whose difference is the drift.
 pub(super) fn tenon_event(joint: &Joint, drift: &[f64], moved_m: f64) -> Option<(TenonChange, f64)> {
     let reaches = |sign: f64, at_m: f64| {
         // s δ − at becomes positive

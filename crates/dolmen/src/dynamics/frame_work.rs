@@ -46,7 +46,7 @@ impl Work {
     pub(super) fn expand(&mut self, model: &Model, series: &Series) {
         self.orders = series.orders + series.ground_orders.max(series.force_orders);
         self.put_in[..self.orders].fill(0.0);
-        // rates of what is put in: (Σ σᵏ f_k) (Σ j y_j σ^(j−1)); their coefficient j + k − 1 is kept at j + k
+        // power of the input: (Σ σᵏ f_k) (Σ j y_j σ^(j−1)); its coefficient j + k − 1 is stored at j + k
         let mut add = |acts: &[f64], way: &[f64]| {
             for (k, act) in acts.iter().enumerate() {
                 for (put_in, way) in self.put_in[k..].iter_mut().zip(way) {

@@ -1,4 +1,4 @@
-//! Buckling of chains and columns, closed forms.
+//! Closed forms for the buckling and vibration of chains and columns.
 
 use super::bisection::sign_change;
 use std::f64::consts::FRAC_PI_2;
@@ -15,22 +15,21 @@ pub fn hencky_tip_load(links: u32) -> f64 {
     4.0 * (FRAC_PI_2 / f64::from(2 * links + 1)).sin().powi(2)
 }
 
-/// q H³/(EI) at which a uniform column clamped at the foot buckles under its own weight q per length: (9/4) j² with
-/// j = 1.866350859 the first zero of the Bessel function J_{−1/3}.
+/// Load factor q H³/(EI) at which a uniform column, clamped at the foot, buckles under its weight q per length: (9/4) j² with j =
+/// 1.866350859, the first zero of the Bessel function J_{−1/3}.
 ///
 /// # Source
 /// Greenhill, A. G. (1881) Proc. Cambridge Phil. Soc. 4:65-73.
 pub const GREENHILL_COLUMN: f64 = 7.837_347_438;
 
-/// ω H² √(ρA/EI) of a uniform cantilever, first three: roots of cos β cosh β = −1, squared.
+/// First three values of ω H² √(ρA/EI) of a uniform cantilever: squared roots of cos β cosh β = −1.
 ///
 /// # Source
 /// Euler, L. (1744) Methodus inveniendi lineas curvas, Additamentum I.
 pub const UNIFORM_CANTILEVER: [f64; 3] = [3.516_015_268_5, 22.034_491_564_7, 61.697_214_414];
 
-/// ω H² √(ρA/EI) of cantilevers that taper to nothing, A and I at the foot, the first three: roots z of
-/// J_m(z) I_{m+1}(z) + I_m(z) J_{m+1}(z) = 0, as z²/4. `order` m = 1: a wedge, depth linear and breadth uniform; m = 2:
-/// a cone or pyramid.
+/// First three values of ω H² √(ρA/EI) of cantilevers that taper to a point, with A and I at the foot. They are z²/4 with z the roots of
+/// J_m(z) I_{m+1}(z) + I_m(z) J_{m+1}(z) = 0. `order` m = 1: a wedge, with linear depth and uniform breadth; m = 2: a cone or pyramid.
 ///
 /// # Source
 /// Kirchhoff, G. R. (1879) Monatsber. Akad. Wiss. Berlin 815-828. The roots are those of a clamped circular plate with m
@@ -63,21 +62,23 @@ pub fn pointed_cantilever(order: i32) -> [f64; 3] {
     roots
 }
 
-/// ω H² √(ρA/EI) of a cantilever of square or round section whose sides shrink evenly to half, A and I at the foot, the first three:
-/// det of y = (J_2, Y_2, I_2, K_2)(2 k √x)/x under y = y' = 0 at x = 1, (x⁴ y'')= (x⁴ y'')' = 0 at x = ½, as k²/4, in 25 digits.
+/// First three values of ω H² √(ρA/EI) of a cantilever of square or round section whose sides taper linearly to half, with A and I at the
+/// foot. They are k²/4 with k from det = 0 for y = (J_2, Y_2, I_2, K_2)(2 k √x)/x under y = y' = 0 at x = 1, (x⁴ y'')= (x⁴ y'')' = 0 at x =
+/// ½, computed with 25 digits.
 ///
 /// # Source
-/// Kirchhoff, G. R. (1879), his solution cut off at half of the cone; roots by mpmath 1.3.
+/// Kirchhoff, G. R. (1879), his solution for a cone truncated at half its height; roots by mpmath 1.3.
 pub const HALVED_CANTILEVER: [f64; 3] = [4.625_150_252_43, 19.547_613_180_5, 48.578_899_333_9];
 
-/// ω H² √(ρA/EI) of a uniform Timoshenko cantilever, the first three: roots b of
+/// First three values of ω H² √(ρA/EI) of a uniform Timoshenko cantilever: the roots b of
 ///
 /// ```text
 /// 2 + [b²(r² − s²)² + 2] cosh bα cos bβ − b (r² + s²)/√(1 − b²r²s²) sinh bα sin bβ = 0
 /// α, β = {∓(r² + s²) + [(r² − s²)² + 4/b²]^½}^½ / √2
 /// ```
 ///
-/// `r` is the radius of gyration over H, `s` is √(EI/κGA)/H. While b r s < 1, which the first three of a beam with r below 0.1 are.
+/// `r` is the radius of gyration over H, `s` is √(EI/κGA)/H. Valid while b r s < 1, which holds for the first three modes of a beam with r
+/// below 0.1.
 ///
 /// # Source
 /// Huang, T. C. (1961) J. Appl. Mech. 28:579-584, clamped and free.
@@ -101,8 +102,8 @@ pub fn timoshenko_cantilever(r: f64, s: f64) -> [f64; 3] {
     })
 }
 
-/// Distance of the centre of what a line across the diagonal cuts off a square of side 1 from that of the square, for a share of its area: a
-/// triangle of legs √(2 a) up to half of the square, beyond that all but one.
+/// Distance between the centre of a unit square and that of the part that a line across the diagonal cuts off, for a fraction a of the area:
+/// a triangle with legs √(2 a) up to half of the square, beyond that the square without such a triangle.
 pub fn square_cut_across_its_diagonal(share: f64) -> f64 {
     let of_triangle = |share: f64| 2.0_f64.sqrt() * (0.5 - (2.0 * share).sqrt() / 3.0);
     match share <= 0.5 {

@@ -65,8 +65,8 @@ pub fn linear_half_sine(frequency_ratio: f64) -> f64 {
 /// [`linear_half_sine`], at q = 1, and 48 % at q = 4.
 ///
 /// # Source
-/// Housner (1963). It is what a sine that never ends asks for, started as the block lifts off: exp(−(π − ψ)/q), which the
-/// end of the pulse leaves, is missing.
+/// Housner (1963). It is the value for an infinite sine that starts as the block lifts off; the term exp(−(π − ψ)/q) for
+/// the end of the pulse is missing.
 pub fn housner_half_sine(frequency_ratio: f64) -> f64 {
     frequency_ratio.hypot(1.0)
 }

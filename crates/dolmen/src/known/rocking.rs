@@ -158,8 +158,8 @@ pub fn amplitude_rad(slenderness_rad: f64, velocity_ratio: f64, rotation_rad: f6
     slenderness_rad - 2.0 * (rest - energy).sqrt().asin()
 }
 
-/// Times of the first impacts of a block let go at rest, exact, s: the first after a quarter of a period, each of the
-/// others half a period of its own amplitude later.
+/// Exact times of the first impacts of a block released at rest, s: the first after a quarter of a period, each of the
+/// others after half a period for its amplitude.
 ///
 /// # Limits
 /// 0 < θ_0 < α. Of the times themselves 1e-13; amplitudes below 1e-8 rad lose digits.

@@ -56,7 +56,7 @@ pub fn spin_down_angle_rad(spin_rad_s: f64, deceleration_rad_s2: f64) -> f64 {
     0.5 * spin_rad_s * spin_rad_s / deceleration_rad_s2
 }
 
-/// Friction of a disc that spins and slides, as parts of what it is when it only slides: force / (μ N), torque / (μ N R).
+/// Friction of a disc that spins and slides, relative to that of pure sliding: force / (μ N), torque / (μ N R).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiscFriction {
     /// Against the sliding.

@@ -1,4 +1,4 @@
-//! Modes that the user insists on: a refused candidate at a given frequency becomes a mode that carries the reason of its refusal.
+//! Modes that the user requests: a refused candidate near a given frequency becomes a mode with the reason of its refusal.
 
 use super::candidate::Candidate;
 use super::options::Identify;
@@ -84,7 +84,7 @@ pub(super) fn candidates(
 /// A requested frequency, Hz.
 #[derive(Clone, Copy)]
 enum Asked {
-    /// There is a peak near it.
+    /// There is a visible peak near the requested frequency.
     VisiblePeak(f64),
     /// No candidate is near the requested frequency.
     NoPeak(f64),
@@ -98,7 +98,7 @@ impl Asked {
     }
 }
 
-/// The refused group of poles there: at a visible peak the one of most orders, else the nearest.
+/// The refused cluster of poles near the requested frequency: at a visible peak the one with the most orders, otherwise the nearest.
 fn group_at<'a>(diagram: &Diagram<'a>, asked: Asked, is_here: &dyn Fn(f64) -> bool) -> Option<&'a Cluster> {
     let apart = |group: &Cluster| (group.medoid.frequency_hz - asked.frequency_hz()).abs();
     let groups = diagram.clusters.iter().filter(|group| {
@@ -113,7 +113,7 @@ fn group_at<'a>(diagram: &Diagram<'a>, asked: Asked, is_here: &dyn Fn(f64) -> bo
     }
 }
 
-/// The decaying pole at a peak that is nearest to all others, where none became a mode.
+/// The decaying pole at a peak that is nearest to all others, for a peak without a mode.
 fn pole_at(diagram: &Diagram<'_>, peak_hz: f64) -> Option<Pole> {
     const AT_PEAK: f64 = 0.01; // relative
     let poles = diagram.stabilization.poles.iter();
@@ -145,8 +145,8 @@ pub(super) fn taken_out(
         .collect()
 }
 
-/// For each frequency that the user insists on and where no mode was found, the nearest refused candidate. Notes name the modes that were found anyway, and
-/// the frequencies without a candidate. `seen_hz` are the peaks of the spectrum.
+/// For each requested frequency without a mode, the nearest refused candidate. Notes name the modes that were found anyway, and the frequencies
+/// without a candidate. `seen_hz` are the peaks of the spectrum.
 pub(super) fn accepted(
     options: &Identify,
     found: &[Mode],
@@ -190,7 +190,7 @@ pub(super) fn accepted(
     all
 }
 
-/// There is no candidate: names the nearest mode or peak on either side.
+/// The note for a frequency without a candidate: names the nearest mode or peak on either side.
 fn nothing(asked_hz: f64, within_hz: f64, found: &[Mode], seen_hz: &[f64]) -> Note {
     let all = || {
         found
@@ -207,7 +207,7 @@ fn nothing(asked_hz: f64, within_hz: f64, found: &[Mode], seen_hz: &[f64]) -> No
     }
 }
 
-/// Adds the accepted modes, with the channels that were kept, each tested for machines.
+/// Adds the accepted modes, with the channels that were kept, and tests each for machines.
 pub(super) fn put_in(
     record: &Record,
     options: &Identify,
@@ -225,7 +225,7 @@ pub(super) fn put_in(
         let as_given = Identify {
             harmonics: super::Harmonics::Flag,
             criteria: Criteria {
-                damping_ratio_least: Some(least), // the user admits it, however light
+                damping_ratio_least: Some(least), // the user allows it, however small its damping
                 ..options.criteria.clone()
             },
             ..options.clone()
@@ -278,7 +278,7 @@ mod tests {
     use dolmen_linalg::Complex64;
     use std::f64::consts::TAU;
 
-    /// Modes of two floors (1.1 and 4.2 Hz, ζ 2 %), where a group may scatter by `most` times its floor.
+    /// Modes of two floors (1.1 and 4.2 Hz, ζ 2 %), where a cluster may scatter by `most` times its lower bound.
     fn two_floors(most: f64, accept_hz: &[f64]) -> ModalAnalysis {
         let record = ReferenceCase::ShearChain.made(3).unwrap().make().unwrap();
         let options = Identify {

@@ -31,8 +31,8 @@ use crate::signal::{Record, leave_out};
 /// Modes of an ambient record, found without a hand on it: spectrum, a subspace method at all orders, clusters; or the peaks
 /// of the spectrum alone, as `method` says.
 ///
-/// The lowest and the highest peak of the spectrum decide how far the correlations reach and how much they are
-/// decimated; [`Settings`](super::Settings) tells. Two passes over the record: one of long lags for the spectrum, one for SSI.
+/// The lowest and the highest peak of the spectrum determine the length of the correlations and the decimation, as reported in
+/// [`Settings`](super::Settings). Two passes over the record: one with long lags for the spectrum, one for SSI.
 ///
 /// # Errors
 /// [`ModalError::Channel`], [`ModalError::NoPeak`], [`ModalError::BlockRows`],

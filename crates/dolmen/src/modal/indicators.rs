@@ -1,4 +1,4 @@
-//! How alike two shapes are, and how far one shape is from a real one.
+//! Similarity of two shapes, and deviation of one shape from a real one.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|

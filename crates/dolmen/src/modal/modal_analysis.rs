@@ -1,4 +1,4 @@
-//! The modes of a record, and what they came from.
+//! The modes of a record, and the intermediate results of the analysis.
 
 use super::decay::Decay;
 use super::driven::Driven;
@@ -11,10 +11,10 @@ use super::subspace::Stabilization;
 use super::{Mode, Modes};
 use crate::signal::Record;
 
-/// The modes of a record and everything needed to draw, to doubt and to repeat them.
+/// The modes of a record, with all data to draw, judge and repeat them.
 #[derive(Clone, Debug)]
 pub struct ModalAnalysis {
-    /// The modes, by frequency; their shapes hold the channels of one clock alone.
+    /// The modes, by frequency. Their shapes contain only the channels of one clock.
     pub modes: Modes,
     /// Singular values of the spectral matrix over frequency.
     pub spectrum: SingularSpectrum,
@@ -37,7 +37,7 @@ pub struct ModalAnalysis {
     pub notes: Vec<Note>,
 }
 
-/// The peaks are the modes.
+/// The analysis in which the peaks are the modes.
 pub(super) fn of_peaks(peaks: FddResult, record: &Record, options: &Identify) -> ModalAnalysis {
     let lines = peaks.spectrum.frequency_hz.len() - 1;
     let nyquist_hz = peaks.spectrum.frequency_hz.last().copied().unwrap_or(0.0);

@@ -65,38 +65,38 @@ impl Method {
     }
 }
 
-/// One mode: an estimate, its scatter, and what is needed to doubt it.
+/// One mode: its estimate, standard deviations, and the data for judging it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
     /// Natural (undamped) frequency, Hz.
     pub frequency_hz: f64,
-    /// Standard deviation of it, Hz; `None` where the method gives none.
+    /// Standard deviation of the frequency, Hz; `None` if the method gives none.
     pub frequency_sd_hz: Option<f64>,
-    /// Change of the frequency by each block of time, Hz: its squares sum to the variance between blocks. Modes of one identification share
-    /// the blocks, and products with another mode's sum to their covariance. Empty where the method gives none.
+    /// Change of the frequency by each block of time, Hz. The sum of its squares is the variance between blocks. Modes of one
+    /// identification have the same blocks, and the sum of products with another mode is their covariance. Empty if the method gives none.
     pub frequency_changes_hz: Vec<f64>,
     /// Damping ratio.
     pub damping_ratio: Option<f64>,
-    /// Standard deviation of it.
+    /// Standard deviation of the damping ratio.
     pub damping_ratio_sd: Option<f64>,
-    /// One component a channel; the largest is 1 + 0i.
+    /// One component per channel; the largest is 1 + 0i.
     pub shape: Vec<Complex64>,
     /// Standard deviation of the modulus of each component of the shape.
     pub shape_sd: Option<Vec<f64>>,
     /// Modal phase collinearity, 0 to 1: 1 is a real shape.
     pub phase_collinearity: f64,
-    /// Cycles observed, N_c = f T: the long-record floor is sd(ζ)/ζ = 1/√(2πζN_c) (Au 2014).
+    /// Number of observed cycles, N_c = f T. For a long record the lower bound is sd(ζ)/ζ = 1/√(2πζN_c) (Au 2014).
     pub cycles: f64,
     /// Model orders at which a pole of this mode was found stable (empty for FDD).
     pub orders: Vec<usize>,
-    /// How steady the motion near its frequency is; `None` where the record is too short to tell, or nobody asked.
+    /// Steadiness of the amplitude near its frequency; `None` if the record is too short, or the test was not requested.
     pub kurtosis: Option<Kurtosis>,
-    /// Whether that motion changes in strength and in phase alike; `None` as of the kurtosis.
+    /// Comparison of the changes of amplitude and phase; `None` as for the kurtosis.
     pub wander: Option<Wander>,
     /// Relative bias that the window of the spectrum would have given to the damping ratio, and that was taken out;
     /// `None` for methods without a window.
     pub window_bias: Option<f64>,
-    /// Where the user insists on it though a test refused it: it counts among no modes found.
+    /// Set if the user requested the mode although a test refused it. Such a mode does not count as found.
     pub accepted: Option<Accepted>,
 }
 
@@ -130,22 +130,23 @@ impl Mode {
         self.phase_collinearity = phase_collinearity(&self.shape);
     }
 
-    /// Whether the tests found it: `false` where the user insists on it.
+    /// Whether the tests found the mode; `false` if only the user requested it.
     pub fn is_found(&self) -> bool {
         self.accepted.is_none()
     }
 
-    /// Whether the motion near its frequency is too steady for random forces, or wanders as under none: a machine's, not a mode's.
+    /// Whether the amplitude is too steady for random forces, or amplitude and phase wander as they cannot under random forces: a machine,
+    /// not a mode.
     pub fn harmonic(&self) -> bool {
         self.wanders() || self.kurtosis.is_some_and(|k| k.harmonic())
     }
 
-    /// Whether the strength of that motion changes more than its phase, or less, than random forces let it.
+    /// Whether the amplitude changes more than the phase, or less, than is possible under random forces.
     pub(super) fn wanders(&self) -> bool {
         self.wander.is_some_and(|of| of.is_machine())
     }
 
-    /// Long-record floor of the standard deviation of the frequency, f √(ζ/2πN_c), Hz; infinite without a damping ratio.
+    /// Lower bound of the standard deviation of the frequency for a long record, f √(ζ/2πN_c), Hz; infinite without a damping ratio.
     ///
     /// # Source
     /// Au (2014) Mech. Syst. Signal Process. 48:15-33.
@@ -162,7 +163,8 @@ impl Mode {
         (self.frequency_hz - other.frequency_hz).abs() < half_width_hz(self) + half_width_hz(other)
     }
 
-    /// Long-record floor of the relative standard deviation of the damping ratio, 1/√(2πζN_c); infinite without one.
+    /// Lower bound of the relative standard deviation of the damping ratio for a long record, 1/√(2πζN_c); infinite without a damping
+    /// ratio.
     ///
     /// # Source
     /// Au (2014) Mech. Syst. Signal Process. 48:15-33.
@@ -178,7 +180,7 @@ impl Modes {
     /// The mode nearest to `frequency_hz`, if it lies within `within_hz`.
     ///
     /// # Errors
-    /// [`ModalError::NoModeAt`] if none does: another mode is never returned in its place.
+    /// [`ModalError::NoModeAt`] if there is none: another mode is never returned instead.
     pub fn nearest(&self, frequency_hz: f64, within_hz: f64) -> Result<&Mode, ModalError> {
         let apart = |m: &Mode| (m.frequency_hz - frequency_hz).abs();
         self.modes

@@ -54,7 +54,8 @@ pub enum Note {
         /// Whether they were taken out of the modes.
         removed: bool,
     },
-    /// Left out: modes that stand out of what is beside them while somebody walks, or the like, and not in quiet times.
+    /// Modes left out because they stand out of their surroundings only while somebody walks, or similar, and not in
+    /// quiet times.
     InSpells {
         /// The modes.
         modes: Vec<InSpells>,
@@ -103,12 +104,12 @@ pub enum Note {
     },
     /// Peaks of the spectrum that are no modes.
     PeaksWithoutMode {
-        /// Each with what refused it.
+        /// The peaks, each with the reason of its refusal.
         peaks: Vec<RefusedPeak>,
     },
     /// Modes that the user insists on though a test refused them.
     Accepted {
-        /// Each with what refused it.
+        /// The modes, each with the reason of its refusal.
         modes: Vec<RefusedPeak>,
     },
     /// Modes that the user insists on and that were found anyway.
@@ -158,7 +159,7 @@ pub enum Note {
     },
     /// Channels whose clock drifts against that of most: they are in no shape.
     ClockDrift {
-        /// Each with what its clock runs fast and the standard deviation of that, 1e-6.
+        /// Each channel with the error of its clock and its standard deviation, 1e-6.
         drifting: Vec<(String, [f64; 2])>,
         /// Largest turn of the phase along the record, and the mode that it is of, Hz.
         turn_degrees: f64,

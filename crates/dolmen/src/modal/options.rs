@@ -1,4 +1,4 @@
-//! How the modes of a record are found.
+//! Options of the identification of modes.
 
 use super::modes::Method;
 use super::spectrum::Fdd;
@@ -8,13 +8,13 @@ use super::subspace::Criteria;
 /// Treatment of a mode that looks like a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Harmonics {
-    /// It stays, and a note names it.
+    /// The mode stays, and a note names it.
     Flag,
-    /// It is left out, and a note names it.
+    /// The mode is left out, and a note names it.
     Remove,
 }
 
-/// Options of [`identify`](super::identify()). The defaults serve every record this chapter was measured on.
+/// Options of [`identify`](super::identify()). The defaults are suitable for every record in the measurements of this chapter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identify {
     /// Method of identification; default `SsiCov`. `Bayoma` and `SsiData` scatter less on simulated records. On real ones, `SsiData` gave a damping
@@ -22,7 +22,8 @@ pub struct Identify {
     pub method: Method,
     /// Reference channels of the subspace methods, by index; empty (default): all.
     pub references: Vec<usize>,
-    /// Channels whose motion or force drives the others, by index: the ground beside or below, a shaker. For `Okid` alone, which needs one at least.
+    /// Indices of the channels with measured excitation: the ground beside or below the structure, a shaker. Only for `Okid`, which needs at least
+    /// one.
     pub inputs: Vec<usize>,
     /// Lowest frequency of interest, Hz; `None` (default): the lowest peak of the spectrum decides.
     pub frequency_low_hz: Option<f64>,
@@ -32,22 +33,22 @@ pub struct Identify {
     pub block_rows: Option<usize>,
     /// Decimation of the correlations; `None` (default): from the highest frequency; `Some(1)`: none.
     pub decimation: Option<usize>,
-    /// Highest model order; `None` (default): six times the peaks of the spectrum or the channels, whichever are more,
-    /// between 24 and 60.
+    /// Highest model order; `None` (default): six times the number of peaks in the spectrum or of channels, whichever is larger, between 24 and 60.
     pub order_most: Option<usize>,
     /// Blocks of time for the standard deviations; default 30.
     pub time_blocks: usize,
-    /// Modes that must be found; `None` (default): as many as there are.
+    /// Number of modes that must be found; `None` (default): any number.
     pub modes_wanted: Option<usize>,
-    /// Frequencies at which modes are picked by hand, Hz; empty (default): every mode is taken. Where none lies there the
-    /// answer is an error, not another mode.
+    /// Frequencies of modes picked by hand, Hz; empty (default): all modes. If no mode is near such a frequency, the result is an error and not
+    /// another mode.
     pub pick_hz: Vec<f64>,
-    /// How far from a picked frequency its mode may lie, relative; default 0.02.
+    /// Largest relative distance between a picked frequency and its mode; default 0.02.
     pub pick_within: f64,
     /// Frequencies of requested modes, Hz. A refused candidate there becomes a mode that carries the reason; without a candidate, a note says what
     /// is nearby.
     pub accept_hz: Vec<f64>,
-    /// How far from such a frequency what was refused may lie, relative; default 0.03, as far as a peak may lie from its mode.
+    /// Largest relative distance between such a frequency and the refused candidate; default 0.03, which is the largest distance between a peak and
+    /// its mode.
     pub accept_within: f64,
     /// Treatment of a mode whose amplitude is too steady for random forces; default `Flag`.
     pub harmonics: Harmonics,
@@ -55,7 +56,7 @@ pub struct Identify {
     pub fdd: Fdd,
     /// Criteria for a pole; the frequency range is narrowed to the selected one.
     pub criteria: Criteria,
-    /// How poles become modes.
+    /// Options of the clustering of poles to modes.
     pub clustering: Clustering,
 }
 

@@ -16,7 +16,7 @@ const DELETED_FROM_MOST: usize = 1000;
 /// Rounds of exchange; each raises ln det A, and two or three suffice.
 const ROUNDS_MOST: usize = 50;
 
-/// How many sensors, and what they can read.
+/// Number and type of the sensors to place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorPlacement {
     /// Sensors to place, those that are given among them.
@@ -37,7 +37,7 @@ impl Default for SensorPlacement {
     }
 }
 
-/// Sensors where they were placed, and what they see.
+/// Positions of the placed sensors, and the modes that they measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedSensors {
     /// Sites by their number: those given, then the others, the one that says most first.

@@ -66,7 +66,7 @@ const ONE_DIRECTION: f64 = 0.985;
 const TWINS_LEAST: f64 = 0.85;
 /// Heights within this are one floor, m. Ours.
 const ONE_FLOOR_M: f64 = 0.5;
-/// Fewest sensors of a floor: three give its motion, and two more are needed to name the wrong one.
+/// Fewest sensors of a floor: three determine its motion, and two more identify the wrong one.
 const SENSORS_LEAST: usize = 5;
 /// Largest number of lowest modes in the check, and the fewest that allow a conclusion. Our choice: higher modes bend floors.
 const MODES_MOST: usize = 3;
@@ -305,7 +305,7 @@ fn orthonormal(vectors: [Vec<f64>; 3]) -> Option<Vec<Vec<f64>>> {
     Some(all)
 }
 
-/// The shape at the sensors of a floor, of length 1; `None` where it is not of these channels or does not move there.
+/// The shape at the sensors of a floor, with length 1; `None` if it does not have these channels, or does not move there.
 fn shape_of(mode: &Mode, channels: usize, floor: &[usize]) -> Option<Vec<Complex64>> {
     if mode.shape.len() != channels {
         return None;

@@ -1,4 +1,4 @@
-//! Steps that all ways of identification share: what is refused, the spectrum, from poles to modes, picks.
+//! Steps common to all methods of identification: refusals, spectrum, from poles to modes, picked modes.
 
 use super::decay::{SHORT, short_spectrum};
 use super::error::{references_of, refused};

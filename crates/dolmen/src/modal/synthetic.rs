@@ -33,7 +33,7 @@ pub struct MadeRecord {
     pub modes: Vec<MadeMode>,
     /// Duration, s.
     pub duration_s: f64,
-    /// Samples a second, Hz.
+    /// Sampling rate, Hz.
     pub sampling_rate_hz: f64,
     /// Measured quantity of the channels; default acceleration (`Unknown` gives acceleration).
     pub quantity: Quantity,

@@ -52,7 +52,7 @@ impl Break {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct DatedBreak {
     pub(super) form: ChangeForm,
-    /// The first day behind a step; that on which a slope begins.
+    /// The first day after a step; the day on which a slope begins.
     pub(super) day: f64,
 }
 

@@ -1,29 +1,30 @@
-//! Readings of a logger, one value a day.
+//! Readings of a logger, reduced to one value per day.
 
 use crate::numeric::middle_mean;
 
 const DAY_S: f64 = 86_400.0;
-/// Days at an end of a log that may be dates of a wrong clock, and how far from the others they then lie: days, and usual gaps. Chosen here.
+/// Largest number of days at an end of a log that may come from a wrong clock; and their least distance from the others, in days and in
+/// usual gaps. Chosen here.
 const STRAY_MOST: usize = 4;
 const STRAY_APART_DAYS: f64 = 366.0;
 const STRAY_APART_GAPS: f64 = 50.0;
 
-/// One value a day.
+/// One value per day.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DailyReadings {
-    /// Days from 1970-01-01 in the clock of the logger, ascending.
+    /// Days from 1970-01-01 by the clock of the logger, ascending.
     pub days: Vec<f64>,
     /// The median of each day.
     pub values: Vec<f64>,
-    /// Readings of all days.
+    /// Number of readings on all days.
     pub readings: usize,
-    /// Readings of days far from all others at either end, left out: a clock that was wrong.
+    /// Number of readings left out at either end, on days far from all others: the clock was wrong.
     pub stray: usize,
 }
 
-/// The median of each day, of readings by time, s from 1970.
+/// The median of each day, from readings with times in s from 1970.
 ///
-/// A day or four by themselves, more than a year and fifty usual gaps from the rest, are those of a clock that was wrong, and left out.
+/// Up to four days at an end that are more than a year and fifty usual gaps away from the rest come from a wrong clock, and are left out.
 pub fn daily_medians(times_s: &[f64], values: &[f64]) -> DailyReadings {
     let mut found = DailyReadings::default();
     let mut counts = Vec::new();
@@ -52,7 +53,7 @@ pub fn daily_medians(times_s: &[f64], values: &[f64]) -> DailyReadings {
     found
 }
 
-/// The days that are not stray.
+/// Range of the days that are kept.
 fn kept(days: &[f64]) -> std::ops::Range<usize> {
     let mut gaps: Vec<f64> = days.windows(2).map(|pair| pair[1] - pair[0]).collect();
     gaps.sort_by(f64::total_cmp);
@@ -75,7 +76,7 @@ mod tests {
 
     #[test]
     fn exact_medians_of_days_and_the_days_of_a_wrong_clock() {
-        // thirty days of three readings, one of them a spike; before them two readings of 1990, behind them one of 2099
+        // thirty days of three readings, one of them a spike; before them two readings of 1990, after them one of 2099
         let first = 20_000.0;
         let mut times_s = vec![7305.0 * DAY_S, 7305.5 * DAY_S];
         let mut values = vec![9.0, 9.0];

@@ -1,4 +1,4 @@
-//! Growth of what inspections measure: the width of a crack, the gap of a joint, how far a part has settled.
+//! Growth of sizes that inspections measure: the width of a crack, the gap of a joint, the settlement of a part.
 
 use super::MonitoringError;
 use super::tilt::{Level, SlopeLimit, TiltSeeking, TiltSeries, TiltTrend, tilt_trend};

@@ -1,4 +1,4 @@
-//! The slope of what a logger reads over the years: a tilt, the width of a crack.
+//! Slope of the readings of a logger over the years: a tilt, the width of a crack.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -34,7 +34,7 @@ const OF_BENDS: f64 = 0.2;
 const BENT_BELOW: f64 = 0.7;
 /// Simulated logs where a change is near the limit of chance, as of frequencies.
 const REPLICATES: usize = 999;
-/// Days whose median is what it reads now, where there is no slope.
+/// Number of days whose median is the present reading, if there is no slope.
 const NOW_DAYS: f64 = 7.0;
 
 /// Readings of a logger.
@@ -248,7 +248,7 @@ fn usual_gap(days: &[f64]) -> f64 {
     gaps.get(gaps.len() / 2).copied().unwrap_or(1.0)
 }
 
-/// The readings without what a sensor that fails made of them, and what is known before any slope; and the temperatures of these days.
+/// The readings without sensor faults, the results that do not need a slope, and the temperatures of these days.
 fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f64>) {
     let all = &series.daily;
     let stuck_from = stuck(&all.values);

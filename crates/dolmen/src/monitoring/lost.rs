@@ -41,8 +41,8 @@ impl LostMode {
     }
 }
 
-/// Whether what is lost is beyond chance: one mode alone, longer than ever before, or regular ones together where surveys show others instead.
-/// `surveys_between`: surveys times modes among which one false alarm is allowed.
+/// Whether the missing modes are significant: one mode missing for longer than ever before, or several regular modes together while surveys show
+/// other modes. `surveys_between`: number of surveys times modes per allowed false alarm.
 pub(super) fn is_beyond_chance(lost: &[LostMode], surveys_between: f64) -> bool {
     let most = CHANCE_MOST.min(1.0 / surveys_between);
     let regular = lost.iter().filter(|of| of.is_regular() && of.is_replaced);

@@ -3,6 +3,7 @@
 
 mod alarm;
 mod bends;
+mod between;
 mod changes;
 mod critical;
 mod daily;

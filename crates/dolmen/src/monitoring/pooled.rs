@@ -1,4 +1,4 @@
-//! Several surveys of one day as one: the medians of what they read.
+//! Combines several surveys of one day into one, by medians.
 
 use super::MonitoringError;
 use super::history::{HistorySurvey, TiltReading};
@@ -7,8 +7,8 @@ use crate::modal::ObservedMode;
 use crate::numeric::middle_mean;
 use std::f64::consts::PI;
 
-/// Surveys of one day as one: its name and day those of the first, its modes those that half of the surveys with modes show or more, each
-/// with the median frequency and the shape of the survey nearest to that; temperature and tilts are medians as well.
+/// Combines the surveys of one day. Name and day are those of the first survey. The modes are those in at least half of the surveys with
+/// modes, each with the median frequency and the shape of the survey nearest to it. Temperature and tilts are medians as well.
 ///
 /// ```text
 /// sd of the median of k readings = rms(σ_i) √(c/k),   c = 1 of one or two, π/2 of more
@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 /// which is estimated from the days.
 ///
 /// # Errors
-/// As [`track`]; [`MonitoringError::TooFewSurveys`] of none.
+/// As [`track`]; [`MonitoringError::TooFewSurveys`] without surveys.
 ///
 /// # Source
 /// Kenney & Keeping (1962) Mathematics of statistics, 14.4: the median of many normal readings has π/2 times the variance of their mean, of

@@ -9,7 +9,8 @@ use super::regression::{Fit, restricted_likelihood};
 use super::series::Series;
 use super::whitening::Disturbance;
 
-/// Surveys at each side of a step, at least, and from the beginning of a slope on. Chosen here: fewer are the alarm's.
+/// Fewest surveys on each side of a step, and from the beginning of a slope on. Chosen here: changes with fewer surveys are left to the
+/// alarm.
 pub(super) const STEP_SURVEYS_LEAST: usize = 3;
 pub(super) const SLOPE_SURVEYS_LEAST: usize = 6;
 /// Least fraction of the information on a change that must be independent of the known columns; otherwise the change cannot be separated
@@ -31,7 +32,7 @@ pub enum ChangeForm {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Candidate {
     pub(super) form: ChangeForm,
-    /// The first survey that shows a step; the last before a slope.
+    /// The first survey after a step; the last before a slope.
     pub(super) from: usize,
     pub(super) statistic: f64,
     /// Size: of a step, or of a slope over one interval.
@@ -42,7 +43,7 @@ pub(super) struct Candidate {
 /// Every change that may be.
 pub(super) struct Scan {
     pub(super) all: Vec<Candidate>,
-    /// Steps that too few surveys show: they explain what is no lasting change yet, and would else be taken for a drift.
+    /// Steps with too few surveys: they explain a change that is not yet lasting and would otherwise be taken for a drift.
     pub(super) late: Vec<Candidate>,
 }
 
@@ -83,7 +84,7 @@ pub(super) fn scan(series: &Series, columns: &[Vec<f64>], fit: &Fit) -> Scan {
     let of_columns: Vec<Vec<f64>> = columns.iter().map(|column| inverse(column)).collect();
     let (steps, slopes) = fit.whitening.energies(at);
     let (mut all, mut late) = (Vec::with_capacity(2 * n), Vec::new());
-    // sums over the surveys from i on of what is inverted, and of t times it; the residuals last
+    // sums from survey i on of V⁻¹ times the columns, and of t times these; the residuals last
     let (mut sums, mut moments) = (vec![0.0; k + 1], vec![0.0; k + 1]);
     let mut with_columns = vec![0.0; k];
     for i in (0..n).rev() {

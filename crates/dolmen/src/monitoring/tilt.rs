@@ -40,7 +40,7 @@ pub struct TiltTrend {
     pub outliers: Vec<TiltOutlier>,
     /// The slope from the last change of slope on; `None` with fewer than four readings of one level.
     pub slope: Option<TiltSlope>,
-    /// The slope of the mark before it, with the tilt now and the reach of its own readings, where this mark is new and has no slope beyond chance.
+    /// Slope of the previous mark, with the present tilt and the uncertainty of its own readings, if this mark is new and has no significant slope.
     pub carried: Option<TiltSlope>,
     /// Standard deviation of the readings about the fit; 0 without one.
     pub scatter: f64,
@@ -57,7 +57,7 @@ pub struct TiltTrend {
 pub struct TiltChange {
     /// Step or slope.
     pub form: ChangeForm,
-    /// Index of the first reading behind a step; the last one before a slope.
+    /// Index of the first reading after a step; of the last before a slope.
     pub from: usize,
     /// Index of the last reading surely before it, and of the first one surely behind: the interval holds the date with 95 % probability.
     pub after: usize,
@@ -409,7 +409,7 @@ mod tests {
 
     #[test]
     fn holds_the_interval_of_years_holds_the_truth_as_often_as_it_says() {
-        // 40 half years that end short of the limit by what the slope does in 2, 5 and 20 years
+        // 40 half years that end below the limit by the change of the slope in 2, 5 and 20 years
         for years_left in [2.0, 5.0, 20.0] {
             let mut held = 0;
             let drawn = 400;
@@ -585,7 +585,7 @@ mod tests {
             }
         }
         let solved: Vec<f64> = (0..5).map(|j| a[j][5] / a[j][j]).collect();
-        // the disturbance is not correlated in truth; what is estimated of it moves the weights a little
+        // the true disturbance is uncorrelated; its estimate changes the weights slightly
         assert!(
             (slope.per_year - (solved[1] + solved[4])).abs() < 0.3 * slope.sd_per_year,
             "{slope:?} {solved:?}"
@@ -657,7 +657,7 @@ mod tests {
                 "{slipped:?}"
             );
         }
-        // the last reading is never one: what it shows may be true
+        // the last reading is never an outlier: it may be true
         let mut series = drifting();
         series.ratios[39] *= 3.0;
         let found = tilt_trend(series, &[], &seeking(Some(1.0 / 150.0))).unwrap();

@@ -7,7 +7,7 @@ use crate::numeric::student_two_sided_quantile;
 
 /// Last readings whose mean, moved along the slope, is the tilt now. Chosen here: a year of quarterly ones.
 const READINGS_MOST: usize = 4;
-/// Deviations of both within which the slope of its own mark is no other one than that before it. Chosen here.
+/// Number of standard deviations up to which the slope of the new mark agrees with that of the previous mark. Chosen here.
 const OTHER_FROM: f64 = 2.5;
 /// Degrees of freedom that level, slope and a wave of one year take of the readings of the mark before.
 const TAKEN: usize = 4;
@@ -21,8 +21,8 @@ impl TiltTrend {
     }
 }
 
-/// The slope of the mark before it, for each tilt whose mark came last in its direction and has no slope beyond chance of its own: another mark is no
-/// other structure.
+/// Slope of the previous mark, for each tilt with a newer mark in its direction and no significant slope of its own: a new mark does not mean a new
+/// structure.
 ///
 /// # Errors
 /// [`MonitoringError::Numeric`].

@@ -1,4 +1,4 @@
-//! Everything that a history says of its structure.
+//! Watches the history of a structure: all results in one analysis.
 
 use super::MonitoringError;
 use super::alarm::{AlarmOptions, JudgedMode, ModeAlarm, alarm_limit, judge};
@@ -17,35 +17,35 @@ use super::watched_mode::{FittedMode, LastOff, WatchedChange, WatchedMode, Weath
 use super::weather::{ModeSeries, WeatherKnown, YEAR_DAYS, columns, earned, has_temperature, knows_frost};
 use crate::numeric::middle;
 
-/// Surveys that a history needs.
+/// Fewest surveys in a history.
 const SURVEYS_LEAST: usize = 3;
-/// Days after the last survey within which a work answers alarms. Ours: what is dated a year ahead is planned, or its year is a slip.
+/// Days after the last survey within which a work answers alarms. Our choice: a work dated a year ahead is planned, or its year is wrong.
 pub const ANSWERED_DAYS: f64 = 366.0;
 /// Fewest surveys of a mode for a search of changes. Chosen here: with fewer, the limit of chance is beyond any change.
 const READINGS_LEAST: usize = 8;
-/// Correlation of temperature and time from which the answer says so; as in the comparison of two surveys.
+/// Correlation of temperature and time from which it is reported; as in the comparison of two surveys.
 const WITH_TIME: f64 = 0.7;
 
 /// Options of [`watch`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct WatchOptions {
-    /// How modes are followed.
+    /// Options of tracking the modes.
     pub tracking: Tracking,
     /// Probability of a false finding in any mode; default 0.05.
     pub significance: f64,
     /// Mean time between false alarms of all modes together, years; default 10.
     pub years_between_false_alarms: f64,
-    /// Surveys that are learned from before one is judged; default 10.
+    /// Number of surveys for training before one is judged; default 10.
     pub training: usize,
     /// Weight of the newest survey in the moving average; default 0.2.
     pub weight: f64,
     /// Temperature below which stone freezes, °C; default 0.
     pub frost_below_c: f64,
-    /// Tilt that must not be reached, horizontal over vertical.
+    /// Largest allowed tilt, horizontal over vertical.
     pub tilt_limit: Option<f64>,
-    /// Simulated histories where a change is near the limit of chance; default 999. 0: the table alone.
+    /// Number of simulated histories for a change near the limit of chance; default 999. With 0 only the table is used.
     pub replicates: usize,
-    /// Seed of these.
+    /// Seed of the simulated histories.
     pub seed: u64,
 }
 
@@ -72,7 +72,7 @@ pub struct StructureAlarm {
     pub mode: usize,
     /// The alarm.
     pub alarm: ModeAlarm,
-    /// Whether a work or an inspection came after it.
+    /// Whether a work or an inspection followed.
     pub is_answered: bool,
 }
 
@@ -85,19 +85,19 @@ pub struct Watched {
     pub tracked: Tracked,
     /// Confirmed alarms, by time.
     pub alarms: Vec<StructureAlarm>,
-    /// Modes that the last surveys do not show, and that nobody has looked for since.
+    /// Modes that the last surveys do not show and that no later inspection has answered.
     pub lost: Vec<LostMode>,
-    /// Surveys times modes among which one false alarm is allowed.
+    /// Number of surveys times modes per allowed false alarm.
     pub surveys_between: f64,
-    /// T² of each survey that has one.
+    /// T² of each survey for which it can be computed.
     pub t_squared: Vec<SurveyTSquared>,
-    /// Tilts.
+    /// Results for the tilts.
     pub tilts: Vec<TiltTrend>,
     /// Usual time between two surveys, days.
     pub interval_days: f64,
-    /// Limit of the moving average over its own deviation.
+    /// Limit of the moving average, relative to its own standard deviation.
     pub average_limit: f64,
-    /// Probability of at least one false alarm over the years watched.
+    /// Probability of at least one false alarm over the observed years.
     pub false_alarm_probability: f64,
     /// Significance of the search for changes.
     pub significance: f64,
@@ -121,7 +121,7 @@ impl Watched {
         }
     }
 
-    /// Whether modes vanished beyond chance: an alarm like one of a frequency.
+    /// Whether a mode vanished significantly: an alarm like one of a frequency.
     pub fn is_mode_lost(&self) -> bool {
         !self.lost.is_empty() && is_beyond_chance(&self.lost, self.surveys_between)
     }
@@ -134,7 +134,7 @@ impl Watched {
 /// ```
 ///
 /// # Errors
-/// [`MonitoringError`].
+/// [`MonitoringError`] for an option out of range, or for data that cannot be analysed.
 ///
 /// # Limits
 /// For more than 1,000 surveys the limit of chance for 1,000 is used. Without temperatures a change cannot be separated from the weather; a yearly
@@ -167,7 +167,7 @@ pub fn watch(history: &History, options: &WatchOptions) -> Result<Watched, Monit
         })
         .collect::<Result<_, _>>()?;
     let judged: Vec<JudgedMode> = modes.iter().map(|mode| mode.judged.clone()).collect();
-    // what is dated far beyond the last survey is planned, or a slip
+    // works dated far after the last survey are planned, or have a wrong date
     let answered_until = days[days.len() - 1] + ANSWERED_DAYS;
     let answered = |survey: usize| {
         history
@@ -251,7 +251,7 @@ fn check(history: &History, options: &WatchOptions) -> Result<(), MonitoringErro
     Ok(())
 }
 
-/// The readings of a mode, as parts of its middle frequency.
+/// The readings of a mode, relative to its median frequency.
 fn series_of(history: &History, track: &Track, interval_days: f64) -> ModeSeries {
     let mut series = ModeSeries::default();
     for (survey, mode) in track.modes.iter().enumerate() {
@@ -275,7 +275,7 @@ fn series_of(history: &History, track: &Track, interval_days: f64) -> ModeSeries
                 .map_or(f64::NAN, |sd| sd / track.frequency_hz),
         );
     }
-    // a deviation that one survey lacks is taken as that of the others
+    // a missing standard deviation is replaced by that of the other surveys
     let stated = series.series.noise_sd.iter().copied().filter(|sd| sd.is_finite());
     let usual = middle(stated.collect());
     for sd in series.series.noise_sd.iter_mut().filter(|sd| !sd.is_finite()) {
@@ -379,7 +379,7 @@ fn watched_mode(
     Ok(mode)
 }
 
-/// Puts what was found into the mode.
+/// Adds the results to the mode.
 fn explain(
     mode: &mut WatchedMode,
     (kept, found): (&ModeSeries, &Changes),
@@ -406,7 +406,7 @@ fn explain(
         let explained: f64 = parts.map(|(column, beta)| column[i] * beta).sum();
         mode.explained_hz[kept.surveys[i]] = Some(mode.track.frequency_hz * (1.0 + explained));
     }
-    // the level before a change: what works and earlier changes had made of it
+    // the level before a change: the effect of works and earlier changes
     let level_before = |from: usize, but: usize| -> f64 {
         let steps = (of_weather..found.columns.len()).filter(|c| *c != but);
         let before = from.saturating_sub(1);
@@ -439,6 +439,7 @@ fn explain(
     mode.fitted = Some(FittedMode {
         series: kept.series.clone(),
         columns: found.columns.clone(),
+        of_weather,
         disturbance: found.disturbance,
         surveys: kept.surveys.clone(),
     });

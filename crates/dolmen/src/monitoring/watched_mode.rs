@@ -102,7 +102,10 @@ pub struct WatchedMode {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct FittedMode {
     pub(super) series: Series,
+    /// The level, the weather, then works and changes.
     pub(super) columns: Vec<Vec<f64>>,
+    /// How many of them are the level and the weather.
+    pub(super) of_weather: usize,
     pub(super) disturbance: Disturbance,
     /// Index of each reading's survey.
     pub(super) surveys: Vec<usize>,
@@ -118,8 +121,8 @@ pub struct ChangeThere {
 }
 
 impl WatchedMode {
-    /// How the mode changed with a survey: the change that was found there, or else one of that form beside all that explains the mode, estimated with
-    /// it. `None` where too few readings lie on a side.
+    /// Change of the mode at a survey: the change found there, or else one of that form, estimated together with all other explanations. `None` if
+    /// too few readings are on one side.
     pub fn change_there(&self, form: ChangeForm, from: usize) -> Option<ChangeThere> {
         let own = self.changes.iter().find(|of| {
             let interval = of.after..=of.before;

@@ -1,8 +1,8 @@
-//! The χ² distribution: do several numbers agree within their deviations, and how well is a deviation known?
+//! The χ² distribution, for testing whether several numbers agree within their standard deviations.
 
 use super::{Bracketing, NumericError, bracketed_root};
 
-/// Terms of the series and of the continued fraction, and the part at which they end.
+/// Largest number of terms of the series and of the continued fraction, and the relative size at which they end.
 const TERMS_MOST: usize = 100_000;
 const PART_LEAST: f64 = 1e-16;
 
@@ -13,7 +13,8 @@ const PART_LEAST: f64 = 1e-16;
 /// ```
 ///
 /// # Errors
-/// [`NumericError::Range`] for a value or degrees of freedom below 0 or not a number; [`NumericError::Evaluations`] beyond 1e9 of them.
+/// [`NumericError::Range`] for a value or degrees of freedom below 0 or not a number; [`NumericError::Evaluations`] for more than 1e9
+/// degrees of freedom.
 ///
 /// # Source
 /// DLMF 8.11.4, 8.9.2.
@@ -77,7 +78,7 @@ pub fn chi_squared_above(value: f64, degrees_of_freedom: f64) -> Result<f64, Num
 /// The value below which χ² with this number of degrees of freedom lies with the given probability.
 ///
 /// # Errors
-/// [`NumericError::Range`] unless 0 < probability < 1 and there is more than 0 degrees of freedom.
+/// [`NumericError::Range`] unless 0 < probability < 1 and the degrees of freedom are above 0.
 ///
 /// # Example
 /// ```
@@ -136,7 +137,7 @@ mod tests {
             assert!((found / p - 1.0).abs() < 1e-12, "{value} {nu}: {found:e}");
         }
         assert_eq!(chi_squared_above(3.0, 0.0), Ok(1.0));
-        // scipy 1.17.1 as well: chi2.sf of parts of a degree, chi2.ppf
+        // scipy 1.17.1: chi2.sf with fractional degrees of freedom, chi2.ppf
         for (value, nu, p) in [
             (0.4, 1.7, 0.7539579824924723),
             (9.0, 2.5, 0.01871895092743785),

@@ -15,8 +15,8 @@ use rand_pcg::Pcg64Dxsm;
 /// A study gives every sample its own stream, numbered by the sample: sample 17 is then the same in any order, on any
 /// number of threads, and in a study of any size.
 ///
-/// The generator is PCG64-DXSM, whose integers are the same everywhere. `uniform` and `normal` use only operations
-/// whose bits IEEE 754 fixes, with a logarithm and an exponential of our own; so does `lognormal`. Nothing here
+/// The generator is PCG64-DXSM, whose integers are the same on every platform. `uniform`, `normal` and `lognormal`
+/// use only operations with bits fixed by IEEE 754, and a logarithm and an exponential of our own. Nothing here
 /// depends on the system's mathematics library.
 ///
 /// # Source
@@ -36,16 +36,16 @@ use rand_pcg::Pcg64Dxsm;
 #[derive(Clone, Debug)]
 pub struct Random {
     generator: Pcg64Dxsm,
-    /// The polar method makes normal numbers in pairs; the second waits here.
+    /// Second of the two normal numbers that the polar method gives at a time, for the next call.
     spare_normal: Option<f64>,
 }
 
 impl Random {
-    /// The sequence of one sample.
+    /// The random stream of one sample.
     ///
     /// # Input
-    /// * `seed` -- of the whole study; every number is as good
-    /// * `stream` -- which sequence of that seed: the index of the sample
+    /// * `seed` -- seed of the whole study, any number
+    /// * `stream` -- number of the stream within that seed: the index of the sample
     pub fn new(seed: u64, stream: u64) -> Self {
         let state = (u128::from(mix(seed)) << 64) | u128::from(mix(seed ^ mix(stream)));
         Random {
@@ -54,9 +54,9 @@ impl Random {
         }
     }
 
-    /// Evenly distributed in [0, 1), a multiple of 2⁻⁵³.
+    /// Uniformly distributed in [0, 1), a multiple of 2⁻⁵³.
     pub fn uniform(&mut self) -> f64 {
-        const BITS: u32 = f64::MANTISSA_DIGITS; // 53: as many as a number below 1 can hold evenly
+        const BITS: u32 = f64::MANTISSA_DIGITS; // 53 bits: the finest uniform spacing of numbers below 1
         (self.generator.next_u64() >> (64 - BITS)) as f64 / (1_u64 << BITS) as f64
     }
 
@@ -84,7 +84,7 @@ impl Random {
         }
     }
 
-    /// Lognormal with this mean and coefficient of variation: positive, for stiffnesses, weights and lengths.
+    /// Lognormal with this mean and coefficient of variation; always positive, for stiffnesses, weights and lengths.
     ///
     /// ```text
     /// x = μ exp(σ z − σ²/2),   σ² = ln(1 + δ²),   z normal
@@ -143,7 +143,7 @@ mod tests {
 
     #[test]
     fn regress_first_numbers_of_two_streams() {
-        // Ours only: the bits that every platform must give.
+        // Our own values only: the bits that every platform must give.
         let mut random = Random::new(1, 0);
         let first = [
             random.uniform(),
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn exact_first_outputs_of_splitmix64() {
-        // Seed 1234567: the values that the reference code of SplitMix64 gives, printed in many test suites.
+        // Seed 1234567: the values of the reference code of SplitMix64, printed in many test suites.
         const GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
         assert_eq!(mix(1_234_567), 6_457_827_717_110_365_317);
         assert_eq!(mix(1_234_567_u64.wrapping_add(GAMMA)), 3_203_168_211_198_807_973);

@@ -1,4 +1,4 @@
-//! The envelope of a channel: smallest and largest sample of each of equal parts, so that a drawing loses no spike.
+//! Envelope of a channel: smallest and largest sample in equal parts, so that a drawing shows every spike.
 
 /// Smallest and largest sample of each part of a series.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Faults of a channel in part of its samples: it is stuck, fades, has spikes, or follows another channel.
 
-/// Fewest samples of a run of one value that counts as a fault, and its shortest duration of a second. Chosen here.
+/// Fewest equal samples in a row that count as a fault, and shortest duration, of one second. Chosen here.
 const STUCK_LEAST: usize = 50;
 const STUCK_S: f64 = 1.0;
 /// Factor by which a run must exceed the average run of the channel, because a coarse digitiser also stays at one value in quiet hours. Chosen

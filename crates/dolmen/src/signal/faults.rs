@@ -7,7 +7,7 @@ use std::fmt;
 
 /// A channel this much weaker than the median of the others (−60 dB) records the noise of the logger, not the structure. Chosen here.
 const FAINT: f64 = 1e-3;
-/// Samples in a row at one exact extreme that count as a run. Chosen here: two alone happen in coarsely digitised records.
+/// Fewest samples in a row at one exact extreme. Chosen here: two occur in coarsely digitised records.
 const RUN_LEAST: usize = 3;
 /// Number of samples in such runs from which a channel counts as clipped. Chosen here.
 const HELD_LEAST: usize = 10;

@@ -135,7 +135,7 @@ pub fn motion_suite(candidates: &[SuiteCandidate], rule: &SuiteRule) -> Result<M
     }
 }
 
-/// Value of a suite: first how far its factors lie beyond their limits, then its misfit.
+/// Value of a suite: first the excess of its factors over their limits, then its misfit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct SuiteMisfit {
     beyond: f64,

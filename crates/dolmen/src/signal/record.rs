@@ -19,7 +19,7 @@ pub enum Quantity {
     Unknown,
 }
 
-/// One channel: its name, what it measures, and where and which way its sensor stands.
+/// One channel: name, measured quantity, position and direction of its sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
     /// Name, unique in its record.
@@ -156,7 +156,7 @@ impl Record {
         self.length
     }
 
-    /// Samples a second, Hz.
+    /// Sampling rate, Hz.
     pub fn sampling_rate_hz(&self) -> f64 {
         self.sampling_rate_hz
     }

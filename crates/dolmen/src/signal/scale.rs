@@ -2,7 +2,7 @@
 
 use super::{Processing, Record, SignalError};
 
-/// The record with each channel multiplied by its factor, one a channel.
+/// The record with each channel multiplied by its own factor.
 ///
 /// # Errors
 /// [`SignalError::ChannelCount`]; [`SignalError::Argument`] for a factor that is 0 or not finite; [`SignalError::TooLarge`] where

@@ -92,7 +92,7 @@ pub(super) struct Sections {
 }
 
 impl Sections {
-    /// Low-pass with its corner at `corner`, in cycles a sample, 0 to 1/2.
+    /// Low-pass with its corner at `corner`, in cycles per sample, 0 to 1/2.
     pub(super) fn low_pass(prototype: Prototype, order: usize, corner: f64) -> Self {
         let omega = warped(corner);
         let mut slowest = 0.0_f64;
@@ -129,7 +129,7 @@ impl Sections {
         }
     }
 
-    /// High-pass with its corner at `corner`, in cycles a sample, 0 to 1/2. Butterworth.
+    /// Butterworth high-pass with its corner at `corner`, in cycles per sample, 0 to 1/2.
     ///
     /// Each pole p of the prototype becomes Ω/p; all zeros go to z = 1.
     pub(super) fn high_pass(order: usize, corner: f64) -> Self {
@@ -159,7 +159,7 @@ impl Sections {
         }
     }
 
-    /// Band-pass between `low` and `high`, in cycles a sample, 0 to 1/2. Butterworth.
+    /// Butterworth band-pass between `low` and `high`, in cycles per sample, 0 to 1/2.
     ///
     /// Each pole p of the prototype becomes the two roots of s² - p B s + Ω₀² = 0, with B = Ω_high - Ω_low and
     /// Ω₀² = Ω_low Ω_high; zeros go to z = 1 and z = -1.

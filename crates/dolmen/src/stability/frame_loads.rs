@@ -128,12 +128,12 @@ impl FrameUnderLoads {
 /// counted.
 ///
 /// # Errors
-/// [`StabilityError::Structure`] unless there is one stiffness, force and entry of columns a storey; [`StabilityError::Option`] for a tilt or force that
-/// is not finite.
+/// [`StabilityError::Structure`] unless there is one stiffness, one force and one entry of columns per storey; [`StabilityError::Option`] for a tilt
+/// or force that is not finite.
 ///
 /// # Limits
-/// Joints and walls are linear up to δ_most; friction is left out. With ties, and with springs on displacement, columns only limit the capacity
-/// of a storey, where they fall.
+/// Joints and walls are linear up to δ_most; friction is left out. With ties, and with springs on displacement, columns only limit the capacity of a
+/// storey, by their fall.
 ///
 /// # Example
 /// ```

@@ -1,11 +1,11 @@
-//! Whether the columns of a level move as one: how alike the ordinates of a mode are at sensors that stand side by side.
+//! Tests whether the columns of a level move together: compares the components of a mode at sensors side by side.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | u_c | `ordinate` | component of a mode at column c, along the direction, complex | – |
-//! | v_c | `variance` | variance of its real and of its imaginary part | – |
+//! | v_c | `variance` | variance of its real part and of its imaginary part | – |
 //! | s_c | `aside_m` | place of the column across the direction | m |
-//! | a, θ | | sway of the floor and its turn: u_c = a + θ s_c | –, 1/m |
+//! | a, θ | | sway and rotation of the floor: u_c = a + θ s_c | –, 1/m |
 
 use super::directional::{ALONG_LEAST, LEVEL_M, real_turn};
 use super::left_out::SHARE_LEAST;
@@ -13,21 +13,21 @@ use crate::modal::{Mode, Modes};
 use crate::numeric::fisher_quantile;
 use dolmen_linalg::Complex64;
 
-/// Chance of a false alarm in a whole survey whose columns move as one. Chosen here.
+/// Probability of a false alarm in a whole survey whose columns move together. Chosen here.
 const CHANCE: f64 = 0.01;
-/// Degrees of freedom of standard deviations whose blocks of time are not known: many.
+/// Degrees of freedom of standard deviations with an unknown number of blocks of time: many.
 const MANY: f64 = 1e4;
 
 /// Motion of the columns of a level in a mode.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ColumnsMove {
-    /// Alike, in amplitude and phase, within their errors.
+    /// With equal amplitude and phase, within their errors.
     AsOne,
-    /// As points of a floor that sways and turns.
+    /// As points of a floor that sways and rotates.
     Turning,
     /// Two sensors differ: the floor rotates, or one column moves separately. A third sensor decides.
     TwoDiffer,
-    /// As no rigid floor does.
+    /// As a rigid floor cannot move.
     Apart {
         /// Columns (indices in `columns`) without any one of which the others move together; empty if no single column explains it.
         any_of: Vec<usize>,
@@ -39,9 +39,9 @@ pub enum ColumnsMove {
 pub struct ColumnOrdinate {
     /// Its channel.
     pub channel: String,
-    /// Its ordinate over the mean of the other sensors of the level: 1 for a column that moves as they do.
+    /// Its component over the mean of the other sensors of the level: 1 for a column that moves with them.
     pub of_others: Complex64,
-    /// Standard deviation of the real and of the imaginary part of that, calibration included.
+    /// Standard deviation of the real part and of the imaginary part of that ratio, including calibration.
     pub of_others_sd: f64,
 }
 
@@ -82,8 +82,8 @@ impl Default for ColumnsTogether {
 /// ```
 ///
 /// # Limits
-/// Deviations of a shape hold those of the channel that the shape is scaled by, for which the least of the others is taken: the test is on the careful side. What
-/// all columns have in common is not seen. Validated by `tests/validation/columns_together.rs`.
+/// Standard deviations of a shape include those of the channel that sets its scale; for that channel the smallest of the others is taken, so the test
+/// is conservative. Motion common to all columns is not detected. Validated by `tests/validation/columns_together.rs`.
 pub fn columns_together(
     modes: &Modes,
     direction: [f64; 3],

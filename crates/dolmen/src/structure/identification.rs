@@ -27,7 +27,7 @@ pub struct MeasuredMode {
     pub shape: Vec<ShapePoint>,
 }
 
-/// Range of each stiffness while every frequency stays within a half-width of what was measured.
+/// Range of each stiffness while every frequency stays within a half-width of its measured value.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StiffnessRange {
@@ -69,8 +69,8 @@ pub struct StiffnessSolution {
     pub stiffness_bounds: Option<Vec<StiffnessBounds>>,
     /// All natural modes of the structure with this stiffness, by frequency.
     pub modes: Vec<NaturalMode>,
-    /// Root of the weighted mean square of (computed − measured)/sd over all data, sd assumed where none is
-    /// given; relative differences of frequencies alone without sd.
+    /// Root of the weighted mean square of (computed − measured)/sd over all data, with an assumed sd for data without one. For
+    /// frequencies alone without sd: of the relative differences.
     pub misfit: f64,
     /// Whether the structure stands with this stiffness (smallest ω² positive).
     pub stands: bool,

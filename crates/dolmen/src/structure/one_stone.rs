@@ -40,7 +40,7 @@ pub struct Pole {
     gravity_m_s2: f64,
 }
 
-/// Frequencies with what they rest on.
+/// Frequencies of a beam, with the accuracy of the computation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BeamFrequencies {
     /// The lowest natural frequencies, Hz, ascending.
@@ -108,8 +108,8 @@ impl Pole {
     /// ```
     ///
     /// # Errors
-    /// [`StructureError::Centroid`] for a centre of mass that no such shaft has (below 1/4 or above 3/4 of its length), and
-    /// those of [`Pole::new`].
+    /// [`StructureError::Centroid`] for a centre of mass that is impossible for a linear taper (below 1/4 or above 3/4 of its
+    /// length), and the errors of [`Pole::new`].
     ///
     /// # Limits
     /// A link's own moment of inertia is not used: its shape gives one.
@@ -277,7 +277,7 @@ impl Pole {
         ))
     }
 
-    /// The points of quadrature, lowest first, each with what it weighs in the integrals.
+    /// The quadrature points, lowest first, each with its weight in the integrals.
     fn stations(&self, theory: BeamTheory, degree: usize) -> Vec<Station> {
         let points = gauss_legendre(degree + 4); // exact: ρA y² has the degree 2 + 2 (degree + 2)
         let Stone {
@@ -321,7 +321,7 @@ impl Pole {
         stations
     }
 
-    /// The shapes that are mixed: one a degree of curvature, one a degree of shear strain, one a joint that turns.
+    /// The trial shapes: one per degree of curvature, one per degree of shear strain, one per rotation of a joint.
     fn shapes(
         &self,
         theory: BeamTheory,

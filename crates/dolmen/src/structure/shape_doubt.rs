@@ -23,7 +23,8 @@ const PARTS_MOST: usize = 5;
 /// Our choice.
 const UNEXPLAINED: f64 = 0.05;
 const CONTRADICTS: f64 = 0.2;
-/// By how much a change must lessen the share, and how near to the best another change is as good. As for sensors on a floor.
+/// Factor by which a change must reduce the unexplained fraction, and factor within which another change is as good as the best. As for sensors
+/// on a floor.
 const LESSENS: f64 = 4.0;
 const AS_GOOD: f64 = 2.0;
 /// A share below which two changes are alike. Ours: noise of shapes.

@@ -80,4 +80,5 @@ mod swelling_earthquakes;
 mod tuned_mass;
 mod walls;
 mod watch;
+mod watched_pairs;
 mod watched_seasons;

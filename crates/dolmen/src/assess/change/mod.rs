@@ -2,6 +2,7 @@
 
 mod difference;
 mod directions;
+mod history;
 mod mode_change;
 mod notes;
 mod slips;
@@ -12,6 +13,7 @@ mod which_part;
 
 pub use difference::{Difference, Evidence};
 pub use directions::ExchangedDirections;
+pub use history::HistoryEffect;
 pub use mode_change::{ModeChange, NotCompared, SurveyChange, TemperatureKnowledge};
 pub use notes::ChangeNote;
 pub use surveys::{SurveyChangeOptions, Surveyed, survey_change};

@@ -1,6 +1,7 @@
 //! Changes from one survey to another, mode by mode.
 
 use super::difference::Difference;
+use super::history::HistoryEffect;
 use super::notes::ChangeNote;
 use super::temperature::FittedTemperature;
 use crate::modal::{ModePair, ObservedMode};
@@ -47,10 +48,12 @@ pub struct ModeChange {
     pub frequency: Difference,
     /// Change of the damping ratio, relative to the earlier one; `None` if one of them is unknown.
     pub damping: Option<Difference>,
-    /// Relative change of the frequency that temperature explains; `None` where it is not known.
+    /// Relative change of the frequency that temperature explains, or the season in a history without temperatures; `None` where it is not known.
     pub explained_by_temperature: Option<f64>,
     /// The line over temperature, where one was fitted.
     pub fitted: Option<FittedTemperature>,
+    /// What a history of many surveys says of it, where it is taken.
+    pub history: Option<HistoryEffect>,
     /// The coefficient that would explain the whole change, relative per °C; `None` where temperatures do not differ.
     pub explaining_per_c: Option<f64>,
     /// Relative change of the stiffness, were it the same everywhere and the mass as it was: (1 + r)² - 1, near 2 r.

@@ -9,6 +9,7 @@
 
 use super::difference::{Raw, tested, welch};
 use super::directions::exchanged_directions;
+use super::history::HistoryEffect;
 use super::mode_change::{ModeChange, NotCompared, SurveyChange, TemperatureKnowledge};
 use super::notes::ChangeNote;
 use super::slips::slips;
@@ -41,6 +42,8 @@ pub struct SurveyChangeOptions {
     pub pairing: Pairing,
     /// Known effect of temperature.
     pub temperature: TemperatureEffect,
+    /// What a history of many surveys says of the modes between the two; where it has one, it is taken before `temperature`.
+    pub history: Vec<HistoryEffect>,
     /// Probability of a false finding in any mode although nothing changed; default 0.05.
     pub significance: f64,
     /// Probability with which the least detectable change would have been found; default 0.8.
@@ -52,6 +55,7 @@ impl Default for SurveyChangeOptions {
         SurveyChangeOptions {
             pairing: Pairing::default(),
             temperature: TemperatureEffect::Unknown,
+            history: Vec::new(),
             significance: 0.05,
             power: 0.8,
         }
@@ -68,7 +72,8 @@ impl Default for SurveyChangeOptions {
 /// ```
 /// Frequencies are tested together, and damping ratios together, each by Holm's procedure. With [`TemperatureEffect::Fitted`] each mode's
 /// κ is the slope of least squares through `earlier` and `from`, whose temperatures must be known; the scatter about that line is then
-/// the deviation of each survey (what moisture and crowds do is in it), and the covariance of f with κ is carried.
+/// the deviation of each survey (what moisture and crowds do is in it), and the covariance of f with κ is carried. With a history
+/// ([`SurveyChangeOptions::history`]) the weather and the scatter are those of all its surveys.
 ///
 /// # Errors
 /// [`AssessError::NothingToCompare`] if a survey has no modes; [`AssessError::Factor`] for an option out of range;
@@ -143,6 +148,7 @@ pub fn survey_change(
             to: after.clone(),
             damping: damping.and_then(|_| dampings.next()),
             explained_by_temperature: covariate.as_ref().map(|c| c.explained),
+            history: covariate.as_ref().and_then(|c| c.history.clone()),
             fitted: covariate.and_then(|c| c.fitted),
             explaining_per_c: step_c.filter(|step| *step != 0.0).map(|step| whole / step),
             uniform_stiffness: r * (2.0 + r),
@@ -150,24 +156,14 @@ pub fn survey_change(
             frequency,
         });
     }
-    let temperature = match step_c {
-        None => TemperatureKnowledge::NotMeasured,
-        Some(0.0) => TemperatureKnowledge::Same,
-        Some(step_c) if modes.iter().all(|m| m.explained_by_temperature.is_some()) => {
-            TemperatureKnowledge::Corrected { step_c }
-        }
-        Some(step_c) => TemperatureKnowledge::Unexplained { step_c },
-    };
+    let temperature = knowledge(step_c, &modes, options);
     beyond_the_line(&modes, to.temperature_c, &mut notes);
     let of = |survey: &Surveyed, alone: &[usize]| -> Vec<ObservedMode> {
         alone.iter().map(|i| survey.modes[*i].clone()).collect()
     };
     let (lost, new) = (of(from, &paired.only_first), of(to, &paired.only_second));
-    let lowest_hz = from
-        .modes
-        .iter()
-        .map(|mode| mode.frequency_hz)
-        .fold(f64::INFINITY, f64::min);
+    let of_from_hz = from.modes.iter().map(|mode| mode.frequency_hz);
+    let lowest_hz = of_from_hz.fold(f64::INFINITY, f64::min);
     let not_compared = paired.moved_further.iter().map(|moved| NotCompared {
         from: from.modes[moved.first].clone(),
         is_lowest: from.modes[moved.first].frequency_hz == lowest_hz,
@@ -197,6 +193,28 @@ pub fn survey_change(
         other_pairing_hz: other_pairing_hz.collect(),
         notes,
     })
+}
+
+fn knowledge(
+    step_c: Option<f64>,
+    modes: &[ModeChange],
+    options: &SurveyChangeOptions,
+) -> TemperatureKnowledge {
+    match step_c {
+        None => TemperatureKnowledge::NotMeasured,
+        Some(0.0) => TemperatureKnowledge::Same,
+        Some(step_c) if modes.iter().all(|mode| is_corrected(mode, options)) => {
+            TemperatureKnowledge::Corrected { step_c }
+        }
+        Some(step_c) => TemperatureKnowledge::Unexplained { step_c },
+    }
+}
+
+/// Whether what temperature does is taken out of a mode.
+fn is_corrected(mode: &ModeChange, options: &SurveyChangeOptions) -> bool {
+    let is_given = matches!(options.temperature, TemperatureEffect::Coefficient { .. });
+    let history = mode.history.as_ref();
+    mode.explained_by_temperature.is_some() && (is_given || history.is_none_or(|of| of.knows_temperature))
 }
 
 fn check(from: &Surveyed, to: &Surveyed, options: &SurveyChangeOptions) -> Result<(), AssessError> {
@@ -243,6 +261,8 @@ struct Covariate {
     /// Standard deviation of κ, 1/°C; of a fitted line `spread` is taken instead.
     sd_per_c: f64,
     fitted: Option<FittedTemperature>,
+    /// What a history says; its scatter is taken instead.
+    history: Option<HistoryEffect>,
     /// For a fitted line: variance of f' - f - b ΔT, Hz², its degrees of freedom, and the part of it that the surveys state, Hz².
     spread: Option<(f64, f64, f64)>,
 }
@@ -254,6 +274,26 @@ fn covariate(
     earlier: &[Surveyed],
     (options, notes): (&SurveyChangeOptions, &mut Vec<ChangeNote>),
 ) -> Result<Option<Covariate>, AssessError> {
+    let step_c = to
+        .temperature_c
+        .zip(from.temperature_c)
+        .map(|(after, before)| after - before);
+    let history = HistoryEffect::of_pair(&options.history, &from.modes[pair.first], &to.modes[pair.second]);
+    if let Some(of) = history {
+        let (explained, sd_per_c) = match (options.temperature, step_c) {
+            (TemperatureEffect::Coefficient { per_c, sd_per_c }, Some(step_c)) if !of.knows_temperature => {
+                (per_c * step_c, sd_per_c)
+            }
+            _ => (of.explained, 0.0),
+        };
+        return Ok(Some(Covariate {
+            explained,
+            sd_per_c,
+            fitted: None,
+            history: Some(of.clone()),
+            spread: None,
+        }));
+    }
     let (Some(before_c), Some(after_c)) = (from.temperature_c, to.temperature_c) else {
         return Ok(None);
     };
@@ -263,6 +303,7 @@ fn covariate(
             explained: per_c * (after_c - before_c),
             sd_per_c,
             fitted: None,
+            history: None,
             spread: None,
         })),
         TemperatureEffect::Fitted => {
@@ -289,6 +330,7 @@ fn covariate(
                     sd_per_c: line.fitted.sd_per_c,
                     spread: Some((line.variance_hz2, line.degrees_of_freedom, line.stated_hz2)),
                     fitted: Some(line.fitted),
+                    history: None,
                 })),
                 Err(why) => {
                     notes.push(ChangeNote::NotFitted {
@@ -351,22 +393,27 @@ fn frequency_difference(
 ) -> Raw {
     let f = from.frequency_hz;
     let explained = covariate.as_ref().map_or(0.0, |c| c.explained);
-    let parts = match (covariate.as_ref().and_then(|c| c.spread), to.frequency_sd_hz) {
-        (Some((variance_hz2, nu, stated_hz2)), after) => {
-            // a survey known worse than those of the line scatters more than they do
-            let more = (after.unwrap_or(0.0).powi(2) - stated_hz2).max(0.0);
-            Some(welch(&[(variance_hz2, nu), (more, to.degrees_of_freedom)]))
-        }
-        (None, Some(after_hz)) => from.frequency_sd_hz.map(|before_hz| {
-            let of_temperature = f * step_c.unwrap_or(0.0) * covariate.as_ref().map_or(0.0, |c| c.sd_per_c);
-            welch(&[
-                (after_hz.powi(2), to.degrees_of_freedom),
-                (((1.0 + explained) * before_hz).powi(2), from.degrees_of_freedom),
-                (of_temperature.powi(2), f64::INFINITY),
-            ])
-        }),
-        (None, None) => None,
-    };
+    let of_temperature = f * step_c.unwrap_or(0.0) * covariate.as_ref().map_or(0.0, |c| c.sd_per_c);
+    let history = covariate.as_ref().and_then(|c| c.history.as_ref());
+    let of_history = history.map(|of| of.spread(from, to, of_temperature.powi(2)));
+    let parts =
+        of_history.or_else(
+            || match (covariate.as_ref().and_then(|c| c.spread), to.frequency_sd_hz) {
+                (Some((variance_hz2, nu, stated_hz2)), after) => {
+                    // a survey known worse than those of the line scatters more than they do
+                    let more = (after.unwrap_or(0.0).powi(2) - stated_hz2).max(0.0);
+                    Some(welch(&[(variance_hz2, nu), (more, to.degrees_of_freedom)]))
+                }
+                (None, Some(after_hz)) => from.frequency_sd_hz.map(|before_hz| {
+                    welch(&[
+                        (after_hz.powi(2), to.degrees_of_freedom),
+                        (((1.0 + explained) * before_hz).powi(2), from.degrees_of_freedom),
+                        (of_temperature.powi(2), f64::INFINITY),
+                    ])
+                }),
+                (None, None) => None,
+            },
+        );
     Raw {
         relative: to.frequency_hz / f - 1.0 - explained,
         spread: parts.map(|(variance, nu)| (variance.sqrt() / f, nu)),

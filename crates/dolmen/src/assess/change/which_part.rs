@@ -44,7 +44,7 @@ pub struct PartFit {
 }
 
 impl PartFit {
-    /// Whether what it leaves may be chance.
+    /// Whether the residual may be chance.
     pub fn explains(&self) -> bool {
         self.p_value >= EXPLAINS_FROM
     }

@@ -21,7 +21,8 @@ use glam::{DMat3, DVec3};
 
 /// Modes with less of the mass, along x and along y, are left out. Chosen here: a thousand such have a thousandth.
 const MASS_LEAST: f64 = 1e-6;
-/// How many modes are combined at most, lowest first: what is above moves with the ground. Chosen here: all those of a hundred stones on each other.
+/// Largest number of modes that are combined, lowest first; the higher ones move with the ground. Chosen here: all modes of a hundred stones on top
+/// of each other.
 const MODES_MOST: usize = 400;
 
 /// Force, N, and moment about the origin, N m.

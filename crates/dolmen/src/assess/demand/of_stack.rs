@@ -48,7 +48,7 @@ pub struct StackDemandCheck {
 }
 
 impl StackDemandCheck {
-    /// The least of what is borne over what is asked, as rigid blocks and on elastic joints by modes; `None` if neither is known.
+    /// The smallest ratio of capacity to demand, as rigid blocks and on elastic joints by modes; `None` if neither is known.
     pub fn least_ratio(&self) -> Option<f64> {
         let rigid = self.rows.iter().filter_map(|row| row.comparison.rigid.ratio);
         let elastic = self

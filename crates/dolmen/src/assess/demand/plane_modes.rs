@@ -59,7 +59,7 @@ impl PlaneModes {
         }))
     }
 
-    /// The largest response of what `row` gives from all coordinates, modes put together by CQC.
+    /// The largest response that `row` gives from all coordinates, with modes combined by CQC.
     ///
     /// ```text
     /// r = √ΣΣ ρ_in r_i r_n,  r_n = row · φ_n Γ_n S_a(T_n, ζ)/ω_n²

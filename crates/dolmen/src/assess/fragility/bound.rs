@@ -28,7 +28,8 @@ pub enum FragilityBound {
         /// The least at which some reached the state.
         reached: f64,
     },
-    /// Brackets overlap so widely, or so little else is known, that the likelihood has no top: what is known of the middle capacity alone.
+    /// The likelihood has no maximum, because brackets overlap too widely or there is too little other data: only an interval of the
+    /// median capacity.
     Middle {
         /// Half of the capacities at least lie above; 0 if that is known of none.
         above: f64,

@@ -29,8 +29,8 @@ const BETA_ERROR_MOST: f64 = 3.0;
 /// ```
 ///
 /// # Errors
-/// [`AssessError::TooFewMotions`] for fewer than 3; [`AssessError::NoFragility`] with a bound where none or all reached the state, or where
-/// the intensity alone tells them apart; [`AssessError::FragilityFalls`]; [`AssessError::Observation`].
+/// [`AssessError::TooFewMotions`] for fewer than 3; [`AssessError::NoFragility`] with a bound if none or all reached the state, or if the intensity
+/// alone separates them; [`AssessError::FragilityFalls`]; [`AssessError::Observation`].
 ///
 /// # Limits
 /// Observations count as independent: stripes of the same motions are not quite, and their errors come out too small; of motions that act in

@@ -1,4 +1,4 @@
-//! A fitted fragility curve, and what is to be known of its parameters.
+//! A fitted fragility curve, and the uncertainty of its parameters.
 
 use super::curve::Fragility;
 use crate::assess::AssessError;
@@ -7,7 +7,7 @@ use crate::numeric::{Interval, chi_squared_quantile, ln_normal_probability, stud
 /// Least degrees of freedom of β. Chosen here.
 const FREEDOM_LEAST: f64 = 0.2;
 
-/// A curve with what is to be known of how it was found.
+/// A fitted curve with the evidence for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FragilityFit {
     /// The curve.

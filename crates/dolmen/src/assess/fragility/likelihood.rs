@@ -27,7 +27,7 @@ impl Likelihood {
         self.curvature[2] += curve;
     }
 
-    /// Inverse of what is lost around the top.
+    /// Inverse of the negative Hessian at the maximum.
     pub(super) fn covariance(&self) -> [f64; 3] {
         let [aa, ac, cc] = self.curvature;
         let determinant = aa * cc - ac * ac;

@@ -6,22 +6,22 @@ use crate::structure::stack::{PagodaFactors, pagoda};
 /// One of the six factors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Factor {
-    /// N_f, storeys.
+    /// Number of storeys N_f.
     Storeys,
-    /// H_t, height of all storeys without the base.
+    /// Total height H_t of the storeys, without the base.
     BodyHeight,
-    /// tan α, least half width over the height of the centroid above it, over the joints.
+    /// tan α: half width over height of the centroid above, the least of all joints.
     SlendernessAngle,
-    /// λ, H_t over the width of the first body.
+    /// λ: H_t over the width of the first body.
     BodySlenderness,
-    /// φ, by which the body's width shrinks.
+    /// Taper φ of the width of the body.
     Taper,
-    /// γ_H, H_t over the height of the base.
+    /// γ_H: H_t over the height of the base.
     BodyBaseHeightRatio,
 }
 
 impl Factor {
-    /// All, in the source's order.
+    /// All factors, in the order of the source.
     pub const ALL: [Factor; 6] = [
         Factor::Storeys,
         Factor::BodyHeight,
@@ -43,7 +43,7 @@ impl Factor {
         }
     }
 
-    /// Which way capacity goes as the factor grows, as the source found: 1 better, −1 worse.
+    /// Direction in which the capacity changes as the factor increases, as found by the source: 1 better, −1 worse.
     ///
     /// # Source
     /// N. Kim, I. Y. Koo, S.-G. Hong (2018), sec. 4.3.3: fewer storeys, a larger body, a larger slenderness angle, hence a smaller body
@@ -74,10 +74,10 @@ pub struct SixFactors {
 }
 
 impl SixFactors {
-    /// The factors of a made pagoda: of tan α and λ the one that was not given follows from its blocks.
+    /// The factors of a pagoda made from factors: the one of tan α and λ that was not given follows from its blocks.
     ///
     /// # Errors
-    /// [`AssessError::Stack`] for factors that no pagoda has.
+    /// [`AssessError::Stack`] for factors that are impossible for a pagoda.
     pub fn of_pagoda(factors: &PagodaFactors) -> Result<Self, AssessError> {
         let made = pagoda(factors)?;
         Ok(SixFactors {
@@ -105,7 +105,7 @@ impl SixFactors {
     /// Coordinates in which capacity is a smooth surface: ln of each factor, except φ.
     ///
     /// # Errors
-    /// [`AssessError::Factor`] for one that is not positive (φ: negative).
+    /// [`AssessError::Factor`] for a factor that is not positive (for φ: negative).
     pub(super) fn coordinates(&self) -> Result<[f64; 6], AssessError> {
         let mut values = self.values();
         for (factor, value) in Factor::ALL.iter().zip(&mut values) {

@@ -31,7 +31,7 @@ const HELD: f64 = 0.9;
 /// How a surface was chosen: with these it is made again without a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceSettings {
-    /// Along each factor, how far the surface keeps its shape, in standard deviations of the designs.
+    /// Correlation length along each factor, in standard deviations of the designs.
     pub lengths: [f64; 6],
     /// Variance of one design about the surface over that of its curvature.
     pub noise: f64,
@@ -323,7 +323,7 @@ fn tried(z: &[[f64; 6]], y: &[f64], lengths: [f64; 6]) -> Result<CrossValidation
     Ok(best)
 }
 
-/// Mean square of what the mean of the others misses each value by.
+/// Mean square of the difference between each value and the mean of the others.
 pub(super) fn variance_left_out(y: &[f64]) -> f64 {
     let count = y.len() as f64;
     let mean = y.iter().sum::<f64>() / count;

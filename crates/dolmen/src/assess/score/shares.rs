@@ -1,4 +1,4 @@
-//! How much of what pagodas differ by goes to each factor: weights of the score.
+//! Share of each factor in the differences between pagodas: the weights of the score.
 
 use super::factors::Factor;
 use super::model::{TrainedDesign, coordinates};
@@ -33,8 +33,7 @@ pub struct FactorShares {
 /// v(S) = share of the variance of ln θ that a quadratic surface of the factors in S explains of designs left out, 0 at least
 /// ```
 ///
-/// v counts what a factor tells, also about others that go with it: α and λ depend on each other, and each gets its part of what
-/// they tell together.
+/// v includes what a factor tells about correlated factors: α and λ depend on each other, and share their joint effect.
 ///
 /// # Errors
 /// As [`super::ScoreModel::train`].

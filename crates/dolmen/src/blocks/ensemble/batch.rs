@@ -159,7 +159,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         self.load_patches(lane, |_| true);
     }
 
-    /// Empties a lane; its bodies and patches stay without effect.
+    /// Empties a lane; its bodies and patches remain without effect.
     fn leave(&mut self, lane: usize) -> Option<LaneRun<'a>> {
         let lane_run = self.lane_runs[lane].take()?;
         let ground = &lane_run.run.assembly.bodies[0];
@@ -443,7 +443,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         }
     }
 
-    /// Ends the run of a lane: its result is handed on, or it starts again with a shorter step.
+    /// Ends the run of a lane: its result is passed on, or it starts again with a shorter step.
     #[inline(never)]
     fn end(&mut self, lane: usize, queue: &mut Queue<'a, '_>) {
         let counts = self.counts.map(|count| count.get(lane));

@@ -1,4 +1,4 @@
-//! Runs that wait for a lane, and those on their way.
+//! Queue of runs that wait for a lane, and active runs.
 
 use super::super::error::BlocksError;
 use super::super::history::StackHistory;

@@ -27,7 +27,7 @@ const MOSTLY: f64 = 0.5;
 pub(super) struct Family {
     /// Basis, [6n × d], orthonormal in M.
     pub(super) basis: Matrix,
-    /// Stiffness of what no factor multiplies, [d × d].
+    /// Stiffness that no factor multiplies, [d × d].
     others: Matrix,
     /// Stiffness of each factor's springs, [d × d].
     pub(super) groups: Vec<Matrix>,

@@ -13,7 +13,7 @@ pub struct MeasuredStackMode {
     pub mode: MeasuredMode,
 }
 
-/// Deviations taken where none was measured.
+/// Standard deviations assumed for data without one.
 pub(super) struct Assumed {
     /// Standard deviation of a frequency, relative.
     pub(super) frequency_sd: f64,

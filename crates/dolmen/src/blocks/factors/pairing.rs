@@ -103,7 +103,7 @@ pub(super) fn pair(
     Ok(pairing)
 }
 
-/// By its order in the family, unless that holds modes of other motions too and this one is clearly of its own.
+/// By its order in the family, unless the family also has modes of other motions and this mode clearly belongs to one motion.
 fn which(family: &Family, at: &Computed, motion: StackMotion) -> Result<ModeOfFamily, LinalgError> {
     let modes = family.modes(&vec![1.0; family.groups.len()])?;
     let others = [StackMotion::X, StackMotion::Y, StackMotion::Torsion];
@@ -248,7 +248,7 @@ struct Shape {
 }
 
 impl Shape {
-    /// `None` of torsion and of fewer points than two: a shape has a scale of its own.
+    /// `None` for torsion and for fewer than two points: the scale of a shape is free.
     fn of(stack: &Stack, one: &MeasuredStackMode) -> Option<Self> {
         let axis = one.motion.axis()?;
         let points: Vec<ShapePoint> = one.mode.shape.clone();

@@ -222,7 +222,7 @@ impl Search<'_> {
         let far = (bound - from).abs();
         let height = (self.allowed - self.squares).sqrt();
         let linear = sd.map_or(far, |sd| (TWO_SIDED_95 * sd).min(far));
-        // how far out a factor is possible, and is not, each with √(χ² − χ²_least)
+        // outermost possible and innermost impossible value of the factor, each with √(χ² − χ²_least)
         let (mut inside, mut outside) = ([0.0, 0.0], None::<[f64; 2]>);
         let (mut way, mut last) = (linear, best.to_vec());
         for _ in 0..GUESSES {

@@ -53,7 +53,7 @@ pub struct ResultantDrift {
     pub direction_degrees: f64,
 }
 
-/// Largest values of a run, between its steps as well: each is the peak beside the step where the value is largest.
+/// Largest values of a run, including those between steps: each is the peak next to the step with the largest value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildingPeaks {
     /// Floors, lowest first.

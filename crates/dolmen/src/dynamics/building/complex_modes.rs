@@ -1,4 +1,4 @@
-//! Modes of a building with tuned masses, each a first-order equation of its own.
+//! Complex modes of a building with tuned masses; each mode has a separate first-order equation.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|

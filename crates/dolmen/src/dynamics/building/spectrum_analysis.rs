@@ -13,11 +13,11 @@ use crate::dynamics::DynamicsError;
 /// Combination of modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModalCombination {
-    /// Σ |r_n|: never exceeded.
+    /// Σ |r_n|: an upper bound.
     AbsoluteSum,
-    /// √Σ r_n²: for modes far apart.
+    /// √Σ r_n²: for well separated modes.
     Srss,
-    /// √ΣΣ ρ_in r_i r_n, the full equation with unequal damping.
+    /// √ΣΣ ρ_in r_i r_n, the full equation, for unequal damping ratios.
     Cqc,
 }
 
@@ -56,7 +56,7 @@ impl DirectionalCombination {
 /// ```
 ///
 /// # Source
-/// Der Kiureghian (1981) Earthquake Engng Struct. Dyn. 9:419-435; Chopra (2017), eq. 13.7.10. The same whichever of the two comes first.
+/// Der Kiureghian (1981) Earthquake Engng Struct. Dyn. 9:419-435; Chopra (2017), eq. 13.7.10. Symmetric in the two modes.
 ///
 /// # Example
 /// ```
@@ -79,7 +79,7 @@ pub fn correlation_coefficient([omega_i, zeta_i]: [f64; 2], [omega_n, zeta_n]: [
 /// Response in the least favourable direction of shaking.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeastFavourable {
-    /// Largest response, of the row.
+    /// Largest response, in the unit of the row.
     pub largest: f64,
     /// Direction of the stronger component, degrees from x, in (−90, 90].
     pub direction_degrees: f64,
@@ -97,7 +97,7 @@ pub struct SpectralMode {
     pub acceleration_m_s2: [f64; 2],
 }
 
-/// The largest response of every mode, ready to be combined for any quantity.
+/// The largest response of every mode, which can be combined for any quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectralAnalysis {
     /// The modes in the spectrum, lowest first.
@@ -106,18 +106,18 @@ pub struct SpectralAnalysis {
     amplitudes: Vec<[f64; 2]>,
     omegas: Vec<f64>,
     shapes: dolmen_linalg::Matrix,
-    /// ρ_in, computed once.
+    /// Correlation coefficients ρ_in, computed once.
     correlation: dolmen_linalg::Matrix,
 }
 
 /// Reads a spectrum at every mode: `acceleration_m_s2(period_s, damping_ratio)` gives S_a along x and along y.
 ///
 /// # Errors
-/// [`DynamicsError::Argument`] for a building with tuned masses, whose modes differ, or a spectrum that is not a positive number; errors of the
-/// spectrum are passed on.
+/// [`DynamicsError::Argument`] for a building with tuned masses, whose modes differ, or for a spectral value that is not a positive number;
+/// errors of the spectrum are passed on.
 ///
 /// # Limits
-/// Only for the building alone: tuned masses need a time history. All modes are included.
+/// Only for a building without tuned masses, which need a time history. All modes are included.
 ///
 /// # Source
 /// Chopra (2017), chapter 13.
@@ -174,7 +174,7 @@ pub fn spectral_analysis<E: From<DynamicsError>>(
 }
 
 impl SpectralAnalysis {
-    /// Largest response of each mode to shaking along an axis (0 x, 1 y), with its sign, for the quantity that `row` takes from all coordinates.
+    /// Largest response of each mode to shaking along an axis (0 x, 1 y), with its sign, for the quantity that `row` gives from all coordinates.
     pub fn of_modes(&self, row: &[f64], axis: usize) -> Vec<f64> {
         let each = (0..self.omegas.len()).map(|n| {
             let along: f64 = row
@@ -187,19 +187,19 @@ impl SpectralAnalysis {
         each.collect()
     }
 
-    /// The largest response of the quantity that `row` takes from all coordinates.
+    /// The largest response of the quantity that `row` gives from all coordinates.
     pub fn largest(&self, row: &[f64], modal: ModalCombination, directional: DirectionalCombination) -> f64 {
         directional.of(|axis| self.combined(&self.of_modes(row, axis), modal))
     }
 
-    /// The largest response over all directions of shaking, with a weaker component across it: CQC3.
+    /// The largest response over all directions of shaking, with a weaker perpendicular component: CQC3.
     ///
     /// ```text
     /// r² = (r_x² + γ² r_y²) cos² θ + (r_y² + γ² r_x²) sin² θ + 2 (1 − γ²) r_xy sin θ cos θ
     /// r_xy = ΣΣ ρ_in r_ix r_ny
     /// ```
-    /// γ is `minor_ratio`, the spectrum of the weaker component over that of the stronger, in [0, 1]; 1 gives the root of the sum of
-    /// squares, in any direction. The spectrum along x and along y must be the same: that of the stronger component.
+    /// γ is `minor_ratio`, the spectrum of the weaker component over that of the stronger, in [0, 1]; 1 gives the root of the sum of squares for
+    /// any direction. The spectra along x and y must both be that of the stronger component.
     ///
     /// # Errors
     /// [`DynamicsError::Argument`] for a ratio outside [0, 1].

@@ -4,18 +4,18 @@
 //! |:--|:--|:--|
 //! | y(t) | | samples of a channel over its own power |
 //! | a_k, s | `weights`, `spacing` | y(t) = Σ a_k y(t - k s): every sum of decays obeys one such rule in all channels |
-//! | e | `error` | what the rule does not foretell, all channels together |
+//! | e | `error` | prediction error of the rule, all channels together |
 
 use crate::modal::ModalError;
 use crate::numeric::middle;
 use crate::signal::Record;
 use dolmen_linalg::{Matrix, solve};
 
-/// Terms of the rule: twelve modes.
+/// Number of terms of the rule: twelve modes.
 const TERMS: usize = 24;
-/// Share of the record that they reach over.
+/// Fraction of the record that the terms cover.
 const REACH: f64 = 0.1;
-/// Times that the rule is fitted again with less weight for what it does not foretell.
+/// Number of refits of the prediction, each with less weight for samples that it does not predict.
 const ROUNDS: usize = 4;
 /// Factors by which the prediction error must increase, relative to itself and to the motion, and by which the motion
 /// must increase; powers. Chosen here.
@@ -25,10 +25,10 @@ const MOTION_RISES: f64 = 1.5;
 /// Shortest record that is examined.
 const SAMPLES_LEAST: usize = 240;
 
-/// Times, s from the first sample, at which a force sets the structure in motion anew.
+/// Times, s from the first sample, at which a new force excites the structure.
 ///
 /// # Limits
-/// Beats obey the rule and are no blows. A blow that adds less than half to the motion at its time is not seen.
+/// Beats follow the rule and are not blows. A blow that adds less than half to the motion at its time is not detected.
 pub(super) fn blows(record: &Record) -> Result<Vec<f64>, ModalError> {
     let samples = record.length();
     if samples < SAMPLES_LEAST {
@@ -54,7 +54,7 @@ pub(super) fn blows(record: &Record) -> Result<Vec<f64>, ModalError> {
         .collect())
 }
 
-/// Power of what the rule does not foretell at each sample, 0 before the rule reaches.
+/// Power of the prediction error at each sample; 0 before the prediction begins.
 fn foretold(channels: &[Vec<f64>], spacing: usize, first: usize) -> Result<Vec<f64>, ModalError> {
     let samples = channels[0].len();
     let mut error = vec![0.0; samples];
@@ -100,7 +100,7 @@ fn foretold(channels: &[Vec<f64>], spacing: usize, first: usize) -> Result<Vec<f
     Ok(error)
 }
 
-/// Samples at which the error and the motion rise together, the clearest first taken, then in order.
+/// Samples at which error and motion increase together: selected by clarity, returned in order of time.
 fn rises(error: &[f64], motion: &[f64], first: usize) -> Vec<usize> {
     let samples = error.len();
     let (short, long) = ((samples / 40).max(4), (samples / 20).max(8));

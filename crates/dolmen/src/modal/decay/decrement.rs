@@ -1,10 +1,10 @@
-//! Frequency and damping of one mode as its swings grow smaller: the logarithmic decrement, swing by swing.
+//! Frequency and damping of one mode as functions of its amplitude, by the logarithmic decrement of a decay.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | t_k, u_k | `Swing` | time and size of the extremum k | s, unit of the channel |
+//! | t_k, u_k | `Swing` | time and magnitude of extremum k | s, unit of the channel |
 //! | δ | `decay` | slope of ln u over t, ζω | 1/s |
-//! | ω_d | `omega_d` | π times the extrema a second | rad/s |
+//! | ω_d | `omega_d` | π times the number of extrema per second | rad/s |
 
 use crate::modal::ModalError;
 use crate::modal::error::refused;
@@ -14,21 +14,21 @@ use std::f64::consts::PI;
 
 /// Order of one pass of the filter.
 const FILTER_ORDER: usize = 3;
-/// Fewest extrema behind one value: two whole swings.
+/// Fewest extrema for one value: two full cycles.
 const EXTREMA_LEAST: usize = 5;
-/// Swings smaller than this many times the noise are not used; chosen here.
+/// Least ratio of an extremum to the noise. Chosen here.
 const ABOVE_NOISE: f64 = 5.0;
 
 /// Options of [`decrement`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decrement {
-    /// The channel, by index; default 0.
+    /// Index of the channel; default 0.
     pub channel: usize,
     /// Lower and upper corner of a band with this mode only, Hz; `None` (default): the record is not filtered.
     pub band_hz: Option<[f64; 2]>,
-    /// Extrema behind each value; default 8 (ours: four swings).
+    /// Number of extrema for each value; default 8 (our choice: four cycles).
     pub extrema: usize,
-    /// Standard deviation of the noise in the channel; swings below five times it are left out; default 0.
+    /// Standard deviation of the noise in the channel; extrema below five times this are left out; default 0.
     pub noise: f64,
 }
 
@@ -43,11 +43,11 @@ impl Default for Decrement {
     }
 }
 
-/// Frequency and damping at one size of swing.
+/// Frequency and damping at one amplitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct AtAmplitude {
-    /// Middle of the swings, s from the first sample.
+    /// Mean time of the extrema, s from the first sample.
     pub time_s: f64,
     /// Amplitude of the swings: e to the mean of ln u, in the unit of the channel.
     pub amplitude: f64,
@@ -55,14 +55,15 @@ pub struct AtAmplitude {
     pub frequency_hz: f64,
     /// Equivalent damping ratio.
     pub damping_ratio: f64,
-    /// Standard deviation of it, from how the swings scatter about a straight line of ln u, and how few of them are independent in the band.
+    /// Standard deviation of the damping ratio, from the scatter of ln u about a straight line and the number of extrema that are
+    /// independent in the band.
     pub damping_ratio_sd: f64,
-    /// Degrees of freedom of that deviation: swings that are independent in the band, less 2; 1 at least.
+    /// Degrees of freedom of that standard deviation: number of independent extrema minus 2; at least 1.
     pub degrees_of_freedom: f64,
 }
 
 impl AtAmplitude {
-    /// Half width of the 95 % interval of the damping ratio: Student's quantile, since few swings stand behind one value.
+    /// Half width of the 95 % interval of the damping ratio, with Student's quantile, because a value rests on few extrema.
     ///
     /// # Errors
     /// [`ModalError::Numeric`] for degrees of freedom out of range.
@@ -71,22 +72,22 @@ impl AtAmplitude {
     }
 }
 
-/// Frequency and damping of one mode by the size of its swings, largest first.
+/// Frequency and damping of one mode as functions of its amplitude, largest amplitude first.
 ///
 /// ```text
 /// ln u_k = c - δ t_k,   k = ω_d t_k/π + c'                      least squares over so many extrema, half of them new each time
 /// ω = √(ω_d² + δ²),   f = ω/2π,   ζ = δ/ω,   σ_ζ = √(c r²/((n − 2) Σ (t − t̄)²))/ω,   c = 2 f/(width of the band), 1 at least
 /// ```
-/// Extrema are refined by the parabola through three samples. With a band, the swings within its ringing time (3 over its width) of both
-/// ends are left out, since the filter made them.
+/// Extrema are refined by the parabola through three samples. With a band, the extrema within its ringing time (3 over its width) of both
+/// ends are left out, because the filter distorts them.
 ///
 /// # Errors
-/// [`ModalError::Option`]; [`ModalError::FewSwings`] with fewer extrema than one value needs; [`ModalError::Record`] for a band that
-/// cannot be filtered.
+/// [`ModalError::Option`] for an option out of range; [`ModalError::FewSwings`] for fewer extrema than one value needs;
+/// [`ModalError::Record`] for a band that cannot be filtered.
 ///
 /// # Limits
-/// One mode: another one in the band beats with it. The parabola is 0.1 % off in size at 16 samples a swing, 10⁻⁵ at 50. What is found is
-/// the mean over the swings taken: a joint that slips at one size and sticks below is smeared over them.
+/// One mode: another mode in the band causes beats. The error of the parabola in amplitude is 0.1 % at 16 samples per cycle, 10⁻⁵ at 50.
+/// Each value is a mean over its extrema: for a joint that slips above one amplitude and sticks below it, the transition is smoothed.
 ///
 /// # Source
 /// Logarithmic decrement: Rayleigh (1877) *The Theory of Sound*, sec. 45; by extrema of both signs, and in windows.
@@ -153,7 +154,7 @@ struct Swing {
     size: f64,
 }
 
-/// Extrema of alternating sign, the largest between two changes of sign.
+/// Extrema of alternating sign: the largest magnitude between two changes of sign.
 fn extrema(y: &[f64], rate_hz: f64) -> Vec<Swing> {
     let mut found: Vec<Swing> = Vec::new();
     let mut start = 0;
@@ -163,7 +164,7 @@ fn extrema(y: &[f64], rate_hz: f64) -> Vec<Swing> {
             .find(|&i| (y[i] > 0.0) != positive)
             .unwrap_or(y.len());
         let most = (start..end).reduce(|best, i| if y[i].abs() > y[best].abs() { i } else { best });
-        // a part cut by an end of the record may not hold its extremum
+        // a half cycle cut by an end of the record may not contain its extremum
         if let Some(i) = most.filter(|&i| i > 0 && i + 1 < y.len() && start > 0 && end < y.len()) {
             let (a, b, c) = (y[i - 1].abs(), y[i].abs(), y[i + 1].abs());
             let bend = a - 2.0 * b + c;
@@ -178,7 +179,7 @@ fn extrema(y: &[f64], rate_hz: f64) -> Vec<Swing> {
     found
 }
 
-/// Frequency and damping over these extrema.
+/// Frequency and damping from these extrema.
 fn over(swings: &[Swing], width_hz: Option<f64>) -> AtAmplitude {
     let n = swings.len() as f64;
     let mean = |of: &dyn Fn(usize, &Swing) -> f64| -> f64 {
@@ -192,7 +193,7 @@ fn over(swings: &[Swing], width_hz: Option<f64>) -> AtAmplitude {
     let omega_d = PI * mean(&|k, s| (s.time_s - time_s) * (k as f64 - middle)) / square;
     let omega = omega_d.hypot(decay);
     let left = mean(&|_, s| (s.size.ln() - ln_size + decay * (s.time_s - time_s)).powi(2)) * n;
-    // swings of noise in a band repeat themselves for as long as the band is narrow
+    // extrema of noise in a narrow band are correlated
     let alike = width_hz.map_or(1.0, |width_hz| (omega / PI / width_hz).max(1.0));
     let free = (n / alike - 2.0).max(1.0);
     let damping_ratio_sd = (left / n * (n / alike) / free / (n / alike) / square).sqrt() / omega;

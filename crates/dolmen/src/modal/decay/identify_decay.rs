@@ -1,4 +1,4 @@
-//! From the record of a free decay to its modes, and to what follows its amplitude.
+//! From the record of a free decay to its modes, and to their dependence on amplitude.
 
 use super::blows::blows;
 use super::mode_decay::{Decay, ModeDecay};
@@ -10,7 +10,7 @@ use crate::modal::{AtAmplitude, Decrement, Era, FreeDecay, ModalError, Mode, ass
 use crate::numeric::quantile;
 use crate::signal::{ChannelFault, Record, inspect};
 
-/// Samples over lines of the spectrum of a decay.
+/// Number of samples per spectral line of a decay.
 const PARTS: usize = 16;
 /// Number of samples below which a spectrum is not an average.
 pub(crate) const SHORT: usize = 1024;
@@ -54,7 +54,7 @@ pub(crate) fn of_decay(
             mode.damping_ratio_sd = None;
         }
         if group.len() > 1 {
-            // one pole of several dies faster than the mode
+            // a single pole of several decays faster than the mode
             let ratios: Vec<f64> = swings.iter().map(|of| of.damping_ratio).collect();
             mode.damping_ratio = quantile(&ratios, 0.5).ok().or(mode.damping_ratio);
         }
@@ -83,7 +83,7 @@ pub(crate) fn of_decay(
     Ok(analysis)
 }
 
-/// Refuses a decay that a sensor or logger cut: its shape is another.
+/// Refuses a decay that a sensor or logger clipped, because clipping changes its form.
 fn refuse_clipped(record: &Record) -> Result<(), ModalError> {
     let mut last: Option<(usize, String)> = None;
     for fault in inspect(record) {
@@ -106,9 +106,9 @@ fn refuse_clipped(record: &Record) -> Result<(), ModalError> {
     }
 }
 
-/// Peaks of what a decay leaves, Hz; none where it is white.
+/// Peaks of the residual of a decay, Hz; none if it is white.
 fn peaks_of_rest(record: &Record, found: &FreeDecay) -> Result<Vec<f64>, ModalError> {
-    const ROUNDING: f64 = 1e-6; // of the power: what an exact decay leaves has peaks of no meaning
+    const ROUNDING: f64 = 1e-6; // of the power: peaks in the residual of an exact decay are only rounding
     if 1.0 - found.explained < ROUNDING {
         return Ok(Vec::new());
     }
@@ -121,9 +121,9 @@ fn peaks_of_rest(record: &Record, found: &FreeDecay) -> Result<Vec<f64>, ModalEr
     Ok(peaks.modes.modes.iter().map(|m| m.frequency_hz).collect())
 }
 
-/// Poles of one shape whose half-power bands meet, together: a joint that works makes one mode look like several.
+/// Groups poles with the same shape and overlapping half-power bands: a joint that opens or slips makes one mode look like several.
 fn of_one_mode(found: &FreeDecay) -> Vec<Vec<usize>> {
-    const ALIKE: f64 = 0.95; // shapes of distinct modes are rarely so near; of one channel always
+    const ALIKE: f64 = 0.95; // MAC of shapes; distinct modes are rarely so similar, but with one channel always
     let modes = &found.modes.modes;
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (i, mode) in modes.iter().enumerate() {
@@ -165,8 +165,8 @@ fn strongest(found: &FreeDecay, group: &[usize]) -> Mode {
 }
 
 fn swings(record: &Record, modes: &[Mode], k: usize, noise: &[f64]) -> Option<Vec<AtAmplitude>> {
-    const WIDEST: f64 = 0.3; // of the frequency, either way; chosen here
-    const FREE: f64 = 0.6; // of the way to the next mode; chosen here
+    const WIDEST: f64 = 0.3; // fraction of the frequency on either side; chosen here
+    const FREE: f64 = 0.6; // fraction of the distance to the next mode; chosen here
     let f = modes[k].frequency_hz;
     let others = modes.iter().enumerate().filter(|(i, _)| *i != k);
     let apart_hz = others
@@ -184,14 +184,15 @@ fn swings(record: &Record, modes: &[Mode], k: usize, noise: &[f64]) -> Option<Ve
     decrement(record, &options).ok()
 }
 
-/// Whether the damping of the largest swings and of some later ones differ beyond chance, and by more than a fifth.
+/// Whether damping depends on amplitude: the damping ratio of the largest swings differs from that of later ones significantly and by
+/// more than a fifth.
 fn follows(swings: &[AtAmplitude]) -> bool {
-    const DEVIATIONS: f64 = 4.0; // chosen here: some ten windows are compared, and their deviations come from few swings
+    const DEVIATIONS: f64 = 4.0; // chosen here: about ten windows are compared, and their standard deviations come from few swings
     const PART: f64 = 0.2;
     let Some((first, later)) = swings.split_first() else {
         return false;
     };
-    // the second window has half of its swings in common with the first
+    // the second window shares half of its swings with the first
     later.iter().skip(1).any(|at| {
         let apart = (at.damping_ratio - first.damping_ratio).abs();
         apart > DEVIATIONS * at.damping_ratio_sd.hypot(first.damping_ratio_sd)
@@ -199,7 +200,7 @@ fn follows(swings: &[AtAmplitude]) -> bool {
     })
 }
 
-/// Whether swings that several poles make grow on the way: then they are modes that beat, not one whose frequency follows its swings.
+/// Whether swings from several poles grow with time: then the poles are modes that beat, not one mode that depends on amplitude.
 fn beats(poles: usize, swings: &[AtAmplitude]) -> bool {
     poles > 1 && swings.iter().any(|at| at.damping_ratio < 0.0)
 }
@@ -220,7 +221,7 @@ mod tests {
 
     #[test]
     fn holds_a_decay_is_identified_with_its_swings() {
-        // a mode whose frequency falls by 10 % in its largest swings: phase 4π (t - 0.5 (1 - e^(-0.2 t)))
+        // a mode whose frequency is 10 % lower in its largest swings: phase 4π (t - 0.5 (1 - e^(-0.2 t)))
         let y = |i: usize| {
             let t = 0.01 * i as f64;
             let u = (-0.2 * t).exp();
@@ -308,10 +309,10 @@ mod tests {
                 degrees_of_freedom: 3.0,
             })
         };
-        // √2 × 4 deviations of .1 % are .57 %
+        // √2 × 4 standard deviations of 0.1 % are 0.57 %
         assert!(follows(&all([0.010, 0.013, 0.016], 1e-3)));
         assert!(!follows(&all([0.010, 0.013, 0.0155], 1e-3)));
-        // surely another, but by no fifth; the second window alone has half of its swings in common
+        // a significant difference, but below a fifth; the second window shares half of its swings
         assert!(!follows(&all([0.010, 0.0105, 0.0119], 1e-5)));
         assert!(follows(&all([0.010, 0.0105, 0.0121], 1e-5)));
         assert!(!follows(&all([0.010, 0.030, 0.010], 1e-5)));

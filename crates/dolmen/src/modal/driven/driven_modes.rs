@@ -25,7 +25,7 @@ pub struct DrivenMode {
     /// Share of the motion at that frequency that follows the inputs, 0 to 1: multiple coherence of the channel that moves most. `None` where the
     /// record has too few segments to tell.
     pub explained: Option<f64>,
-    /// Frequency, Hz, and its standard deviation of the mode of like shape that the record has without regard to the inputs: structure and ground
-    /// together. `None` where none is alike.
+    /// Frequency, Hz, and standard deviation of the mode with a similar shape from the record without inputs: structure and ground together.
+    /// `None` if there is no similar mode.
     pub with_base_hz: Option<(f64, Option<f64>)>,
 }

@@ -47,8 +47,8 @@ pub(super) fn coefficients_of(outputs: usize, inputs: usize, lags: usize) -> usi
 /// ```text
 /// Θ = (Σ_t z_t z_tᵀ + ν² diag)⁻¹ Σ_t z_t y_tᵀ;   dΘ_b = (…)⁻¹ (Σ_{t in b} z_t e_tᵀ - their mean over the blocks)
 /// ```
-/// The forces that nobody measures are white in what they add to e, so the scores of blocks of time are independent however short: what
-/// they move the coefficients by holds in a record whose strength changes, as in an earthquake (White 1980).
+/// The contribution of unmeasured forces to e is white, so the scores of blocks of time are independent, however short. The resulting
+/// changes of the coefficients are therefore valid for a record of varying strength, such as an earthquake (White 1980).
 ///
 /// # Errors
 /// [`ModalError::Linalg`].

@@ -1,4 +1,4 @@
-//! Poles of all orders from the answers of an observer (eigensystem realization), and how far they scatter.
+//! Poles of all orders from the Markov parameters of an observer (eigensystem realization), with their standard deviations.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|

@@ -105,7 +105,7 @@ impl<'a> InputsAt<'a> {
         })
     }
 
-    /// H₁ of a channel, an input each, and its multiple coherence.
+    /// H₁ of a channel, one value per input, and its multiple coherence.
     pub(super) fn followed_by(&self, spectra: &CrossSpectra, output: usize) -> (Vec<Complex64>, f64) {
         let n = self.inputs.len();
         let across: Vec<Complex64> = self

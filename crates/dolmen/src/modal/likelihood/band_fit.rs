@@ -34,7 +34,7 @@ pub(super) struct BandFit {
 
 /// Steps of the search; ten are the rule.
 const STEPS_MOST: usize = 80;
-/// No step goes up that is so short: the top lies beyond what is possible.
+/// Damping at which no step increases the likelihood: its maximum is outside the possible values.
 const DAMP_MOST: f64 = 1e9;
 /// The search ends where the step promises less than this of the log-likelihood: a hundredth of a deviation.
 const PROMISE_LEAST: f64 = 1e-4;
@@ -106,7 +106,7 @@ fn inverse(a: &Matrix) -> Option<Matrix> {
 }
 
 impl BandFit {
-    /// How far what was recorded is from what is expected, in standard deviations of that: of a true model 0 ± 1, more of one that lacks something.
+    /// Deviation of the recorded from the expected power, in its standard deviations: 0 ± 1 for a true model, more for an incomplete one.
     ///
     /// ```text
     /// t = Σ (Σ n tr S⁻¹ zz* - n r)² / (n r)     over parts of the band of `PART` lines or more, as many as its degrees of freedom; (t - ν)/√2ν

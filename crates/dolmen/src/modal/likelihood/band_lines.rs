@@ -43,7 +43,7 @@ const COHERENCE_MOST: f64 = 0.95;
 /// Ratio of the smallest standard deviation, by the information, to its lower bound at which a mode of the band cannot be separated from the rest.
 const FLOORS_MOST: f64 = 3.5;
 
-/// A mode's new numbers, each with what every block of time changes.
+/// New values of a mode, each with the change due to every block of time.
 pub(super) struct Fitted {
     pub(super) oscillator: Oscillator,
     frequency_changes_hz: Vec<f64>,

@@ -11,7 +11,7 @@ use crate::signal::Record;
 use dolmen_linalg::Complex64;
 use std::f64::consts::{PI, TAU};
 
-/// Parts of the record, each with a phase of its own.
+/// Number of parts of the record, each with its own phase.
 const PARTS: usize = 12;
 /// Cycles of a Hann segment: narrow enough to part modes a tenth apart.
 const CYCLES: f64 = 24.0;
@@ -37,7 +37,7 @@ struct Drift {
 }
 
 impl Drift {
-    /// Whether two clocks are not one; `turn_ppm` turns the phase by what counts.
+    /// Whether two clocks differ; `turn_ppm` is the clock error that changes the phase significantly.
     fn differs(&self, other: &Drift, turn_ppm: f64) -> bool {
         let apart = (self.ppm - other.ppm).abs();
         apart > turn_ppm && apart > DEVIATIONS * self.sd.hypot(other.sd)

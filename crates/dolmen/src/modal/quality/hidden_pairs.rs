@@ -9,7 +9,7 @@ const SECOND_LEAST: f64 = 0.1;
 /// the first. Chosen here.
 const NEAR_TOP: f64 = 0.35;
 
-/// Names the modes that may be two: those near which the second singular value has a peak of its own under that of the first.
+/// Adds a note on modes that may be two: near them the second singular value has its own peak below that of the first.
 pub(crate) fn note_hidden_pairs(
     modes: &Modes,
     spectrum: &SingularSpectrum,

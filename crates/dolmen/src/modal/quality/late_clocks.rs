@@ -66,7 +66,7 @@ pub(crate) fn leave_out_late_clocks(modes: &mut Modes, peaks: &Modes, notes: &mu
         let (agree, off): (Vec<usize>, Vec<usize>) = station.iter().partition(|c| agreeing.contains(c));
         let together = match agree.is_empty() {
             true => vec![off],
-            // the clock is right: what is late is a channel of its own
+            // the clock is right: only a single channel is late
             false => off.iter().map(|&c| vec![c]).collect(),
         };
         for channels in together {
@@ -132,7 +132,7 @@ fn seen(modes: &Modes, peaks: &Modes) -> Vec<Mode> {
     seen
 }
 
-/// The most channels of one phase, within what is known of it.
+/// The largest set of channels with equal phase, within its uncertainty.
 fn agreeing(seen: &[Mode], l: usize) -> Vec<usize> {
     let alike = |a: usize, b: usize| {
         let of = |mode: &&Mode| has_phase(mode, a) && has_phase(mode, b);

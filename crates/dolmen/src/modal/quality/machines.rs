@@ -175,8 +175,7 @@ fn is_steady_at(record: &Record, peak: &Mode, damped: [f64; 2]) -> Result<bool, 
     Ok(kurtosis(record, peak, follows_itself(damped))?.is_some_and(|k| k.harmonic()))
 }
 
-/// The damping ratio that says for how long the motion of a mode follows itself: half of what was found, where that is not below the least.
-/// Chosen here.
+/// Damping ratio for the correlation time of the motion of a mode: half of the found value, but at least the least damping ratio. Chosen here.
 fn follows_itself([least, found]: [f64; 2]) -> f64 {
     (0.5 * found).min(USUAL_LEAST).max(least)
 }
@@ -269,8 +268,8 @@ pub(crate) fn of_steady(mode: &Mode) -> Refusal {
     }
 }
 
-/// Leaves out what is damped so little as only machines and the lightest structures are, and has the steadiness of a machine rather than the
-/// randomness of a mode, however few strengths tell: unless the user admits such modes. Chosen here: the tone of Palisaden at 20.5 Hz has 1.57.
+/// Leaves out modes with as little damping as machines and the lightest structures, if their amplitude is steady as for a machine, even with few
+/// independent amplitudes; unless the user allows such modes. Chosen here: the tone of Palisaden at 20.5 Hz has 1.57.
 fn leave_out_steady_light(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) {
     const KURTOSIS_LEAST: f64 = 2.0;
     if options.criteria.damping_ratio_least.is_some() {

@@ -16,8 +16,8 @@ use std::ops::RangeInclusive;
 
 /// Lines examined on each side, outside the main lobe.
 const BESIDE: RangeInclusive<usize> = 4..=12;
-/// A mode stands out of what is beside it at least so far. Chosen on the development seeds of `unkind_modes`: of 271 modes the least has 2.7, of
-/// 38 lines that footsteps left 36 have less than 1.7.
+/// Least ratio of a mode to its surroundings. Chosen on the development seeds of `unkind_modes`: of 271 modes the lowest has 2.7; of 38 lines
+/// from footsteps 36 have less than 1.7.
 const STANDS_OUT: f64 = 2.0;
 
 /// Leaves out the modes that are there in spells alone, and says so: footsteps and other blows that follow each other make lines of their own,
@@ -35,7 +35,7 @@ pub(crate) fn leave_out_spells(record: &Record, modes: &mut Modes, notes: &mut V
     note_spells(left, notes);
 }
 
-/// Names what is there in spells alone, all in one note, by frequency.
+/// Adds one note with all modes that are visible only in some periods, by frequency.
 pub(super) fn note_spells(found: Vec<InSpells>, notes: &mut Vec<Note>) {
     if found.is_empty() {
         return;
@@ -176,7 +176,7 @@ fn along(record: &Record, mode: &Mode) -> Vec<f64> {
     along
 }
 
-/// abs(Σ x_t e^(−2πiνt))² by Goertzel's recurrence, ν in cycles a sample, of several lines side by side: each waits for its last sample.
+/// abs(Σ x_t e^(−2πiνt))² by Goertzel's recurrence, ν in cycles per sample, for several lines side by side.
 fn powers_at(x: &[f64], offsets: &[f64], cycles_a_sample: impl Fn(f64) -> f64) -> Vec<f64> {
     const LANES: usize = 24; // three registers of the widest kind: the lines about one mode
     let mut powers = Vec::with_capacity(offsets.len());

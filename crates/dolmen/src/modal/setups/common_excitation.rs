@@ -1,4 +1,4 @@
-//! Correlations of several setups brought to one shaking and stacked, with what each block of time changes in them.
+//! Correlations of several setups, transformed to a common excitation and stacked, with the change due to each block of time.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
@@ -207,7 +207,7 @@ pub(super) fn stacked(
         seen.push(of_setup);
         transposed.push(z);
     }
-    // U Z_1 is what of the first setup's references the basis spans: every setup has a say in what they see
+    // U Z_1 is the projection of the first setup's references on the basis: all setups contribute to the basis
     let parts = of_product(&all, &transposed[0])?;
     let stacked = Stacked {
         setups,

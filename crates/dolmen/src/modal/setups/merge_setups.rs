@@ -69,8 +69,8 @@ const ONE_FREQUENCY: f64 = 0.02;
 /// [`ModalError::Setups`] with fewer than two setups; [`ModalError::NoReference`] for a setup that shares no sensor with those before it.
 ///
 /// # Limits
-/// A reference near a node of a mode scales it badly: the deviation of the shape holds that, and `reference_assurance` shows it. With one
-/// reference there is no such check.
+/// A reference near a node of a mode scales it badly: the standard deviation of the shape includes this, and `reference_assurance` shows
+/// it. With one reference there is no such check.
 ///
 /// # Source
 /// Reynders, Magalhães, De Roeck & Cunha (2009) Proc. IMAC XXVII; Döhler, Andersen & Mevel (2010) Proc. IMAC XXVIII, the strategy called

@@ -28,8 +28,8 @@ pub struct MergedMode {
     pub frequency: Agreement,
     /// Whether they agree on the damping ratio; `None` where one has none.
     pub damping: Option<Agreement>,
-    /// Degrees of freedom of the deviations where they come from how far the setups differ: one less than setups. `None` where they come from
-    /// the deviations of each setup, and have theirs.
+    /// Degrees of freedom of the standard deviations if they come from the differences between setups: number of setups minus one. `None` if
+    /// they come from those of each setup.
     pub degrees_of_freedom: Option<f64>,
     /// Whether another pairing was nearly as good in any setup.
     pub doubtful: bool,

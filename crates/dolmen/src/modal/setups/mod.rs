@@ -1,4 +1,4 @@
-//! Several setups of one survey: which sensors and modes are one, and what they show together.
+//! Several setups of one survey: pairing of their sensors and modes, and the merged result.
 
 mod agreement;
 mod common_excitation;

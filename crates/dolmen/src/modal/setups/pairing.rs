@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | d | `apart` | how far apart two frequencies are, over the most that is allowed |
+//! | d | `apart` | difference of two frequencies, over the largest allowed one |
 //! | c | `cost` | d + 1 - MAC, or d alone where shapes cannot be compared |
 
 use crate::modal::error::refused;
@@ -14,7 +14,7 @@ use dolmen_linalg::Complex64;
 
 /// A pair costs as much as two modes without a partner: dearer ones are not made.
 const UNPAIRED: f64 = 1.0;
-/// Cost of what must not be paired: more than any sum of others.
+/// Cost of a forbidden pair: more than any sum of other costs.
 const FORBIDDEN: f64 = 1e6;
 /// Cost of a mode without a partner if the number of pairs is to be as large as possible.
 const UNPAIRED_AT_ALL: f64 = 1e3;
@@ -30,8 +30,8 @@ const PLACES_LEAST: usize = 2;
 pub struct Pairing {
     /// Largest relative difference of the frequencies of a pair; default 0.15 (ours).
     pub frequency_within: f64,
-    /// Least assurance of the shapes of a pair, where at least two places are the same; default 0.4 (ours: two modes as near as their
-    /// bandwidths turn in the plane of their shapes, and chance alone gives less at four sensors or more).
+    /// Least MAC of the shapes of a pair with at least two common places; default 0.4 (our choice: two close modes rotate in the plane of their
+    /// shapes, and unrelated shapes have less with four sensors or more).
     pub assurance_least: f64,
     /// How far apart two sensors may stand that are taken for one, m; default 0.1 (ours).
     pub place_within_m: f64,
@@ -81,7 +81,7 @@ pub struct ObservedMode {
     /// Degrees of freedom of the standard deviations; infinite where they are taken as known.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub degrees_of_freedom: f64,
-    /// The direction that it is known to move in, or "torsion": modes of two different ones are never a pair. `None`: not known.
+    /// Known direction of the motion, or "torsion": modes of two different directions are never a pair. `None`: unknown.
     pub direction: Option<String>,
     /// Whether the user insists on it though a test refused it.
     pub accepted: bool,
@@ -164,13 +164,14 @@ pub struct PairedModes {
     pub only_first: Vec<usize>,
     /// Modes of the second list without a partner.
     pub only_second: Vec<usize>,
-    /// Modes of the first list without a partner, each with what it may be in the second if it moved further than pairs may lie apart.
+    /// Modes of the first list without a partner, each with a possible counterpart in the second list that moved further than allowed for a
+    /// pair.
     pub moved_further: Vec<MovedFurther>,
     /// The pairing with the most pairs, where it has more of them than this one: indices in both lists. Else empty.
     pub most_pairs: Vec<[usize; 2]>,
 }
 
-/// A mode of the first list without a partner, and what it may be in the second.
+/// A mode of the first list without a partner, and its possible counterpart in the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MovedFurther {
     /// Index in the first list.

@@ -13,7 +13,7 @@ use dolmen_linalg::Complex64;
 
 /// Deviation of a component beside that stated, of the largest of its mode: weather and modes that lie close. Chosen here.
 const BESIDE: f64 = 0.03;
-/// Deviation where none is stated. Chosen here.
+/// Standard deviation assumed if none is stated. Chosen here.
 const NOT_STATED: f64 = 0.05;
 /// Least change of a factor that a note names, beside four of its deviations. Chosen here: well above what sensors of one kind differ by.
 const CHANGE_LEAST: f64 = 0.15;

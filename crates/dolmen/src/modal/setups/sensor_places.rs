@@ -33,7 +33,7 @@ impl SensorPlaces {
         (0..self.seen.len()).filter(|&c| self.seen[c] >= setups).collect()
     }
 
-    /// A place for each channel of a setup, new ones at the end.
+    /// The place of each channel of a setup; new places are added at the end.
     pub(super) fn channel_places(
         &mut self,
         channels: &[Channel],

@@ -131,7 +131,7 @@ impl Fit {
     }
 }
 
-/// Symmetric W with W² the inverse of a semidefinite matrix, on what is not rounding.
+/// Symmetric W with W² the inverse of a semidefinite matrix, without the eigenvalues that are rounding.
 fn inverse_root(a: &Matrix) -> Result<Matrix, LinalgError> {
     let e = symmetric_eigen(a)?;
     let n = a.rows();
@@ -143,7 +143,7 @@ fn inverse_root(a: &Matrix) -> Result<Matrix, LinalgError> {
     Ok(half.transpose_times(&half))
 }
 
-/// Solution of a semidefinite system; the shortest where several are as good.
+/// Solution of a semidefinite system; the shortest one if there are several.
 fn solve_semidefinite(a: &Matrix, b: Matrix) -> Result<Matrix, LinalgError> {
     if let Ok(lower) = cholesky(a) {
         let diagonal = (0..a.rows()).map(|i| lower[(i, i)].powi(2) / a[(i, i)]);

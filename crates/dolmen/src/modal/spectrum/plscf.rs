@@ -16,7 +16,7 @@ use crate::modal::subspace::Pole;
 use crate::modal::{Method, ModalError};
 use crate::signal::Record;
 
-/// Poles of every degree, with what they came from.
+/// Poles of every degree, with the data for their standard deviations.
 #[derive(Clone, Debug)]
 pub struct MatrixFraction {
     /// All poles that swing and whose windowed correlation dies away, by order, then by frequency.

@@ -22,7 +22,7 @@ const STILL_WINDOWS: usize = 4;
 /// Score below which the motion has ended, and windows in a row for that.
 const ENDED: f64 = 2.0;
 const ENDED_WINDOWS: usize = 10;
-/// Root mean square of what a digitiser rounds over its step, 1/√12: a channel whose noise lies below is no stiller than that.
+/// RMS of rounding by a digitiser over its step, 1/√12: the noise of a channel is never below this.
 const OF_STEP: f64 = 0.289;
 /// Windows that a record must have.
 const WINDOWS_LEAST: usize = 20;

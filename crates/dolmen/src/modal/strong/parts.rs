@@ -140,7 +140,8 @@ pub(super) fn during(
     found.map_or(During::Unknown, During::Tracked)
 }
 
-/// Modes above the channels marked as inputs while an earthquake is strong, else as long as it lasts; `None` without inputs, and where none are found.
+/// Modes from the channels marked as inputs during the strong phase of an earthquake, or else during the whole motion; `None` without inputs, or if
+/// none are found.
 ///
 /// The strong phase comes first: what follows it moves a structure that stiffens again, and would show each mode a second time.
 fn driven_in(

@@ -31,7 +31,7 @@ pub struct StrongMotion {
     pub events: Vec<StrongEvent>,
     /// The structure before the first, between each two, and after the last; none of these parts holds an earthquake.
     pub quiet: Vec<Part>,
-    /// Which two of these parts are compared for what lasts in all: the first that gives modes and the last.
+    /// Indices of the two parts compared for the total lasting change: the first part with modes and the last.
     pub compared: Option<[usize; 2]>,
     /// Each mode found in both of them, by frequency.
     pub changes: Vec<LastingChange>,

@@ -19,8 +19,8 @@ const PERIODS: f64 = 12.0;
 const BAND: [f64; 2] = [0.45, 1.15];
 /// Level over that before the arrival from which a window counts.
 const OVER_NOISE: f64 = 4.0;
-/// Standard deviation of the frequency of a window over 1/W: what a shaking of its own colour does to one peak. From made earthquakes, whose
-/// stiffness is known: see the test.
+/// Standard deviation of the frequency of a window, over 1/W: the effect of a non-white excitation on a peak. From simulated earthquakes
+/// with known stiffness: see the test.
 const RESOLUTION: f64 = 0.45;
 /// Steps of the search for a peak in 1/W.
 const STEPS: f64 = 8.0;

@@ -1,8 +1,8 @@
-//! Automatic choice of modes: poles that agree across model orders, one an order, each group shown by its medoid.
+//! Automatic selection of modes: clusters of poles that agree across model orders, one pole per order, each represented by its medoid.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | d | `distance` | how far apart two poles are |
+//! | d | `distance` | distance between two poles |
 //! | μ/2π | `root_hz` | continuous-time eigenvalue over 2π, Hz |
 
 use super::ssi::{Pole, Subspace};
@@ -215,8 +215,8 @@ fn blends(cluster: &Cluster, all: &[Cluster], order_most: usize) -> bool {
         && zeta(cluster) - DEVIATIONS * sd > ABOVE * others[others.len() / 2]
 }
 
-/// Whether `cluster` is what two modes look like, one on each side, at the orders below those that tell them apart: it ends before one of
-/// them begins, that one lies within their half-power bands, and its shape lies in the plane of both.
+/// Whether `cluster` is the low-order appearance of two modes, one on each side: it ends before one of them begins, it is within their
+/// half-power bands, and its shape is in the plane of both.
 fn lumps(cluster: &Cluster, all: &[Cluster]) -> bool {
     const AROUND: f64 = 0.3; // relative: what low orders lump lies so near
     const IN_PLANE: f64 = 0.98; // of its square
@@ -284,7 +284,7 @@ struct Neighbour {
     distance: f64,
 }
 
-/// Groups of indices of poles that agree, one an order by ascending order; those with most orders first.
+/// Groups of indices of poles that agree, one per order in ascending order; groups with the most orders first.
 fn group(poles: &[&JudgedPole], options: &Clustering) -> Vec<Vec<usize>> {
     let near: Vec<Vec<Neighbour>> = poles
         .iter()

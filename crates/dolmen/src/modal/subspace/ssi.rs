@@ -35,7 +35,7 @@ pub struct Pole {
     pub frequency_hz: f64,
     /// Damping ratio; negative if the pole grows.
     pub damping_ratio: f64,
-    /// One component a channel; the largest is 1 + 0i.
+    /// One component per channel; the largest is 1 + 0i.
     pub shape: Vec<Complex64>,
     /// Modal phase collinearity, 0 to 1.
     pub phase_collinearity: f64,

@@ -33,7 +33,7 @@ pub struct PoleDeviation {
     pub shape_sd: Vec<f64>,
 }
 
-/// Who knows how far the poles of one analysis scatter.
+/// Source of the standard deviations of the poles of one analysis.
 pub(crate) trait Deviations {
     /// Standard deviation of the frequency of a pole, Hz.
     fn frequency_sd_hz(&mut self, pole: &Pole) -> Result<f64, ModalError>;
@@ -80,7 +80,7 @@ pub struct Propagation<'a> {
     orders: Vec<Option<OrderSensitivity>>,
 }
 
-/// One order, and how far each block of time moves its eigenvalues.
+/// One order, and the change of its eigenvalues by each block of time.
 struct OrderSensitivity {
     order: Order,
     /// dλ of the eigenvalues of the upper half plane, 0 of the others: eigenvalues in rows, blocks in columns.

@@ -45,7 +45,7 @@ mod tests {
         // P |φ|²/n
         let alone = signal_over_rest(&[mode([3.0, 4.0])], 0, &[2.0], &[0.5, 0.5]).unwrap();
         assert!((alone - 2.0 * 25.0 / 0.5).abs() < 1e-9);
-        // of one shape, the other is noise of its own strength; at right angles it is nothing
+        // with equal shapes the other mode counts as noise with its power; with orthogonal shapes it does not count
         let like = [mode([1.0, 0.0]), mode([1.0, 0.0])];
         let of = signal_over_rest(&like, 0, &[6.0, 2.0], &[1.0, 1.0]).unwrap();
         assert!((of - 6.0 / 3.0).abs() < 1e-9);

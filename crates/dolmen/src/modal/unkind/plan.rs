@@ -50,7 +50,7 @@ pub struct UnkindPlan {
     pub walkers: (usize, f64),
     /// Tones.
     pub tones: Vec<UnkindTone>,
-    /// White sensor noise over the motion of the channel, one a channel.
+    /// White sensor noise relative to the motion of the channel, one value per channel.
     pub noise: Vec<f64>,
     /// Share of the noise that is of low frequency.
     pub noise_colour: f64,

@@ -4,7 +4,7 @@ use super::Cut;
 use crate::structure::stack::{Body, Polygon, Stack};
 use glam::DVec3;
 
-/// The contact of a cut in a plane of its own.
+/// The contact of a cut, in the axes of its plane.
 pub(super) struct Contact {
     pub(super) origin: DVec3,
     pub(super) axes: [DVec3; 3],

@@ -3,8 +3,8 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | x | `x` | horizontal acceleration of inertia forces (F = m x) | m/s² |
-//! | l | `lever` | what the limit loses per acceleration | N m or N per m/s² |
-//! | s | `reserve` | what it has without horizontal acceleration | N m or N |
+//! | l | `lever` | reduction of the reserve per unit of acceleration | N m or N per m/s² |
+//! | s | `reserve` | reserve without horizontal acceleration | N m or N |
 
 use super::Threshold;
 

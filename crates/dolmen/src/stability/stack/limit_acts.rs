@@ -85,7 +85,7 @@ pub(super) fn acts(problem: &LimitProblem<'_>, holding: Holding) -> Vec<Possible
     acts
 }
 
-/// A horizontal direction in the plane of a joint, a unit vector; `None` if the joint stands across it.
+/// A horizontal direction projected on the plane of a joint, as a unit vector; `None` if the joint is perpendicular to it.
 fn in_plane(joint: &Joint, way: [f64; 2]) -> Option<[f64; 2]> {
     let way = DVec3::new(way[0], way[1], 0.0);
     let [x, y, _] = joint.axes.map(|axis| DVec3::from(axis).dot(way));

@@ -304,7 +304,7 @@ mod tests {
         ];
         let stack = Stack::new(blocks, JointMaterial::with_friction(2.0), 9.81).unwrap();
         let result = limit_analysis(&stack, &LimitAnalysis::default()).unwrap();
-        // pedestal 6, stone 6, pillars and beam 18; four corners of three forces a joint, bound and acceleration three times
+        // pedestal 6, stone 6, pillars and beam 18; four corners with three forces per joint; bound and acceleration three times
         assert_eq!((result.equations, result.variables), (30, 6 * 4 * 3 + 3 * 3));
         assert!((limit(&stack, &LimitAnalysis::default()) - 0.2).abs() < 1e-9);
     }

@@ -137,7 +137,8 @@ mod tests {
     use crate::numeric::Random;
     use std::f64::consts::TAU;
 
-    /// Whether a force lies within the capacity by pressures of 0 to f: towards every side no farther out than a strip of its own size.
+    /// Whether a force is within the capacity of pressures from 0 to f: towards every side it must not be farther out than the strip for its
+    /// size.
     fn is_borne(patch: &Polygon, strength_pa: f64, force_n: f64, at_m: [f64; 2]) -> bool {
         (0..720).all(|k| {
             let angle = TAU * f64::from(k) / 720.0;

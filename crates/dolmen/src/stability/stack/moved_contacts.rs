@@ -187,7 +187,7 @@ impl Faces {
     /// The contact with its bodies at their present places; `None` without overlap.
     ///
     /// ```text
-    /// both faces seen along their mean normal n; corners of what they cover together; g = distance of both planes along n there
+    /// both faces projected along their mean normal n; corners of their common area; g = distance of both planes along n at each corner
     /// ```
     pub(super) fn contact(&self, below: &BlockPose, above: &BlockPose) -> Option<Contact> {
         let [first, _, normal] = self.axes;

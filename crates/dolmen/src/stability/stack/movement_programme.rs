@@ -1,8 +1,8 @@
-//! One step of a stack on moving supports: the motion that lowers the weight most without penetration.
+//! One step of a stack on moving supports: the motion without penetration that lowers the weight most.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | d, θ | `Motion` | displacement of a centroid, rotation vector of a block in this step | m, rad |
+//! | d, θ | `Motion` | displacement of the centroid and rotation vector of a block in this step | m, rad |
 //! | u | `ground` | displacement of the ground under a block in this step | m |
 //! | s | `scale` | largest |u| of this step | m |
 //! | L, W | `length`, `weight` | height, weight of the stack | m, N |
@@ -15,9 +15,9 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use glam::DVec3;
 
-/// Largest error of balance and cones, over the weight. Chosen here, as in the limit analysis.
+/// Largest error of the force balance and cones, over the weight. Chosen here, as in the limit analysis.
 const MISSED_MOST: f64 = 1e-6;
-/// Coefficients (of order 1) below this are rounding. Chosen here.
+/// Coefficients (of order 1) below this are rounding errors. Chosen here.
 const ROUNDING: f64 = 1e-13;
 
 /// Constant loads on a block: force at its centroid and moment about it.
@@ -38,9 +38,9 @@ pub(super) struct Motion {
 #[derive(Clone, Debug)]
 pub(super) struct Step {
     pub(super) motions: Vec<Motion>,
-    /// Force of the ground on each block, N; zero for blocks that do not stand on it.
+    /// Force of the ground on each block, N; zero for blocks that are not on the ground.
     pub(super) reactions: Vec<DVec3>,
-    /// Error of balance and cones, over the weight.
+    /// Error of the force balance and cones, over the weight.
     pub(super) missed: f64,
 }
 
@@ -55,7 +55,7 @@ pub(super) struct Stage<'a> {
     pub(super) weight: f64,
 }
 
-/// The motion of one step; `None` if no forces balance the weight: it falls.
+/// The motion of one step; `None` if no forces can balance the weight, so that the stack falls.
 ///
 /// ```text
 /// minimise   −Σ (F·d + M·θ)   over d, θ of every block
@@ -63,11 +63,12 @@ pub(super) struct Stage<'a> {
 /// its dual   maximise what the ground's forces do on its movement, less Σ f₀ g, over forces f in Coulomb's cones that balance the weight
 /// ```
 ///
-/// Spreading supports thus carry the smallest thrust, closing ones the largest. Open corners (g > 0) carry nothing unless they close.
+/// So with spreading supports the thrust is the smallest possible, with closing supports the largest. Open corners (g > 0) carry no force
+/// unless they close.
 ///
 /// # Source
-/// Portioli & Cascini (2017) for rigid blocks on settling supports. Differs from the source: Coulomb's cone exactly, in three dimensions;
-/// because the gap opened by an associated slip may close again in the next step, slips do not lift stones.
+/// Portioli & Cascini (2017) for rigid blocks on settling supports. Differs from the source: Coulomb's cone is exact, in three
+/// dimensions. An associated slip opens a gap, but the gap may close again in the next step, so slips do not lift stones.
 pub(super) fn step(stage: &Stage<'_>) -> Result<Option<Step>, StabilityError> {
     let blocks = stage.moved.len();
     let scale = stage.ground.iter().map(|u| u.length()).fold(0.0, f64::max);

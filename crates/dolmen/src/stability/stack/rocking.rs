@@ -1,13 +1,13 @@
-//! The part above a joint as one rocking block: Housner's quantities, and published rules of thumb.
+//! The part above a joint as one rocking block: Housner's parameters, and published rules of thumb.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | R | `radius_m` | from the line it turns about to the centroid | m |
-//! | α | `slenderness_rad` | angle of that radius from the vertical | rad |
-//! | I₀ | `inertia_kg_m2` | moment of inertia about that line | kg m² |
+//! | R | `radius_m` | distance from the axis of rotation to the centroid | m |
+//! | α | `slenderness_rad` | angle of that radius to the vertical | rad |
+//! | I₀ | `inertia_kg_m2` | moment of inertia about that axis | kg m² |
 //! | p | `frequency_parameter_rad_s` | √(W R / I₀) | rad/s |
-//! | r | `velocity_ratio` | angular velocity after over before an impact | – |
-//! | θ₀ | `amplitude_rad` | rotation it is let go from | rad |
+//! | r | `velocity_ratio` | ratio of the angular velocities after and before an impact | – |
+//! | θ₀ | `amplitude_rad` | initial rotation of a release | rad |
 
 use super::CutLimits;
 use crate::known::rocking;
@@ -20,15 +20,15 @@ use glam::{DMat3, DVec3};
 pub struct RockingBlock {
     /// Index into [`CutLimits::edges`].
     pub edge: usize,
-    /// R, m.
+    /// Radius R, m.
     pub radius_m: f64,
-    /// α, rad.
+    /// Slenderness angle α, rad.
     pub slenderness_rad: f64,
-    /// I₀, kg m².
+    /// Moment of inertia I₀, kg m².
     pub inertia_kg_m2: f64,
-    /// p, rad/s.
+    /// Frequency parameter p, rad/s.
     pub frequency_parameter_rad_s: f64,
-    /// r, where it lands flat on a parallel opposite edge; `None` where it lands on a corner or askew.
+    /// r, if the block lands flat on a parallel opposite edge; `None` if it lands on a corner or obliquely.
     pub velocity_ratio: Option<f64>,
 }
 
@@ -41,15 +41,15 @@ pub struct RockingBlock {
 /// ```
 ///
 /// # Errors
-/// [`StabilityError::Block`] if the limits are of another stack.
+/// [`StabilityError::Block`] if the limits belong to another stack.
 ///
 /// # Limits
-/// The part stays one body and does not slide; the joint below is rigid. An impact is instantaneous, without bounce: real stone keeps more or
-/// less than r.
+/// The part stays one body and does not slide; the joint below is rigid. An impact is instantaneous, without bounce: for real stone the ratio
+/// may be larger or smaller than r.
 ///
 /// # Source
-/// Housner (1963), eqs 1–6. Differs from the source: his r is the square of this one (a ratio of energies), and the block need not be a
-/// rectangle.
+/// Housner (1963), eqs 1–6. Tested by `stack_rocking`. Differs from the source: his r is the square of this one (a ratio of energies), and the
+/// block need not be a rectangle.
 ///
 /// # Example
 /// ```
@@ -126,7 +126,7 @@ impl RockingBlock {
     /// [`StabilityError::Option`] unless 0 < θ₀/α < 1.
     ///
     /// # Limits
-    /// Slender blocks: at α = 0.2 and θ₀ = α/2 it is 0.11 % shorter than the exact one.
+    /// Slender blocks: at α = 0.2 and θ₀ = α/2 it is 0.11 % below the exact value.
     pub fn quarter_period_s(&self, amplitude_over_slenderness: f64) -> Result<f64, StabilityError> {
         let share = inside(amplitude_over_slenderness)?;
         Ok((1.0 / (1.0 - share)).acosh() / self.frequency_parameter_rad_s)
@@ -146,14 +146,14 @@ impl RockingBlock {
         ))
     }
 
-    /// α that a pulse of spectral velocity S_v overturns, by Housner's balance of energies: S_v p / g, rad.
+    /// Slenderness α of a block that a pulse of spectral velocity S_v overturns, by Housner's energy balance: S_v p / g, rad.
     ///
     /// ```text
     /// α = S_v p / g = (S_v / √(g R)) √(m R² / I₀)
     /// ```
     ///
     /// # Limits
-    /// A rule for random shaking of long duration: half of the blocks are expected to fall. `gravity_m_s2` is that of the stack.
+    /// A rule for random shaking of long duration: half of the blocks are expected to fall. `gravity_m_s2` is the gravity of the stack.
     pub fn critical_slenderness_rad(&self, spectral_velocity_m_s: f64, gravity_m_s2: f64) -> f64 {
         spectral_velocity_m_s * self.frequency_parameter_rad_s / gravity_m_s2
     }
@@ -170,8 +170,7 @@ fn inside(share: f64) -> Result<f64, StabilityError> {
     })
 }
 
-/// Published eq. 2a, S_v √(W R / I₀), m/s²: it lacks 1/g, so it is no angle. [`RockingBlock::critical_slenderness_rad`] is
-/// the right one.
+/// Published eq. 2a, S_v √(W R / I₀), m/s². It lacks 1/g, so it is not an angle. [`RockingBlock::critical_slenderness_rad`] is correct.
 ///
 /// # Source
 /// Kim, Koo & Hong (2018), eq. 2a.
@@ -179,8 +178,8 @@ pub fn published_critical_slenderness_2a(spectral_velocity_m_s: f64, frequency_p
     spectral_velocity_m_s * frequency_parameter_rad_s
 }
 
-/// Published eq. 3, S_v / √(g R), rad: takes m R²/I₀ for 1. For every uniform rectangle it is 3/4, so this is 15.5 % more
-/// than [`RockingBlock::critical_slenderness_rad`].
+/// Published eq. 3, S_v / √(g R), rad. It takes m R²/I₀ as 1, but the value is 3/4 for every uniform rectangle, so the result is 15.5 % above
+/// [`RockingBlock::critical_slenderness_rad`].
 ///
 /// # Source
 /// Kim, Koo & Hong (2018), eq. 3. Its eq. 2b prints (M R)² where M R² is meant.
@@ -197,20 +196,20 @@ pub fn published_rocking_frequency_hz(gravity_m_s2: f64, radius_m: f64) -> f64 {
     (gravity_m_s2 / radius_m).sqrt() / std::f64::consts::TAU
 }
 
-/// A period from a height alone.
+/// A period estimated from the height alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeriodOfThumb {
     /// T, s.
     pub period_s: f64,
-    /// A caution about it.
+    /// Limitation of the estimate.
     pub caveat: PeriodCaveat,
 }
 
-/// A caution about a period from a height alone.
+/// Limitation of a period estimated from the height alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PeriodCaveat {
-    /// Fitted to eight stone pagodas of 4 to 10 m: six within 15 %, one measured at less than half and one at more than
-    /// twice the frequency it gives.
+    /// Fitted to eight stone pagodas of 4 to 10 m: six are within 15 %; one was measured at less than half, and one at more than twice the
+    /// estimated frequency.
     FewPagodas,
 }
 
@@ -232,8 +231,8 @@ impl std::fmt::Display for PeriodCaveat {
 /// [`StabilityError::Option`] unless the height is positive.
 ///
 /// # Source
-/// Kim, Koo & Hong (2018), eq. 1 and Table 2; its authors ask for more measurements before it is used. Its text gives 5.59 Hz
-/// for the pagoda at Seojungri (5.9 m), which is the value of Sungjusa (6.3 m); its Table 2 has 5.87 Hz, as eq. 1.
+/// Kim, Koo & Hong (2018), eq. 1 and Table 2; its authors call for more measurements before it is used. Its text gives 5.59 Hz for the pagoda
+/// at Seojungri (5.9 m), which is the value of Sungjusa (6.3 m); its Table 2 has 5.87 Hz, as eq. 1.
 pub fn period_of_thumb(height_m: f64) -> Result<PeriodOfThumb, StabilityError> {
     if !(height_m > 0.0 && height_m.is_finite()) {
         return Err(StabilityError::Option {
@@ -300,7 +299,7 @@ mod tests {
 
     #[test]
     fn holds_momentum_about_the_new_edge_off_centre() {
-        // impact seen from either side: (I_c + m ρ·ρ′) is common, so r I₀′ = r′ I₀
+        // impact seen from either side: (I_c + m ρ·ρ′) is the same, so r I₀′ = r′ I₀
         let blocks = of(&shifted(&[(1.0, 0.5), (0.8, 1.5)], &[0.0, 0.2], 0.9), 1);
         assert_eq!(blocks.len(), 4);
         for (i, block) in blocks.iter().enumerate() {

@@ -1,11 +1,11 @@
-//! Parts of a building.
+//! Floors and storeys of a building.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | m_i | `mass_kg` | mass of floor i, 1 the lowest | kg |
-//! | x_c, y_c | `centre_m` | its centre of mass in plan | m |
-//! | ρ_i | `gyration_m` | radius of gyration about it: moment of inertia m ρ² | m |
-//! | h_i | `height_m` | height of the storey below it | m |
+//! | m_i | `mass_kg` | mass of floor i; i = 1 is the lowest | kg |
+//! | x_c, y_c | `centre_m` | centre of mass of the floor in plan | m |
+//! | ρ_i | `gyration_m` | radius of gyration about the centre of mass: moment of inertia m ρ² | m |
+//! | h_i | `height_m` | height of the storey below the floor | m |
 
 use super::elements::StoreyStiffness;
 use super::error::BuildingError;
@@ -20,12 +20,12 @@ pub struct Floor {
     pub centre_m: [f64; 2],
     /// Radius of gyration about the centre of mass, m.
     pub gyration_m: f64,
-    /// Outline in plan; `None` if unknown, and then any point counts as on the floor.
+    /// Outline in plan; `None` if unknown: any point then counts as on the floor.
     pub outline: Option<Outline>,
 }
 
 impl Floor {
-    /// A floor with its mass spread evenly over its outline.
+    /// A floor whose mass is uniform over its outline.
     pub fn uniform(mass_kg: f64, outline: Outline) -> Self {
         Floor {
             mass_kg,
@@ -35,7 +35,7 @@ impl Floor {
         }
     }
 
-    /// Moment of inertia about the vertical through the centre of mass, kg·m²: m ρ².
+    /// Moment of inertia about the vertical axis through the centre of mass, kg·m²: m ρ².
     pub fn inertia_kg_m2(&self) -> f64 {
         self.mass_kg * self.gyration_m * self.gyration_m
     }
@@ -68,7 +68,8 @@ pub(super) fn check_floor(floor: &Floor, number: usize) -> Result<(), BuildingEr
     let Some(outline) = &floor.outline else {
         return Ok(());
     };
-    // the centre of mass of a court or an L may lie off the floor, but never outside its convex hull
+    // the centre of mass of a floor with a court, or L-shaped, may be off the floor, but never outside its convex
+    // hull
     let hull = hull(outline.corners_m())?;
     let beyond_m = hull.beyond_m(floor.centre_m);
     if beyond_m > 0.0 {

@@ -1,4 +1,4 @@
-//! P-delta: the stiffness that the weight takes from a storey, and the factor on the weight at which the storey falls.
+//! P-delta of a building: reduction of the storey stiffness by the weight, and the load factor at which each storey falls.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -12,27 +12,27 @@ use super::error::BuildingError;
 use super::floors::{Floor, Storey};
 use dolmen_linalg::{Matrix, generalized_symmetric_eigen};
 
-/// The fall of a storey: its mode and its factor on the weight.
+/// Instability of a storey: its mode and its load factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoreyFall {
     /// The storey, from 1 at the bottom.
     pub storey: usize,
-    /// Weight that it carries, N.
+    /// Weight carried by the storey, N.
     pub weight_n: f64,
-    /// Factor on the weight at which it falls.
+    /// Factor on the weight at which the storey falls.
     pub load_factor: f64,
-    /// Its drift as it falls, u, v at the centre of the weight above it and ρθ, their squares summing to 1, with ρ the radius of
+    /// Drift in the mode of instability: u, v at the centre of the weight above and ρθ, with the sum of squares 1; ρ is the radius of
     /// gyration of that weight.
     pub drift: [f64; 3],
 }
 
 impl StoreyFall {
-    /// The storey that falls first.
+    /// The storey with the smallest load factor.
     pub fn first(all: &[StoreyFall]) -> Option<&StoreyFall> {
         all.iter().min_by(|a, b| a.load_factor.total_cmp(&b.load_factor))
     }
 
-    /// How it moves: it twists if its rotation is more than half of the square of its drift.
+    /// Kind of the mode: twist if the rotation is more than half of the squared drift.
     pub fn motion(&self) -> StoreyMotion {
         if self.drift[2] * self.drift[2] > 0.5 {
             StoreyMotion::Twists
@@ -42,17 +42,17 @@ impl StoreyFall {
     }
 }
 
-/// How a storey moves as it falls.
+/// Kind of motion of a falling storey.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StoreyMotion {
-    /// To a side.
+    /// Sideways.
     Sways,
-    /// About the vertical.
+    /// About the vertical axis.
     Twists,
 }
 
 impl StoreyMotion {
-    /// Its word in answers, "sways" or "twists".
+    /// Name in answers: "sways" or "twists".
     pub fn name(self) -> &'static str {
         match self {
             StoreyMotion::Sways => "sways",
@@ -92,15 +92,15 @@ pub(super) fn geometric(
     sums
 }
 
-/// The factor on the weight at which each storey falls, lowest first. Storeys fall independently, because in terms of storey drifts the
-/// stiffness matrix is block-diagonal.
+/// Load factor of each storey, lowest first. Storeys fall independently, because the stiffness matrix is block-diagonal in storey
+/// drifts.
 ///
 /// ```text
 /// det(k_s − λ_s g_s) = 0, the smallest λ_s > 0
 /// ```
 ///
 /// # Errors
-/// [`BuildingError::Linalg`] for a storey that does not stand even without weight.
+/// [`BuildingError::Linalg`] for a storey that is unstable even without weight.
 ///
 /// # Limits
 /// Drifts are small and walls linear. The weight of a floor acts vertically at its centre of mass.
@@ -123,7 +123,7 @@ pub fn storey_falls(
         let g = geometric(floors, storeys, centre, gravity_m_s2)[s];
         let k = storey.stiffness.matrix_about(centre);
         let rho = (g[2][2] / g[0][0]).sqrt();
-        // θ as ρθ, so that the three are lengths
+        // ρθ instead of θ, so that all three are lengths
         let scale = [1.0, 1.0, 1.0 / rho];
         let of = |m: &[[f64; 3]; 3]| Matrix::from_fn(3, 3, |i, j| m[i][j] * scale[i] * scale[j]);
         let eigen = generalized_symmetric_eigen(&of(&g), &of(&k))?;

@@ -15,7 +15,8 @@ pub struct AddedMass {
 }
 
 impl Chain {
-    /// The chain with masses that its links carry: mass, centroid and moment of inertia of each link with what it carries.
+    /// The chain with additional masses on its links: mass, centroid and moment of inertia of each link include the mass
+    /// that it carries.
     ///
     /// ```text
     /// m' = m + a,   c' = (m c + a h) / m',   J' = J + m a (h − c)² / m'

@@ -12,7 +12,7 @@ use crate::structure::StructureError;
 ///
 /// # Source
 /// Choi (2021) Fig. 7 and Choi & Cho (2021). Differs from the source: the body has its own moment of inertia (Fig. 7
-/// takes a point mass: `inertia_kg_m2` = m h²), and gravity acts. Tested by `choi_2021`.
+/// takes a point mass: `inertia_kg_m2` = m h²), and gravity acts. Tested by `chain_laws`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingleMass {
     /// Mass m, kg.

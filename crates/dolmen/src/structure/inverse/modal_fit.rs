@@ -238,8 +238,8 @@ impl ModalFit {
     }
 }
 
-/// The point at which the others' scale was taken has no scatter of its own: it gets this share of the least of theirs.
-/// Small enough to pin the scale there, large enough to keep the problem well conditioned. Chosen here.
+/// Standard deviation of the point that sets the scale of a shape, as a fraction of the smallest one of the others, because it has no
+/// scatter. Small enough to fix the scale, large enough for a well-conditioned problem. Chosen here.
 const EXACT_SHARE: f64 = 1e-3;
 /// A standard deviation below this share of the largest displacement is rounding of 0.
 const ROUNDING: f64 = 1e-12;

@@ -1,4 +1,4 @@
-//! A search for stiffness: what it is about, and what it has found.
+//! State of the search for stiffness: the problem, and the solutions found.
 
 use super::modal_fit::ModalFit;
 use super::options::Weighting;

@@ -129,7 +129,7 @@ impl<S: Sprung> Search<'_, S> {
         }
         self.sort(&mut finished);
         nearest = finished.first().map(|found| found.misfit).or(nearest);
-        // where no datum has a deviation, what is reproduced exactly stands before any near miss
+        // without any standard deviation, exact solutions rank before approximate ones
         let none_given = matches!(self.weighting, Weighting::Relative | Weighting::Assumed);
         let exact = nearest.is_some_and(|misfit| misfit < EXACT) && none_given;
         finished.extend(beyond);

@@ -30,7 +30,7 @@ pub(super) struct Bed {
     gap_m: f64,
     /// Its area over that of all patches of the two solids.
     share: f64,
-    /// How much of it is stone on stone, if that is not what its hulls have in common.
+    /// The fraction of stone on stone, if it differs from the common area of the hulls.
     hollow: Option<Bearing>,
     scanned: Option<ScannedJoint>,
 }
@@ -224,7 +224,7 @@ pub(super) fn gap_allowed_m(solid: &Solid) -> f64 {
         .map_or(BED_GAP_M, |scan| BED_GAP_M.max(GAP_NOISE * scan.noise_m))
 }
 
-/// The vertical itself for what differs from it by round-off.
+/// The exact vertical, for a normal that differs from it only by rounding.
 fn levelled(normal: DVec3) -> DVec3 {
     const ROUND_OFF: f64 = 1e-9;
     match normal.truncate().length() < ROUND_OFF {

@@ -1,4 +1,4 @@
-//! Dimensions of what is made from a few numbers.
+//! Checks of the dimensions of generated structures.
 
 use super::StackError;
 

@@ -247,7 +247,7 @@ pub enum StackError {
     CutAway {
         /// A point of the plane, m.
         point_m: [f64; 3],
-        /// Its normal, away from what should stay.
+        /// Normal of the plane, away from the part that remains.
         normal: [f64; 3],
     },
     /// An opening that the surface of a mesh passes through, or that lies in the open.

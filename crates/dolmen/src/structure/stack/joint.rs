@@ -11,7 +11,7 @@ pub enum Body {
     Block(usize),
 }
 
-/// Where two bodies touch: a flat patch with a frame of its own.
+/// The contact of two bodies: a flat patch with its own axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The lower body, which the patch's plane belongs to.

@@ -98,7 +98,8 @@ pub fn without_bed(mut blocks: Vec<Block>, lost: &LostBed) -> Result<Vec<Block>,
     Ok(blocks)
 }
 
-/// The hull of what lies behind a plane: corners there, and points where edges pass through it. Faces are cut along their own edges, so that each stays one.
+/// The hull of the part behind a plane: its corners there, and the points where edges pass through the plane. Faces are cut along their own edges, so
+/// that each remains one face.
 fn behind(solid: &Solid, height: &dyn Fn(DVec3) -> f64) -> Result<Solid, StackError> {
     let corners: Vec<DVec3> = solid.vertices_m().iter().map(|at| DVec3::from(*at)).collect();
     let mut kept: Vec<[f64; 3]> = Vec::new();

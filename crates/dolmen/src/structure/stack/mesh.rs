@@ -14,8 +14,8 @@ const FILL_MOST: f64 = 1.0 + 1e-4;
 impl Solid {
     /// The solid within a closed triangle mesh, each triangle counterclockwise seen from outside.
     ///
-    /// Volume, centroid and inertia are those of the mesh; contact is of its convex hull. Compare [`Solid::hull_volume_m3`]
-    /// with [`Solid::volume_m3`] to see how much of the hull is stone.
+    /// Volume, centroid and inertia are those of the mesh; contact is that of its convex hull. Compare
+    /// [`Solid::hull_volume_m3`] with [`Solid::volume_m3`] to see how much of the hull is stone.
     ///
     /// # Errors
     /// [`StackError`] for a coordinate that is not finite, an index that does not exist, a triangle with a repeated corner,

@@ -8,7 +8,8 @@
 use super::Stack;
 use glam::DVec3;
 
-/// Cells along the longer side of the grid on which blocks hide each other. Chosen here: what is hidden is right to about half a per cent.
+/// Number of cells along the longer side of the grid on which blocks hide each other. Chosen here: the error of the hidden area is about
+/// half a per cent.
 const CELLS: f64 = 500.0;
 /// Where in its cell a ray goes: not in the middle, where edges of round numbers lie.
 const IN_CELL: [f64; 2] = [0.503_17, 0.497_31];
@@ -134,7 +135,7 @@ struct Grid {
     low: [f64; 2],
     cell: f64,
     size: [usize; 2],
-    /// The block that is seen in a cell, and how far along the wind.
+    /// The block that is visible in a cell, and its distance along the wind.
     seen: Vec<Option<(usize, f64)>>,
     /// The block that was drawn last into a cell.
     drawn: Vec<usize>,
@@ -232,7 +233,7 @@ impl Grid {
         if own.count == 0.0 {
             return thin(facing, exact);
         }
-        // 1 where it is convex: no face lies before another of its own
+        // 1 if the solid is convex: no face hides another of the same block
         let once = own.count / covered;
         let own_area_m2 = facing.area * once;
         let mut all = Cells::default();
@@ -294,7 +295,7 @@ fn thin(facing: &Facing, exact: [f64; 2]) -> Silhouette {
     }
 }
 
-/// Where a height crosses a triangle: the left and the right end, with how far along they lie.
+/// Intersection of a triangle with a height: the left and the right end, with their distances along the wind.
 fn crossed(corners: Triangle, up: f64) -> Option<[DVec3; 2]> {
     let mut ends: Vec<DVec3> = Vec::with_capacity(2);
     for k in 0..3 {

@@ -28,7 +28,7 @@ pub struct Scan {
     pub(super) triangles: Vec<Vec<usize>>,
 }
 
-/// Where a solid goes: turned about the origin of its own coordinates, then shifted.
+/// Position of a solid: a rotation about the origin of its own coordinates, followed by a shift.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placement {
     /// Turn about the vertical, rad, counterclockwise seen from above; the first turn.

@@ -178,7 +178,7 @@ fn taken(factors: &WallFactors, course: u32) -> Result<Vec<CourseSpan>, StackErr
     }
 }
 
-/// Where the stones of a course begin and end, beside what is taken of it.
+/// Ends of the stones of a course outside the spans of openings and lintels.
 fn stones(factors: &WallFactors, half_first: bool, taken: &[CourseSpan]) -> Vec<[f64; 2]> {
     let (length, stone) = (factors.length_m, factors.stone_length_m);
     let first = if half_first { 0.5 * stone } else { stone };

@@ -47,7 +47,7 @@ pub enum WindError {
     },
 }
 
-/// Refuses what is not a positive, finite number.
+/// Refuses a value that is not a positive, finite number.
 pub(super) fn positive(quantity: &'static str, given: f64) -> Result<(), WindError> {
     match given > 0.0 && given.is_finite() {
         true => Ok(()),

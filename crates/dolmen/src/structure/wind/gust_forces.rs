@@ -11,8 +11,8 @@ use crate::numeric::Random;
 use dolmen_linalg::{Complex64, LinalgError, symmetric_eigen};
 use rayon::prelude::*;
 
-/// Samples in one period of the highest line. Our choice: the largest sample of a single cosine is then at worst 1 − cos 45° too small, and
-/// lines up there hardly contribute to sway.
+/// Samples per period of the highest line. Our choice: the largest sample of a single cosine is then at most 1 − cos 45° too small, and such
+/// high lines hardly contribute to sway.
 const SAMPLES_PER_LINE: usize = 4;
 /// The number of samples is a multiple of this, for a fast Fourier transform. Our choice.
 const SMOOTH: f64 = 1200.0;
@@ -32,7 +32,7 @@ impl GustTimes {
     /// Samples over `duration_s`, from a period of at least `period_least_s`; both positive.
     pub fn new(duration_s: f64, time_step_s: f64, period_least_s: f64) -> Self {
         let whole = duration_s.max(period_least_s);
-        // prevents that 600/0.02 is rounded up
+        // avoids that 600/0.02 is rounded up
         let samples = SMOOTH * (whole / time_step_s / SMOOTH * (1.0 - 1e-12)).ceil();
         GustTimes {
             time_step_s,
@@ -115,7 +115,7 @@ impl GustFace {
     /// [`LinalgError`] if a decomposition fails, as for a face that [`GustFace::check`] refuses.
     ///
     /// # Limits
-    /// Gaussian, as is the spectrum. Frequencies beyond a quarter of the sampling rate are left out.
+    /// Gaussian forces. Frequencies above a quarter of the sampling rate are left out. Tested by `gust_histories`.
     ///
     /// # Source
     /// Shinozuka M. & Deodatis G. (1991) Appl. Mech. Rev. 44(4):191–204. Differs from the source: amplitudes are normal, where they take random

@@ -12,7 +12,7 @@ use glam::DVec3;
 const TOLERANCE_M: f64 = 0.003;
 /// As above, in standard deviations of the noise.
 const TOLERANCE_NOISE: f64 = 4.0;
-/// A face may lie no farther inside than this in standard deviations: the mean of what noise adds to an outermost vertex.
+/// Largest distance of a face inside the outermost vertex, in standard deviations: the mean effect of noise on an outermost vertex.
 const OUTERMOST_NOISE: f64 = 2.0;
 /// Triangle normals are taken as they are where noise turns them by less than this, rad.
 const TURN_RAW_RAD: f64 = 0.03;
@@ -377,7 +377,7 @@ mod tests {
                         *numbers.entry(key).or_insert_with(|| {
                             let at: [f64; 3] =
                                 std::array::from_fn(|k| size[k] * (key[k] as f64 / n[k] as f64 - 0.5));
-                            // what is within the radius of an edge goes to the sphere about the nearest point of the inner box
+                            // move vertices within the radius of an edge onto the sphere about the nearest point of the inner box
                             let inner: [f64; 3] = std::array::from_fn(|k| {
                                 let most = 0.5 * size[k] - radius_m;
                                 at[k].clamp(-most, most)

@@ -35,7 +35,7 @@ struct Ring<'a> {
 }
 
 impl Ring<'_> {
-    /// Whether a corner turns by more than `least` and no other corner lies in what it would cut off.
+    /// Whether a corner turns by more than `least` and its triangle contains no other corner.
     fn is_ear(&self, corner: usize, least: f64) -> bool {
         let (from, to) = (self.before[corner], self.after[corner]);
         let [a, b, c] = [from, corner, to].map(|at| self.places[at]);
@@ -78,7 +78,7 @@ pub(super) fn triangles_of(places: &[DVec2]) -> Outline {
         before: (0..count).map(|n| (n + count - 1) % count).collect(),
         after: (0..count).map(|n| (n + 1) % count).collect(),
     };
-    // what is rounded to no area is cut only when nothing else is left
+    // corners with an area of only rounding are cut last
     let rounding = 1e-14 * twice;
     let mut least = rounding;
     let mut waiting: BTreeSet<(u64, usize)> = (0..count).map(|corner| (ring.cut(corner), corner)).collect();

@@ -1,4 +1,4 @@
-//! Horizontal sections of a closed mesh: area, and how far they reach in each direction.
+//! Horizontal sections of a closed mesh: area, and extent in each direction.
 
 use glam::{DVec2, DVec3};
 

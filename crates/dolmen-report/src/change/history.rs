@@ -1,0 +1,151 @@
+//! What all surveys of a structure say beside the two that are compared.
+
+use super::quantities::{bare_percent, hertz, percent, plus};
+use crate::document::{Block, Document, Finding, Tone};
+use dolmen::assess::{ModeChange, SurveyChange};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::compared_history::{ComparedHistory, Course, LastingChange};
+
+messages! {
+    /// All surveys behind two of them.
+    pub(crate) enum Behind in "change.history" {
+        Of { whose: Sentence, lasting: Sentence } => {
+            en: "{whose} {lasting}",
+            ko: "{whose} {lasting}",
+        },
+        All { surveys: usize, first: String, last: String } => {
+            en: "Weather and scatter in this are those of all {surveys} surveys ({first} to {last}), as in `dolmen watch`.",
+            ko: "기온의 영향과 흩어짐은 `dolmen watch`와 같이 전체 조사 {surveys}회({first}~{last})에서 추정하였다.",
+        },
+        Some { surveys: usize, first: String, last: String, modes: usize, all: usize } => {
+            en: "Weather and scatter of {modes} of {all} frequencies are those of all {surveys} surveys ({first} to {last}), as in `dolmen watch`; the others, which fewer surveys show, are compared from these two alone.",
+            ko: "고유진동수 {all}개 중 {modes}개는 기온의 영향과 흩어짐을 `dolmen watch`와 같이 전체 조사 {surveys}회({first}~{last})에서 추정하였다. 나머지는 확인된 조사가 적어 두 조사만으로 비교하였다.",
+        },
+        Lasting { each: Vec<Sentence> } => {
+            en: "These are two dates; what lasts between them, by all surveys: {each}.",
+            ko: "이 비교는 두 시점의 차이이다. 전체 조사로 본 그 사이의 지속적인 변화: {each}.",
+        },
+        Nothing => {
+            en: "These are two dates; by all surveys nothing lasting changed between them.",
+            ko: "이 비교는 두 시점의 차이이다. 전체 조사로 보면 그 사이에 지속적인 변화는 없다.",
+        },
+        Step { frequency: Quantity, sign: String, change: Quantity, half: Quantity, after: String, before: String } => {
+            en: "{frequency} {sign}{change} ± {half} between {after} and {before}",
+            ko: "{frequency} {sign}{change} ± {half}({after}~{before})",
+        },
+        Drift { frequency: Quantity, sign: String, change: Quantity, half: Quantity, since: String } => {
+            en: "{frequency} {sign}{change} ± {half} little by little since about {since}",
+            ko: "{frequency} {sign}{change} ± {half}({since}경부터 점진)",
+        },
+        Repair { frequency: Quantity, sign: String, change: Quantity, half: Quantity, date: String } => {
+            en: "{frequency} {sign}{change} ± {half} by the repair of {date}",
+            ko: "{frequency} {sign}{change} ± {half}({date} 보수)",
+        },
+        Others { count: usize } => { en: "{count} more (`dolmen watch`)", ko: "그 밖에 {count}건(`dolmen watch`)" },
+        Line { mode: usize, per_c: Quantity, scatter: Quantity, surveys: usize } => {
+            en: "Mode {mode}: {per_c} per °C (± standard deviation), from {surveys} surveys together with all lasting changes; beyond the noise of its reading one survey scatters by {scatter}.",
+            ko: "모드 {mode}: 1 °C당 {per_c}(± 표준편차). 조사 {surveys}회에서 지속적인 변화와 함께 추정하였다. 측정 오차 외에 조사마다 {scatter}만큼 흩어진다.",
+        },
+        NoLine { mode: usize, scatter: Quantity, surveys: usize } => {
+            en: "Mode {mode}: from {surveys} surveys; beyond the noise of its reading one survey scatters by {scatter}.",
+            ko: "모드 {mode}: 조사 {surveys}회에서 추정하였다. 측정 오차 외에 조사마다 {scatter}만큼 흩어진다.",
+        },
+    }
+}
+
+/// How many lasting changes stand in the sentence.
+const LISTED: usize = 4;
+/// Half of a 95 % interval, of a standard deviation.
+const HALF_95: f64 = 1.959963984540054;
+
+/// Whose weather and scatter are taken, and what lasts between both surveys.
+pub(super) fn finding(of: &ComparedHistory, change: &SurveyChange) -> Finding {
+    let [first, last] = of.span.clone();
+    let (surveys, all) = (of.surveys, change.modes.len());
+    let modes = change.modes.iter().filter(|mode| mode.history.is_some()).count();
+    let whose = match modes == all {
+        true => Behind::All { surveys, first, last },
+        false => Behind::Some {
+            surveys,
+            first,
+            last,
+            modes,
+            all,
+        },
+    };
+    let mut each: Vec<Sentence> = of.lasting.iter().take(LISTED).map(lasting).collect();
+    if of.lasting.len() > LISTED {
+        let count = of.lasting.len() - LISTED;
+        each.push(Behind::Others { count }.into());
+    }
+    let lasting = match each.is_empty() {
+        true => Behind::Nothing,
+        false => Behind::Lasting { each },
+    };
+    let said = Behind::Of {
+        whose: whose.into(),
+        lasting: lasting.into(),
+    };
+    Finding::key(Tone::Plain, said)
+}
+
+fn lasting(of: &LastingChange) -> Sentence {
+    let (frequency, sign) = (hertz(of.frequency_hz), plus(of.ratio));
+    let (change, half) = (bare_percent(of.ratio, 1), percent(HALF_95 * of.sd, 1));
+    let said = match of.course.clone() {
+        Course::Step { after, before } => Behind::Step {
+            frequency,
+            sign,
+            change,
+            half,
+            after,
+            before,
+        },
+        Course::Drift { since } => Behind::Drift {
+            frequency,
+            sign,
+            change,
+            half,
+            since,
+        },
+        Course::Repair(work) => Behind::Repair {
+            frequency,
+            sign,
+            change,
+            half,
+            date: work.date,
+        },
+    };
+    said.into()
+}
+
+/// The coefficients of temperature and the scatter of each mode.
+pub(super) fn section(document: &mut Document<'_>, change: &SurveyChange) {
+    let each = change.modes.iter().enumerate();
+    let lines: Vec<Sentence> = each.filter_map(|(i, mode)| line(i + 1, mode)).collect();
+    if !lines.is_empty() {
+        document.put(Block::List(lines));
+    }
+}
+
+fn line(mode: usize, of: &ModeChange) -> Option<Sentence> {
+    let history = of.history.as_ref()?;
+    let (scatter, surveys) = (percent(history.disturbance_sd, 2), history.surveys);
+    let said = match history.per_c {
+        Some((per_c, sd)) => Behind::Line {
+            mode,
+            per_c: Quantity {
+                sd_si: Some(sd),
+                ..Quantity::new(per_c, Unit::percent(), Digits::Significant(3))
+            },
+            scatter,
+            surveys,
+        },
+        None => Behind::NoLine {
+            mode,
+            scatter,
+            surveys,
+        },
+    };
+    Some(said.into())
+}

@@ -1,0 +1,127 @@
+//! The history behind two surveys that are compared.
+
+use crate::change_fault::ChangeFault;
+use crate::compared_history::{ComparedHistory, Course, LastingChange};
+use crate::compared_readings::has_modes;
+use crate::error::WorkError;
+use crate::opened::Opened;
+use crate::survey_dates::{date, day_of};
+use crate::surveyed::SurveyAnswer;
+use crate::watch::{CHANGES_LEAST, history_of};
+use crate::watched::WatchAnswer;
+use dolmen::assess::HistoryEffect;
+use dolmen::monitoring::{ChangeForm, WatchedMode};
+use dolmen_project::Project;
+use dolmen_records::Files;
+
+/// The history behind two surveys.
+pub(crate) struct Behind {
+    pub(crate) told: ComparedHistory,
+    /// What it says of each mode that was found in both.
+    pub(crate) effects: Vec<HistoryEffect>,
+    /// Temperatures of both, from the file or its log.
+    pub(crate) temperatures_c: [Option<f64>; 2],
+}
+
+/// Whether two surveys have a history behind them: both have a date, and enough others have one, and modes.
+pub(crate) fn has_history(project: &Project, both: [usize; 2]) -> bool {
+    let day = |at: usize| date(&project.surveys[at].name);
+    let dated = project
+        .surveys
+        .iter()
+        .filter(|survey| date(&survey.name).is_some() && has_modes(survey));
+    let [from, to] = both.map(day);
+    from.is_some() && to.is_some() && from != to && dated.count() >= CHANGES_LEAST
+}
+
+/// The history behind two surveys; `None` where it says nothing of any of their modes.
+///
+/// # Errors
+/// Logs that cannot be read; [`ChangeFault`].
+pub(crate) fn behind(
+    opened: &Opened,
+    both: [usize; 2],
+    answers: &[SurveyAnswer],
+    files: &dyn Files,
+) -> Result<Option<Behind>, WorkError> {
+    let project = &opened.project;
+    if !has_history(project, both) {
+        return Ok(None);
+    }
+    let answer = match history_of(opened, answers, files) {
+        Err(WorkError::Change(why)) if matches!(*why, ChangeFault::TooFewToWatch { .. }) => return Ok(None),
+        answer => answer?,
+    };
+    let place = |at: usize| {
+        let day = day_of(date(&project.surveys[at].name)?);
+        answer.surveys.iter().position(|survey| survey.day == day)
+    };
+    let (Some(from), Some(to)) = (place(both[0]), place(both[1])) else {
+        return Ok(None);
+    };
+    let effects = answer.watched.between(from, to);
+    let (Some(first), Some(last)) = (answer.surveys.first(), answer.surveys.last()) else {
+        return Ok(None);
+    };
+    let told = ComparedHistory {
+        surveys: answer.surveys.len(),
+        span: [first.name.clone(), last.name.clone()],
+        lasting: lasting(&answer, [from.min(to), from.max(to)]),
+    };
+    Ok((!effects.is_empty()).then(|| Behind {
+        told,
+        effects,
+        temperatures_c: [from, to].map(|at| answer.surveys[at].temperature_c),
+    }))
+}
+
+/// Lasting changes and effects of repairs after one survey and until another, by time.
+fn lasting(answer: &WatchAnswer, [from, to]: [usize; 2]) -> Vec<LastingChange> {
+    let mut all: Vec<(f64, LastingChange)> = Vec::new();
+    for mode in &answer.watched.modes {
+        all.extend(of_mode(answer, mode, [from, to]));
+    }
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.into_iter().map(|(_, change)| change).collect()
+}
+
+fn of_mode(answer: &WatchAnswer, mode: &WatchedMode, [from, to]: [usize; 2]) -> Vec<(f64, LastingChange)> {
+    let frequency_hz = mode.track.frequency_hz;
+    let name = |survey: usize| answer.surveys[survey].name.clone();
+    let changes = mode.changes.iter().filter(|change| match change.form {
+        ChangeForm::Step => change.from > from && change.from <= to,
+        ChangeForm::Slope => change.from < to,
+    });
+    let changes = changes.map(|change| {
+        let course = match change.form {
+            ChangeForm::Step => Course::Step {
+                after: name(change.after),
+                before: name(change.before),
+            },
+            ChangeForm::Slope => Course::Drift {
+                since: name(change.after),
+            },
+        };
+        let of = LastingChange {
+            frequency_hz,
+            course,
+            ratio: change.ratio,
+            sd: change.sd,
+        };
+        (answer.surveys[change.from].day, of)
+    });
+    let works = mode.works.iter().filter_map(|effect| {
+        let (day, work) = answer.works.get(effect.work)?;
+        let is_between = *day > answer.surveys[from].day && *day <= answer.surveys[to].day;
+        is_between.then(|| {
+            let of = LastingChange {
+                frequency_hz,
+                course: Course::Repair(work.clone()),
+                ratio: effect.ratio,
+                sd: effect.sd,
+            };
+            (*day, of)
+        })
+    });
+    changes.chain(works).collect()
+}

@@ -1,0 +1,60 @@
+//! What many surveys of a structure say of the difference between two of them.
+
+use super::difference::welch;
+use crate::modal::ObservedMode;
+
+/// Relative difference within which a frequency of a history is that of a survey. Chosen here: several records of a day count as their median.
+const SAME_READING: f64 = 0.01;
+
+/// What the weather and the scatter of a mode through many surveys say of its difference between two of them.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct HistoryEffect {
+    /// Frequency in the earlier survey, Hz.
+    pub from_hz: f64,
+    /// In the later one, Hz.
+    pub to_hz: f64,
+    /// Surveys behind it.
+    pub surveys: usize,
+    /// Relative change that the weather explains.
+    pub explained: f64,
+    /// Whether that is a coefficient of temperature.
+    pub knows_temperature: bool,
+    /// That coefficient, relative per °C, and its standard deviation.
+    pub per_c: Option<(f64, f64)>,
+    /// Standard deviation of one survey beyond the noise of its reading, relative.
+    pub disturbance_sd: f64,
+    /// Standard deviation of the difference beyond the noise of both readings, relative.
+    pub scatter_sd: f64,
+    /// Its degrees of freedom.
+    pub degrees_of_freedom: f64,
+    /// Standard deviations of the two readings, Hz.
+    pub reading_sds_hz: [f64; 2],
+}
+
+impl HistoryEffect {
+    /// Of several the one that is nearest to a pair of modes, if it is theirs.
+    pub(super) fn of_pair<'a>(all: &'a [Self], from: &ObservedMode, to: &ObservedMode) -> Option<&'a Self> {
+        let off = |of: &Self| {
+            let both = [(of.from_hz, from), (of.to_hz, to)];
+            let each = both.map(|(hz, mode)| (hz / mode.frequency_hz - 1.0).abs());
+            each[0].max(each[1])
+        };
+        let nearest = all.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        (off(nearest) <= SAME_READING).then_some(nearest)
+    }
+
+    /// Variance of the difference, Hz², and its degrees of freedom; `more_hz2` is that of a coefficient from elsewhere.
+    pub(super) fn spread(&self, from: &ObservedMode, to: &ObservedMode, more_hz2: f64) -> (f64, f64) {
+        let [before_hz, after_hz] = self.reading_sds_hz;
+        welch(&[
+            (after_hz.powi(2), to.degrees_of_freedom),
+            (before_hz.powi(2), from.degrees_of_freedom),
+            (
+                (self.scatter_sd * from.frequency_hz).powi(2),
+                self.degrees_of_freedom,
+            ),
+            (more_hz2, f64::INFINITY),
+        ])
+    }
+}
