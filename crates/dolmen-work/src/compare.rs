@@ -341,7 +341,7 @@ mod tests {
                 "{of:?}"
             );
         }
-        // before the step nothing changed, and nothing lasting is named
+        // before the step nothing changed: the answer names no lasting change
         let mut earlier = all.clone();
         earlier.surveys.truncate(8);
         let answer = compared(&earlier, None);

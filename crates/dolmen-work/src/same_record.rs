@@ -51,7 +51,7 @@ pub(crate) fn refuse_same_records<'p>(
     let mut contents: BTreeMap<String, Vec<&Part<'_>>> = BTreeMap::new();
     let mut known: BTreeMap<&str, Option<String>> = BTreeMap::new();
     for part in &parts {
-        // what cannot be read is said where it is used
+        // the verb that uses a file reports that it cannot be read
         let content = known.entry(&part.source.file).or_insert_with(|| {
             let bytes = files.read(&part.source.file, RECORD_BYTES_MOST).ok()?;
             Some(format!("{} {}", bytes.len(), fingerprint(&bytes)))

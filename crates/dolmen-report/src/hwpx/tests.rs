@@ -51,7 +51,7 @@ fn paragraphs(section: &str) -> Vec<String> {
     let said = tree.descendants().filter(|node| node.has_tag_name((HP, "p")));
     let said = said.map(|paragraph| {
         let runs = paragraph.children().filter(|node| node.has_tag_name((HP, "run")));
-        // a formula is said in plain characters beside its script
+        // plain characters stand beside the script of each formula
         let is_said = |node: &roxmltree::Node<'_, '_>| {
             node.has_tag_name((HP, "t")) || node.has_tag_name((HP, "shapeComment"))
         };

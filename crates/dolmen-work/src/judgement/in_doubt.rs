@@ -204,7 +204,7 @@ mod tests {
             doubt.words(Language::English),
             "no stiffness explains the measured modes, the best is 5.2 standard deviations off (survey 2026-04-02)"
         );
-        // of another survey nothing is said
+        // these doubts are of one survey: another has none
         assert_eq!(InDoubt::of("2020-01-01".into(), Vec::new(), &[found]), None);
     }
 }
