@@ -2,11 +2,13 @@
 
 use crate::damaged::damaged;
 use crate::document::{TextStyle, wrapped};
+use crate::headline_basis::{left_out, resting};
+use crate::headline_damage::damage_state;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Template, Unit, messages};
 use dolmen_work::judgement::{
-    Alarming, AssumedInputs, DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement,
-    MeasuredFrequency, MovedBy, VersionJudgement, Weight, WindFinding, WindLimit,
+    Alarming, Basis, DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement, MeasuredFrequency,
+    MovedBy, VersionJudgement, Weight, WindFinding, WindLimit,
 };
 
 /// Digits of ratios and frequencies.
@@ -70,10 +72,10 @@ messages! {
         Word { word: Both } => { en: "{word}", ko: "{word}" },
         WordRatio { word: Both, ratio: Quantity } => { en: "{word} (capacity/demand {ratio})", ko: "{word}(저항/요구 {ratio})" },
         WordFalls { word: Both } => { en: "{word} (it falls)", ko: "{word}(붕괴)" },
-        WordDamage { word: Both, state: usize } => { en: "{word} (DS{state})", ko: "{word}(DS{state})" },
-        WordRuns { word: Both, state: usize, runs: usize, all: usize } => {
-            en: "{word} (DS{state} in {runs} of {all} runs)",
-            ko: "{word}(DS{state}, 해석 {all}회 중 {runs}회)",
+        WordDamage { word: Both, state: Sentence } => { en: "{word} ({state})", ko: "{word}({state})" },
+        WordRuns { word: Both, state: Sentence, runs: usize, all: usize } => {
+            en: "{word} ({state} in {runs} of {all} runs)",
+            ko: "{word}({state}, 해석 {all}회 중 {runs}회)",
         },
         WordRoom { word: Both, part: String, ratio: Quantity } => {
             en: "{word} (room of {part}: {ratio})",
@@ -148,14 +150,6 @@ messages! {
             en: "with the damage of inspections: {each}",
             ko: "점검에서 확인된 손상 반영: {each}",
         },
-        MadeUp { surveys: Vec<String> } => {
-            en: "made up, not measured: survey {surveys}",
-            ko: "실측이 아닌 가상 조사: {surveys}",
-        },
-        Assumed { assumed: usize, all: usize } => {
-            en: "assumed inputs: {assumed} of {all}",
-            ko: "가정한 입력: {all}개 중 {assumed}개",
-        },
         WorseThan { variant: Both, words: Both } => { en: "Variant “{variant}”: {words}", ko: "대안 ‘{variant}’: {words}" },
     }
 }
@@ -204,10 +198,10 @@ pub(crate) fn verdict_line(judged: &VersionJudgement, style: TextStyle) -> Strin
     wrapped(&said, "", "  ", style.columns())
 }
 
-/// A variant that is worse than the structure as it is, whose headline counts the assumed inputs.
+/// A variant that is worse than the structure as it is, whose headline states the basis.
 pub(crate) fn worse(variant: Both, judged: &VersionJudgement) -> Sentence {
     let judged = VersionJudgement {
-        inputs: AssumedInputs::default(),
+        basis: Basis::default(),
         ..judged.clone()
     };
     let words = Both::of(|language| headline(&judged, language));
@@ -262,6 +256,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
         }
         (None, _) => {}
     }
+    all.extend(left_out(&judged.basis));
     all.extend(judged.tilt_left_out.clone().map(|of| {
         let (survey, tilt) = (of.survey, of.written);
         Headline::TiltLeftOut { survey, tilt }.into()
@@ -278,14 +273,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
         let (number, of) = (of.number, of.of);
         Headline::Solution { number, of }.into()
     }));
-    if !judged.made_up_surveys.is_empty() {
-        let surveys = judged.made_up_surveys.clone();
-        all.push(Headline::MadeUp { surveys }.into());
-    }
-    if judged.inputs.assumed > 0 {
-        let (assumed, inputs) = (judged.inputs.assumed, judged.inputs.all);
-        all.push(Headline::Assumed { assumed, all: inputs }.into());
-    }
+    all.extend(resting(&judged.basis));
     all
 }
 
@@ -411,13 +399,13 @@ fn word(of: &EarthquakeFinding) -> Headline {
     match (&of.decided_by, of.ratio) {
         (DecidedBy::Fall, _) if of.word == Earthquake::BelowDemand => Headline::WordFalls { word },
         (DecidedBy::Drift, None) if of.word == Earthquake::BelowDemand => Headline::WordFalls { word },
-        (DecidedBy::DamageState(state), _) => Headline::WordDamage {
-            word,
-            state: usize::from(*state),
-        },
+        (DecidedBy::DamageState(state), _) => {
+            let state = damage_state(*state);
+            Headline::WordDamage { word, state }
+        }
         (DecidedBy::DamageOfRuns { state, runs, all }, _) => Headline::WordRuns {
             word,
-            state: usize::from(*state),
+            state: damage_state(*state),
             runs: *runs,
             all: *all,
         },
@@ -469,6 +457,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dolmen_work::judgement::AssumedInputs;
 
     fn judged() -> VersionJudgement {
         VersionJudgement {
@@ -510,8 +499,10 @@ mod tests {
             leans: None,
             after: None,
             solution: None,
-            inputs: AssumedInputs { assumed: 3, all: 12 },
-            made_up_surveys: Vec::new(),
+            basis: Basis {
+                inputs: AssumedInputs { assumed: 3, all: 12 },
+                ..Basis::default()
+            },
             damage: Vec::new(),
             is_undamped: false,
         }

@@ -24,6 +24,8 @@ mod frame;
 mod frame_simulation;
 mod gltf;
 mod headline;
+mod headline_basis;
+mod headline_damage;
 pub mod html;
 pub mod hwpx;
 mod identification;

@@ -11,9 +11,9 @@ use crate::surveys_given::Given;
 use crate::surveys_many::Many;
 use crate::{
     after_first, building, building_simulation, chain, change, check, damaged, demand, document, engineer,
-    figures, frame, frame_simulation, headline, identification, kept, limits, loads, modal, motion,
-    processing, rank, scanned, score, sensors, simulated, stack, stack_simulation, study, text, tune, warned,
-    watch, wind_simulation, xlsx,
+    figures, frame, frame_simulation, headline, headline_basis, headline_damage, identification, kept,
+    limits, loads, modal, motion, processing, rank, scanned, score, sensors, simulated, stack,
+    stack_simulation, study, text, tune, warned, watch, wind_simulation, xlsx,
 };
 use dolmen_words::Template;
 
@@ -34,6 +34,8 @@ pub fn sentences() -> Vec<Template> {
     groups.push(dolmen_work::loads::Governed::TEMPLATES);
     groups.extend(check::TEMPLATES);
     groups.push(headline::TEMPLATES);
+    groups.push(headline_basis::TEMPLATES);
+    groups.push(headline_damage::TEMPLATES);
     groups.push(damaged::TEMPLATES);
     groups.push(text::PROJECT_LINE);
     groups.push(dolmen_project::Warned::TEMPLATES);

@@ -111,6 +111,7 @@ fn supports_moved(
     }
     let moved = SimulateAnswer {
         evidence: Evidence::none(), // from the check
+        basis: None,
         ..prepare(opened, &options, files)?.run(progress)?
     };
     Ok(moved.does_not_stand.is_none().then_some(moved))
@@ -159,5 +160,6 @@ fn simulated(
         tilt_beyond_limit: false, // from the check, as above
         after: None,
         damage: Vec::new(), // from the check as well
+        basis: None,
     })
 }

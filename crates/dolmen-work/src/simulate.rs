@@ -7,7 +7,7 @@ use crate::chain::simulate::ChainOptions;
 use crate::check::{CheckOptions, state_of};
 use crate::error::{Within as _, WorkError};
 use crate::frame::simulate::FrameOptions;
-use crate::judgement::{Evidence, Weight, governing, is_tilt_beyond};
+use crate::judgement::{Basis, Evidence, Weight, governing, is_tilt_beyond};
 use crate::kinds;
 use crate::motion::{MotionAnswer, MotionRequest, in_sequence, prepared, refuse_other_components};
 use crate::opened::Opened;
@@ -356,6 +356,7 @@ fn run_one(
         tilt_beyond_limit: version.variant.is_none() && is_tilt_beyond(version.project),
         after: None,
         damage: version.project.damage.clone(),
+        basis: Some(Basis::of(version.project, version.variant)),
     };
     match (&version.project.structure, motion) {
         (Structure::Survey, _) => return Err(WorkError::SurveySimulated),

@@ -4,7 +4,7 @@ pub use crate::at_rest::SPEED_AT_REST_M_S;
 use crate::building::{BuildingSimulation, WindSimulation};
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
-use crate::judgement::{Evidence, Weight};
+use crate::judgement::{Basis, Evidence, Weight};
 use crate::loads::Governing;
 use crate::stack::{StackRuns, SupportsSimulation};
 use dolmen::stability::stack::Standing;
@@ -135,4 +135,6 @@ pub struct SimulateAnswer {
     pub after: Option<Box<AfterFirst>>,
     /// Inspected damage in the model.
     pub damage: Vec<ModelDamage>,
+    /// Assumed inputs, and what the model leaves out; `None` where a check beside it has them.
+    pub basis: Option<Basis>,
 }

@@ -72,13 +72,13 @@ fn holds_a_run_that_was_cut_has_no_verdict_from_what_is_left() {
     // a stone that slides far: friction is low, and at the cut it is on its way
     let slippery = TOWER.replace("friction = 0.6", "friction = 0.12");
     let (_, words) = said("whole-run", &slippery, whole);
-    assert!(words.contains("below demand (DS3)"), "{words}");
+    assert!(words.contains("below demand (severe damage, DS3)"), "{words}");
     let (status, words) = said("cut-run", &slippery, &format!("{whole} --duration 5"));
     assert_eq!(status, 3, "{words}");
     assert!(words.contains("not decided"), "{words}");
     // how far a joint rocked will not be undone
     let (_, words) = said("cut-rocking", TOWER, &format!("{whole} --duration 5"));
-    assert!(words.contains("below demand (DS3)"), "{words}");
+    assert!(words.contains("below demand (severe damage, DS3)"), "{words}");
 }
 
 #[test]
@@ -111,7 +111,11 @@ fn holds_severe_damage_and_a_tilt_beyond_its_limit_are_findings_of_a_check() {
         inspections = [{ part = \"body\", what = \"crack\", severity = \"severe\" }, { part = \"roof\", what = \"growth\", severity = \"slight\" }]\n";
     let (_, words) = said("damaged", &format!("{TOWER}{more}"), "check project.toml");
     assert!(
-        words.contains("severe damage, which is not in the model: body: crack."),
+        words.contains("severe damage that is not in the model: “body”: crack."),
+        "{words}"
+    );
+    assert!(
+        words.contains("not in it: severe damage found (“body”: crack)"),
         "{words}"
     );
     assert!(

@@ -56,7 +56,7 @@ fn holds_the_worst_of_runs_with_small_differences_decides() {
     let words = format!("{SHAKEN} --law springs --repeats 8");
     let (_, words) = said("repeats-decide", pagoda, &words);
     assert!(
-        words.contains("near demand (DS2 in") && words.contains("of 8 runs)"),
+        words.contains("near demand (offsets left, DS2 in") && words.contains("of 8 runs)"),
         "{words}"
     );
 }

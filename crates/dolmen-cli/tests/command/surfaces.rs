@@ -229,6 +229,22 @@ fn holds_severe_damage_stands_until_its_part_is_looked_at_again() {
     assert!(words.contains("Survey 2023-05-01 found severe damage"), "{words}");
     let (_, words) = said("same-part", &inspected("1"), CHECK);
     assert!(!words.contains("severe damage"), "{words}");
+    // stable in weight, and no green answer as long as the model lacks the damage
+    for (part, colour) in [("2", "amber"), ("1", "green")] {
+        let (_, json) = said("colour", &inspected(part), &format!("{CHECK} --json"));
+        let answer: serde_json::Value = serde_json::from_str(&json).unwrap();
+        assert_eq!(answer["judgement"]["versions"][0]["colour"], colour, "{part}");
+    }
+    let (_, words) = said(
+        "moved",
+        &inspected("2"),
+        "simulate project.toml --motion el-centro-1940-ns",
+    );
+    assert!(
+        words.contains("not in it: severe damage found (“1”: open joint)"),
+        "{words}"
+    );
+    assert!(words.contains("assumed inputs:"), "{words}");
 }
 
 #[test]
@@ -285,12 +301,12 @@ fn holds_small_differences_decide_without_a_flag() {
     let words = "simulate project.toml --motion el-centro-1940-ns --law springs";
     let (_, whole) = said("as-needed", pagoda, words);
     assert!(
-        whole.contains("near demand (DS2 in") && whole.contains("of 8 runs)"),
+        whole.contains("near demand (offsets left, DS2 in") && whole.contains("of 8 runs)"),
         "{whole}"
     );
     let (_, one) = said("one-run", pagoda, &format!("{words} --repeats 1"));
     assert!(
-        one.contains("above demand (DS1)") && one.contains("--repeats 8 repeats it"),
+        one.contains("above demand (joints moved, DS1)") && one.contains("--repeats 8 repeats it"),
         "{one}"
     );
 }
@@ -300,7 +316,10 @@ fn holds_an_arch_comes_to_rest_on_its_thrust() {
     let arch = include_str!("../../../../examples/arch/project.toml");
     let words = "simulate project.toml --motion el-centro-1940-ns --law springs";
     let (status, words) = said("arch-rests", arch, words);
-    assert!(status == 1 && words.contains("below demand (DS3)"), "{words}");
+    assert!(
+        status == 1 && words.contains("below demand (severe damage, DS3)"),
+        "{words}"
+    );
     assert!(words.contains("it shifted and stood"), "{words}");
 }
 

@@ -46,6 +46,10 @@ messages! {
             en: "{inputs} (the stiffness found from them is an illustration, not a finding)",
             ko: "{inputs}(이로부터 추정한 강성은 예시일 뿐 결과가 아니다)",
         },
+        SurveysOnly { inputs: Sentence } => {
+            en: "{inputs} (every change below rests on them: an illustration, not a finding)",
+            ko: "{inputs}(아래의 변화는 모두 이에 의존하며 예시일 뿐이다)",
+        },
         BuildingDamping { inputs: Sentence } => {
             en: "{inputs} (the response to spectra and motions rests on them; verdict and modes do not)",
             ko: "{inputs}(스펙트럼과 지진에 대한 응답이 이에 의존하며 판정과 모드는 무관하다)",
@@ -86,13 +90,16 @@ messages! {
     }
 }
 
+/// A cap stone that the model of a flagpole leaves out.
+pub(super) fn cap_left_out(project: &Project) -> Option<Finding> {
+    let is_left_out = matches!(&project.structure, Structure::Chain(part) if part.cap == Cap::LeftOut);
+    is_left_out.then(|| Finding::key(Tone::Warn, Assumed::CapLeftOut))
+}
+
 /// What rests on assumptions, in a check.
 pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     let project = &answer.project;
     let mut all = Vec::new();
-    if matches!(&project.structure, Structure::Chain(part) if part.cap == Cap::LeftOut) {
-        all.push(Finding::key(Tone::Warn, Assumed::CapLeftOut));
-    }
     let inputs = project.inputs();
     let scatters = inputs.iter().filter(|input| input.is_scatter_assumed()).count();
     let sampled = answer.state.as_ref().is_some_and(|state| state.sampled.is_some());
@@ -139,6 +146,7 @@ fn defaults(taken: &JointDefaults) -> Option<Sentence> {
 pub(crate) fn of_project(project: &Project) -> Option<Finding> {
     let structure = &project.structure;
     let assumed: Vec<&Input> = project.inputs().into_iter().filter(|q| q.is_assumed()).collect();
+    let is_without_model = matches!(structure, Structure::Survey);
     let is_damping = |q: &Input| q.path.contains("damping");
     let is_stiffness =
         |q: &Input| !is_damping(q) && (q.path.ends_with("stiffness") || q.path.contains("stiffness["));
@@ -155,8 +163,11 @@ pub(crate) fn of_project(project: &Project) -> Option<Finding> {
     let parts = [
         of(&is_body).map(|inputs| body_words(structure, inputs)),
         of(&is_stiffness).map(|inputs| stiffness_words(structure, inputs)),
-        of(&is_surveyed).map(|inputs| Assumed::Surveyed { inputs }),
-        of(&is_damping).map(|inputs| damping_words(structure, inputs)),
+        of(&|q| is_surveyed(q) || (is_without_model && is_damping(q))).map(|inputs| match is_without_model {
+            true => Assumed::SurveysOnly { inputs },
+            false => Assumed::Surveyed { inputs },
+        }),
+        of(&|q| !is_without_model && is_damping(q)).map(|inputs| damping_words(structure, inputs)),
     ];
     let parts = parts.into_iter().flatten().map(Sentence::from);
     let parts: Vec<Sentence> = parts.chain(taken.as_ref().and_then(defaults)).collect();

@@ -189,7 +189,9 @@ pub(super) fn unread(answer: &CheckAnswer) -> Option<Finding> {
 
 /// All of a check, what is worst first.
 pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
-    let mut all = from_surveys::findings(&answer.project);
+    let mut all = measured::severe_damage(&answer.project);
+    all.extend(assumed::cap_left_out(&answer.project));
+    all.extend(from_surveys::findings(&answer.project));
     let states = answer.state.iter();
     all.extend(states.flat_map(|state| of_state(&answer.project, state)));
     all.extend(sampled::sensitive(answer));
@@ -199,7 +201,6 @@ pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     all.extend(measured::undated(&answer.project));
     all.extend(measured::against_drift(&answer.project));
     all.extend(measured::felt_since(&answer.project));
-    all.extend(measured::severe_damage(&answer.project));
     all.extend(measured::over_the_years(&answer.project));
     all.extend(answer.unreadable_motions.iter().map(unreadable));
     all.extend(variants::findings(answer));

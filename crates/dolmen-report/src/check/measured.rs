@@ -5,11 +5,11 @@ use crate::document::{Finding, Tone};
 use crate::engineer::damage_words;
 use dolmen::assess::demand::DriftLimit;
 use dolmen::stability::Verdict;
-use dolmen_project::{Inspection, LogKind, Project, Severity, Structure, Survey, date_of};
+use dolmen_project::{LogKind, Project, Structure, Survey, date_of};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::felt::felt;
-use dolmen_work::judgement::{last_tilt, lowest_measured, tilt_against_limit};
+use dolmen_work::judgement::{SevereDamage, last_tilt, lowest_measured, tilt_against_limit};
 use dolmen_work::state::{Check, FrequencyContradiction, State, TiltCheck};
 use dolmen_work::watch::can_watch;
 
@@ -109,10 +109,10 @@ messages! {
             ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 독립 기둥만으로 전도되는 한계 {limit}을(를) 넘는다. 이 모델의 층은 연직에서 시작하므로 남은 저항은 반영되지 않았다.",
         },
         SevereDamage { survey: String, found: Vec<Sentence> } => {
-            en: "Survey {survey} found severe damage, which is not in the model: {found}.",
-            ko: "{survey} 점검에서 심한 손상이 발견되었으나 모델에는 반영되지 않았다: {found}.",
+            en: "Survey {survey} found severe damage that is not in the model: {found}. The verdict is on the structure without this damage.",
+            ko: "{survey} 점검에서 심한 손상이 발견되었으나 모델에는 반영되지 않았다: {found}. 판정은 이 손상이 없는 상태에 대한 것이다.",
         },
-        Damaged { part: String, what: Sentence } => { en: "{part}: {what}", ko: "{part} {what}" },
+        Damaged { part: String, what: Sentence } => { en: "“{part}”: {what}", ko: "‘{part}’ {what}" },
         Rough { survey: String, measured: Quantity, direction: Both, computed: Quantity } => {
             en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. The measurement is too rough to tell whether they are of one structure.",
             ko: "{survey} 조사의 {direction} 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 계측 오차가 커서 모델이 실제와 맞는지 판단할 수 없다.",
@@ -254,30 +254,18 @@ pub(crate) fn tilt_beyond(project: &Project) -> Vec<Finding> {
 
 /// Severe damage that the model does not have: of each part what the last survey says that lists it.
 pub(super) fn severe_damage(project: &Project) -> Vec<Finding> {
-    let mut surveys: Vec<&Survey> = project.surveys.iter().collect();
-    surveys.sort_by_key(|survey| date_of(&survey.name).unwrap_or_default());
-    let is_last = |place: usize, part: &str| {
-        let mut later = surveys.iter().skip(place + 1);
-        !later.any(|survey| survey.inspections.iter().any(|one| one.part == part))
-    };
-    let is_in_model = |one: &Inspection| {
-        let mut all = project.damage.iter();
-        all.any(|of| of.part == one.part && of.what == one.what && of.name == one.name)
-    };
-    let each = surveys.iter().enumerate().filter_map(|(place, survey)| {
-        let severe = survey
-            .inspections
-            .iter()
-            .filter(|one| one.severity == Some(Severity::Severe) && is_last(place, &one.part))
-            .filter(|one| !is_in_model(one));
-        let found: Vec<Sentence> = severe
-            .map(|one| {
-                let (part, what) = (one.part.clone(), damage_words(&one.what));
-                Measured::Damaged { part, what }.into()
-            })
-            .collect();
-        let survey = survey.name.clone();
-        (!found.is_empty()).then(|| Finding::key(Tone::Warn, Measured::SevereDamage { survey, found }))
+    let left_out = SevereDamage::left_out(project);
+    let each = left_out.chunk_by(|a, b| a.survey == b.survey).map(|of_survey| {
+        let found = of_survey.iter().map(|one| {
+            let (part, what) = (one.part.clone(), damage_words(&one.what));
+            Measured::Damaged { part, what }.into()
+        });
+        let survey = of_survey
+            .first()
+            .map(|one| one.survey.clone())
+            .unwrap_or_default();
+        let found = found.collect();
+        Finding::key(Tone::Warn, Measured::SevereDamage { survey, found })
     });
     each.collect()
 }

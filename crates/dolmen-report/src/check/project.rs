@@ -3,6 +3,7 @@
 use super::from_surveys::from_surveys_text;
 use crate::damaged::damaged;
 use crate::document::{TextStyle, wrapped};
+use crate::headline_basis::NAMED_MOST;
 use crate::warned::slip;
 use dolmen::structure::stack::Body;
 use dolmen_project::{
@@ -53,6 +54,10 @@ messages! {
         MadeUp { surveys: Vec<String> } => {
             en: "made up, not measured: survey {surveys}; what follows from it is an illustration",
             ko: "실측이 아닌 가상 조사: {surveys}. 이에 따른 결과는 예시이다",
+        },
+        MadeUpMany { count: usize, first: String, last: String } => {
+            en: "made up, not measured: {count} surveys, {first} to {last}; what follows from them is an illustration",
+            ko: "실측이 아닌 가상 조사 {count}회({first}~{last})이며 이로부터 나온 결과는 예시이다",
         },
         Survey => { en: "measured, not modelled", ko: "계측만 하고 모델링하지 않음" },
         File { file: String, size: Sentence } => { en: "{file}: {size}", ko: "{file}: {size}" },
@@ -110,7 +115,14 @@ pub(crate) fn made_up_text(project: &Project, style: TextStyle) -> String {
     if surveys.is_empty() {
         return String::new();
     }
-    let said = Sentence::from(Size::MadeUp { surveys }).text(style.language);
+    let said = match surveys.as_slice() {
+        [first, .., last] if surveys.len() > NAMED_MOST => {
+            let (count, first, last) = (surveys.len(), first.clone(), last.clone());
+            Size::MadeUpMany { count, first, last }
+        }
+        _ => Size::MadeUp { surveys },
+    };
+    let said = Sentence::from(said).text(style.language);
     wrapped(&said, "  ", "    ", style.columns())
 }
 

@@ -8,7 +8,7 @@ use dolmen::structure::lowest_frequency_hz;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
-use dolmen_work::judgement::{Earthquake, VersionJudgement, judge_check};
+use dolmen_work::judgement::{Earthquake, VersionJudgement, WindFinding, judge_check};
 use dolmen_work::state::{Check, State, VariantAnswer};
 
 /// Differences of λ below this share are called none.
@@ -24,6 +24,14 @@ messages! {
         SameIn { variant: Both, direction: String, factor: Quantity, verdict: Both } => {
             en: "Variant “{variant}” ({direction}) leaves the load factor at {factor}: {verdict}.",
             ko: "대안 ‘{variant}’({direction})에서 하중배율은 {factor}(으)로 같다: {verdict}.",
+        },
+        SameEarthquake { variant: Both, factor: Quantity, verdict: Both, before: Quantity, after: Quantity } => {
+            en: "Variant “{variant}”: under the earthquake of the site capacity/demand goes from {before} to {after}; the load factor stays {factor}: {verdict}.",
+            ko: "대안 ‘{variant}’: 부지의 지진에 대한 저항/요구가 {before}에서 {after}(으)로 바뀐다. 하중배율은 {factor}(으)로 같다: {verdict}.",
+        },
+        SameWind { variant: Both, factor: Quantity, verdict: Both, before: Quantity, after: Quantity } => {
+            en: "Variant “{variant}”: in the wind limit/response goes from {before} to {after}; the load factor stays {factor}: {verdict}.",
+            ko: "대안 ‘{variant}’: 바람에 대한 허용값/응답이 {before}에서 {after}(으)로 바뀐다. 하중배율은 {factor}(으)로 같다: {verdict}.",
         },
         Changes { variant: Both, from: Quantity, to: Quantity, verdict: Both } => {
             en: "Variant “{variant}” changes the load factor from {from} to {to}: {verdict}.",
@@ -100,9 +108,18 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
         return Vec::new();
     };
     let basis = rows(state, &Both::of(|_| ""));
+    let judged = judge_check(answer);
     let mut all = Vec::new();
-    for variant in &answer.variants {
+    for (at, variant) in answer.variants.iter().enumerate() {
         let after = rows(&variant.state, &title(variant));
+        let versions = judged.versions.first().zip(judged.versions.get(at + 1));
+        let besides = versions.map_or_else(Vec::new, |(before, after)| besides(before, after));
+        if let ([row], false) = (after.as_slice(), besides.is_empty())
+            && let Some(said) = same_but(row, &basis, besides)
+        {
+            all.extend(said);
+            continue;
+        }
         all.extend(
             after
                 .into_iter()
@@ -120,6 +137,65 @@ fn asked(version: &VersionJudgement) -> Option<(Earthquake, Option<f64>)> {
     let found = &version.earthquake;
     let ratios = found.iter().filter_map(|finding| finding.ratio);
     (!found.is_empty()).then(|| (version.earthquake_word(), ratios.reduce(f64::min)))
+}
+
+/// A response that a variant changes.
+enum Beside {
+    Earthquake(f64, f64),
+    Wind(f64, f64),
+}
+
+/// Capacity over demand of the earthquake and limit over response in the wind, before and after, where a variant changes them.
+fn besides(before: &VersionJudgement, after: &VersionJudgement) -> Vec<Beside> {
+    let changes = |(old, new): &(f64, f64)| (new / old - 1.0).abs() >= SAME_SHARE;
+    let asked = |of: &VersionJudgement| asked(of).and_then(|(_, ratio)| ratio);
+    let earthquake = asked(before).zip(asked(after)).filter(changes);
+    let in_wind = |of: &VersionJudgement| WindFinding::deciding(&of.wind).and_then(|of| of.ratio);
+    let wind = in_wind(before).zip(in_wind(after)).filter(changes);
+    let earthquake = earthquake.map(|(old, new)| Beside::Earthquake(old, new));
+    earthquake
+        .into_iter()
+        .chain(wind.map(|(old, new)| Beside::Wind(old, new)))
+        .collect()
+}
+
+/// What a variant that leaves the load factor as it is changes: a damper does.
+fn same_but(row: &Row, basis: &[Row], besides: Vec<Beside>) -> Option<Vec<Finding>> {
+    let old = basis.first()?.load_factor?;
+    let is_same = (row.load_factor? / old - 1.0).abs() < SAME_SHARE && row.borne.is_none();
+    let each = besides.into_iter().map(|of| {
+        let (variant, factor) = (row.name.clone(), Quantity::beside_one(old, 4));
+        let verdict = Both::of(|language| verdict_word(row.own_verdict, language));
+        let number = |number: f64| Quantity::beside_one(number, 3);
+        let (said, is_worse) = match of {
+            Beside::Earthquake(from, to) => {
+                let (before, after) = (number(from), number(to));
+                let said = Variants::SameEarthquake {
+                    variant,
+                    factor,
+                    verdict,
+                    before,
+                    after,
+                };
+                (said, to < from)
+            }
+            Beside::Wind(from, to) => {
+                let (before, after) = (number(from), number(to));
+                (
+                    Variants::SameWind {
+                        variant,
+                        factor,
+                        verdict,
+                        before,
+                        after,
+                    },
+                    to < from,
+                )
+            }
+        };
+        Finding::key(if is_worse { Tone::Warn } else { Tone::Plain }, said)
+    });
+    is_same.then(|| each.collect())
 }
 
 /// Variants that help against the weight and not against the earthquake of the site.

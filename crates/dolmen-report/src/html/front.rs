@@ -155,7 +155,9 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
             .into(),
     };
     let sentence = stack.map_or_else(factor_words, |answer| stack::banner(answer).text(language));
-    let inputs = judged.filter(|_| verdict != Verdict::Unknown).map(|of| of.inputs);
+    let inputs = judged
+        .filter(|_| verdict != Verdict::Unknown)
+        .map(|of| of.basis.inputs);
     let doubtful = doubtful(&answer.project).into_iter();
     let mut first: Vec<String> = doubtful.map(|said| said.text(language)).collect();
     let worse = worse(answer, &judgement, language).into_iter();

@@ -39,12 +39,15 @@ messages! {
         Sensor => { en: "Sensor", ko: "센서" },
         Amplitude => { en: "amplitude", ko: "진폭비" },
         Phase => { en: "phase", ko: "위상차" },
-        Moves => { en: "the level", ko: "판정" },
+        Moves => { en: "it moves", ko: "거동" },
         Plain { text: String } => { en: "{text}", ko: "{text}" },
         AsOne => { en: "moves as one", ko: "일체 거동" },
         Turning => { en: "sways and turns as a floor", ko: "바닥으로서 병진·비틀림" },
         TwoDiffer => { en: "two differ: turns, or one apart", ko: "두 점이 다름: 비틀림 또는 개별 거동" },
-        IsApart => { en: "apart", ko: "개별 거동" },
+        IsApart => { en: "apart", ko: "따로 움직임" },
+        MayBeApart => { en: "one of these apart", ko: "이들 중 하나가 따로 움직임" },
+        WithTheRest => { en: "with the rest", ko: "나머지와 함께" },
+        NotAsOne => { en: "not as one", ko: "일체 아님" },
     }
 }
 
@@ -88,7 +91,8 @@ pub(super) fn section(document: &mut Document<'_>, survey: &SurveyAnswer) {
         return;
     }
     document.subheading(Columns::Head);
-    let row = |direction: &'static str, level: &ColumnsOfLevel, column: &ColumnOrdinate| {
+    let row = |direction: &'static str, level: &ColumnsOfLevel, at: usize| {
+        let column = &level.columns[at];
         let plain = |text: &str| {
             Cell::words(Columns::Plain {
                 text: text.to_owned(),
@@ -109,16 +113,17 @@ pub(super) fn section(document: &mut Document<'_>, survey: &SurveyAnswer) {
                 ColumnsMove::AsOne => Columns::AsOne,
                 ColumnsMove::Turning => Columns::Turning,
                 ColumnsMove::TwoDiffer => Columns::TwoDiffer,
-                ColumnsMove::Apart { .. } => Columns::IsApart,
+                ColumnsMove::Apart { any_of } => match (any_of.as_slice(), any_of.contains(&at)) {
+                    ([], _) => Columns::NotAsOne,
+                    ([_], true) => Columns::IsApart,
+                    (_, true) => Columns::MayBeApart,
+                    (_, false) => Columns::WithTheRest,
+                },
             }),
         ]
     };
-    let rows = levels(survey).flat_map(|(direction, level)| {
-        level
-            .columns
-            .iter()
-            .map(move |column| row(direction, level, column))
-    });
+    let rows = levels(survey)
+        .flat_map(|(direction, level)| (0..level.columns.len()).map(move |at| row(direction, level, at)));
     document.put(crate::document::Block::Table(Table {
         caption: vec![
             Columns::Caption {

@@ -1,11 +1,12 @@
 //! The judgement as JSON: words, colours and what decided them.
 
 use super::damage::damage;
+use crate::engineer::damage_words;
 use crate::headline::headline;
 use dolmen_words::Language;
 use dolmen_work::judgement::{
-    DecidedBy, EarthquakeFinding, Evidence, Judgement, MovedBy, VersionJudgement, Weight, WindFinding,
-    WindLimit,
+    DecidedBy, EarthquakeFinding, Evidence, Judgement, MovedBy, SevereDamage, VersionJudgement, Weight,
+    WindFinding, WindLimit,
 };
 use serde_json::{Value, json};
 
@@ -58,10 +59,17 @@ fn version(version: &VersionJudgement) -> Value {
         "after": version.after.as_ref().map(|of| json!({ "first": of.first, "second": of.second })),
         "undamped": version.is_undamped,
         "damage": version.damage.iter().map(damage).collect::<Vec<_>>(),
-        "made_up_surveys": version.made_up_surveys,
-        "assumed_inputs": version.inputs.assumed,
-        "inputs": version.inputs.all,
+        "severe_damage_left_out": version.basis.severe_damage.iter().map(severe).collect::<Vec<_>>(),
+        "cap_left_out": version.basis.is_cap_left_out,
+        "made_up_surveys": version.basis.made_up_surveys,
+        "assumed_inputs": version.basis.inputs.assumed,
+        "inputs": version.basis.inputs.all,
     })
+}
+
+fn severe(of: &SevereDamage) -> Value {
+    let what = damage_words(&of.what).text(Language::English);
+    json!({ "survey": of.survey, "part": of.part, "what": what })
 }
 
 fn weight(weight: Weight) -> Value {

@@ -9,6 +9,8 @@ use dolmen_work::part_limit::{Limited, PartLimit};
 
 /// Digits of drifts, moments and ratios.
 const DIGITS: usize = 3;
+/// A ratio above 1 by less is rounding of a moment that has reached the one on its edge.
+const ROUNDING: f64 = 1e-6;
 
 messages! {
     /// Tables of limits.
@@ -37,6 +39,10 @@ messages! {
         UseMeaning => {
             en: "Below 1 it is beyond its limit, below 1.25 near it.",
             ko: "저항/요구가 1 미만이면 기준 불만족, 1.25 미만이면 기준에 근접이다.",
+        },
+        EdgeMeaning => {
+            en: "A bed bears no more than the moment on its edge: one with a ratio of 1.00 stood on its edge.",
+            ko: "접합면의 모멘트는 전도 모멘트를 넘을 수 없다. 비가 1.00인 접합면은 모서리로만 지지되었다.",
         },
         PartHead => { en: "Part", ko: "부위" },
         Along => { en: "Along", ko: "방향" },
@@ -80,6 +86,12 @@ pub(crate) fn section(document: &mut Document<'_>, parts: &[PartLimit], limit: O
     }
 }
 
+/// Whether a bed had reached the moment on its edge, which a run cannot exceed.
+fn is_on_edge(of: &PartLimit) -> bool {
+    let ratio = of.ratio().unwrap_or(f64::INFINITY);
+    of.limited == Limited::BedEdge && (ratio - 1.0).abs() <= ROUNDING
+}
+
 fn table((head, demand, capacity): (Limits, Limits, Limits), parts: &[&PartLimit], unit: &Unit) -> Table {
     let number = |value: f64| Quantity::new(value, unit.clone(), Digits::Significant(DIGITS));
     let row = |of: &&PartLimit| {
@@ -97,15 +109,23 @@ fn table((head, demand, capacity): (Limits, Limits, Limits), parts: &[&PartLimit
             Cell::number(number(of.demand)),
             Cell::Number(of.capacity.map(number)),
             match ratio {
-                Some(ratio) if over_demand.is_some_and(|ratio| ratio < 1.0) => Cell::Bad(ratio),
+                Some(ratio) if over_demand.is_some_and(|ratio| ratio < 1.0) || is_on_edge(of) => {
+                    Cell::Bad(ratio)
+                }
                 known => Cell::Number(known),
             },
         ]
     };
     let is_known = parts.iter().any(|part| part.capacity.is_some());
     let meaning = is_known.then(|| Sentence::from(Limits::UseMeaning));
+    let edges = parts.iter().any(|of| is_on_edge(of));
+    let edges = edges.then(|| Sentence::from(Limits::EdgeMeaning));
     Table {
-        caption: [Sentence::from(head)].into_iter().chain(meaning).collect(),
+        caption: [Sentence::from(head)]
+            .into_iter()
+            .chain(meaning)
+            .chain(edges)
+            .collect(),
         columns: vec![
             Column::words(Limits::PartHead),
             Column::words(Limits::Along),

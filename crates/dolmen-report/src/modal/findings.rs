@@ -59,6 +59,10 @@ messages! {
             en: "Accepted by the user, not found by the tests: {values} (± standard deviation). With the record stands what refused each.",
             ko: "사용자가 채택한 모드로, 판정 기준으로 찾은 것이 아니다: {values}(± 표준편차). 각각이 기준에서 제외된 이유는 기록 항목에 있다.",
         },
+        Follows { mode: Quantity, from: Quantity, to: Quantity } => {
+            en: "The mode at {mode} has no single frequency: {from} in the largest swings and {to} in the smallest. Loose joints do that.",
+            ko: "{mode} 모드의 진동수는 하나로 정해지지 않는다. 가장 큰 진폭에서 {from}, 가장 작은 진폭에서 {to}이다. 헐거운 접합면에서 나타나는 현상이다.",
+        },
         OneChannel => { en: "1 channel", ko: "1채널" },
         Channels { count: usize } => { en: "{count} channels", ko: "{count}채널" },
         ByHand => {
@@ -187,10 +191,27 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
     };
     let mut all: Vec<Finding> = record.earthquake.iter().flat_map(earthquake::findings).collect();
     all.push(first);
+    all.extend(following(record));
     all.extend(peaks_below(record, &found));
     all.extend(accepted(&modes.modes));
     all.extend(doubts(record));
     all
+}
+
+/// Modes of a free decay whose frequency follows the size of their swings.
+fn following(record: &RecordAnswer) -> Vec<Finding> {
+    let decay = record.analysis.decay.iter();
+    // of one channel it may as well be two modes
+    let each = decay.filter(|of| of.channels > 1).flat_map(|of| &of.modes);
+    let bent = each.filter(|mode| mode.poles_hz.len() > 1);
+    let said = bent.filter_map(|mode| {
+        let (first, last) = (mode.swings.first()?, mode.swings.last()?);
+        let [from, to] =
+            [first, last].map(|at| Quantity::new(at.frequency_hz, Unit::si("Hz"), Digits::Significant(3)));
+        let mode = hertz(mode.frequency_hz);
+        Some(Finding::key(Tone::Warn, Found::Follows { mode, from, to }))
+    });
+    said.collect()
 }
 
 /// Peaks of the spectrum below the lowest mode that no test admits: one of them may be the first mode.

@@ -2,6 +2,7 @@
 
 use super::words::{DIGITS, in_g, moves_together, place, title, verdict_word};
 use crate::document::{Block, Cell, Column, Document, Table};
+use dolmen::stability::Verdict;
 use dolmen::stability::stack::{DemandVerdict, Governing, LimitKind};
 use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::state::{Check, StackAnswer, State, VariantAnswer};
@@ -75,7 +76,9 @@ fn columns(with_demand: bool) -> Vec<Column> {
 
 fn row(name: Sentence, state: &State, answer: &StackAnswer, with_demand: bool) -> Vec<Cell> {
     let limits = &answer.check.limits;
-    let at = |acceleration_g: Option<f64>| Cell::Number(acceleration_g.map(in_g));
+    // what falls by its weight has no capacity, whatever its joints one by one would bear
+    let falls = state.verdict() == Verdict::Unstable;
+    let at = |acceleration_g: Option<f64>| Cell::Number(acceleration_g.filter(|_| !falls).map(in_g));
     let of = |first: &Option<Governing>| at(first.map(|first| first.threshold.acceleration_g));
     let mut cells = vec![
         Cell::words(name),
@@ -95,6 +98,7 @@ fn row(name: Sentence, state: &State, answer: &StackAnswer, with_demand: bool) -
         Cell::Number(
             limits
                 .gravity_margin
+                .filter(|_| !falls)
                 .map(|margin| Quantity::ratio(margin, DIGITS)),
         ),
         of(&limits.uplift),

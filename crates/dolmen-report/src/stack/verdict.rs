@@ -3,7 +3,7 @@
 use super::mechanism::moving;
 use super::standing::standing;
 use super::words::{DIGITS, at, in_g, margin};
-use dolmen::assess::MARGINAL_BELOW_G;
+use dolmen::assess::{MARGINAL_BELOW_G, StackNote};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::{LimitAnalysisStatus, Standing};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -25,6 +25,10 @@ messages! {
         Admissible { what: Sentence, at: Sentence, tilt: Quantity } => {
             en: "An admissible state exists: forces in the joints balance {what}. It begins to move at {at} horizontal, or on ground that tilts by {tilt}.",
             ko: "허용 가능한 평형 상태가 존재한다(접합력이 {what}와(과) 평형을 이룬다). 수평 가속도 {at} 또는 지반 기울기 {tilt}에서 움직이기 시작한다.",
+        },
+        AdmissibleAtMost { what: Sentence, at: Sentence, tilt: Quantity } => {
+            en: "Forces in the joints can balance {what}. It begins to move at {at} horizontal or less, or on ground that tilts by {tilt} or less: an upper bound.",
+            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다. 움직이기 시작하는 수평 가속도는 {at} 이하, 지반 기울기는 {tilt} 이하이다(상한값).",
         },
         FallsTogether { what: Sentence, moving: Sentence } => {
             en: "It does not stand without shaking: no forces in the joints balance {what}; {moving}.",
@@ -62,15 +66,20 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
             None => Judged::FallsSomehow { what },
         },
         // gravity turned by a tilt has its tangent as horizontal part
-        (Standing::Stands, Some(capacity)) if !limits.statically_determinate => Judged::Admissible {
-            what,
-            at: at(capacity),
-            tilt: Quantity::new(
-                capacity.acceleration_g.atan().to_degrees(),
-                Unit::si("°"),
-                Digits::Significant(DIGITS),
-            ),
-        },
+        (Standing::Stands, Some(capacity)) if !limits.statically_determinate => {
+            let degrees = capacity.acceleration_g.atan().to_degrees();
+            let tilt = Quantity::new(degrees, Unit::si("°"), Digits::Significant(DIGITS));
+            let at = at(capacity);
+            match answer
+                .check
+                .notes
+                .iter()
+                .any(|note| matches!(note, StackNote::UpperBound))
+            {
+                true => Judged::AdmissibleAtMost { what, at, tilt },
+                false => Judged::Admissible { what, at, tilt },
+            }
+        }
         (Standing::Stands, Some(capacity)) => Judged::Moves {
             margin,
             at: at(capacity),

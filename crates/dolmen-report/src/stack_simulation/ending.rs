@@ -56,8 +56,12 @@ messages! {
         Name { name: String } => { en: "{name}", ko: "{name}" },
         And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
         Shifted { upper: String, lower: Sentence, slip: Quantity, left: Quantity, share: Quantity, state: usize } => {
-            en: "it shifted and stood; no stone fell, but '{upper}' on '{lower}' slipped by up to {slip} and lies {left} from its place, {share} of the width of the joint (DS{state}).",
-            ko: "붕괴 없음. 그러나 ‘{lower}’ 위의 ‘{upper}’이(가) 최대 {slip} 미끄러졌고 {left}(접합면 폭의 {share})가 남았다(DS{state}).",
+            en: "it shifted and stood; no stone fell. Largest for the width of its joint: '{upper}' on '{lower}' slipped by up to {slip} and lies {left} from its place, {share} of the width (DS{state}).",
+            ko: "붕괴 없음. 접합면 폭에 비하여 가장 크게 어긋난 곳은 ‘{lower}’ 위의 ‘{upper}’이다: 최대 {slip} 미끄러지고 {left}(접합면 폭의 {share})가 남았다(DS{state}).",
+        },
+        ShiftedFarther { upper: String, lower: Sentence, slip: Quantity, left: Quantity } => {
+            en: "Longest: '{upper}' on '{lower}' slipped by {slip} and lies {left} from its place.",
+            ko: "가장 길게 미끄러진 곳은 ‘{lower}’ 위의 ‘{upper}’이다: {slip} 미끄러지고 {left}가 남았다.",
         },
         ShiftedOpened { upper: String, lower: Sentence, least: Quantity, at: Quantity } => {
             en: "Joints opened, first '{upper}' on '{lower}' by more than {least} at {at}.",
@@ -200,23 +204,29 @@ fn shifted(simulation: &StackSimulation) -> Option<Sentence> {
         share: Quantity::new(of.residual_slip_ratio, Unit::percent(), Digits::Fixed(1)),
         state: state(simulation),
     };
-    Some(match opened {
-        None => shifted.into(),
-        Some((first, at_s)) => {
-            let (upper, lower) = stones(simulation, first);
-            let opened = Ending::ShiftedOpened {
-                upper,
-                lower,
-                least: least(),
-                at: seconds(at_s),
-            };
-            Ending::And {
-                first: shifted.into(),
-                next: opened.into(),
-            }
-            .into()
-        }
-    })
+    let farther = simulation.slipped().filter(|(longest, _)| *longest != joint);
+    let farther = farther.map(|(longest, of)| {
+        let (upper, lower) = stones(simulation, longest);
+        let (slip, left) = (tenths_mm(of.peak_slip_m), tenths_mm(of.residual_slip_m));
+        Sentence::from(Ending::ShiftedFarther {
+            upper,
+            lower,
+            slip,
+            left,
+        })
+    });
+    let opened = opened.map(|(first, at_s)| {
+        let (upper, lower) = stones(simulation, first);
+        let (least, at) = (least(), seconds(at_s));
+        Sentence::from(Ending::ShiftedOpened {
+            upper,
+            lower,
+            least,
+            at,
+        })
+    });
+    let all = farther.into_iter().chain(opened);
+    Some(all.fold(shifted.into(), |first, next| Ending::And { first, next }.into()))
 }
 
 fn state(simulation: &StackSimulation) -> usize {

@@ -1,7 +1,7 @@
 //! What decides in a study: capacity, doubts about it, trends, the worst state.
 
 use super::words::{Words, g, state};
-use super::{before, capacities, doubts, hazard, run, scatter, trends, words};
+use super::{before, capacities, doubts, hazard, releases, run, scatter, trends, words};
 use crate::document::{Finding, Tone};
 use dolmen::assess::Reached;
 use dolmen::numeric::clopper_pearson;
@@ -89,6 +89,7 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
         let said = said.clone();
         Finding::key(Tone::Warn, run::Done::NotInRuns { said })
     });
+    all.extend(releases::findings(answer));
     if answer.study.scan.is_none() {
         all.extend(left_out);
         return all;

@@ -1,7 +1,8 @@
 //! What a study adds: releases from a large displacement, and maps of harmonic ground motions.
 
-use super::words::{Words, count, labelled, name, same, some};
-use crate::document::{Block, Cell, Column, Document, Table};
+use super::words::{Words, count, g, labelled, name, same, some};
+use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
+use dolmen::dynamics::HarmonicPoint;
 use dolmen_words::{Digits, Quantity, Unit, messages};
 use dolmen_work::study::{ResponseMaps, StudyAnswer, StudyKind};
 
@@ -11,6 +12,22 @@ messages! {
         LetGo => {
             en: "Let go: apparent frequency and equivalent damping, swing by swing.",
             ko: "자유진동: 진폭별 겉보기 고유진동수와 등가감쇠비.",
+        },
+        FallsAt { points: usize, fell: usize, least: Quantity, frequency: Quantity, lowest: Quantity, highest: Quantity } => {
+            en: "Harmonic ground from {lowest} to {highest}: it falls at {fell} of {points} points, with the least acceleration, {least}, at {frequency}.",
+            ko: "조화 지반운동({lowest}~{highest}): 계산점 {points}개 중 {fell}개에서 전도되며, 가속도가 가장 작은 것은 {frequency}의 {least}이다.",
+        },
+        BeyondAt { points: usize, fell: usize, least: Quantity, frequency: Quantity, lowest: Quantity, highest: Quantity } => {
+            en: "Harmonic ground from {lowest} to {highest}: a storey leans beyond its limit at {fell} of {points} points, with the least acceleration, {least}, at {frequency}.",
+            ko: "조화 지반운동({lowest}~{highest}): 계산점 {points}개 중 {fell}개에서 층간변위 한계를 넘으며, 가속도가 가장 작은 것은 {frequency}의 {least}이다.",
+        },
+        NoneFalls { points: usize, largest: Quantity, lowest: Quantity, highest: Quantity } => {
+            en: "Harmonic ground from {lowest} to {highest}, up to {largest}: it stays up at all {points} points.",
+            ko: "조화 지반운동({lowest}~{highest}, 최대 {largest}): 계산점 {points}개 모두에서 붕괴하지 않는다.",
+        },
+        Softens { largest: Quantity, from: Quantity, smallest: Quantity, to: Quantity } => {
+            en: "Let go: the apparent frequency goes from {from} in swings of {largest} to {to} in swings of {smallest}.",
+            ko: "자유진동: 겉보기 고유진동수는 진폭 {largest}에서 {from}, 진폭 {smallest}에서 {to}이다.",
         },
         Swing => { en: "swing", ko: "진폭" },
         Frequency => { en: "frequency", ko: "진동수" },
@@ -48,11 +65,78 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     }
 }
 
-fn swings(released: &[&ResponseMaps]) -> Table {
-    let mm = Unit {
+/// What maps and releases come to, each over all cases.
+pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
+    let hertz = |value: f64| Quantity::new(value, Unit::si("Hz"), Digits::Significant(3));
+    let mm = |value: f64| Quantity::new(value, millimetre(), Digits::Significant(3));
+    let mut all = Vec::new();
+    let points = || answer.maps.iter().flat_map(|map| &map.harmonic);
+    let of = |point: &HarmonicPoint| point.ground_acceleration_m_s2;
+    if let Some(largest) = points().map(of).max_by(f64::total_cmp) {
+        let each = || points().map(|point| point.frequency_hz);
+        let lowest = hertz(each().fold(f64::INFINITY, f64::min));
+        let highest = hertz(each().fold(0.0, f64::max));
+        let fell = points().filter(|point| point.fell).count();
+        let weakest = points()
+            .filter(|point| point.fell)
+            .min_by(|a, b| of(a).total_cmp(&of(b)));
+        let (points, largest) = (points().count(), g(answer, largest));
+        let said = match (weakest, answer.kind) {
+            (None, _) => Releases::NoneFalls {
+                points,
+                largest,
+                lowest,
+                highest,
+            },
+            (Some(at), kind) => {
+                let (least, frequency) = (g(answer, of(at)), hertz(at.frequency_hz));
+                match kind {
+                    StudyKind::Chain | StudyKind::Stack => Releases::FallsAt {
+                        points,
+                        fell,
+                        least,
+                        frequency,
+                        lowest,
+                        highest,
+                    },
+                    StudyKind::Frame | StudyKind::Building => Releases::BeyondAt {
+                        points,
+                        fell,
+                        least,
+                        frequency,
+                        lowest,
+                        highest,
+                    },
+                }
+            }
+        };
+        let tone = if fell > 0 { Tone::Warn } else { Tone::Plain };
+        all.push(Finding::key(tone, said));
+    }
+    let released = answer.maps.iter().find(|map| map.release.len() > 1);
+    if let Some((first, last)) = released.and_then(|map| map.release.first().zip(map.release.last())) {
+        all.push(Finding::key(
+            Tone::Plain,
+            Releases::Softens {
+                largest: mm(first.amplitude_m),
+                from: hertz(first.apparent_frequency_hz),
+                smallest: mm(last.amplitude_m),
+                to: hertz(last.apparent_frequency_hz),
+            },
+        ));
+    }
+    all
+}
+
+fn millimetre() -> Unit {
+    Unit {
         symbol: "mm".to_owned(),
         factor: 1e3,
-    };
+    }
+}
+
+fn swings(released: &[&ResponseMaps]) -> Table {
+    let mm = millimetre();
     let mut rows = Vec::new();
     for map in released {
         for (i, swing) in some(&map.release).into_iter().enumerate() {

@@ -31,12 +31,12 @@ messages! {
             ko: "감쇠기의 여유 공간이 주어졌다. 파일의 바람에 대한 비교는 `dolmen check`에 나온다.",
         },
         Compared { damper: String, given: Quantity, rule: Quantity, best: Quantity } => {
-            en: "Damper {damper}: {given} of the motion without it as in the file, {rule} at the place of the rule, {best} placed and tuned best.",
-            ko: "감쇠기 {damper}: 비제어 대비 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 최적 위치와 동조 {best}.",
+            en: "Damper {damper}: response over that without it {given} as in the file, {rule} at the place of the rule, {best} placed and tuned best.",
+            ko: "감쇠기 {damper}: 감쇠기가 없을 때에 대한 응답비는 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 최적 위치와 동조 {best}이다.",
         },
         ComparedKept { damper: String, given: Quantity, rule: Quantity, best: Quantity, most: Quantity } => {
-            en: "Damper {damper}: {given} of the motion without it as in the file, {rule} at the place of the rule, {best} placed and tuned best, where {most} of its stroke was asked for.",
-            ko: "감쇠기 {damper}: 비제어 대비 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 행정을 입력 상태의 {most}배로 제한하여 구한 최적 위치와 동조 {best}.",
+            en: "Damper {damper}: response over that without it {given} as in the file, {rule} at the place of the rule, {best} placed and tuned best, where {most} of its stroke was asked for.",
+            ko: "감쇠기 {damper}: 감쇠기가 없을 때에 대한 응답비는 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 행정을 입력 상태의 {most}배로 제한하여 구한 최적 위치와 동조 {best}이다.",
         },
         OfDeviations { said: Sentence } => {
             en: "{said} These are standard deviations: the largest peak is sought for single dampers only.",
@@ -47,12 +47,12 @@ messages! {
             ko: "진동수 오차 {share}은(는) 감쇠기별 설계에만 반영하였고 전체 동시 설계에는 반영하지 않았다.",
         },
         ComparedTogether { given: Quantity, best: Quantity } => {
-            en: "All dampers together: {given} of the motion without them as in the file, {best} placed and tuned best together.",
-            ko: "감쇠기 전체: 비제어 대비 입력 상태 {given}, 위치와 동조 동시 최적 {best}.",
+            en: "All dampers together: response over that without them {given} as in the file, {best} placed and tuned best together.",
+            ko: "감쇠기 전체: 감쇠기가 없을 때에 대한 응답비는 입력 상태 {given}, 위치와 동조 동시 최적 {best}이다.",
         },
         ComparedTogetherKept { given: Quantity, best: Quantity, most: Quantity } => {
-            en: "All dampers together: {given} of the motion without them as in the file, {best} placed and tuned best together, where {most} of the strokes was asked for.",
-            ko: "감쇠기 전체: 비제어 대비 입력 상태 {given}, 행정을 입력 상태의 {most}배로 제한하여 구한 위치와 동조 동시 최적 {best}.",
+            en: "All dampers together: response over that without them {given} as in the file, {best} placed and tuned best together, where {most} of the strokes was asked for.",
+            ko: "감쇠기 전체: 감쇠기가 없을 때에 대한 응답비는 입력 상태 {given}, 행정을 입력 상태의 {most}배로 제한하여 구한 위치와 동조 동시 최적 {best}이다.",
         },
     }
 }

@@ -14,6 +14,7 @@ use super::unsearched::{is_far, unsearched};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown, WorkEffect};
 use dolmen::numeric::quantile;
+use dolmen_project::WorkKind;
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Quantity, Sentence, Values, messages};
 use dolmen_work::watched::WatchAnswer;
@@ -45,6 +46,10 @@ messages! {
         NoOpenAlarm { answered: usize, last: String } => {
             en: "No open alarm up to the survey of {last} (answered earlier: {answered}).",
             ko: "{last} 조사까지 조치되지 않은 경보가 없다(조치된 경보: {answered}건).",
+        },
+        AnsweredNotMended { answered: usize, last: String } => {
+            en: "No alarm is unanswered up to the survey of {last}, but the works list inspections alone: none of the changes that raised an alarm ({answered}) was followed by a repair.",
+            ko: "{last} 조사까지 점검하지 않은 경보는 없다. 그러나 경보 {answered}건은 점검으로만 확인되었으며, 그 이후 보수 기록이 없다.",
         },
         NoneJudged { training: usize } => {
             en: "No survey was judged against those before it: that needs more than {training} surveys.",
@@ -221,6 +226,22 @@ fn loosens(effect: &WorkEffect) -> bool {
     effect.ratio < -FALLS_FROM * effect.sd
 }
 
+/// Whether a repair followed each survey that raised an alarm.
+fn is_mended(answer: &WatchAnswer) -> bool {
+    let mut alarms = answer.watched.alarms.iter();
+    alarms.all(|alarm| {
+        let since = answer
+            .surveys
+            .get(alarm.alarm.survey)
+            .map_or(0.0, |survey| survey.day);
+        let mut repairs = answer
+            .works
+            .iter()
+            .filter(|(_, work)| work.kind == WorkKind::Repair);
+        repairs.any(|(day, _)| *day >= since && !answer.is_far_ahead(*day))
+    })
+}
+
 fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
     let watched = &answer.watched;
     let open: Vec<&StructureAlarm> = watched.alarms.iter().filter(|alarm| !alarm.is_answered).collect();
@@ -240,7 +261,11 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
                     true => Tone::Plain,
                     false => Tone::Good,
                 };
-                vec![Finding::key(tone, Found::NoOpenAlarm { answered, last })]
+                let finding = match is_mended(answer) {
+                    true => Finding::key(tone, Found::NoOpenAlarm { answered, last }),
+                    false => Finding::key(Tone::Warn, Found::AnsweredNotMended { answered, last }),
+                };
+                vec![finding]
             }
             false if answer.watched.modes.is_empty() => Vec::new(),
             false => vec![Finding::key(Tone::Unknown, Found::NoneJudged { training: 10 })],

@@ -177,8 +177,8 @@ fn holds_every_end_has_its_word_and_its_kind() {
     let slip_mm = 1e3 * joint.peak_slip_m;
     simulation.damage.state = DamageState::Severe;
     let said = format!(
-        "It shifted and stood; no stone fell, but 'lower' on 'ground' slipped by up to {slip_mm:.1} mm and lies 12.5 mm from its place, \
-         4.2 % of the width of the joint (DS3)"
+        "It shifted and stood; no stone fell. Largest for the width of its joint: 'lower' on 'ground' slipped by up to {slip_mm:.1} mm and lies \
+         12.5 mm from its place, 4.2 % of the width (DS3)"
     );
     assert!(
         ended(&simulation).starts_with(&said),

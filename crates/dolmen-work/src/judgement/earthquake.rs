@@ -190,7 +190,7 @@ impl Earthquake {
     /// The fixed word.
     pub fn word(self, language: Language) -> &'static str {
         match self {
-            Earthquake::NotAsked => language.pick("not asked", "검토 대상 아님"),
+            Earthquake::NotAsked => language.pick("not asked", "검토하지 않음"),
             Earthquake::Above => language.pick("above demand", "기준 만족"),
             Earthquake::Near => language.pick("near demand", "기준에 근접"),
             Earthquake::NotDecided => language.pick("not decided", "판정 보류"),

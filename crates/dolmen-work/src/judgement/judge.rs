@@ -87,6 +87,7 @@ impl Judgement {
             let variant = simulated.variant.as_deref();
             let mut version = VersionJudgement::new(variant, Some(Weight::Unstable), Evidence::none());
             version.damage.clone_from(&simulated.damage);
+            version.basis = simulated.basis.clone().unwrap_or_default();
             self.versions.push(version);
         }
     }
@@ -128,6 +129,9 @@ impl Judgement {
             version.is_undamped |= run.is_undamped();
             if !of.damage.is_empty() {
                 version.damage.clone_from(&of.damage);
+            }
+            if let Some(basis) = &of.basis {
+                version.basis.clone_from(basis);
             }
             version.after = after_motion(of);
             version.tilt_beyond_limit |= is_as_it_is && of.tilt_beyond_limit;

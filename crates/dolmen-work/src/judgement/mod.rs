@@ -1,5 +1,6 @@
 //! One judgement: the fixed words and colours of every verdict, and the exit status, in one place.
 
+mod basis;
 mod colour;
 mod earthquake;
 mod evidence;
@@ -13,6 +14,7 @@ mod version;
 mod weight;
 mod wind;
 
+pub use basis::{AssumedInputs, Basis, SevereDamage};
 pub use colour::Colour;
 pub use earthquake::{DecidedBy, Earthquake, EarthquakeFinding};
 pub(crate) use evidence::superseded_by;
@@ -26,6 +28,6 @@ pub(crate) use runs::is_worse_stack_run;
 pub(crate) use tilt_limit::is_tilt_beyond;
 pub use tilt_limit::{TiltAgainstLimit, last_tilt, tilt_against_limit, tilt_beyond_limit};
 pub(crate) use version::governing;
-pub use version::{AfterMotion, AssumedInputs, Leaning, Solution, VersionJudgement};
+pub use version::{AfterMotion, Leaning, Solution, VersionJudgement};
 pub use weight::Weight;
 pub use wind::{MovedBy, WindFinding, WindLimit, WindWord};

@@ -1,5 +1,6 @@
 //! The judgement of one version of a structure.
 
+use super::basis::Basis;
 use super::colour::Colour;
 use super::earthquake::{Earthquake, EarthquakeFinding, of_site};
 use super::evidence::Evidence;
@@ -46,10 +47,8 @@ pub struct VersionJudgement {
     pub after: Option<AfterMotion>,
     /// Which of several solutions for an identified stiffness it is; `None` with one at most.
     pub solution: Option<Solution>,
-    /// Number of assumed inputs.
-    pub inputs: AssumedInputs,
-    /// Surveys of the file that nobody measured.
-    pub made_up_surveys: Vec<String>,
+    /// Assumed inputs, and what the model leaves out.
+    pub basis: Basis,
     /// Inspected damage in the model.
     pub damage: Vec<ModelDamage>,
     /// Whether a run had neither damping nor friction.
@@ -94,30 +93,6 @@ pub struct Leaning {
     pub tilt: String,
 }
 
-/// Inputs of a version.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct AssumedInputs {
-    /// Those that are assumed.
-    pub assumed: usize,
-    /// All.
-    pub all: usize,
-}
-
-impl AssumedInputs {
-    /// Those of a project that the file marks as assumed, and each value that Dolmen takes for joints where the file gives none.
-    pub fn of(project: &Project) -> Self {
-        let all = project.inputs();
-        let defaults = match &project.structure {
-            Structure::Stack(part) => part.joint_defaults().count(),
-            _ => 0,
-        };
-        AssumedInputs {
-            assumed: all.iter().filter(|input| input.is_assumed()).count() + defaults,
-            all: all.len() + defaults,
-        }
-    }
-}
-
 impl VersionJudgement {
     pub(super) fn new(variant: Option<&str>, weight: Option<Weight>, evidence: Evidence) -> Self {
         VersionJudgement {
@@ -136,8 +111,7 @@ impl VersionJudgement {
             leans: None,
             after: None,
             solution: None,
-            inputs: AssumedInputs::default(),
-            made_up_surveys: Vec::new(),
+            basis: Basis::default(),
             damage: Vec::new(),
             is_undamped: false,
         }
@@ -163,7 +137,8 @@ impl VersionJudgement {
             self.evidence.colour(),
         ];
         let beyond = self.tilt_beyond_limit.then_some(Colour::Red);
-        let left_out = self.tilt_left_out.as_ref().map(|_| Colour::Amber);
+        let left_out = self.tilt_left_out.is_some() || self.basis.is_unsafe();
+        let left_out = left_out.then_some(Colour::Amber);
         Colour::worst(weight.into_iter().chain(others).chain(beyond).chain(left_out))
     }
 
@@ -290,9 +265,7 @@ pub(super) fn version(
         version.earthquake = of_before.map(EarthquakeFinding::before_supports_moved).collect();
     }
     version.solution = Solution::of(project);
-    version.inputs = AssumedInputs::of(project);
-    let made_up = project.surveys.iter().filter(|survey| survey.is_made_up);
-    version.made_up_surveys = made_up.map(|survey| survey.name.clone()).collect();
+    version.basis = Basis::of(project, variant);
     version.damage.clone_from(&project.damage);
     version
 }

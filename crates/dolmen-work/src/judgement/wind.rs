@@ -73,7 +73,7 @@ impl WindWord {
     /// The fixed word.
     pub fn word(self, language: Language) -> &'static str {
         match self {
-            WindWord::NotAsked => language.pick("not asked", "검토 대상 아님"),
+            WindWord::NotAsked => language.pick("not asked", "검토하지 않음"),
             WindWord::Within => language.pick("within its limits", "한계 이내"),
             WindWord::NotDecided => language.pick("not decided", "판정 보류"),
             WindWord::Beyond => language.pick("beyond its limits", "한계 초과"),

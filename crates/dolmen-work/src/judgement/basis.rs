@@ -1,0 +1,102 @@
+//! The basis of a judgement: assumed inputs, surveys that nobody measured, and known things that the model leaves out on the unsafe side.
+
+use crate::survey_dates::date;
+use dolmen_project::{Cap, DamageKind, Inspection, Project, Severity, Structure, Survey};
+
+/// The basis of the judgement of one version.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Basis {
+    /// Number of assumed inputs.
+    pub inputs: AssumedInputs,
+    /// Surveys of the file that nobody measured.
+    pub made_up_surveys: Vec<String>,
+    /// Severe damage of inspections that the model does not have.
+    pub severe_damage: Vec<SevereDamage>,
+    /// Whether the model of a flagpole leaves out its cap stone.
+    pub is_cap_left_out: bool,
+}
+
+/// Inputs of a version.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AssumedInputs {
+    /// Those that are assumed.
+    pub assumed: usize,
+    /// All.
+    pub all: usize,
+}
+
+/// Severe damage of an inspection.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SevereDamage {
+    /// The survey.
+    pub survey: String,
+    /// The part.
+    pub part: String,
+    /// Its kind.
+    pub what: DamageKind,
+}
+
+impl Basis {
+    /// The basis of a project; a variant has no inspections of its own.
+    pub(crate) fn of(project: &Project, variant: Option<&str>) -> Self {
+        let made_up = project.surveys.iter().filter(|survey| survey.is_made_up);
+        Basis {
+            inputs: AssumedInputs::of(project),
+            made_up_surveys: made_up.map(|survey| survey.name.clone()).collect(),
+            severe_damage: match variant {
+                None => SevereDamage::left_out(project),
+                Some(_) => Vec::new(),
+            },
+            is_cap_left_out: matches!(&project.structure, Structure::Chain(part) if part.cap == Cap::LeftOut),
+        }
+    }
+
+    /// Whether something known is missing from the model on the unsafe side.
+    pub fn is_unsafe(&self) -> bool {
+        self.is_cap_left_out || !self.severe_damage.is_empty()
+    }
+}
+
+impl AssumedInputs {
+    /// Those of a project that the file marks as assumed, and each value that Dolmen takes for joints where the file gives none.
+    pub fn of(project: &Project) -> Self {
+        let all = project.inputs();
+        let defaults = match &project.structure {
+            Structure::Stack(part) => part.joint_defaults().count(),
+            _ => 0,
+        };
+        AssumedInputs {
+            assumed: all.iter().filter(|input| input.is_assumed()).count() + defaults,
+            all: all.len() + defaults,
+        }
+    }
+}
+
+impl SevereDamage {
+    /// Severe damage that the model of a project does not have, in the order of the dates: of each part the entries of the last survey that lists it.
+    pub fn left_out(project: &Project) -> Vec<Self> {
+        let mut surveys: Vec<&Survey> = project.surveys.iter().collect();
+        surveys.sort_by_key(|survey| date(&survey.name).unwrap_or_default());
+        let is_last = |place: usize, part: &str| {
+            let mut later = surveys.iter().skip(place + 1);
+            !later.any(|survey| survey.inspections.iter().any(|one| one.part == part))
+        };
+        let is_in_model = |one: &Inspection| {
+            let mut all = project.damage.iter();
+            all.any(|of| of.part == one.part && of.what == one.what && of.name == one.name)
+        };
+        let each = surveys.iter().enumerate().flat_map(|(place, survey)| {
+            let severe = survey
+                .inspections
+                .iter()
+                .filter(move |one| one.severity == Some(Severity::Severe) && is_last(place, &one.part))
+                .filter(|one| !is_in_model(one));
+            severe.map(|one| SevereDamage {
+                survey: survey.name.clone(),
+                part: one.part.clone(),
+                what: one.what.clone(),
+            })
+        });
+        each.collect()
+    }
+}
