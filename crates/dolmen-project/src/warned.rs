@@ -20,7 +20,7 @@ messages! {
         },
         ThinRods { links: String } => {
             en: "no moment of inertia for link {links}: taken as a thin rod, m L²/12; give breadth for that of a box. It touches frequencies, not stability",
-            ko: "부재 {links}의 관성모멘트가 주어지지 않아 가는 봉(m L²/12)으로 보았다. breadth(폭)를 주면 직육면체로 계산한다. 고유진동수에만 영향을 주고 안정성에는 영향이 없다",
+            ko: "부재 {links}의 관성모멘트가 주어지지 않아 가는 봉(m L²/12)으로 보았다. 부재의 폭(breadth)을 입력하면 직육면체로 계산한다. 고유진동수에만 영향을 주고 안정성에는 영향이 없다",
         },
         AxialFromMasses => {
             en: "no axial_force: taken as the weight of the masses at the storey's top and above; axial_force = 0 would leave P-delta out",

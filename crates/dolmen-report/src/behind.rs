@@ -1,13 +1,13 @@
-//! The last sections of a report: input data, method and limits, sources.
+//! The last sections of a report: input data and sources.
 
 use crate::document::{Block, Document};
 use crate::html::Imprint;
 use crate::html::front::{closing, sources};
 use crate::html::given::{survey_head, survey_lines};
-use crate::html::method::method;
 use crate::inputs_by_part::by_part;
 use crate::surveys_given::{inputs_listed, is_tabled};
 use crate::warned::warned;
+use crate::whole::Appended;
 use crate::xlsx::{Workbook, inputs_tables};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence};
@@ -17,7 +17,6 @@ use dolmen_work::answer::ProjectReport;
 pub(crate) fn behind_document(answer: &ProjectReport, imprint: &Imprint) -> Document<'static> {
     let mut document = Document::default();
     given(&mut document, answer);
-    document.append(method(&answer.project));
     document.heading(said(|language| {
         language.pick("Evidence and sources", "근거와 출처")
     }));
@@ -28,7 +27,8 @@ pub(crate) fn behind_document(answer: &ProjectReport, imprint: &Imprint) -> Docu
 
 fn given(document: &mut Document<'_>, answer: &ProjectReport) {
     let project = &answer.project;
-    document.heading(said(|language| language.pick("What was given", "입력 자료")));
+    let head = Appended::Given.into();
+    document.heading(Appended::Appendix { head });
     if let Some(description) = &project.description {
         document.paragraph(said(|language| {
             language.pick(description.english(), description.korean())

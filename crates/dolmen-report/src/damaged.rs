@@ -8,11 +8,11 @@ messages! {
     pub(crate) enum Damaged in "damage.model" {
         Bed { part: String, share: Quantity, survey: String } => {
             en: "bed below “{part}” less {share} ({survey})",
-            ko: "‘{part}’ 아래 접합면 {share} 손실({survey})",
+            ko: "‘{part}’ 하부 접합면 {share} 손실({survey})",
         },
         BedAt { part: String, share: Quantity, side: String, survey: String } => {
             en: "bed below “{part}” less {share} at {side} ({survey})",
-            ko: "‘{part}’ 아래 접합면 {side} 쪽 {share} 손실({survey})",
+            ko: "‘{part}’ 하부 접합면 {side} 쪽 {share} 손실({survey})",
         },
         Stiffness { part: String, left: Quantity, survey: String } => {
             en: "“{part}” with {left} of its stiffness ({survey})",

@@ -1,7 +1,7 @@
 //! Inputs of an appendix, one row a stone, link or storey.
 
 use crate::document::{Cell, Column, Table};
-use crate::html::words::{evidence_word, part_and_quantity};
+use crate::html::words::{evidence_word, part_and_quantity, set};
 use dolmen_project::{Quantity as Input, Structure};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, messages};
@@ -17,8 +17,13 @@ messages! {
     pub(crate) enum ByPart in "given.parts" {
         Caption { source: Both } => {
             en: "What the project file gives of each part, as it is written. Source of all these numbers: {source}.",
-            ko: "프로젝트 파일에 입력한 부재별 값(입력한 그대로). 모두의 출처: {source}.",
+            ko: "부재별 입력값(입력한 그대로). 출처는 모두 {source}이다.",
         },
+        OfJoints { source: Both } => {
+            en: "What the project file gives of each joint, as it is written. Source of all these numbers: {source}.",
+            ko: "접합면별 입력값(입력한 그대로). 출처는 모두 {source}이다.",
+        },
+        Joint => { en: "Joint", ko: "접합면" },
         Part => { en: "Part", ko: "부재" },
         Text { text: Both } => { en: "{text}", ko: "{text}" },
     }
@@ -118,23 +123,29 @@ fn table<'a>(own: &[&OfPart<'a>]) -> Option<(Table, Vec<&'a str>)> {
                 .iter()
                 .find(|of| of.part == part.part && of.quantity == **quantity);
             shown.extend(found.map(|of| of.input.path.as_str()));
-            let text = found.map_or("–", |of| of.input.written.as_str());
-            row.push(Cell::words(said(&Both::of(|_| text))));
+            let text = found.map_or_else(|| "–".to_owned(), |of| set(&of.input.written));
+            row.push(Cell::words(said(&Both::from(text))));
         }
         // a part of which all stands elsewhere has no row
         if row.iter().skip(1).any(|cell| cell.text(Language::English) != "–") {
             rows.push(row);
         }
     }
-    let source = own.first()?.input.source;
-    let mut columns = vec![Column::words(ByPart::Part)];
+    let first = own.first()?;
+    let (source, are_joints) = (first.input.source, first.group == "joints");
+    let mut columns = vec![Column::words(match are_joints {
+        true => ByPart::Joint,
+        false => ByPart::Part,
+    })];
     columns.extend(
         quantities
             .iter()
             .map(|(quantity, _)| Column::words(said(quantity))),
     );
-    let caption = ByPart::Caption {
-        source: Both::of(|language| evidence_word(source, language)),
+    let source = Both::of(|language| evidence_word(source, language));
+    let caption = match are_joints {
+        true => ByPart::OfJoints { source },
+        false => ByPart::Caption { source },
     };
     let table = Table {
         caption: vec![caption.into()],

@@ -1,5 +1,6 @@
 //! Answers as text, JSON, figures and pages, in English and Korean. Opens no file.
 
+mod acts;
 mod after_first;
 mod behind;
 mod brief;

@@ -9,6 +9,7 @@ use crate::inputs_by_part::ByPart;
 use crate::load_factor::LoadFactor;
 use crate::surveys_given::Given;
 use crate::surveys_many::Many;
+use crate::whole::Appended;
 use crate::{
     after_first, building, building_simulation, chain, change, check, damaged, demand, document, engineer,
     figures, frame, frame_simulation, headline, headline_basis, headline_damage, identification, kept,
@@ -28,6 +29,7 @@ pub fn sentences() -> Vec<Template> {
         ByPart::TEMPLATES,
         Given::TEMPLATES,
         Many::TEMPLATES,
+        Appended::TEMPLATES,
     ];
     groups.extend(chain::TEMPLATES);
     groups.extend(loads::TEMPLATES);

@@ -1,16 +1,26 @@
 //! The whole answer on one project: its findings, and its sections as one document.
 
-use crate::document::{Document, Finding, Tone};
+use crate::acts::{document_on_paper, on_paper};
+use crate::document::{Block, Document, Finding, Tone};
 use crate::engineer::{self, Pictures};
+use crate::html::method::method;
 use crate::{
     building, building_simulation, chain, change, check, demand, frame, frame_simulation, identification,
     loads, modal, stack, stack_simulation, study, surveys_many, tune, watch,
 };
 use dolmen_project::Structure;
-use dolmen_words::Language;
+use dolmen_words::{Language, Sentence, messages};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::state::{Check, State};
 use std::collections::BTreeSet;
+
+messages! {
+    /// What stands behind the sections.
+    pub(crate) enum Appended in "appendix" {
+        Appendix { head: Sentence } => { en: "Appendix: {head}", ko: "부록: {head}" },
+        Given => { en: "What was given", ko: "입력 자료" },
+    }
+}
 
 /// All findings, what is worst first; what several runs say in the same words stands once.
 pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
@@ -38,13 +48,14 @@ pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
         answer.surveys(),
     ));
     all.sort_by_key(|finding| finding.tone != Tone::Bad);
+    on_paper(&mut all);
     let mut said = BTreeSet::new();
     all.retain(|finding| said.insert(finding.sentence.text(Language::English)));
     all
 }
 
 /// All sections in the order in which they are read: place, surveys, the model, earthquakes, dampers, studies, change over the years, variants,
-/// opinion; behind them what the answer does not rest on.
+/// opinion, method; behind them appendices.
 pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
     let mut whole = Document::default();
     let given = answer.project.report.as_ref();
@@ -90,16 +101,30 @@ pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
             whole.append(stack::comparison(state, answer.variants()));
         }
         whole.append(check::variants_section(check));
-        whole.append(check::scatter_sections(check));
     }
     if let Some(given) = given {
         whole.append(engineer::opinion(given));
     }
-    if let Some(Check::Chain(check)) = answer.state().map(|state| &state.check) {
-        whole.append(chain::appendix(check));
+    whole.append(method(&answer.project));
+    if let Some(check) = answer.check() {
+        whole.append(appendix(check::scatter_sections(check)));
     }
-    whole.append(identification::appendix(&answer.project, &detailed));
+    if let Some(Check::Chain(check)) = answer.state().map(|state| &state.check) {
+        whole.append(appendix(chain::appendix(check)));
+    }
+    whole.append(appendix(identification::appendix(&answer.project, &detailed)));
+    document_on_paper(&mut whole);
     whole
+}
+
+/// The same, its heads marked as those of an appendix.
+fn appendix(mut document: Document<'_>) -> Document<'_> {
+    for block in &mut document.blocks {
+        if let Block::Heading(head) = block {
+            *head = Appended::Appendix { head: head.clone() }.into();
+        }
+    }
+    document
 }
 
 /// The structure as it is computed.

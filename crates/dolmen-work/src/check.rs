@@ -89,13 +89,13 @@ pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, Wor
     })
 }
 
-/// The values that a variant adds or changes.
+/// The values that a variant adds or changes; the same number written otherwise is none.
 fn own_inputs(project: &Project, variant: &Project) -> Vec<Quantity> {
     let given = project.structure_inputs();
     let is_own = |input: &&Quantity| {
         !given.iter().any(|own| {
-            (&own.path, own.value, &own.written, own.source)
-                == (&input.path, input.value, &input.written, input.source)
+            let is_same = (&own.path, own.value, own.cov) == (&input.path, input.value, input.cov);
+            is_same && (own.source == input.source || !input.is_assumed())
         })
     };
     let inputs = variant.structure_inputs().into_iter();

@@ -251,7 +251,7 @@ pub enum StackFrequencies {
         sways: [Option<(usize, f64)>; 2],
     },
     /// Why they are unknown.
-    Refused(String),
+    Refused(Both),
 }
 
 /// Number of natural frequencies of a stack that are shown. Chosen here: swaying along both axes, and one more.

@@ -70,8 +70,8 @@ fn holds_what_the_page_says_stands_in_the_document_with_the_same_numbers() {
             let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
             // the inputs stand in another form: their unit has a column of its own
             let inputs = page
-                .find("입력 자료</h2>")
-                .or(page.find("What was given</h2>"))
+                .find("부록: 입력 자료</h2>")
+                .or(page.find("Appendix: What was given</h2>"))
                 .unwrap();
             let page = &page[page.find("<h2>").unwrap()..inputs];
             let said = ["td", "h3", "p"].map(|tag| inside(page, tag)).concat();

@@ -52,7 +52,7 @@ fn holds_tilts_and_inspections_are_compared_without_modes() {
     assert_eq!(said.status, 0, "{}", said.words);
     for words in [
         "it leans further: x 1/170 to 1/120 (+2.45 mm/m) and y 1/300 to 1/310 (−0.11 mm/m)",
-        "worse are crack of “base” (0.2 mm to 0.5 mm) and loss of “mid” (new)",
+        "worse or new: crack of “base” (0.2 mm to 0.5 mm) and loss of “mid” (new)",
         "Not in inspection 2024, mended or not looked for: spalling of “base”",
         "No frequencies of both surveys are known (none in 2010 and 2024)",
     ] {

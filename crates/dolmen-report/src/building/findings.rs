@@ -3,7 +3,7 @@
 use super::wind_findings::{beyond_room as beyond_room_in_wind, wind_findings};
 use super::words::{floor_words, millimetres, of_both, significant, stroke_words};
 use crate::document::{Finding, Tone};
-use crate::load_factor::load_factor_finding;
+use crate::load_factor::{Falls, load_factor_finding};
 use crate::text::GROWN;
 use dolmen::stability::Verdict;
 use dolmen::structure::building::{StoreyFall, StoreyMotion};
@@ -73,7 +73,7 @@ messages! {
 pub(crate) fn findings(answer: &BuildingAnswer) -> Vec<Finding> {
     let factor = answer.load_factor();
     let verdict = Verdict::of_load_factor(factor);
-    let mut all = vec![load_factor_finding(factor, verdict)];
+    let mut all = vec![load_factor_finding(factor, verdict, Falls::BySway)];
     all.extend(first_storey(answer, verdict));
     if let Some(standing) = &answer.stands {
         all.extend(lowest_frequency(standing));

@@ -49,7 +49,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &BuildingAnswer) {
             StoreyMotion::Sways => Storeys::Sway,
         };
         let metres = |value: f64| Cell::number(fixed(value, Unit::si("m"), 3));
-        let stiffness = |value: f64, unit: &Unit| Cell::number(significant(value, unit.clone(), 5));
+        let stiffness = |value: f64, unit: &Unit| Cell::number(significant(value, unit.clone(), 4));
         let factor = Quantity::beside_one(fall.load_factor, 4);
         vec![
             Cell::words(name(&answer.floors[i])),

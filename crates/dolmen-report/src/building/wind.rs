@@ -157,18 +157,22 @@ fn tables(document: &mut Document<'_>, answer: &BuildingAnswer, (axis, along): (
     }
 }
 
+/// A rotation below this, rad/s², is rounding: at the edge of a floor of 1 km it is less than 1 nm/s².
+const ROUNDING_RAD_S2: f64 = 1e-12;
+
 fn base(axis: usize, motion: &WindMotion) -> InWind {
     let [mean, peak] = [motion.base_shear_n.mean.abs(), motion.base_shear_n.peak()];
     let turning = motion
         .floors
         .last()
         .map_or(0.0, |floor| floor.rotation_rad_s2.rms);
+    let is_rounding = turning.abs() < ROUNDING_RAD_S2;
     InWind::Base {
         axis: axis_words(axis),
         mean: significant(mean, kilonewtons(), 4),
         peak: significant(peak, kilonewtons(), 4),
         torque: significant(motion.base_torque_n_m.peak(), scaled("kN·m", 1e-3), 4),
-        rotation: significant(turning, scaled("mrad/s²", 1e3), 3),
+        rotation: significant(if is_rounding { 0.0 } else { turning }, scaled("mrad/s²", 1e3), 3),
     }
 }
 

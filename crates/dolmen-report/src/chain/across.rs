@@ -2,7 +2,7 @@
 
 use super::{margins, modes};
 use crate::document::{Document, Finding, Tone};
-use crate::load_factor::load_factor_finding;
+use crate::load_factor::{Falls, load_factor_finding};
 use dolmen::assess::{ChainAcross, ChainCheck, StiffnessTaken};
 use dolmen::stability::{ChainStability, Verdict};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -101,7 +101,9 @@ pub(super) fn of_along(check: &ChainCheck, finding: Finding) -> Finding {
 }
 
 fn stands(check: &ChainCheck, across: &ChainAcross) -> Vec<Finding> {
-    let of = |stability: &ChainStability| load_factor_finding(stability.load_factor, stability.verdict);
+    let of = |stability: &ChainStability| {
+        load_factor_finding(stability.load_factor, stability.verdict, Falls::Over)
+    };
     match (&check.stability, &across.stability) {
         (Some(along), Some(other)) => {
             let mut both = vec![of_along(check, of(along)), of_across(of(other))];

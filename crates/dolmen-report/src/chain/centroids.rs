@@ -96,7 +96,7 @@ fn table(check: &ChainCheck) -> Table {
         );
         row.push(Cell::number(stiffness(equal)));
         if with_load {
-            row.push(Cell::Number(load.map(|load| Quantity::beside_one(load, 5))));
+            row.push(Cell::Number(load.map(|load| Quantity::beside_one(load, 4))));
         }
         row
     };

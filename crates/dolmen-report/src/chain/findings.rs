@@ -2,9 +2,10 @@
 
 use super::across::{of_across, of_along};
 use crate::document::{Finding, Tone};
-use crate::load_factor::load_factor_finding;
+use crate::load_factor::{Falls, load_factor_finding};
 use dolmen::assess::{CentroidEffect, ChainCheck};
 use dolmen::stability::{ChainLimits, ChainStability, Verdict};
+use dolmen_project::ChainPart;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 /// A change of a limit below this share is rounding, not a rise.
@@ -21,10 +22,12 @@ messages! {
             en: "Seen from the top, joint {joint} is the first that cannot hold what stands on it. No single joint need be at fault: the stiffnesses count together.",
             ko: "위에서부터 볼 때 접합면 {joint}이(가) 상부를 지탱하지 못하는 첫 접합면이다. 한 접합면만의 문제라고 할 수는 없으며 강성은 함께 작용한다.",
         },
-        Weakest { joint: usize, margin: Quantity, may_lose: Quantity } => {
-            en: "Joint {joint} has the least margin: {margin} times the stiffness at which the chain would just stand, the others as they are. It may lose {may_lose} of its stiffness before the chain falls.",
-            ko: "지배 접합면은 접합면 {joint}이다. 다른 접합면을 그대로 둘 때 안정 한계 강성의 {margin}배이며, 강성이 {may_lose} 저하되면 전도된다.",
+        Weakest { joint: usize, below: Sentence, margin: Quantity, may_lose: Quantity } => {
+            en: "Joint {joint}{below} has the least margin: {margin} times the stiffness at which the chain would just stand, the others as they are. It may lose {may_lose} of its stiffness before the chain falls.",
+            ko: "지배 접합면은 접합면 {joint}{below}이다. 다른 접합면을 그대로 둘 때 안정 한계 강성의 {margin}배이며, 강성이 {may_lose} 저하되면 전도된다.",
         },
+        Below { part: String } => { en: " (below ‘{part}’)", ko: "(‘{part}’ 하부)" },
+        Unnamed => { en: "", ko: "" },
         SingleJoint => {
             en: "With a single joint the published critical stiffness and the exact limit are the same.",
             ko: "접합면이 하나이므로 발표된 임계강성과 정확한 한계가 같다.",
@@ -73,12 +76,13 @@ messages! {
 }
 
 /// The findings, the most important first.
-pub(crate) fn findings(check: &ChainCheck) -> Vec<Finding> {
+pub(crate) fn findings(part: &ChainPart, check: &ChainCheck) -> Vec<Finding> {
     let mut all = match &check.across {
         Some(_) if check.stability.is_some() => Vec::new(),
         _ => vec![stands(check)],
     };
     all.extend(super::across::findings(check));
+    let weakest = |stability: &ChainStability| weakest(part, stability);
     let along = check.stability.as_ref().and_then(weakest);
     all.extend(along.map(|finding| of_along(check, finding)));
     let across = check.across.as_ref().and_then(|across| across.stability.as_ref());
@@ -107,19 +111,21 @@ fn stands(check: &ChainCheck) -> Finding {
             },
         )
         .with_code("joints-unknown"),
-        Some(stability) => load_factor_finding(stability.load_factor, stability.verdict),
+        Some(stability) => load_factor_finding(stability.load_factor, stability.verdict, Falls::Over),
     }
 }
 
-fn weakest(stability: &ChainStability) -> Option<Finding> {
+fn weakest(part: &ChainPart, stability: &ChainStability) -> Option<Finding> {
     if let Some(joint) = stability.failing_joint {
         return Some(Finding::key(Tone::Bad, Found::FailingJoint { joint }));
     }
     let joints = stability.joints.iter().enumerate();
     let margins = joints.filter_map(|(i, joint)| Some((i + 1, joint.margin?)));
     let (joint, margin) = margins.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let name = part.links.get(joint - 1).and_then(|link| link.name.clone());
     let found = Found::Weakest {
         joint,
+        below: name.map_or(Found::Unnamed, |part| Found::Below { part }).into(),
         margin: Quantity::beside_one(margin, 3),
         may_lose: Quantity::percent(1.0 - 1.0 / margin, 2),
     };

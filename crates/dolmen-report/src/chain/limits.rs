@@ -2,7 +2,8 @@
 
 use super::findings::why_unsafe;
 use crate::document::{Block, Cell, Column, Document, Series, Table, table_series};
-use dolmen::stability::ChainLimits;
+use dolmen::assess::ChainCheck;
+use dolmen::stability::{ChainLimits, Verdict};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 
 messages! {
@@ -33,6 +34,10 @@ messages! {
         Needed => { en: "factor needed to stand", ko: "안정에 필요한 배수" },
         ExactSingle => { en: "exact single-joint limits M", ko: "단일 접합면의 정확한 한계 M" },
         NoneEnough => { en: "none is enough", ko: "어떤 배수로도 부족" },
+        NotUsed { least: Quantity, most: Quantity } => {
+            en: "This review does not use the published criterion k_cr; the joints of this pole have {least} to {most} times that stiffness.",
+            ko: "이 검토는 발표된 기준 k_cr을 쓰지 않았으며, 이 당간의 접합부 강성은 그 {least}~{most}배이다.",
+        },
         Eigenvalues { eigenvalues: Values, equal: Quantity } => {
             en: "The stiffness matrix with the published k_cr has the eigenvalues {eigenvalues}: each negative one is a shape in which the chain falls. If all joints are equal, each needs more than {equal}.",
             ko: "발표된 k_cr로 만든 강성행렬의 고유값은 {eigenvalues}이다. 음의 고유값마다 그 형상으로 전도된다. 모든 접합면이 같다면 각각 {equal}보다 커야 한다.",
@@ -41,10 +46,15 @@ messages! {
 }
 
 /// Limits of the joints, why the published ones are unsafe, and factors.
-pub(super) fn section(document: &mut Document<'_>, limits: &ChainLimits) {
+pub(super) fn section(document: &mut Document<'_>, check: &ChainCheck) {
+    let limits = &check.limits;
     document.put(Block::Table(table(limits)));
     if limits.published_critical_n_m_rad.len() > 1 {
-        document.put(Block::Warning(why_unsafe(limits)));
+        match not_used(check) {
+            // a pole whose stiffness is known does not rest on the criterion
+            Some(said) => document.put(Block::Paragraph(vec![said.into(), why_unsafe(limits)])),
+            None => document.put(Block::Warning(why_unsafe(limits))),
+        }
         document.put(Block::Table(factors(limits)));
         let unit = Unit::of(&limits.published_eigenvalues_n_m_rad, "N·m/rad");
         let eigenvalue = |value: &f64| Quantity::new(*value, unit.clone(), Digits::Fixed(2));
@@ -56,9 +66,28 @@ pub(super) fn section(document: &mut Document<'_>, limits: &ChainLimits) {
                     .map(eigenvalue)
                     .collect(),
             ),
-            equal: Quantity::engineering(limits.equal_joints_n_m_rad, "N·m/rad", 7),
+            equal: Quantity::engineering(limits.equal_joints_n_m_rad, "N·m/rad", 4),
         });
     }
+}
+
+/// By how much the joints of a chain that stands are stiffer than the published criterion asks.
+fn not_used(check: &ChainCheck) -> Option<Limits> {
+    let stability = check.stability.as_ref()?;
+    let stands = matches!(stability.verdict, Verdict::Stable | Verdict::Marginal);
+    let pairs = stability
+        .joints
+        .iter()
+        .zip(&check.limits.published_critical_n_m_rad);
+    let mut ratios: Vec<f64> = pairs
+        .map(|(joint, k_cr)| joint.stiffness_n_m_rad / k_cr)
+        .collect();
+    ratios.sort_by(f64::total_cmp);
+    let (least, most) = (*ratios.first()?, *ratios.last()?);
+    (stands && least > 0.0).then(|| Limits::NotUsed {
+        least: Quantity::ratio(least, 3),
+        most: Quantity::ratio(most, 3),
+    })
 }
 
 /// The limits as numbers of the figure.
@@ -112,7 +141,7 @@ fn table(limits: &ChainLimits) -> Table {
 
 /// By what the published and the exact limits must be multiplied.
 fn factors(limits: &ChainLimits) -> Table {
-    let factor = |value: f64| Quantity::ratio(value, 7);
+    let factor = |value: f64| Quantity::beside_one(value, 4);
     let published = match limits.published_critical_factor {
         Some(value) => Cell::Bad(factor(value)),
         None => Cell::BadWords(Limits::NoneEnough.into()),

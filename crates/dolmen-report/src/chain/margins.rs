@@ -27,7 +27,7 @@ messages! {
         Tilt { inverse: Quantity } => { en: "1/{inverse}", ko: "1/{inverse}" },
         Dunkerley { needed: Quantity, least: Quantity, most: Quantity } => {
             en: "All stiffnesses could be multiplied by 1/λ = {needed} and the chain would just stand; by hand, this factor lies between max M/k = {least} and Σ M/k = {most} (Dunkerley).",
-            ko: "모든 강성에 1/λ = {needed}을(를) 곱하면 안정 한계에 이른다. 손계산으로는 이 값이 max M/k = {least}와(과) Σ M/k = {most} 사이에 있다(Dunkerley).",
+            ko: "모든 강성에 1/λ = {needed}을(를) 곱하면 안정 한계에 이른다. 손계산 확인: 던컬리(Dunkerley) 공식으로 이 값은 max M/k = {least}와(과) Σ M/k = {most} 사이이다.",
         },
         SideSupport => {
             en: "Side supports without a gap are counted.",
@@ -98,7 +98,7 @@ fn table(stability: &ChainStability, beds: bool) -> Table {
     let row = |(i, joint): (usize, &JointStability)| {
         let mut row = vec![
             Cell::words(Margins::Number { number: i + 1 }),
-            Cell::number(significant(joint.stiffness_n_m_rad, &units[0], 5)),
+            Cell::number(significant(joint.stiffness_n_m_rad, &units[0], 4)),
         ];
         row.extend(margin(joint, &units[0]));
         let lean = stability.lean_amplification.get(i);
@@ -116,7 +116,7 @@ fn table(stability: &ChainStability, beds: bool) -> Table {
     Table {
         caption: vec![
             Margins::Caption {
-                factor: Quantity::beside_one(stability.load_factor, 5),
+                factor: Quantity::beside_one(stability.load_factor, 4),
             }
             .into(),
             Margins::CaptionMeaning.into(),
@@ -135,10 +135,10 @@ fn margin(joint: &JointStability, unit: &Unit) -> [Cell; 2] {
     let falls = || Cell::BadWords(Margins::Falls.into());
     let least = joint.stiffness_least_n_m_rad;
     [
-        least.map_or_else(falls, |k| Cell::number(significant(k, unit, 5))),
+        least.map_or_else(falls, |k| Cell::number(significant(k, unit, 4))),
         match joint.margin {
-            Some(margin) if margin > 1.0 => Cell::number(Quantity::beside_one(margin, 5)),
-            Some(margin) => Cell::Bad(Quantity::beside_one(margin, 5)),
+            Some(margin) if margin > 1.0 => Cell::number(Quantity::beside_one(margin, 4)),
+            Some(margin) => Cell::Bad(Quantity::beside_one(margin, 4)),
             None => falls(),
         },
     ]

@@ -121,7 +121,7 @@ pub(crate) fn sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<
         series.extend(check.stability.iter().flat_map(margins::series));
         series
     }));
-    limits::section(&mut document, &check.limits);
+    limits::section(&mut document, check);
     if let Some(stability) = &check.stability {
         margins::section(&mut document, stability);
     }

@@ -69,7 +69,7 @@ fn table(modes: &[NaturalMode]) -> Table {
     columns.extend((1..=links).map(|number| Column::numbers(Modes::Link { number }, Unit::ratio())));
     let row = |(at, mode): (usize, &NaturalMode)| {
         let frequency = match mode.omega_squared > 0.0 {
-            true => Cell::number(Quantity::ratio(mode.frequency_hz, 6)),
+            true => Cell::number(Quantity::ratio(mode.frequency_hz, 4)),
             false => Cell::BadWords(Modes::Falls.into()),
         };
         let shape = mode.displacement.iter();

@@ -75,7 +75,7 @@ pub(super) fn section(document: &mut Document<'_>, check: &ChainCheck) {
 
 fn frequencies(check: &ChainCheck, one: &OneStoneCheck) -> Table {
     let numbers = |head: OneStone| Column::numbers(head, Unit::ratio());
-    let fixed = |value: Option<&f64>| Cell::Number(value.map(|value| Quantity::ratio(*value, 5)));
+    let fixed = |value: Option<&f64>| Cell::Number(value.map(|value| Quantity::ratio(*value, 4)));
     let row = |i: usize| {
         let rigid = check.modes.get(i).filter(|mode| mode.omega_squared > 0.0);
         vec![

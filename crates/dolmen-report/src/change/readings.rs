@@ -13,7 +13,7 @@ messages! {
     pub(crate) enum Readings in "change.readings" {
         NoModes { surveys: Vec<String> } => {
             en: "No frequencies of both surveys are known (none in {surveys}): tilts and inspections alone are compared.",
-            ko: "두 조사의 고유진동수가 모두 있지 않아({surveys} 조사에 없음) 기울기와 점검 결과만 비교하였다.",
+            ko: "고유진동수가 없는 조사가 있어({surveys}) 기울기와 점검 결과만 비교하였다.",
         },
         TiltsGrew { from: String, to: String, each: Vec<Sentence> } => {
             en: "From survey {from} to {to} it leans further: {each}. Two readings cannot tell this from their own error: read again, at the same marks.",
@@ -44,8 +44,8 @@ messages! {
             ko: "{directions} 방향 기울기는 두 조사 중 하나에만 있다.",
         },
         Worse { from: String, to: String, each: Vec<Sentence> } => {
-            en: "Inspections {from} and {to}: worse are {each}.",
-            ko: "{from} 점검과 {to} 점검: 나빠진 것은 {each}이다.",
+            en: "Inspections {from} and {to}: worse or new: {each}.",
+            ko: "{from} 점검과 {to} 점검에서 악화되거나 새로 나타난 손상: {each}.",
         },
         NotWorse { from: String, to: String, count: usize } => {
             en: "Inspections {from} and {to}: nothing new and nothing larger ({count} compared).",

@@ -68,8 +68,8 @@ messages! {
         },
         Input { input: Both, written: String } => { en: "{input} {written}", ko: "{input} {written}" },
         Defaults { values: Vec<Sentence> } => {
-            en: "{values} (not given for the joints, taken by Dolmen: give them in `joint`)",
-            ko: "{values}(접합면에 주어지지 않은 Dolmen의 기본값. joint에 입력한다)",
+            en: "{values} (not given for the joints, taken by Dolmen)",
+            ko: "{values}(접합면에 입력하지 않아 Dolmen의 기본값을 적용)",
         },
         Friction { value: Quantity } => { en: "friction {value}", ko: "마찰계수 {value}" },
         NormalStiffness { value: Quantity } => { en: "normal stiffness {value}", ko: "수직강성 {value}" },

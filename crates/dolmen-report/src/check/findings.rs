@@ -4,9 +4,9 @@ use super::agreement::agreement;
 use super::{assumed, from_surveys, measured, sampled, variants};
 use crate::document::{Finding, Tone};
 use crate::{building, chain, demand, frame, loads, stack};
-use dolmen_project::Project;
+use dolmen_project::{Project, Structure};
 use dolmen_words::message::Both;
-use dolmen_words::{Quantity, messages};
+use dolmen_words::{Language, Quantity, messages};
 use dolmen_work::answer::{CheckAnswer, UnreadableMotion};
 use dolmen_work::judgement::{Colour, Evidence};
 use dolmen_work::state::{Check, LOAD_FACTOR_USUAL_MOST, State};
@@ -32,8 +32,8 @@ messages! {
             ko: "최근 조사 {survey}에는 이 검토에서 읽지 않는 진동 기록이 있으며, 계측 고유진동수와의 비교는 {compared} 조사의 것이다. `dolmen identify`가 기록을 읽고 지진이 들어 있는지도 찾는다. `dolmen report`가 모델과 비교한다.",
         },
         MarkedAssumed { survey: String, evidence: Both } => {
-            en: "{evidence}. If survey {survey} did measure them, mark them: frequencies.x = [{{ value = …, source = \"measured\" }}], or set evidence = \"measured\" at the head of the file and mark what is assumed.",
-            ko: "{evidence}. {survey} 조사에서 실제로 계측한 값이면 frequencies.x = [{{ value = …, source = \"measured\" }}]로 표시하거나, 파일 머리에 evidence = \"measured\"를 쓰고 가정한 값을 따로 표시한다.",
+            en: "{evidence}. If survey {survey} did measure them, mark them in the file as measured (`source = \"measured\"`).",
+            ko: "{evidence}. {survey} 조사에서 실제로 계측한 값이면 입력 파일에 계측값으로 표시한다(`source = \"measured\"`).",
         },
         InDoubt { evidence: Both } => {
             en: "The model is {evidence}. The lowest frequencies alone do not confirm it: check which modes these are, the stiffness and the masses.",
@@ -65,7 +65,7 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
     };
     all.extend(before);
     let is_contradicted = Evidence::of(project, &state.check).is_contradicted();
-    let of_model = of_kind(&state.check).into_iter();
+    let of_model = of_kind(project, &state.check).into_iter();
     all.extend(of_model.map(|found| match found.tone {
         // good news of a model that is not the structure is none; a stack rests on shapes and friction
         Tone::Good if is_contradicted && !matches!(state.check, Check::Stack(_)) => Finding {
@@ -93,9 +93,12 @@ fn unreadable(of: &UnreadableMotion) -> Finding {
     Finding::key(Tone::Warn, Unusual::UnreadableMotion { motion, why })
 }
 
-fn of_kind(check: &Check) -> Vec<Finding> {
+fn of_kind(project: &Project, check: &Check) -> Vec<Finding> {
     match check {
-        Check::Chain(check) => chain::findings(check),
+        Check::Chain(check) => match &project.structure {
+            Structure::Chain(part) => chain::findings(part, check),
+            _ => Vec::new(),
+        },
         Check::Frame(directions) => frame::findings(directions),
         Check::Stack(answer) => stack::findings(answer),
         Check::Building(answer) => building::findings(answer),
@@ -128,7 +131,10 @@ fn marked_assumed(project: &Project, state: &State) -> Option<Finding> {
     };
     let said = Unusual::MarkedAssumed {
         survey: survey.clone(),
-        evidence: Both::of(|language| first_large(evidence.words(language))),
+        evidence: Both::of(|language| match language {
+            Language::English => first_large(evidence.words(language)),
+            Language::Korean => evidence.words(language),
+        }),
     };
     let is_apart = evidence.colour() != Colour::Green;
     Some(match is_apart {

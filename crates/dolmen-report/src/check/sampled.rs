@@ -59,7 +59,7 @@ messages! {
         },
         Input => { en: "Input", ko: "입력" },
         InputName { input: Both } => { en: "{input}", ko: "{input}" },
-        Value => { en: "value, SI", ko: "값, SI" },
+        Value => { en: "value, SI", ko: "값(SI)" },
         Change { result: Sentence } => {
             en: "change of {result} (%) for +1 % of the input",
             ko: "입력 +1 %에 대한 {result}의 변화 (%)",

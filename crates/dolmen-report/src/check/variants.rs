@@ -359,7 +359,7 @@ fn table(all: &[Row]) -> Table {
             Some(None) => Cell::BadWords(Variants::Falls.into()),
             Some(Some(margin)) => Cell::number(Quantity::beside_one(margin, 4)),
         };
-        let frequency = row.frequency_hz.map(|f| Quantity::ratio(f, 5));
+        let frequency = row.frequency_hz.map(|f| Quantity::ratio(f, 4));
         let mut cells = vec![
             Cell::words(Variants::Named {
                 name: Both::of(|language| row.named(language)),
@@ -368,7 +368,7 @@ fn table(all: &[Row]) -> Table {
                 name: Both::of(|language| verdict_word(row.verdict, language)),
             }),
             row.load_factor
-                .map_or_else(unknown, |factor| Cell::number(Quantity::beside_one(factor, 5))),
+                .map_or_else(unknown, |factor| Cell::number(Quantity::beside_one(factor, 4))),
             margin,
             frequency.map_or_else(unknown, Cell::number),
         ];

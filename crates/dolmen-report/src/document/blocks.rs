@@ -75,6 +75,33 @@ impl Table {
     }
 }
 
+/// Beside the largest of its column, in a unit, a number of this share is rounding. Chosen here: sums of many products keep ten digits.
+const ROUNDING: f64 = 1e-9;
+
+impl Table {
+    /// Numbers of measure that are rounding beside the largest of their column become 0; shares and probabilities stay, which may be that small.
+    fn without_rounding(&mut self) {
+        for (at, column) in self.columns.iter().enumerate() {
+            if matches!(column.unit.symbol.as_str(), "" | "%") {
+                continue;
+            }
+            let own = self.rows.iter().filter_map(|row| match row.get(at) {
+                Some(Cell::Number(Some(of))) => Some(of.value_si.abs()),
+                _ => None,
+            });
+            let largest = own.fold(0.0, f64::max);
+            for row in &mut self.rows {
+                if let Some(Cell::Number(Some(of))) = row.get_mut(at)
+                    && of.sd_si.is_none()
+                    && of.value_si.abs() < ROUNDING * largest
+                {
+                    of.value_si = 0.0;
+                }
+            }
+        }
+    }
+}
+
 /// A column: what it is, and the unit of its numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
@@ -121,8 +148,11 @@ impl std::fmt::Debug for Figure<'_> {
 }
 
 impl<'a> Document<'a> {
-    /// Adds a block.
-    pub(crate) fn put(&mut self, block: Block<'a>) {
+    /// Adds a block; in a table, what is rounding beside the largest of its column is 0.
+    pub(crate) fn put(&mut self, mut block: Block<'a>) {
+        if let Block::Table(table) = &mut block {
+            table.without_rounding();
+        }
         self.blocks.push(block);
     }
 

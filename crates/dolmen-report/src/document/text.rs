@@ -53,7 +53,32 @@ pub(crate) fn wrapped(text: &str, first: &str, other: &str, columns: usize) -> S
         .word_separator(textwrap::WordSeparator::AsciiSpace)
         .wrap_algorithm(textwrap::WrapAlgorithm::FirstFit);
     // what belongs together was not broken; terminals know the wide space alone
-    (textwrap::fill(text, options) + "\n").replace(NARROW_SPACE, " ")
+    (textwrap::fill(&tied(text), options) + "\n").replace([NARROW_SPACE, TIE], " ")
+}
+
+/// A space at which no line is broken.
+const TIE: char = '\u{a0}';
+/// Signs between two numbers, or a name and its number: "p < 0.001", "2.411 ± 0.006".
+const RELATIONS: [&str; 8] = ["±", "<", ">", "≤", "≥", "=", "≈", "×"];
+
+/// The text with the spaces tied at which a line must not end: before a per cent, about a relation, before a sign of direction ("wall -x").
+pub(crate) fn tied(text: &str) -> String {
+    let mut said = String::with_capacity(text.len());
+    let mut last = "";
+    for (at, word) in text.split(' ').enumerate() {
+        let is_share = word.starts_with('%') && last.ends_with(|sign: char| sign.is_ascii_digit());
+        let is_direction = ["-", "+", "−"].iter().any(|sign| {
+            let way = word.strip_prefix(sign).and_then(|way| way.chars().next());
+            way.is_some_and(|way| matches!(way, 'x' | 'y' | 'z'))
+        });
+        if at > 0 {
+            let is_tied = is_share || is_direction || RELATIONS.contains(&word) || RELATIONS.contains(&last);
+            said.push(if is_tied { TIE } else { ' ' });
+        }
+        said.push_str(word);
+        last = word;
+    }
+    said
 }
 
 /// The blocks; figures are left to pages.
@@ -149,4 +174,26 @@ fn key_values_text(rows: &[(Sentence, Cell)], language: Language) -> String {
         format!("  {key}{gap}   {}\n", cell.whole(language)).replace(NARROW_SPACE, " ")
     };
     keys.iter().zip(rows).map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_no_line_ends_inside_a_number() {
+        let text = "확률은 80 %이다(p < 0.001). 2.411 ± 0.006 Hz, wall -x";
+        for columns in 8..40 {
+            let lines = wrapped(text, "", "", columns);
+            for line in lines.lines().skip(1) {
+                let first = line.split(' ').next().unwrap_or_default();
+                let is_inner = ["%", "<", "±", "0.001", "0.006", "-x"];
+                assert!(!is_inner.iter().any(|start| first.starts_with(start)), "{lines}");
+            }
+            assert_eq!(
+                lines.split_whitespace().collect::<Vec<_>>(),
+                text.split_whitespace().collect::<Vec<_>>()
+            );
+        }
+    }
 }

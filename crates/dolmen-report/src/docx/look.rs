@@ -259,6 +259,9 @@ pub(super) fn styles(language: Language) -> String {
             });
             xml.element("w:pPrDefault", &[], |xml| {
                 xml.element("w:pPr", &[], |xml| {
+                    // no room between figures or Latin letters and Hangul
+                    xml.leaf("w:autoSpaceDE", &[("w:val", "0")]);
+                    xml.leaf("w:autoSpaceDN", &[("w:val", "0")]);
                     xml.leaf("w:spacing", &[("w:line", "276"), ("w:lineRule", "auto")]);
                 });
             });

@@ -56,6 +56,9 @@ fn spaced(xml: &mut Xml, above: Option<&str>) {
 fn line(xml: &mut Xml, of: &Paragraph) {
     let above = of.room_above.map(|room| room.to_string());
     let properties = |xml: &mut Xml| {
+        if of.keeps_next {
+            xml.leaf("w:keepNext", &[]);
+        }
         if let Some(shade) = of.shade {
             shaded(xml, shade);
         }

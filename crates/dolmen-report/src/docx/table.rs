@@ -55,8 +55,9 @@ pub(super) fn table(xml: &mut Xml, grid: &Grid) {
             });
         }
         for (number, row) in grid.rows.iter().enumerate() {
-            // short tables stay on one page
-            let keep = grid.rows.len() <= WHOLE_ROWS && number + 1 < grid.rows.len();
+            // short tables stay on one page, longer ones break with four rows or more on either side
+            let left = grid.rows.len() - number;
+            let keep = left > 1 && (grid.rows.len() <= WHOLE_ROWS || number < 3 || left <= 4);
             xml.element("w:tr", &[], |xml| {
                 xml.element("w:trPr", &[], |xml| {
                     xml.leaf("w:cantSplit", &[]);

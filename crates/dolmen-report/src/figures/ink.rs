@@ -19,7 +19,7 @@ pub(crate) const PURPLE: &str = "#cc79a7";
 pub(crate) const VERMILLION: &str = "#d55e00";
 
 /// A series of its own colour each, in the order in which they differ most.
-pub(crate) const SERIES: [&str; 6] = [BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY];
+pub(crate) const SERIES: [&str; 6] = [BLUE, VERMILLION, GREEN, PURPLE, SKY, ORANGE];
 
 /// Fonts with Hangul on every system, first those that an engineer's machine has.
 pub(crate) const FONTS: &str = "'Noto Sans CJK KR','Noto Sans KR','Malgun Gothic','Apple SD Gothic Neo','Helvetica Neue',Arial,sans-serif";
@@ -126,7 +126,7 @@ impl Label {
 
     pub(crate) fn small(self) -> Self {
         Label {
-            size: TEXT_PX - 1.5,
+            size: TEXT_PX - 0.5,
             ..self
         }
     }

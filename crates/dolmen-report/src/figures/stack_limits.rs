@@ -13,6 +13,10 @@ const AREA_PX: f64 = 550.0;
 /// What is free beside the plot on its right.
 const RIGHT_PX: f64 = 12.0;
 const TALL_PX: f64 = 285.0;
+/// As many names and more are one name and a number.
+const NAMES_MANY: usize = 3;
+/// What a name keeps from a line that runs above it, px.
+const BELOW_LINE_PX: f64 = 14.0;
 
 fn finite(threshold: Option<Threshold>) -> Option<f64> {
     threshold.map(|t| t.acceleration_g).filter(|g| g.is_finite())
@@ -21,10 +25,14 @@ fn finite(threshold: Option<Threshold>) -> Option<f64> {
 /// What a joint is called: by what is below it.
 pub(crate) fn above_words(above: &str, language: Language) -> String {
     let name = above.replace('\'', "");
-    if name == "the ground" {
-        say(Signs::Ground, language)
-    } else {
-        name
+    let all: Vec<&str> = name.split(", ").collect();
+    match all.as_slice() {
+        ["the ground"] => say(Signs::Ground, language),
+        [first, rest @ ..] if rest.len() + 1 >= NAMES_MANY => {
+            let (first, more) = ((*first).to_owned(), rest.len());
+            say(Signs::AndMore { first, more }, language)
+        }
+        _ => name,
     }
 }
 
@@ -75,7 +83,14 @@ pub fn stack_governing(limits: &StackLimitStates, shaking: &Shaking, language: L
         };
         plot.dot(at, shape, colour);
         // on the slope names stand beside their points and clear each other in height, on the level they do not
-        let raise = if rock <= slide { 5.0 } else { -13.0 };
+        let raise = match rock <= slide {
+            true => {
+                let to_line = frictions.iter().map(|mu| (mu - rock) * TALL_PX / tall);
+                let near = to_line.filter(|px| (0.0..BELOW_LINE_PX).contains(px));
+                near.map(|px| BELOW_LINE_PX - px).fold(5.0, f64::max)
+            }
+            false => -13.0,
+        };
         let height = at[1] - raise * tall / TALL_PX;
         let middle = at[0] + shift * most / AREA_PX;
         let clear = |other: &[f64; 3]| {

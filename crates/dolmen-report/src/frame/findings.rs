@@ -4,7 +4,7 @@ use super::columns;
 use super::notes::load_note;
 use super::tenons;
 use crate::document::{Finding, Tone};
-use crate::load_factor::load_factor_finding;
+use crate::load_factor::{Falls, load_factor_finding};
 use dolmen::assess::{FrameCheck, FrameNote};
 use dolmen::stability::{FrameStability, Verdict};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
@@ -77,7 +77,7 @@ fn of_direction(check: &FrameCheck) -> Vec<Finding> {
                 needs: needs(&check.geometric_n_m),
             },
         ),
-        Some(stability) => load_factor_finding(stability.load_factor, stability.verdict),
+        Some(stability) => load_factor_finding(stability.load_factor, stability.verdict, Falls::BySway),
     }];
     all.extend(check.stability.as_ref().and_then(weakest));
     all.extend(lowest_mode(check));

@@ -65,7 +65,7 @@ fn row((i, mode): (usize, &NaturalMode)) -> Vec<Cell> {
         true => Cell::number(Quantity::new(
             mode.frequency_hz,
             Unit::si("Hz"),
-            Digits::Significant(5),
+            Digits::Significant(4),
         )),
         false => Cell::BadWords(Modes::Falls.into()),
     };

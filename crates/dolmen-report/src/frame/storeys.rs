@@ -105,8 +105,8 @@ fn margin(storey: &StoreyStability, unit: &Unit) -> [Cell; 3] {
     let falls = || Cell::BadWords(Storeys::Falls.into());
     let least = storey.stiffness_least_n_m;
     [
-        Cell::number(significant(storey.stiffness_n_m, unit, 5)),
-        least.map_or_else(falls, |k| Cell::number(significant(k, unit, 5))),
+        Cell::number(significant(storey.stiffness_n_m, unit, 4)),
+        least.map_or_else(falls, |k| Cell::number(significant(k, unit, 4))),
         match storey.margin {
             Some(margin) if margin > 1.0 => Cell::number(Quantity::beside_one(margin, 4)),
             Some(margin) => Cell::Bad(Quantity::beside_one(margin, 4)),

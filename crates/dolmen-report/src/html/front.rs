@@ -38,17 +38,17 @@ pub(crate) struct Banner {
 pub(crate) fn kind_words(structure: &Structure, language: Language) -> &'static str {
     match structure {
         Structure::Chain(_) => language.pick(
-            "Stability of a chain of rigid links",
-            "강체 링크 체인 모델의 안정성 검토",
+            "Structural safety of a flagpole (chain of links)",
+            "당간의 구조안전성 검토",
         ),
         Structure::Frame(_) => language.pick(
-            "Stability of a frame of rigid storeys",
-            "강체 층 골조 모델의 안정성 검토",
+            "Structural safety of a frame of storeys",
+            "문루(골조)의 구조안전성 검토",
         ),
         Structure::Stack(_) => language.pick("Stability of a stack of stones", "적층 석조물의 안정성 검토"),
         Structure::Building(_) => language.pick(
             "Stability and twist of a building of rigid floors",
-            "강체 바닥 건물 모델의 안정성과 비틀림 검토",
+            "건물의 안정성과 비틀림 검토",
         ),
         Structure::Survey => language.pick("Modes from ambient vibration", "상시진동 계측에 의한 모드 분석"),
     }
@@ -164,8 +164,8 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
     first.extend(worse.map(|line| format!("{line}.")));
     if !shaken.is_empty() {
         let lead = language.pick(
-            "Without shaking only. With shaking: ",
-            "지진이 없을 때에 한함. 지진 시: ",
+            "The verdict on its own weight is without shaking. With shaking: ",
+            "자중에 대한 판정은 지진이 없을 때의 것이다. 지진을 고려한 판정: ",
         );
         first.push(format!("{lead}{}.", shaken.join("; ")));
     }
@@ -242,6 +242,6 @@ fn papers(structure: &Structure, language: Language) -> Vec<String> {
 pub(crate) fn closing(language: Language) -> &'static str {
     language.pick(
             "The same input gives the same numbers. This page supports the judgement of an engineer; it does not replace it.",
-            "같은 입력은 같은 결과를 준다. 이 보고서는 기술자의 판단을 돕기 위한 것이며 이를 대신하지 않는다.",
+            "입력이 같으면 결과도 같다. 이 보고서는 기술자의 판단을 돕기 위한 것이며 이를 대신하지 않는다.",
         )
 }

@@ -17,7 +17,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
     let project = &answer.project;
     let inputs = inputs_listed(project);
     html! {
-        h2 { (numbered(&numbers.section(), language.pick("What was given", "입력 자료"))) }
+        h2 { (numbered(&numbers.section(), language.pick("Appendix: What was given", "부록: 입력 자료"))) }
         @if let Some(description) = &project.description { p { (language.pick(description.english(), description.korean())) } }
         @if inputs.is_empty() {
             p { (language.pick(
@@ -37,8 +37,8 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
                 @let inputs: Vec<&Quantity> = variant.own_inputs.iter().collect();
                 @let title = title(variant);
                 (inputs_table(&language.pick(
-                    format!("Inputs of the variant “{}”. Where they differ from those above; values marked as assumed are tinted.", title.text(language)),
-                    format!("대안 ‘{}’의 입력값. 위와 다른 값만 제시하며, 가정한 값은 바탕색으로 표시하였다.", title.text(language)),
+                    format!("Inputs that the variant “{}” changes; values marked as assumed are tinted.", title.text(language)),
+                    format!("대안 ‘{}’에서 달라지는 입력값. 가정한 값은 바탕색으로 표시하였다.", title.text(language)),
                 ), (&project.structure, &inputs), language, numbers))
             }
         }

@@ -10,7 +10,7 @@ messages! {
         Head => { en: "Method and limits", ko: "방법과 한계" },
         ChainSprings => {
             en: "Rigid links on linear rotational springs, small rotations, static gravity. The chain stands if and only if its stiffness matrix with gravity is positive definite.",
-            ko: "강체 부재와 선형 회전 스프링, 미소 회전, 정적 중력을 가정하였다. 중력을 포함한 강성행렬이 양정부호일 때, 그리고 그때에만 안정하다.",
+            ko: "강체 부재와 선형 회전 스프링, 미소 회전, 정적 중력을 가정하였다. 중력을 포함한 강성행렬이 양정부호이면 안정하고, 아니면 불안정하다.",
         },
         ChainFactor => {
             en: "λ is the smallest factor on gravity that makes this matrix singular. The margin of a joint is its stiffness over the least one at which the chain stands, the other joints as they are.",

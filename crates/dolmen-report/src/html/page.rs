@@ -3,7 +3,6 @@
 use super::front::{Banner, banner, closing, has_headline, headline_line, kind_words, project_name, sources};
 use super::given;
 use super::imprint::{Imprint, NotReported};
-use super::method::method;
 use super::style::STYLE;
 use super::words::colour_class;
 use crate::document::{Numbers, block_html, document_html, findings_html, numbered};
@@ -118,7 +117,6 @@ fn article(answer: &ProjectReport, language: Language, imprint: &Imprint, number
         @if let Some((head, block)) = &front.to_do { h3 { (head.text(language)) } (block_html(block, language, &mut numbers)) }
         (document_html(&whole_document(answer), language, &mut numbers))
         (given::section(answer, language, &mut numbers))
-        (document_html(&method(project), language, &mut numbers))
         h2 { (numbered(&numbers.section(), language.pick("Evidence and sources", "근거와 출처"))) }
         ul { @for line in sources(answer, language, imprint) { li { (line) } } }
         footer { (closing(language)) }

@@ -76,7 +76,16 @@ pub(crate) fn convention_word(convention: Convention, language: Language) -> &'s
 
 /// A unit as printed: "N m/rad" is "N·m/rad".
 pub(crate) fn unit_text(unit: &str) -> String {
-    unit.replace(' ', "·")
+    set(&unit.replace(' ', "·"))
+}
+
+/// A value as the file writes it, with the signs of print: "12 kN*m/rad" is "12 kN·m/rad", "kg/m3" is "kg/m³".
+pub(crate) fn set(written: &str) -> String {
+    written
+        .replace('*', "·")
+        .replace("/m3", "/m³")
+        .replace("/m2", "/m²")
+        .replace("/s2", "/s²")
 }
 
 /// `links[1].weight` in words, "link 1, weight"; a path that is not known stays as it is.
@@ -318,7 +327,7 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "diameter" => language.pick("diameter", "지름"),
         "top_diameter" => language.pick("diameter at the top", "윗면 지름"),
         "density" => language.pick("density", "밀도"),
-        "rotation" => language.pick("turn about the vertical", "수평 회전각"),
+        "rotation" => language.pick("turn about the vertical", "비틀림각(연직축 회전)"),
         "friction" => language.pick("friction coefficient", "마찰계수"),
         "friction_kinetic" => language.pick("kinetic friction coefficient", "운동마찰계수"),
         "cohesion" => language.pick("cohesion", "점착력"),

@@ -65,12 +65,12 @@ messages! {
             ko: "서로 다른 해 {solutions}개가 {measured}을(를) 똑같이 잘 설명한다. 계측 모드형상 없이는 구별할 수 없으며, 여기서는 어느 것도 택하지 않는다.",
         },
         Underdetermined { modes: usize, free: usize } => {
-            en: "not determined. Measured modes: {modes}; directions of the stiffness that stay free: {free}; any solution shown is one point of a continuous family.",
-            ko: "정해지지 않는다. 계측 모드 {modes}개로는 독립적인 강성 조합 {free}개가 정해지지 않으며, 제시된 해는 연속적인 해집합의 한 점이다.",
+            en: "not determined. Measured modes: {modes}; combinations of the stiffness that stay free: {free}; any solution shown is one of the many possible. Measure higher modes, or mode shapes.",
+            ko: "계측 모드 {modes}개로는 강성을 모두 정할 수 없다(정해지지 않는 강성 조합 {free}개). 제시한 해는 가능한 수많은 해 가운데 하나일 뿐이다. 더 높은 모드나 모드형상을 계측한다.",
         },
         UnderdeterminedSomehow { modes: usize } => {
-            en: "not determined. Measured modes: {modes}; some directions of the stiffness stay free; any solution shown is one point of a continuous family.",
-            ko: "정해지지 않는다. 계측 모드 {modes}개로는 강성의 일부 방향이 정해지지 않으며, 제시된 해는 연속적인 해집합의 한 점이다.",
+            en: "not determined. Measured modes: {modes}; some combinations of the stiffness stay free; any solution shown is one of the many possible. Measure higher modes, or mode shapes.",
+            ko: "계측 모드 {modes}개로는 강성을 모두 정할 수 없다. 제시한 해는 가능한 수많은 해 가운데 하나일 뿐이다. 더 높은 모드나 모드형상을 계측한다.",
         },
         Impossible { modes: usize, why: Sentence } => {
             en: "no real stiffness explains the measured modes ({modes}). {why}",

@@ -31,8 +31,8 @@ messages! {
         Best => { en: "best", ko: "최적" },
         Points => { en: "points", ko: "측점" },
         AssumedSd => {
-            en: "A frequency without a standard deviation is taken as known to 0.5 %: give its sd.",
-            ko: "표준편차가 없는 고유진동수는 0.5 %까지 아는 것으로 보았다. sd를 주어야 한다.",
+            en: "A frequency without a standard deviation is taken as known to 0.5 %: give its standard deviation.",
+            ko: "표준편차를 입력하지 않은 고유진동수는 표준편차를 0.5 %로 보았다.",
         },
         NoneMissed => {
             en: "Modes paired by order are taken as the lowest of their direction, with none missed below; if the survey missed one, every factor is wrong.",

@@ -7,9 +7,10 @@ use crate::document::{Block, Document, Figure, Finding, Tone, table_series};
 use crate::figures::joint_factors;
 use crate::stack::beside;
 use dolmen::blocks::{JointFactor, JointFactorsError};
+use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::FactorsAnswer;
-use dolmen_work::told;
+use dolmen_work::told_both;
 
 /// How much a frequency may differ as the stack settles anew on the springs found, relative, before that is a finding. Our choice: what a good
 /// survey scatters by.
@@ -36,7 +37,7 @@ messages! {
         },
         Counted { joints: usize, beds: Sentence, determined: usize, bounded: usize, unseen: usize, fixed: usize } => {
             en: "of {joints} {beds} the modes determine {determined}, bound {bounded} and do not see {unseen}; they fix {fixed} of {joints} independent combinations of factors.",
-            ko: "{beds} {joints}개 중 {determined}개는 배율이 정해지고 {bounded}개는 범위만 한정되며 {unseen}개는 이 모드로 알 수 없다. 독립적인 배율 조합 {joints}개 중 {fixed}개만 정해진다.",
+            ko: "{beds} {joints}개 가운데 배율이 정해지는 것 {determined}개, 범위만 한정되는 것 {bounded}개, 이 모드로 알 수 없는 것 {unseen}개이다. 독립적인 배율 조합 {joints}개 중 {fixed}개만 정해진다.",
         },
         NotSought { joints: usize, fixed: usize } => {
             en: "the stack has {joints} beds, too many for ranges of each; the modes fix {fixed} independent combinations of their factors. The table gives the least factors and the energy.",
@@ -54,9 +55,9 @@ messages! {
             en: "Survey {survey}: as the stack settles anew on these springs, joints open or close and a frequency changes by {change}. The factors hold for the joints as they lie on the springs of the file; set the springs found in the file and identify again.",
             ko: "{survey} 조사: 이 강성으로 다시 안착시키면 접합면이 벌어지거나 닫혀 고유진동수가 {change} 달라진다. 배율은 파일의 강성에서의 접촉 상태에 대한 값이므로, 구한 강성을 파일에 넣고 다시 추정해야 한다.",
         },
-        NoRest { survey: String, why: String } => {
+        NoRest { survey: String, why: Both } => {
             en: "Survey {survey}: on these springs the stack finds no rest: {why}",
-            ko: "{survey} 조사: 이 강성에서는 적층 구조가 평형을 찾지 못한다. [영문] {why}",
+            ko: "{survey} 조사: 이 강성에서는 적층 구조가 평형을 찾지 못한다: {why}",
         },
         Head { survey: String } => { en: "Survey {survey}, springs of the joints", ko: "{survey} 조사, 접합부 강성" },
         Band { low: Quantity, high: Quantity } => {
@@ -110,9 +111,9 @@ messages! {
             en: "No factors on the springs of the joints are found: the mode at {frequency} has {quantity} = {given}, which cannot be. Points lie between the ground and the top of the stack, and deviations are 0 or more.",
             ko: "{frequency} 모드의 {quantity} 값 {given}이(가) 잘못되어 접합부 강성을 추정하지 않았다. 측점은 지반과 적층 구조의 꼭대기 사이에 있고 표준편차는 0 이상이어야 한다.",
         },
-        WhatElse { why: String } => {
+        WhatElse { why: Both } => {
             en: "No factors on the springs of the joints are found: {why}",
-            ko: "접합부 강성을 추정하지 못하였다. [영문] {why}",
+            ko: "접합부 강성을 추정하지 못하였다: {why}",
         },
     }
 }
@@ -132,9 +133,9 @@ pub(super) fn refused(why: &JointFactorsError) -> Joints {
             quantity: (*quantity).to_owned(),
             given: Quantity::ratio(*given, 4),
         },
-        JointFactorsError::Blocks(why) => Joints::WhatElse { why: told(why) },
+        JointFactorsError::Blocks(why) => Joints::WhatElse { why: told_both(why) },
         JointFactorsError::Linalg(_) | JointFactorsError::Option { .. } => {
-            Joints::WhatElse { why: told(why) }
+            Joints::WhatElse { why: told_both(why) }
         }
     }
 }
@@ -214,7 +215,7 @@ pub(super) fn findings(survey: &str, answer: &FactorsAnswer) -> Vec<Finding> {
         }
         Ok(_) => {}
         Err(why) => {
-            let why = told(why);
+            let why = told_both(why);
             all.push(Finding::key(Tone::Warn, Joints::NoRest { survey, why }));
         }
     }

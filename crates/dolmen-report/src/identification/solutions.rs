@@ -25,7 +25,7 @@ messages! {
         None => { en: "No stiffness explains these modes.", ko: "이 모드를 설명하는 강성이 없다." },
         Caption { shown: usize, total: usize } => {
             en: "Solutions, {shown} of {total} found.",
-            ko: "해 {total}개 중 {shown}개.",
+            ko: "구한 해 {total}개 가운데 {shown}개를 보인다.",
         },
         Meaning { starts: usize, spring: Sentence } => {
             en: "k₁ is of the lowest {spring}, ± standard deviation. Starting points tried: {starts}; misfit is the root mean square deviation in units of the standard deviation, relative where none is given.",

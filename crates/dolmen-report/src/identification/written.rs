@@ -22,8 +22,8 @@ messages! {
             ko: "이제 `dolmen check`, `simulate`, `report`가 이 값을 쓴다. 이 조사는 더 이상 모델을 확인하는 근거가 되지 않는다.",
         },
         CanBe => {
-            en: "One survey determines the stiffness: `dolmen identify PROJECT --write` puts it into the project file, with its standard deviation, for check, simulate and report.",
-            ko: "한 조사로 강성이 정해진다. `dolmen identify PROJECT --write`로 표준편차와 함께 프로젝트 파일에 쓰면 check, simulate, report가 그 값을 쓴다.",
+            en: "One survey determines the stiffness: `dolmen identify PROJECT --write` puts it into the project file, with its standard deviation, and all answers rest on it then.",
+            ko: "한 조사로 강성이 정해진다. `dolmen identify PROJECT --write`로 표준편차와 함께 프로젝트 파일에 쓰면 이후의 모든 검토가 그 값을 쓴다.",
         },
     }
 }

@@ -130,7 +130,7 @@ fn frequencies(frequencies: &StackFrequencies) -> Value {
             "sway_x_hz": sways[0].map(|(_, hz)| hz),
             "sway_y_hz": sways[1].map(|(_, hz)| hz),
         }),
-        StackFrequencies::Refused(why) => json!({ "refused": why }),
+        StackFrequencies::Refused(why) => json!({ "refused": why.english }),
     }
 }
 

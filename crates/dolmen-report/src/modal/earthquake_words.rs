@@ -9,11 +9,11 @@ messages! {
     pub(crate) enum Quake in "modal.earthquake" {
         Holds { from: Quantity, to: Quantity, strong: Quantity, over: Quantity, peak: Sentence } => {
             en: "EARTHQUAKE: the record holds one, {from} to {to} after its first sample, strong for {strong}, {over} times the noise{peak}.",
-            ko: "지진: 기록의 첫 표본부터 {from}–{to} 구간에 지진이 있다. 강진 지속시간 {strong}, 잡음의 {over}배{peak}.",
+            ko: "지진: 기록 시작 후 {from}~{to}에 지진이 있다. 강진 지속시간 {strong}, 진폭(RMS)은 평상시 잡음의 {over}배{peak}.",
         },
         HoldsUnsure { from: Quantity, to: Quantity, strong: Quantity, over: Quantity, peak: Sentence } => {
             en: "STRONG SHAKING, {from} to {to} after the first sample, strong for {strong}, {over} times the noise{peak}: an earthquake, traffic close by or a gust; the record does not tell which.",
-            ko: "강한 진동: 첫 표본부터 {from}–{to} 구간, 강한 진동의 지속시간 {strong}, 잡음의 {over}배{peak}. 지진, 가까운 교통 또는 돌풍일 수 있으며 이 기록으로는 구분할 수 없다.",
+            ko: "강한 진동: 기록 시작 후 {from}~{to}, 강한 진동의 지속시간 {strong}, 진폭(RMS)은 평상시 잡음의 {over}배{peak}. 지진, 가까운 교통 또는 돌풍일 수 있으며 이 기록으로는 구분할 수 없다.",
         },
         HoldSeveral { count: usize, peak: Sentence } => {
             en: "EARTHQUAKES: the record holds {count}{peak}.",
@@ -44,11 +44,11 @@ messages! {
         WhyEdge => { en: "the record begins or ends in it", ko: "기록이 그 중간에 시작하거나 끝난다" },
         Each { number: usize, from: Quantity, to: Quantity, strong: Quantity, over: Quantity, peak: Sentence, left: Sentence } => {
             en: "Earthquake {number}: {from} to {to}, strong for {strong}, {over} times the noise{peak}. {left}",
-            ko: "지진 {number}: {from}–{to}, 강진 지속시간 {strong}, 잡음의 {over}배{peak}. {left}",
+            ko: "지진 {number}: {from}~{to}, 강진 지속시간 {strong}, 진폭(RMS)은 평상시 잡음의 {over}배{peak}. {left}",
         },
         EachUnsure { number: usize, from: Quantity, to: Quantity, strong: Quantity, over: Quantity, peak: Sentence, left: Sentence } => {
             en: "Shaking {number} (an earthquake, traffic close by or a gust): {from} to {to}, strong for {strong}, {over} times the noise{peak}. {left}",
-            ko: "진동 {number}(지진, 가까운 교통 또는 돌풍): {from}–{to}, 강한 진동의 지속시간 {strong}, 잡음의 {over}배{peak}. {left}",
+            ko: "진동 {number}(지진, 가까운 교통 또는 돌풍): {from}~{to}, 강한 진동의 지속시간 {strong}, 진폭(RMS)은 평상시 잡음의 {over}배{peak}. {left}",
         },
         LeftChange { frequency: Quantity, by: Quantity, half: Quantity } => {
             en: "It CHANGED {frequency} by {by} ± {half} (95 %), beyond chance.",

@@ -69,7 +69,7 @@ messages! {
             en: "picked by hand of those that the record shows",
             ko: "기록의 모드 중 직접 선택하여",
         },
-        ByItself => { en: "no peak picked by hand", ko: "수작업 없이" },
+        ByItself => { en: "no peak picked by hand", ko: "자동으로" },
         OnHeldBase { inputs: Vec<String> } => {
             en: "with {inputs} taken as given (where that is a ground's motion, on a base that is held there)",
             ko: "{inputs}을(를) 주어진 입력으로 보고(지반의 운동이면 그곳의 기초가 고정된 상태로)",
@@ -79,8 +79,8 @@ messages! {
             ko: "{frequency}의 운동 중 계측한 입력을 따르는 것은 {share} %뿐이다. 나머지는 바람, 사람, 잡음에 의한 것이며, 시계가 다르거나 입력에 잡음이 많아도 이렇게 나타난다. 그 입력으로 움직이는 모드인지 확인한다.",
         },
         PeaksBelow { peaks: Values, lowest: Quantity } => {
-            en: "Below the lowest mode found, {lowest}, the spectrum has peaks that a test refused: {peaks}. The first mode may be among them; with --full the record says which test, and what admits it.",
-            ko: "찾은 최저차 모드 {lowest} 아래에 판정 기준에서 제외된 피크가 있다: {peaks}. 1차 모드일 수 있다. 제외 사유와 채택 방법은 --full의 기록 항목에 있다.",
+            en: "Below the lowest mode found, {lowest}, the spectrum has peaks that a test refused: {peaks}. The first mode may be among them; the section of the record says which test, and what admits it.",
+            ko: "찾은 최저차 모드 {lowest} 아래에 판정 기준에서 제외된 피크가 있다: {peaks}. 1차 모드일 수 있다. 제외 사유와 채택 방법은 기록 항목에 있다.",
         },
         OneFault => {
             en: "1 fault was seen in its channels; it is named with the record.",

@@ -1,5 +1,6 @@
 //! Paragraphs of a document beside the page of the same answer: tests of every format hold them so.
 
+use super::ink::LOWERED;
 use crate::document::{Numbers, document_html};
 use crate::typeset::tests::inside;
 use crate::whole::whole_document;
@@ -14,17 +15,21 @@ pub(crate) fn holds_the_page(there: &[String], answer: &ProjectReport, language:
         .concat();
     assert!(said.len() > 10, "{} of the page", said.len());
     for words in said {
-        let words = words.replace("k_cr", "kcr").replace("k_min", "kmin");
+        let words = lowered(&words);
         assert!(there.contains(&words), "not in the document: {words}");
     }
     let captions = ["caption", "figcaption"].map(|tag| inside(&page, tag)).concat();
     assert!(!captions.is_empty());
     for caption in captions {
-        let bare = caption
-            .replace("<b>", "")
-            .replace("</b>", "")
-            .replace("k_cr", "kcr");
+        let bare = lowered(&caption.replace("<b>", "").replace("</b>", ""));
         let ends = |said: &String| said.ends_with(&bare) && said.len() > bare.len();
         assert!(there.iter().any(ends), "no such caption: {bare}");
     }
+}
+
+/// The words with symbols as paper joins them, the second part lower.
+fn lowered(words: &str) -> String {
+    LOWERED.iter().fold(words.to_owned(), |words, symbol| {
+        words.replace(symbol, &symbol.replace('_', ""))
+    })
 }

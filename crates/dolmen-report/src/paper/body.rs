@@ -5,7 +5,8 @@ use super::{
     Shade, Shown, TEXT_WIDTH, TWIPS, tone,
 };
 use crate::document::{
-    Block, Cell, Document, Figure, Framed, Numbers, Photo, Signatory, Table, figure_label, table_label,
+    Answered, Block, Cell, Document, Figure, Framed, Numbers, Photo, Signatory, Table, Tone, figure_label,
+    table_label,
 };
 use dolmen_words::{Language, Sentence};
 
@@ -37,6 +38,7 @@ impl Body<'_> {
             role,
             runs,
             shade: Some(shade),
+            keeps_next: false,
             room_above: None,
         }));
     }
@@ -73,16 +75,19 @@ impl Body<'_> {
             Block::Photos(photos) => self.photos(photos),
             Block::Signatures(rows) => self.signatures(rows),
             Block::Answers(answers) => {
-                for answer in answers {
-                    let [colour, wash, sign] = tone(answer.tone);
-                    let ink = Ink::bold(colour);
-                    let runs = vec![
-                        Run::Words(answer.question.text(language), Ink::PLAIN),
-                        Run::Words(format!("  {sign} "), ink),
-                        Run::Words(answer.word.text(language), ink),
-                    ];
-                    self.shaded(Role::Judgement, [colour, wash], runs);
-                }
+                // a question a column, its word below
+                let word = |answer: &Answered| Shown {
+                    text: format!("{} {}", tone(answer.tone)[2], answer.word.text(language)),
+                    is_bad: answer.tone == Tone::Bad,
+                };
+                let question = |answer: &Answered| answer.question.text(language);
+                self.pieces.push(Piece::Gap(None));
+                self.grid(Grid {
+                    heads: answers.iter().map(question).collect(),
+                    is_words: vec![true; answers.len()],
+                    is_form: false,
+                    rows: vec![answers.iter().map(word).collect()],
+                });
             }
         }
         Ok(())

@@ -26,7 +26,7 @@ pub(crate) fn tone(tone: Tone) -> [&'static str; 3] {
 }
 
 /// Symbols whose second part stands lower, as on the page.
-const LOWERED: [&str; 2] = ["k_cr", "k_min"];
+pub(super) const LOWERED: [&str; 8] = ["k_cr", "k_min", "K_n", "K_s", "a_z", "I_u", "d_SLV", "T_SLV"];
 
 /// How words stand out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

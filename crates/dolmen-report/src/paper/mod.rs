@@ -80,6 +80,7 @@ pub(crate) fn paper(
         body.project(answer, imprint, (!alone).then_some(at + 1))?;
     }
     body.not_reported(others, answers.len());
+    keep_leads(&mut body.pieces);
     Ok(Paper {
         title: title.to_owned(),
         kind,
@@ -89,6 +90,24 @@ pub(crate) fn paper(
         files: body.media.files,
         with_contents: alone,
     })
+}
+
+/// A paragraph between a head and a table or picture stays with both: a head and a sentence alone do not end a page.
+fn keep_leads(pieces: &mut [Piece]) {
+    for at in 1..pieces.len().saturating_sub(1) {
+        let is_first = matches!(pieces[at - 1], Piece::Heading(_));
+        let stands_whole = match &pieces[at + 1] {
+            Piece::Caption(caption) => caption.is_above,
+            Piece::Picture(..) | Piece::Table(_) => true,
+            _ => false,
+        };
+        if let Piece::Paragraph(paragraph) = &mut pieces[at]
+            && is_first
+            && stands_whole
+        {
+            paragraph.keeps_next = true;
+        }
+    }
 }
 
 impl Paper {

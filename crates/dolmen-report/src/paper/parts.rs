@@ -38,6 +38,10 @@ impl Body<'_> {
             self.line(Role::FrontHeading, &head.text(language));
             self.block(block)?;
         }
+        if number.is_none() {
+            self.pieces.push(Piece::Contents);
+            self.pieces.push(Piece::PageBreak);
+        }
         self.banner(answer);
         if let Some(block) = &front.answers {
             self.block(block)?;
@@ -46,9 +50,6 @@ impl Body<'_> {
         if let Some((head, block)) = &front.to_do {
             self.line(Role::FrontHeading, &head.text(language));
             self.block(block)?;
-        }
-        if number.is_none() {
-            self.pieces.push(Piece::Contents);
         }
         self.document(&whole)?;
         self.document(&behind_document(answer, imprint))

@@ -36,6 +36,8 @@ pub(crate) struct Paragraph {
     pub(crate) role: Role,
     pub(crate) runs: Vec<Run>,
     pub(crate) shade: Option<Shade>,
+    /// It stands on the page of what follows.
+    pub(crate) keeps_next: bool,
     /// Room above where it is not that of its role, twentieths of a point.
     pub(crate) room_above: Option<u32>,
 }
@@ -46,6 +48,7 @@ impl Paragraph {
             role,
             runs: vec![Run::Words(text.to_owned(), Ink::PLAIN)],
             shade: None,
+            keeps_next: false,
             room_above: None,
         }
     }

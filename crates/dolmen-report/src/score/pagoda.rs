@@ -14,7 +14,7 @@ messages! {
     pub(crate) enum Pagoda in "score.pagoda" {
         Head { name: Both, designs: usize } => {
             en: "Six-factor score of {name}: against {designs} simulated pagodas",
-            ko: "{name}: 여섯 인자 점수, 시뮬레이션한 석탑 {designs}기와 비교",
+            ko: "{name}: 여섯 인자로 시뮬레이션한 석탑 {designs}기와 비교",
         },
         Factors => {
             en: "Factors, and by how much each raises or lowers the capacity of a state against the mean of the simulated pagodas.",

@@ -4,6 +4,7 @@ use super::beside::beside;
 use crate::document::{Block, Cell, Column, Document, Table};
 use crate::surveys_many::MANY_FROM;
 use dolmen::blocks::StackMode;
+use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::state::{MODES_SHOWN, SpringFit, StackAnswer, StackFrequencies};
 
@@ -29,9 +30,9 @@ messages! {
             en: "They are those of the stiffness given or assumed, with the joints as their own weight leaves them (partly open where it presses outside their middle third): no finding until a survey measures them.",
             ko: "주어지거나 가정한 강성에 대한 값이며, 접합면은 자중이 작용하는 상태(합력이 중앙 1/3을 벗어나면 일부 벌어진 상태)로 보았다. 계측으로 확인하기 전에는 검토 결과가 아니다.",
         },
-        Refused { why: String } => {
+        Refused { why: Both } => {
             en: "Natural frequencies are not known: {why}",
-            ko: "고유진동수를 알 수 없다. [영문] {why}",
+            ko: "고유진동수를 구하지 못하였다: {why}",
         },
         OfHeight { frequency: Quantity } => {
             en: "By its height alone the first frequency is {frequency}, wrong by a factor of two for two of the eight pagodas to which that rule was fitted.",
@@ -96,8 +97,8 @@ fn of_others(fits: &[SpringFit]) -> Option<Frequencies> {
     };
     Some(Frequencies::OtherFits {
         surveys: factors.len(),
-        least: Quantity::beside_one(least, 5),
-        largest: Quantity::beside_one(largest, 5),
+        least: Quantity::beside_one(least, 4),
+        largest: Quantity::beside_one(largest, 4),
     })
 }
 
@@ -140,7 +141,7 @@ fn fitted(fit: &SpringFit) -> Option<Frequencies> {
     });
     Some(Frequencies::Fits {
         survey: fit.survey.clone(),
-        factor: Quantity::beside_one(fit.factor?, 5),
+        factor: Quantity::beside_one(fit.factor?, 4),
         directions: each.collect(),
     })
 }

@@ -37,7 +37,7 @@ messages! {
         CrushAt { joints: Sentence } => { en: "joints crush at {joints}", ko: "압괴하는 접합면은 {joints}" },
         AndCrushAt { others: Sentence, joints: Sentence } => {
             en: "{others}; joints crush at {joints}",
-            ko: "{others}; 압괴하는 접합면은 {joints}",
+            ko: "{others}, 압괴하는 접합면은 {joints}",
         },
         More { joints: Sentence, more: usize } => { en: "{joints} and {more} more", ko: "{joints} 외 {more}곳" },
         OpenAt { joints: Sentence } => { en: "joints open at {joints}", ko: "벌어지는 접합면은 {joints}" },

@@ -14,17 +14,17 @@ messages! {
     pub(crate) enum Judged in "stack.verdict" {
         Moves { margin: Sentence, at: Sentence } => {
             en: "Margin without shaking {margin}; it begins to move at {at} horizontal.",
-            ko: "지진이 없을 때의 여유도 {margin}; 수평 가속도 {at}에서 움직이기 시작한다.",
+            ko: "지진이 없을 때의 여유도는 {margin}이며, 수평 가속도 {at}에서 움직이기 시작한다.",
         },
         MovesUnknown { margin: Sentence } => {
             en: "Margin without shaking {margin}; what moves it first is not known.",
-            ko: "지진이 없을 때의 여유도 {margin}; 최초 거동은 알 수 없다.",
+            ko: "지진이 없을 때의 여유도는 {margin}이며, 최초 거동은 알 수 없다.",
         },
         Weight => { en: "the weight", ko: "자중" },
         WeightAndLoads => { en: "the weight and the static loads", ko: "자중·정하중" },
         Admissible { what: Sentence, at: Sentence, tilt: Quantity } => {
             en: "An admissible state exists: forces in the joints balance {what}. It begins to move at {at} horizontal, or on ground that tilts by {tilt}.",
-            ko: "허용 가능한 평형 상태가 존재한다(접합력이 {what}와(과) 평형을 이룬다). 수평 가속도 {at} 또는 지반 기울기 {tilt}에서 움직이기 시작한다.",
+            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다(한계해석). 수평 가속도 {at} 또는 지반 기울기 {tilt}에서 움직이기 시작한다.",
         },
         AdmissibleAtMost { what: Sentence, at: Sentence, tilt: Quantity } => {
             en: "Forces in the joints can balance {what}. It begins to move at {at} horizontal or less, or on ground that tilts by {tilt} or less: an upper bound.",
@@ -32,7 +32,7 @@ messages! {
         },
         FallsTogether { what: Sentence, moving: Sentence } => {
             en: "It does not stand without shaking: no forces in the joints balance {what}; {moving}.",
-            ko: "지진이 없어도 서 있지 못한다: {what}와(과) 평형을 이루는 접합력이 존재하지 않는다; {moving}.",
+            ko: "지진이 없어도 서 있지 못한다: {what}와(과) 평형을 이루는 접합력이 존재하지 않는다. {moving}.",
         },
         FallsSomehow { what: Sentence } => {
             en: "It does not stand without shaking: no forces in the joints balance {what}.",

@@ -42,7 +42,7 @@ messages! {
             en: "Shift at the middle of the joint, of the joints that slipped most.",
             ko: "접합면 중심의 이동량이며, 가장 크게 미끄러진 접합면들만 표시하였다.",
         },
-        Yaw => { en: "Yaw of the joints.", ko: "접합면의 수평 회전." },
+        Yaw => { en: "Yaw of the joints.", ko: "접합면의 비틀림(연직축 회전)." },
         YawMeaning => {
             en: "Turn about the vertical, of the joints that turned most.",
             ko: "연직축에 대한 회전각이며, 가장 크게 회전한 접합면들만 표시하였다.",

@@ -75,7 +75,7 @@ fn spread(repeats: &Repeats) -> Option<Repeated> {
         let bare = |value: f64| Quantity::new(1e3 * value, Unit::ratio(), Digits::Fixed(1));
         Some(
             Repeated::Range {
-                median: bare(spread.median),
+                median: mm(spread.median),
                 least: bare(spread.least),
                 most: mm(spread.most),
             }

@@ -19,7 +19,7 @@ messages! {
         },
         Rocks { upper: String, at: Quantity } => {
             en: "The sliding model does not hold here: at {at} the pressure leaves an edge of the bed below ‘{upper}’, which begins to rock. Read the simulation by contact.",
-            ko: "미끄러짐 모델을 적용할 수 없다. {at}에 ‘{upper}’ 아래 접합면의 가장자리에서 압력이 없어져 흔들림(로킹)이 시작된다. 접촉 해석 결과를 쓴다.",
+            ko: "미끄러짐 모델을 적용할 수 없다. {at}에 ‘{upper}’ 하부 접합면의 가장자리에서 압력이 없어져 흔들림(로킹)이 시작된다. 접촉 해석 결과를 쓴다.",
         },
         Jumps { at: Quantity } => {
             en: "The sliding model ends at {at}: the ground falls away faster than the blocks (jump mode). Read the simulation by contact.",

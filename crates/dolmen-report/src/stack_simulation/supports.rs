@@ -23,8 +23,8 @@ messages! {
             en: "Supports that move slowly: {movements}. {ending}",
             ko: "서서히 움직이는 지점: {movements}. {ending}",
         },
-        Springs { ending: Sentence } => { en: "With springs in the joints {ending}", ko: "접촉 스프링 해석 — {ending}" },
-        Rigid { ending: Sentence } => { en: "With rigid joints {ending}", ko: "강체 접촉 해석 — {ending}" },
+        Springs { ending: Sentence } => { en: "With springs in the joints {ending}", ko: "접촉 스프링 해석: {ending}" },
+        Rigid { ending: Sentence } => { en: "With rigid joints {ending}", ko: "강체 접촉 해석: {ending}" },
         Both { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
         Fell { factor: Quantity, length: Quantity, block: String } => {
             en: "it gave way at {factor} times that ({length}), and '{block}' came down first.",

@@ -20,7 +20,7 @@ messages! {
         On => { en: "on", ko: "아래 부재" },
         Opening => { en: "opening", ko: "벌어짐" },
         Slip => { en: "slip", ko: "미끄러짐" },
-        Yaw => { en: "yaw", ko: "수평 회전" },
+        Yaw => { en: "yaw", ko: "비틀림" },
         SlipLeft => { en: "slip left", ko: "잔류 미끄러짐" },
         YawLeft => { en: "yaw left", ko: "잔류 회전" },
         Below { least: Quantity } => { en: "< {least}", ko: "< {least}" },

@@ -26,10 +26,10 @@ use dolmen_work::study::StudyAnswer;
 messages! {
     /// The head of a study.
     pub(crate) enum Study in "study" {
-        Head { title: Sentence } => { en: "Study: {title}", ko: "변수 연구: {title}" },
+        Head { title: Sentence } => { en: "Study: {title}", ko: "반복 해석: {title}" },
         HeadAfter { title: Sentence, motion: String } => {
             en: "Study: {title}, after {motion}",
-            ko: "변수 연구: {title}({motion} 이후)",
+            ko: "반복 해석: {title}({motion} 이후)",
         },
     }
 }

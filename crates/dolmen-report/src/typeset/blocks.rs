@@ -9,8 +9,17 @@ use dolmen_words::{Language, Sentence};
 impl Parts {
     /// The blocks of a document, in their order.
     pub(super) fn document(&mut self, document: &Document<'_>) {
-        for block in &document.blocks {
-            self.block(block);
+        let mut before: Option<&Block<'_>> = None;
+        for (at, block) in document.blocks.iter().enumerate() {
+            let is_first = matches!(before, Some(Block::Heading(_) | Block::Subheading(_)));
+            match (block, document.blocks.get(at + 1)) {
+                // a head and a sentence alone do not end a page
+                (Block::Paragraph(sentences), Some(next)) if is_first && stands_whole(next) => {
+                    self.call("lead", &joined(sentences, self.language));
+                }
+                _ => self.block(block),
+            }
+            before = Some(block);
         }
     }
 
@@ -122,6 +131,14 @@ impl Parts {
             several => self.line(&format!("#beside({})", several.join(", "))),
         }
     }
+}
+
+/// Whether a block is more than words.
+fn stands_whole(block: &Block<'_>) -> bool {
+    matches!(
+        block,
+        Block::Table(_) | Block::Figures(_) | Block::KeyValues(_) | Block::Photos(_) | Block::Warning(_)
+    )
 }
 
 /// What stands in a cell, marked where it must not be used.

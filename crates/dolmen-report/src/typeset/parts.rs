@@ -106,6 +106,10 @@ impl Parts {
             self.plain_heading(1, &head.text(language));
             self.block(block);
         }
+        if alone {
+            self.call("contents", language.code());
+            self.line("#pagebreak(weak: true)");
+        }
         if let Some(state) = answer.state() {
             let banner = banner(answer, state, language);
             let sentence: Vec<String> = [Some(banner.sentence), banner.assumed]
@@ -128,9 +132,6 @@ impl Parts {
         if let Some((head, block)) = &front.to_do {
             self.plain_heading(2, &head.text(language));
             self.block(block);
-        }
-        if alone {
-            self.call("contents", language.code());
         }
         self.document(&whole_document(answer));
         self.document(&behind_document(answer, imprint));

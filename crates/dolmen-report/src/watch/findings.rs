@@ -51,9 +51,13 @@ messages! {
             en: "No alarm is unanswered up to the survey of {last}, but the works list inspections alone: none of the changes that raised an alarm ({answered}) was followed by a repair.",
             ko: "{last} 조사까지 점검하지 않은 경보는 없다. 그러나 경보 {answered}건은 점검으로만 확인되었으며, 그 이후 보수 기록이 없다.",
         },
+        TooFewToJudge { needed: usize, surveys: usize } => {
+            en: "Too few surveys to judge yet: {needed} are needed, there are {surveys}.",
+            ko: "아직 판정할 수 있는 조사가 없다. 조사가 {needed}회 이상이어야 한다(지금 {surveys}회).",
+        },
         NoneJudged { training: usize } => {
             en: "No survey was judged against those before it: that needs more than {training} surveys.",
-            ko: "이전 조사와 비교하여 판정한 조사가 없다. 판정에는 조사 {training}회를 초과하는 기록이 필요하다.",
+            ko: "이전 조사와 비교하여 판정한 조사가 없다. 판정하려면 그 전의 조사가 {training}회 이상 있어야 한다.",
         },
         Stepped { frequency: Quantity, by: Quantity, half: Quantity, after: String, before: String, chance: Sentence, stiffness: Quantity, cause: Sentence } => {
             en: "{frequency} changed by {by} ± {half} between {after} and {before} ({chance}){cause}; if all stiffness changed alike, by {stiffness}.",
@@ -268,7 +272,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
                 vec![finding]
             }
             false if answer.watched.modes.is_empty() => Vec::new(),
-            false => vec![Finding::key(Tone::Unknown, Found::NoneJudged { training: 10 })],
+            false => vec![Finding::key(Tone::Unknown, none_judged(answer.surveys.len()))],
         };
     };
     let of_day = |day: usize| {
@@ -298,6 +302,18 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
         all.push(Finding::key(Tone::Bad, Found::FurtherAlarms { count, each }));
     }
     all
+}
+
+/// That no survey was judged, and how many more that needs where they are too few.
+fn none_judged(surveys: usize) -> Found {
+    let training = 10;
+    match surveys > training {
+        false => Found::TooFewToJudge {
+            needed: training + 1,
+            surveys,
+        },
+        true => Found::NoneJudged { training },
+    }
 }
 
 /// Works that are dated far behind the last survey.

@@ -4,7 +4,7 @@ use super::headed::{Headed, verbatim};
 use super::words::Workbook;
 use crate::check::title;
 use crate::document::{Cell, Column, Table};
-use crate::html::words::{evidence_word, input_words, unit_text};
+use crate::html::words::{evidence_word, input_words, set, unit_text};
 use crate::surveys_given::{Given, surveys_table};
 use dolmen_project::Quantity as Input;
 use dolmen_project::Structure;
@@ -26,7 +26,9 @@ pub(crate) fn inputs_tables(answer: &ProjectReport, own: &[&Input]) -> Vec<Heade
     for variant in answer.variants() {
         let inputs: Vec<&Input> = variant.own_inputs.iter().collect();
         let variant = title(variant);
-        all.push(headed(Workbook::InputsOf { variant }.into(), &inputs));
+        let mut of = headed(Workbook::InputsOf { variant }.into(), &inputs);
+        beside_given(&mut of.table, &inputs, &answer.project.structure_inputs());
+        all.push(of);
     }
     all.extend(surveys_table(&answer.project).map(|table| Headed {
         head: Given::Surveys.into(),
@@ -35,6 +37,19 @@ pub(crate) fn inputs_tables(answer: &ProjectReport, own: &[&Input]) -> Vec<Heade
     }));
     all.retain(|headed| !headed.table.rows.is_empty());
     all
+}
+
+/// What stands in the place of a variant's inputs as the structure is, in a column before them.
+fn beside_given(table: &mut Table, inputs: &[&Input], given: &[&Input]) {
+    const BEFORE: usize = 2;
+    table.columns.insert(BEFORE, Column::words(Workbook::AsItIs {}));
+    for (row, input) in table.rows.iter_mut().zip(inputs) {
+        let own = given.iter().find(|own| own.path == input.path);
+        row.insert(
+            BEFORE,
+            verbatim(&own.map_or_else(String::new, |own| set(&own.written))),
+        );
+    }
 }
 
 fn inputs_table(caption: Sentence, structure: &Structure, inputs: &[&Input]) -> Table {
@@ -58,7 +73,7 @@ fn row(structure: &Structure, input: &Input) -> Vec<Cell> {
     vec![
         both(Both::of(|language| input_words(structure, &input.path, language))),
         both(Both::of(|language| evidence_word(input.source, language))),
-        verbatim(&input.written),
+        verbatim(&set(&input.written)),
         verbatim(&unit_text(input.unit)),
         Cell::number(Quantity::new(input.value, Unit::ratio(), Digits::Trimmed(DIGITS))),
         Cell::Number(input.cov.map(|cov| Quantity::percent(cov, 2))),

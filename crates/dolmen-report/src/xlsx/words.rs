@@ -19,10 +19,11 @@ messages! {
             ko: "프로젝트 파일의 입력값이다. 값은 SI 단위이다.",
         },
         InputsOf { variant: Both } => {
-            en: "Inputs of the variant “{variant}” that differ from those above.",
-            ko: "대안 ‘{variant}’의 입력값 가운데 위와 다른 것.",
+            en: "Inputs that the variant “{variant}” changes.",
+            ko: "대안 ‘{variant}’에서 달라지는 입력값.",
         },
         Input {} => { en: "Input", ko: "입력" },
+        AsItIs {} => { en: "As it is", ko: "현 상태" },
         Source {} => { en: "Source", ko: "출처" },
         AsWritten {} => { en: "As written", ko: "기재값" },
         Unit {} => { en: "Unit (SI)", ko: "단위(SI)" },

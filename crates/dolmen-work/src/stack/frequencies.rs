@@ -3,7 +3,7 @@
 use crate::error::WorkError;
 use crate::judgement::lowest_measured;
 use crate::state::{SpringFit, StackAnswer, StackFrequencies};
-use crate::told::told;
+use crate::told::told_both;
 use dolmen::assess::StackCheck;
 use dolmen::blocks::{
     ContactRule, StackMode, calibrate_springs, first_sway, lowest_stack_modes, stack_modes,
@@ -27,7 +27,7 @@ pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Option<StackFrequencies> 
     loop {
         let modes = match lowest_stack_modes(stack, RULE, count) {
             Ok(modes) => modes,
-            Err(why) => return Some(StackFrequencies::Refused(told(&why))),
+            Err(why) => return Some(StackFrequencies::Refused(told_both(&why))),
         };
         let sways = [0, 1].map(|axis| first_sway(&modes, axis).map(|mode| (mode, modes[mode].frequency_hz)));
         let has_all = modes.len() == 6 * stack.blocks().len();

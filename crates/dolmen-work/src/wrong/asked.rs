@@ -180,8 +180,8 @@ sentences! {
             ko: "{shown}: 조합 {scan}, 배율 {scale}의 해석이 서로 다른 결과로 두 번 있다. 계산이 다른 프로그램의 결과이다. --restart로 새로 시작한다",
         },
         StudyWithoutPagoda { name } => {
-            en: "study \"{name}\" has no pagoda of six factors: write pagoda = {{ storeys = 5, … }}",
-            ko: "study \"{name}\"에 여섯 인자의 석탑이 없다. pagoda = {{ storeys = 5, … }}를 쓴다",
+            en: "study \"{name}\" has no pagoda given by six factors: write pagoda = {{ storeys = 5, … }}",
+            ko: "study \"{name}\"에 여섯 인자 점수에 쓸 석탑 정보가 없다. pagoda = {{ storeys = 5, … }}를 추가한다",
         },
         StudyNotRun { study, file } => {
             en: "study \"{study}\" of {file} has no results beside the project file, or they are of another state of it: run dolmen study",

@@ -259,8 +259,8 @@ sentences! {
             ko: "이런 석탑은 점수로 평가할 수 없다: {how}. dolmen study로 해석하거나 --extrapolate로 점수를 낸다",
         },
         NoPagoda { file } => {
-            en: "{file} has no pagoda of six factors: write pagoda = {{ storeys = 5, body_height = 6.0, … }} in a stack, or simulate its blocks with dolmen study",
-            ko: "{file}에 여섯 인자의 석탑이 없다. stack에 pagoda = {{ storeys = 5, body_height = 6.0, … }}를 쓰거나 dolmen study로 블록을 해석한다",
+            en: "{file} has no pagoda given by six factors: write pagoda = {{ storeys = 5, body_height = 6.0, … }} in a stack, or simulate its blocks with dolmen study",
+            ko: "{file}에 여섯 인자 점수에 쓸 석탑 정보가 없다. stack에 pagoda = {{ storeys = 5, body_height = 6.0, … }}를 추가하거나, 블록 모델은 dolmen study로 해석한다",
         },
         TooFewDesigns { designs } => {
             en: "{designs} designs are too few for a score: 50 and more with a curve are needed",
