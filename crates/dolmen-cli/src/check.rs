@@ -9,7 +9,6 @@ use crate::say::{say, say_json};
 use crate::typed::Typed;
 use crate::wrong::{CommandError, Noted};
 use anyhow::Result;
-use dolmen_folder::Found;
 use dolmen_report::check_text;
 use dolmen_report::json::check_json;
 use dolmen_work::judgement::{Verb, judge_check};
@@ -19,7 +18,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     if let Some(name) = options.variant.clone() {
         return Err(CommandError::CheckOfVariant { name }.into());
     }
-    let found = Found::open(&options.project, manner.access())?;
+    let found = manner.open(&options.project)?;
     typed.refuse_foreign(FlagVerb::Check, &[&found.opened.project])?;
     let found = found.with_stiffness_of_surveys(&Terminal::new(manner.quiet))?;
     let how = CheckOptions {

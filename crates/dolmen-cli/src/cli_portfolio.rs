@@ -32,6 +32,9 @@ pub(crate) struct Score {
 pub(crate) struct Rank {
     /// Table of structures (XLSX, ODS, CSV), or a folder of project folders
     pub(crate) source: PathBuf,
+    /// Sheet of a workbook that has several (XLSX, ODS)
+    #[arg(long, value_name = "NAME")]
+    pub(crate) sheet: Option<String>,
     /// Damage state to rank by
     #[arg(long, value_enum, default_value_t = State::Ds3)]
     pub(crate) state: State,

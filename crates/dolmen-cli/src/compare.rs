@@ -8,14 +8,14 @@ use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::wrong::Noted;
 use anyhow::Result;
-use dolmen_folder::{Found, Outputs};
+use dolmen_folder::Outputs;
 use dolmen_report::files::change_files;
 use dolmen_report::json::change_json;
 use dolmen_report::text::change_text;
 use dolmen_work::compare::{CompareOptions, compare};
 
 pub(crate) fn run(options: &Compare, manner: &Manner) -> Result<Outcome> {
-    let found = Found::open(&options.project, manner.access())?;
+    let found = manner.open(&options.project)?;
     let how = CompareOptions {
         from: options.from.clone(),
         to: options.to.clone(),

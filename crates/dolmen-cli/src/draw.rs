@@ -7,7 +7,7 @@ use crate::report::PIXELS;
 use crate::say::say;
 use crate::wrong::CommandError;
 use anyhow::Result;
-use dolmen_folder::{Found, Outputs};
+use dolmen_folder::Outputs;
 use dolmen_picture::Painter;
 use dolmen_report::files::drawing_file;
 use std::path::Path;
@@ -37,7 +37,7 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     if manner.json {
         return Err(CommandError::NoJsonOfDrawing.into());
     }
-    let found = Found::open(&options.project, manner.access())?;
+    let found = manner.open(&options.project)?;
     let outputs = Outputs::of(manner.access(), &found);
     let mut is_png = false;
     if let Some(output) = &options.output {

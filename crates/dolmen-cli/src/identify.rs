@@ -9,7 +9,7 @@ use crate::report::PIXELS;
 use crate::say::{say, say_json};
 use crate::wrong::Noted;
 use anyhow::Result;
-use dolmen_folder::{Found, Outputs};
+use dolmen_folder::Outputs;
 use dolmen_picture::Painter;
 use dolmen_report::files::identification_files;
 use dolmen_report::json::{identification_json, written_back_json};
@@ -17,7 +17,7 @@ use dolmen_report::{identification_text, written_back_text};
 use dolmen_work::{IdentifyOptions, identify, write_back};
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
-    let found = Found::open(&options.project, manner.access())?;
+    let found = manner.open(&options.project)?;
     let how = IdentifyOptions {
         survey: options.survey.clone(),
     };

@@ -1,10 +1,12 @@
 //! What holds for every verb, whatever it does.
 
 use crate::cli_language::{Language as Chosen, size, user_language};
+use anyhow::Result;
 use clap::Args;
-use dolmen_folder::Access;
+use dolmen_folder::{Access, Found};
 use dolmen_report::TextStyle;
-use dolmen_words::Language;
+use dolmen_words::{Language, print_names};
+use std::path::Path;
 
 /// Flags of every verb.
 #[derive(Clone, Debug, Args)]
@@ -56,6 +58,15 @@ impl Manner {
             width: size.map_or(COLUMNS, |(_, columns)| usize::from(columns)),
             is_full: self.full,
         }
+    }
+
+    /// A project; its names are printed in the language of the reader from now on, but for JSON.
+    pub(crate) fn open(&self, path: &Path) -> Result<Found> {
+        let found = Found::open(path, self.access())?;
+        if !self.json {
+            print_names(&found.opened.project.printed_names, self.language());
+        }
+        Ok(found)
     }
 
     /// What may be read and replaced.

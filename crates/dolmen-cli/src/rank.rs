@@ -16,7 +16,7 @@ use dolmen_report::rank_text;
 use dolmen_work::portfolio::{RankOptions, rank};
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
-    let table = portfolio(&options.source, manner.access())?;
+    let table = portfolio(&options.source, options.sheet.as_deref(), manner.access())?;
     let designs = score::designs(options.designs.as_deref(), manner)?;
     let how = RankOptions {
         state: match options.state {

@@ -6,7 +6,7 @@ use crate::outcome::Outcome;
 use crate::say::say;
 use crate::wrong::CommandError;
 use anyhow::Result;
-use dolmen_folder::{Found, Outputs};
+use dolmen_folder::Outputs;
 use dolmen_records::records::{UffNumbers, record_csv, record_uff};
 use dolmen_work::{WhichRecord, used_record};
 use std::path::Path;
@@ -38,7 +38,7 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
         return Err(CommandError::NoJsonOfRecord.into());
     }
     let format = Format::of(&options.output, options.binary)?;
-    let found = Found::open(&options.project, manner.access())?;
+    let found = manner.open(&options.project)?;
     let outputs = Outputs::of(manner.access(), &found);
     outputs.refuse(&options.output)?;
     let which = WhichRecord {

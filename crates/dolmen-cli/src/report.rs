@@ -114,10 +114,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
         samples: options.samples as usize,
         seed: options.seed,
     });
-    let each = options
-        .projects
-        .iter()
-        .map(|path| (path, Found::open(path, manner.access())));
+    let each = options.projects.iter().map(|path| (path, manner.open(path)));
     let each: Vec<(&PathBuf, Result<Found>)> = each.collect();
     let known = each.iter().filter_map(|(_, found)| found.as_ref().ok());
     let projects: Vec<&Project> = known.map(|found| &*found.opened.project).collect();
@@ -236,7 +233,7 @@ pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
             seed: DEMO_SEED,
         });
         let answer = whole(
-            &Found::open(&directory.join(shown.file), manner.access())?,
+            &manner.open(&directory.join(shown.file))?,
             sampling,
             &motion,
             manner,

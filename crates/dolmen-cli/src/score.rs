@@ -9,7 +9,7 @@ use crate::say::{say, say_json};
 use crate::tools::told_both;
 use crate::wrong::{CommandError, Noted};
 use anyhow::{Context as _, Result};
-use dolmen_folder::{Found, Outputs, StudyFolder};
+use dolmen_folder::{Outputs, StudyFolder};
 use dolmen_records::{NoFiles, TABLE_BYTES_MOST, read_score_form};
 use dolmen_report::html::score_form_html;
 use dolmen_report::json::{score_json, score_quality_json};
@@ -60,7 +60,7 @@ fn one(options: &Options, path: &Path, manner: &Manner) -> Result<()> {
 /// A project, or a form that was filled.
 fn opened(path: &Path, manner: &Manner) -> Result<Opened> {
     if !has_ending(path, "xlsx") {
-        return Ok(Found::open(path, manner.access())?.opened);
+        return Ok(manner.open(path)?.opened);
     }
     let file = path.display().to_string();
     let form = read_score_form(&dolmen_folder::read(
@@ -103,7 +103,7 @@ fn quality(options: &Options, manner: &Manner) -> Result<()> {
 }
 
 fn train(options: &Options, project: &Path, name: &str, output: &Path, manner: &Manner) -> Result<()> {
-    let found = Found::open(project, manner.access())?;
+    let found = manner.open(project)?;
     let outputs = Outputs::of(manner.access(), &found);
     outputs.refuse(output)?;
     let folder = StudyFolder::of(options.from.as_deref(), &found, name);

@@ -7,14 +7,14 @@ use crate::outcome::Outcome;
 use crate::say::{say, say_json};
 use crate::wrong::Noted;
 use anyhow::Result;
-use dolmen_folder::{Found, Outputs};
+use dolmen_folder::Outputs;
 use dolmen_report::files::sensors_files;
 use dolmen_report::json::sensors_json;
 use dolmen_report::sensors_text;
 use dolmen_work::sensors::{SensorsOptions, sensors};
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
-    let found = Found::open(&options.project, manner.access())?;
+    let found = manner.open(&options.project)?;
     let how = SensorsOptions {
         count: options.count,
         axes: options.axes,

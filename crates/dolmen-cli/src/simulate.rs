@@ -24,7 +24,7 @@ use dolmen_work::simulation::{SimulateAnswer, Simulation};
 use dolmen_work::{FlagVerb, SimulateOptions, WorkError, other_solutions, prepare};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
-    let found = Found::open(&options.project, manner.access())?;
+    let found = manner.open(&options.project)?;
     typed.refuse_foreign(FlagVerb::Simulate, &[&found.opened.project])?;
     refuse_without_wind(options, typed, &found)?;
     let found = found.with_stiffness_of_surveys(&Terminal::new(manner.quiet))?;

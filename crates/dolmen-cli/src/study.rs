@@ -10,7 +10,7 @@ use crate::typed::Typed;
 use crate::wrong::{CommandError, Noted};
 use crate::{signals, tools};
 use anyhow::{Context as _, Result};
-use dolmen_folder::{Found, StudyFolder, shard};
+use dolmen_folder::{StudyFolder, shard};
 use dolmen_report::against_text;
 use dolmen_report::json::{missing_json, shard_json, study_json};
 use dolmen_report::text::{missing_text, shard_text, study_text};
@@ -40,7 +40,7 @@ fn each(
 ) -> Result<Outcome> {
     let project = place.project.as_deref();
     let project = project.ok_or(CommandError::NameProject)?;
-    let found = Found::open(project, manner.access())?;
+    let found = manner.open(project)?;
     typed.refuse_foreign(FlagVerb::Study, &[&found.opened.project])?;
     let found = found.with_stiffness_of_surveys(&Terminal::new(manner.quiet))?;
     let meant = studies(&found.opened, &place.study)?;

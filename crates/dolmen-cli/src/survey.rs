@@ -95,7 +95,7 @@ fn add(options: &Add, at: &StoreAccess<'_>) -> Result<Outcome> {
     }
     let mut store = at.open_to_write()?;
     for path in &options.projects {
-        let found = Found::open(path, at.manner.access())?;
+        let found = at.manner.open(path)?;
         let context = || path.display().to_string();
         add_one(&mut store, options, &found, at).with_context(context)?;
     }

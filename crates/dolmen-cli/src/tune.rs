@@ -9,7 +9,7 @@ use crate::typed::Typed;
 use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen::damper::Goal;
-use dolmen_folder::{Found, Outputs};
+use dolmen_folder::Outputs;
 use dolmen_report::against_text;
 use dolmen_report::files::tune_files;
 use dolmen_report::json::{together_json, tune_json};
@@ -47,7 +47,7 @@ fn options_of(options: &Options) -> TuneOptions {
 }
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
-    let found = Found::open(&options.project, manner.access())?;
+    let found = manner.open(&options.project)?;
     typed.refuse_foreign(FlagVerb::Tune, &[&found.opened.project])?;
     let answers = tune(&found.opened, &options_of(options), &found.files)?;
     if manner.json {

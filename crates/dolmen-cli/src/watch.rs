@@ -12,7 +12,7 @@ use crate::survey::StoreAccess;
 use crate::watch_call::judged;
 use crate::wrong::Noted;
 use anyhow::Result;
-use dolmen_folder::{Found, Outputs};
+use dolmen_folder::Outputs;
 use dolmen_follow::{call_for_alarming, watch_all};
 use dolmen_report::files::watch_files;
 use dolmen_report::json::watch_json;
@@ -31,7 +31,7 @@ pub(crate) fn run(options: &Watch, manner: &Manner) -> Result<Outcome> {
 }
 
 fn one(project: &Path, options: &Watch, manner: &Manner) -> Result<Outcome> {
-    let found = Found::open(project, manner.access())?;
+    let found = manner.open(project)?;
     let answer = watch(&found.opened, &found.files, &Terminal::new(manner.quiet))?;
     if manner.json {
         say_json(&watch_json(&answer))?;

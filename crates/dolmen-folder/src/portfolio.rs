@@ -6,7 +6,7 @@ use anyhow::{Context as _, Result};
 use dolmen_records::{FileError, TABLE_BYTES_MOST, stays_within};
 use dolmen_words::message::Both;
 use dolmen_work::portfolio::{
-    FoundProject, PortfolioRow, PortfolioTable, Projects, RowSource, read_portfolio,
+    FoundProject, PortfolioRow, PortfolioTable, Projects, RowSource, read_portfolio_sheet,
 };
 use dolmen_work::{WorkError, told_by};
 use std::path::{Path, PathBuf};
@@ -14,15 +14,19 @@ use std::path::{Path, PathBuf};
 /// Name of a project file in its folder.
 const PROJECT: &str = "project.toml";
 
-/// The structures of a table (XLSX, ODS, CSV), or of the projects that lie in a folder.
+/// The structures of a table (XLSX, ODS, CSV; `sheet` of a workbook of several), or of the projects that lie in a folder.
 ///
 /// # Errors
 /// Where the table cannot be read, or the folder is itself a project or holds none.
-pub fn portfolio(source: &Path, access: Access) -> Result<PortfolioTable> {
+pub fn portfolio(source: &Path, sheet: Option<&str>, access: Access) -> Result<PortfolioTable> {
     let shown = || source.display().to_string();
     if !source.is_dir() {
         let bytes = read(source, access.most(TABLE_BYTES_MOST))?;
-        return read_portfolio(&bytes, &shown()).with_context(shown);
+        return read_portfolio_sheet(&bytes, &shown(), sheet).with_context(shown);
+    }
+    if let Some(sheet) = sheet {
+        let (path, sheet) = (shown(), sheet.to_owned());
+        return Err(PathError::SheetOfFolder { path, sheet }.into());
     }
     if source.join(PROJECT).is_file() {
         return Err(PathError::OneProject { path: shown() }.into());

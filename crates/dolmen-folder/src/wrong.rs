@@ -25,6 +25,10 @@ pub enum PathError {
     NoProjects {
         path: String,
     },
+    SheetOfFolder {
+        path: String,
+        sheet: String,
+    },
     IsRecord {
         path: String,
         name: String,
@@ -127,6 +131,10 @@ sentences! {
         NoProjects { path } => {
             en: "{path} holds no folder with a project.toml: give a folder of project folders, or a table (CSV)",
             ko: "{path}에 project.toml이 든 폴더가 없다. 프로젝트 폴더들이 든 폴더나 표(CSV)를 준다",
+        },
+        SheetOfFolder { path, sheet } => {
+            en: "--sheet {sheet} is for a workbook (XLSX, ODS); {path} is a folder: leave it out",
+            ko: "--sheet {sheet}은(는) 통합 문서(XLSX, ODS)에 쓴다. {path}은(는) 폴더이므로 뺀다",
         },
         IsRecord { path, name } => {
             en: "{path} is a record, not a project file: write a file project.toml beside it that names it, and give that\n\nschema = 1\nkind = \"survey\"\nname = {{ en = \"My survey\" }}\n[survey.\"YYYY-MM-DD\".records]   # the day of the measurement\nfile = \"{name}\"\nsampling_rate = \"? Hz\"   # that of the recorder; delete the line where the file says it",

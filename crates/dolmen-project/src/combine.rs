@@ -73,6 +73,7 @@ fn combined(
     lists.iter().for_each(|list| list.put(&mut root));
     root.remove("study");
     root.remove("report");
+    root.remove("names");
     let variants = root.remove("variant");
     let mut starts = BTreeSet::new();
     for value in root.iter().map(|(_, value)| value) {
@@ -176,6 +177,7 @@ pub fn canonical_text(text: &str, file: &str, study: &str) -> Result<String, Pro
     let mut root = root.into_inner();
     root.remove("survey");
     root.remove("report");
+    root.remove("names");
     if let Some(DeValue::Table(motions)) = root.get_mut("motion").map(Spanned::get_mut) {
         for (_, motion) in motions.iter_mut() {
             if let DeValue::Table(motion) = motion.get_mut() {

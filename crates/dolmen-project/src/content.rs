@@ -14,6 +14,7 @@ use super::stack::StackPart;
 use super::study::StudyPart;
 use super::survey::{ChangePart, Survey, WatchPart};
 use dolmen::assess::demand::DriftLimit;
+use dolmen_words::PrintedName;
 use dolmen_words::Sentence;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -107,6 +108,8 @@ pub struct Project {
     pub name: Names,
     /// What it is, in a sentence or two.
     pub description: Option<Names>,
+    /// Names of parts, surveys and motions as they are printed in another language.
+    pub printed_names: Vec<PrintedName>,
     /// Where the numbers come from.
     pub source: Option<String>,
     /// Acceleration of gravity, m/s².

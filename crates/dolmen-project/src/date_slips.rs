@@ -32,8 +32,9 @@ pub(super) fn judge_dates(reader: &mut Reader, surveys: &[Survey], report: Optio
 }
 
 /// The place of the report.
-pub(super) fn judge_report_place(reader: &mut Reader, report: &ReportPart, has_korean_name: bool) {
-    let degrees = report.location.as_ref().and_then(|location| location.degrees);
+pub(super) fn judge_report_place(reader: &mut Reader, report: Option<&ReportPart>, has_korean_name: bool) {
+    let location = report.and_then(|report| report.location.as_ref());
+    let degrees = location.and_then(|location| location.degrees);
     if let (Some(degrees), true) = (degrees, has_korean_name) {
         let paths = ["report.location.latitude", "report.location.longitude"];
         judge_korean_place(reader, paths, degrees, false);

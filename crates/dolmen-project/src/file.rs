@@ -4,7 +4,7 @@
 
 use super::building::{DamperRaw, DampingRaw, FloorRaw, WatchedRaw};
 use super::chain::{CapRaw, JointRaw, LinkRaw, StoneRaw};
-use super::file_names::NamesRaw;
+use super::file_names::{NamesRaw, PrintedNamesRaw};
 use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
 use super::frame::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
 use super::limits::LimitsRaw;
@@ -37,6 +37,9 @@ pub(super) struct FileRaw {
     pub(super) name: Option<At<NamesRaw>>,
     /// What it is, in a sentence or two: text, or { en = "…", ko = "…" }.
     pub(super) description: Option<At<NamesRaw>>,
+    /// Names of parts, surveys and motions as they are printed in English or Korean: [names.en], [names.ko]. Keys, CSV heads, JSON and file names keep
+    /// those of the file.
+    pub(super) names: Option<At<PrintedNamesRaw>>,
     /// Where the numbers come from.
     pub(super) source: Option<String>,
     /// Where every number of the file comes from that does not say it itself; numbers written in a variant are left out.

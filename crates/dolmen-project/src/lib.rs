@@ -32,6 +32,7 @@ mod names;
 mod needed;
 mod paths;
 mod placed;
+mod printed;
 mod quantity;
 mod ratio;
 mod read;

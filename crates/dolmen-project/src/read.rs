@@ -22,6 +22,7 @@ use super::loads::{judge_loads, loads};
 use super::measure::{Bound, Measure};
 use super::merge::merge;
 use super::names::{Names, names};
+use super::printed::printed_names;
 use super::quantity::Quantity;
 use super::reader::Reader;
 use super::report::report;
@@ -123,7 +124,7 @@ fn read_with(text: &str, files: &dyn Files, lists: &[Tabled]) -> Result<Project,
     lists.iter().for_each(|list| list.put(&mut root));
     let variants = root.remove("variant");
     let mut base = root.clone();
-    for key in ["study", "report"] {
+    for key in ["study", "report", "names"] {
         root.remove(key); // of the file as a whole
     }
     let mut faults = Vec::new();
@@ -298,16 +299,16 @@ fn of_raw(
     }
     let OfInspections { parts, damage } = of_inspections(&mut reader, &raw, &mut surveys, structure.as_mut());
     let report = report(&mut reader, raw.report.as_ref(), &parts);
-    if let Some(report) = &report {
-        judge_report_place(&mut reader, report, has_korean_name);
-    }
+    judge_report_place(&mut reader, report.as_ref(), has_korean_name);
     judge_dates(&mut reader, &surveys, report.as_ref());
+    let printed_names = printed_names(&mut reader, &raw, structure.as_ref(), (&surveys, &motions));
     let schema = raw.schema.and_then(|schema| u32::try_from(schema.value).ok());
     let mut project = match (schema, structure, name) {
         (Some(schema), Some(structure), Some(name)) if reader.faults.is_empty() => Project {
             schema,
             name,
             description: raw.description.map(|given| super::names::names(given.value)),
+            printed_names,
             source: raw.source,
             gravity_m_s2,
             structure,

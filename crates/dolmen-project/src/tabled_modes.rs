@@ -5,7 +5,7 @@ use super::error::Fault;
 use super::measure::Measure;
 use super::tabled::{Tabled, checked_unit, column, quoted, tabled, written};
 use super::tabled_heads::Column;
-use super::tabled_surveys::surveys_in_table;
+use super::tabled_surveys::{surveys_in_table, unit_factor};
 use super::units::parse_unit;
 use super::wrong::{Common, WrongModes, WrongTable};
 use crate::wrong::said;
@@ -305,11 +305,17 @@ fn of_table(file: &str, rows: &[Vec<SheetCell>], root: &DeTable<'_>) -> Result<B
             _ => return Err(missing(direction_at)),
         };
         let frequency = value("frequency").ok_or_else(|| missing(frequency_at))?;
+        let deviation = at("frequency_sd").and_then(|sd_at| {
+            let [sd, of] = [sd_at, frequency_at].map(|at| heads[at].as_ref().and_then(|of| of.1.as_deref()));
+            let units = [sd, of.or(unit_of_file(root))];
+            let cell = row.get(sd_at).filter(|cell| cell.value != SheetValue::Empty)?;
+            Some(in_unit_of_value(&cell.value, units))
+        });
         let with_sd = |value: String, sd: Option<String>| match sd {
             Some(sd) => format!("{{ value = {value}, sd = {sd} }}"),
             None => value,
         };
-        let mut text = format!("{{ frequency = {}", with_sd(frequency, value("frequency_sd")));
+        let mut text = format!("{{ frequency = {}", with_sd(frequency, deviation));
         if let Some(ratio) = value("damping_ratio") {
             let ratio = with_sd(ratio, value("damping_ratio_sd"));
             let _ = write!(text, ", damping_ratio = {ratio}");
@@ -325,6 +331,22 @@ fn of_table(file: &str, rows: &[Vec<SheetCell>], root: &DeTable<'_>) -> Result<B
         all.entry(direction).or_default().push((frequency_hz, text));
     }
     Ok(all)
+}
+
+/// The unit of bare frequencies that the project names.
+fn unit_of_file<'a>(root: &'a DeTable<'_>) -> Option<&'a str> {
+    let units = root.get("units")?.get_ref().as_table()?;
+    units.get("frequency")?.get_ref().as_str()
+}
+
+/// A deviation in the unit of its value, which is Hz where neither the head nor the project names one; a deviation without a unit is in that already.
+fn in_unit_of_value(sd: &SheetValue, [of_sd, of_value]: [Option<&str>; 2]) -> String {
+    let plain = written("frequency_sd", sd, None);
+    let ratio = of_sd.map_or(1.0, |_| unit_factor(of_sd) / unit_factor(of_value));
+    match plain.parse::<f64>() {
+        Ok(number) if ratio != 1.0 => format!("{:?}", number * ratio),
+        _ => plain,
+    }
 }
 
 /// Column and unit of each head; `None` for one that no survey takes, such as the components of shapes.

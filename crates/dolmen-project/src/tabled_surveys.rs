@@ -417,7 +417,7 @@ fn unit_of<'h>(heads: &'h [Option<Head>], held: &Held) -> Option<&'h str> {
 }
 
 /// Hz of a unit of frequency.
-fn unit_factor(unit: Option<&str>) -> f64 {
+pub(super) fn unit_factor(unit: Option<&str>) -> f64 {
     unit.and_then(|unit| parse_unit(unit).ok())
         .map_or(1.0, |unit| unit.factor)
 }

@@ -64,10 +64,10 @@ messages! {
         StaticLoads { said: Sentence } => { en: "Static loads: {said}", ko: "정하중: {said}" },
         WindAndLoads { said: Sentence } => { en: "Wind and static loads: {said}", ko: "풍하중·정하중: {said}" },
         WordAcceleration { word: Both, ratio: Quantity } => {
-            en: "{word} (acceleration: {ratio})",
-            ko: "{word}(가속도: {ratio})",
+            en: "{word} (limit/acceleration {ratio})",
+            ko: "{word}(한계/가속도 {ratio})",
         },
-        WordDrift { word: Both, ratio: Quantity } => { en: "{word} (drift: {ratio})", ko: "{word}(층간변위: {ratio})" },
+        WordDrift { word: Both, ratio: Quantity } => { en: "{word} (limit/drift {ratio})", ko: "{word}(한계/층간변위 {ratio})" },
         Falls => { en: "it falls", ko: "전도" },
         Word { word: Both } => { en: "{word}", ko: "{word}" },
         WordRatio { word: Both, ratio: Quantity } => { en: "{word} (capacity/demand {ratio})", ko: "{word}(저항/요구 {ratio})" },
@@ -78,8 +78,8 @@ messages! {
             ko: "{word}({state}, 해석 {all}회 중 {runs}회)",
         },
         WordRoom { word: Both, part: String, ratio: Quantity } => {
-            en: "{word} (room of {part}: {ratio})",
-            ko: "{word}({part} 여유 공간: {ratio})",
+            en: "{word} (room/stroke of {part} {ratio})",
+            ko: "{word}({part} 여유 공간/행정 {ratio})",
         },
         WordTie { word: Both } => { en: "{word} (a tie broke)", ko: "{word}(결속재 파단)" },
         WordNoLimit { word: Both } => { en: "{word} (no limit is known)", ko: "{word}(판정 기준 없음)" },
@@ -96,8 +96,8 @@ messages! {
             ko: "{word}(접합면이 모서리로 지지됨: {part})",
         },
         WordBeforeMoved { word: Both, ratio: Quantity } => {
-            en: "{word} ({ratio} before its supports moved)",
-            ko: "{word}(지점 이동 전 {ratio})",
+            en: "{word} (capacity/demand {ratio} before its supports moved)",
+            ko: "{word}(지점 이동 전 저항/요구 {ratio})",
         },
         WordMoved { word: Both } => { en: "{word} (its supports moved)", ko: "{word}(지점 이동)" },
         WordHeldByLoads { word: Both } => { en: "{word} (static loads without mass hold it)", ko: "{word}(질량 없는 정하중이 누름)" },
@@ -108,8 +108,8 @@ messages! {
             ko: "{word}({direction} 방향 강성 미상)",
         },
         WordIfRight { word: Both, ratio: Quantity } => {
-            en: "{word} ({ratio} if this model were right)",
-            ko: "{word}(이 모델이 옳다면 {ratio})",
+            en: "{word} (capacity/demand {ratio} if this model were right)",
+            ko: "{word}(이 모델이 옳다면 저항/요구 {ratio})",
         },
         WordContradicted { word: Both } => {
             en: "{word} (a survey contradicts the model)",

@@ -2,9 +2,11 @@
 
 use crate::document::{Cell, Column, Table};
 use crate::html::words::evidence_word;
+use crate::surveys_many::are_tabled;
 use dolmen_project::{Evidence, Project, Quantity as Input, Survey, SurveyMode};
 use dolmen_words::message::Both;
-use dolmen_words::{Digits, Quantity, Unit, messages};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::surveyed::SurveyAnswer;
 
 /// Surveys from which on a table says more than a list for each. Chosen here.
 const TABLE_FROM: usize = 4;
@@ -15,6 +17,10 @@ messages! {
         Caption { surveys: usize } => {
             en: "Surveys: {surveys}. Tilts as written, horizontal over vertical; frequencies that the file states, ± standard deviation; a dash stands for what was not recorded.",
             ko: "조사 {surveys}회. 기울기는 입력한 그대로(수평/연직), 진동수는 파일에 기재된 값 ± 표준편차이며, 기록되지 않은 항목은 –로 표시하였다.",
+        },
+        Further { surveys: usize } => {
+            en: "Surveys: {surveys}, what else the file states of them; a dash stands for what was not recorded.",
+            ko: "조사 {surveys}회. 그 밖에 입력된 사항이며, 기록되지 않은 항목은 –로 표시하였다.",
         },
         Surveys => { en: "Surveys", ko: "조사" },
         Survey => { en: "Survey", ko: "조사" },
@@ -43,25 +49,57 @@ pub(crate) fn is_tabled(project: &Project) -> bool {
     project.surveys.len() >= TABLE_FROM
 }
 
-/// One row a survey; `None` where they are few.
-pub(crate) fn surveys_table(project: &Project) -> Option<Table> {
+/// One row a survey; `None` where they are few. What the table of results says stands there alone: air, tilts, and frequencies that it has from the file.
+pub(crate) fn surveys_table(project: &Project, answers: &[SurveyAnswer]) -> Option<Table> {
     let surveys = &project.surveys;
+    let has_answer = |survey: &Survey| answers.iter().any(|answer| answer.name == survey.name);
+    let is_tabled_before = are_tabled(project, answers) && surveys.iter().all(has_answer);
     let mut directions: Vec<&str> = surveys
         .iter()
         .flat_map(|survey| survey.modes.keys().map(String::as_str))
         .collect();
     directions.sort_unstable();
     directions.dedup();
-    is_tabled(project).then(|| Table {
-        caption: vec![
-            Given::Caption {
-                surveys: surveys.len(),
-            }
-            .into(),
-        ],
+    let mut table = Table {
+        caption: vec![caption(surveys.len(), is_tabled_before)],
         columns: columns(&directions),
         rows: surveys.iter().map(|survey| row(survey, &directions)).collect(),
-    })
+    };
+    if is_tabled_before {
+        let first = match surveys.iter().all(is_stated_alone) {
+            true => 2 + directions.len(),
+            false => 2,
+        };
+        let last = table.columns.len() - 1;
+        let kept = |at: usize| at == 0 || (first..last).contains(&at);
+        table.columns = (0..)
+            .zip(table.columns)
+            .filter(|of| kept(of.0))
+            .map(|of| of.1)
+            .collect();
+        for row in &mut table.rows {
+            *row = (0..)
+                .zip(std::mem::take(row))
+                .filter(|of| kept(of.0))
+                .map(|of| of.1)
+                .collect();
+        }
+    }
+    is_tabled(project).then_some(table)
+}
+
+fn caption(surveys: usize, is_tabled_before: bool) -> Sentence {
+    match is_tabled_before {
+        true => Given::Further { surveys }.into(),
+        false => Given::Caption { surveys }.into(),
+    }
+}
+
+/// Whether the table of results has all that the file states of its modes.
+fn is_stated_alone(survey: &Survey) -> bool {
+    let mut modes = survey.modes.values().flatten();
+    let has_records = survey.records.is_some() || !survey.setups.is_empty();
+    survey.modes.is_empty() || (!has_records && modes.all(|mode| mode.damping_ratio.is_none()))
 }
 
 fn columns(directions: &[&str]) -> Vec<Column> {

@@ -67,14 +67,19 @@ fn has_own_findings(survey: &SurveyAnswer) -> bool {
             .any(|finding| finding.is_key && matches!(finding.tone, Tone::Bad | Tone::Warn))
 }
 
+/// Whether only some are detailed, behind a table of all.
+pub(crate) fn are_tabled(project: &Project, all: &[SurveyAnswer]) -> bool {
+    let with_results = all.iter().filter(|survey| has_results(survey)).count();
+    detailed(project, all).len() < with_results
+}
+
 /// The table of all surveys, where only some are detailed behind it.
 pub(crate) fn sections<'a>(project: &Project, all: &'a [SurveyAnswer]) -> Document<'a> {
     let mut document = Document::default();
-    let shown = detailed(project, all);
-    let left = all.iter().filter(|survey| has_results(survey)).count();
-    if shown.len() >= left {
+    if !are_tabled(project, all) {
         return document;
     }
+    let shown = detailed(project, all);
     document.heading(Many::Head);
     document.put(Block::Table(table(project, all)));
     document.note(Many::Detailed {

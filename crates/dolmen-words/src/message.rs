@@ -3,6 +3,7 @@
 //! A sentence without its Korean, an argument that does not exist, or one that a language leaves out does not compile.
 
 use crate::Language;
+use crate::printed_names::printed_name;
 use crate::quantity::{Quantity, Values};
 pub use crate::run::{Run, Slot, Slots};
 
@@ -19,8 +20,8 @@ impl Argument for Quantity {
 }
 
 impl Argument for String {
-    fn said(&self, _language: Language) -> Vec<Run> {
-        vec![Run::Name(self.clone())]
+    fn said(&self, language: Language) -> Vec<Run> {
+        self.as_str().said(language)
     }
 }
 
@@ -75,7 +76,7 @@ impl<T: Into<Sentence>> From<T> for Both {
 
 impl Argument for Both {
     fn said(&self, language: Language) -> Vec<Run> {
-        vec![Run::Name(self.text(language).to_owned())]
+        self.text(language).said(language)
     }
 }
 
@@ -99,8 +100,8 @@ macro_rules! said_as_displayed {
 said_as_displayed!(u8, u16, u32, u64, i32, i64, f64);
 
 impl Argument for str {
-    fn said(&self, _language: Language) -> Vec<Run> {
-        vec![Run::Name(self.to_owned())]
+    fn said(&self, language: Language) -> Vec<Run> {
+        vec![Run::Name(printed_name(self, language).into_owned())]
     }
 }
 

@@ -108,6 +108,8 @@ pub struct CompareAnswer {
     pub readings: ComparedReadings,
     /// Which of both surveys have records with an earthquake, and from which part of the records their modes are.
     pub shaken: Vec<(String, ModesOf)>,
+    /// Other surveys whose records cannot be used, and why: the weather and the scatter are without them.
+    pub unread: Vec<(String, Both)>,
 }
 
 /// The dampers of a building, compared with the rule and the optimum.

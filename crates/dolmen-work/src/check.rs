@@ -210,7 +210,7 @@ fn towards_worst(uplift_tilt: &dyn Fn([f64; 2]) -> Option<UpliftTilt>) -> Option
 
 /// Where the lowest measured frequency of a direction and that of the model differ too much for the same structure.
 fn contradictions(project: &Project, state: &State) -> Vec<FrequencyContradiction> {
-    let all = measured_frequencies(&project.surveys, &state.check);
+    let all = measured_frequencies(project, &state.check);
     let differing = all.iter().filter(|of| of.differs());
     let contradictions = differing.map(|of| FrequencyContradiction {
         survey: of.survey.clone(),

@@ -15,6 +15,7 @@ use crate::rate_slip::rate_slip;
 use crate::same_record::refuse_same_records;
 use crate::survey_dates::date;
 use crate::surveyed::{ModesOf, SurveyAnswer};
+use crate::told::told_both;
 use dolmen::assess::{SurveyChange, SurveyChangeOptions, Surveyed, TemperatureEffect, survey_change};
 use dolmen::modal::Pairing;
 use dolmen_project::{Project, Survey, TemperaturePart};
@@ -51,17 +52,22 @@ pub fn compare(
     let mut answers: Vec<SurveyAnswer> = needed
         .map(|i| identify::found_in(&project.surveys[i], files, progress))
         .collect::<Result<_, _>>()?;
+    let mut unread = Vec::new();
     if is_among_many {
         for survey in &project.surveys {
             let is_found = answers.iter().any(|answer| answer.name == survey.name);
             let has_records = survey.records.is_some() || !survey.setups.is_empty();
             if has_records && !is_found {
                 // a record that cannot be used leaves the history, not the comparison
-                answers.extend(found_without(survey, files, progress).ok().map(|found| found.0));
+                match found_without(survey, files, progress) {
+                    Ok((found, _)) => answers.push(found),
+                    Err(why) => unread.push((survey.name.clone(), told_both(&why))),
+                }
             }
         }
     }
-    compared_of(opened, &compared, &answers, files)
+    let answer = compared_of(opened, &compared, &answers, files)?;
+    Ok(CompareAnswer { unread, ..answer })
 }
 
 /// Compares two surveys of a project; `answers` hold the results of their records.
@@ -100,6 +106,7 @@ pub(crate) fn compared_of(
         history: history.map(|of| of.told),
         readings: compared_readings(project, compared.from, compared.to),
         shaken: shaken(project, compared, answers),
+        unread: Vec::new(),
     })
 }
 
@@ -290,6 +297,10 @@ mod tests {
 
     /// Fourteen surveys in warm and cold months, −0.08 % per °C; from the ninth on 4 % lower.
     fn of_many() -> Project {
+        parse_project(&text_of_many(), "project.toml").unwrap()
+    }
+
+    fn text_of_many() -> String {
         let off = [
             0.4, -0.7, 0.1, 0.9, -0.5, -0.2, 0.6, -0.8, 0.3, -0.4, 0.8, -0.1, -0.6, 0.2,
         ];
@@ -304,7 +315,7 @@ mod tests {
                 5 + 6 * (i % 2)
             );
         }
-        parse_project(&text, "project.toml").unwrap()
+        text
     }
 
     fn compared(project: &Project, from: Option<&str>) -> CompareAnswer {
@@ -319,6 +330,20 @@ mod tests {
             to: None,
         };
         compare(&opened, &options, &NoFiles, &Silent).unwrap()
+    }
+
+    #[test]
+    fn holds_another_survey_that_cannot_be_read_is_named_with_the_reason() {
+        let gone = "[survey.2020-01-07.records]\nfile = \"gone.csv\"\nsampling_rate = 100\n";
+        let project = parse_project(&(text_of_many() + gone), "project.toml").unwrap();
+        let answer = compared(&project, None);
+        let [(survey, why)] = answer.unread.as_slice() else {
+            panic!("{:?}", answer.unread)
+        };
+        assert_eq!(survey, "2020-01-07");
+        assert!(why.english.contains("gone.csv") && why.korean.contains("gone.csv"), "{why:?}");
+        assert_eq!(answer.history.map(|of| of.surveys), Some(14));
+        assert!(compared(&of_many(), None).unread.is_empty());
     }
 
     #[test]

@@ -49,6 +49,7 @@ pub mod loads;
 pub mod logs;
 mod loosened;
 mod lowest_of_records;
+pub mod mode_heights;
 pub mod model_modes;
 mod modes_of_survey;
 pub mod motion;

@@ -38,14 +38,14 @@ fn holds_a_building_beyond_its_stroke_is_red_wherever_it_is_judged() {
         .find(|line| line.contains("report-2"))
         .unwrap();
     assert!(
-        line.contains("✕ Own weight: stable · Earthquake el-centro: below demand (room of"),
+        line.contains("✕ Own weight: stable · Earthquake el-centro: below demand (room/stroke of"),
         "{line}"
     );
     let own = page.split("id=\"report-2\"").nth(1).unwrap();
     let banner = own.split("class=\"answers\"").next().unwrap();
     assert!(
         banner.contains("verdict unstable")
-            && banner.contains("✕ Own weight: stable · Earthquake el-centro: below demand (room of"),
+            && banner.contains("✕ Own weight: stable · Earthquake el-centro: below demand (room/stroke of"),
         "{banner}"
     );
     assert!(!banner.contains('●'), "{banner}");

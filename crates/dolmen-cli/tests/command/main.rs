@@ -71,6 +71,7 @@ mod one_answer;
 mod one_stones;
 mod out_of_range;
 mod plan_stiffness;
+mod printed_names;
 mod prints;
 mod safety;
 mod said_plainly;

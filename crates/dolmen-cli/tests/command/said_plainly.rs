@@ -159,7 +159,7 @@ fn holds_wind_is_judged_by_the_limits_of_the_file_or_not_at_all() {
     ] {
         let said = of("wind-drift", &limited, command);
         assert!(
-            said.status == 1 && said.words.contains("Wind: beyond its limits (drift: 0."),
+            said.status == 1 && said.words.contains("Wind: beyond its limits (limit/drift 0."),
             "{command}: {}",
             said.words
         );

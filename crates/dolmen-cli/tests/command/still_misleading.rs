@@ -30,13 +30,14 @@ fn agrees_the_headline_of_a_report_with_the_run_of_all_dampers() {
     let report = scratch.briefly("report room.toml -o r.html --quiet");
     assert_eq!((run.status, report.status), (0, 0), "{}", run.words());
     assert!(
-        run.words().contains("near demand (room of b: 1.02)"),
+        run.words().contains("near demand (room/stroke of b 1.02)"),
         "{}",
         run.words()
     );
     let page = fs::read_to_string(scratch.path().join("r.html")).unwrap();
     assert!(
-        page.contains("near demand (room of b: 1.02)") && !page.contains("below demand (room of b: 0.961)"),
+        page.contains("near demand (room/stroke of b 1.02)")
+            && !page.contains("below demand (room/stroke of b 0.961)"),
         "{page}"
     );
 }

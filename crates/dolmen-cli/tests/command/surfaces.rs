@@ -105,6 +105,68 @@ fn holds_a_higher_mode_that_the_model_does_not_have_leaves_it_in_doubt() {
     assert!(!words.contains("in doubt"), "{words}");
 }
 
+/// Modes of the model by `check`: 1.2990, 2.8584 and 4.0077 Hz along x.
+#[test]
+fn holds_a_mode_that_the_survey_missed_is_named_and_doubts_no_model() {
+    let three = GATE
+        .replace(
+            "{ mass = 25, height = 3.0 }",
+            "{ mass = 25, height = 3.0 }, { mass = 15, height = 3.0 }",
+        )
+        .replace("[9.0, 6.0]", "[9.0, 6.0, 4.0]");
+    let missed = format!("{three}[survey.2025-05-01]\nfrequencies.x = [1.30, 4.0]\n");
+    let (status, of) = judgement("missed", &missed, "check project.toml --json");
+    let evidence = &of["versions"][0]["evidence"];
+    assert_eq!((status, &evidence["word"]), (0, &"agrees".into()), "{of}");
+    let (_, words) = said("missed-said", &missed, CHECK);
+    let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words.contains("no measured mode is paired with mode 2 of the model in direction x (2.86 Hz)"),
+        "{words}"
+    );
+    let (_, of) = judgement(
+        "missed-off",
+        &missed.replace("4.0]", "6.5]"),
+        "check project.toml --json",
+    );
+    let evidence = &of["versions"][0]["evidence"];
+    assert_eq!(
+        (&evidence["word"], &evidence["mode"]),
+        (&"in doubt".into(), &3.into())
+    );
+    assert_eq!(evidence["modes_missed"][0]["mode"], 2);
+    // the shape of mode 2 decides, whatever its frequency
+    let shaped = "modes.x = [{ frequency = 1.30 }, { frequency = 4.0, shape = [{ height = 4.2, displacement = -0.7404 }, { height = 7.2, displacement = -0.2246 }, { height = 10.2, displacement = 1.0 }] }]";
+    let shaped = missed.replace("frequencies.x = [1.30, 4.0]", shaped);
+    let (_, of) = judgement("missed-shaped", &shaped, "check project.toml --json");
+    let evidence = &of["versions"][0]["evidence"];
+    assert_eq!(
+        (&evidence["word"], &evidence["mode"]),
+        (&"in doubt".into(), &2.into()),
+        "{of}"
+    );
+}
+
+/// Fourteen surveys that fall by 6 % after the eighth; the model has 1.63 Hz where 2.9 Hz was measured.
+#[test]
+fn holds_a_model_too_far_off_is_said_before_what_changed() {
+    let mut text = GATE.to_owned();
+    for at in 0..14_u32 {
+        let (year, month) = (2018 + at / 2, 5 + 6 * (at % 2));
+        let step = if at < 8 { 1.0 } else { 0.94 };
+        let hz = 2.9 * step * (1.0 + 1e-4 * f64::from(at * at % 7));
+        text += &format!(
+            "[survey.{year}-{month:02}-07]\ntemperature_c = 12\nfrequencies.x = [{{ value = {hz}, sd = 0.003 }}, {{ value = 9.0, sd = 0.01 }}]\n"
+        );
+    }
+    let scratch = Scratch::new("model-off");
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let words = scratch.briefly("watch project.toml").words();
+    let off = words.find("◆ Which part changed is not sought");
+    let changed = words.find("changed by −5.99");
+    assert!(off.is_some() && changed.is_some() && off < changed, "{words}");
+}
+
 #[test]
 fn holds_a_direction_that_cannot_be_run_is_not_decided() {
     let unknown = GATE.replace(

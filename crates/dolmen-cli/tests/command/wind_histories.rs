@@ -109,12 +109,12 @@ fn holds_limits_decide_headline_and_exit_and_files_hold_the_first_history() {
     let answer = run(r#", acceleration_limit = "0.001 m/s2""#, "");
     assert_eq!(answer.status, 1, "{}", answer.stdout);
     let said = answer.words();
-    assert!(said.contains("Wind: beyond its limits (acceleration:"), "{said}");
+    assert!(said.contains("Wind: beyond its limits (limit/acceleration"), "{said}");
     assert!(said.contains("2 of these 2 histories go beyond it"), "{said}");
     // of a hundred seconds nothing within is decided
     let answer = run(r#", acceleration_limit = "9 m/s2""#, "");
     let said = answer.words();
-    assert!(said.contains("Wind: not decided (acceleration:"), "{said}");
+    assert!(said.contains("Wind: not decided (limit/acceleration"), "{said}");
     assert!(said.contains("of 100 s nothing within them is decided"), "{said}");
     let answer = whole(
         r#", acceleration_limit = "9 m/s2", drift_limit = 0.06"#,
@@ -221,7 +221,9 @@ fn holds_the_mean_square_and_stops_that_are_met_decide_too() {
     let (check, run) = (said(limits, "", "check"), said(limits, "", "simulate --wind"));
     for answer in [&check, &run] {
         assert!(
-            answer.words().contains("beyond its limits (acceleration: 0.97"),
+            answer
+                .words()
+                .contains("beyond its limits (limit/acceleration 0.97"),
             "{}",
             answer.stdout
         );
@@ -257,7 +259,10 @@ fn holds_the_mean_square_and_stops_that_are_met_decide_too() {
     };
     let struck = said(limits, &damper("0.128 m"), "simulate --wind");
     let words = struck.words();
-    assert!(words.contains("beyond its limits (room of d: 0.89"), "{words}");
+    assert!(
+        words.contains("beyond its limits (room/stroke of d 0.89"),
+        "{words}"
+    );
     assert!(
         words.contains("meets its stops in 3 of these 10 histories"),
         "{words}"
@@ -265,7 +270,10 @@ fn holds_the_mean_square_and_stops_that_are_met_decide_too() {
     assert_eq!(struck.status, 1, "{words}");
     let struck = said("", &damper("0.146 m"), "simulate --wind");
     let words = struck.words();
-    assert!(words.contains("Wind: not decided (room of d: 0.9"), "{words}");
+    assert!(
+        words.contains("Wind: not decided (room/stroke of d 0.9"),
+        "{words}"
+    );
     assert!(
         words.contains("meets its stops in 1 of these 10 histories"),
         "{words}"

@@ -83,7 +83,7 @@ fn holds_limits_decide_headline_and_exit_and_without_them_nothing_is_judged() {
     let (status, words) = limits(r#", acceleration_limit = "0.001 m/s2""#);
     assert_eq!(status, 1, "{words}");
     assert!(
-        words.contains("Wind: beyond its limits (acceleration:"),
+        words.contains("Wind: beyond its limits (limit/acceleration"),
         "{words}"
     );
     let (status, words) = limits(r#", acceleration_limit = "9 m/s2", drift_limit = 0.05"#);

@@ -105,6 +105,14 @@ messages! {
         },
         MustBeOneOf { known: String } => { en: "must be one of {known}", ko: "다음 중 하나이어야 한다: {known}" },
         NeedsText => { en: "needs text", ko: "문자열이 필요하다" },
+        NamesNothing { path: String, name: String } => {
+            en: "{path} has \"{name}\", which is no part, survey or motion of this file",
+            ko: "{path}의 \"{name}\"은(는) 이 파일의 부재, 조사, 지반운동의 이름이 아니다",
+        },
+        NameAsFileDoes => {
+            en: "write the name on the left as the file has it: [names.ko] with \"base\" = \"기단\"",
+            ko: "왼쪽에는 파일에 있는 이름을 그대로 쓴다. 예: [names.ko]에 \"base\" = \"기단\"",
+        },
         NameEnKoOr => {
             en: "name = {{ en = \"…\", ko = \"…\" }}, or one of them",
             ko: "name = {{ en = \"…\", ko = \"…\" }} 또는 둘 중 하나를 쓴다",

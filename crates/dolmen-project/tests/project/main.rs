@@ -12,6 +12,7 @@ mod project_friction;
 mod project_keys;
 mod project_loads;
 mod project_modes;
+mod project_names;
 mod project_report;
 mod project_shapes;
 mod project_site;

@@ -88,6 +88,14 @@ fn agrees_a_table_is_the_modes_that_it_stands_for() {
             0.004,
         ),
         (
+            "direction,frequency (Hz),frequency_sd (Hz),damping_ratio\nx,2.125,0.004,0.0125\ny,2.75,,\ntorsion,6.5,0.01,0.03\n",
+            0.004,
+        ),
+        (
+            "direction,frequency,frequency_sd (kHz),damping_ratio\nx,2.125,4e-6,0.0125\ny,2.75,,\ntorsion,6.5,,0.03\n",
+            0.004,
+        ),
+        (
             "방향;고유진동수 (Hz);감쇠비\nx;2.125;0.0125\ny;2.75;\ntorsion;6.5;0.03\n",
             0.0,
         ),

@@ -110,6 +110,7 @@ pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
     all.extend(damping(change));
     all.push(frequencies(change));
     all.extend(answer.history.as_ref().map(|of| history::finding(of, change)));
+    all.extend(history::unread(&answer.unread));
     all.extend(parts::findings(&answer.parts));
     all.extend(
         answer

@@ -3,6 +3,7 @@
 use super::quantities::{bare_percent, hertz, percent, plus};
 use crate::document::{Block, Document, Finding, Tone};
 use dolmen::assess::{ModeChange, SurveyChange};
+use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::compared_history::{ComparedHistory, Course, LastingChange};
 
@@ -29,6 +30,12 @@ messages! {
             en: "These are two dates; by all surveys nothing lasting changed between them.",
             ko: "이 비교는 두 시점의 차이이다. 전체 조사로 보면 그 사이에 지속적인 변화는 없다.",
         },
+        Unread { each: Vec<Sentence> } => {
+            en: "Other surveys whose records cannot be used are left out of the weather and the scatter: {each}.",
+            ko: "기록을 쓸 수 없어 기온의 영향과 흩어짐의 추정에서 뺀 다른 조사: {each}.",
+        },
+        UnreadOne { survey: String, why: Both } => { en: "{survey} ({why})", ko: "{survey}({why})" },
+        UnreadMore { count: usize } => { en: "and {count} more", ko: "그 밖 {count}회" },
         Step { frequency: Quantity, sign: String, change: Quantity, half: Quantity, after: String, before: String } => {
             en: "{frequency} {sign}{change} ± {half} between {after} and {before}",
             ko: "{frequency} {sign}{change} ± {half}({after}~{before})",
@@ -55,6 +62,8 @@ messages! {
 
 /// How many lasting changes stand in the sentence.
 const LISTED: usize = 4;
+/// How many surveys that cannot be read stand in the sentence.
+const UNREAD_LISTED: usize = 3;
 /// Half of a 95 % interval, of a standard deviation.
 const HALF_95: f64 = 1.959963984540054;
 
@@ -87,6 +96,21 @@ pub(super) fn finding(of: &ComparedHistory, change: &SurveyChange) -> Finding {
         lasting: lasting.into(),
     };
     Finding::key(Tone::Plain, said)
+}
+
+/// Other surveys that cannot be read, with the reasons.
+pub(super) fn unread(all: &[(String, Both)]) -> Option<Finding> {
+    let named = all
+        .iter()
+        .take(UNREAD_LISTED)
+        .map(|(survey, why)| Behind::UnreadOne {
+            survey: survey.clone(),
+            why: why.clone(),
+        });
+    let more = all.len().saturating_sub(UNREAD_LISTED);
+    let more = (more > 0).then_some(Behind::UnreadMore { count: more });
+    let each: Vec<Sentence> = named.chain(more).map(Sentence::from).collect();
+    (!each.is_empty()).then(|| Finding::key(Tone::Warn, Behind::Unread { each }))
 }
 
 fn lasting(of: &LastingChange) -> Sentence {

@@ -6,9 +6,9 @@ use crate::document::{Finding, Tone};
 use crate::{building, chain, demand, frame, loads, stack};
 use dolmen_project::{Project, Structure};
 use dolmen_words::message::Both;
-use dolmen_words::{Language, Quantity, messages};
+use dolmen_words::{Digits, Language, Quantity, Unit, messages};
 use dolmen_work::answer::{CheckAnswer, UnreadableMotion};
-use dolmen_work::judgement::{Colour, Evidence};
+use dolmen_work::judgement::{Colour, Evidence, missed_modes};
 use dolmen_work::state::{Check, LOAD_FACTOR_USUAL_MOST, State};
 use dolmen_work::survey_date;
 
@@ -38,6 +38,10 @@ messages! {
         InDoubt { evidence: Both } => {
             en: "The model is {evidence}. The lowest frequencies alone do not confirm it: check which modes these are, the stiffness and the masses.",
             ko: "모델 {evidence}. 최저 고유진동수만으로는 모델을 확인할 수 없으므로 모드의 차수, 강성, 질량을 확인해야 한다.",
+        },
+        ModeMissed { survey: String, number: usize, direction: String, computed: Quantity } => {
+            en: "Survey {survey}: no measured mode is paired with mode {number} of the model in direction {direction} ({computed}), and those above are compared with the next. If the survey missed none, the model is not the structure; measured shapes decide it.",
+            ko: "{survey} 조사: 모델의 {direction} 방향 {number}차 모드({computed})와 짝지은 계측 모드가 없어, 그 위의 계측 모드는 모델의 다음 모드와 비교하였다. 조사에서 빠뜨린 모드가 없다면 모델이 실제와 다르다. 모드형상을 계측하면 가릴 수 있다.",
         },
         UnreadableMotion { motion: String, why: Both } => {
             en: "Motion {motion} of the file cannot be simulated: {why}",
@@ -82,6 +86,7 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
     all.extend(unusual(state));
     all.extend(marked_assumed(project, state));
     all.extend(in_doubt(project, state));
+    all.extend(missed(project, state));
     all.extend(next(project, state));
     all.extend(after);
     all.extend(agreement(project, state));
@@ -121,6 +126,23 @@ fn in_doubt(project: &Project, state: &State) -> Option<Finding> {
         let evidence = Both::of(|language| evidence.words(language));
         Finding::key(Tone::Warn, Unusual::InDoubt { evidence })
     })
+}
+
+/// Modes of the model that surveys missed; a model in doubt names them itself.
+fn missed(project: &Project, state: &State) -> Vec<Finding> {
+    if Evidence::of(project, &state.check).is_doubted() {
+        return Vec::new();
+    }
+    let each = missed_modes(project, &state.check).into_iter().map(|of| {
+        let said = Unusual::ModeMissed {
+            survey: of.survey,
+            number: of.number,
+            direction: of.direction,
+            computed: Quantity::new(of.computed_hz, Unit::si("Hz"), Digits::Significant(3)),
+        };
+        Finding::key(Tone::Unknown, said)
+    });
+    each.collect()
 }
 
 /// Frequencies of surveys that the file marks as assumed, beside the model.

@@ -9,6 +9,7 @@ use dolmen::structure::{Convention, MeasuredMode};
 use dolmen_project::{Project, Quantity, Structure};
 use dolmen_words::Language;
 use dolmen_work::answer::IdentifyAnswer;
+use dolmen_work::mode_heights::mode_heights_m;
 use dolmen_work::surveyed::StiffnessAnswer;
 
 /// Solutions whose shapes are drawn.
@@ -136,7 +137,7 @@ pub(crate) fn solution_shapes(
     measured: &[MeasuredMode],
     language: Language,
 ) -> Option<String> {
-    let heights_m = heights_m(structure).filter(|_| !answer.solutions.solutions.is_empty())?;
+    let heights_m = mode_heights_m(structure).filter(|_| !answer.solutions.solutions.is_empty())?;
     let mut panels = Vec::new();
     for (i, solution) in answer
         .solutions
@@ -162,24 +163,4 @@ pub(crate) fn solution_shapes(
         }
     }
     Some(mode_shapes(&heights_m, &panels, language))
-}
-
-/// Heights of the displacements of a structure's modes.
-fn heights_m(structure: &Structure) -> Option<Vec<f64>> {
-    match structure {
-        Structure::Frame(part) => part
-            .build(&mut Quantity::nominal)
-            .ok()
-            .map(|f| f.level_heights_m()),
-        Structure::Chain(part) => {
-            let chain = part.build(&mut Quantity::nominal).ok()?;
-            let mut height = 0.0;
-            let tops = chain.links().iter().map(|link| {
-                height += link.length_m;
-                height
-            });
-            Some(tops.collect())
-        }
-        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => None,
-    }
 }

@@ -1,6 +1,7 @@
 //! A small SVG drawing: figures with and without axes are drawn on it. Coordinates in px, y down.
 
 use super::ink::{Anchor, FONTS, Label, Line, Shape, TEXT};
+use dolmen_words::printed_label;
 use std::fmt::Write as _;
 
 pub(crate) struct Scene {
@@ -192,7 +193,7 @@ impl Scene {
                 short(at[0]),
                 short(at[1]),
                 short(label.size),
-                escaped(&label.text)
+                escaped(&printed_label(&label.text))
             ),
         );
     }

@@ -4,7 +4,7 @@ use super::named::NamedFile;
 use crate::document::{Block, Figure, Numbers, csv_row, figure_label, series_csv};
 use crate::html::project_name;
 use crate::whole::whole_document;
-use dolmen_words::Language;
+use dolmen_words::{Language, keeping_names};
 use dolmen_work::answer::ProjectReport;
 
 /// A figure that could not be painted.
@@ -99,6 +99,9 @@ fn of_figure(
     Ok(vec![
         NamedFile::svg(&name, &svg),
         NamedFile::new(&format!("{name}.png"), painted),
-        NamedFile::new(&format!("{name}.csv"), series_csv(&(figure.series)(), language)),
+        NamedFile::new(
+            &format!("{name}.csv"),
+            keeping_names(|| series_csv(&(figure.series)(), language)),
+        ),
     ])
 }

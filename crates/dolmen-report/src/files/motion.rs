@@ -3,14 +3,17 @@
 use super::named::NamedFile;
 use crate::figures::motion_figures;
 use crate::json::motion_report_json;
-use dolmen_words::Language;
+use dolmen_words::{Language, keeping_names};
 use dolmen_work::motion::MotionReport;
 
 /// Figures, JSON and, where spectra were computed, their table.
 pub fn motion_files(report: &MotionReport, language: Language) -> Vec<NamedFile> {
     let figures = motion_figures(report, language).into_iter();
     let mut files: Vec<NamedFile> = figures.map(NamedFile::figure).collect();
-    files.push(NamedFile::json("motion.json", &motion_report_json(report)));
+    files.push(NamedFile::json(
+        "motion.json",
+        &keeping_names(|| motion_report_json(report)),
+    ));
     if report.series.iter().any(|one| !one.spectrum.is_empty()) {
         files.push(NamedFile::new("spectrum.csv", spectrum_csv(report)));
     }

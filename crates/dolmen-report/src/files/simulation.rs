@@ -15,7 +15,7 @@ use crate::tables::{
     poses_csv, supports_csv, wind_histories_csv, wind_peaks_csv,
 };
 use dolmen_records::meshes::{PoseError, stack_3dec, stack_json, stack_obj};
-use dolmen_words::Language;
+use dolmen_words::{Language, keeping_names};
 use dolmen_work::judgement::{judge_run, judge_simulation};
 use dolmen_work::simulation::{SimulateAnswer, Simulation};
 use dolmen_work::stack::{StackRuns, StackSimulation, SupportsSimulation};
@@ -63,7 +63,7 @@ pub fn simulation_files(
     of: &SimulateAnswer,
     language: Language,
 ) -> Result<Vec<NamedFile>, PoseError> {
-    let value = simulation_value(simulation, of);
+    let value = keeping_names(|| simulation_value(simulation, of));
     let mut files = vec![NamedFile::json("simulation.json", &value)];
     let mut put = |name: &str, text: String| files.push(NamedFile::new(name, text));
     let figures = match simulation {
@@ -137,7 +137,10 @@ fn other_law(runs: &StackRuns, language: Language) -> Result<Vec<NamedFile>, Pos
     let Some(run) = &runs.other else {
         return Ok(Vec::new());
     };
-    let mut files = vec![NamedFile::json("simulation.json", &simulation_json(run))];
+    let mut files = vec![NamedFile::json(
+        "simulation.json",
+        &keeping_names(|| simulation_json(run)),
+    )];
     files.extend(stack(run, language)?);
     let figures = figures::stack_histories(run, language);
     files.extend(figures.into_iter().map(NamedFile::figure));

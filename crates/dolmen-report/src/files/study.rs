@@ -7,7 +7,7 @@ use crate::json::study_json;
 #[cfg(feature = "parquet")]
 use crate::tables::{TableError, parquet};
 use dolmen::assess::AssessError;
-use dolmen_words::Language;
+use dolmen_words::{Language, keeping_names};
 use dolmen_work::study::{
     Column, StudyAnswer, capacity_columns, fragility_columns, harmonic_columns, joint_columns,
     release_columns, run_columns, table_csv,
@@ -55,6 +55,9 @@ pub fn study_files(answer: &StudyAnswer, language: Language) -> Result<Vec<Named
         files.extend(nrml_files(answer));
     }
     files.extend(study_figures(answer, language).into_iter().map(NamedFile::figure));
-    files.push(NamedFile::json("study.json", &study_json(answer)?));
+    files.push(NamedFile::json(
+        "study.json",
+        &keeping_names(|| study_json(answer))?,
+    ));
     Ok(files)
 }

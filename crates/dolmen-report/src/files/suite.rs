@@ -4,7 +4,7 @@ use super::named::NamedFile;
 use crate::figures::suite_figure;
 use crate::json::suite_json;
 use dolmen_records::motions::motion_csv;
-use dolmen_words::Language;
+use dolmen_words::{Language, keeping_names};
 use dolmen_work::motion::{SuiteAnswer, SuiteMember};
 
 /// The project's lines (`suite.toml`), which name the motions in `folder` as it stands beside the project file; the motions, the spectra
@@ -17,7 +17,10 @@ pub fn suite_files(answer: &SuiteAnswer, folder: &str, language: Language) -> Ve
         .collect();
     files.push(NamedFile::new("suite.toml", suite_toml(answer, folder)));
     files.push(NamedFile::new("suite-spectra.csv", spectra_csv(answer)));
-    files.push(NamedFile::json("suite.json", &suite_json(answer)));
+    files.push(NamedFile::json(
+        "suite.json",
+        &keeping_names(|| suite_json(answer)),
+    ));
     files.push(NamedFile::figure(suite_figure(answer, language)));
     files
 }

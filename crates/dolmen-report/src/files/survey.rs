@@ -5,7 +5,7 @@ use super::modes::mode_files;
 use super::named::NamedFile;
 use crate::figures::{identification, survey_changes, years};
 use crate::json::{change_json, identification_json, watch_json};
-use dolmen_words::Language;
+use dolmen_words::{Language, keeping_names};
 use dolmen_work::answer::{CompareAnswer, IdentifyAnswer};
 use dolmen_work::surveyed::SetupsAnswer;
 use dolmen_work::watched::WatchAnswer;
@@ -19,7 +19,10 @@ pub fn identification_files(
     language: Language,
     paint: &dyn Fn(&str) -> Result<Vec<u8>, String>,
 ) -> Result<Vec<NamedFile>, NotDrawn> {
-    let json = NamedFile::json("identification.json", &identification_json(answer));
+    let json = NamedFile::json(
+        "identification.json",
+        &keeping_names(|| identification_json(answer)),
+    );
     let mut figures = Vec::new();
     for figure in identification(answer, language) {
         let painted = paint(&figure.svg).map_err(|why| NotDrawn {
@@ -39,7 +42,7 @@ pub fn identification_files(
 
 /// Figure and JSON of what changed.
 pub fn change_files(answer: &CompareAnswer, language: Language) -> Vec<NamedFile> {
-    let json = change_json(answer);
+    let json = keeping_names(|| change_json(answer));
     let figure = answer
         .change
         .as_ref()
@@ -52,7 +55,7 @@ pub fn change_files(answer: &CompareAnswer, language: Language) -> Vec<NamedFile
 /// Figure and JSON of a history.
 pub fn watch_files(answer: &WatchAnswer, language: Language) -> Vec<NamedFile> {
     vec![
-        NamedFile::json("watch.json", &watch_json(answer)),
+        NamedFile::json("watch.json", &keeping_names(|| watch_json(answer))),
         NamedFile::svg("years", &years(answer, language)),
     ]
 }

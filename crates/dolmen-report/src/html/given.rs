@@ -6,7 +6,7 @@ use crate::check::title;
 use crate::document::{Block, Numbers, block_html, numbered, table_label};
 use crate::surveys_given::{Given, inputs_listed, surveys_table};
 use crate::warned::warned;
-use dolmen_project::{Project, Quantity, Structure, Survey};
+use dolmen_project::{Quantity, Structure, Survey};
 use dolmen_words::number;
 use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::ProjectReport;
@@ -42,7 +42,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
                 ), (&project.structure, &inputs), language, numbers))
             }
         }
-        (surveys(project, language, numbers))
+        (surveys(answer, language, numbers))
         @if !project.warnings.is_empty() {
             h3 { (numbered(&numbers.part(), language.pick("Warnings on reading the file", "입력 파일에 대한 경고"))) }
             ul { @for warning in &project.warnings {
@@ -111,8 +111,9 @@ fn inputs_table(
     )
 }
 
-fn surveys(project: &Project, language: Language, numbers: &mut Numbers) -> Markup {
-    if let Some(table) = surveys_table(project) {
+fn surveys(answer: &ProjectReport, language: Language, numbers: &mut Numbers) -> Markup {
+    let project = &answer.project;
+    if let Some(table) = surveys_table(project, answer.surveys()) {
         return html! {
             h3 { (numbered(&numbers.part(), &Sentence::from(Given::Surveys).text(language))) }
             (block_html(&Block::Table(table.without_empty_columns()), language, numbers))

@@ -3,8 +3,8 @@
 use dolmen::stability::Verdict;
 use dolmen::structure::Convention;
 use dolmen_project::{Evidence, Structure};
-use dolmen_words::Language;
 use dolmen_words::number;
+use dolmen_words::{Language, printed_name};
 use dolmen_work::judgement::{Colour, Judgement, Weight};
 
 /// The word of a verdict.
@@ -120,7 +120,7 @@ pub(crate) fn input_words(structure: &Structure, path: &str, language: Language)
         .split_once(']')
         .and_then(|(part, _)| part_words(&format!("{part}]"), language));
     match (named(structure, path), numbered) {
-        (Some(name), Some(numbered)) => words.replacen(&numbered, name, 1),
+        (Some(name), Some(numbered)) => words.replacen(&numbered, &printed_name(name, language), 1),
         _ => words,
     }
 }
@@ -147,7 +147,7 @@ pub(crate) fn part_and_quantity(
     let whole = input_words(structure, path, language);
     let (part, _) = path.split_once("].")?;
     let name = match named(structure, path) {
-        Some(name) => name.to_owned(),
+        Some(name) => printed_name(name, language).into_owned(),
         None => part_words(&format!("{part}]"), language)?,
     };
     let quantity = whole.strip_prefix(&name)?.trim_start_matches([' ', ',', ':']);

@@ -27,6 +27,7 @@ pub fn change_json(answer: &CompareAnswer) -> Value {
         "history": answer.history.as_ref().map(history),
         "tilts": tilts(&answer.readings),
         "inspections": answer.readings.items.iter().map(item).collect::<Vec<_>>(),
+        "unread": answer.unread.iter().map(|(survey, why)| json!({ "survey": survey, "why": why.english })).collect::<Vec<_>>(),
         "without_modes": answer.readings.without_modes,
         "parts": answer.parts.iter().map(changed_part).collect::<Vec<_>>(),
         "model_off": answer.model_off.as_ref().map(model_off),

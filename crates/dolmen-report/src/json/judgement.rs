@@ -5,7 +5,7 @@ use crate::engineer::damage_words;
 use crate::headline::headline;
 use dolmen_words::Language;
 use dolmen_work::judgement::{
-    DecidedBy, EarthquakeFinding, Evidence, Judgement, MovedBy, SevereDamage, VersionJudgement, Weight,
+    DecidedBy, EarthquakeFinding, Evidence, Judgement, MissedMode, MovedBy, SevereDamage, VersionJudgement, Weight,
     WindFinding, WindLimit,
 };
 use serde_json::{Value, json};
@@ -113,6 +113,10 @@ fn in_wind(finding: &WindFinding) -> Value {
     })
 }
 
+fn missed_mode(of: &MissedMode) -> Value {
+    json!({ "direction": of.direction, "mode": of.number, "computed_hz": of.computed_hz })
+}
+
 fn evidence(evidence: &Evidence) -> Value {
     let (survey, calibrated_to) = match evidence {
         Evidence::Agrees { survey } | Evidence::NotCompared { survey } | Evidence::Unread { survey } => {
@@ -143,6 +147,7 @@ fn evidence(evidence: &Evidence) -> Value {
         "computed_hz": contradicted.map(|of| of.computed_hz).or(mode.map(|of| of.computed_hz)),
         "mode": mode.map(|of| of.number),
         "modes_in_doubt": doubt.map(|of| of.modes),
+        "modes_missed": doubt.map(|of| of.missed.iter().map(missed_mode).collect::<Vec<_>>()),
         "unexplained": doubt.and_then(|of| of.unexplained.as_ref()).map(|of| json!({
             "direction": of.direction,
             "deviations": of.deviations,

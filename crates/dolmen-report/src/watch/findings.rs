@@ -8,7 +8,7 @@ use super::last::{far_off, last_off, last_survey};
 use super::logs::logs;
 use super::lost::{last_apart, lost, wandering};
 use super::numbers::{HALF_95, bare_percent, hertz, name, percent, plain};
-use super::parts::parts;
+use super::parts::{model_apart, parts};
 use super::tilts::{changed, leans, reaches, stands_alone, tilt, worked};
 use super::unsearched::{is_far, unsearched};
 use crate::document::{Finding, Tone};
@@ -144,6 +144,7 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     // no alarm is no good news where something changed and nobody answered it
     let mut all = earthquakes(answer);
     all.extend(lost(answer));
+    all.extend(model_apart(answer));
     all.extend(far_off(answer));
     let alarms = alarms(answer);
     let is_news = alarms.iter().any(|of| of.tone == Tone::Bad) || !answer.has_unanswered_change();

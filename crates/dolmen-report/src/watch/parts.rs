@@ -2,7 +2,7 @@
 
 use super::numbers::name;
 use crate::change::{model_off, part_findings, part_section};
-use crate::document::{Document, Finding};
+use crate::document::{Document, Finding, Tone};
 use dolmen::monitoring::ChangeForm;
 use dolmen_words::{Sentence, messages};
 use dolmen_work::watched::WatchAnswer;
@@ -46,8 +46,16 @@ pub(super) fn parts(answer: &WatchAnswer) -> Vec<Finding> {
             ..found
         })
     });
-    let off = answer.model_off.as_ref().map(|of| model_off(of, &answer.project));
-    each.chain(off).collect()
+    each.collect()
+}
+
+/// That the model is too far from the measured frequencies for any part to be sought.
+pub(super) fn model_apart(answer: &WatchAnswer) -> Option<Finding> {
+    let of = answer.model_off.as_ref()?;
+    Some(Finding {
+        tone: Tone::Warn,
+        ..model_off(of, &answer.project)
+    })
 }
 
 /// The tables of all parts.

@@ -30,11 +30,13 @@ pub(crate) fn inputs_tables(answer: &ProjectReport, own: &[&Input]) -> Vec<Heade
         beside_given(&mut of.table, &inputs, &answer.project.structure_inputs());
         all.push(of);
     }
-    all.extend(surveys_table(&answer.project).map(|table| Headed {
-        head: Given::Surveys.into(),
-        warnings: Vec::new(),
-        table: table.without_empty_columns(),
-    }));
+    all.extend(
+        surveys_table(&answer.project, answer.surveys()).map(|table| Headed {
+            head: Given::Surveys.into(),
+            warnings: Vec::new(),
+            table: table.without_empty_columns(),
+        }),
+    );
     all.retain(|headed| !headed.table.rows.is_empty());
     all
 }

@@ -5,12 +5,14 @@
 
 use dolmen::assess::{Fragility, Known, KnownCapacity, RankedBy};
 use dolmen_report::{TextStyle, rank_text};
+use dolmen_words::Language;
 use dolmen_work::portfolio::{
     Basis, FallsApart, PortfolioAnswer, PortfolioEntry, RowSource, capacity_words, misjudged,
-    ranking_columns, read_portfolio,
+    ranking_columns, read_portfolio, read_portfolio_sheet,
 };
 use dolmen_work::score::{SCORE_STATES, ScoreDesigns};
 use dolmen_work::study::table_csv;
+use dolmen_work::told_in;
 
 #[test]
 fn exact_designs_are_what_was_written() {
@@ -115,6 +117,23 @@ fn agrees_korean_lists_of_every_format() {
         assert_eq!(read.left_out, ["번호", "종류", "위도", "경도", "비고"], "{file}");
     }
     assert!(bare.left_out.is_empty());
+    // a second sheet with something in it: the one that is meant is named
+    book.worksheet_from_index(1)
+        .unwrap()
+        .write_string(0, 0, "사진")
+        .unwrap();
+    let two = book.save_to_buffer().unwrap();
+    let read = read_portfolio_sheet(&two, "목록.xlsx", Some("Sheet1")).unwrap();
+    assert_eq!(read.rows, bare.rows);
+    let refused = |bytes: &[u8], file, sheet| {
+        let why = read_portfolio_sheet(bytes, file, sheet).unwrap_err();
+        told_in(&why, Language::Korean)
+    };
+    assert!(refused(&two, "목록.xlsx", None).contains("시트가 여럿이다(Sheet1, Sheet2)"));
+    assert!(
+        refused(&two, "목록.xlsx", Some("목록")).contains("시트 \"목록\"이 없다. 있는 시트: Sheet1, Sheet2")
+    );
+    assert!(refused(csv.as_bytes(), "목록.csv", Some("목록")).contains("이 표는 텍스트이므로 뺀다"));
 }
 
 #[test]
@@ -191,6 +210,23 @@ fn refuses_tables_of_structures_with_line_and_what_to_do() {
         let found = fault(rows);
         assert!(found.contains(says), "{rows}: {found}");
     }
+    // a head is said as it was typed, and by its key where that was typed
+    let korean = "이름,층수,탑신 높이 (m),몸돌 세장비,체감각 (도),탑신/기단 높이비\n가,5,x,3,9,2\n";
+    let why = read_portfolio(korean.as_bytes(), "목록.csv").unwrap_err();
+    assert_eq!(
+        told_in(&why, Language::Korean),
+        "2행(가): 탑신 높이 (m)이 \"x\"인데 열의 단위로 0 이상인 수이어야 한다"
+    );
+    assert!(
+        told_in(&why, Language::English).contains("탑신 높이 (m) (body_height_m) is \"x\""),
+        "{why}"
+    );
+    let why = read_portfolio(format!("{head}a,5,6,,9,x,,\n").as_bytes(), "list.csv").unwrap_err();
+    let said = told_in(&why, Language::Korean);
+    assert!(
+        said.contains("탑신/기단 높이비(body_base_height_ratio)"),
+        "{said}"
+    );
     // one row that is wrong does not cost the others
     let some = read_portfolio(
         format!("{head}a,5,6,3,9,2,,\nb,5,6,3,57,2,,\n").as_bytes(),

@@ -1,14 +1,14 @@
 //! Evidence: does the model represent the structure? Frequencies of a survey compared with those of the model.
 
 use super::colour::Colour;
-use super::in_doubt::{FromRecords, InDoubt, PairedMode};
-use super::measured_frequency::{MeasuredFrequency, RecordFrequency};
+use super::in_doubt::{FromRecords, InDoubt, MissedMode};
+use super::measured_frequency::{MeasuredFrequency, RecordFrequency, measured_sd};
+use super::modes_along::{higher_modes, natural_modes, pairs_along};
 use crate::building::BuildingAnswer;
 use crate::state::Check;
 use crate::survey_dates::date;
 use dolmen::damper::lowest_seen;
-use dolmen::structure::NaturalMode;
-use dolmen_project::{Evidence as Source, ModeKind, Project, Quantity, Survey, SurveyMode};
+use dolmen_project::{ModeKind, Project, Quantity, Survey, SurveyMode};
 use dolmen_words::Language;
 use dolmen_words::number::significant;
 
@@ -77,7 +77,7 @@ impl Evidence {
             | Evidence::MarkedAssumed { .. }
             | Evidence::NotMeasured { calibrated_to: None } => return evidence,
         };
-        let higher = higher_modes(project, check);
+        let higher = higher_modes(project, check, &latest_frequencies(project, check));
         match InDoubt::of(survey, higher, &found.doubts) {
             Some(doubt) => Evidence::InDoubt(doubt),
             None => evidence,
@@ -86,7 +86,7 @@ impl Evidence {
 
     /// By the lowest frequency in each direction.
     fn of_lowest(project: &Project, check: &Check, found: &[RecordFrequency]) -> Evidence {
-        let mut measured = measured_frequencies(&project.surveys, check);
+        let mut measured = measured_frequencies(project, check);
         let is_made_up = |name: &str| {
             let mut surveys = project.surveys.iter();
             surveys.any(|survey| survey.name == name && survey.is_made_up)
@@ -146,10 +146,7 @@ impl Evidence {
             },
             (None, None) => match last(&|survey| survey.modes.values().any(|modes| !modes.is_empty())) {
                 Some(survey) => {
-                    let all = latest(
-                        project,
-                        frequencies(&project.surveys, check, Quantity::is_assumed),
-                    );
+                    let all = latest(project, frequencies(project, check, Quantity::is_assumed));
                     let farthest = all.into_iter().max_by(|a, b| a.apart().total_cmp(&b.apart()));
                     Evidence::MarkedAssumed { survey, farthest }
                 }
@@ -302,7 +299,7 @@ fn latest(project: &Project, measured: Vec<MeasuredFrequency>) -> Vec<MeasuredFr
 
 /// For each direction of the model the measurement of the latest survey that states it.
 pub fn latest_frequencies(project: &Project, check: &Check) -> Vec<MeasuredFrequency> {
-    latest(project, measured_frequencies(&project.surveys, check))
+    latest(project, measured_frequencies(project, check))
 }
 
 /// The later survey that also measured the direction of a measured frequency.
@@ -317,89 +314,56 @@ pub(crate) fn superseded_by(
 }
 
 /// The lowest measured frequency of every survey and direction for which the model has one, in the order of the file.
-pub fn measured_frequencies(surveys: &[Survey], check: &Check) -> Vec<MeasuredFrequency> {
-    frequencies(surveys, check, |frequency| !frequency.is_assumed())
+pub fn measured_frequencies(project: &Project, check: &Check) -> Vec<MeasuredFrequency> {
+    frequencies(project, check, |frequency| !frequency.is_assumed())
+}
+
+/// Modes of a chain or frame that the latest survey of a direction missed, if the model is right.
+pub fn missed_modes(project: &Project, check: &Check) -> Vec<MissedMode> {
+    higher_modes(project, check, &latest_frequencies(project, check)).1
 }
 
 /// The same for the frequencies that count.
 fn frequencies(
-    surveys: &[Survey],
+    project: &Project,
     check: &Check,
     counts: impl Fn(&Quantity) -> bool + Copy,
 ) -> Vec<MeasuredFrequency> {
-    let lowest = move |modes: &[SurveyMode], kind: ModeKind| {
-        let mut each = modes.iter();
-        each.position(|mode| mode.kind == kind && counts(&mode.frequency))
+    let of_kind = move |modes: &[SurveyMode], kind: ModeKind| -> Vec<SurveyMode> {
+        let each = modes.iter();
+        each.filter(|mode| mode.kind == kind && counts(&mode.frequency))
+            .cloned()
+            .collect()
     };
-    let each = surveys
-        .iter()
-        .flat_map(|survey| survey.modes.iter().map(move |of| (survey, of)));
+    let surveys = project.surveys.iter();
+    let each = surveys.flat_map(|survey| survey.modes.iter().map(move |of| (survey, of)));
     let compared = each.flat_map(|(survey, (direction, modes))| {
-        let translation = lowest(modes, ModeKind::Translation).map(|at| (direction.as_str(), &modes[at]));
-        let torsion = lowest(modes, ModeKind::Torsion).map(|at| ("torsion", &modes[at]));
-        translation.into_iter().chain(torsion).map(move |of| (survey, of))
+        let translation = (direction.as_str(), of_kind(modes, ModeKind::Translation));
+        let torsion = ("torsion", of_kind(modes, ModeKind::Torsion));
+        [translation, torsion].map(move |of| (survey, of))
     });
-    let compared = compared.filter_map(|(survey, (direction, mode))| {
+    let compared = compared.filter_map(|(survey, (direction, modes))| {
+        let mode = modes.first()?;
         Some(MeasuredFrequency {
             survey: survey.name.clone(),
             direction: direction.to_owned(),
             measured_hz: mode.frequency.value,
             sd_hz: measured_sd(&mode.frequency),
-            computed_hz: first_frequency(check, direction)?,
+            computed_hz: first_paired(project, check, direction, &modes)?,
         })
     });
     compared.collect()
 }
 
-/// The measured modes above the lowest of each direction, beside those of a chain or frame: by their order, as the identification of stiffness
-/// takes them.
-fn higher_modes(project: &Project, check: &Check) -> Vec<PairedMode> {
-    let latest = latest_frequencies(project, check);
-    let of_latest = latest.iter().flat_map(|lowest| {
-        let survey = project.surveys.iter().find(|survey| survey.name == lowest.survey);
-        let modes = survey.and_then(|survey| survey.modes.get(&lowest.direction));
-        let translation = modes
-            .into_iter()
-            .flatten()
-            .filter(|mode| mode.kind == ModeKind::Translation);
-        let both = translation
-            .zip(natural_modes(check, &lowest.direction))
-            .enumerate()
-            .skip(1);
-        let counted = both.filter(|(_, (mode, _))| !mode.frequency.is_assumed());
-        counted.map(|(at, (mode, model))| PairedMode {
-            survey: lowest.survey.clone(),
-            direction: Some(lowest.direction.clone()),
-            number: at + 1,
-            measured_hz: mode.frequency.value,
-            sd_hz: measured_sd(&mode.frequency),
-            computed_hz: model.frequency_hz,
-        })
-    });
-    of_latest.collect()
-}
-
-/// Standard deviation of a measured frequency, Hz; `None` if unknown or assumed.
-fn measured_sd(measured: &Quantity) -> Option<f64> {
-    let is_measured = |sd_hz: &f64| *sd_hz > 0.0 && measured.cov_source != Some(Source::Assumed);
-    Some(measured.standard_deviation()).filter(is_measured)
-}
-
-/// The modes of a chain or frame in a direction; none with the weights of loads, whose higher modes are not computed.
-fn natural_modes<'a>(check: &'a Check, direction: &str) -> &'a [NaturalMode] {
-    match check {
-        Check::Chain(chain) if chain.loaded.is_some() => &[],
-        Check::Chain(chain) => match (&chain.across, direction) {
-            (None, _) | (Some(_), "x") => &chain.modes,
-            (Some(across), "y") => &across.modes,
-            (Some(_), _) => &[],
-        },
-        Check::Frame(all) => {
-            let own = all.iter().find(|d| d.direction == direction);
-            own.map_or(&[], |own| &own.check.modes)
-        }
-        Check::Stack(_) | Check::Building(_) => &[],
+/// Frequency of the model for the lowest of these modes, Hz: its lowest, unless the shape says otherwise.
+fn first_paired(project: &Project, check: &Check, direction: &str, modes: &[SurveyMode]) -> Option<f64> {
+    let model = natural_modes(check, direction);
+    if direction == "torsion" || model.is_empty() {
+        return first_frequency(check, direction);
     }
+    let measured: Vec<&SurveyMode> = modes.iter().collect();
+    let first = pairs_along(project, model, &measured).first().copied()?;
+    model.get(first).map(|mode| mode.frequency_hz)
 }
 
 /// The lowest measured mode of translation.

@@ -24,6 +24,19 @@ pub(crate) struct SurveyDoubts {
     pub(crate) unexplained: Option<Unexplained>,
 }
 
+/// A mode of the model that no measured one was paired with, below the highest that was.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MissedMode {
+    /// The survey.
+    pub survey: String,
+    /// Direction of the mode.
+    pub direction: String,
+    /// Number of the mode of the model, from 1.
+    pub number: usize,
+    /// Frequency of the model, Hz.
+    pub computed_hz: f64,
+}
+
 /// A measured mode and that of the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairedMode {
@@ -31,7 +44,7 @@ pub struct PairedMode {
     pub survey: String,
     /// Direction of the mode; `None` where it was paired by its shape alone.
     pub direction: Option<String>,
-    /// Number of the mode in its direction, from 1; without a direction that of the model's mode.
+    /// Number of the model's mode, from 1, in its direction if it has one.
     pub number: usize,
     /// Measured frequency, Hz.
     pub measured_hz: f64,
@@ -59,13 +72,20 @@ pub struct InDoubt {
     pub mode: Option<PairedMode>,
     /// Number of such modes.
     pub modes: usize,
+    /// Modes of the model that the survey missed, as the modes were paired.
+    pub missed: Vec<MissedMode>,
     /// That no stiffness explains the modes.
     pub unexplained: Option<Unexplained>,
 }
 
 impl InDoubt {
-    /// By the higher modes that the file states and by what this survey was found to say; `None` where nothing is in doubt.
-    pub(super) fn of(survey: String, higher: Vec<PairedMode>, found: &[SurveyDoubts]) -> Option<InDoubt> {
+    /// By the higher modes that the file states, with those that were missed, and by what this survey was found to say; `None` where nothing is in
+    /// doubt.
+    pub(super) fn of(
+        survey: String,
+        (higher, missed): (Vec<PairedMode>, Vec<MissedMode>),
+        found: &[SurveyDoubts],
+    ) -> Option<InDoubt> {
         let own = found.iter().find(|of| of.survey == survey);
         let paired = own.into_iter().flat_map(|own| own.modes.clone());
         let all = higher.into_iter().chain(paired);
@@ -78,6 +98,7 @@ impl InDoubt {
             survey: worst.as_ref().map_or(survey, |mode| mode.survey.clone()),
             mode: worst,
             modes,
+            missed,
             unexplained,
         })
     }
@@ -90,11 +111,23 @@ impl InDoubt {
             .as_ref()
             .map(|mode| mode.words(self.modes - 1, language));
         let unexplained = self.unexplained.as_ref().map(|of| of.words(language));
-        let said: Vec<String> = mode.into_iter().chain(unexplained).collect();
+        let missed = self.missed.iter().map(|of| of.words(language));
+        let said: Vec<String> = mode.into_iter().chain(missed).chain(unexplained).collect();
         let said = said.join("; ");
         language.pick(
             format!("{said} (survey {survey})"),
             format!("{survey} 조사: {said}"),
+        )
+    }
+}
+
+impl MissedMode {
+    fn words(&self, language: Language) -> String {
+        let (number, direction) = (self.number, &self.direction);
+        let computed = significant(self.computed_hz, 3);
+        language.pick(
+            format!("no measured mode is paired with mode {number} of the model in direction {direction}, {computed} Hz"),
+            format!("모델의 {direction} 방향 {number}차 모드 {computed} Hz와 짝지은 계측 모드 없음"),
         )
     }
 }
@@ -176,7 +209,7 @@ mod tests {
 
     #[test]
     fn holds_a_higher_mode_far_from_the_model_leaves_it_in_doubt() {
-        let of = |modes| InDoubt::of("2026-04-02".into(), modes, &[]);
+        let of = |modes| InDoubt::of("2026-04-02".into(), (modes, Vec::new()), &[]);
         assert_eq!(of(vec![mode(2, 8.7, None), mode(3, 10.0, Some(0.7))]), None);
         let found = of(vec![mode(2, 9.0, Some(0.1)), mode(3, 3.6, Some(0.1))]).unwrap();
         assert_eq!(
@@ -199,12 +232,20 @@ mod tests {
                 deviations: Some(5.23),
             }),
         };
-        let doubt = InDoubt::of("2026-04-02".into(), Vec::new(), std::slice::from_ref(&found)).unwrap();
+        let doubt = InDoubt::of(
+            "2026-04-02".into(),
+            Default::default(),
+            std::slice::from_ref(&found),
+        )
+        .unwrap();
         assert_eq!(
             doubt.words(Language::English),
             "no stiffness explains the measured modes, the best is 5.2 standard deviations off (survey 2026-04-02)"
         );
         // these doubts are of one survey: another has none
-        assert_eq!(InDoubt::of("2020-01-01".into(), Vec::new(), &[found]), None);
+        assert_eq!(
+            InDoubt::of("2020-01-01".into(), Default::default(), &[found]),
+            None
+        );
     }
 }

@@ -1,6 +1,7 @@
 //! A measured frequency beside that of the model.
 
 use crate::state::FREQUENCY_RATIO_MOST;
+use dolmen_project::{Evidence as Source, Quantity};
 
 /// Number of standard deviations within which a measured frequency agrees with the model. Chosen here: 1 in 400 by chance.
 const DEVIATIONS_MOST: f64 = 3.0;
@@ -21,6 +22,12 @@ fn is_within(measured_hz: f64, sd_hz: Option<f64>, computed_hz: f64) -> bool {
     sd_hz.is_some_and(|sd_hz| (measured_hz - computed_hz).abs() <= DEVIATIONS_MOST * sd_hz)
 }
 
+/// Standard deviation of a measured frequency, Hz; `None` if unknown or assumed.
+pub(super) fn measured_sd(measured: &Quantity) -> Option<f64> {
+    let is_measured = |sd_hz: &f64| *sd_hz > 0.0 && measured.cov_source != Some(Source::Assumed);
+    Some(measured.standard_deviation()).filter(is_measured)
+}
+
 /// A measured frequency and that of the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredFrequency {
@@ -32,7 +39,7 @@ pub struct MeasuredFrequency {
     pub measured_hz: f64,
     /// Its standard deviation, Hz; `None` if unknown.
     pub sd_hz: Option<f64>,
-    /// Lowest frequency of the model, Hz.
+    /// Lowest frequency of the model, Hz; of the only mode that the measured shape is like, where it is a higher one.
     pub computed_hz: f64,
 }
 

@@ -8,6 +8,8 @@ mod exit;
 mod in_doubt;
 mod judge;
 mod measured_frequency;
+mod mode_pairs;
+mod modes_along;
 mod runs;
 mod tilt_limit;
 mod version;
@@ -18,10 +20,12 @@ pub use basis::{AssumedInputs, Basis, SevereDamage};
 pub use colour::Colour;
 pub use earthquake::{DecidedBy, Earthquake, EarthquakeFinding};
 pub(crate) use evidence::superseded_by;
-pub use evidence::{Evidence, first_sway, latest_frequencies, lowest_measured, measured_frequencies};
+pub use evidence::{
+    Evidence, first_sway, latest_frequencies, lowest_measured, measured_frequencies, missed_modes,
+};
 pub use exit::{Verb, exit_status, first_status};
 pub(crate) use in_doubt::SurveyDoubts;
-pub use in_doubt::{InDoubt, PairedMode, Unexplained};
+pub use in_doubt::{InDoubt, MissedMode, PairedMode, Unexplained};
 pub use judge::{Alarming, Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run};
 pub use measured_frequency::{MeasuredFrequency, RecordFrequency};
 pub(crate) use runs::is_worse_stack_run;

@@ -3,6 +3,7 @@
 mod answer;
 mod apart;
 mod columns;
+mod heads;
 mod rank;
 mod state_words;
 mod table;
@@ -11,10 +12,12 @@ mod words;
 pub use answer::{Basis, LeftOut, PortfolioAnswer, PortfolioEntry, of_score, of_study};
 pub use apart::{FallsApart, falls_first, hazards_replaced, misjudged, without_hazard};
 pub use columns::ranking_columns;
+pub(crate) use heads::columns_said;
 pub use rank::{FoundProject, Projects, RankOptions, rank};
 pub use state_words::state_words;
-pub(crate) use table::COLUMNS;
-pub use table::{PortfolioError, PortfolioRow, PortfolioTable, RowSource, read_portfolio};
+pub use table::{
+    PortfolioError, PortfolioRow, PortfolioTable, RowSource, read_portfolio, read_portfolio_sheet,
+};
 pub use words::{
     basis_words, capacity_words, factor_words, known_word, probability_in_years, reason_words, unlike_words,
 };

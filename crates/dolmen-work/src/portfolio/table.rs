@@ -1,26 +1,12 @@
 //! The table of a portfolio (XLSX, ODS, CSV), one row for each structure.
 
+use super::heads::{Head, head, joined, said, text};
 use crate::wrong::{RowLacks, RowNeeds};
 use dolmen::assess::demand::{KoreanSite, KoreanZone};
 use dolmen::assess::{AssessError, Hazard, SixFactors};
 use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness};
-use dolmen_records::{SheetCell, SheetError, SheetValue, is_misspelt, read_sheet};
+use dolmen_records::{SheetCell, SheetError, SheetValue, read_sheet};
 use dolmen_words::message::Both;
-
-/// Every column; all except `name` are optional.
-pub(crate) const COLUMNS: [&str; 11] = [
-    "name",
-    "storeys",
-    "body_height_m",
-    "slenderness_angle",
-    "body_slenderness",
-    "taper_deg",
-    "body_base_height_ratio",
-    "project",
-    "study",
-    "zone_factor_g",
-    "soil",
-];
 
 /// Factor by which tan α may differ from that of the pagoda that λ implies, either way: eaves and bodies of real pagodas differ. Beyond it the
 /// score, trained where both agree, gives wrong reasons. Chosen here.
@@ -41,70 +27,21 @@ const ZONE_FACTOR_MOST_G: f64 = 0.15;
 /// Largest height of the body of a stone pagoda, m; a larger number is probably in mm.
 const BODY_MOST_M: f64 = 100.0;
 
-/// Korean heads of columns, without blanks.
-const KOREAN: [(&str, &str); 23] = [
-    ("이름", "name"),
-    ("명칭", "name"),
-    ("석탑", "name"),
-    ("구조물", "name"),
-    ("문화재명", "name"),
-    ("국가유산명", "name"),
-    ("층수", "storeys"),
-    ("몸체높이", "body_height_m"),
-    ("탑신높이", "body_height_m"),
-    ("탑신부높이", "body_height_m"),
-    ("세장각", "slenderness_angle"),
-    ("세장비각", "slenderness_angle"),
-    ("몸돌세장비", "body_slenderness"),
-    ("체감각", "taper_deg"),
-    ("탑신/기단높이비", "body_base_height_ratio"),
-    ("탑신기단높이비", "body_base_height_ratio"),
-    ("프로젝트", "project"),
-    ("해석", "study"),
-    ("지역계수", "zone_factor_g"),
-    ("지진구역", "zone_factor_g"),
-    ("지반", "soil"),
-    ("지반종류", "soil"),
-    ("지반분류", "soil"),
-];
-
-/// The column that a head stands for.
-enum Head {
-    Of(&'static str),
-    /// None that a ranking uses.
-    LeftOut,
-    /// Probably one, but misspelt or in another unit.
-    Doubtful,
-}
-
-fn head(head: &str) -> Head {
-    let (name, unit) = head.split_once(['(', '[']).unwrap_or((head, ""));
-    let plain: String = name.chars().filter(|sign| !sign.is_whitespace()).collect();
-    let korean = KOREAN.iter().find(|(korean, _)| *korean == plain);
-    let known = korean.map(|(_, column)| *column);
-    let known = known.or_else(|| COLUMNS.into_iter().find(|column| *column == plain.to_lowercase()));
-    let has_own_unit = matches!(
-        unit.trim_end_matches([')', ']']).trim(),
-        "" | "m" | "도" | "°" | "deg" | "g"
-    );
-    match known {
-        Some(column) if has_own_unit => Head::Of(column),
-        Some(_) => Head::Doubtful,
-        None => {
-            let mut all = COLUMNS.iter().chain(KOREAN.iter().map(|(korean, _)| korean));
-            match all.any(|column| is_misspelt(name, column)) {
-                true => Head::Doubtful,
-                false => Head::LeftOut,
-            }
-        }
-    }
-}
-
 /// Why a table of structures is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PortfolioError {
     /// The file is no table.
     Table(SheetError),
+    /// A workbook has several sheets, of which none was named.
+    SeveralSheets {
+        /// Their names.
+        known: String,
+    },
+    /// A sheet was named for a table of text.
+    NoSheets {
+        /// Its name.
+        sheet: String,
+    },
     /// The table has no column `name`.
     NoName,
     /// A column that is misspelt, or in another unit.
@@ -115,7 +52,7 @@ pub enum PortfolioError {
     /// Two columns of one quantity.
     ColumnTwice {
         /// Which.
-        column: &'static str,
+        column: Both,
     },
     /// A value is missing.
     Missing {
@@ -133,7 +70,7 @@ pub enum PortfolioError {
         /// The structure.
         name: String,
         /// Column.
-        column: &'static str,
+        column: Both,
         /// What is there.
         given: String,
         /// Allowed values.
@@ -216,18 +153,33 @@ pub struct PortfolioTable {
 /// # Errors
 /// [`PortfolioError`] of the table as a whole: no table, misspelt columns, two rows of one name; and of its first row if none can be taken.
 pub fn read_portfolio(bytes: &[u8], file: &str) -> Result<PortfolioTable, PortfolioError> {
-    let cells = read_sheet(bytes, file, None).map_err(|why| {
-        PortfolioError::Table(match why {
-            // the command has no word for a sheet
-            SheetError::SeveralSheets { known } => SheetError::SeveralTables { known },
-            why => why,
-        })
+    read_portfolio_sheet(bytes, file, None)
+}
+
+/// The same from the named sheet of a workbook.
+///
+/// # Errors
+/// As [`read_portfolio`].
+pub fn read_portfolio_sheet(
+    bytes: &[u8],
+    file: &str,
+    sheet: Option<&str>,
+) -> Result<PortfolioTable, PortfolioError> {
+    let cells = read_sheet(bytes, file, sheet).map_err(|why| match (why, sheet) {
+        (SheetError::SeveralSheets { known }, _) => PortfolioError::SeveralSheets { known },
+        (SheetError::NoSheets, Some(sheet)) => PortfolioError::NoSheets {
+            sheet: sheet.to_owned(),
+        },
+        (why, _) => PortfolioError::Table(why),
     })?;
     let is_comment =
         |row: &&Vec<SheetCell>| row.first().is_some_and(|cell| text(&cell.value).starts_with('#'));
     let mut cells = cells.iter().filter(|row| !is_comment(row));
     let header: &[SheetCell] = cells.next().map_or(&[], Vec::as_slice);
     let (columns, left_out) = columns(header)?;
+    let heads: Vec<(&str, String)> = (columns.iter().zip(header))
+        .filter_map(|(column, cell)| Some(((*column)?, text(&cell.value))))
+        .collect();
     if !columns.contains(&Some("name")) {
         return Err(PortfolioError::NoName);
     }
@@ -255,6 +207,7 @@ pub fn read_portfolio(bytes: &[u8], file: &str) -> Result<PortfolioTable, Portfo
             name: of("name").unwrap_or_default().to_owned(),
             has_decimal_commas,
             of: &of,
+            heads: &heads,
         };
         if row.len() > columns.len()
             && row[columns.len()..]
@@ -289,7 +242,9 @@ fn columns(header: &[SheetCell]) -> Result<(Vec<Option<&'static str>>, Vec<Strin
         let column = match head(&written) {
             _ if written.is_empty() => None,
             Head::Of(column) if columns.contains(&Some(column)) => {
-                return Err(PortfolioError::ColumnTwice { column });
+                return Err(PortfolioError::ColumnTwice {
+                    column: said(column, Some(&written)),
+                });
             }
             Head::Of(column) => Some(column),
             Head::Doubtful => return Err(PortfolioError::Column { column: written }),
@@ -301,14 +256,6 @@ fn columns(header: &[SheetCell]) -> Result<(Vec<Option<&'static str>>, Vec<Strin
         columns.push(column);
     }
     Ok((columns, left_out))
-}
-
-fn text(value: &SheetValue) -> String {
-    match value {
-        SheetValue::Empty => String::new(),
-        SheetValue::Number(number) => number.to_string(),
-        SheetValue::Text(text) => text.clone(),
-    }
 }
 
 /// Whether the first line of a text that is no comment is separated by semicolons.
@@ -339,6 +286,8 @@ struct Cells<'r> {
     /// Whether numbers may be written "0,11".
     has_decimal_commas: bool,
     of: &'r dyn Fn(&str) -> Option<&'r str>,
+    /// Columns with their heads as written.
+    heads: &'r [(&'r str, String)],
 }
 
 impl Cells<'_> {
@@ -373,10 +322,15 @@ impl Cells<'_> {
         PortfolioError::Value {
             line: self.line,
             name: self.name.clone(),
-            column,
+            column: self.said(column),
             given: (self.of)(column).unwrap_or_default().to_owned(),
             allowed: allowed.into(),
         }
+    }
+
+    fn said(&self, column: &str) -> Both {
+        let head = self.heads.iter().find(|(known, _)| *known == column);
+        said(column, head.map(|(_, head)| head.as_str()))
     }
 
     fn number(&self, column: &'static str) -> Result<Option<f64>, PortfolioError> {
@@ -400,10 +354,15 @@ impl Cells<'_> {
             let missing = NEEDED
                 .iter()
                 .filter(|columns| !columns.iter().any(|one| is_given(one)));
-            let missing: Vec<String> = missing.map(|columns| columns.join("/")).collect();
+            let missing: Vec<Both> = missing
+                .map(|columns| {
+                    let each: Vec<Both> = columns.iter().map(|column| self.said(column)).collect();
+                    Both::of(|language| joined(&each, "/", language))
+                })
+                .collect();
             self.missing(match missing.len() < NEEDED.len() {
                 true => RowLacks::Columns {
-                    columns: missing.join(", "),
+                    columns: Both::of(|language| joined(&missing, ", ", language)),
                 },
                 false => RowLacks::Factors,
             })

@@ -2,7 +2,7 @@
 
 use crate::known::known_beside;
 use crate::motion::MotionRequestError;
-use crate::portfolio::{COLUMNS, PortfolioError};
+use crate::portfolio::{PortfolioError, columns_said};
 use crate::score::ScoreDesignsError;
 use crate::study::{JournalError, StudyError};
 use dolmen_words::advice::Advice as _;
@@ -230,13 +230,21 @@ sentences! {
             en: "{why}",
             ko: "{why}",
         },
-        NoName as { columns: COLUMNS.join(", ") } => {
+        SeveralSheets { known } => {
+            en: "the workbook has several sheets ({known}): name the one that is meant, --sheet NAME",
+            ko: "통합 문서에 시트가 여럿이다({known}). --sheet 이름으로 하나를 지정한다",
+        },
+        NoSheets { sheet } => {
+            en: "--sheet {sheet} is for a workbook (XLSX, ODS); this table is text: leave it out",
+            ko: "--sheet {sheet}은(는) 통합 문서(XLSX, ODS)에 쓴다. 이 표는 텍스트이므로 뺀다",
+        },
+        NoName as { columns: columns_said() } => {
             en: "the table has no column \"name\": the first line names the columns, {columns}",
             ko: "표에 \"name\" 열이 없다. 첫 줄에 열 이름을 쓴다: {columns}",
         },
-        Column { column } as { column, columns: COLUMNS.join(", ") } => {
+        Column { column } as { column, columns: columns_said() } => {
             en: "column \"{column}\" is misspelt or in another unit: columns are {columns} (body_height_m in m, taper_deg in degrees), in English or Korean",
-            ko: "열 \"{column}\"은(는) 이름이나 단위가 다르다. 쓸 수 있는 열(한글 이름도 가능): {columns}(body_height_m은 m, taper_deg는 도)",
+            ko: "열 \"{column}\"은(는) 이름이나 단위가 다르다. 쓸 수 있는 열은 {columns}이다. 탑신 높이는 m, 체감각은 도로 쓴다",
         },
         ColumnTwice { column } => {
             en: "two columns are {column}: keep one of them",
@@ -256,7 +264,7 @@ sentences! {
         },
         TwoPagodas { line, name, slenderness_angle, body_slenderness, made } as { line, name, slenderness_angle, body_slenderness, made: format!("{made:.2}") } => {
             en: "line {line} ({name}): slenderness_angle {slenderness_angle} and body_slenderness {body_slenderness} are not of one pagoda: with the other factors a body of {body_slenderness} has an angle of {made}. Give the one that was measured, and leave the other empty",
-            ko: "{line}행({name}): slenderness_angle {slenderness_angle}와(과) body_slenderness {body_slenderness}은(는) 한 석탑의 값이 아니다. 다른 인자가 같으면 몸돌 세장비 {body_slenderness}의 각은 {made}이다. 잰 값만 쓰고 다른 것은 비운다",
+            ko: "{line}행({name}): 세장각(slenderness_angle) {slenderness_angle}와(과) 몸돌 세장비(body_slenderness) {body_slenderness}은(는) 한 석탑의 값이 아니다. 다른 인자가 같으면 몸돌 세장비 {body_slenderness}의 각은 {made}이다. 잰 값만 쓰고 다른 것은 비운다",
         },
         Twice { name, first, second } => {
             en: "lines {first} and {second} are both \"{name}\": give each structure its own name",

@@ -205,15 +205,15 @@ messages! {
     pub(crate) enum RowLacks in "portfolio.lacks" {
         Factors => {
             en: "it has neither a project nor its factors: fill storeys, body_height_m, taper_deg, body_base_height_ratio, and body_slenderness or slenderness_angle or both",
-            ko: "project도 여섯 인자도 없다. storeys, body_height_m, taper_deg, body_base_height_ratio와 body_slenderness나 slenderness_angle(또는 둘 다)을 채운다",
+            ko: "프로젝트(project)도 여섯 인자도 없다. 층수(storeys), 탑신 높이(body_height_m), 체감각(taper_deg), 탑신/기단 높이비(body_base_height_ratio)와 몸돌 세장비(body_slenderness)나 세장각(slenderness_angle) 또는 둘 다를 채운다",
         },
-        Columns { columns: String } => {
+        Columns { columns: Both } => {
             en: "it has neither a project nor all of its factors: fill {columns}",
-            ko: "project도 없고 여섯 인자도 모두 있지 않다. {columns}을(를) 채운다",
+            ko: "프로젝트(project)도 없고 여섯 인자도 모두 있지 않다. {columns}을(를) 채운다",
         },
         Name => {
             en: "the structure has no name: fill the column name",
-            ko: "구조물의 이름이 없다. name 열을 채운다",
+            ko: "구조물의 이름이 없다. 이름(name) 열을 채운다",
         },
         Heads => {
             en: "it has more cells than the table has heads: name every column in the first row",
@@ -221,7 +221,7 @@ messages! {
         },
         ZoneAndSoil => {
             en: "zone_factor_g and soil belong together: fill both or neither",
-            ko: "zone_factor_g와 soil은 함께 쓴다. 둘 다 채우거나 둘 다 비운다",
+            ko: "지역계수(zone_factor_g)와 지반(soil)은 함께 쓴다. 둘 다 채우거나 둘 다 비운다",
         },
     }
 }

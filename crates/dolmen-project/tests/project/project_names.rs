@@ -1,0 +1,74 @@
+// SOURCE     docs/project-file.md, "Names in two languages".
+// GOAL       Names of parts, surveys and motions have a printed one in each language; what names nothing is refused with the nearest name.
+// TOLERANCE  none.
+
+use dolmen_project::parse_project;
+use dolmen_words::Language;
+
+const LAMP: &str = "schema = 1\nkind = \"stack\"\nname = \"Lamp\"\ndensity = 2600\n\
+    blocks = [{ name = \"base\", width = 1, height = 0.5 }, { name = \"shaft\", width = 0.5, height = 1 }]\n\
+    joint = { friction = 0.6, normal_stiffness = \"1e9 Pa/m\", shear_stiffness = \"4e8 Pa/m\", damping_ratio = 0.3 }\n\
+    [survey.2026-04-02]\ntilt = { x = \"1/240\" }\n\
+    [motion.strong]\nbuilt_in = \"el-centro-1940-ns\"\n\
+    [variant.low]\nblocks = [{ name = \"base\", width = 1, height = 0.5 }]\n";
+
+#[test]
+fn exact_each_name_is_printed_in_its_language() {
+    let table = "[names.ko]\n\"base\" = \"기단\"\n\"2026-04-02\" = \"봄 조사\"\n\"strong\" = \"강진\"\n\"shaft\" = \" 간주석 \"\n[names.en]\nbase = \"plinth\"\n";
+    let project = parse_project(&format!("{LAMP}{table}"), "p.toml").unwrap();
+    let all: Vec<(&str, Language, &str)> = project
+        .printed_names
+        .iter()
+        .map(|of| (of.name.as_str(), of.language, of.printed.as_str()))
+        .collect();
+    let korean = Language::Korean;
+    assert_eq!(
+        all,
+        [
+            ("base", Language::English, "plinth"),
+            ("2026-04-02", korean, "봄 조사"),
+            ("base", korean, "기단"),
+            ("shaft", korean, "간주석"),
+            ("strong", korean, "강진"),
+        ]
+    );
+    // the same structure, whatever it is called
+    let plain = parse_project(LAMP, "p.toml").unwrap();
+    assert_eq!(plain.structure.part_names(), project.structure.part_names());
+    assert!(plain.printed_names.is_empty());
+}
+
+#[test]
+fn refuses_a_name_of_nothing_in_both_languages() {
+    let refused = |table: &str| parse_project(&format!("{LAMP}{table}"), "p.toml").unwrap_err();
+    let why = refused("[names.ko]\n\"shatf\" = \"간주석\"\n");
+    assert_eq!((why.problems.len(), why.problems[0].line), (1, 14));
+    for (language, says) in [
+        (
+            Language::English,
+            [
+                "names.ko has \"shatf\", which is no part, survey or motion of this file",
+                "did you mean \"shaft\"?",
+            ],
+        ),
+        (
+            Language::Korean,
+            [
+                "names.ko의 \"shatf\"은 이 파일의 부재, 조사, 지반운동의 이름이 아니다",
+                "\"shaft\"를 쓰려던 것인가?",
+            ],
+        ),
+    ] {
+        let said = why.text(language);
+        assert!(says.iter().all(|of| said.contains(of)), "{said}");
+    }
+    let far = refused("[names.ko]\n\"zzz\" = \"간주석\"\n").to_string();
+    assert!(
+        far.contains("write the name on the left as the file has it"),
+        "{far}"
+    );
+    let empty = refused("[names.ko]\n\"shaft\" = \" \"\n").to_string();
+    assert!(empty.contains("is empty"), "{empty}");
+    let other = refused("[names.jp]\n\"shaft\" = \"x\"\n").to_string();
+    assert!(other.contains("jp"), "{other}");
+}
