@@ -11,11 +11,15 @@ pub(crate) struct Score {
     /// Designs to train on (CSV), instead of those that come with Dolmen
     #[arg(long, value_name = "FILE")]
     pub(crate) designs: Option<PathBuf>,
+    /// Survey of the project whose measured frequency tells the stiffness of the joints: the probabilities of DS2, DS3 and falls with and
+    /// without it
+    #[arg(long, value_name = "SURVEY", requires = "project", conflicts_with_all = ["designs", "train"])]
+    pub(crate) given: Option<String>,
     /// Also for factors outside the range trained; the answer marks them
     #[arg(long)]
     pub(crate) extrapolate: bool,
     /// Write the form that is filled at a pagoda: a workbook (.xlsx), which is read back, or a page to print (.html)
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["project", "designs", "extrapolate", "train", "output"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["project", "designs", "extrapolate", "given", "train", "output"])]
     pub(crate) sheet: Option<PathBuf>,
     /// Make designs of this study of the project, and write them to -o
     #[arg(long, value_name = "STUDY", requires_all = ["project", "output"])]

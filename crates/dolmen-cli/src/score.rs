@@ -12,12 +12,12 @@ use anyhow::{Context as _, Result};
 use dolmen_folder::{Outputs, StudyFolder};
 use dolmen_records::{NoFiles, TABLE_BYTES_MOST, read_score_form};
 use dolmen_report::html::score_form_html;
-use dolmen_report::json::{score_json, score_quality_json};
+use dolmen_report::json::{score_given_json, score_json, score_quality_json};
 use dolmen_report::xlsx::score_form_workbook;
-use dolmen_report::{score_quality_text, score_text};
+use dolmen_report::{score_given_text, score_quality_text, score_text};
 use dolmen_work::Opened;
 use dolmen_work::WorkError;
-use dolmen_work::score::{ScoreDesigns, score, score_quality};
+use dolmen_work::score::{ScoreDesigns, score, score_given, score_quality};
 use dolmen_work::study::{study_designs, trained};
 use std::path::Path;
 
@@ -47,8 +47,15 @@ pub(crate) fn designs(path: Option<&Path>, manner: &Manner) -> Result<ScoreDesig
 }
 
 fn one(options: &Options, path: &Path, manner: &Manner) -> Result<()> {
-    let designs = designs(options.designs.as_deref(), manner)?;
     let opened = opened(path, manner)?;
+    if let Some(survey) = &options.given {
+        let answer = score_given(&opened, survey, options.extrapolate)?;
+        return match manner.json {
+            true => say_json(&score_given_json(&answer)),
+            false => say(&score_given_text(&answer, manner.style())),
+        };
+    }
+    let designs = designs(options.designs.as_deref(), manner)?;
     let answer = score(&opened, &designs, options.extrapolate)?;
     if manner.json {
         say_json(&score_json(&answer))

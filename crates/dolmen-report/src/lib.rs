@@ -73,7 +73,7 @@ pub use identify::identification_text;
 pub use motion::{motion_report_text, suite_text};
 pub use rank::rank_text;
 pub use scanned::scan_text;
-pub use score::{score_quality_text, score_text};
+pub use score::{score_given_text, score_quality_text, score_text};
 pub use sensors::sensors_text;
 
 /// The listings of the book are compiled and run as tests.

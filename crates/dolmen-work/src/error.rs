@@ -350,6 +350,27 @@ pub enum WorkError {
         /// The project file.
         file: String,
     },
+    /// A survey without a measured frequency of swaying, which a score cannot be given.
+    SurveyTellsNoFrequency {
+        /// The survey.
+        survey: String,
+    },
+    /// A measured frequency that needs joints beyond those of the designs.
+    FrequencyBeyondDesigns {
+        /// Measured, Hz.
+        measured_hz: f64,
+        /// Allowed, Hz.
+        least_hz: f64,
+        /// Allowed, Hz.
+        most_hz: f64,
+    },
+    /// Too few draws of the stiffness come near the measured frequency.
+    TooFewDrawsNear {
+        /// Effective number.
+        effective: f64,
+        /// Fewest.
+        least: usize,
+    },
     /// Too few designs for a score.
     TooFewDesigns {
         /// How many there are.

@@ -77,6 +77,7 @@ mod safety;
 mod said_plainly;
 mod scanned;
 mod score_forms;
+mod score_given;
 mod sentences;
 #[cfg(all(unix, feature = "postgres"))]
 mod server_faults;

@@ -18,6 +18,10 @@ messages! {
             en: "{of}, leaning by {push} at the start: {ending}",
             ko: "{of}, 초기 기울기 {push}: {ending}",
         },
+        PushedAbove { of: Sentence, push: Quantity, name: String, ending: Sentence } => {
+            en: "{of}, leaning by {push} at the start from ‘{name}’ up, since the joints below it are taken as rigid: {ending}",
+            ko: "{of}, ‘{name}’ 아래의 접합부는 강체로 보아 그 위로만 초기 기울기 {push}: {ending}",
+        },
         Direction { of: Sentence, direction: String } => { en: "{of}, direction {direction}", ko: "{of}, {direction} 방향" },
         Together { lean: Quantity, name: String, at: Quantity, top: Quantity } => {
             en: "Both directions together, at the samples: ‘{name}’ leans by up to {lean} at {at}, the top moves {top}.",
@@ -197,6 +201,13 @@ pub(super) fn finding(simulation: &ChainSimulation) -> Finding {
     let (of, ended) = (title(simulation), ending(simulation));
     let said = match &simulation.motion {
         Some((motion, _)) => under(of, motion, simulation.peak_acceleration_m_s2(), ended),
+        None if simulation.pushed_from > 0 => Ending::PushedAbove {
+            of,
+            push: push(simulation),
+            name: simulation.links[simulation.pushed_from].clone(),
+            ending: ended,
+        }
+        .into(),
         None => Ending::Pushed {
             of,
             push: push(simulation),
@@ -231,7 +242,7 @@ pub(super) fn title(simulation: &ChainSimulation) -> Sentence {
     }
 }
 
-/// The angle by which the whole chain leaned at the start.
+/// The angle by which the chain leaned at the start.
 pub(super) fn push(simulation: &ChainSimulation) -> Quantity {
     Quantity::new(simulation.push_rad, Unit::si("rad"), Digits::Trimmed(6))
 }

@@ -14,6 +14,10 @@ messages! {
             en: "At the start the whole chain leans by {push}.",
             ko: "시작 시 전체가 {push} 기울어 있다.",
         },
+        PushAbove { push: Quantity, name: String } => {
+            en: "At the start the chain leans by {push} from ‘{name}’ up: the joints below it are taken as rigid.",
+            ko: "시작 시 ‘{name}’부터 위쪽이 {push} 기울어 있다. 그 아래의 접합부는 강체로 본다.",
+        },
         Stands { frequency: Quantity } => {
             en: "Upright it stands by itself: its lowest natural frequency is {frequency}.",
             ko: "연직 상태에서 스스로 안정하며 1차 고유진동수는 {frequency}이다.",
@@ -90,8 +94,14 @@ messages! {
 pub(super) fn course(simulation: &ChainSimulation) -> Vec<Sentence> {
     let mut said: Vec<Run> = Vec::new();
     if simulation.push_rad != 0.0 {
-        said.push(Run::Push {
-            push: push(simulation),
+        said.push(match simulation.pushed_from {
+            0 => Run::Push {
+                push: push(simulation),
+            },
+            link => Run::PushAbove {
+                push: push(simulation),
+                name: simulation.links[link].clone(),
+            },
         });
     }
     said.extend(simulation.first_frequency_hz.map(|hz| Run::Stands {

@@ -48,6 +48,7 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
             "peak_rotation_rad": of.lean_rad, "link": simulation.links.get(of.link), "at_s": of.at_s, "top_peak_m": of.top_m,
         })),
         "push_rad": simulation.push_rad,
+        "pushed_from_link": simulation.links[simulation.pushed_from],
         "lean_as_surveyed": simulation.lean.as_ref().map(|lean| json!({
             "survey": lean.survey, "written": lean.written, "lean_rad": lean.lean_rad,
         })),

@@ -44,7 +44,7 @@ pub(crate) use judgement::judgement;
 pub use motion::motion_report_json;
 pub use rank::rank_json;
 pub use scanned::scan_json;
-pub use score::{score_json, score_quality_json};
+pub use score::{score_given_json, score_json, score_quality_json};
 pub use sensors::sensors_json;
 pub use simulation::{simulation_json, stack_runs_json};
 pub use study::study_json;

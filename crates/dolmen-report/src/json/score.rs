@@ -1,7 +1,7 @@
 //! The six-factor score as JSON.
 
 use dolmen::assess::Factor;
-use dolmen_work::score::{SCORE_STATES, ScoreAnswer, ScoreQuality};
+use dolmen_work::score::{GIVEN_PEAKS_G, GivenAnswer, SCORE_STATES, ScoreAnswer, ScoreQuality};
 use serde_json::{Map, Value, json};
 
 fn by_factor(values: impl IntoIterator<Item = Value>) -> Value {
@@ -36,6 +36,40 @@ pub fn score_json(answer: &ScoreAnswer) -> Value {
         "trained": by_factor(answer.trained.iter().map(|range| json!([range.lower, range.upper]))),
         "states": states.collect::<Vec<_>>(),
     })
+}
+
+/// The score of one pagoda with a measured frequency: that of [`score_json`], and `given`.
+pub fn score_given_json(answer: &GivenAnswer) -> Value {
+    let of = &answer.frequency;
+    let capacity = |[median, lower, upper]: [f64; 3]| json!({ "capacity_m_s2": median, "interval_90_m_s2": [lower, upper] });
+    let states = answer.states.iter().map(|one| {
+        let pairs = one.probability_unknown.iter().zip(&one.probability_given);
+        let reached = GIVEN_PEAKS_G.iter().zip(pairs).map(|(peak, (unknown, given))| {
+            json!({ "peak_g": peak, "stiffness_unknown": unknown, "frequency_given": given })
+        });
+        json!({
+            "state": SCORE_STATES[one.state],
+            "stiffness_unknown": capacity(one.unknown_m_s2),
+            "frequency_given": capacity(one.given_m_s2),
+            "probability": reached.collect::<Vec<_>>(),
+        })
+    });
+    let given = json!({
+        "survey": of.survey,
+        "direction": of.direction,
+        "measured_hz": of.measured_hz,
+        "ln_frequency_sd": of.ln_sd,
+        "frequency_on_joints_of_designs_hz": of.computed_hz,
+        "draws": answer.draws,
+        "effective_draws": answer.effective_draws,
+        "stiffness_ratio": answer.stiffness_ratio[0],
+        "stiffness_ratio_interval_90": [answer.stiffness_ratio[1], answer.stiffness_ratio[2]],
+        "stiffness_ratio_before": [answer.prior_ratio.lower, answer.prior_ratio.upper],
+        "states": states.collect::<Vec<_>>(),
+    });
+    let mut value = score_json(&answer.score);
+    value["given"] = given;
+    value
 }
 
 /// What the score is worth, state by state.

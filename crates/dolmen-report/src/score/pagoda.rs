@@ -76,8 +76,8 @@ fn sections(answer: &ScoreAnswer) -> Document<'static> {
     document.put(Block::Table(capacities(answer)));
     document.note(Pagoda::NoProof);
     document.note(conditions());
-    for how in extrapolated(answer) {
-        document.put(Block::Warning(Pagoda::Extrapolated { how }.into()));
+    for how in extrapolated_sentences(answer) {
+        document.put(Block::Warning(how));
     }
     document
 }
@@ -166,6 +166,12 @@ fn capacities(answer: &ScoreAnswer) -> Table {
         ],
         rows: answer.states.iter().map(row).collect(),
     }
+}
+
+/// The same as warnings.
+pub(super) fn extrapolated_sentences(answer: &ScoreAnswer) -> Vec<Sentence> {
+    let each = extrapolated(answer).into_iter();
+    each.map(|how| Pagoda::Extrapolated { how }.into()).collect()
 }
 
 /// What sets the pagoda apart from the designs.

@@ -13,7 +13,7 @@ use crate::version::Version;
 use crate::wrong::Place;
 use dolmen::dynamics::{
     ChainModel, ChainRotations, ChainRun, DynamicsError, JointOpening, TimeFunction, chain_at_rest,
-    chain_growth, simulate_chain,
+    chain_growth, lowest_turning_joint, simulate_chain,
 };
 use dolmen::signal::Component;
 use dolmen_project::{ChainAxis, ChainPart, LoadsPart, Quantity};
@@ -147,13 +147,16 @@ fn simulate_one(
         None => PUSHED_S,
         Some((motion, _)) => motion.motion.duration_s() + SWING_REST_S,
     });
-    let start = start_rotation_rad(&model)?;
-    let run = ChainRun {
+    let mut run = ChainRun {
         duration_s: Some(run_s),
         output_step_s: options.output_step_s,
-        start_rotation_rad: start.iter().map(|at_rest| at_rest + options.push_rad).collect(),
+        start_rotation_rad: start_rotation_rad(&model)?,
         ..ChainRun::default()
     };
+    let pushed_from = lowest_turning_joint(&model, &run, options.push_rad);
+    for rotation_rad in run.start_rotation_rad.iter_mut().skip(pushed_from) {
+        *rotation_rad += options.push_rad;
+    }
     let history = simulating(progress, run_s, |reached| {
         simulate_chain(&model, &load, &run, reached)
     })?;
@@ -185,6 +188,7 @@ fn simulate_one(
         model,
         motion,
         push_rad: options.push_rad,
+        pushed_from,
         options: run,
         growth,
         history,

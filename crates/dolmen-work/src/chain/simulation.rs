@@ -96,8 +96,10 @@ pub struct ChainSimulation {
     pub model: ChainModel,
     /// The motion of its base and the component that acts; `None` for a still ground.
     pub motion: Option<(MotionAnswer, Component)>,
-    /// Angle by which the whole chain leaned at the start, rad.
+    /// Angle by which the chain leaned at the start, rad.
     pub push_rad: f64,
+    /// The lowest link that it leaned, 0 the lowest: joints below are taken as rigid.
+    pub pushed_from: usize,
     /// Options of the run.
     pub options: ChainRun,
     /// Lowest natural frequency upright, with every slider free, Hz; `None` if it falls by itself.

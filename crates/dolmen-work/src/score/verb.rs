@@ -17,6 +17,20 @@ const LEANS: f64 = 0.01;
 
 /// Refuses a pagoda that is unlike the training designs, unless `outside_too`.
 pub(crate) fn check_alike(project: &Project, outside_too: bool) -> Result<Vec<Unlike>, WorkError> {
+    let mut unlike = unlike_but_frequency(project)?;
+    if matches!(project.structure, Structure::Stack(_))
+        && let Evidence::Contradicted(of) = evidence(project, None)?
+    {
+        unlike.push(Unlike::Frequency {
+            measured_hz: of.measured_hz,
+            computed_hz: of.computed_hz,
+        });
+    }
+    allowed(unlike, outside_too)
+}
+
+/// The differences other than a measured frequency.
+pub(super) fn unlike_but_frequency(project: &Project) -> Result<Vec<Unlike>, WorkError> {
     let Structure::Stack(part) = &project.structure else {
         return Ok(Vec::new());
     };
@@ -25,12 +39,11 @@ pub(crate) fn check_alike(project: &Project, outside_too: bool) -> Result<Vec<Un
         let slope = lean.slope[0].hypot(lean.slope[1]);
         unlike.extend((slope >= LEANS).then_some(Unlike::Leans { slope }));
     }
-    if let Evidence::Contradicted(of) = evidence(project, None)? {
-        unlike.push(Unlike::Frequency {
-            measured_hz: of.measured_hz,
-            computed_hz: of.computed_hz,
-        });
-    }
+    Ok(unlike)
+}
+
+/// Refuses differences, unless `outside_too`.
+pub(super) fn allowed(unlike: Vec<Unlike>, outside_too: bool) -> Result<Vec<Unlike>, WorkError> {
     if !unlike.is_empty() && !outside_too {
         return Err(WorkError::PagodaUnlike {
             how: Both::of(|language| {
@@ -60,13 +73,27 @@ pub(crate) fn factors(project: &Project) -> Result<Option<SixFactors>, WorkError
 /// # Errors
 /// A project without a pagoda of six factors, a pagoda unlike the designs, too few designs.
 pub fn score(opened: &Opened, designs: &ScoreDesigns, extrapolate: bool) -> Result<ScoreAnswer, WorkError> {
+    factors_or_error(opened)?;
+    let unlike = check_alike(&opened.project, extrapolate)?;
+    scored(opened, designs, unlike, extrapolate)
+}
+
+/// The factors, or an error that the project has none.
+pub(super) fn factors_or_error(opened: &Opened) -> Result<SixFactors, WorkError> {
+    factors(&opened.project)?.ok_or_else(|| WorkError::NoPagoda {
+        file: opened.file.clone(),
+    })
+}
+
+/// The score of a pagoda whose differences were judged.
+pub(super) fn scored(
+    opened: &Opened,
+    designs: &ScoreDesigns,
+    unlike: Vec<Unlike>,
+    extrapolate: bool,
+) -> Result<ScoreAnswer, WorkError> {
     let project = &opened.project;
-    let Some(factors) = factors(project)? else {
-        return Err(WorkError::NoPagoda {
-            file: opened.file.clone(),
-        });
-    };
-    let unlike = check_alike(project, extrapolate)?;
+    let factors = factors_or_error(opened)?;
     let (trained, states) = ScoreAnswer::states_of(designs, &factors, extrapolate)?;
     Ok(ScoreAnswer {
         file: opened.file.clone(),

@@ -66,7 +66,8 @@ fn like(part: &StackPart, pagoda: &PagodaPart, (storeys, body_height_m): (u32, f
     other.build(&mut Quantity::nominal).ok()
 }
 
-fn first_frequency_hz(stack: &Stack, rule: ContactRule) -> Option<f64> {
+/// The first frequency of swaying, Hz.
+pub(crate) fn first_frequency_hz(stack: &Stack, rule: ContactRule) -> Option<f64> {
     let modes = lowest_stack_modes(stack, rule, MODES).ok()?;
     let first = first_sway(&modes, 0)?;
     Some(modes[first].frequency_hz).filter(|hz| *hz > 0.0)

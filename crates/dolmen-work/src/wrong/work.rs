@@ -255,12 +255,24 @@ sentences! {
             ko: "바닥 {floor}의 외곽선이 없어 그 위의 위치를 알 수 없다. 그 표에 sides나 outline을 쓴다",
         },
         PagodaUnlike { how } => {
-            en: "the score does not know such a pagoda: {how}. Simulate it with dolmen study, or force the score with --extrapolate",
-            ko: "이런 석탑은 점수로 평가할 수 없다: {how}. dolmen study로 해석하거나 --extrapolate로 점수를 낸다",
+            en: "the score does not know such a pagoda: {how}. Simulate it with dolmen study, or force the score with --extrapolate; a measured frequency alone is for dolmen score --given SURVEY",
+            ko: "이런 석탑은 점수로 평가할 수 없다: {how}. dolmen study로 해석하거나 --extrapolate로 점수를 낸다. 실측 고유진동수만 다르면 dolmen score --given SURVEY를 쓴다",
         },
         NoPagoda { file } => {
             en: "{file} has no pagoda given by six factors: write pagoda = {{ storeys = 5, body_height = 6.0, … }} in a stack, or simulate its blocks with dolmen study",
             ko: "{file}에 여섯 인자 점수에 쓸 석탑 정보가 없다. stack에 pagoda = {{ storeys = 5, body_height = 6.0, … }}를 추가하거나, 블록 모델은 dolmen study로 해석한다",
+        },
+        SurveyTellsNoFrequency { survey } => {
+            en: "survey {survey} has no measured frequency of swaying along x or y: write frequencies = {{ x = [3.1] }} or modes into it, or find them in its record with dolmen identify",
+            ko: "조사 {survey}에 x나 y 방향 흔들림의 실측 고유진동수가 없다. 그 조사에 frequencies = {{ x = [3.1] }}나 modes를 쓰거나, dolmen identify로 기록에서 구한다",
+        },
+        FrequencyBeyondDesigns { measured_hz, least_hz, most_hz } as { measured_hz: format!("{measured_hz:.2}"), least_hz: format!("{least_hz:.2}"), most_hz: format!("{most_hz:.2}") } => {
+            en: "the measured frequency is {measured_hz} Hz, but the joints behind the score allow {least_hz} Hz to {most_hz} Hz for this pagoda: check the frequency and its direction, or simulate the pagoda with dolmen study",
+            ko: "실측 고유진동수가 {measured_hz} Hz인데, 점수의 바탕이 된 접합면으로는 이 석탑에서 {least_hz}~{most_hz} Hz이어야 한다. 진동수와 방향을 확인하거나 dolmen study로 이 석탑을 해석한다",
+        },
+        TooFewDrawsNear { effective, least } as { effective: format!("{effective:.0}"), least } => {
+            en: "the measured frequency leaves {effective} effective draws of the stiffness, and {least} are needed: give the frequency a standard deviation that its record has",
+            ko: "실측 고유진동수에 맞는 강성 표본의 유효 개수가 {effective}인데 {least}개가 필요하다. 진동수에 기록에서 얻은 표준편차를 준다",
         },
         TooFewDesigns { designs } => {
             en: "{designs} designs are too few for a score: 50 and more with a curve are needed",

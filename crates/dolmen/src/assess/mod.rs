@@ -49,9 +49,10 @@ pub use portfolio::{Candidate, Known, KnownCapacity, Place, Ranked, RankedBy, ra
 pub use probability::{Distribution, Probability, probability, sampled};
 pub use risk::{AnnualRisk, Hazard, annual_risk};
 pub use score::{
-    EffectVerdict, Factor, FactorEffect, FactorShare, FactorShares, HeldOut, OutsideFactor, PagodaScore,
-    Ranking, ScoreModel, SixFactors, SurfaceSettings, TrainedDesign, Unlike, UnlikeQuantity, factor_shares,
-    held_out, shapley_shares, unlike_trained,
+    CapacityGiven, EffectVerdict, Factor, FactorEffect, FactorShare, FactorShares, HeldOut, OutsideFactor,
+    PagodaScore, Ranking, ScoreModel, SixFactors, StiffnessDesign, StiffnessDraws, StiffnessEffect,
+    SurfaceSettings, TrainedDesign, Unlike, UnlikeQuantity, factor_shares, held_out, shapley_shares,
+    unlike_trained,
 };
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use settle_run::with_settle_run;

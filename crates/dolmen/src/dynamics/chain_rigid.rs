@@ -71,6 +71,25 @@ pub(super) fn rigid_joints(
     Vec::new()
 }
 
+/// The lowest joint that a push turns, 0 the lowest of all: those below are taken as rigid in a run from this state, and the push would not bring
+/// their bed to its edge. 0 if nothing else turns.
+///
+/// ```text
+/// joint i is passed over if it is rigid and k_i |push| < N_i b_i/2
+/// ```
+/// Validated by tests/validation/chain_rigid_joints.rs.
+pub fn lowest_turning_joint(model: &ChainModel, at_rest: &ChainRun, push_rad: f64) -> usize {
+    let rigid = rigid_joints(model, at_rest, &[]);
+    let turns = |joint: &usize| {
+        let passes = rigid.iter().any(|of| {
+            let moment_n_m = of.stiffness_n_m_rad * push_rad.abs();
+            of.joint == *joint && moment_n_m < model.moment_most_n_m[*joint]
+        });
+        !passes
+    };
+    (0..model.joints.len()).find(turns).unwrap_or(0)
+}
+
 /// The chain without the springs and dashpots of these joints; their moments follow from the balance of the links.
 pub(super) fn holding(model: &ChainModel, rigid: &[ChainRigidJoint]) -> ChainModel {
     let mut model = model.clone();

@@ -57,7 +57,7 @@ pub use chain_history::{
 pub use chain_model::{ChainJoint, ChainModel, JointFriction, JointOpening};
 pub use chain_motion::simulate_chain;
 pub use chain_rest::chain_at_rest;
-pub use chain_rigid::ChainRigidJoint;
+pub use chain_rigid::{ChainRigidJoint, lowest_turning_joint};
 pub use chain_rotations::ChainRotations;
 pub use chain_run::ChainRun;
 pub use chain_studies::chain_harmonic_map;

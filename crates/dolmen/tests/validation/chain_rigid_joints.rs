@@ -16,7 +16,7 @@ use super::chain_motion::{el_centro, flagpole, weight_times_height};
 use crate::draws::Draws;
 use dolmen::dynamics::{
     ChainHistory, ChainJoint, ChainModel, ChainOutcome, ChainRotations, ChainRun, JointFriction,
-    JointOpening, TimeFunction, simulate_chain,
+    JointOpening, TimeFunction, lowest_turning_joint, simulate_chain,
 };
 use dolmen::signal::Component;
 use dolmen::structure::{Chain, Inertia, Link};
@@ -114,6 +114,55 @@ fn exact_a_nearly_rigid_joint_moves_as_the_pole_without_it() {
     );
     let turned = stiff.joint_peaks[STIFF].rotation_rad.abs();
     assert!((turned * 1e10 / stiff.joint_moment_peaks_n_m[STIFF] - 1.0).abs() < 1e-12);
+}
+
+/// A push of a pole whose foot is nearly rigid turns what stands on its lowest link: the pole of the four links above, on the ground.
+#[test]
+fn exact_a_push_on_a_nearly_rigid_foot_is_that_of_the_pole_on_its_lowest_link() {
+    let push_rad = 1e-3;
+    let pushed = |chain: Chain, stiffness: Vec<f64>, rotation_rad: Vec<f64>| {
+        let joints = stiffness.into_iter().map(ChainJoint::spring).collect();
+        let model = ChainModel::new(chain, joints, ChainRotations::Large).unwrap();
+        let options = ChainRun {
+            duration_s: Some(5.0),
+            output_step_s: 0.01,
+            start_rotation_rad: rotation_rad,
+            ..ChainRun::default()
+        };
+        simulate_chain(&model, &TimeFunction::Zero, &options, &mut |_| true).unwrap()
+    };
+    let mut stiffness = joints();
+    stiffness[0] = 1e13;
+    let springs = stiffness.iter().map(|k| ChainJoint::spring(*k)).collect();
+    let model = ChainModel::new(flagpole(), springs, ChainRotations::Large).unwrap();
+    let at_rest = ChainRun::default();
+    assert_eq!(lowest_turning_joint(&model, &at_rest, push_rad), 1);
+    let stiff = pushed(
+        flagpole(),
+        stiffness,
+        vec![0.0, push_rad, push_rad, push_rad, push_rad],
+    );
+    assert_eq!(stiff.rigid_joints.len(), 1);
+    let above = Chain::new(flagpole().links()[1..].to_vec(), flagpole().gravity_m_s2()).unwrap();
+    let own = pushed(above, joints()[1..].to_vec(), vec![push_rad; 4]);
+    for link in 0..4 {
+        let (a, b) = (&stiff.rotation_rad[link + 1], &own.rotation_rad[link]);
+        assert!(apart(a, b) < 1e-11, "link {link}: {:e}", apart(a, b));
+    }
+    // an ordinary foot turns, and so does a stiff one whose bed the push brings to its edge
+    let usual = joints().into_iter().map(ChainJoint::spring).collect();
+    let usual = ChainModel::new(flagpole(), usual, ChainRotations::Large).unwrap();
+    assert_eq!(lowest_turning_joint(&usual, &at_rest, push_rad), 0);
+    let mut links = flagpole().links().to_vec();
+    links[0].bed_width_m = Some(0.65);
+    let wide = Chain::new(links, flagpole().gravity_m_s2()).unwrap();
+    let mut springs: Vec<ChainJoint> = joints().into_iter().map(ChainJoint::spring).collect();
+    springs[0] = ChainJoint {
+        opening: JointOpening::AtBedEdge,
+        ..ChainJoint::spring(1e13)
+    };
+    let opening = ChainModel::new(wide, springs, ChainRotations::Large).unwrap();
+    assert_eq!(lowest_turning_joint(&opening, &at_rest, push_rad), 0);
 }
 
 #[test]

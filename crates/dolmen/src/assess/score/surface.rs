@@ -56,26 +56,8 @@ impl Surface {
             explained: 0.0,
         };
         let rows: Vec<Vec<f64>> = x.iter().map(|point| surface.features(point)).collect();
-        let p = rows[0].len();
-        let features = Matrix::from_fn(n, p, |i, j| rows[i][j]);
-        let gram = features.transpose_times(&features);
-        let right = features.transpose_times(&Matrix::from_column(y));
-        for penalty in PENALTIES {
-            let penalised = Matrix::from_fn(p, p, |i, j| {
-                let extra = if i == j && i > 0 { penalty * count } else { 0.0 };
-                gram[(i, j)] + extra
-            });
-            let inverse = solve(&penalised, &Matrix::identity(p))?;
-            let coefficients = inverse.times(right.column(0));
-            let missed = rows.iter().zip(y).map(|(row, y)| {
-                let leverage = inverse.form(row, row).min(1.0 - 1e-9);
-                ((y - dot(row, &coefficients)) / (1.0 - leverage)).powi(2)
-            });
-            let variance = missed.sum::<f64>() / count;
-            if variance < surface.left_out_variance {
-                (surface.left_out_variance, surface.coefficients) = (variance, coefficients);
-            }
-        }
+        let fit = ridge(&rows, y)?;
+        (surface.left_out_variance, surface.coefficients) = (fit.left_out_variance, fit.coefficients);
         let alone = variance_left_out(y);
         surface.explained = if alone > 0.0 {
             1.0 - surface.left_out_variance / alone
@@ -103,6 +85,49 @@ impl Surface {
     pub(super) fn value(&self, x: &[f64; 6]) -> f64 {
         dot(&self.features(x), &self.coefficients)
     }
+}
+
+/// Coefficients with the penalty that predicts left-out points best.
+pub(super) struct Ridge {
+    pub(super) coefficients: Vec<f64>,
+    /// Mean square of the leave-one-out prediction errors.
+    pub(super) left_out_variance: f64,
+}
+
+/// Ridge regression of `y` on `rows`; the first feature is not penalised.
+///
+/// # Errors
+/// A failed solution.
+pub(super) fn ridge(rows: &[Vec<f64>], y: &[f64]) -> Result<Ridge, AssessError> {
+    let (n, p) = (rows.len(), rows.first().map_or(0, Vec::len));
+    let count = n as f64;
+    let features = Matrix::from_fn(n, p, |i, j| rows[i][j]);
+    let gram = features.transpose_times(&features);
+    let right = features.transpose_times(&Matrix::from_column(y));
+    let mut best = Ridge {
+        coefficients: Vec::new(),
+        left_out_variance: f64::INFINITY,
+    };
+    for penalty in PENALTIES {
+        let penalised = Matrix::from_fn(p, p, |i, j| {
+            let extra = if i == j && i > 0 { penalty * count } else { 0.0 };
+            gram[(i, j)] + extra
+        });
+        let inverse = solve(&penalised, &Matrix::identity(p))?;
+        let coefficients = inverse.times(right.column(0));
+        let missed = rows.iter().zip(y).map(|(row, y)| {
+            let leverage = inverse.form(row, row).min(1.0 - 1e-9);
+            ((y - dot(row, &coefficients)) / (1.0 - leverage)).powi(2)
+        });
+        let left_out_variance = missed.sum::<f64>() / count;
+        if left_out_variance < best.left_out_variance {
+            best = Ridge {
+                coefficients,
+                left_out_variance,
+            };
+        }
+    }
+    Ok(best)
 }
 
 #[cfg(test)]
