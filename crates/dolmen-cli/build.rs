@@ -1,4 +1,4 @@
-//! The command carries the examples: it is built anew when one of them changes.
+//! Rebuilds the command when a built-in example changes.
 
 fn main() {
     println!("cargo:rerun-if-changed=../../examples");

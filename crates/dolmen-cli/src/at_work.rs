@@ -1,4 +1,4 @@
-//! What the command says while it is at work, and of its installation.
+//! Messages during the work, and about the installation.
 
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Quantity, messages};
@@ -51,12 +51,12 @@ messages! {
 
 static LANGUAGE: OnceLock<Language> = OnceLock::new();
 
-/// The language of progress from now on.
+/// Sets the language of progress messages.
 pub(crate) fn speak(language: Language) {
-    let _ = LANGUAGE.set(language); // the first stays
+    let _ = LANGUAGE.set(language); // only the first call counts
 }
 
-/// A time that is left, in one or two units.
+/// The remaining time, in one or two units.
 pub(crate) fn time_left(left: Duration) -> String {
     let seconds = left.as_secs();
     let minutes = seconds.div_ceil(60);
@@ -72,7 +72,7 @@ pub(crate) fn time_left(left: Duration) -> String {
 }
 
 impl AtWork {
-    /// It in the language of the user.
+    /// The message in the user's language.
     pub(crate) fn text(self) -> String {
         let language = LANGUAGE.get().copied().unwrap_or(Language::English);
         Both::from(self).text(language).to_owned()

@@ -2,7 +2,7 @@
 
 use crate::cli::Kind;
 
-/// The project file to begin with.
+/// The project file of a new project.
 pub(crate) fn skeleton(kind: Kind) -> &'static str {
     match kind {
         Kind::Flagpole => include_str!("bare/flagpole.toml"),

@@ -1,4 +1,4 @@
-//! `dolmen check`: is the file right, does it stand.
+//! `dolmen check`: is the file right, does the structure stand.
 
 use crate::cli::Check as Options;
 use crate::manner::Manner;

@@ -1,4 +1,4 @@
-//! What can be typed, with the help that clap prints.
+//! Arguments of the command, with the help that clap prints.
 
 use crate::cli_follow::Follow;
 use crate::cli_language::{day, positive};
@@ -31,29 +31,29 @@ pub(crate) struct Cli {
 pub(crate) enum Verb {
     /// Start a project from an example
     New(New),
-    /// The structure as entered: names, dimensions, offsets, tilts, sensors; nothing is computed
+    /// Draw the structure as entered: names, dimensions, offsets, tilts, sensors; computes nothing
     Draw(Draw),
-    /// Where a few sensors see the modes best and tell them apart, and what they leave unseen
+    /// Where a few sensors observe the modes best and distinguish them, and what they cannot observe
     Sensors(Sensors),
-    /// Is the file right, does it stand: stability, limits, modes. Milliseconds
+    /// Is the file right, does the structure stand: stability, limits, modes. Milliseconds
     Check(Check),
     /// Records → modes → stiffness, with its ambiguity stated
     Identify(Identify),
-    /// The record of a survey as it is used → universal file (UFF 58) or CSV, for other programs
+    /// Write a survey's record as Dolmen uses it, as universal file (UFF 58) or CSV for other programs
     Record(Record),
-    /// What changed from one survey to another, and what could have been missed
+    /// What changed between two surveys, and which changes could have been missed
     Compare(Compare),
-    /// The record of a structure over the years: what changed, when, and whether the last surveys are as they should be
+    /// The history of a structure: what changed, when, and whether the last surveys are as expected
     Watch(Watch),
     /// A stack, frame, chain or building under a ground motion: rocking, sliding, slipping, swaying, falling
     Simulate(Simulate),
-    /// Runs over grids of inputs, samples, motions and growing shaking; resumable, in shards
+    /// Runs over grids of inputs, samples, motions and increasing shaking; resumable, in shards
     Study(Study),
-    /// Dampers of a building: where they serve best and how tuned, beside the rules and what each costs
+    /// Dampers of a building: best position and tuning, compared with design rules, and the loss of each
     Tune(Tune),
-    /// Six-factor score of a pagoda against simulated ones; without a project, its weights and what it is worth
+    /// Six-factor score of a pagoda from simulated ones; without a project, its weights and accuracy
     Score(Score),
-    /// Many structures in the order in which they should be looked at, with intervals and reasons
+    /// Rank structures by how urgently they need attention, with intervals and reasons
     Rank(Rank),
     /// A store of structures with their surveys over years: add, list, show, export, import, verify
     Survey(cli_survey::Survey),
@@ -61,31 +61,31 @@ pub(crate) enum Verb {
     Motion(GroundMotionVerb),
     /// One self-contained HTML page, in English or Korean
     Report(Report),
-    /// The main job on the shipped examples, start to report
+    /// The main steps on shipped examples, from the start to the report
     Demo(Demo),
     /// Published | computed | difference, for every source
     Validate,
-    /// What a code in a message or report means; all codes without one
+    /// What a code in a message or report means; without a code, all codes
     Explain {
         /// The code, such as unsafe-criterion
         code: Option<String>,
     },
     /// JSON schema of the project file
     Schema,
-    /// Sentences of reports in English and Korean, side by side, for who reviews them; a table (CSV)
+    /// Sentences of reports in English and Korean, side by side, for reviewers; a table (CSV)
     Words {
-        /// Write it into this file, for Excel, instead of printing it
+        /// Write the table into this file, for Excel, instead of printing it
         #[arg(long, value_name = "FILE")]
         export: Option<PathBuf>,
     },
-    /// Completions for a shell, to standard output
+    /// Shell completions, to standard output
     Completions {
         /// The shell
         shell: clap_complete::Shell,
     },
-    /// The manual page (roff), to standard output, or one page a verb into a folder
+    /// The manual page (roff), to standard output; or one page per verb into a folder
     Man {
-        /// Folder for one page a verb
+        /// Folder for one page per verb
         directory: Option<PathBuf>,
     },
     /// Does this installation work: version, self-checks, writable folders
@@ -94,11 +94,11 @@ pub(crate) enum Verb {
 
 #[derive(Debug, Args)]
 pub(crate) struct New {
-    /// What kind of structure
+    /// Kind of structure
     pub(crate) kind: Kind,
-    /// Folder to make; it must not exist or be empty
+    /// Folder to create; it must not exist or be empty
     pub(crate) directory: PathBuf,
-    /// A short file of placeholders instead of the copy of an example: no survey, variant or source of another structure
+    /// A short file of placeholders instead of a copy of an example: without surveys, variants or sources of another structure
     #[arg(long, conflicts_with = "scan")]
     pub(crate) bare: bool,
     #[command(flatten)]
@@ -110,7 +110,7 @@ pub(crate) struct OfScan {
     /// Cut this closed mesh of a whole pagoda (OBJ, STL, PLY) into its stones, instead of copying an example
     #[arg(long, value_name = "FILE", requires = "beds")]
     pub(crate) scan: Option<PathBuf>,
-    /// Heights of its beds, m in the coordinates of the file, lowest first: 0.35,1.05
+    /// Heights of its bed joints, m in the coordinates of the file, lowest first: 0.35,1.05
     #[arg(
         long,
         value_name = "METRES",
@@ -119,7 +119,7 @@ pub(crate) struct OfScan {
         allow_negative_numbers = true
     )]
     pub(crate) beds: Vec<f64>,
-    /// Unit of the file; recognised by its height without it, and stated
+    /// Unit of the file; by default inferred from its height, and reported
     #[arg(long, value_enum, requires = "scan")]
     pub(crate) unit: Option<ScanUnit>,
 }
@@ -153,7 +153,7 @@ pub(crate) enum Kind {
     Tower,
     /// Trilithon: two posts and a lintel
     Trilithon,
-    /// Building that twists: rigid floors on walls
+    /// Building with torsion: rigid floors on walls
     Building,
     /// Measured only: vibration records without a model
     Survey,
@@ -172,22 +172,22 @@ pub(crate) struct Draw {
 pub(crate) struct Sensors {
     /// Project file with a structure, or a folder that holds project.toml
     pub(crate) project: PathBuf,
-    /// Sensors that record at once; 4, or as many as there are places, without it
+    /// Number of sensors that record at once [default: 4, or the number of possible places]
     #[arg(long, short = 'n', value_name = "N")]
     pub(crate) count: Option<usize>,
     /// Axes of each sensor: 1, 2 (both horizontal) or 3
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(crate) axes: usize,
-    /// How high a sensor may stand, m above the ground: what a ladder reaches
+    /// Greatest height of a sensor, m above the ground, such as the reach of a ladder
     #[arg(long, value_name = "METRES", value_parser = positive)]
     pub(crate) up_to: Option<f64>,
-    /// How many modes they shall tell apart, the lowest; as many as channels, 3 to 6, without it
+    /// Number of lowest modes to distinguish [default: the number of channels, from 3 to 6]
     #[arg(long, value_name = "N")]
     pub(crate) modes: Option<usize>,
-    /// Record so many times, with the sensors moved on
+    /// Number of recordings, between which the sensors are moved
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(crate) setups: usize,
-    /// Sensors that stay where they are in all setups
+    /// Number of sensors that stay in place in all setups
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub(crate) references: usize,
     /// Write the drawing (SVG), the plan (JSON) and the lines for a survey (TOML) into this folder
@@ -199,16 +199,16 @@ pub(crate) struct Sensors {
 pub(crate) struct Check {
     /// Project file, or a folder that holds project.toml
     pub(crate) project: PathBuf,
-    /// Draw the inputs that carry a cov this many times, and say how probable each verdict is
+    /// Draw the inputs with a cov this many times, and give the probability of each verdict
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
     pub(crate) samples: Option<u32>,
     /// Seed of the samples: the same seed gives the same bits
     #[arg(long, default_value_t = 1, requires = "samples")]
     pub(crate) seed: u64,
-    /// Say what one per cent of each input does to the load factor
+    /// Give the effect of one per cent of each input on the load factor
     #[arg(long)]
     pub(crate) sensitivity: bool,
-    /// A check answers all variants: refused, with what to do
+    /// Not accepted: a check answers all variants
     #[arg(long, value_name = "NAME", hide = true)]
     pub(crate) variant: Option<String>,
 }
@@ -217,10 +217,10 @@ pub(crate) struct Check {
 pub(crate) struct Identify {
     /// Project file, or a folder that holds project.toml
     pub(crate) project: PathBuf,
-    /// Only this survey; all without it
+    /// Only this survey; by default all
     #[arg(long, value_name = "NAME")]
     pub(crate) survey: Option<String>,
-    /// Write the stiffness into the project file where one survey determines it, with its standard deviation; all else stays as it is
+    /// Write the stiffness with its standard deviation into the project file, if one survey determines it; the rest of the file stays as it is
     #[arg(long)]
     pub(crate) write: bool,
     /// Write the figures (SVG, PNG), the moving shapes (glTF), the modes (CSV, UFF) and the result (JSON) into this folder
@@ -232,7 +232,7 @@ pub(crate) struct Identify {
 pub(crate) struct Record {
     /// Project file, or a folder that holds project.toml
     pub(crate) project: PathBuf,
-    /// The survey; without it the only one with a record
+    /// The survey; by default the only one with a record
     #[arg(long, value_name = "NAME")]
     pub(crate) survey: Option<String>,
     /// The setup of the survey, from 1
@@ -250,10 +250,10 @@ pub(crate) struct Record {
 pub(crate) struct Compare {
     /// Project file, or a folder that holds project.toml
     pub(crate) project: PathBuf,
-    /// The survey before; the first whose name begins with a date without it
+    /// The earlier survey; by default the first whose name begins with a date
     #[arg(long, value_name = "SURVEY")]
     pub(crate) from: Option<String>,
-    /// The survey after; the last whose name begins with a date without it
+    /// The later survey; by default the last whose name begins with a date
     #[arg(long, value_name = "SURVEY")]
     pub(crate) to: Option<String>,
     /// Write the figure (SVG) and the result (JSON) into this folder
@@ -263,13 +263,13 @@ pub(crate) struct Compare {
 
 #[derive(Debug, Args)]
 pub(crate) struct Watch {
-    /// Project file with three surveys or more, or a folder that holds project.toml
+    /// Project file with at least three surveys, or a folder that holds project.toml
     #[arg(required_unless_present = "from_store", conflicts_with = "from_store")]
     pub(crate) project: Option<PathBuf>,
-    /// Every structure of a store, a line each, the worst first
+    /// Every structure of a store, one line each, the worst first
     #[arg(long, group = "from_store")]
     pub(crate) all: bool,
-    /// The store: a file, or postgresql://ROLE@HOST/DATABASE; else DOLMEN_STORE
+    /// The store: a file, or postgresql://ROLE@HOST/DATABASE [default: DOLMEN_STORE]
     #[arg(
         long,
         value_name = "FILE|URL",
@@ -283,8 +283,8 @@ pub(crate) struct Watch {
     /// Write the figure (SVG) and the result (JSON) into this folder
     #[arg(long, short, value_name = "DIR", conflicts_with = "from_store")]
     pub(crate) output: Option<PathBuf>,
-    /// Run this program, without a shell, for each structure with an open alarm or a tilt beyond its limit, with --follow once for each such alarm; what is
-    /// wrong is in DOLMEN_… of its environment
+    /// Run this program, without a shell, for each structure with an open alarm or a tilt beyond its limit, or with --follow once for each
+    /// such alarm; DOLMEN_… variables in its environment give the details
     #[arg(long, value_name = "PROGRAM")]
     pub(crate) on_alarm: Option<PathBuf>,
     #[command(flatten)]
@@ -297,67 +297,69 @@ pub(crate) struct Simulate {
     pub(crate) project: PathBuf,
     #[command(flatten)]
     pub(crate) motion: Motion,
-    /// A second motion, of the file or carried by Dolmen, that acts on what the first left, when that has come to rest: an aftershock
+    /// A second motion, of the file or built in, after the first has come to rest: an aftershock, which acts on the structure as the
+    /// first left it
     #[arg(long, value_name = "NAME")]
     pub(crate) then: Option<String>,
     /// Simulate this variant of the file instead of the structure as it is
     #[arg(long, value_name = "NAME")]
     pub(crate) variant: Option<String>,
-    /// Direction of a frame; without it, each whose stiffness is known
+    /// Direction of a frame; by default each direction with known stiffness
     #[arg(long, value_name = "NAME")]
     pub(crate) direction: Option<String>,
-    /// Let the whole chain lean at the start by this angle, "1e-4 rad" or "0.5 deg"; no motion is needed then
+    /// Initial lean of the whole chain, "1e-4 rad" or "0.5 deg"; then no motion is needed
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub(crate) push: Option<String>,
-    /// How far the equations of a chain go: up to its fall, or the linear ones of small rotations
+    /// Equations of a chain: for large rotations up to a fall, or linear for small rotations
     #[arg(long, value_enum, default_value_t = Rotations::Large)]
     pub(crate) rotations: Rotations,
-    /// What acts between the stones of a stack: springs and dashpots, rigid contact that neither gives nor overlaps, or both; without it
-    /// springs, and rigid contact beside them where the file does not say that normal_stiffness was measured
+    /// Contact between the stones of a stack: springs and dashpots, rigid contact without overlap, or both; by default springs, and also
+    /// rigid contact unless the file says that normal_stiffness was measured
     #[arg(long, value_enum)]
     pub(crate) law: Option<Law>,
-    /// Blow the wind of the file on a building in time, along x and along y, instead of shaking its ground
+    /// Simulate a building under the wind of the file, along x and along y, instead of a ground motion
     #[arg(long)]
     pub(crate) wind: bool,
-    /// Seed of the first history of the wind, 1 without it; those after it count on. The same seed gives the same bits
+    /// Seed of the first wind history [default: 1]; the others use the next numbers. The same seed gives the same bits
     #[arg(long, value_name = "N")]
     pub(crate) seed: Option<u64>,
-    /// Run a stack so often in all, each time but the first with differences that nobody can measure: friction by 2 %, edges of beds by 1 mm,
-    /// the motion by 0.5 %; without it 8 times where one run shows damage that they may make worse and that takes seconds, else once. Of a
-    /// building the histories of its wind, 10 without it
+    /// Number of runs of a stack; each but the first has changes too small to measure: friction by 2 %, edges of beds by 1 mm, the motion
+    /// by 0.5 %. By default 8 if one run shows damage that they may increase and takes seconds, otherwise 1. For a building, the number of
+    /// wind histories, by default 10
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub(crate) repeats: Option<u16>,
-    /// Contact points of a joint of a stack: 16 is exact in rocking and 3 % off in twisting; 4 is faster and too stiff in both
+    /// Contact points per joint of a stack: 16 is exact in rocking and 3 % off in torsion; 4 is faster and too stiff in both
     #[arg(long, value_enum, default_value_t = Points::P16)]
     pub(crate) points: Points,
-    /// Time step, s, of springs if two laws are run; the longest stable one times 0.9 without it, with --law rigid 1e-3, and 2e-4 where friction_kinetic is below friction; of a building that of the histories, in the wind 0.02 or a 32nd of its period
+    /// Time step, s: for two contact laws, that of the springs; by default 0.9 times the longest stable step, with --law rigid 1e-3, or
+    /// 2e-4 if friction_kinetic is below friction; for a building, that of the histories, in the wind 0.02 or 1/32 of its period
     #[arg(long, value_name = "S", value_parser = positive)]
     pub(crate) step: Option<f64>,
-    /// Length of the run, s; without it the motion and 2 s more for a stack, then until it rests, 20 s more for a frame or chain, 60 s for a
-    /// push alone; for a building 20 s more, and ten periods of its slowest mode or damper at least; in the wind 600
+    /// Length of the run, s; by default, for a stack the motion and 2 s more, then until it rests; for a frame or chain 20 s more, or 60 s
+    /// for a push alone; for a building 20 s more, and at least ten periods of its slowest mode or damper; in the wind 600
     #[arg(long, value_name = "S", value_parser = positive)]
     pub(crate) duration: Option<f64>,
     /// Time between samples of the histories, s
     #[arg(long, value_name = "S", default_value_t = 0.01, value_parser = positive)]
     pub(crate) output_step: f64,
-    /// Go on when a stone has fallen, for a film
+    /// Continue after a stone has fallen, for an animation
     #[arg(long)]
     pub(crate) to_the_end: bool,
-    /// Write histories (CSV), result (JSON), figures (SVG), film (glTF) and exports into this folder
+    /// Write histories (CSV), result (JSON), figures (SVG), animation (glTF) and exports into this folder
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 }
 
-/// The law of contact.
+/// The contact law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Law {
     /// Springs, dashpots, friction
     Springs,
     /// Unilateral contact, friction, restitution
     Rigid,
-    /// Each, however long rigid contact takes
+    /// Both, however long rigid contact takes
     Both,
-    /// Springs, and beside them the sliding model of a pile, whose blocks slide and twist but do not rock
+    /// Springs, and also the sliding model of a pile, whose blocks slide and twist but do not rock
     Sliding,
 }
 
@@ -368,32 +370,32 @@ pub(crate) struct Study {
     pub(crate) action: Option<StudyAction>,
     #[command(flatten)]
     pub(crate) place: StudyWhere,
-    /// Run only the k-th of N parts, to be put together by `dolmen study merge`
+    /// Run only part k of N; `dolmen study merge` joins the parts
     #[arg(long, value_name = "k/N")]
     pub(crate) shard: Option<String>,
-    /// Threads; all cores without it. The results are the same for any number
+    /// Number of threads, by default all cores. The results do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..).map(usize::from))]
     pub(crate) threads: Option<usize>,
-    /// Throw away what was done before instead of going on from there
+    /// Discard earlier runs instead of continuing from them
     #[arg(long)]
     pub(crate) restart: bool,
 }
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum StudyAction {
-    /// Put the journals of shards together: tables, figures and results as of one run
+    /// Join the journals of shards: tables, figures and results as from one run
     Merge {
         #[command(flatten)]
         place: StudyWhere,
-        /// Folders with journals of shards, beside that of the results
+        /// Further folders with journals of shards
         #[arg(long, value_name = "DIR", num_args = 1..)]
         from: Vec<PathBuf>,
     },
-    /// Which scans are not done yet
+    /// List the scans that are not done yet
     Missing {
         #[command(flatten)]
         place: StudyWhere,
-        /// Folders with journals of shards, beside that of the results
+        /// Further folders with journals of shards
         #[arg(long, value_name = "DIR", num_args = 1..)]
         from: Vec<PathBuf>,
     },
@@ -404,20 +406,20 @@ pub(crate) struct StudyWhere {
     /// Project file, or a folder that holds project.toml
     #[arg(required = true)]
     pub(crate) project: Option<PathBuf>,
-    /// Only this study, [study.NAME]; all without it
+    /// Only this study, [study.NAME]; by default all
     #[arg(long, value_name = "NAME")]
     pub(crate) study: Vec<String>,
-    /// Folder of the results, one below it a study; studies/ beside the project file without it
+    /// Folder of the results, with a subfolder for each study; by default studies/ beside the project file
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 }
 
-/// How far the equations of a chain go.
+/// Equations of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Rotations {
     /// Any rotation, up to the fall
     Large,
-    /// Linear, whatever size is reached
+    /// Linear, for any size of rotation
     Small,
 }
 
@@ -443,14 +445,14 @@ pub(crate) struct Report {
     /// Project files, or folders that hold project.toml: one report for all of them
     #[arg(required = true)]
     pub(crate) projects: Vec<PathBuf>,
-    /// Where to write it: a page (.html), a document to print (.pdf, where built in) or to edit (.docx, .hwpx), or a workbook of its tables for
-    /// Excel (.xlsx); may be given for each
+    /// Output file: a page (.html), a document to print (.pdf, if built in) or to edit (.docx, .hwpx), or a workbook of its tables for
+    /// Excel (.xlsx); may be repeated
     #[arg(long, short, value_name = "FILE", default_value = "report.html")]
     pub(crate) output: Vec<PathBuf>,
     /// Also write each figure of the report into this folder: SVG, PNG, and its numbers as CSV
     #[arg(long, value_name = "DIR")]
     pub(crate) figures: Option<PathBuf>,
-    /// Draw the inputs that carry a cov this many times
+    /// Draw the inputs with a cov this many times
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u32).range(0..=10_000_000))]
     pub(crate) samples: u32,
     /// Seed of the samples
@@ -458,14 +460,14 @@ pub(crate) struct Report {
     pub(crate) seed: u64,
     #[command(flatten)]
     pub(crate) motion: Motion,
-    /// Date to print on the page, such as 2026-05-12; none without it
+    /// Date to print on the page, such as 2026-05-12; by default none
     #[arg(long, value_name = "DAY", value_parser = day)]
     pub(crate) date: Option<String>,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct Demo {
-    /// Folder to make for the examples and the report
+    /// Folder to create for the examples and the report
     #[arg(default_value = "dolmen-demo")]
     pub(crate) directory: PathBuf,
 }

@@ -1,10 +1,10 @@
-//! What the arguments of several verbs are made of.
+//! Types and parsers that several verbs share.
 
 use clap::ValueEnum;
 use dolmen::signal::Component;
 use dolmen_words::Language as Spoken;
 
-/// Language of what is written.
+/// Language of text and figures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Language {
     /// English
@@ -13,10 +13,10 @@ pub(crate) enum Language {
     Ko,
 }
 
-/// Names of the variables that say the language of the user, the first that is set decides.
+/// Environment variables for the user's language; the first that is set decides.
 const LANGUAGE_NAMES: [&str; 4] = ["DOLMEN_LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"];
 
-/// The language of the user: Korean where the first variable that is set begins with "ko", or Windows says so.
+/// The user's language: Korean if the first set variable begins with "ko", or if Windows says so.
 pub(crate) fn user_language(variable: impl Fn(&str) -> Option<String>) -> Spoken {
     let set = |name| variable(name).filter(|value| !value.is_empty());
     let named = LANGUAGE_NAMES.into_iter().find_map(set).or_else(system_locale);
@@ -36,7 +36,7 @@ fn system_locale() -> Option<String> {
     None
 }
 
-/// A day of the calendar.
+/// Parses a date.
 pub(crate) fn day(text: &str) -> Result<String, String> {
     match dolmen_project::is_day(text) {
         true => Ok(text.to_owned()),
@@ -44,7 +44,7 @@ pub(crate) fn day(text: &str) -> Result<String, String> {
     }
 }
 
-/// A positive number.
+/// Parses a positive number.
 pub(crate) fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
@@ -52,7 +52,7 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A seismic zone as people write it: 1, 2, I, II, Ⅰ, Ⅱ.
+/// Parses a seismic zone: 1, 2, I, II, Ⅰ, Ⅱ.
 pub(crate) fn zone(text: &str) -> Result<u8, String> {
     match text.trim() {
         "1" | "I" | "i" | "Ⅰ" => Ok(1),
@@ -61,7 +61,7 @@ pub(crate) fn zone(text: &str) -> Result<u8, String> {
     }
 }
 
-/// Two positive numbers, the smaller first: "0.1,3".
+/// Parses two positive numbers, the smaller first: "0.1,3".
 pub(crate) fn pair(text: &str) -> Result<[f64; 2], String> {
     let wrong = || "must be two positive numbers, the smaller first, as in 0.1,3".to_owned();
     let (least, most) = text.split_once(',').ok_or_else(wrong)?;
@@ -72,7 +72,7 @@ pub(crate) fn pair(text: &str) -> Result<[f64; 2], String> {
     }
 }
 
-/// A component with its column: "x=EW".
+/// Parses a component with its column: "x=EW".
 pub(crate) fn column(text: &str) -> Result<(Component, String), String> {
     let split = text.split_once('=').and_then(|(before, column)| {
         let component = Component::ALL.into_iter().find(|of| of.name() == before.trim())?;
@@ -83,7 +83,7 @@ pub(crate) fn column(text: &str) -> Result<(Component, String), String> {
     })
 }
 
-/// A size of a file in bytes: "12 GB", "512 MiB", "1000".
+/// Parses a file size in bytes: "12 GB", "512 MiB", "1000".
 pub(crate) fn size(text: &str) -> Result<u64, String> {
     const UNITS: [(&str, u64); 8] = [
         ("", 1),

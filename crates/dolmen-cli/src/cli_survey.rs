@@ -15,14 +15,14 @@ pub(crate) struct Survey {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Store")]
 pub(crate) struct StoreWhere {
-    /// The store: a file, made by the first add, with its raw files in FILE.files beside it; or a database, postgresql://ROLE@HOST/DATABASE; else
-    /// DOLMEN_STORE
+    /// The store: a file, created by the first add, with its raw files in FILE.files beside it; or a database,
+    /// postgresql://ROLE@HOST/DATABASE [default: DOLMEN_STORE]
     #[arg(long, value_name = "FILE|URL", global = true)]
     pub(crate) store: Option<String>,
-    /// Who does it, for the log; else the name of the user
+    /// Name of the person, for the log; by default the user name
     #[arg(long, value_name = "NAME", global = true)]
     pub(crate) who: Option<String>,
-    /// How long to wait for another process that writes, s
+    /// How long to wait while another process writes, s
     #[arg(long, value_name = "S", global = true, default_value_t = 10.0, value_parser = positive)]
     pub(crate) wait: f64,
 }
@@ -35,13 +35,13 @@ pub(crate) enum SurveyAction {
     List(List),
     /// A structure with its surveys, states and log
     Show(Show),
-    /// A structure as a project folder, or the whole store as a store of its own
+    /// A structure as a project folder, or the whole store as a separate store
     Export(Export),
-    /// Take over all of another store
+    /// Copy everything from another store
     Import(Import),
-    /// Compare every file with its hash and every row with its name; exit status 1 where something is wrong
+    /// Compare every file with its hash and every row with its name; exit status 1 if something is wrong
     Verify,
-    /// Take a structure out of use: a mark, nothing is deleted
+    /// Mark a structure as out of use; nothing is deleted
     Remove(Remove),
 }
 
@@ -50,19 +50,19 @@ pub(crate) struct Add {
     /// Project files, or folders that hold project.toml
     #[arg(required = true)]
     pub(crate) projects: Vec<PathBuf>,
-    /// Name of the structure in the store; that of the project without it
+    /// Name of the structure in the store; by default that of the project
     #[arg(long, value_name = "NAME")]
     pub(crate) name: Option<String>,
-    /// Store only what was given: identify no modes
+    /// Store only the given files: identify no modes
     #[arg(long)]
     pub(crate) without_modes: bool,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct List {
-    /// Part of a name, in any case; all without it
+    /// Part of a name, ignoring case; by default all
     pub(crate) words: Option<String>,
-    /// One row a survey instead of a structure
+    /// One row per survey instead of per structure
     #[arg(long, conflicts_with = "geojson")]
     pub(crate) surveys: bool,
     /// A table (CSV)
@@ -71,7 +71,7 @@ pub(crate) struct List {
     /// Points for a map (GeoJSON): the structures whose site has latitude_deg and longitude_deg
     #[arg(long)]
     pub(crate) geojson: bool,
-    /// Those out of use as well
+    /// Include structures out of use
     #[arg(long)]
     pub(crate) removed: bool,
 }
@@ -87,9 +87,9 @@ pub(crate) struct Show {
 
 #[derive(Debug, Args)]
 pub(crate) struct Export {
-    /// The structure; the whole store without it
+    /// The structure; by default the whole store
     pub(crate) name: Option<String>,
-    /// Folder to make for the project; of a whole store, the file to make
+    /// Folder to create for the project; for a whole store, the file to create
     #[arg(long, short, value_name = "DIR|FILE")]
     pub(crate) output: PathBuf,
 }
@@ -104,10 +104,10 @@ pub(crate) struct Import {
 pub(crate) struct Remove {
     /// The structure
     pub(crate) name: String,
-    /// Why, for the log
+    /// The reason, for the log
     #[arg(long, value_name = "TEXT", default_value = "")]
     pub(crate) why: String,
-    /// Take it back into use
+    /// Mark it as in use again
     #[arg(long)]
     pub(crate) undo: bool,
 }

@@ -1,4 +1,4 @@
-//! `dolmen compare`: what changed from one survey to another.
+//! `dolmen compare`: changes between two surveys.
 
 use crate::cli::Compare;
 use crate::manner::Manner;

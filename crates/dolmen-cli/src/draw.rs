@@ -1,4 +1,4 @@
-//! `dolmen draw`: the structure as entered, before anything is computed.
+//! `dolmen draw`: the structure as entered, without any computation.
 
 use crate::cli::Draw as Options;
 use crate::manner::Manner;
@@ -12,7 +12,7 @@ use dolmen_picture::Painter;
 use dolmen_report::files::drawing_file;
 use std::path::Path;
 
-/// What a drawing is written as.
+/// Output format of a drawing.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Format {
     Svg,
@@ -20,7 +20,7 @@ enum Format {
 }
 
 impl Format {
-    /// By the ending of a file; SVG where there is none, as of a pipe.
+    /// The format for the ending of a file; SVG without an ending, as for a pipe.
     fn of(file: &Path) -> Result<Self, CommandError> {
         let ending = file.extension().map(|of| of.to_string_lossy().to_lowercase());
         match ending.as_deref() {

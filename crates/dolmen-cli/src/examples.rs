@@ -1,4 +1,4 @@
-//! `dolmen new`: the shipped examples, and a project started from one.
+//! `dolmen new`: shipped examples, and new projects copied from them.
 
 use crate::bare::skeleton;
 use crate::cli::{Kind, New};
@@ -13,20 +13,20 @@ use dolmen_records::{FileError, Files};
 use include_dir::{Dir, File, include_dir};
 use std::path::Path;
 
-/// The folder `examples/` as it was at build time: the command carries its examples with it.
+/// The folder `examples/` at build time.
 static EXAMPLES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../examples");
 
-/// A project of an example that `dolmen demo` reports.
+/// A project in the report of `dolmen demo`.
 pub(crate) struct Shown {
     /// The folder of the example.
     pub(crate) example: &'static str,
     /// Its project file.
     pub(crate) file: &'static str,
-    /// The motion of the file that it is shaken by.
+    /// The ground motion, by its name in the file.
     pub(crate) motion: Option<&'static str>,
 }
 
-/// What `dolmen demo` reports, in order: a flagpole, a gate, the record of a building, a pagoda shaken at its site.
+/// Projects of `dolmen demo`, in order: a flagpole, a gate, a recorded building, a pagoda shaken at its site.
 pub(crate) const DEMO: [Shown; 4] = [
     Shown::at_rest("naju_flagpole"),
     Shown::at_rest("heunginjimun_gate"),

@@ -1,4 +1,4 @@
-//! `dolmen watch --follow`: record files that come into a folder become surveys of a structure in a store.
+//! `dolmen watch --follow`: turns record files in a folder into surveys of a structure in a store.
 
 use crate::cli::Watch;
 use crate::cli_survey::StoreWhere;
@@ -51,7 +51,7 @@ pub(crate) fn follow(folder: &Path, options: &Watch, manner: &Manner) -> Result<
     dolmen_follow::follow(&following, &OnTerminal { manner }).map(judged)
 }
 
-/// What comes of each file goes to the terminal, a line each.
+/// Prints the result of each file to the terminal, one line each.
 struct OnTerminal<'a> {
     manner: &'a Manner,
 }

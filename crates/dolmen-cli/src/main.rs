@@ -1,4 +1,4 @@
-//! The command `dolmen`: opens the files, calls the science, prints the answer.
+//! The command `dolmen`: opens the files, calls the library, prints the answer.
 
 #![allow(
     clippy::print_stdout,
@@ -57,7 +57,7 @@ use passwords::without_passwords;
 use std::process::ExitCode;
 use typed::Typed;
 
-/// Says that Dolmen itself failed: the place, the version, and that nothing written before is lost.
+/// Reports that Dolmen itself failed: the place, the version, and that earlier output is safe.
 fn say_own_fault(panic: &std::panic::PanicHookInfo<'_>) {
     let place = panic
         .location()
@@ -76,7 +76,7 @@ fn say_own_fault(panic: &std::panic::PanicHookInfo<'_>) {
     );
 }
 
-/// Ends with what is wrong with the arguments, without a password among them.
+/// Reports wrong arguments without passwords, and exits.
 fn refuse(fault: &clap::Error) -> ! {
     let said = fault.to_string();
     let plain = without_passwords(&said);

@@ -1,4 +1,4 @@
-//! What holds for every verb, whatever it does.
+//! Flags of every verb.
 
 use crate::cli_language::{Language as Chosen, size, user_language};
 use anyhow::Result;
@@ -11,37 +11,37 @@ use std::path::Path;
 /// Flags of every verb.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Manner {
-    /// Print results as JSON: keys are the fields' names, values in SI, units in the names
+    /// Print results as JSON: keys are names of fields, values are in SI, units are part of the names
     #[arg(long, global = true)]
     pub(crate) json: bool,
-    /// Print all of an answer, not only what decides
+    /// Print the whole answer, not only the decisive part
     #[arg(long, global = true)]
     pub(crate) full: bool,
-    /// Language of what is printed and drawn, else that of DOLMEN_LANGUAGE or of the system
+    /// Language of text and figures; by default that of DOLMEN_LANGUAGE or of the system
     #[arg(long, global = true, value_enum)]
     pub(crate) language: Option<Chosen>,
     /// Print no progress and no notes, only results
     #[arg(long, short, global = true)]
     pub(crate) quiet: bool,
-    /// Replace files that Dolmen did not write; those that are read or that a project names are never replaced
+    /// Replace files that Dolmen did not write; input files and files that a project names are never replaced
     #[arg(long, global = true)]
     pub(crate) force: bool,
-    /// Let project files name files outside their folder; only for project files that you trust
+    /// Allow project files to name files outside their folder; only for project files that you trust
     #[arg(long, global = true)]
     pub(crate) allow_outside: bool,
     /// Read files up to this size, as in "12 GB", instead of the limit of each kind
     #[arg(long, global = true, value_name = "SIZE", value_parser = size)]
     pub(crate) largest_file: Option<u64>,
-    /// Do what is asked for however long it takes
+    /// Run even if it takes very long
     #[arg(long, global = true)]
     pub(crate) yes: bool,
 }
 
-/// Columns where no terminal says how many it has.
+/// Line width if no terminal gives one.
 const COLUMNS: usize = 80;
 
 impl Manner {
-    /// The language of all that people read.
+    /// The language of text and figures.
     pub(crate) fn language(&self) -> Language {
         match self.language {
             Some(Chosen::En) => Language::English,
@@ -50,7 +50,7 @@ impl Manner {
         }
     }
 
-    /// How answers are printed.
+    /// Style of printed answers.
     pub(crate) fn style(&self) -> TextStyle {
         let size = console::Term::stdout().size_checked();
         TextStyle {

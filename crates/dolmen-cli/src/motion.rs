@@ -52,7 +52,7 @@ fn options_of(options: &Options, manner: &Manner) -> Result<MotionOptions> {
     })
 }
 
-/// The demand that motions are brought to.
+/// The demand spectrum.
 fn demand(options: &Options) -> Demand {
     Demand {
         site: options.site.clone(),
@@ -63,13 +63,13 @@ fn demand(options: &Options) -> Demand {
     }
 }
 
-/// The periods over which they are.
+/// The periods of the demand.
 fn range(options: &Options) -> [f64; 2] {
     let of_structure = options.t1.map(range_of_structure);
     options.range.or(of_structure).unwrap_or(RANGE_S)
 }
 
-/// The files, from whichever argument gives them.
+/// The files, from either argument.
 fn named_files(options: &Options) -> &[String] {
     match options.files.is_empty() {
         true => &options.motion.motion_file,
@@ -77,7 +77,7 @@ fn named_files(options: &Options) -> &[String] {
     }
 }
 
-/// Refuses a flag that was typed and has no effect beside the others.
+/// Refuses a typed flag that has no effect with the others.
 fn refuse_idle(options: &Options, typed: &Typed) -> Result<()> {
     let is_noise = options.make == Some(Shape::Noise);
     let is_pulse = options.make.is_some() && !is_noise;
@@ -128,7 +128,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     Ok(Outcome::finished(is_close))
 }
 
-/// The motion as --convert names it, and everything of the report into --output.
+/// Writes the motion to --convert, and all results to --output.
 fn written(options: &Options, report: &MotionReport, outputs: &Outputs, manner: &Manner) -> Result<()> {
     let mut said = Vec::new();
     if let Some(file) = &options.convert {
@@ -151,7 +151,7 @@ fn written(options: &Options, report: &MotionReport, outputs: &Outputs, manner: 
     Ok(())
 }
 
-/// The motion in the format that the ending of a file names.
+/// The motion in the format for the ending of a file.
 fn converted(report: &MotionReport, file: &Path) -> Result<Vec<u8>> {
     let Some(first) = report.series.first() else {
         return Err(CommandError::NoMotion.into());

@@ -1,6 +1,6 @@
 //! Lines on standard error.
 
-/// Prints a line to standard error; a reader that has gone (`2>&1 | head`) is no fault.
+/// Prints a line to standard error; a closed pipe (`2>&1 | head`) is no error.
 macro_rules! note {
     ($($said:tt)*) => {{
         use std::io::Write as _;

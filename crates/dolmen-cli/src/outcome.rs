@@ -1,18 +1,18 @@
 //! How a run ended, other than by an error.
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
-    /// What was asked for is done.
+    /// The work is done.
     Done,
-    /// A run that was asked for did not finish or converge.
+    /// A requested run did not finish or converge.
     Unfinished,
-    /// A judgement, or what could be done beside it, has this exit status.
+    /// The exit status of a judgement.
     Judged(u8),
 }
 
 impl Outcome {
-    /// Done, or not.
+    /// Done or unfinished.
     pub(crate) fn finished(is_done: bool) -> Self {
         match is_done {
             true => Outcome::Done,

@@ -1,8 +1,8 @@
-//! Passwords of addresses, which stand in nothing that is printed, wherever an address was typed by mistake.
+//! Removes passwords from printed text, wherever an address was typed by mistake.
 
 use std::borrow::Cow;
 
-/// What stands where a password stood.
+/// Replacement for a password.
 const HIDDEN: &str = "…";
 
 /// A text without the passwords of addresses like postgresql://ROLE:PASSWORD@HOST and ?password=PASSWORD.

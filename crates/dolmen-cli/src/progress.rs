@@ -8,13 +8,13 @@ use std::io::IsTerminal as _;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// How often the progress line turns.
+/// Interval of the progress spinner.
 const TICK: Duration = Duration::from_millis(120);
 
-/// After which a verb that says nothing yet shows that it is at work.
+/// Time after which a silent verb shows a spinner.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// The line of a verb that has said nothing yet.
+/// The spinner of a verb that has printed nothing yet.
 struct Silence {
     is_over: bool,
     line: Option<ProgressBar>,
@@ -25,7 +25,7 @@ static SILENCE: Mutex<Silence> = Mutex::new(Silence {
     line: None,
 });
 
-/// Shows a turning line on a terminal after two seconds, until [`end_silence`].
+/// Shows a spinner on a terminal after two seconds, until [`end_silence`].
 pub(crate) fn show_work(quiet: bool) {
     if quiet || !std::io::stderr().is_terminal() {
         return;
@@ -42,7 +42,7 @@ pub(crate) fn show_work(quiet: bool) {
     });
 }
 
-/// Takes the line of [`show_work`] away, for good: other output follows.
+/// Removes the spinner of [`show_work`] for good, before other output.
 pub(crate) fn end_silence() {
     let mut silence = SILENCE.lock().unwrap_or_else(PoisonError::into_inner);
     silence.is_over = true;
@@ -51,7 +51,7 @@ pub(crate) fn end_silence() {
     }
 }
 
-/// A bar or a turning line.
+/// A progress bar or a spinner.
 pub(crate) struct Terminal {
     quiet: bool,
     shown: Mutex<Shown>,
@@ -59,7 +59,7 @@ pub(crate) struct Terminal {
 
 struct Shown {
     bar: ProgressBar,
-    /// Length of a run, s; `None` while something else is under way.
+    /// Length of a run, s; `None` during other work.
     whole_s: Option<f64>,
 }
 
@@ -85,7 +85,7 @@ impl Terminal {
         )
     }
 
-    /// Shows a message while something is under way.
+    /// Shows a message while `work` runs.
     pub(crate) fn waiting<T>(&self, message: AtWork, work: impl FnOnce() -> T) -> T {
         let bar = self.spinner(message.text());
         let done = work();
@@ -109,7 +109,7 @@ impl Terminal {
 fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
     if let Ok(style) = ProgressStyle::with_template(template) {
         let left = |state: &ProgressState, out: &mut dyn std::fmt::Write| {
-            let _ = out.write_str(&time_left(state.eta())); // a bar without it is no loss
+            let _ = out.write_str(&time_left(state.eta())); // a failure only leaves the time out of the bar
         };
         bar.set_style(style.with_key("eta", left));
     }

@@ -1,4 +1,4 @@
-//! `dolmen rank`: many structures in the order in which they should be looked at.
+//! `dolmen rank`: ranks structures by how urgently they need attention.
 
 use crate::cli_portfolio::{Rank as Options, State};
 use crate::manner::Manner;

@@ -11,14 +11,14 @@ use dolmen_records::records::{UffNumbers, record_csv, record_uff};
 use dolmen_work::{WhichRecord, used_record};
 use std::path::Path;
 
-/// What a record is written as.
+/// Output format of a record.
 enum Format {
     Universal(UffNumbers),
     Csv,
 }
 
 impl Format {
-    /// By the ending of a file.
+    /// The format for the ending of a file.
     fn of(file: &Path, binary: bool) -> Result<Self, CommandError> {
         let ending = file.extension().map(|of| of.to_string_lossy().to_lowercase());
         match (ending.as_deref(), binary) {

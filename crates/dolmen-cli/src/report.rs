@@ -1,4 +1,4 @@
-//! `dolmen report` and `dolmen demo`: projects to one page.
+//! `dolmen report` and `dolmen demo`: several projects on one page.
 
 use crate::cli::{Demo, Report};
 use crate::manner::Manner;
@@ -31,11 +31,10 @@ use dolmen_work::{FlagVerb, ReportOptions, Sampling, report};
 use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 
-/// Pixels of a picture for each unit of its figure: some 270 an inch on paper.
+/// Pixels per unit of a figure: some 270 per inch on paper.
 pub(crate) const PIXELS: f32 = 2.5;
-/// Samples of the demo: enough for a figure, few enough for a blink.
+/// Samples of the demo: enough for a figure, and quick.
 const DEMO_SAMPLES: usize = 2000;
-/// Seed of the demo.
 const DEMO_SEED: u64 = 1;
 
 pub(crate) fn imprint(date: Option<String>) -> Imprint {
@@ -45,7 +44,7 @@ pub(crate) fn imprint(date: Option<String>) -> Imprint {
     }
 }
 
-/// What a report is written as.
+/// Output format of a report.
 #[derive(Clone, Copy)]
 enum Format {
     Html,
@@ -57,7 +56,7 @@ enum Format {
 }
 
 impl Format {
-    /// By the extension of a file; a page where there is none.
+    /// The format for the extension of a file; a page without one.
     fn of(file: &Path) -> Result<Self> {
         let extension = file.extension().map(|of| of.to_string_lossy().to_lowercase());
         match extension.as_deref() {
@@ -77,7 +76,7 @@ impl Format {
     }
 }
 
-/// A page has the ending .html where none is given, but for a pipe or device.
+/// Adds .html to a page without an extension, except for a pipe or device.
 fn with_ending(output: &Path) -> PathBuf {
     let is_special = output.exists() && !output.is_file();
     match output.extension().is_none() && !is_special {
@@ -125,7 +124,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
     }
     let mut outputs = keeping_motion(Outputs::new(manner.access()), &options.motion.motion_file);
     for (path, found) in &each {
-        // a file that cannot be read as a project is kept as well
+        // keeps even a file that cannot be read as a project
         outputs = match found {
             Ok(found) => outputs.keeping_project(found),
             Err(_) => outputs.keeping(path).keeping(&path.join("project.toml")),
@@ -205,7 +204,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
     Ok(Outcome::Judged(status))
 }
 
-/// The bytes of a PDF, and a note of what could not be printed.
+/// The bytes of a PDF; notes characters that could not be printed.
 #[cfg(feature = "pdf")]
 fn printed(source: Typeset, manner: &Manner) -> Result<Vec<u8>> {
     let Typeset { main, files } = source;

@@ -1,4 +1,4 @@
-//! From flags to the options of the verbs.
+//! Converts flags to options of the verbs.
 
 use crate::cli::{Points, Rotations, Simulate};
 use crate::cli_motion::Motion;
@@ -14,7 +14,7 @@ use dolmen_work::stack::{Law, Repeating};
 use dolmen_work::{SimulateOptions, WindAsked};
 use std::path::Path;
 
-/// The motion that was asked for, its files read.
+/// The requested motion, with its files read.
 pub(crate) fn motion(options: &Motion, named: &[String], manner: &Manner) -> Result<MotionRequest> {
     let mut files = Vec::new();
     for text in named {
@@ -70,7 +70,7 @@ pub(crate) fn keeping_motion(outputs: Outputs, named: &[String]) -> Outputs {
     files.fold(outputs, |all, file| all.keeping(Path::new(file)))
 }
 
-/// What is simulated, and how.
+/// The requested simulation.
 pub(crate) fn simulation(options: &Simulate, manner: &Manner) -> Result<SimulateOptions> {
     Ok(SimulateOptions {
         motion: motion(&options.motion, &options.motion.motion_file, manner)?,
@@ -107,7 +107,7 @@ pub(crate) fn simulation(options: &Simulate, manner: &Manner) -> Result<Simulate
             seed: options.seed.unwrap_or(1),
             repeats: options.repeats.map(usize::from),
         }),
-        // numbers alone are of one run
+        // JSON alone describes one run
         compare: options.output.is_some() || !manner.json,
         keep: options.output.is_some(),
     })

@@ -1,11 +1,11 @@
-//! Results on standard output.
+//! Prints results to standard output.
 
 use crate::progress::end_silence;
 use crate::wrong::CommandError;
 use anyhow::Result;
 use std::io::Write as _;
 
-/// Prints results to standard output. A reader that has gone (`| head`) ends it quietly; a full disk is an error.
+/// Prints results to standard output. A closed pipe (`| head`) ends the command quietly; a full disk is an error.
 pub(crate) fn say(text: &str) -> Result<()> {
     end_silence();
     match std::io::stdout().write_all(text.as_bytes()) {

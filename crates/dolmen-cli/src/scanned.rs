@@ -14,7 +14,7 @@ use dolmen_report::scan_text;
 use dolmen_work::scanned::{ScanRequest, ScanUnit, stones_of_scan};
 use std::path::Path;
 
-/// Makes the folder of `options` a project of the stones of a scan.
+/// Writes a project of the stones of a scan into the folder of `options`.
 pub(crate) fn run(options: &New, of: &OfScan, scan: &Path, manner: &Manner) -> Result<Outcome> {
     if options.kind != Kind::Pagoda {
         return Err(CommandError::NoEffect {

@@ -1,4 +1,4 @@
-//! `dolmen score`: the six-factor score of a pagoda, what it is worth, and designs to train it on.
+//! `dolmen score`: the six-factor score of a pagoda, its accuracy, and designs to train it on.
 
 use crate::cli_portfolio::Score as Options;
 use crate::manner::Manner;
@@ -34,7 +34,7 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-/// The designs of a file, or those that come with Dolmen.
+/// The designs of a file, or the built-in ones.
 pub(crate) fn designs(path: Option<&Path>, manner: &Manner) -> Result<ScoreDesigns> {
     match path {
         Some(path) => ScoreDesigns::read(&dolmen_folder::read(
@@ -64,7 +64,7 @@ fn one(options: &Options, path: &Path, manner: &Manner) -> Result<()> {
     }
 }
 
-/// A project, or a form that was filled.
+/// A project, or a filled form.
 fn opened(path: &Path, manner: &Manner) -> Result<Opened> {
     if !has_ending(path, "xlsx") {
         return Ok(manner.open(path)?.opened);
@@ -82,7 +82,7 @@ fn has_ending(path: &Path, ending: &str) -> bool {
     path.extension().is_some_and(|of| of.eq_ignore_ascii_case(ending))
 }
 
-/// Writes the form that is filled at a pagoda.
+/// Writes the form to fill in at a pagoda.
 fn form(path: &Path, manner: &Manner) -> Result<()> {
     let outputs = Outputs::new(manner.access());
     outputs.refuse(path)?;

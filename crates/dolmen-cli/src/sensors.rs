@@ -1,4 +1,4 @@
-//! `dolmen sensors`: where a few sensors see the modes of a structure best.
+//! `dolmen sensors`: where a few sensors observe the modes of a structure best.
 
 use crate::cli::Sensors as Options;
 use crate::manner::Manner;

@@ -1,24 +1,24 @@
-//! Signals: Ctrl-C, SIGTERM and SIGHUP end a run and keep what is done, and a file beyond the system's limit is an error like any other.
+//! Signals: Ctrl-C, SIGTERM and SIGHUP end a run and keep its results, and exceeding the system's file size limit is an ordinary error.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock, OnceLock};
 
-/// The command was asked to stop: what is under way ends at its next sample and keeps what is done.
+/// Set when the command should stop: the current run ends at its next sample and keeps its results.
 static STOP: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
-/// Signals are watched from the first run on, once a process.
+/// Signals are watched once per process, from the first run on.
 static WATCHED: OnceLock<()> = OnceLock::new();
 
-/// From now on Ctrl-C, SIGTERM and SIGHUP ask to end and keep what is done; a second one ends the process.
+/// From now on, Ctrl-C, SIGTERM and SIGHUP ask to stop and keep the results; a second one ends the process.
 pub(crate) fn watch() {
     WATCHED.get_or_init(system::watch);
 }
 
-/// Whether the command was asked to stop.
+/// Whether the command should stop.
 pub(crate) fn asked_to_stop() -> bool {
     STOP.load(Ordering::SeqCst)
 }
 
-/// From now on a write beyond the limit on the size of files (`ulimit -f`) fails; it killed the process.
+/// Makes a write beyond the file size limit (`ulimit -f`) fail with an error instead of killing the process.
 pub(crate) fn make_too_large_files_an_error() {
     system::make_too_large_files_an_error();
 }
@@ -30,7 +30,7 @@ mod system {
     use signal_hook::flag::{register, register_conditional_shutdown};
     use std::sync::Arc;
 
-    /// Exit status of a process that a signal ends, as shells have it: this and the signal's number.
+    /// A process ended by a signal has this exit status plus the signal's number, as in shells.
     const ENDED_BY: i32 = 128;
 
     pub(super) fn watch() {
@@ -38,13 +38,13 @@ mod system {
             if signal == SIGHUP && may_be_ignored(signal) {
                 continue;
             }
-            // in this order: the first signal finds no flag set, and sets it. Where one cannot be watched, it ends the process as it would
+            // the order matters: the first signal finds no flag set, and sets it; if this fails, the signal ends the process as usual
             let _ = register_conditional_shutdown(signal, ENDED_BY + signal, Arc::clone(&STOP))
                 .and_then(|_| register(signal, Arc::clone(&STOP)));
         }
     }
 
-    /// Whether who started the command asked for this signal to be passed over, as `nohup` does; also where that cannot be known.
+    /// Whether the parent process ignores this signal, as `nohup` does; also true if unknown.
     fn may_be_ignored(signal: i32) -> bool {
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
@@ -53,7 +53,7 @@ mod system {
     }
 
     pub(super) fn make_too_large_files_an_error() {
-        // the write that meets a handler fails with its reason, and nobody reads the flag
+        // with a handler the write fails with its reason; nobody reads the flag
         let _ = register(SIGXFSZ, Arc::default());
     }
 }
@@ -63,11 +63,11 @@ mod system {
     use super::STOP;
     use std::sync::atomic::Ordering;
 
-    /// Exit status of a process that Ctrl-C ends.
+    /// Exit status after Ctrl-C.
     const INTERRUPTED: i32 = 130;
 
     pub(super) fn watch() {
-        // where Ctrl-C cannot be watched, it ends the process as it would
+        // if this fails, Ctrl-C ends the process as usual
         let _ = ctrlc::set_handler(|| {
             if STOP.swap(true, Ordering::SeqCst) {
                 std::process::exit(INTERRUPTED);

@@ -30,7 +30,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     let found = found.with_stiffness_of_surveys(&Terminal::new(manner.quiet))?;
     let how = request::simulation(options, manner)?;
     let prepared = prepare(&found.opened, &how, &found.files)?;
-    // pushed, or on supports that move: without a motion nothing is there to be changed
+    // pushed, or on moving supports: without a motion there is nothing to scale
     let motion = &how.motion;
     let is_moved = how.push.is_some() || prepared.moves_supports();
     if is_moved && prepared.motion().is_none() && (motion.is_changed() || motion.of_files().is_some()) {
@@ -93,18 +93,18 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     Ok(Outcome::Judged(first_status(statuses)))
 }
 
-/// The other solutions of a stiffness that surveys do not decide, under the same motion.
+/// The other solutions of a stiffness that surveys do not determine, under the same motion.
 #[derive(Default)]
 struct Solutions {
     others: Vec<SimulateAnswer>,
-    /// Of every solution its number and judgement.
+    /// Number and judgement of every solution.
     judged: Vec<(usize, Judgement)>,
-    /// The one that decides, where it is not the one that a check judges worst.
+    /// The decisive one, if it differs from the worst of a check.
     worst: Option<usize>,
 }
 
 impl Solutions {
-    /// Runs them, and puts the worst in the place of `answer`; none where a variant is asked for.
+    /// Runs them, and replaces `answer` by the worst; does nothing for a variant.
     fn of(
         found: &Found,
         how: &SimulateOptions,
@@ -133,7 +133,7 @@ impl Solutions {
             let words = headline.map(|of| (of.weight.map(|word| word.colour()), of.earthquake_word()));
             (judgement.colour(), words)
         };
-        // of equals the one that a check judges worst
+        // among equals, the worst of a check
         let worst = (0..all.len())
             .rev()
             .max_by_key(|&at| rank(&all[at].1))
@@ -157,7 +157,7 @@ impl Solutions {
     }
 }
 
-/// Refuses flags of a building that have no effect with the wind, or without it.
+/// Refuses flags of a building without effect in the wind, or without it.
 fn refuse_without_wind(options: &Options, typed: &Typed, found: &Found) -> Result<()> {
     if !matches!(found.opened.project.structure, Structure::Building(_)) {
         return Ok(());

@@ -1,4 +1,4 @@
-//! `dolmen study`: runs over grids of inputs, samples, motions and growing shaking; kept, resumed, shared out and put together.
+//! `dolmen study`: runs over grids of inputs, samples, motions and increasing shaking, which can be resumed, sharded and merged.
 
 use crate::cli::{Study as Options, StudyAction, StudyWhere};
 use crate::manner::Manner;
@@ -33,7 +33,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     }
 }
 
-/// Does something with each study that is meant.
+/// Calls a closure for each selected study.
 fn each(
     (place, typed, manner): (&StudyWhere, &Typed, &Manner),
     act: impl Fn(&Plan<'_>, &StudyFolder) -> Result<Outcome>,
@@ -65,7 +65,7 @@ fn each(
             (Ok(_), Err(fault)) => Err(fault),
             (worst, Ok(_)) => worst,
             (Err(first), Err(fault)) => {
-                tools::complain(&fault, manner); // the first comes at the end
+                tools::complain(&fault, manner); // the first is returned at the end
                 Err(first)
             }
         };
@@ -101,7 +101,7 @@ fn simulated(options: &Options, plan: &Plan<'_>, folder: &StudyFolder, manner: &
     finish(plan, folder, runs, manner)
 }
 
-/// Ends a shard with its sentence: its journal is its result.
+/// Ends a shard with its sentence; its result is the journal.
 fn shard_done(
     plan: &Plan<'_>,
     folder: &StudyFolder,
@@ -122,7 +122,7 @@ fn shard_done(
     Ok(Outcome::finished(missing.is_empty()))
 }
 
-/// Tables, figures and what is printed.
+/// Writes tables and figures, and prints the answer.
 fn finish(plan: &Plan<'_>, folder: &StudyFolder, runs: Vec<Run>, manner: &Manner) -> Result<Outcome> {
     let answer = study::finish(plan, runs, &Terminal::new(manner.quiet))?;
     folder.write(&answer, manner.language())?;

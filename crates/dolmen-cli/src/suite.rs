@@ -1,4 +1,4 @@
-//! `dolmen motion --suite`: records of a folder chosen and scaled for a demand.
+//! `dolmen motion --suite`: selects and scales records of a folder for a demand.
 
 use crate::cli_motion::GroundMotionVerb as Options;
 use crate::manner::Manner;
@@ -16,7 +16,7 @@ use dolmen_report::suite_text;
 use dolmen_work::motion::{Demand, SuiteOptions, suite};
 use std::path::Path;
 
-/// Chooses `count` records of the folder `from` for a demand over periods.
+/// Selects `count` records of the folder `from` for a demand over a range of periods.
 pub(crate) fn run(
     options: &Options,
     (count, from): (usize, &Path),
@@ -55,7 +55,7 @@ pub(crate) fn run(
     Ok(Outcome::finished(answer.is_kept()))
 }
 
-/// What a folder is called beside a project file.
+/// The path of a folder as a project file would write it.
 fn called(folder: &Path) -> String {
     let whole = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     let name = whole.file_name().or_else(|| folder.file_name());

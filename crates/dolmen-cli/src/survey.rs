@@ -19,7 +19,7 @@ use serde_json::json;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Exit status where a store is not what it was.
+/// Exit status of a store with faults.
 const UNSOUND: u8 = 1;
 
 pub(crate) fn run(options: &Survey, manner: &Manner) -> Result<Outcome> {
@@ -38,7 +38,7 @@ pub(crate) fn run(options: &Survey, manner: &Manner) -> Result<Outcome> {
     }
 }
 
-/// The store, and the manner of the answers.
+/// The store, and how answers are printed.
 pub(crate) struct StoreAccess<'a> {
     pub(crate) options: &'a StoreWhere,
     pub(crate) manner: &'a Manner,
@@ -62,7 +62,7 @@ impl StoreAccess<'_> {
         self.place_of(&named.unwrap_or_default())
     }
 
-    /// The place that the user gives; its password may stand where psql looks for one.
+    /// The place that the user names; its password may come from where psql looks for one.
     fn place_of(&self, named: &str) -> Result<Place> {
         let place = Place::of(named).map_err(|fault| self.store_failure(fault))?;
         let file = variable("PGPASSFILE").map(PathBuf::from);
@@ -106,7 +106,7 @@ fn add_one(store: &mut Store, options: &Add, found: &Found, at: &StoreAccess<'_>
     let terminal = Terminal::new(at.manner.quiet);
     let progress: Option<&dyn Progress> = (!options.without_modes).then_some(&terminal);
     let added = add_project(store, found, options.name.as_deref(), &at.who(), progress)?;
-    // said only now that it is on disk
+    // printed only when it is on disk
     match at.manner.json {
         true => say(&format!("{}\n", json!(added))),
         false => say(&added_text(&added, at.manner.style())),
@@ -209,7 +209,7 @@ fn export_one(name: &str, options: &Export, at: &StoreAccess<'_>) -> Result<Outc
     Ok(Outcome::Done)
 }
 
-/// A whole store as a file of its own, with its folder.
+/// Exports a whole store as a file with its folder.
 fn export_all(options: &Export, at: &StoreAccess<'_>) -> Result<Outcome> {
     if Place::is_server(&options.output.to_string_lossy()) {
         return Err(CommandError::StoreIsServer.into());
@@ -260,7 +260,7 @@ fn verify(at: &StoreAccess<'_>) -> Result<Outcome> {
 fn remove(options: &Remove, at: &StoreAccess<'_>) -> Result<Outcome> {
     let store_failure = |fault| at.store_failure(fault);
     let place = at.place()?;
-    Store::open(&place, at.wait()).map_err(store_failure)?; // a store that is not there is not made
+    Store::open(&place, at.wait()).map_err(store_failure)?; // the store must exist
     let mut store = at.open_to_write()?;
     let who = at.who();
     let act = Act {

@@ -1,4 +1,4 @@
-//! What helps to use the command: explanations, completions, manual pages, and how errors are shown.
+//! Explanations, completions, manual pages, and the display of errors.
 
 use crate::cli::Cli;
 use crate::manner::Manner;
@@ -23,7 +23,7 @@ use dolmen_work::{complaint, did_not_converge, told_by};
 use serde_json::json;
 use std::path::Path;
 
-/// Exit status of a computation that did not converge or come to its end; bad input is [`BAD_INPUT`].
+/// Exit status of a computation that did not converge or finish.
 pub(crate) const NO_CONVERGENCE: u8 = 3;
 /// Exit status of bad input.
 const BAD_INPUT: u8 = 2;
@@ -39,12 +39,12 @@ pub(crate) fn told(fault: &(dyn std::error::Error + 'static), language: Language
     told_by(fault, language, &of_command)
 }
 
-/// The same in both languages.
+/// An error with its causes, in both languages.
 pub(crate) fn told_both(fault: &(dyn std::error::Error + 'static)) -> Both {
     Both::of(|language| told(fault, language))
 }
 
-/// The exit status that an error stands for.
+/// The exit status of an error.
 pub(crate) fn exit_status(fault: &anyhow::Error) -> u8 {
     if did_not_converge(fault.as_ref()) {
         NO_CONVERGENCE
@@ -121,7 +121,7 @@ pub(crate) fn man(directory: Option<&Path>, manner: &Manner) -> Result<Outcome> 
     Ok(Outcome::Done)
 }
 
-/// The page of a verb and of each below it.
+/// The manual page of a verb and its subcommands.
 fn man_pages(command: &Command, pages: &mut Vec<NamedFile>) -> Result<()> {
     let (page, mut bytes) = (Man::new(command.clone()), Vec::new());
     page.render(&mut bytes)?;

@@ -1,4 +1,4 @@
-//! `dolmen tune`: the dampers of a building beside the rule and the best, where and how tuned.
+//! `dolmen tune`: dampers of a building compared with design rules and the optimum: position and tuning.
 
 use crate::cli_tune::{Tune as Options, TuneGoal, TuneLoad as Load};
 use crate::manner::Manner;

@@ -1,4 +1,4 @@
-//! Which flags were typed, whatever their values.
+//! Which flags the user typed, whatever their values.
 
 use anyhow::Result;
 use clap::parser::ValueSource;
@@ -6,11 +6,11 @@ use clap::{ArgMatches, Command};
 use dolmen_project::Project;
 use dolmen_work::flags::{FlagVerb, Kind, refuse_foreign};
 
-/// Names of the flags of the verb that were typed, in the order in which they are defined.
+/// Names of the typed flags of the verb, in the order of their definition.
 pub(crate) struct Typed(Vec<String>);
 
 impl Typed {
-    /// The flags of the verb among what was typed; those that every verb has are left out.
+    /// The typed flags of the verb, without those that every verb has.
     pub(crate) fn of(command: &Command, matches: &ArgMatches) -> Self {
         let Some((verb, matches)) = matches.subcommand() else {
             return Typed(Vec::new());
@@ -32,7 +32,7 @@ impl Typed {
         self.0.iter().any(|typed| typed == flag)
     }
 
-    /// Refuses the first flag typed that none of the projects uses.
+    /// Refuses the first typed flag that none of the projects uses.
     pub(crate) fn refuse_foreign(&self, verb: FlagVerb, projects: &[&Project]) -> Result<()> {
         let kinds: Vec<Kind> = projects.iter().map(|of| Kind::of(&of.structure)).collect();
         refuse_foreign(verb, &kinds, self.0.iter().map(String::as_str))?;

@@ -1,6 +1,6 @@
-//! Paths as a user types them.
+//! Paths as users type them.
 
-/// A path as it can be pasted into a shell: in double quotes, which all shells know, where it needs any.
+/// A path to paste into a shell: in double quotes, which all shells accept, if it needs any.
 pub(crate) fn for_a_shell(path: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "_-./\\:+,@".contains(c);
     let is_quotable = |c: char| !"\"$`!".contains(c);

@@ -1,4 +1,4 @@
-//! `dolmen validate` and `dolmen doctor`: is what this build computes right, and does it work here.
+//! `dolmen validate` and `dolmen doctor`: does this build compute correctly, and does the installation work.
 
 use crate::at_work::AtWork;
 use crate::examples::{self, Example};
@@ -30,7 +30,7 @@ pub(crate) fn run(as_json: bool) -> Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-/// Every published number, those of the measured example too.
+/// Every published number, including those of the measured example.
 fn all_cases() -> Result<Vec<Case>> {
     let text = examples::example_text("palisaden", "project.toml")?;
     Ok(validate(
@@ -47,7 +47,7 @@ fn case_json(case: &Case) -> serde_json::Value {
     })
 }
 
-/// Checks of this installation, a line each; the first that fails ends it with an error.
+/// Checks this installation, one line per check; the first failure is an error.
 pub(crate) fn doctor() -> Result<Outcome> {
     let started = Instant::now();
     let said = |line: AtWork| say(&(line.text() + "\n"));

@@ -1,4 +1,4 @@
-//! `dolmen watch`: the record of a structure over the years, or of every structure of a store.
+//! `dolmen watch`: the history of a structure, or of every structure of a store.
 
 use crate::cli::Watch;
 use crate::cli_survey::StoreWhere;
@@ -73,7 +73,7 @@ fn all(options: &Watch, manner: &Manner) -> Result<Outcome> {
     ended(options, &lines)
 }
 
-/// Runs the program of `--on-alarm`, and says how the watch ends.
+/// Runs the program of `--on-alarm`, and returns the outcome.
 fn ended(options: &Watch, lines: &[InventoryLine]) -> Result<Outcome> {
     if let Some(program) = &options.on_alarm {
         call_for_alarming(program, lines)?;

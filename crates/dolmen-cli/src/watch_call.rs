@@ -3,7 +3,7 @@
 use crate::outcome::Outcome;
 use dolmen_work::judgement::{Colour, Verb, exit_status};
 
-/// How a watch ends that found an alarm, or none.
+/// Outcome of a watch.
 pub(crate) fn judged(is_alarming: bool) -> Outcome {
     let colour = if is_alarming { Colour::Red } else { Colour::Green };
     Outcome::Judged(exit_status(Verb::Watch, colour, true))

@@ -1,4 +1,4 @@
-//! What is wrong with what was typed, and notes beside an answer, in both languages.
+//! Errors about the command line, and notes beside an answer, in both languages.
 
 use crate::manner::Manner;
 use dolmen_words::message::{Argument, Both};
@@ -310,7 +310,7 @@ messages! {
 }
 
 impl Noted {
-    /// It in the language of the user.
+    /// The note in the user's language.
     pub(crate) fn text(self, manner: &Manner) -> String {
         Both::from(self).text(manner.language()).to_owned()
     }
@@ -328,7 +328,7 @@ fn meant(near: Option<&str>) -> Both {
     )
 }
 
-/// An error of the command or of folders as a text in both languages; `None` for any other.
+/// The text of an error of the command or of folders in both languages; `None` for any other.
 pub(crate) fn of_command<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
     sayable!(error, CommandError).or_else(|| dolmen_follow::of_following(error))
 }

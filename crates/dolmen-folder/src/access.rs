@@ -1,18 +1,19 @@
-//! What may be read and replaced.
+//! Which files may be read and replaced.
 
-/// How far the files of a project are trusted, and what may be replaced.
+/// Which files of a project may be read, and which files may be replaced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Access {
-    /// Whether a project may name files outside its folder; default no.
+    /// Whether a project may name files outside its folder; default false.
     pub allow_outside: bool,
-    /// Most bytes that are read of any file; the limit of its kind if `None`.
+    /// Largest file size in bytes; `None` means the limit for its kind.
     pub largest_file: Option<u64>,
-    /// Whether files that Dolmen did not write are replaced; those that are read never are. Default no.
+    /// Whether to replace files that Dolmen did not write; default false. Input files are never
+    /// replaced.
     pub force: bool,
 }
 
 impl Access {
-    /// Most bytes that are read of a file whose kind allows `of_the_kind`.
+    /// Largest file size in bytes, for a kind whose own limit is `of_the_kind`.
     pub fn most(&self, of_the_kind: u64) -> u64 {
         self.largest_file.unwrap_or(of_the_kind)
     }

@@ -1,4 +1,5 @@
-//! A folder into which other programs put files: which of them rest, and where those go that are taken or cannot be read.
+//! A folder into which other programs write files: finds complete files, and moves them when they are stored or
+//! unreadable.
 
 use crate::files::write;
 use crate::wrong::PathError;
@@ -8,22 +9,22 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-/// Endings that programs give files which they have not finished.
+/// Endings of unfinished files.
 const UNFINISHED: [&str; 6] = [".part", ".partial", ".filepart", ".tmp", ".temp", ".crdownload"];
-/// What the text beside a file in quarantine is called.
+/// Ending of the text beside a file in quarantine.
 const WHY: &str = ".why.txt";
 
-/// What tells whether a file is as it was.
+/// Size and time of a file, which show whether it changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Look {
     /// Its size, bytes.
     pub bytes: u64,
-    /// When it was last written.
+    /// Time of the last write.
     pub modified: SystemTime,
 }
 
 impl Look {
-    /// A regular file as it is now; `None` of a link, a folder, a pipe, and of what is not there.
+    /// Size and time of a regular file; `None` for a link, a folder, a pipe or a missing file.
     pub fn at(path: &Path) -> Option<Self> {
         let there = fs::symlink_metadata(path).ok()?;
         let modified = there.modified().unwrap_or(UNIX_EPOCH);
@@ -33,7 +34,7 @@ impl Look {
         })
     }
 
-    /// When it was last written, s from 1 January 1970 (UTC).
+    /// Time of the last write, s from 1 January 1970 (UTC).
     pub fn modified_s(&self) -> f64 {
         match self.modified.duration_since(UNIX_EPOCH) {
             Ok(since) => since.as_secs_f64(),
@@ -42,7 +43,7 @@ impl Look {
     }
 }
 
-/// A folder into which other programs put files.
+/// A folder into which other programs write files.
 #[derive(Debug)]
 pub struct Inbox {
     folder: PathBuf,
@@ -52,20 +53,20 @@ pub struct Inbox {
     done: BTreeMap<PathBuf, Look>,
 }
 
-/// What lies in the folder.
+/// Files in the folder.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct InboxLook {
-    /// Files that rest, by name.
+    /// Complete files, by name.
     pub at_rest: Vec<(PathBuf, Look)>,
-    /// How many do not yet.
+    /// Number of files still being written.
     pub growing: usize,
 }
 
 impl Inbox {
-    /// A folder in which a file rests once its size and time have not changed for so long.
+    /// Watches a folder; a file counts as complete when its size and time have not changed for `rest`.
     ///
     /// # Errors
-    /// There is no such folder.
+    /// If there is no such folder.
     pub fn new(folder: &Path, rest: Duration) -> Result<Self> {
         if !folder.is_dir() {
             return Err(PathError::NoFolder {
@@ -87,17 +88,17 @@ impl Inbox {
         &self.folder
     }
 
-    /// A file that may lie in the folder and is none of those that come: the store, a table that is written there.
+    /// Ignores a file in the folder, such as the store or a table that is written there.
     #[must_use]
     pub fn passing_over(mut self, path: &Path) -> Self {
         self.passed_over.extend(real(path));
         self
     }
 
-    /// What lies there now and is not done. Links, folders, hidden files and those with the ending of something unfinished are passed over.
+    /// Files that are not done yet. Links, folders, hidden files and unfinished files are left out.
     ///
     /// # Errors
-    /// The folder cannot be read.
+    /// If the folder cannot be read.
     pub fn look(&mut self) -> Result<InboxLook> {
         let now = (Instant::now(), SystemTime::now());
         let cannot_read = |why| PathError::CannotOpen {
@@ -118,7 +119,7 @@ impl Inbox {
                 Some((before, since)) if *before == look => *since,
                 _ => now.0,
             };
-            // what was written long ago rests already when it is first seen; a clock that is ahead says nothing
+            // an old file is complete when first seen; the age is unknown if the clock of its writer is ahead
             let age = now.1.duration_since(look.modified).unwrap_or_default();
             let rests = age >= self.rest || now.0.duration_since(since) >= self.rest;
             seen.insert(path.clone(), (look, since));
@@ -143,36 +144,36 @@ impl Inbox {
             || real(path).is_some_and(|real| self.passed_over.contains(&real))
     }
 
-    /// This file, as it was seen, is not to be given again.
+    /// Marks this version of a file as done, so that it is not returned again.
     pub fn set_done(&mut self, path: &Path, look: Look) {
         self.seen.remove(path);
         self.done.insert(path.to_owned(), look);
     }
 }
 
-/// A path whose folder is as the system knows it; the file itself need not be there.
+/// The path with its folder resolved; the file itself need not exist.
 fn real(path: &Path) -> Option<PathBuf> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let folder = folder.unwrap_or(Path::new(".")).canonicalize().ok()?;
     Some(folder.join(path.file_name()?))
 }
 
-/// Moves a file into a folder by a rename, under its name or with a number behind it: nothing is replaced. Where it went.
+/// Moves a file into a folder by a rename; appends a number to its name rather than replace a file. Returns the new path.
 ///
 /// # Errors
-/// The folder cannot be made, or lies on another file system.
+/// If the folder cannot be created, or is on another file system.
 pub fn move_into(folder: &Path, file: &Path) -> Result<PathBuf> {
     moved(folder, file, |path| Ok(!is_there(path)))
 }
 
-/// The same, with a text that says why beside it, which is there before the file is.
+/// As [`move_into`], with a text beside the file that gives the reason. The text is written before the file is moved.
 ///
 /// # Errors
 /// As [`move_into`].
 pub fn quarantine(folder: &Path, file: &Path, why: &str) -> Result<PathBuf> {
     moved(folder, file, |path| {
         let beside = beside(path);
-        // a process that was killed before the rename left the same text
+        // a process killed before the rename left the same text
         let is_ours = || fs::read(&beside).is_ok_and(|text| text == why.as_bytes());
         if is_there(path) || (is_there(&beside) && !is_ours()) {
             return Ok(false);
@@ -191,7 +192,7 @@ fn is_there(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok()
 }
 
-/// How many files lie in quarantine, texts left out.
+/// Number of files in quarantine, without the texts.
 pub fn quarantined(folder: &Path) -> usize {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let paths = entries.map(|entry| entry.path());
@@ -283,7 +284,7 @@ mod tests {
         let (path, look) = lying.at_rest[1].clone();
         inbox.set_done(&path, look);
         assert_eq!(names(&inbox.look().unwrap()), ["$(x) \"y\".csv"]);
-        // written again: it is another file
+        // written again: counts as another file
         fs::write(&path, b"22").unwrap();
         set_age(&path, 90);
         assert_eq!(names(&inbox.look().unwrap()).len(), 2);
@@ -317,14 +318,14 @@ mod tests {
         assert_eq!([read("a.csv"), read("2-a.csv"), read("3-a.csv")], ["1", "2", "3"]);
         assert_eq!(read("2-a.csv.why.txt"), "broken");
         assert_eq!(quarantined(&to), 3);
-        // killed between text and rename: the same name is free
+        // killed between text and rename: the name is still free
         fs::write(to.join("b.csv.why.txt"), "broken").unwrap();
         fs::write(folder.join("b.csv"), "4").unwrap();
         assert_eq!(
             quarantine(&to, &folder.join("b.csv"), "broken").unwrap(),
             to.join("b.csv")
         );
-        // a file that came with the name of a text is kept as well
+        // a data file named like such a text is kept as well
         fs::write(folder.join("c.csv.why.txt"), "5").unwrap();
         fs::write(folder.join("c.csv"), "6").unwrap();
         quarantine(&to, &folder.join("c.csv.why.txt"), "broken").unwrap();

@@ -1,4 +1,4 @@
-//! Files: opening inputs with a clear error, and writing results whole or not at all.
+//! Opens input files with a clear error, and writes results completely or not at all.
 
 use crate::wrong::{Lying, PathError};
 use anyhow::Result;
@@ -34,7 +34,7 @@ pub(crate) fn project_file(path: &Path) -> Result<PathBuf> {
     Ok(path.to_owned())
 }
 
-/// The file of a folder that is probably its project: Project.toml, project.toml.txt, or the only file of TOML.
+/// The file in a folder that is probably its project: Project.toml, project.toml.txt, or the only TOML file.
 fn likely_project(folder: &Path) -> Option<String> {
     let mut names = beside(&folder.join("project.toml"));
     names.retain(|name| folder.join(name).is_file());
@@ -52,7 +52,7 @@ fn likely_project(folder: &Path) -> Option<String> {
     names.iter().find(is_project).or(only).cloned()
 }
 
-/// What lies beside a path that is not there, and has a name like it: a folder or a file of TOML.
+/// A folder or TOML file whose name is similar to that of a missing path.
 fn likely_path(path: &Path) -> Option<String> {
     let name = path.file_name()?.to_string_lossy().into_owned();
     let mut names = beside(path);
@@ -68,7 +68,7 @@ fn likely_path(path: &Path) -> Option<String> {
     Some(path.with_file_name(near).display().to_string())
 }
 
-/// What there is instead of a regular file, and `None` where there is one.
+/// What exists instead of a regular file; `None` for a regular file.
 fn not_a_file(there: &fs::Metadata) -> Option<Lying> {
     #[cfg(unix)]
     {
@@ -88,7 +88,7 @@ fn not_a_file(there: &fs::Metadata) -> Option<Lying> {
     }
 }
 
-/// Names of what lies beside a file.
+/// Names of the files in the same folder.
 fn beside(path: &Path) -> Vec<String> {
     let folder = folder_of(path);
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
@@ -97,14 +97,14 @@ fn beside(path: &Path) -> Vec<String> {
         .collect()
 }
 
-/// A file whose name is the same letters composed otherwise: macOS writes Hangul in parts (NFD), Windows and Linux whole (NFC).
+/// An existing file whose name differs only in Unicode normalization: macOS decomposes Hangul (NFD), Windows and Linux do not (NFC).
 fn composed_alike(path: &Path) -> Option<PathBuf> {
     let wanted = composed(path.file_name()?.to_str()?);
     let found = beside(path).into_iter().find(|name| composed(name) == wanted)?;
     Some(path.with_file_name(found))
 }
 
-/// Whether a path that is not there is there with the letters of its name composed otherwise.
+/// Whether a missing path exists with another Unicode normalization.
 pub(crate) fn is_composed_otherwise(path: &Path) -> bool {
     !path.exists() && composed_alike(path).is_some()
 }
@@ -126,7 +126,7 @@ fn absent(path: &Path) -> FileError {
     }
 }
 
-/// All bytes of a regular file, if they are not too many. A file whose name is composed otherwise (NFC, NFD) is that file.
+/// All bytes of a regular file of limited size. Finds a name in either Unicode normalization (NFC, NFD).
 pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let shown = || path.display().to_string();
     let unreadable = |why: std::io::Error| FileError::Unreadable {
@@ -142,7 +142,7 @@ pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
         }
         Err(why) => return Err(unreadable(why)),
     };
-    // before it is opened: opening a pipe waits for a writer
+    // before opening it: opening a pipe waits for a writer
     if let Some(what) = not_a_file(&there) {
         return Err(FileError::NotAFile {
             shown: shown(),
@@ -169,18 +169,18 @@ pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     }
 }
 
-/// The first bytes of a regular file, as many as tell what it is; none where it cannot be read.
+/// The first bytes of a regular file, enough to recognise its format; empty if it cannot be read.
 pub fn start(path: &Path) -> Vec<u8> {
     const LOOKED_AT: u64 = 1000;
     let mut start = Vec::new();
     if fs::metadata(path).is_ok_and(|there| there.is_file()) {
         let file = fs::File::open(path);
-        let _ = file.and_then(|file| file.take(LOOKED_AT).read_to_end(&mut start)); // what was read until then
+        let _ = file.and_then(|file| file.take(LOOKED_AT).read_to_end(&mut start)); // keeps what was read before a fault
     }
     start
 }
 
-/// All of a text file, which must be UTF-8.
+/// The text of a file, which must be UTF-8.
 pub fn read_text(path: &Path, most: u64) -> Result<String> {
     let bytes = read(path, most)?;
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
@@ -197,10 +197,10 @@ pub fn read_text(path: &Path, most: u64) -> Result<String> {
     })
 }
 
-/// Writes new bytes to a file of the user that is there, whole or not at all; who may read and write it stays as it was.
+/// Replaces the bytes of an existing file, completely or not at all; keeps its permissions.
 ///
 /// # Errors
-/// As [`write()`]; a file that is not to be written to.
+/// As [`write()`], and if the file is read-only.
 pub fn rewrite(path: &Path, bytes: &[u8]) -> Result<()> {
     let failed = |why: std::io::Error| {
         anyhow::Error::new(PathError::CannotWrite {
@@ -216,8 +216,8 @@ pub fn rewrite(path: &Path, bytes: &[u8]) -> Result<()> {
     fs::set_permissions(path, kept).map_err(failed)
 }
 
-/// Writes `bytes` to `path` whole or not at all: a temporary file beside it, then a rename. A link is followed; a device or a pipe is written to
-/// as it is.
+/// Writes `bytes` to `path` completely or not at all: a temporary file beside it, then a rename. Follows a link; writes directly to a
+/// device or pipe.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     let failed = |why: std::io::Error| {
         let path = path.display().to_string();
@@ -244,7 +244,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     };
     let folder = folder_of(&target);
     fs::create_dir_all(folder).map_err(|why| cannot_make(folder, why))?;
-    // again: in between, each process that begins may take the part for one that was left behind
+    // retry: another process may take our temporary file for one left behind, and remove it
     let mut written = part_then_rename(folder, &target, bytes);
     for _ in 0..TRIES {
         match &written {
@@ -257,36 +257,36 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     written.map_err(failed)
 }
 
-/// The folder that a file lies in.
+/// The folder of a file.
 pub(crate) fn folder_of(file: &Path) -> &Path {
     let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
     folder.unwrap_or(Path::new("."))
 }
 
-/// Names of parts in the making: hidden, with the process and a number.
+/// Beginning and end of the name of a temporary file, which is hidden and contains the process and a number.
 const PART: (&str, &str) = (".dolmen-", ".part");
-/// How often a part is begun anew that another process cleared away.
+/// Number of retries after another process removed the temporary file.
 const TRIES: usize = 20;
-/// Parts made by this process.
+/// Number of temporary files of this process.
 static PARTS: AtomicUsize = AtomicUsize::new(0);
 
 fn part_then_rename(folder: &Path, target: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let number = PARTS.fetch_add(1, Ordering::Relaxed);
     let part = folder.join(format!("{}{}-{number}{}", PART.0, std::process::id(), PART.1));
     let written = fs::File::create(&part).and_then(|mut file| {
-        // held until it is renamed: who clears the folder sees that it is being written
+        // locked until the rename, so that another process does not remove it
         let _ = file.try_lock(); // some file systems have no locks
         file.write_all(bytes)?;
         file.sync_all()?;
         fs::rename(&part, target)
     });
     if written.is_err() {
-        let _ = fs::remove_file(&part); // what is left of it, if anything
+        let _ = fs::remove_file(&part); // remove it if it exists
     }
     written
 }
 
-/// Removes the parts that processes which were killed have left in a folder.
+/// Removes temporary files of killed processes from a folder.
 pub(crate) fn clear_parts(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let name = entry.file_name();
@@ -296,12 +296,12 @@ pub(crate) fn clear_parts(folder: &Path) {
         }
         let abandoned = fs::File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok());
         if abandoned {
-            let _ = fs::remove_file(entry.path()); // it stays where it may not be removed, and does no harm
+            let _ = fs::remove_file(entry.path()); // a file that cannot be removed does no harm
         }
     }
 }
 
-/// That a folder cannot be made.
+/// The error of a folder that cannot be created.
 pub(crate) fn cannot_make(folder: &Path, why: std::io::Error) -> PathError {
     PathError::CannotMake {
         path: folder.display().to_string(),
@@ -309,7 +309,7 @@ pub(crate) fn cannot_make(folder: &Path, why: std::io::Error) -> PathError {
     }
 }
 
-/// Makes `path` a folder to be filled: refused if it holds anything, so that nothing is overwritten.
+/// Creates the folder `path`; refuses one that is not empty, so that nothing is overwritten.
 pub fn fresh_folder(path: &Path) -> Result<()> {
     if path.exists() && !path.is_dir() {
         return Err(PathError::IsFile {
@@ -326,7 +326,7 @@ pub fn fresh_folder(path: &Path) -> Result<()> {
     Ok(fs::create_dir_all(path).map_err(|why| cannot_make(path, why))?)
 }
 
-/// Makes `path` a folder with these files, or leaves everything as it was.
+/// Creates the folder `path` with these files, or changes nothing.
 pub fn fill_fresh(path: &Path, files: &[(&str, &[u8])]) -> Result<()> {
     let was_there = path.is_dir();
     match is_begun(path, files) {
@@ -338,16 +338,16 @@ pub fn fill_fresh(path: &Path, files: &[(&str, &[u8])]) -> Result<()> {
         .try_for_each(|(name, bytes)| write(&path.join(name), bytes));
     if filled.is_err() {
         for (name, _) in files {
-            let _ = fs::remove_file(path.join(name)); // those that were not written are not there
+            let _ = fs::remove_file(path.join(name)); // some do not exist yet
         }
         if !was_there {
-            let _ = fs::remove_dir(path); // it stays where something else was put into it
+            let _ = fs::remove_dir(path); // stays if something else was put into it
         }
     }
     filled
 }
 
-/// Whether a folder holds a part of these files and nothing else: what a run that was killed left.
+/// Whether a folder contains only some of these files, as a killed process leaves it.
 fn is_begun(path: &Path, files: &[(&str, &[u8])]) -> bool {
     let Ok(entries) = fs::read_dir(path) else {
         return false;
@@ -368,7 +368,7 @@ fn is_begun(path: &Path, files: &[(&str, &[u8])]) -> bool {
     names.len() < files.len() && names.iter().all(is_ours)
 }
 
-/// Makes the folder asked for if it is free, else the first of "NAME-2", "NAME-3"… that is: nothing is overwritten.
+/// Creates the folder `wanted`, or the first free one of "NAME-2", "NAME-3"…; nothing is overwritten.
 pub fn free_folder(wanted: &Path) -> Result<PathBuf> {
     let name = wanted
         .file_name()
@@ -422,9 +422,9 @@ mod tests {
         use std::os::unix::fs::FileTypeExt as _;
         let full = Path::new("/dev/full");
         if !full.exists() {
-            return; // not on every system
+            return; // not every system has it
         }
-        // through a link, so that nothing of the system can be lost whatever the code does
+        // through a link, so that the device itself cannot be replaced
         let folder = scratch("device");
         let link = folder.join("report.html");
         std::os::unix::fs::symlink(full, &link).unwrap();

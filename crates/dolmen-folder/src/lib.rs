@@ -1,7 +1,7 @@
-//! Projects, outputs and journals in folders of a file system, for the command and whatever else runs on one.
+//! Projects, outputs and journals on the file system.
 //!
-//! It opens all files of users (a store of surveys opens its own). What it reads has a limit of size; what it writes is whole or not there; it replaces nothing that
-//! was measured and, unless it is forced to, nothing that Dolmen did not write.
+//! This crate opens all files of users, except a store of surveys. It limits the size of what it reads, and writes each file completely or
+//! not at all. It never replaces measured data, and replaces files that Dolmen did not write only if forced.
 
 mod access;
 mod arriving;

@@ -1,4 +1,4 @@
-//! From paths to projects: the project file that a path means, and the files that it names.
+//! From a path to a project: its project file, and the files that it names.
 
 use crate::wrong::PathError;
 use crate::{Access, files};
@@ -9,32 +9,32 @@ use dolmen_work::{Opened, Progress, with_stiffness_of_surveys};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// A project, its file, and the folder that it names files in.
+/// A project, its file, and the folder of its other files.
 pub struct Found {
-    /// The project as it was read.
+    /// The project.
     pub opened: Opened,
     /// The project file.
     pub file: PathBuf,
-    /// The folder that it names files in.
+    /// The folder of the files that it names.
     pub files: Folder,
 }
 
 /// Files of a folder.
 pub struct Folder {
     path: PathBuf,
-    /// What may be read and replaced.
+    /// Which files may be read and replaced.
     pub access: Access,
-    /// The project file that names its files, and its text.
+    /// Name and text of the project file.
     project: Option<(String, String)>,
 }
 
 impl Folder {
-    /// Refuses a name that leads out of the folder, itself or by a link.
+    /// Refuses a name that leads out of the folder, directly or by a link.
     fn refuse_outside(&self, name: &str, path: &Path) -> Result<(), FileError> {
         if self.access.allow_outside {
             return Ok(());
         }
-        // a file that is not there leads nowhere
+        // a missing file cannot lead out
         let root = files::folder_of(&self.path.join("file")).canonicalize();
         let leads_out = |real: PathBuf| root.as_ref().is_ok_and(|root| !real.starts_with(root));
         match !stays_within(name) || path.canonicalize().is_ok_and(leads_out) {
@@ -45,7 +45,8 @@ impl Folder {
         }
     }
 
-    /// What cannot be found, with the line of the project that names it: the first that has the name in quotes and is no comment.
+    /// Adds to a missing file the line of the project that names it: the first line with the name in quotes that is not a
+    /// comment.
     fn with_line(&self, name: &str, why: FileError) -> FileError {
         use FileError::{Absent, Backslash, Misspelt};
         let (Some((file, text)), Absent { .. } | Backslash { .. } | Misspelt { .. }) = (&self.project, &why)
@@ -66,17 +67,17 @@ impl Folder {
         }
     }
 
-    /// Whether a name stands for a regular file within the folder.
+    /// Whether a name is that of a regular file within the folder.
     pub fn holds(&self, name: &str) -> bool {
         let path = self.path.join(name);
         !name.is_empty() && path.is_file() && self.refuse_outside(name, &path).is_ok()
     }
 }
 
-/// The files of a folder that hold motions, perhaps, and their names in order; hidden ones and folders within are left out.
+/// The files of a folder that may be motions, and their names in order; without hidden files and subfolders.
 ///
 /// # Errors
-/// Where it is no folder, or cannot be read.
+/// If it is not a folder, or cannot be read.
 pub fn motions_in(path: &Path, access: Access) -> Result<(Folder, Vec<String>)> {
     let shown = || path.display().to_string();
     if !path.is_dir() {
@@ -114,7 +115,7 @@ impl Files for Folder {
     }
 
     fn today(&self) -> Option<[u32; 3]> {
-        /// Where a day begins first it does so 14 hours before it does at UTC, s.
+        /// A day begins at most this long before it begins in UTC, s.
         const FIRST_DAY_S: f64 = 14.0 * 3600.0;
         let now = SystemTime::now().duration_since(UNIX_EPOCH).ok()?;
         date_of(&time_text(now.as_secs_f64() + FIRST_DAY_S))
@@ -125,7 +126,7 @@ impl Found {
     /// Reads the project file that `path` means: a file, or the `project.toml` of a folder.
     ///
     /// # Errors
-    /// Where there is none, where it is too large, no UTF-8 text or a record, and all that is wrong with the project.
+    /// If there is none; if it is too large, not UTF-8 text, or a record; and all faults of the project.
     pub fn open(path: &Path, access: Access) -> Result<Self> {
         let file = files::project_file(path)?;
         refuse_record(&file)?;
@@ -142,17 +143,17 @@ impl Found {
 }
 
 impl Found {
-    /// The same with the stiffness that the project leaves to its surveys.
+    /// As [`Found::open`], with the stiffness that the project takes from its surveys.
     ///
     /// # Errors
-    /// Where a survey cannot be identified.
+    /// If a survey cannot be identified.
     pub fn with_stiffness_of_surveys(self, progress: &dyn Progress) -> Result<Self> {
         let opened = with_stiffness_of_surveys(self.opened, &self.files, progress)?;
         Ok(Found { opened, ..self })
     }
 }
 
-/// Names what to do with a record that stands where a project file should.
+/// Says what to do if a record was given as a project file.
 fn refuse_record(file: &Path) -> Result<()> {
     const RECORDS: [&str; 18] = [
         "csv", "tsv", "npy", "mat", "wav", "uff", "unv", "saf", "gcf", "tdms", "mseed", "miniseed", "sac",

@@ -1,7 +1,7 @@
-//! What may be written where: nothing that was measured, and nothing that Dolmen did not write, is replaced.
+//! Decides what may be written: measured data and files that Dolmen did not write are never replaced.
 //!
-//! Pages and figures carry a mark within. Tables, arrays and JSON are known by a list in their folder, with a sum over the bytes of each: a
-//! table that was changed since is somebody's work, and stays.
+//! Pages and figures contain a mark. Tables, arrays and JSON are in a list in their folder, each with a checksum; if a table was changed
+//! since, somebody edited it, and it is kept.
 
 use crate::Access;
 use crate::files::{clear_parts, folder_of, read, start, write};
@@ -14,23 +14,23 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-/// The list of what Dolmen wrote into a folder.
+/// Name of the list of files that Dolmen wrote into a folder.
 const LIST: &str = ".dolmen-files";
 /// Its first line.
 const LIST_HEAD: &str =
     "# What Dolmen wrote here, with a sum over each file: these it may replace, others not without --force.";
-/// Most bytes of a list that is looked at: more is none of ours.
+/// Largest size of a list, in bytes; a larger file is not ours.
 const LIST_BYTES_MOST: u64 = 64 << 20;
-/// Most bytes of a file whose sum is taken to know it again.
+/// Largest size of a file whose checksum is computed, in bytes.
 const KNOWN_BYTES_MOST: u64 = 4 << 30;
 
-/// What may be replaced.
+/// Decides which files may be replaced.
 pub struct Outputs {
     inputs: BTreeSet<PathBuf>,
     force: bool,
 }
 
-/// The path that is meant once its folders are made: `..` behind a folder that is not there yet leads back to where it would stand.
+/// Resolves a path as if its folders existed: `..` after a missing folder removes that folder.
 fn settled(path: &Path) -> PathBuf {
     let mut settled = PathBuf::new();
     for part in path.components() {
@@ -44,18 +44,18 @@ fn settled(path: &Path) -> PathBuf {
     settled
 }
 
-/// What stands where a file is to be written.
+/// What exists at the path of an output.
 enum Standing {
-    /// Nothing, or something that Dolmen wrote, or a device, or a file without a byte.
+    /// Nothing, a file that Dolmen wrote, a device, or an empty file.
     Free,
     /// An input of the command or of its project.
     Input,
-    /// Somebody's file.
+    /// A file of somebody else.
     Foreign,
 }
 
 impl Outputs {
-    /// Nothing is kept but what others wrote.
+    /// Keeps only files that Dolmen did not write.
     pub fn new(access: Access) -> Self {
         Outputs {
             inputs: BTreeSet::new(),
@@ -63,12 +63,12 @@ impl Outputs {
         }
     }
 
-    /// As [`Outputs::new`], and the project file and all that it names stay.
+    /// As [`Outputs::new`], and also keeps the project file and all files that it names.
     pub fn of(access: Access, found: &Found) -> Self {
         Self::new(access).keeping_project(found)
     }
 
-    /// The project file and all that it names stay, whatever is asked for.
+    /// Always keeps the project file and all files that it names.
     pub fn keeping_project(self, found: &Found) -> Self {
         let folder = folder_of(&found.file);
         let named = dolmen_project::texts(&found.opened.text);
@@ -77,7 +77,7 @@ impl Outputs {
         })
     }
 
-    /// This file stays, whatever is asked for.
+    /// Always keeps this file.
     pub fn keeping(mut self, path: &Path) -> Self {
         if path.is_file() {
             self.inputs.extend(path.canonicalize());
@@ -91,7 +91,7 @@ impl Outputs {
             return Standing::Free;
         };
         if !there.is_file() {
-            return Standing::Free; // a device; a folder cannot be replaced
+            return Standing::Free; // a device; writing to a folder fails later
         }
         if path.canonicalize().is_ok_and(|real| self.inputs.contains(&real)) {
             return Standing::Input;
@@ -103,7 +103,7 @@ impl Outputs {
         }
     }
 
-    /// Refuses a file that may not be replaced: to be asked before any work is done.
+    /// Refuses a file that may not be replaced; call it before any work is done.
     pub fn refuse(&self, path: &Path) -> Result<()> {
         match self.standing(path) {
             Standing::Free => Ok(()),
@@ -118,7 +118,7 @@ impl Outputs {
         }
     }
 
-    /// Writes one file, whole or not at all.
+    /// Writes one file, completely or not at all.
     pub fn file(&self, path: &Path, bytes: &[u8]) -> Result<()> {
         let path = &settled(path);
         self.refuse(path)?;
@@ -129,7 +129,8 @@ impl Outputs {
         self.within(folder_of(path), &[(path.to_owned(), bytes)])
     }
 
-    /// Writes files into a folder. One that would replace somebody's is put beside it, and that is an error once all are written.
+    /// Writes files into a folder. A file that may not be replaced is kept and the new one written beside it; this is an error
+    /// after all are written.
     pub fn folder(&self, folder: &Path, files: &[NamedFile]) -> Result<()> {
         let folder = &settled(folder);
         let mut by_folder: BTreeMap<PathBuf, Vec<(PathBuf, &[u8])>> = BTreeMap::new();
@@ -159,7 +160,7 @@ impl Outputs {
         }
     }
 
-    /// The first of "name-2.csv", "name-3.csv"… that is free.
+    /// The first free name of "name-2.csv", "name-3.csv"…
     fn free_beside(&self, path: &Path) -> PathBuf {
         let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
         let ending = path
@@ -176,8 +177,8 @@ impl Outputs {
         }
     }
 
-    /// Writes files of one folder and lists them. The list names the new ones before they are there and lets go of the old ones after: whenever the
-    /// process is killed, it knows all that is there.
+    /// Writes files into one folder and lists them. New files enter the list before they are written, and old ones leave it afterwards, so
+    /// the list is complete even if the process is killed.
     fn within(&self, folder: &Path, files: &[(PathBuf, &[u8])]) -> Result<()> {
         clear_parts(folder);
         let mut list = List::of(folder);
@@ -201,14 +202,14 @@ impl Outputs {
     }
 }
 
-/// What Dolmen wrote into a folder: a name, and sums over what it may hold.
+/// List of the files that Dolmen wrote into a folder: for each name, its possible checksums.
 #[derive(Clone, Default, PartialEq, Eq)]
 struct List {
     sums: BTreeMap<String, BTreeSet<String>>,
 }
 
 impl List {
-    /// The list of a folder; an empty one if there is none.
+    /// The list of a folder; empty if there is none.
     fn of(folder: &Path) -> Self {
         let text = read(&folder.join(LIST), LIST_BYTES_MOST).unwrap_or_default();
         let mut list = List::default();

@@ -1,4 +1,4 @@
-//! Projects beside each other in a folder, or named by a table.
+//! Several projects in a folder or a table.
 
 use crate::wrong::{PathError, of_folders};
 use crate::{Access, Found, journals_beside, read};
@@ -11,7 +11,7 @@ use dolmen_work::portfolio::{
 use dolmen_work::{WorkError, told_by};
 use std::path::{Path, PathBuf};
 
-/// Name of a project file in its folder.
+/// Name of a project file.
 const PROJECT: &str = "project.toml";
 
 /// The structures of a table (XLSX, ODS, CSV; `sheet` of a workbook of several), or of the projects that lie in a folder.
@@ -63,14 +63,14 @@ fn row(name: String) -> PortfolioRow {
     }
 }
 
-/// Projects below a folder: that of the portfolio, or that which its table lies in.
+/// The folder whose projects the portfolio contains: its own, or that of its table.
 pub struct ProjectsBelow {
     folder: PathBuf,
     access: Access,
 }
 
 impl ProjectsBelow {
-    /// Those that `source`, a table or a folder, names.
+    /// The projects that `source`, a table or a folder, names.
     pub fn of(source: &Path, access: Access) -> Self {
         let folder = match source.is_dir() {
             true => source,

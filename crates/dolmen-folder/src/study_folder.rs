@@ -1,4 +1,4 @@
-//! The folder of a study: journals that are appended to, tables and figures that are written whole or not at all.
+//! The folder of a study: journals that grow, and tables and figures that are written completely or not at all.
 
 use crate::files;
 use crate::open::Found;
@@ -19,22 +19,22 @@ use std::io::{Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// Where the results of a study lie.
+/// The folder of a study's results.
 pub struct StudyFolder {
     path: PathBuf,
     outputs: Outputs,
-    /// Most bytes of a journal.
+    /// Largest size of a journal in bytes.
     most: u64,
 }
 
-/// A journal that is being written; it is locked against a second process.
+/// An open journal, locked against a second process.
 pub struct JournalFile {
     file: Mutex<File>,
     path: PathBuf,
 }
 
 impl Journal for JournalFile {
-    /// Writes the line of a run in one piece.
+    /// Appends the line of a run with a single write.
     fn append(&self, run: &Run) -> Result<(), WorkError> {
         let line = run_line(run);
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
@@ -74,12 +74,12 @@ impl StudyFolder {
         }
     }
 
-    /// The folder itself.
+    /// Its path.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The journal of a shard.
+    /// Path of a shard's journal.
     pub fn journal_file(&self, (part, of): (usize, usize)) -> PathBuf {
         let name = if of == 1 {
             "journal.tsv".to_owned()
@@ -89,7 +89,7 @@ impl StudyFolder {
         self.path.join(name)
     }
 
-    /// The journal of a shard, ready to be appended to, and what it holds already.
+    /// Opens a shard's journal for appending; also returns its contents.
     pub fn journal(
         &self,
         header: &JournalHeader,
@@ -148,7 +148,7 @@ impl StudyFolder {
         Ok((file, runs))
     }
 
-    /// All journals of a study: in its folder, and in others that the caller names.
+    /// All journals of a study: in its folder, and in the folders `from`.
     pub fn journals(&self, study: &str, from: &[PathBuf]) -> Result<Vec<JournalText>> {
         let mut journals = journals_in(&self.path)?;
         for folder in from {
@@ -179,13 +179,13 @@ impl StudyFolder {
         each.collect()
     }
 
-    /// Tables, figures and JSON.
+    /// Writes tables, figures and JSON.
     pub fn write(&self, answer: &StudyAnswer, language: Language) -> Result<()> {
         self.outputs.folder(&self.path, &study_files(answer, language)?)
     }
 }
 
-/// The journals in a folder; none if there is no such folder.
+/// The journals in a folder; empty if it does not exist.
 fn journals_in(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).into_iter().flatten() {
@@ -198,7 +198,7 @@ fn journals_in(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// The journals beside a project file of each of its studies that was run.
+/// The journals of each study in the folder of a project.
 pub fn journals_beside(found: &Found) -> Vec<StudyJournals> {
     let studies = found.opened.project.studies.iter();
     let run = studies.filter_map(|study| {

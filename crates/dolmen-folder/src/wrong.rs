@@ -14,7 +14,7 @@ pub enum PathError {
     NotThere {
         path: String,
     },
-    /// A path of a project that is not there, and one like it.
+    /// A missing path of a project, and a similar one that exists.
     NotThereNear {
         path: String,
         near: String,
@@ -33,7 +33,7 @@ pub enum PathError {
         path: String,
         name: String,
     },
-    /// A folder without project.toml that holds a file that may be it.
+    /// A folder without project.toml, and a file in it that may be meant.
     OtherName {
         path: String,
         near: String,
@@ -248,10 +248,10 @@ fn pairs(beside: &[[String; 2]]) -> Both {
     }
 }
 
-/// All sentences of the errors of this crate.
+/// Templates of all sentences of this crate's errors.
 pub const ERRORS: [&[Template]; 2] = [PathError::TEMPLATES, Lying::TEMPLATES];
 
-/// An error of this crate as a text in both languages; `None` for any other.
+/// The text of an error of this crate in both languages; `None` for any other error.
 pub fn of_folders<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
     sayable!(error, PathError)
 }

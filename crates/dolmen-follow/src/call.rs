@@ -1,4 +1,4 @@
-//! The program that an alarm calls.
+//! The program that runs for each alarm.
 
 use crate::wrong::FollowError;
 use anyhow::Result;
@@ -6,26 +6,26 @@ use dolmen_work::inventory::InventoryLine;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// What the program finds in its environment.
+/// Environment variables of the program.
 #[derive(Clone, Copy, Debug)]
 pub struct Call<'a> {
     /// The structure.
     pub structure: &'a str,
     /// The last survey.
     pub survey: &'a str,
-    /// How many alarms are open.
+    /// Number of open alarms.
     pub open_alarms: usize,
-    /// How much it leans, where that is beyond its limit.
+    /// The tilt, if it exceeds its limit.
     pub tilt_beyond: Option<f64>,
-    /// Of one alarm: of what sort, and the day that confirmed it.
+    /// For a single alarm: its kind, and the day that confirmed it.
     pub kind: Option<[&'a str; 2]>,
 }
 
 impl Call<'_> {
-    /// Runs it, without a shell, to its end.
+    /// Runs the program without a shell and waits for its end.
     ///
     /// # Errors
-    /// It cannot be run, or ends with another status than 0.
+    /// If it cannot be run, or its exit status is not 0.
     pub fn run(&self, program: &Path) -> Result<()> {
         let lean = self.tilt_beyond.map(|lean| format!("{lean:.5}"));
         let mut command = Command::new(program);
@@ -54,10 +54,10 @@ impl Call<'_> {
     }
 }
 
-/// Runs `program` for each structure that alarms, one after the other.
+/// Runs `program` for each structure with an alarm, one after the other.
 ///
 /// # Errors
-/// The first run that fails.
+/// The first run that failed.
 pub fn call_for_alarming(program: &Path, lines: &[InventoryLine]) -> Result<()> {
     for line in lines.iter().filter(|line| line.is_alarming()) {
         let Some(history) = &line.history else { continue };

@@ -1,4 +1,4 @@
-//! Looks at a folder again and again: what came is read, stored, judged and said.
+//! Looks at a folder repeatedly: reads, stores and judges new files.
 
 use crate::call::Call;
 use crate::clock::{now_s, now_us};
@@ -23,11 +23,12 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// Files a thread that are read before they are stored: enough to keep all at work, few enough that little is lost with the process.
+/// Files that each thread reads before they are stored: enough to keep all threads busy, few enough that little is lost if the
+/// process dies.
 const FILES_A_THREAD: usize = 4;
-/// Records of one second that get a name each.
+/// Largest number of records of the same second that get distinct names.
 const SAME_SECOND_MOST: usize = 1000;
-/// How often a wait asks whether to stop.
+/// Interval at which a wait checks whether to stop.
 const STOP_TICK: Duration = Duration::from_millis(100);
 
 struct Following<'a> {
@@ -39,21 +40,22 @@ struct Following<'a> {
     quarantine: PathBuf,
     inbox: Inbox,
     state: State,
-    /// Hashes of the records of the structure, and the names they came under.
+    /// Hashes of the structure's records, each with its original file name.
     known: BTreeMap<String, String>,
-    /// Records of the structure that came by themselves, as far as `state` has them.
+    /// Number of records from watched folders that `state` includes.
     arrivals: u64,
-    /// What the history says after the last record.
+    /// The history after the last record.
     answer: Option<WatchAnswer>,
     last_survey_s: Option<f64>,
-    /// Temperature of the air over time, as it was when the folder was looked at.
+    /// Log of the air temperature, read at the last look at the folder.
     temperature: Option<Log>,
 }
 
-/// Takes the record files that come into a folder, until the listener asks to stop, or once; whether the structure alarms at the end.
+/// Processes new record files in a folder until the listener asks to stop, or once. Returns whether the structure alarms at the end.
 ///
 /// # Errors
-/// The folder, the store or the structure are not there; with [`Follow::once`] whatever fails, else it is complained of and tried again.
+/// If the folder, the store or the structure does not exist. With [`Follow::once`], any fault; otherwise faults go to the listener and
+/// are retried.
 pub fn follow(options: &Follow, listener: &dyn Listener) -> Result<bool> {
     let mut following = Following::begin(options, listener)?;
     following.judge()?;
@@ -67,7 +69,7 @@ pub fn follow(options: &Follow, listener: &dyn Listener) -> Result<bool> {
                 break;
             }
             Err(fault) if options.once => return Err(fault),
-            // a store that is busy, a folder that is away: the next round may find it
+            // the store may be busy or the folder away: try again in the next round
             Err(fault) => listener.complain(&fault),
             Ok(_) => {}
         }
@@ -82,7 +84,7 @@ pub fn follow(options: &Follow, listener: &dyn Listener) -> Result<bool> {
     Ok(following.alarms().iter().any(OpenAlarm::is_of_structure))
 }
 
-/// Waits until so long after a moment, or until the listener asks to stop.
+/// Waits until `long` after `since`, or until the listener asks to stop.
 fn pause(since: Instant, long: Duration, listener: &dyn Listener) {
     while since.elapsed() < long && !listener.is_asked_to_stop() {
         std::thread::sleep(STOP_TICK.min(long.saturating_sub(since.elapsed())));
@@ -92,7 +94,7 @@ fn pause(since: Instant, long: Duration, listener: &dyn Listener) {
 impl<'a> Following<'a> {
     fn begin(of: &'a Follow, listener: &'a dyn Listener) -> Result<Self> {
         let mut inbox = Inbox::new(&of.folder, of.rest)?;
-        drop(Store::open(&of.store, of.wait).map_err(store_failure)?); // a store that is not there is not made
+        drop(Store::open(&of.store, of.wait).map_err(store_failure)?); // the store must exist
         for path in of.store.own_files() {
             inbox = inbox.passing_over(&path);
         }
@@ -136,11 +138,11 @@ impl<'a> Following<'a> {
         })
     }
 
-    /// Takes what is there; how many files are not at rest yet.
+    /// Processes the files that are there; returns how many are still being written.
     fn round(&mut self) -> Result<usize> {
         let project = self.store.state(&self.structure).map_err(store_failure)?;
         let arrivals = self.store.arrivals(&self.structure).map_err(store_failure)?;
-        // another process stored some, or one of ours was stored and its acknowledgement lost
+        // another process stored some, or our own transaction succeeded but its reply was lost
         if project != self.state.project || arrivals != self.arrivals {
             self.arrivals = arrivals;
             self.state = State::of(&mut self.store, &self.structure)?;
@@ -148,7 +150,7 @@ impl<'a> Following<'a> {
         }
         self.temperature = self.read_temperature()?;
         let mut lying = self.inbox.look()?;
-        // the oldest first, so that a backlog is judged as it came
+        // the oldest first, so that a backlog is judged in order
         lying
             .at_rest
             .sort_by(|a, b| a.1.modified.cmp(&b.1.modified).then(a.0.cmp(&b.0)));
@@ -173,7 +175,7 @@ impl<'a> Following<'a> {
         Ok(Some(read_log(&bytes, column).with_context(context)?))
     }
 
-    /// Reads and identifies files together, then stores them one by one, judges the history and says what it says of each.
+    /// Reads and identifies files in parallel, then stores them one by one, judges the history and reports each result.
     fn take(&mut self, some: &[(PathBuf, Look)]) -> Result<()> {
         let reader = Reader {
             access: self.options.access,
@@ -226,7 +228,7 @@ impl<'a> Following<'a> {
         self.call()
     }
 
-    /// Stores a record as a survey; its name, or none where a survey has this record already.
+    /// Stores a record as a survey; returns its name, or `None` if a survey already has this record.
     fn store(&mut self, path: &Path, taken: &Taken, kept: Kept) -> Result<Option<String>> {
         let hash = kept.hash.clone();
         let faults: Vec<(String, SensorFault)> = taken.faults.iter().map(SensorFault::of).collect();
@@ -291,7 +293,7 @@ impl<'a> Following<'a> {
         .into())
     }
 
-    /// What the history says now.
+    /// Judges the history again.
     fn judge(&mut self) -> Result<()> {
         self.answer = match watch_observed(&self.state.history, &self.state.observed, &self.state.logs) {
             Ok(answer) => Some(answer),
@@ -315,7 +317,7 @@ impl<'a> Following<'a> {
                 least: SURVEYS_LEAST,
             },
         };
-        // in a backlog those of later records are not yet known on its day
+        // in a backlog, a survey is judged without the later records
         let day = dolmen_work::day_of_a_record(survey);
         let is_known = |alarm: &&OpenAlarm| day.is_none_or(|day| alarm.date.as_str() <= day);
         let alarms = self.alarms();
@@ -334,7 +336,7 @@ impl<'a> Following<'a> {
         })
     }
 
-    /// Done with a file that is in the store.
+    /// Finishes a file that is in the store: moves it or marks it as done.
     fn put_away(&mut self, of: &(PathBuf, Look)) {
         match &self.options.taken {
             Some(folder) => {
@@ -346,7 +348,7 @@ impl<'a> Following<'a> {
         }
     }
 
-    /// A file that cannot be moved stays where it is, and does not hold up the others.
+    /// Reports a file that cannot be moved and skips it, so that others are processed.
     fn leave(&mut self, (path, look): &(PathBuf, Look), fault: &anyhow::Error) {
         self.listener.complain(fault);
         self.inbox.set_done(path, *look);
@@ -362,7 +364,7 @@ impl<'a> Following<'a> {
         })
     }
 
-    /// Runs the program of `--on-alarm` for each alarm that it was not run for; where it fails, it is run again after the next record.
+    /// Runs the program of `--on-alarm` for each alarm that was not called yet; a failed call is repeated after the next record.
     fn call(&mut self) -> Result<()> {
         let (Some(program), Some(answer)) = (&self.options.on_alarm, &self.answer) else {
             return Ok(());

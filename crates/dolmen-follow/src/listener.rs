@@ -1,4 +1,4 @@
-//! Who hears what comes of each file.
+//! Receives the result of each file.
 
 use anyhow::Result;
 use dolmen::monitoring::SensorChange;
@@ -11,58 +11,60 @@ use std::path::Path;
 pub struct FollowedRecord<'a> {
     /// The survey.
     pub survey: &'a str,
-    /// What the file is called.
+    /// Name of the file.
     pub file: &'a str,
-    /// What it gave.
+    /// Result of reading and identifying it.
     pub taken: &'a Taken,
-    /// What the history says of it.
+    /// Verdict of the history after this survey.
     pub verdict: &'a Verdict,
-    /// Open alarms of the structure.
+    /// Number of open alarms of the structure.
     pub open_alarms: usize,
-    /// That its shapes jumped while its frequencies did not: a sensor was turned, moved or exchanged.
+    /// Set if the mode shapes changed but the frequencies did not: a sensor was turned, moved or
+    /// exchanged.
     pub sensors: Option<&'a SensorChange>,
 }
 
 /// A file that cannot be read.
 #[derive(Clone, Copy, Debug)]
 pub struct Quarantined<'a> {
-    /// What it is called.
+    /// Its name.
     pub file: &'a str,
-    /// Where it lies now.
+    /// Its new path.
     pub place: &'a str,
-    /// Why.
+    /// The reason.
     pub why: &'a Both,
 }
 
-/// Who hears what comes of each file: a terminal, a service.
+/// Receives the result of each file: a terminal, a service.
 pub trait Listener {
-    /// Whether to end once what is under way is stored.
+    /// Whether to stop after the current file is stored.
     fn is_asked_to_stop(&self) -> bool;
 
-    /// A text beside a file in quarantine, in the language of the user.
+    /// The text to write beside a quarantined file, in the user's language.
     fn text_of(&self, why: &Both) -> String;
 
-    /// Files of this folder are taken for the structure, with the settings of this survey.
+    /// Called once at the start: files of this folder become surveys of the structure, with the
+    /// settings of this survey.
     fn begins(&self, folder: &Path, structure: &str, survey: &str);
 
     /// A record was stored and judged.
     ///
     /// # Errors
-    /// It cannot be said.
+    /// If the result cannot be printed.
     fn record(&self, record: &FollowedRecord<'_>) -> Result<()>;
 
-    /// A file holds the same bytes as a record that the structure has under another name.
+    /// A file has the same bytes as a stored record of the structure with another name.
     fn again(&self, file: &str, known_as: &str);
 
     /// A file cannot be read and was moved.
     ///
     /// # Errors
-    /// It cannot be said.
+    /// If the result cannot be printed.
     fn quarantined(&self, file: &Quarantined<'_>) -> Result<()>;
 
     /// Something failed, and the next round tries again.
     fn complain(&self, fault: &anyhow::Error);
 
-    /// So many files were still being written at the end.
+    /// Number of files that were still being written when following stopped.
     fn still_written(&self, files: usize);
 }

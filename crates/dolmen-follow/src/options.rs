@@ -1,41 +1,41 @@
-//! What is followed.
+//! Options of `follow`.
 
 use dolmen_folder::Access;
 use dolmen_store::Place;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// What is followed, and how.
+/// Options of `follow`.
 #[derive(Clone, Debug)]
 pub struct Follow {
-    /// The folder into which files come.
+    /// The watched folder.
     pub folder: PathBuf,
     /// The store.
     pub store: Place,
-    /// How long another process may write before the store counts as busy.
+    /// How long to wait while another process writes to the store.
     pub wait: Duration,
-    /// Who stores.
+    /// Name of the person that the log of the store shows.
     pub who: String,
-    /// What may be read.
+    /// Which files may be read.
     pub access: Access,
-    /// The structure of the store; may be left out where there is one.
+    /// The structure in the store; `None` if the store has only one.
     pub structure: Option<String>,
-    /// Take what is there and end.
+    /// Process the files that are there, then stop.
     pub once: bool,
-    /// How often the folder is looked at.
+    /// Interval between looks at the folder.
     pub every: Duration,
-    /// How long a file must not have changed.
+    /// How long a file must be unchanged before it is read.
     pub rest: Duration,
-    /// Where files go that are stored; `None` leaves them.
+    /// Folder to which stored files are moved; `None` leaves them where they are.
     pub taken: Option<PathBuf>,
-    /// Where files go that cannot be read; `quarantine` in the folder without it.
+    /// Folder for files that cannot be read; `None` means `quarantine` in the watched folder.
     pub quarantine: Option<PathBuf>,
-    /// A log of the temperature of the air.
+    /// A log of the air temperature.
     pub temperature: Option<PathBuf>,
-    /// Its column, where it has several.
+    /// The column of the air temperature, if the log has several.
     pub temperature_column: Option<String>,
-    /// A text file for Prometheus.
+    /// A text file of metrics for Prometheus.
     pub metrics: Option<PathBuf>,
-    /// A program that is run for each alarm.
+    /// A program to run for each alarm.
     pub on_alarm: Option<PathBuf>,
 }

@@ -1,4 +1,4 @@
-//! One file that came: read, known again or identified, its bytes kept.
+//! Reads one new file: recognises it or identifies its modes, and keeps its bytes.
 
 use crate::clock::now_s;
 use crate::wrong::Said;
@@ -12,21 +12,21 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-/// What a file turned out to be.
+/// Result of reading a file.
 pub(crate) enum ReadFile {
-    /// It has changed or gone since: it is left for later.
+    /// The file changed or disappeared in the meantime; it is tried again later.
     Later,
-    /// A survey has this record already: its hash.
+    /// A survey already has this record; its hash.
     Known(String),
-    /// It cannot be read as the records of the structure are.
+    /// It cannot be read with the settings of the structure's records.
     Unreadable(Both),
-    /// A record; its bytes are on disk in the store.
+    /// A record, and its bytes in the store.
     Record(Box<(Taken, Kept)>),
     /// The store cannot keep its bytes.
     NotKept(StoreError),
 }
 
-/// What is needed to read files, from any thread.
+/// Reads files, from any thread.
 pub(crate) struct Reader<'a> {
     pub(crate) access: Access,
     pub(crate) pattern: &'a Pattern,
@@ -35,7 +35,7 @@ pub(crate) struct Reader<'a> {
     pub(crate) keeper: &'a Keeper,
 }
 
-/// A name as it can be shown and stored.
+/// A file name that is safe to print and store.
 pub(crate) fn name_of(path: &Path) -> String {
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
     let signs = name.unwrap_or_default();
@@ -65,7 +65,7 @@ impl Reader<'_> {
             bytes: &bytes,
             modified_s: look.modified_s(),
         };
-        // one file that meets a fault of ours must not end the watch over all others
+        // a panic on one file must not stop the watch over all others
         let taken = catch_unwind(AssertUnwindSafe(|| self.pattern.take(&file, self.files, now_s())));
         match taken {
             Ok(Ok(taken)) => match self.keeper.keep(&bytes) {

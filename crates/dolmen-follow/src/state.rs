@@ -1,4 +1,4 @@
-//! The structure that is followed, as the store has it.
+//! The followed structure, as stored.
 
 use crate::stored::observed;
 use crate::wrong::{FollowError, store_failure};
@@ -10,7 +10,7 @@ use dolmen_work::logs::Logs;
 use dolmen_work::watch::Observed;
 use std::collections::BTreeSet;
 
-/// The state of the structure that records are taken with.
+/// State of the structure for reading its records.
 pub(crate) struct State {
     pub(crate) project: String,
     pub(crate) pattern: Pattern,
@@ -53,7 +53,7 @@ impl State {
     }
 }
 
-/// The structure of a store that has one.
+/// The only structure of a store.
 pub(crate) fn only_structure(store: &mut Store) -> Result<String> {
     let mut names = Vec::new();
     let all = store.structures(&Search::default(), &mut |row| {

@@ -1,4 +1,4 @@
-//! Projects into a store and out of it, and every structure of a store watched.
+//! Copies projects into a store and out of it, and watches all structures of a store.
 
 use crate::clock::now_us;
 use crate::wrong::store_failure;
@@ -18,14 +18,14 @@ use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// Structures that are read before they are watched together.
+/// Number of structures to read before they are watched in parallel.
 const TOGETHER: usize = 256;
 
-/// Stores a project with its surveys and files, as `name` or under the name of the project, and the modes of its records unless
-/// `progress` is `None`.
+/// Stores a project with its surveys and files, under `name` or the name of the project. With `progress`, also identifies and stores
+/// the modes of its records.
 ///
 /// # Errors
-/// Where a file of the project cannot be read, or the store fails; nothing is stored then.
+/// If a file of the project cannot be read, or the store fails; then nothing is stored.
 pub fn add_project(
     store: &mut Store,
     found: &Found,
@@ -81,7 +81,7 @@ pub fn add_project(
     Ok(added)
 }
 
-/// Earthquakes that a stored structure felt.
+/// Earthquakes that a stored structure experienced.
 fn earthquakes_of(store: &mut Store, structure: &str) -> Result<Vec<AddedEarthquake>> {
     let stored = read(store, structure).map_err(store_failure)?;
     let text = String::from_utf8_lossy(&stored.text).into_owned();
@@ -96,8 +96,8 @@ fn earthquakes_of(store: &mut Store, structure: &str) -> Result<Vec<AddedEarthqu
     Ok(all.into_iter().map(added).collect())
 }
 
-/// Every text of the project file that is the name of a file in its folder: records, motions, meshes, tables, and whatever else later
-/// versions name. Records must be there.
+/// All texts in the project file that name a file in its folder: records, motions, meshes, tables, and what later versions add. Only
+/// records must exist.
 fn named_files(found: &Found) -> BTreeSet<String> {
     let mut names: BTreeSet<String> = dolmen_project::texts(&found.opened.text)
         .into_iter()
@@ -119,7 +119,7 @@ fn named_files(found: &Found) -> BTreeSet<String> {
 /// Writes a structure of a store as a project folder, and returns the names of its files.
 ///
 /// # Errors
-/// Where there is no such structure, or the folder is not empty or cannot be written; a folder that was made is removed then.
+/// If the structure does not exist, or the folder is not empty or cannot be written; a folder created by this call is then removed.
 pub fn export_project(store: &mut Store, structure: &str, folder: &Path) -> Result<Vec<String>> {
     let exported = store.export(structure).map_err(store_failure)?;
     let was_there = folder.exists();
@@ -133,7 +133,7 @@ pub fn export_project(store: &mut Store, structure: &str, folder: &Path) -> Resu
     Ok(exported.files.into_iter().map(|(path, ..)| path).collect())
 }
 
-/// Writes the files first: a folder with a project file is whole.
+/// Writes the project file last, so that a folder with a project file is complete.
 fn fill(folder: &Path, store: &Store, exported: &Exported) -> Result<()> {
     for (path, hash, bytes) in &exported.files {
         let parts = path.split(['/', '\\']).filter(|part| *part != ".");
@@ -143,10 +143,10 @@ fn fill(folder: &Path, store: &Store, exported: &Exported) -> Result<()> {
     write(&folder.join(PROJECT_FILE), &exported.text)
 }
 
-/// Takes all of a store over into another.
+/// Copies the contents of a store into another.
 ///
 /// # Errors
-/// Where one of them fails; what was taken over by then stays, and the next call goes on.
+/// If either store fails; what was copied stays, and a second call continues.
 pub fn take_over(from: &mut Store, into: &mut Store, who: &str) -> Result<Imported> {
     let act = Act {
         who,
@@ -162,10 +162,10 @@ struct Stored {
     observed: Observed,
 }
 
-/// Every structure of a store, the worst first; one that cannot be watched says why.
+/// All structures of a store, the worst first; one that cannot be watched gives the reason.
 ///
 /// # Errors
-/// Where the store cannot be listed.
+/// If the structures cannot be listed.
 pub fn watch_all(store: &mut Store) -> Result<Vec<InventoryLine>> {
     let mut names = Vec::new();
     let each = &mut |row: ListedStructure| {
@@ -196,7 +196,7 @@ fn read(store: &mut Store, structure: &str) -> Result<Stored, StoreError> {
     })
 }
 
-/// What a store has of the records of a structure's surveys.
+/// Data in the store about the records of a structure's surveys.
 pub(crate) fn observed(store: &mut Store, structure: &str) -> Result<Observed, StoreError> {
     Ok(Observed {
         modes: store.observed(structure)?,

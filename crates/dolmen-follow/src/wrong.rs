@@ -6,7 +6,7 @@ use dolmen_words::message::{Argument, Both};
 use dolmen_words::{Template, messages, sayable, sentences};
 use std::error::Error;
 
-/// Why records cannot be followed, or an alarm calls nobody.
+/// Why records cannot be followed, or the program for an alarm fails.
 #[derive(Debug)]
 #[allow(missing_docs, reason = "the sentence says what it is")]
 pub enum FollowError {
@@ -73,10 +73,10 @@ pub(crate) fn store_failure(fault: StoreError) -> anyhow::Error {
     .into()
 }
 
-/// The sentence of an error of following, of folders or of the store.
+/// The sentence for an error of this crate, of folders or of the store.
 pub fn of_following<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
     sayable!(error, FollowError).or_else(|| dolmen_folder::of_folders(error))
 }
 
-/// What is wrong, as it is written.
+/// Templates of all sentences.
 pub const ERRORS: [&[Template]; 2] = [FollowError::TEMPLATES, Said::TEMPLATES];

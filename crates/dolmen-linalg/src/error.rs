@@ -48,7 +48,7 @@ pub enum LinalgError {
 }
 
 impl LinalgError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether an iteration ended before it converged: the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::NoConvergence { .. } => true,

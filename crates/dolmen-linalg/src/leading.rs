@@ -15,7 +15,7 @@ const SPACE_MOST: usize = 16;
 /// further directions.
 const DIRECTION_LEAST: f64 = 1e-14;
 
-/// A linear map and its transpose, each known by what it does to a block of columns.
+/// A linear map and its transpose, each given by its effect on a block of columns.
 pub trait Operator {
     /// Rows and columns.
     fn shape(&self) -> [usize; 2];

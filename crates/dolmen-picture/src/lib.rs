@@ -1,4 +1,5 @@
-//! A figure as a picture: SVG to PNG. Opens no file; its fonts, Pretendard Regular, SemiBold and Bold, are part of it.
+//! Converts a figure from SVG to PNG. Opens no file; its fonts, Pretendard Regular, SemiBold and Bold, are compiled
+//! in.
 
 mod fonts;
 mod painter;

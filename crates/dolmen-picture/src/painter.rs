@@ -5,7 +5,7 @@ use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb};
 use std::sync::Arc;
 
-/// Most pixels of a side: a larger picture is none of a report.
+/// Largest side in pixels. Our choice: larger than any figure of a report.
 const SIDE_MOST: f32 = 8192.0;
 /// The family of the fonts.
 const FAMILY: &str = "Pretendard";
@@ -15,7 +15,7 @@ const FAMILY: &str = "Pretendard";
 #[error("the figure could not be painted: {0}")]
 pub struct NotPainted(String);
 
-/// Paints figures; reads no font of the machine, so that the same figure gives the same bytes everywhere.
+/// Paints figures with its own fonts only, so that the same figure gives the same bytes on every machine.
 pub struct Painter {
     options: Options<'static>,
 }
@@ -27,7 +27,7 @@ impl Default for Painter {
 }
 
 impl Painter {
-    /// With the fonts of the reports in place of every family that a figure names.
+    /// Uses the report fonts for every font family that a figure names.
     pub fn new() -> Self {
         let mut fonts = fontdb::Database::new();
         for font in FONTS {
@@ -43,12 +43,12 @@ impl Painter {
         }
     }
 
-    /// A figure on white as PNG, `scale` pixels for each of its units.
+    /// Paints a figure as PNG on white, with `scale` pixels per unit.
     ///
     /// # Errors
-    /// If it is no SVG, or a side would have no pixel or more than 8192.
+    /// If it is not an SVG, or a side would have 0 or more than 8192 pixels.
     pub fn png(&self, svg: &str, scale: f32) -> Result<Vec<u8>, NotPainted> {
-        // a mark that the fonts do not have is spelt
+        // the fonts have no such character
         let svg = svg.replace('⊕', "(+)");
         let tree = Tree::from_str(&svg, &self.options).map_err(|fault| NotPainted(fault.to_string()))?;
         let [width, height] = [tree.size().width(), tree.size().height()].map(|side| (side * scale).round());

@@ -1,4 +1,4 @@
-//! The same bytes, words that are there, and figures that are none.
+//! Painting gives the same bytes each time, draws words, and refuses bad figures.
 
 use crate::Painter;
 
@@ -9,7 +9,7 @@ fn svg(body: &str) -> String {
     )
 }
 
-/// Width and height as a PNG's head has them.
+/// Width and height from the header of a PNG.
 fn sides(png: &[u8]) -> [u32; 2] {
     assert!(png.starts_with(b"\x89PNG"));
     [16, 20].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()))

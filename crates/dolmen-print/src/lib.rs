@@ -1,4 +1,5 @@
-//! A report set by Typst, as a PDF. Opens no file; its fonts, Pretendard Regular, SemiBold and Bold, are part of it.
+//! Typesets a report as PDF, with Typst. Opens no file; its fonts, Pretendard Regular, SemiBold and Bold, are
+//! compiled in.
 
 mod sheets;
 mod world;
@@ -10,7 +11,8 @@ use typst::layout::PagedDocument;
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
 use world::Desk;
 
-/// The document as a PDF: PDF/A-2a if it can be, else a tagged PDF 1.7. The same source gives the same bytes.
+/// The document as PDF: PDF/A-2a if possible, otherwise a tagged PDF 1.7. The same source gives the same
+/// bytes.
 ///
 /// # Errors
 /// If the source is not a Typst document.

@@ -1,11 +1,11 @@
-//! What is handed in, and what comes back.
+//! Input and output of printing.
 
 /// The source of a document.
 #[derive(Clone, Debug)]
 pub struct Sheets {
-    /// What is compiled.
+    /// Its main file.
     pub main: String,
-    /// The files that it names, each with its bytes.
+    /// Other files that it names, each with its bytes.
     pub files: Vec<(String, Vec<u8>)>,
 }
 
@@ -14,9 +14,9 @@ pub struct Sheets {
 pub struct Printed {
     /// The PDF.
     pub bytes: Vec<u8>,
-    /// Whether it keeps to PDF/A-2a: it has a date, and every character has a glyph.
+    /// Whether it conforms to PDF/A-2a: it has a date, and every character has a glyph.
     pub is_archival: bool,
-    /// Characters of the source that the fonts do not have, each once: they are printed as boxes.
+    /// Characters that the fonts lack, each listed once; they print as boxes.
     pub without_glyph: Vec<char>,
 }
 

@@ -1,4 +1,4 @@
-//! The same bytes, a page for the archive where it can be, and errors that say what is wrong.
+//! Printing gives the same bytes each time, PDF/A where possible, and clear errors.
 
 use crate::{Sheets, pdf};
 

@@ -1,4 +1,4 @@
-//! What Typst sees: the source, its files and the fonts, and nothing of the machine.
+//! What Typst can read: the source, its files and the fonts, and nothing else on the machine.
 
 use crate::sheets::Sheets;
 use dolmen_picture::FONTS;
@@ -9,7 +9,7 @@ use typst::text::{Font, FontBook};
 use typst::utils::LazyHash;
 use typst::{Library, LibraryExt, World};
 
-/// New Computer Modern Math Regular (GUST Font License): formulas need a font with a table of mathematics.
+/// New Computer Modern Math Regular (GUST Font License): formulas need a font with a mathematical table.
 const MATHEMATICS: &[u8] = include_bytes!("../../../data/fonts/NewCMMath-Regular.otf");
 
 pub(crate) struct Desk {
@@ -40,7 +40,7 @@ impl Desk {
         }
     }
 
-    /// Characters that no font has, in order; spaces and marks of direction need none.
+    /// Characters that no font has, in order; spaces and direction marks need no glyph.
     pub(crate) fn without_glyph(&self) -> Vec<char> {
         let texts = self.files.iter().filter(|(_, bytes)| bytes.starts_with(b"<"));
         let texts = texts.filter_map(|(_, bytes)| bytes.as_str().ok());

@@ -1,4 +1,4 @@
-//! Which numbers are within their bounds; what is not is reported.
+//! Bounds of numbers; numbers out of bounds are reported.
 
 use super::error::Fault;
 use super::file_number::At;

@@ -1,4 +1,4 @@
-//! What the science refuses of a structure that was read without a fault.
+//! Faults that the library finds in a structure that was read without a fault.
 
 use super::building;
 use super::content::Structure;
@@ -9,7 +9,7 @@ use super::wrong::said;
 use dolmen::structure::StructureError;
 use dolmen_words::message::Both;
 
-/// What the science refuses beyond what has been checked here: storeys whose axial force grows upwards.
+/// Further faults that the library finds: storeys whose axial force grows upwards.
 pub(super) fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) {
     if !reader.faults.is_empty() {
         return;

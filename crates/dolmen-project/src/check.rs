@@ -1,6 +1,6 @@
-//! The tree of a file against the schema: unknown keys, keys swallowed by the table above them, missing keys, wrong
-//! types, words that are not among the known ones. What is wrong is reported and taken out, so that the rest can be
-//! read and its own problems reported too.
+//! Checks the tree of a file against the schema: unknown keys, keys swallowed by the table above them, missing
+//! keys, wrong types, unknown words. A wrong value is reported and removed, so that the rest can be read and its
+//! own problems reported too.
 
 use super::error::Fault;
 use super::schema_tree::Tree;
@@ -28,7 +28,7 @@ pub(super) struct SchemaCheck<'t, 'i> {
     text: &'t str,
     schema: &'static Tree,
     swallowed: Vec<Swallowed<'i>>,
-    /// Paths that a misspelt key was probably meant for: not missed a second time.
+    /// Paths that a misspelt key was probably intended for: not reported as missing.
     pub(super) meant: Vec<String>,
     pub(super) faults: Vec<Fault>,
 }
@@ -53,7 +53,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         }
     }
 
-    /// Checks the whole tree and takes out of it what is wrong.
+    /// Checks the whole tree and removes wrong values.
     pub(super) fn file(&mut self, root: &mut DeTable<'i>, root_span: &Range<usize>) {
         self.table(root, root_span, self.schema, "", None);
         for Swallowed { key, mut value } in std::mem::take(&mut self.swallowed) {
@@ -70,7 +70,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         self.required(root, root_span, self.schema, "");
     }
 
-    /// Checks one value; `false` if it must be taken out.
+    /// Checks one value; `false` if it must be removed.
     fn value(
         &mut self,
         node: &mut Node<'i>,
@@ -101,7 +101,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                 self.table(table, &span, branch, path, above);
                 let before = self.faults.len();
                 self.required(table, &span, branch, path);
-                // A quantity without its value cannot stand in for one; a part without a key still can.
+                // A quantity without its value is useless; a part without a key can still be read.
                 return self.faults.len() == before || branches.len() == 1;
             }
             DeValue::Array(list) => {
@@ -162,7 +162,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         }
     }
 
-    /// Reports an unknown key: swallowed by the table above, or misspelt.
+    /// Reports an unknown key: swallowed by the table above it, or misspelt.
     fn unknown(&mut self, key: &Spanned<Cow<'i, str>>, value: &Node<'i>, path: &str, above: &Table<'_>) {
         let name = key.get_ref().as_ref();
         let place = match path.len() - name.len() {
@@ -242,7 +242,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
     fn required(&mut self, table: &DeTable<'i>, span: &Range<usize>, schema: &'static Tree, path: &str) {
         let required = schema.get("required").and_then(Tree::list);
         for name in required.into_iter().flatten().filter_map(Tree::text) {
-            // A key taken out because it was wrong has been reported already.
+            // A wrong key that was removed has been reported already.
             let below = join(path, name);
             let is_meant = || self.meant.contains(&below);
             if table.contains_key(name)
@@ -455,7 +455,7 @@ fn description(schema: &Tree) -> Option<String> {
     Some(text.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
-/// The alternatives of a schema, itself if it has none.
+/// The alternatives of a schema; itself without alternatives.
 fn branches(whole: &'static Tree, schema: &'static Tree) -> Vec<&'static Tree> {
     let schema = whole.resolved(schema);
     let choice = schema
@@ -468,7 +468,7 @@ fn branches(whole: &'static Tree, schema: &'static Tree) -> Vec<&'static Tree> {
     }
 }
 
-/// The one known word that a word means: in other capitals, with the signs of Roman numerals or their digits ("s2", "Ⅱ", "1").
+/// The known word for another spelling: in other capitals, with Roman numerals or their digits ("s2", "Ⅱ", "1").
 fn meant_word(word: &str, fitting: &[&'static Tree]) -> Option<&'static str> {
     if !fitting.iter().all(|branch| is_word(branch)) {
         return None;
@@ -489,7 +489,7 @@ fn meant_word(word: &str, fitting: &[&'static Tree]) -> Option<&'static str> {
         text.chars().map(roman).collect()
     };
     let written = plain(word);
-    // grades of KDS 41 17 00 as the code names them: 특등급, Ⅰ등급
+    // grades of KDS 41 17 00 in the words of the code: 특등급, Ⅰ등급
     let grade = written.strip_suffix("등급").unwrap_or(&written).trim();
     let numeral = match grade {
         "특" => "special",
@@ -534,7 +534,7 @@ fn type_of(schema: &Tree) -> Option<&'static str> {
     })
 }
 
-/// Whether a value is of the type that a schema asks for. A schema without a type takes anything.
+/// Whether a value has the type in a schema. A schema without a type accepts everything.
 fn fits(value: &DeValue<'_>, schema: &Tree) -> bool {
     match type_of(schema) {
         Some("number") => matches!(value, DeValue::Integer(_) | DeValue::Float(_)),

@@ -1,4 +1,4 @@
-//! One run of a study: the file with a variant and some values laid over it, read again by the ordinary reader.
+//! One run of a study: the file with a variant and some replaced values, read again by the ordinary reader.
 
 use super::check::Node;
 use super::content::Project;
@@ -18,10 +18,10 @@ use std::fmt::Write as _;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Reads a project file with a variant and then `overrides` laid over it, in this order; the result has no variants and no studies.
+/// Reads a project file after merging a variant and then `overrides` into it; the result has no variants and no studies.
 ///
 /// # Errors
-/// [`ProjectError`] with every problem found: those of values laid over it stand at the place of the study that writes them.
+/// [`ProjectError`] with every problem found: those of overrides have the place of the study that gives them.
 ///
 /// # Example
 /// ```
@@ -124,7 +124,7 @@ fn not_a_path(given: &Override) -> Fault {
     Fault::new(given.span.clone(), &given.path, message).help(WrongFile::WriteItAsJoint)
 }
 
-/// The value of an override at the end of its path, as a table to lay over the file; every part stands where the study writes it.
+/// The value of an override at the end of its path, as a table to merge into the file; every part has the place in the study that gives it.
 fn patch<'i>(given: &'i Override) -> Option<DeTable<'i>> {
     let mut value = DeValue::parse(&given.text).ok()?;
     place(&mut value, &given.span);
@@ -143,10 +143,10 @@ fn patch<'i>(given: &'i Override) -> Option<DeTable<'i>> {
     Some(table)
 }
 
-/// Keys of a study that decide no run, only what is made of the runs.
+/// Keys of a study that do not affect the runs, only their evaluation.
 const OF_THE_ANSWER: [&str; 4] = ["title", "expect", "spectral_periods_s", "spectral_damping_ratio"];
 
-/// Keys of a motion that decide no run either.
+/// Keys of a motion that do not affect the runs.
 const OF_THE_EARTHQUAKE: [&str; 2] = ["magnitude", "distance_km"];
 
 /// All that the runs of a study depend on of a project file, in one order: the file without comments, surveys, report, other studies, variants that it
@@ -212,7 +212,7 @@ pub fn canonical_text(text: &str, file: &str, study: &str) -> Result<String, Pro
     Ok(out)
 }
 
-/// The variants that a study names.
+/// The variants of a study.
 fn variants_of(study: &Node<'_>) -> Vec<String> {
     let listed = study.get_ref().as_table().and_then(|study| study.get("variants"));
     match listed.map(Spanned::get_ref) {

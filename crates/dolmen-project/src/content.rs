@@ -1,4 +1,4 @@
-//! A project: everything one file says, checked.
+//! A project: the whole contents of a file, checked.
 
 use super::building::BuildingPart;
 use super::chain::ChainPart;
@@ -19,7 +19,7 @@ use dolmen_words::Sentence;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// What the file models: its `kind`.
+/// The model in the file: its `kind`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Structure {
     /// `kind = "chain"`: rigid links on rotational springs.
@@ -34,50 +34,50 @@ pub enum Structure {
     Survey,
 }
 
-/// What a warning is about.
+/// The subject of a warning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WarningKind {
     /// The top part is left out of a chain: unconservative.
     CapLeftOut,
     /// Values marked as assumed.
     Assumed,
-    /// A moment of inertia not given, taken as that of a thin rod.
+    /// A missing moment of inertia, replaced by that of a thin rod.
     ThinRod,
-    /// Axial forces not given, taken from the masses.
+    /// Missing axial forces, computed from the masses.
     AxialFromMasses,
     /// Free-standing columns, which simulations leave out.
     ColumnsNotInMotion,
-    /// Values of the joints of a stack that are not given: Dolmen's own are taken.
+    /// Missing values of the joints of a stack: Dolmen's defaults are used.
     JointDefaults,
-    /// A key by the name that an earlier version had for it.
+    /// A key with its name of an earlier version.
     EarlierName,
     /// A surveyed tilt that the model does not lean by.
     SurveyTilt,
     /// A probable slip that `allow` lets pass.
     Allowed,
-    /// A pattern that looks like a slip and may be right: in the first lines of every answer.
+    /// A pattern that may be a slip or right: named in the first lines of every answer.
     Doubtful,
-    /// An entry of `allow` that nothing needed.
+    /// An unnecessary entry of `allow`.
     AllowedInVain,
-    /// Columns of a table of parts that no part takes.
+    /// Columns of a table of parts that no part uses.
     ColumnsLeftOut,
 }
 
-/// Something that does not stop the reading, but that every result carries.
+/// A warning that does not stop the reading and appears with every result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Warning {
-    /// What it is about.
+    /// Its subject.
     pub kind: WarningKind,
     /// Line in the file, from 1.
     pub line: usize,
-    /// Where in the file: `links[2].weight`.
+    /// Path in the file: `links[2].weight`.
     pub path: String,
     /// A sentence for the reader.
     pub message: Sentence,
 }
 
 impl Warning {
-    /// A warning whose line is not known yet.
+    /// A warning without its line, which is found later.
     pub(super) fn new(kind: WarningKind, path: &str, message: Sentence) -> Self {
         Warning {
             kind,
@@ -106,7 +106,7 @@ pub struct Project {
     pub schema: u32,
     /// Name of the structure.
     pub name: Names,
-    /// What it is, in a sentence or two.
+    /// Its description, in a sentence or two.
     pub description: Option<Names>,
     /// Names of parts, surveys and motions as they are printed in another language.
     pub printed_names: Vec<PrintedName>,
@@ -116,15 +116,15 @@ pub struct Project {
     pub gravity_m_s2: f64,
     /// The model.
     pub structure: Structure,
-    /// What acts beside the weight of the structure.
+    /// Loads besides the weight of the structure.
     pub loads: LoadsPart,
-    /// Where it stands and by what it is judged; `None` if the file does not say.
+    /// Its site with the code; `None` if the file gives none.
     pub site: Option<SitePart>,
-    /// Its place on the earth; `None` if the file does not say.
+    /// Its geographic place; `None` if the file gives none.
     pub place: Option<Place>,
-    /// How far storeys may drift under the design earthquake; `None` if the file does not say.
+    /// Allowable drift of storeys under the design earthquake; `None` if the file gives none.
     pub drift_limit: Option<DriftLimit>,
-    /// What came of the stiffness that the file leaves to its surveys, once that was sought; `None` before, and where it leaves none.
+    /// The identified stiffness that the file leaves to its surveys; `None` before the identification, and without such stiffness.
     pub from_surveys: Option<Box<FromSurveys>>,
     /// Motions of the ground in the order of the file.
     pub motions: Vec<MotionPart>,
@@ -132,19 +132,19 @@ pub struct Project {
     pub studies: Vec<StudyPart>,
     /// Surveys in the order of the file.
     pub surveys: Vec<Survey>,
-    /// Damage of inspections that the model has.
+    /// Damage from inspections that is in the model.
     pub damage: Vec<ModelDamage>,
-    /// How two surveys are compared.
+    /// How to compare two surveys.
     pub change: ChangePart,
-    /// What the report says beside the computation; `None` where the file says nothing, and of variants.
+    /// The report's own contents; `None` if the file has none, and in variants.
     pub report: Option<ReportPart>,
-    /// How many surveys are watched, and the works between them.
+    /// How to watch many surveys, and the works between them.
     pub watch: WatchPart,
     /// Variants in the order of the file.
     pub variants: Vec<Variant>,
-    /// What every result must carry along.
+    /// Warnings for every result.
     pub warnings: Vec<Warning>,
-    /// Where each value stands in the text of the file, by its path, in bytes: what a value is written back by.
+    /// Byte range of each value in the text of the file, by path; used to write values back.
     pub spans: BTreeMap<String, Range<usize>>,
 }
 
@@ -162,7 +162,7 @@ impl Structure {
         all
     }
 
-    /// The stiffness that it leaves to a survey, each with its path.
+    /// The stiffness to identify from a survey, each with its path.
     pub fn sought(&self) -> Vec<(String, &Sought)> {
         match self {
             Structure::Chain(chain) => {
@@ -182,7 +182,7 @@ impl Structure {
 }
 
 impl Project {
-    /// Every number of the file that a result may depend on: the structure's, then the surveys'.
+    /// Every number of the file that may affect a result: the structure's, then the surveys'.
     pub fn inputs(&self) -> Vec<&Quantity> {
         let mut all = self.structure_inputs();
         for survey in &self.surveys {
@@ -198,7 +198,7 @@ impl Project {
         all
     }
 
-    /// The surveys that numbers of the structure were identified from, on which its frequencies rest: a damping ratio calibrates no model.
+    /// The surveys from which numbers of the structure were identified and on which its frequencies depend: a damping ratio calibrates no model.
     pub fn identified_from(&self) -> BTreeSet<&str> {
         let all = self.structure.inputs().into_iter();
         let all = all.filter(|of| !of.path.contains("damping"));

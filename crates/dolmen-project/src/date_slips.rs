@@ -1,4 +1,4 @@
-//! Days that have not come yet: of surveys, and of the report.
+//! Dates of surveys and of the report that lie in the future.
 
 use super::reader::Reader;
 use super::report::{ReportPart, calendar_day};
@@ -6,10 +6,10 @@ use super::site::judge_korean_place;
 use super::survey::{Survey, date_of};
 use super::wrong::Slip;
 
-/// Years, months and days from which a clock is believed: the program is from about then. A clock that was reset says 1970 or 2000.
+/// Earliest credible date of the clock, as year, month, day: the program is from about then. A clock that was reset shows 1970 or 2000.
 const CLOCK_FROM: [u32; 3] = [2026, 11, 1];
 
-/// Surveys and a report of a day that has not come: such a survey would be the latest, and what is judged would rest on it.
+/// Surveys and a report with a future date: such a survey would be the latest, and the verdict would depend on it.
 pub(super) fn judge_dates(reader: &mut Reader, surveys: &[Survey], report: Option<&ReportPart>) {
     let Some(today) = reader.files.today().filter(|today| *today >= CLOCK_FROM) else {
         return;

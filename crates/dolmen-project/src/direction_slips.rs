@@ -1,4 +1,4 @@
-//! Directions of surveys that the structure does not have, but one with a name like them: X for x, 비틀림 for torsion, bo for boo.
+//! Directions of surveys that the structure does not have, with a similar name of a direction that it has: X for x, 비틀림 for torsion, bo for boo.
 
 use super::content::Structure;
 use super::reader::Reader;
@@ -20,7 +20,7 @@ const TORSION: [&str; 7] = [
 pub(super) fn judge_directions(reader: &mut Reader, structure: Option<&Structure>, surveys: &[Survey]) {
     let known: Vec<&str> = match structure {
         Some(Structure::Building(_) | Structure::Stack(_)) => vec!["x", "y", "torsion"],
-        // those that a survey alone names have no stiffness
+        // directions that only a survey names have no stiffness
         Some(Structure::Frame(part)) => {
             let given = part.directions.iter().filter(|of| of.stiffness.is_some());
             given.map(|of| of.name.as_str()).collect()
@@ -52,7 +52,7 @@ pub(super) fn judge_directions(reader: &mut Reader, structure: Option<&Structure
     }
 }
 
-/// The direction that a name which is none is meant for.
+/// The direction that an unknown name was probably intended for.
 fn meant<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
     if known.contains(&name) {
         return None;

@@ -1,4 +1,4 @@
-//! Directions in space, from what is written.
+//! Reads directions in space.
 
 use super::error::Fault;
 use super::file_number::At;

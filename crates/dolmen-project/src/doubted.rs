@@ -1,9 +1,9 @@
-//! What Dolmen says of patterns over a whole file that look like a slip, but may be right.
+//! Doubts about patterns over a whole file that look like a slip, but may be right.
 
 use dolmen_words::{Quantity, Sentence, messages};
 
 messages! {
-    /// A probable slip that the numbers alone cannot prove: the sentence names the likely fix, and the answer stands.
+    /// A probable slip that the numbers alone cannot prove: the sentence names the likely correction, and the answer is given.
     pub enum Doubted in "project.doubt" {
         ChainOrder { ratio: Quantity } => {
             en: "links: each is heavier per length than the one below, the top {ratio} times the lowest: is the list top first? Links are listed lowest first",

@@ -18,14 +18,14 @@ use super::usual_numbers::{hertz, ratio};
 use dolmen::structure::NaturalMode;
 use std::f64::consts::{PI, TAU};
 
-/// Damping ratios between which structures lie with room; masonry in strong shaking reaches 0.1.
+/// Usual range of damping ratios, with a margin; masonry in strong shaking reaches 0.1.
 const DAMPING: [f64; 2] = [0.001, 0.15];
-/// How near to a factor the ratio of two frequencies counts as that factor, in logarithms. Ours.
+/// Logarithmic distance within which the ratio of two frequencies counts as a factor. Our choice.
 const NEAR: f64 = 0.15;
-/// Relative difference of an angle in degrees from a round part of π, below which it looks like radians. Ours: 1.57 has 5e-4.
+/// Relative difference of an angle in degrees from a round part of π, below which it looks like radians. Our choice: 1.57 has 5e-4.
 const ROUND: f64 = 2e-3;
 
-/// Doubts of what has been read without fault.
+/// Doubts about a file that was read without fault.
 pub(super) fn doubt(
     reader: &mut Reader,
     structure: Option<&Structure>,
@@ -87,7 +87,7 @@ fn damping<'a>(reader: &mut Reader, ratios: impl Iterator<Item = &'a Quantity>) 
     }
 }
 
-/// Whether an angle in degrees is π/6, π/4, π/3, π/2 or a whole number of those, as radians are written.
+/// Whether an angle in degrees is π/6, π/4, π/3, π/2 or a whole multiple, as usual in radians.
 pub fn looks_like_radians(degrees: f64) -> bool {
     let parts = [PI / 6.0, PI / 4.0];
     degrees != 0.0
@@ -157,7 +157,7 @@ fn surveyed(surveys: &[Survey]) -> Vec<String> {
     names
 }
 
-/// Every measured mode against that of the same number.
+/// Compares every measured mode with the mode of the model that has the same number.
 fn frequencies(reader: &mut Reader, modes: &[NaturalMode], direction: &str, surveys: &[Survey]) {
     for survey in surveys {
         let listed = survey.modes.get(direction).into_iter().flatten();
@@ -178,7 +178,7 @@ fn frequencies(reader: &mut Reader, modes: &[NaturalMode], direction: &str, surv
     }
 }
 
-/// What a measured frequency that is not that of the model may be instead; `None` where no slip gives their ratio, or they agree.
+/// The likely slip behind a measured frequency that differs from that of the model; `None` where no slip gives their ratio, or they agree.
 pub fn likely(measured_hz: f64, model_hz: f64) -> Option<Doubted> {
     if !(measured_hz > 0.0 && model_hz > 0.0) {
         return None;

@@ -1,4 +1,4 @@
-//! What is wrong with a project file: every problem found, each with its place.
+//! Errors of a project file: every problem with its place.
 
 use super::written_at::written_at;
 use super::wrong::Framed;
@@ -15,15 +15,15 @@ pub struct Problem {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// Where in the file: `links[2].centroid`; "" for the file as a whole.
+    /// Path in the file: `links[2].centroid`; "" for the whole file.
     pub path: String,
-    /// What is wrong, with the value.
+    /// The problem, with the value.
     pub message: Both,
-    /// What is allowed.
+    /// The allowed values.
     pub allowed: Option<Both>,
-    /// What to do.
+    /// The remedy.
     pub help: Option<Both>,
-    /// The source line, or what stands around the problem where it is long.
+    /// The source line; of a long line the surroundings of the problem.
     pub(super) text: String,
     /// Characters of `text` before the problem.
     pub(super) before: usize,
@@ -31,14 +31,14 @@ pub struct Problem {
     pub(super) marked: usize,
 }
 
-/// Why a project file cannot be used: all problems, by line.
+/// Why a project file cannot be read: all problems, by line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProjectError {
     /// Name of the file, as given by the caller.
     pub file: String,
     /// The problems, by line; at least one.
     pub problems: Vec<Problem>,
-    /// Further problems, which are not told.
+    /// Number of further problems, which are not listed.
     pub more: usize,
 }
 
@@ -94,7 +94,7 @@ impl Problem {
     /// Columns are counted as a terminal shows them: Hangul takes two.
     fn text(&self, file: &str, language: Language) -> String {
         let number = self.line.to_string();
-        // " 7 | text": the bar stands below the bar, the arrow's tail one column before it.
+        // " 7 | text": the bars are in one column, the arrow's tail one column before them
         let arrow = " ".repeat(number.len() + 1);
         let gutter = " ".repeat(number.len() + 2);
         let columns = |characters: &mut dyn Iterator<Item = char>| {
@@ -131,7 +131,7 @@ pub fn headed(message: &str, language: Language) -> String {
     Both::from(error).text(language).to_owned()
 }
 
-/// A problem before its line is known: a span of bytes of the text.
+/// A problem before its line is known, with a span of bytes of the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Fault {
     pub(super) span: Range<usize>,
@@ -139,11 +139,11 @@ pub(super) struct Fault {
     message: Both,
     allowed: Option<Both>,
     help: Option<Both>,
-    /// Whether it is a key that means nothing where it stands.
+    /// Whether its cause is an unknown key.
     is_of_key: bool,
 }
 
-/// A misspelt key is one fault: what its table then lacks, or means in other units, is left out until it is right.
+/// A misspelt key is one fault: faults that it causes in its table (missing keys, other units) are dropped.
 fn leave_out_what_follows(faults: &mut Vec<Fault>) {
     let keys: Vec<String> = faults
         .iter()
@@ -162,7 +162,7 @@ fn leave_out_what_follows(faults: &mut Vec<Fault>) {
 }
 
 impl Fault {
-    /// Whether it is a value that looks like one in another unit.
+    /// Whether its value seems to be in another unit.
     pub(super) fn asks_for(&self, unit: &str) -> bool {
         let help = self.help.as_ref().map_or("", |help| help.english.as_str());
         let meant = help.strip_prefix("did you mean ");
@@ -181,7 +181,7 @@ impl Fault {
         }
     }
 
-    /// Says that it is a key that means nothing where it stands.
+    /// Marks its cause as an unknown key.
     pub(super) fn of_key(mut self) -> Self {
         self.is_of_key = true;
         self
@@ -197,7 +197,7 @@ impl Fault {
         self
     }
 
-    /// What to do, in English.
+    /// The remedy, in English.
     #[cfg(test)]
     pub(super) fn text_of_help(&self) -> String {
         self.help
@@ -205,13 +205,13 @@ impl Fault {
             .map_or_else(String::new, |help| help.english.clone())
     }
 
-    /// Puts it at the start of the file.
+    /// Places it at the start of the file.
     pub(super) fn at_top(mut self) -> Self {
         self.span = 0..0;
         self
     }
 
-    /// Says in which cell of a table it was found.
+    /// Adds the cell of the table that contains it.
     pub(super) fn say_cell(&mut self, file: &str, cell: &str) {
         self.message = Both::from(Framed::InCell {
             message: self.message.clone(),
@@ -220,7 +220,7 @@ impl Fault {
         });
     }
 
-    /// Says in which variant it was found.
+    /// Adds the name of its variant.
     pub(super) fn in_variant(mut self, name: &str) -> Self {
         self.path = format!("variant.{name}.{}", self.path);
         self.message = Both::from(Framed::InVariant {
@@ -266,7 +266,7 @@ impl Fault {
             message: shortened(self.message),
             allowed: self.allowed.map(shortened),
             help: self.help.map(shortened),
-            // a tab or a control character would throw the carets off, or steer the terminal
+            // a tab or a control character would misplace the carets, or control the terminal
             text: quoted.replace(char::is_control, " "),
             before,
             marked: marked.min(QUOTED_MOST + 1 - before.min(QUOTED_MOST)),
@@ -274,16 +274,16 @@ impl Fault {
     }
 }
 
-/// Most problems that an error lists of a file, our choice: it counts the others.
+/// Most problems listed of a file, our choice: further ones are counted.
 const PROBLEMS_MOST: usize = 20;
-/// Characters of a line that are quoted.
+/// Most quoted characters of a line.
 const QUOTED_MOST: usize = 200;
-/// Characters before a problem that are quoted of a long line.
+/// Quoted characters before a problem in a long line.
 const QUOTED_BEFORE: usize = 60;
-/// Characters of a sentence, which may name a long value.
+/// Most characters of a sentence, which may contain a long value.
 const SENTENCE_MOST: usize = 1000;
 
-/// A sentence of bounded length, its end kept: that says what is allowed.
+/// A sentence of bounded length with its end kept, which states what is allowed.
 fn shortened(sentence: Both) -> Both {
     Both {
         english: shortened_text(sentence.english),

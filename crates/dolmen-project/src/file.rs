@@ -1,6 +1,6 @@
-//! The file as it is written: what serde reads and what the JSON schema describes. Every key is optional here, so
-//! that one problem does not hide the next; which keys are required stands in the schema, where the check against
-//! the schema finds it.
+//! The project file as serde reads it and as the JSON schema describes it. Every key is optional here, so that
+//! one problem does not hide the next; the schema states the required keys, and the check against it finds
+//! missing ones.
 
 use super::building::{DamperRaw, DampingRaw, FloorRaw, WatchedRaw};
 use super::chain::{CapRaw, JointRaw, LinkRaw, StoneRaw};

@@ -1,4 +1,4 @@
-//! Numbers as they are written: bare, as text with a unit, or as a table with what is known of them.
+//! The forms of a number: bare, as text with a unit, or as a table with its scatter and source.
 
 use super::sought::Sought;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};

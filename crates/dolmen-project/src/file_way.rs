@@ -1,4 +1,4 @@
-//! Directions as they are written.
+//! The keys of directions.
 
 use schemars::JsonSchema;
 

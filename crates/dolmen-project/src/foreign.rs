@@ -53,7 +53,7 @@ pub(super) fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
     foreign_study_keys(root, &kind, faults);
 }
 
-/// Keys of a study that mean something for some kinds alone, with those kinds and their name.
+/// Keys of a study that have a meaning for some kinds only, with those kinds and their name.
 const STUDY_KEYS: [(&str, &[&str], WrongFile); 7] = [
     ("law", &["stack"], WrongFile::Stacks),
     ("points", &["stack"], WrongFile::Stacks),

@@ -1,8 +1,8 @@
-//! What a part weighs.
+//! Weight or mass of a part.
 
 use super::quantity::{Pick, Quantity};
 
-/// How heavy a part is: the file gives one of the two.
+/// Weight or mass of a part: the file gives one of the two.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Heaviness {
     /// Mass, kg.

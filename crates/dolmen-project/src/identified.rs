@@ -1,4 +1,4 @@
-//! Numbers that follow from a survey of the file.
+//! Numbers identified from a survey of the file.
 
 use super::content::{Project, Structure, Variant};
 use super::error::Fault;
@@ -34,7 +34,7 @@ pub(super) fn identified_from(
     }
 }
 
-/// Numbers that follow from a survey which the file does not have; `place` gives where each stands.
+/// Numbers identified from a survey that is not in the file; `place` gives the place of each.
 pub(super) fn without_survey(
     inputs: &[&Quantity],
     surveys: &[&str],
@@ -53,7 +53,7 @@ pub(super) fn without_survey(
     faults.collect()
 }
 
-/// Stiffness that is sought in a survey which the file does not have.
+/// Stiffness to identify from a survey that is not in the file.
 pub(super) fn sought_in_none(
     structure: &Structure,
     surveys: &[&str],
@@ -73,7 +73,7 @@ pub(super) fn sought_in_none(
     faults.collect()
 }
 
-/// Stiffness that a variant leaves to a survey and the file does not: a survey is of the structure as it is.
+/// Stiffness that only a variant leaves to a survey: a survey belongs to the structure of the file.
 pub(super) fn sought_by_variant(variant: &Variant, project: &Project) -> Vec<Fault> {
     let own = project.structure.sought();
     let each = variant.project.structure.sought().into_iter();

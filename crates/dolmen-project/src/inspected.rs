@@ -1,4 +1,4 @@
-//! What inspections of a file found, and which of it the model has.
+//! Findings of the inspections in a file, and their damage in the model.
 
 use super::buildable::buildable;
 use super::content::Structure;
@@ -8,22 +8,22 @@ use super::reader::Reader;
 use super::report::PartNames;
 use super::survey::{Survey, add_inspections};
 
-/// What came of the inspections of a file.
+/// The result of the inspections in a file.
 pub(super) struct OfInspections {
-    /// The parts that they and the report may name.
+    /// The parts that inspections and the report may name.
     pub(super) parts: PartNames,
-    /// The damage that the model has.
+    /// The damage in the model.
     pub(super) damage: Vec<ModelDamage>,
 }
 
-/// Puts what inspections found into their surveys, and its damage into the structure.
+/// Puts the findings of inspections into their surveys, and their damage into the structure.
 pub(super) fn of_inspections(
     reader: &mut Reader,
     raw: &FileRaw,
     surveys: &mut [Survey],
     mut structure: Option<&mut Structure>,
 ) -> OfInspections {
-    // a stack is built for its names alone where something speaks of them
+    // a stack is built for its names only where an inspection or the report names parts
     let inspected = raw
         .survey
         .iter()

@@ -1,4 +1,4 @@
-//! A unit of length that is wrong for the whole file: one fault at `units.length`, not one a stone.
+//! A wrong unit of length for the whole file: one fault at `units.length` instead of one for each stone.
 
 use super::content::Structure;
 use super::error::Fault;
@@ -7,14 +7,14 @@ use super::reader::Reader;
 use super::wrong::Slip;
 use std::collections::BTreeMap;
 
-/// Lengths that look like slips from which they are one slip. Chosen here: two may be two.
+/// Number of suspicious lengths from which they count as one slip. Our choice: two may be separate slips.
 const SLIPS_LEAST: usize = 3;
-/// Share of the bare lengths of the file from which the unit is wrong, not they. Chosen here.
+/// Share of suspicious bare lengths from which the unit of the file is the cause. Our choice.
 const SHARE_LEAST: f64 = 0.25;
-/// Most units that a slip may stand for: one is proposed.
+/// Units of length that a slip may propose.
 const UNITS: [&str; 3] = ["mm", "cm", "m"];
 
-/// Puts one fault in the place of many, where most of them ask for the same other unit of length.
+/// Replaces many faults by one, where most of them propose the same other unit of length.
 pub(super) fn one_for_all(reader: &mut Reader, text: &str, structure: &Structure) {
     let span = reader.place("units.length");
     let given = text.get(span.clone()).filter(|_| !span.is_empty());

@@ -1,4 +1,4 @@
-//! Project files: one TOML a structure, with its surveys, variants and the evidence of each number.
+//! Project files: one TOML per structure, with its surveys, variants and the source of each number.
 
 mod bounds;
 mod buildable;

@@ -1,10 +1,10 @@
-//! What a number of the file measures, and which values it may have.
+//! The quantity of a number in the file, and its allowed values.
 
 use super::units::Dimension;
 use super::wrong::WrongUnit;
 use dolmen_words::message::Both;
 
-/// What a number of the file measures.
+/// The quantity of a number in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Measure {
     Length,
@@ -18,7 +18,7 @@ pub(super) enum Measure {
     Inertia,
     Frequency,
     Acceleration,
-    /// Of the ground: never a bare number, since codes count in g and files in all units.
+    /// Of the ground: never a bare number, because codes use g and files use all units.
     GroundAcceleration,
     Ratio,
     Density,
@@ -103,7 +103,7 @@ impl Measure {
     }
 }
 
-/// Which values a number may have.
+/// The allowed values of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Bound {
     Positive,

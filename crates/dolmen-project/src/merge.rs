@@ -1,12 +1,12 @@
-//! A variant laid over the file: tables are merged, everything else is replaced, elements of a list are patched by
-//! number. Every value keeps its place in the text, so that a problem points at the line that wrote it.
+//! Merges a variant into the file: tables are merged, elements of a list are patched by number, everything else is
+//! replaced. Every value keeps its place in the text, so that a problem points at the line that wrote it.
 
 use super::check::Node;
 use super::error::Fault;
 use super::wrong::WrongFile;
 use toml::de::{DeTable, DeValue};
 
-/// Lays `patch` over `base`; returns what cannot be laid.
+/// Merges `patch` into `base`; returns the parts that cannot be merged.
 pub(super) fn merge<'i>(base: &mut DeTable<'i>, patch: &DeTable<'i>, path: &str) -> Vec<Fault> {
     let mut faults = Vec::new();
     for (key, value) in patch.iter() {
@@ -31,7 +31,7 @@ fn lay<'i>(under: &mut Node<'i>, over: &Node<'i>, path: &str) -> Vec<Fault> {
         return Vec::new();
     };
     match under.get_mut() {
-        // A quantity with its own value is another quantity: the old cov and unit must not cling to it.
+        // A quantity with a new value is a new quantity: it must not keep the old cov and unit.
         DeValue::Table(_) if patch.contains_key("value") => *under = over.clone(),
         DeValue::Table(table) => return merge(table, patch, path),
         DeValue::Array(list) => return patch_list(list, patch, path),

@@ -1,4 +1,4 @@
-//! What a structure needs of its file: keys that must be there, lists of the right length.
+//! Requirements of a structure on its file: keys that must be there, lists of the right length.
 
 use super::error::Fault;
 use super::file_number::{At, QuantityRaw};
@@ -10,10 +10,10 @@ use super::wrong::{Common, WrongFile};
 use dolmen_words::message::Both;
 use std::ops::Range;
 
-/// Most parts of a structure, our choice: no chain or frame that people model by hand comes near.
+/// Most parts of a structure, our choice: far beyond any chain or frame modelled by hand.
 const PARTS_MOST: usize = 2000;
 
-/// Reports a key that the file lacks.
+/// Reports a missing key.
 pub(super) fn missing(reader: &mut Reader, key: &str, message: impl Into<Both>, help: impl Into<Both>) {
     if !reader.is_reported(key) {
         reader.fault(Fault::new(0..0, key, message).at_top().help(help));
@@ -92,7 +92,7 @@ pub(super) fn countable<T>(reader: &mut Reader, list: &At<Vec<T>>, path: &str) -
     false
 }
 
-/// Reports a list that is not as long as the structure has parts; whether it is.
+/// Reports a list with another length than the number of parts; returns whether the length is right.
 pub(super) fn one_each<T>(
     reader: &mut Reader,
     list: &[T],
@@ -141,7 +141,7 @@ pub(super) fn listed<R, T>(
     sound.then_some(all)
 }
 
-/// As many lengths as a place has; `as_written` shows how.
+/// As many lengths as a place has; `as_written` shows the form.
 pub(super) fn lengths<const N: usize>(
     reader: &mut Reader,
     raw: &At<Vec<At<QuantityRaw>>>,
@@ -156,7 +156,7 @@ pub(super) fn lengths<const N: usize>(
     )
 }
 
-/// As many numbers of one measure as must be there, of any sign.
+/// A fixed number of values of one measure, of any sign.
 pub(super) fn numbers<const N: usize>(
     reader: &mut Reader,
     (list, span): (&[At<QuantityRaw>], &Range<usize>),

@@ -1,4 +1,4 @@
-//! Values that stand elsewhere than where they were read.
+//! Values with another place than that of their text.
 
 use super::check::Node;
 use std::ops::Range;

@@ -1,6 +1,6 @@
-//! One number of a project file: its value in SI, and what is known of it.
+//! One number of a project file: its value in SI, its scatter and its source.
 
-/// Where a number comes from.
+/// Source of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Evidence {
     /// Measured on this structure.
@@ -11,7 +11,7 @@ pub enum Evidence {
     Literature,
     /// Follows from vibration of this structure: a survey led to it.
     Identified,
-    /// Nobody has measured it: results that rest on it say so.
+    /// Not measured: results that depend on it say so.
     Assumed,
 }
 
@@ -34,28 +34,28 @@ impl Evidence {
 /// weights, lengths, stiffnesses and frequencies are, and close to normal when the cov is small.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
-    /// In SI units: N, kg, m, N/m, N m/rad, N m s/rad, N s/m, kg m², Hz; a ratio as it is.
+    /// In SI units: N, kg, m, N/m, N m/rad, N m s/rad, N s/m, kg m², Hz; a ratio unchanged.
     pub value: f64,
     /// The SI unit of `value`, "N m/rad"; "" for a ratio.
     pub unit: &'static str,
     /// Coefficient of variation, standard deviation / mean, 0 to 1; `None` if the file gives none.
     pub cov: Option<f64>,
-    /// Where it comes from; `None` if the file does not say.
+    /// Its source; `None` if the file gives none.
     pub source: Option<Evidence>,
-    /// Where the cov comes from: `source` if the file says nothing else; `None` without a cov or a source.
+    /// Source of the cov: `source` if the file gives no other; `None` without a cov or a source.
     pub cov_source: Option<Evidence>,
-    /// The survey that it was identified from; `None` unless it was.
+    /// The survey from which it was identified, if it was.
     pub survey: Option<String>,
     /// Anything the author added.
     pub note: Option<String>,
-    /// Where it stands in the file, parts counted from 1: `links[1].weight`.
+    /// Its path in the file, parts counted from 1: `links[1].weight`.
     pub path: String,
-    /// As written, with the unit that applied: "38.95 kN".
+    /// The text of the file, with its unit: "38.95 kN".
     pub written: String,
 }
 
 impl Quantity {
-    /// Its value, whatever its scatter: the `pick` of the nominal structure.
+    /// Its value without scatter: the `pick` of the nominal structure.
     pub fn nominal(quantity: &Quantity) -> f64 {
         quantity.value
     }
@@ -70,7 +70,7 @@ impl Quantity {
         self.source == Some(Evidence::Assumed)
     }
 
-    /// Whether the file marks its scatter as assumed: probabilities then rest on that.
+    /// Whether the file marks its scatter as assumed: probabilities then depend on an assumption.
     pub fn is_scatter_assumed(&self) -> bool {
         self.cov_source == Some(Evidence::Assumed)
     }

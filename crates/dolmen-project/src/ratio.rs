@@ -1,4 +1,4 @@
-//! Ratios that must not be above a bound.
+//! Ratios with an upper bound.
 
 use super::error::Fault;
 use super::file_number::{At, QuantityRaw};
@@ -8,7 +8,7 @@ use super::reader::Reader;
 use super::wrong::WrongNumber;
 use dolmen_words::message::Both;
 
-/// Largest damping ratio of a mode. Chosen here: above it a percentage was meant.
+/// Largest damping ratio of a mode. Our choice: a larger number is probably a percentage.
 const DAMPING_RATIO_MOST: f64 = 0.5;
 
 pub(super) fn damping_ratio(
@@ -20,7 +20,7 @@ pub(super) fn damping_ratio(
     below(reader, ratio, raw, DAMPING_RATIO_MOST, WrongNumber::WriteAsOr)
 }
 
-/// A ratio that must not be above a bound.
+/// A ratio with an upper bound.
 pub(super) fn below(
     reader: &mut Reader,
     ratio: Quantity,

@@ -55,7 +55,7 @@ const KEYS_OF_THE_FILE: [&str; 9] = [
     "schema", "kind", "units", "variant", "study", "change", "report", "watch", "surveys",
 ];
 
-/// Paths that one warning names, our choice: more are counted.
+/// Most paths in one warning, our choice: further ones are counted.
 const PATHS_LISTED: usize = 12;
 
 /// Reads a project file. `file` is its name, for messages only.
@@ -172,7 +172,7 @@ fn read_with(text: &str, files: &dyn Files, lists: &[Tabled]) -> Result<Project,
     }
 }
 
-/// Doubts of a variant that the structure as it is does not raise: they stand with those of the file.
+/// Doubts of a variant that the file itself does not raise: they are listed with those of the file.
 fn doubts_of(variant: &Variant, project: &Project) -> Vec<Warning> {
     let is_new = |warning: &&Warning| {
         warning.kind == WarningKind::Doubtful
@@ -200,21 +200,21 @@ fn doubts_of(variant: &Variant, project: &Project) -> Vec<Warning> {
 
 /// Reads one whole structure, the file's own or a merged variant.
 ///
-/// `own` are the starts of the file's own values, if it is a variant.
+/// `own`: for a variant, the starts of the file's own values.
 pub(super) fn read_one<'i>(
     (text, files): (&str, &dyn Files),
     (root, span): (&mut DeTable<'i>, &Range<usize>),
     own: Option<BTreeSet<usize>>,
     faults: &mut Vec<Fault>,
 ) -> Option<Project> {
-    // first: what belongs to another kind is no fault of type or spelling
+    // first: a key of another kind of structure is no fault of type or spelling
     let mut foreign = Vec::new();
     foreign_keys(root, &mut foreign);
     let untouched = root.clone();
     let mut check = SchemaCheck::new(text, &TREE);
     check.file(root, span);
     if !check.faults.is_empty() {
-        // said by the types themselves, whatever the tree in the program is
+        // the types themselves find the faults, whatever the built-in tree says
         *root = untouched;
         check = SchemaCheck::new(text, &BUILT);
         check.file(root, span);
@@ -224,7 +224,7 @@ pub(super) fn read_one<'i>(
     let raw = match FileRaw::deserialize(toml::Deserializer::from(tree)) {
         Ok(raw) => raw,
         Err(error) => {
-            // What the schema does not say: whole numbers beyond 64 bits.
+            // Not in the schema: whole numbers beyond 64 bits.
             let message = error.message().lines().next().unwrap_or_default().to_owned();
             check
                 .faults
@@ -339,7 +339,7 @@ fn of_raw(
     Some(project)
 }
 
-/// Refuses numbers and stiffness that name a survey which the file does not have.
+/// Rejects numbers and stiffness whose survey is not in the file.
 fn judge_surveys_named(reader: &mut Reader, structure: &Structure, surveys: &[Survey]) {
     let names: Vec<&str> = surveys.iter().map(|survey| survey.name.as_str()).collect();
     let mut faults = without_survey(&structure.inputs(), &names, |path| reader.place(path));
@@ -428,7 +428,7 @@ fn warn_of_assumed(reader: &mut Reader, project: &Project) {
     }
 }
 
-/// Lays one variant over the file and reads the whole again.
+/// Merges one variant into the file and reads the result again.
 fn variant<'i>(
     source: (&str, &dyn Files),
     name: &str,
@@ -482,7 +482,7 @@ fn variant<'i>(
     }
     let project = read_one(source, (&mut merged, span), Some(starts), &mut own);
     for fault in own {
-        // What the file itself does wrong has been said already.
+        // Faults of the file itself are already listed.
         if !faults[..before].contains(&fault) {
             faults.push(fault.in_variant(name));
         }
@@ -494,7 +494,7 @@ fn variant<'i>(
     })
 }
 
-/// Where a value and all values within it start.
+/// The start of a value and of all values within it.
 pub(super) fn value_starts(node: &Spanned<DeValue<'_>>, starts: &mut BTreeSet<usize>) {
     starts.insert(node.span().start);
     match node.get_ref() {

@@ -1,4 +1,4 @@
-//! What reading needs everywhere: units, places, faults, and numbers made into quantities.
+//! Common tools of reading: units, places, faults, and numbers as quantities.
 
 use super::content::{Warning, WarningKind};
 use super::doubted::Doubted;
@@ -20,7 +20,7 @@ use dolmen_words::message::Both;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// The unit of bare numbers of one measure: as written, and what it is.
+/// The unit of bare numbers of one measure: its text and its meaning.
 #[derive(Clone, Debug)]
 struct BareUnit {
     text: String,
@@ -30,7 +30,7 @@ struct BareUnit {
 /// An entry of `allow`.
 struct Allowed {
     path: At<String>,
-    /// Whether a value needed it.
+    /// Whether any value needed it.
     is_used: bool,
 }
 
@@ -39,15 +39,15 @@ pub(super) struct Reader<'f> {
     units: BTreeMap<Measure, BareUnit>,
     places: BTreeMap<String, Range<usize>>,
     allow: Vec<Allowed>,
-    /// Where numbers come from that do not say it.
+    /// Source of numbers without their own source.
     evidence: Option<Evidence>,
-    /// Where the file's own values start, if a variant is read: only they have the default evidence.
+    /// The starts of the file's own values, if a variant is read: only they have the default source.
     own: Option<BTreeSet<usize>>,
-    /// Paths that a misspelt key was probably meant for.
+    /// Paths that a misspelt key was probably intended for.
     meant: Vec<String>,
-    /// Where the files come from that the project names.
+    /// Access to the files that the project names.
     pub(super) files: &'f dyn Files,
-    /// Whether a unit of bare numbers is wrong: their size then says nothing.
+    /// Whether a unit of bare numbers is wrong: their size then has no meaning.
     pub(super) has_wrong_units: bool,
     pub(super) faults: Vec<Fault>,
     warnings: Vec<(Range<usize>, Warning)>,
@@ -113,25 +113,25 @@ impl<'f> Reader<'f> {
         reader
     }
 
-    /// Where numbers come from that do not say it: all, or those that start at one of `own`.
+    /// Sets the source of numbers without their own: of all, or of those that start at one of `own`.
     pub(super) fn set_evidence(&mut self, evidence: Option<EvidenceRaw>, own: Option<BTreeSet<usize>>) {
         self.evidence = evidence.map(self::evidence);
         self.own = own;
     }
 
-    /// Takes over what the check against the schema found.
+    /// Takes the results of the check against the schema.
     pub(super) fn take_over(&mut self, faults: &mut Vec<Fault>, meant: Vec<String>) {
         self.faults.append(faults);
         self.meant = meant;
     }
 
-    /// Whether what is wrong at a path, or missing there, has been reported already.
+    /// Whether a fault at a path, or a missing value there, has been reported already.
     pub(super) fn is_reported(&self, path: &str) -> bool {
         self.meant.iter().any(|meant| meant == path)
             || self.faults.iter().any(|fault| fault.is_at_or_below(path))
     }
 
-    /// The unit that bare numbers have: its text, and how many SI units it is.
+    /// The unit of bare numbers: its text, and its size in SI units.
     pub(super) fn bare_unit(&self, measure: Measure) -> (&str, f64) {
         let given = self.units.get(&measure);
         given.map_or((measure.si(), 1.0), |unit| (&unit.text, unit.factor))
@@ -143,7 +143,7 @@ impl<'f> Reader<'f> {
         with_unit(&short(value / factor), unit)
     }
 
-    /// Where the value at a path stands.
+    /// The place of the value at a path.
     pub(super) fn place(&self, path: &str) -> Range<usize> {
         self.places.get(path).cloned().unwrap_or(0..0)
     }
@@ -160,7 +160,7 @@ impl<'f> Reader<'f> {
         self.allow.iter_mut().find(|allowed| allowed.path.value == path)
     }
 
-    /// A probable slip: a fault, or a warning where `allow` names it.
+    /// A probable slip: a fault, or a warning where `allow` names its path.
     pub(super) fn slip(&mut self, path: &str, message: impl Into<Both>, help: impl Into<Both>) {
         if let Some(allowed) = self.allowed(path) {
             allowed.is_used = true;
@@ -186,7 +186,7 @@ impl<'f> Reader<'f> {
         self.fault(fault.allowed(WrongNumber::ProbablySlip).help(help));
     }
 
-    /// A pattern that looks like a slip but may be right: a warning, or nothing where `allow` names it.
+    /// A pattern that looks like a slip but may be right: a warning, or nothing where `allow` names its path.
     pub(super) fn doubt(&mut self, path: &str, doubted: Doubted) {
         match self.allowed(path) {
             Some(allowed) => allowed.is_used = true,
@@ -203,12 +203,12 @@ impl<'f> Reader<'f> {
         self.warnings.push((self.place(path), warning));
     }
 
-    /// Where each value that was read stands in the text.
+    /// The place in the text of each value that was read.
     pub(super) fn take_places(&mut self) -> BTreeMap<String, Range<usize>> {
         std::mem::take(&mut self.places)
     }
 
-    /// The warnings, by line; entries of `allow` that nothing needed are among them.
+    /// The warnings, by line, including unnecessary entries of `allow`.
     pub(super) fn take_warnings(&mut self, text: &str) -> Vec<Warning> {
         let mut all = std::mem::take(&mut self.warnings);
         for Allowed { path, .. } in self.allow.iter().filter(|allowed| !allowed.is_used) {
@@ -227,7 +227,7 @@ impl<'f> Reader<'f> {
         all.into_iter().map(|(_, warning)| warning).collect()
     }
 
-    /// Reads a unit and checks its dimension. `path` is where it is written, `of` the value it belongs to.
+    /// Reads a unit and checks its dimension. `path` is the place of the unit, `of` the value that it belongs to.
     pub(super) fn unit(
         &mut self,
         text: &str,
@@ -288,7 +288,7 @@ impl<'f> Reader<'f> {
         None
     }
 
-    /// A number with its unit: SI value, factor and how it was written.
+    /// A number with its unit: SI value, factor and text.
     fn number(
         &mut self,
         raw: &NumberRaw,
@@ -327,7 +327,7 @@ impl<'f> Reader<'f> {
         })
     }
 
-    /// A number without a unit: in that of the file, where its measure allows that.
+    /// A number without a unit: in the unit of the file, where its measure allows that.
     fn bare_number(
         &mut self,
         value: f64,
@@ -371,7 +371,7 @@ impl<'f> Reader<'f> {
         })
     }
 
-    /// The number that a text begins with, and the unit behind it; only a ratio may have none.
+    /// The number at the start of a text, and the unit after it; only a ratio may have no unit.
     fn number_and_unit<'t>(
         &mut self,
         text: &'t str,
@@ -420,7 +420,7 @@ impl<'f> Reader<'f> {
         None
     }
 
-    /// A quantity; `None` if it is missing or wrong, which has then been reported.
+    /// A quantity; `None` if it is missing or wrong, which is reported.
     pub(super) fn quantity(
         &mut self,
         raw: Option<&At<QuantityRaw>>,
@@ -432,7 +432,7 @@ impl<'f> Reader<'f> {
         self.quantity_at((&raw.value, &raw.span), path, measure, bound)
     }
 
-    /// The same of a value and its place.
+    /// A quantity from a value and its place.
     pub(super) fn quantity_at(
         &mut self,
         (value, at): (&QuantityRaw, &Range<usize>),
@@ -508,7 +508,7 @@ impl<'f> Reader<'f> {
         Some(quantity)
     }
 
-    /// A number without what is known of it, in SI; `None` if it is missing or wrong, which has then been reported.
+    /// A number without scatter and source, in SI; `None` if it is missing or wrong, which is reported.
     pub(super) fn plain(
         &mut self,
         raw: Option<&At<NumberRaw>>,
@@ -524,7 +524,7 @@ impl<'f> Reader<'f> {
     }
 }
 
-/// What a bare number cannot be, and units to offer.
+/// Why a number cannot be bare, with units to offer.
 fn with_its_unit(measure: Measure) -> Option<(Both, [&'static str; 2])> {
     match measure {
         Measure::Angle => Some((WrongNumber::Angle.into(), ["deg", "rad"])),

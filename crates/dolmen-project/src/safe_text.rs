@@ -1,5 +1,4 @@
-//! What no text of a project may hold, whatever it stands for: project files come from strangers, and their names become those of files and
-//! stand in terminals.
+//! Text that no project may contain: project files come from strangers, and their names become file names and are shown in terminals.
 
 use super::error::Fault;
 use super::wrong::WrongFile;
@@ -9,7 +8,7 @@ use std::collections::btree_map::Entry;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Tables whose keys are names that become those of folders and files.
+/// Tables whose keys become names of folders and files.
 const NAMED: [&str; 6] = ["study", "damper", "direction", "variant", "survey", "motion"];
 
 /// All faults of texts and names.
@@ -24,7 +23,7 @@ pub(super) fn unsafe_text(root: &DeTable<'_>) -> Vec<Fault> {
     faults
 }
 
-/// Every text of a project file, as it stands in it; none of a text that is not TOML.
+/// Every text of a project file; empty for a text that is not TOML.
 pub fn texts(text: &str) -> Vec<String> {
     fn of(value: &DeValue<'_>, all: &mut Vec<String>) {
         match value {
@@ -42,7 +41,7 @@ pub fn texts(text: &str) -> Vec<String> {
     all
 }
 
-/// Names that would be one file where case does not count.
+/// Names that would be one file where case is ignored.
 fn one_file_each(table: &str, named: &DeTable<'_>, faults: &mut Vec<Fault>) {
     let mut keys: Vec<_> = named.keys().collect();
     keys.sort_by_key(|key| key.span().start);
@@ -72,7 +71,7 @@ fn one_file_each(table: &str, named: &DeTable<'_>, faults: &mut Vec<Fault>) {
     }
 }
 
-/// Signs that steer a terminal or turn the direction of writing.
+/// Whether a character controls a terminal or changes the direction of writing.
 fn steers(sign: char) -> bool {
     let turns = matches!(sign, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     turns || (sign.is_control() && !matches!(sign, '\n' | '\r' | '\t'))

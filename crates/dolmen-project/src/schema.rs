@@ -26,7 +26,7 @@ pub fn json_schema(language: Language) -> Value {
     schema
 }
 
-/// Puts other words into the place of descriptions, where there are any.
+/// Replaces descriptions by other words, where there are any.
 fn described(schema: &mut Value, words: &mut impl FnMut(&str) -> Option<&'static str>) {
     match schema {
         Value::Object(object) => {
@@ -89,7 +89,7 @@ fn complete() -> Value {
     schema
 }
 
-/// What is written there, or a table that names a file.
+/// The given schema, or a table that names a file.
 fn or_of_file(given: &mut Value, keys: &[&str]) {
     let properties: serde_json::Map<String, Value> = keys
         .iter()
@@ -101,7 +101,7 @@ fn or_of_file(given: &mut Value, keys: &[&str]) {
     *given = json!({ "description": description, "anyOf": [inner, table] });
 }
 
-/// A stack has blocks, or what makes them: a pagoda, an arch, a wall, a tower or a trilithon.
+/// A stack has blocks, or a generator: a pagoda, an arch, a wall, a tower or a trilithon.
 fn blocks_or_made() -> Value {
     json!({
         "if": { "properties": { "kind": { "const": "stack" } }, "required": ["kind"] },
@@ -109,7 +109,7 @@ fn blocks_or_made() -> Value {
     })
 }
 
-/// Keys that belong to one kind only; the first is required there (of a stack, it or what makes blocks).
+/// Keys that belong to one kind only; the first is required there (for a stack: it or a generator of blocks).
 pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
     (
         "chain",
@@ -150,10 +150,9 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
     ("building", &["floors", "p_delta", "damping", "damper", "points"]),
 ];
 
-/// Lists that may stand in a table beside the file.
+/// Lists that may be in a table beside the file.
 pub(super) const LISTS_IN_TABLES: [&str; 3] = ["blocks", "links", "storeys"];
 
-/// The word of a kind.
 pub(super) fn kind_word(kind: KindRaw) -> &'static str {
     match kind {
         KindRaw::Chain => "chain",
@@ -164,7 +163,7 @@ pub(super) fn kind_word(kind: KindRaw) -> &'static str {
     }
 }
 
-/// The version that this Dolmen reads.
+/// The schema version of this Dolmen.
 pub(super) const SCHEMA_VERSION: i64 = 1;
 
 pub(super) fn of_file() -> Value {
@@ -197,7 +196,7 @@ fn variant() -> Value {
     })
 }
 
-/// TOML has no null: what may be left out is simply not required.
+/// TOML has no null: an optional key is simply not required.
 fn without_null(schema: &mut Value) {
     match schema {
         Value::Object(object) => {

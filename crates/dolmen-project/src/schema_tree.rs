@@ -1,16 +1,16 @@
-//! The JSON schema as data of the program: to build it from the types at every start took four million instructions.
+//! The JSON schema as data of the program, because building it from the types took four million instructions at every start.
 //!
-//! A file that has no fault by it is read at once. One that has is looked at again with the schema of the types themselves, so that a
-//! tree which is not up to date costs time and no more.
+//! A file without a fault by this tree is read at once. A file with a fault is checked again with the schema of the types, so that an
+//! outdated tree costs only time.
 
 use super::schema::of_file;
 use serde_json::Value;
 use std::sync::LazyLock;
 
-/// A JSON value that may be part of the program.
+/// A JSON value as a constant of the program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Tree {
-    /// Null, and numbers, which no check looks at.
+    /// Null and numbers, which no check needs.
     Other,
     Bool(bool),
     Text(&'static str),
@@ -45,7 +45,7 @@ impl Tree {
         }
     }
 
-    /// What a schema of this tree refers to, itself if it refers to nothing.
+    /// The schema that this tree refers to; itself without a reference.
     pub(super) fn resolved(&'static self, schema: &'static Tree) -> &'static Tree {
         let reference = schema.get("$ref").and_then(Tree::text);
         let name = reference.and_then(|reference| reference.strip_prefix("#/$defs/"));
@@ -53,7 +53,7 @@ impl Tree {
         definition.unwrap_or(schema)
     }
 
-    /// Lives as long as the program: it is made once.
+    /// Lives as long as the program: it is built once.
     fn of(value: &Value) -> Tree {
         match value {
             Value::Bool(value) => Tree::Bool(*value),
@@ -71,7 +71,7 @@ impl Tree {
     }
 }
 
-/// The schema, as it was when `schema_tree.in` was written.
+/// The schema at the time when `schema_tree.in` was written.
 pub(super) static TREE: Tree = {
     use Tree::*;
     include!("schema_tree.in")
@@ -84,7 +84,7 @@ pub(super) static BUILT: LazyLock<Tree> = LazyLock::new(|| Tree::of(&of_file()))
 mod tests {
     use super::*;
 
-    /// As Rust writes it.
+    /// The Rust source of a tree.
     fn written(tree: &Tree) -> String {
         let joined = |parts: Vec<String>| parts.join(",\n");
         match tree {

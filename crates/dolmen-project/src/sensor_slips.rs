@@ -1,4 +1,4 @@
-//! Positions of sensors in another unit of length than the file has: all within a hand of the origin, or far beyond the structure.
+//! Positions of sensors in another unit of length than that of the file: all very near the origin, or far beyond the structure.
 
 use super::content::Structure;
 use super::measure::Measure;
@@ -8,11 +8,11 @@ use super::survey::Survey;
 use super::written::short;
 use super::wrong::WrongRecords;
 
-/// Farthest sensor over the height of the structure below which no survey measures it. Chosen here: a slip between m and mm is a factor of 1000.
+/// Least distance of the farthest sensor over the height of the structure. Our choice: a slip between m and mm is a factor of 1000.
 const NEAR: f64 = 0.01;
-/// Distance of the nearest two sensors over that height. Chosen here.
+/// Largest distance of the nearest two sensors over that height. Our choice.
 const FAR: f64 = 100.0;
-/// Distance of the only place from the origin over that height: more room, since heights above the sea are no slip of unit.
+/// Largest distance of a single place from the origin over that height: larger, because a height above the sea is no slip of unit.
 const FAR_ALONE: f64 = 500.0;
 
 pub(super) fn judge_sensors(reader: &mut Reader, structure: Option<&Structure>, surveys: &[Survey]) {

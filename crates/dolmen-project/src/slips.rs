@@ -1,9 +1,8 @@
 //! Probable slips of unit: values that are possible in themselves, but not beside each other or in this world.
 //!
 //! A slip between units of one kind is a factor of 1000 (mm, kN, t), seldom 10, 100 or 57.3. Each bound lies outside
-//! the widest real structures we know, with room; a slip of 1000 in a part that is like the others crosses it. A slip
-//! in a part that was already odd the other way does not, nor do slips of 10 to 100. What is refused can be let pass
-//! with `allow`.
+//! the widest real structures we know, with a margin; a slip of 1000 in a part that is like the others crosses it. A slip
+//! in a part that was already odd the other way does not, nor do slips of 10 to 100. What is rejected can be let pass with `allow`.
 //!
 //! | what is compared | real structures | slip of 1000 in a flagpole or gate | bound |
 //! |:--|:--|:--|:--|
@@ -37,7 +36,7 @@ const DAMPING_RATIO_MOST: f64 = 0.3;
 /// Gravity on Earth, m/s²: 9.78 at the equator, 9.83 at the poles, 9.76 on high mountains.
 const GRAVITY_M_S2: (f64, f64) = (9.75, 9.85);
 
-/// Reports every probable slip of what has been read.
+/// Reports every probable slip in the file.
 pub(super) fn judge(
     reader: &mut Reader,
     gravity: Option<&Quantity>,

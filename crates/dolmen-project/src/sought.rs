@@ -1,4 +1,4 @@
-//! Stiffness that the file leaves to the modes of a survey, and what came of it.
+//! Stiffness that the file leaves to the modes of a survey, and the result of its identification.
 
 /// Stiffness that the file leaves to a survey: `"identified"`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -7,10 +7,10 @@ pub struct Sought {
     pub survey: Option<String>,
 }
 
-/// One accepted solution of the stiffness that the file leaves to its surveys, of how many.
+/// One accepted solution for the stiffness that the file leaves to its surveys.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FromSurveys {
-    /// Each stiffness that was sought, in the order of the file.
+    /// Each identified stiffness, in the order of the file.
     pub parts: Vec<FromSurvey>,
     /// Number of this solution, from 1.
     pub number: usize,
@@ -18,29 +18,29 @@ pub struct FromSurveys {
     pub of: usize,
 }
 
-/// A stiffness that was sought.
+/// A stiffness to identify.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FromSurvey {
-    /// Where it stands: `joints`, `direction.weak.stiffness`.
+    /// Its path: `joints`, `direction.weak.stiffness`.
     pub path: String,
-    /// The survey; `None` where the file has none to seek it in.
+    /// The survey; `None` where the file has none for it.
     pub survey: Option<String>,
     /// Why it is not known; `None` where it is.
     pub unknown: Option<WhyNotIdentified>,
 }
 
-/// Why a survey does not lead to a stiffness that a verdict may rest on.
+/// Why a survey does not give a stiffness that a verdict may rely on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WhyNotIdentified {
     /// No survey has records or frequencies.
     NoSurvey,
-    /// The survey has no modes in the direction, or what it has leads to none.
+    /// The survey has no modes in the direction, or its records give none.
     NoModes,
-    /// The modes tell it between wide bounds alone.
+    /// The modes give only wide bounds.
     Bounded,
     /// Fewer modes than unknowns.
     Underdetermined,
-    /// Two solutions meet: neither has a deviation.
+    /// Two solutions coincide: neither has a deviation.
     Meet,
     /// No stiffness explains the modes.
     Impossible,
@@ -48,13 +48,13 @@ pub enum WhyNotIdentified {
     Doubted,
     /// Too many solutions to judge each.
     TooMany {
-        /// How many.
+        /// Their number.
         solutions: usize,
     },
 }
 
 impl FromSurveys {
-    /// Whether every stiffness that was sought is known.
+    /// Whether every stiffness to identify is known.
     pub fn is_known(&self) -> bool {
         self.parts.iter().all(|part| part.unknown.is_none())
     }

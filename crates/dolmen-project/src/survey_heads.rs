@@ -1,6 +1,6 @@
-//! Heads of a table of surveys: what each column holds.
+//! Heads of a table of surveys: the contents of each column.
 
-/// What a column of surveys holds.
+/// The contents of a column of surveys.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Held {
     Date,
@@ -29,11 +29,11 @@ enum Word {
     Datum,
     Note,
     Along(&'static str),
-    /// Says nothing more: "방향" of "X방향".
+    /// No further information: "방향" of "X방향".
     Beside,
 }
 
-/// The direction of a frequency whose head names none.
+/// The direction of a frequency without a direction in its head.
 const OTHER: &str = "other";
 /// Largest number of a mode, our choice.
 const MODE_MOST: u32 = 40;
@@ -98,7 +98,7 @@ pub(super) fn with_unit(head: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// What a head says, without its unit; `None` if it is of no survey.
+/// The meaning of a head, without its unit; `None` if it is not one of surveys.
 pub(super) fn held(name: &str) -> Option<Held> {
     let lower = name.trim().to_lowercase();
     if ["crack", "균열"].iter().any(|word| lower.starts_with(word)) {
@@ -141,7 +141,7 @@ pub(super) fn held(name: &str) -> Option<Held> {
     }
 }
 
-/// The words of a head and its number, however they are written together; `None` if a part of it is no word, or two numbers stand in it.
+/// The words of a head and its number, joined in any way; `None` if any part of it is not a known word, or it has two numbers.
 fn words(name: &str) -> Option<(Vec<Word>, Option<u32>)> {
     let (mut words, mut number) = (Vec::new(), None);
     let mut rest = name;
@@ -164,7 +164,7 @@ fn words(name: &str) -> Option<(Vec<Word>, Option<u32>)> {
         }
         let letters = rest.bytes().take_while(u8::is_ascii_lowercase).count();
         let fits = |word: &&(&str, Word)| match letters {
-            // a word of another script may have others behind it
+            // a word of another script may be followed by others
             0 => rest.starts_with(word.0),
             _ => rest[..letters] == *word.0,
         };

@@ -1,4 +1,4 @@
-//! A survey like another one with a record of its own, as a project file writes it.
+//! A survey with the settings of another survey and its own record, in the syntax of a project file.
 
 use crate::survey::EarthquakePart;
 use toml::{Table, Value};
@@ -6,7 +6,7 @@ use toml::{Table, Value};
 /// Key of a file in the table of a record.
 const FILE: &str = "file";
 
-/// What a survey does not have from the one that it is like.
+/// The values of the survey that differ from the other one.
 #[derive(Clone, Copy, Debug)]
 pub struct LikeSurvey<'a> {
     /// Its name.
@@ -17,14 +17,14 @@ pub struct LikeSurvey<'a> {
     pub note: &'a str,
     /// The temperature of the air, °C.
     pub temperature_c: Option<f64>,
-    /// Names of channels that are left out beside those that the other leaves out; without a name, their columns.
+    /// Names of channels to leave out in addition to those of the other survey; columns for channels without a name.
     pub left_out: &'a [String],
-    /// The earthquake that its record holds.
+    /// The earthquake in its record.
     pub earthquake: Option<EarthquakePart>,
 }
 
-/// The table of a survey that has the record settings of the survey `like` in `text`, to be put behind the text; nothing else is that of the
-/// other. `None` where that survey has no record in one file.
+/// The table of a survey with the record settings of the survey `like` in `text`, to be appended to the text. It takes nothing else from
+/// the other survey. `None` where that survey has no record in one file.
 pub fn survey_like(text: &str, like: &str, own: &LikeSurvey<'_>) -> Option<String> {
     let root = text.parse::<Table>().ok()?;
     let mut records = root.get("survey")?.get(like)?.get("records")?.as_table()?.clone();
@@ -54,7 +54,7 @@ pub fn survey_like(text: &str, like: &str, own: &LikeSurvey<'_>) -> Option<Strin
     ))
 }
 
-/// As a line of a survey; numbers as short as their last digit means something.
+/// The earthquake as a line of a survey; numbers have only significant digits.
 fn earthquake_text(of: EarthquakePart) -> String {
     let peak = of.peak_m_s2.map(|peak| format!("peak = \"{peak:.5} m/s2\""));
     let number = |key: &str, value: Option<f64>| value.map(|value| format!("{key} = {value:.5}"));

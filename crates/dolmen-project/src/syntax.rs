@@ -1,4 +1,4 @@
-//! What is looked at before a file is read: the syntax of TOML, the version of the schema.
+//! Checks before a file is read: the syntax of TOML, the version of the schema.
 
 use super::error::Fault;
 use super::schema::SCHEMA_VERSION;
@@ -6,7 +6,7 @@ use super::syntax_slips::slip;
 use super::wrong::{WrongKey, WrongNumber, WrongToml, of_parser};
 use toml::de::DeTable;
 
-/// What is wrong with a text that is not TOML: the slip that all else follows from, or of each line the first fault.
+/// Errors of a text that is not TOML: the slip that causes all others, or the first fault of each line.
 pub(super) fn of_syntax(errors: &[toml::de::Error], text: &str) -> Vec<Fault> {
     if let Some(fault) = slip(text) {
         return vec![fault];
@@ -89,7 +89,7 @@ fn bare_ratio(text: &str) -> Option<&str> {
     (is_number(above) && is_number(below)).then_some(written)
 }
 
-/// What to do about a key that is not bare: which key is meant, or how its name is quoted.
+/// The remedy for a key that is not bare: the intended key, or its name in quotes.
 fn of_key(line: &str, given: &str) -> WrongToml {
     let is_bare = |part: &str| {
         part.bytes()
@@ -134,7 +134,7 @@ fn of_key(line: &str, given: &str) -> WrongToml {
     }
 }
 
-/// The key that a Korean word stands for; two where that depends on the table.
+/// The key for a Korean word; two where it depends on the table.
 fn english_key(word: &str) -> Option<&'static str> {
     const KEYS: [(&[&str], &str); 33] = [
         (&["이름", "명칭"], "name"),
@@ -176,13 +176,13 @@ fn english_key(word: &str) -> Option<&'static str> {
         .map(|(_, key)| *key)
 }
 
-/// A number with a comma: the bytes of its line before it, and it.
+/// A number with a comma, and the bytes of its line before it.
 struct WithComma<'a> {
     at: usize,
     written: &'a str,
 }
 
-/// A bare number with a comma behind an equals sign, "0,95" or "1,200.5": the last one that begins before what the reader stumbled on.
+/// A bare number with a comma after an equals sign, "0,95" or "1,200.5": the last one before the place of the reader's error.
 fn number_with_comma(line: &str, stumbled_at: usize) -> Option<WithComma<'_>> {
     let signs = line.match_indices('=').map(|(at, _)| at + 1);
     let mut numbers = signs.filter_map(|behind| {
@@ -198,7 +198,7 @@ fn number_with_comma(line: &str, stumbled_at: usize) -> Option<WithComma<'_>> {
     numbers.rfind(|number| number.at <= stumbled_at)
 }
 
-/// What is wrong with such a number, and how it is written: a comma before three digits may be a decimal sign or part of thousands.
+/// The error of such a number, with its right form: a comma before three digits may be a decimal sign or separate thousands.
 fn of_comma(number: WithComma<'_>, line_at: usize) -> Fault {
     let WithComma { at, written } = number;
     let span = line_at + at..line_at + at + written.len();
@@ -222,7 +222,7 @@ fn of_comma(number: WithComma<'_>, line_at: usize) -> Fault {
     })
 }
 
-/// The version is looked at first: a newer file may differ in everything else.
+/// The version is checked first: a newer file may differ in everything else.
 pub(super) fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
     let Some((given, span)) = root
         .get("schema")

@@ -1,20 +1,20 @@
-//! Slips that the reader of TOML stumbles on late or says nothing useful of: a comma or a bracket that is not there, signs and blanks of full
-//! width. The first one is what is wrong; all that the reader says behind it follows from it.
+//! Slips that the TOML reader reports late or without useful words: a missing comma or bracket, full-width signs and blanks. The first slip
+//! is the real one; later messages of the reader follow from it.
 
 use super::error::Fault;
 use super::wrong::WrongToml;
 use std::ops::Range;
 
-/// What stands between blanks, outside of comments.
+/// A piece of text between blanks, outside comments.
 #[derive(Clone, Debug, PartialEq)]
 enum Token {
-    /// A bracket or brace that opens.
+    /// An opening bracket or brace.
     Open(char),
-    /// One that closes.
+    /// A closing one.
     Close(char),
     Comma,
     Equals,
-    /// A string, or a run of other signs.
+    /// A string, or a run of other characters.
     Word,
 }
 
@@ -22,11 +22,11 @@ enum Token {
 struct Placed {
     token: Token,
     span: Range<usize>,
-    /// Whether it is the first of its line.
+    /// Whether it is the first token of its line.
     starts_line: bool,
 }
 
-/// What may stand next within brackets.
+/// The tokens that may follow within brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Next {
     Key,
@@ -35,23 +35,23 @@ enum Next {
     Comma,
 }
 
-/// A list or an inline table that is open.
+/// An open list or inline table.
 #[derive(Clone, Debug)]
 struct Open {
     sign: char,
     at: usize,
-    /// The key whose value it is, or is part of.
+    /// The key whose value it is, or belongs to.
     key: String,
     next: Next,
 }
 
-/// The first slip in a text that is not TOML; `None` where it is another fault.
+/// The first slip in a text that is not TOML; `None` for another fault.
 pub(super) fn slip(text: &str) -> Option<Fault> {
     let tokens = tokens(text);
     wide_signs(text, &tokens).or_else(|| brackets(text, &tokens))
 }
 
-/// The tokens up to a string that is not closed.
+/// The tokens up to an unclosed string.
 fn tokens(text: &str) -> Vec<Placed> {
     let mut all: Vec<Placed> = Vec::new();
     let mut at = 0;
@@ -100,7 +100,7 @@ fn tokens(text: &str) -> Vec<Placed> {
     all
 }
 
-/// The bytes of a string that begins here, with its quotes; `None` where it is not closed.
+/// The bytes of a string that begins here, with its quotes; `None` if it is not closed.
 fn string_length(rest: &str, quote: char) -> Option<usize> {
     let triple: String = [quote; 3].iter().collect();
     let (mark, is_long) = match rest.starts_with(&triple) {
@@ -120,7 +120,7 @@ fn string_length(rest: &str, quote: char) -> Option<usize> {
     }
 }
 
-/// What a sign of full width stands for; `None` of others. Another function tells quotes apart.
+/// The ordinary character of a full-width one; `None` for others. Another function treats quotes.
 fn plain(sign: char) -> Option<char> {
     match sign {
         '\u{3000}' | '\u{a0}' | '\u{2007}' | '\u{202f}' | '\u{200b}' | '\u{feff}' => Some(' '),
@@ -132,7 +132,7 @@ fn plain(sign: char) -> Option<char> {
     }
 }
 
-/// The first word that holds signs of full width, outside of strings.
+/// The first word with full-width characters, outside strings.
 fn wide_signs(text: &str, tokens: &[Placed]) -> Option<Fault> {
     let is_string = |span: &Range<usize>| text[span.clone()].starts_with(['"', '\'']);
     let words = tokens
@@ -162,7 +162,7 @@ fn wide_signs(text: &str, tokens: &[Placed]) -> Option<Fault> {
     Some(Fault::new(span, "", message).help(help))
 }
 
-/// The first comma or bracket that is not there.
+/// The first missing comma or bracket.
 fn brackets(text: &str, tokens: &[Placed]) -> Option<Fault> {
     let word = |at: usize| tokens.get(at).is_some_and(|of| of.token == Token::Word);
     let equals = |at: usize| tokens.get(at).is_some_and(|of| of.token == Token::Equals);
@@ -192,7 +192,7 @@ fn brackets(text: &str, tokens: &[Placed]) -> Option<Fault> {
         let is_header = of.token == Token::Open('[') && of.starts_line && is_header(text, of.span.start);
         let is_list = top.sign == '[';
         let is_after = top.next == Next::Comma;
-        // what can stand in no list: a line that begins with a key of its own, or a header
+        // a header, or a line that begins with its own key, cannot be in a list
         let is_no_item = is_header || begins_pair && of.starts_line;
         let is_cut_off = match is_list {
             true => is_no_item,
@@ -209,7 +209,7 @@ fn brackets(text: &str, tokens: &[Placed]) -> Option<Fault> {
             }
             Token::Close(_) => return Some(unclosed(text, top, of.span.start)),
             Token::Word | Token::Open(_) if is_after => {
-                // a table that goes on in the next line is not closed, rather than short of a comma
+                // a table that continues in the next line lacks its bracket rather than a comma
                 if !is_list && (of.starts_line || matches!(of.token, Token::Open(_))) {
                     return Some(unclosed(text, top, of.span.start));
                 }
@@ -247,7 +247,7 @@ fn opened(sign: char, at: usize, key: &str) -> Open {
     Open { sign, at, key, next }
 }
 
-/// Whether a line that begins with a bracket is the header of a table: a name in brackets, and nothing else.
+/// Whether a line that begins with a bracket is the header of a table: only a name in brackets.
 fn is_header(text: &str, at: usize) -> bool {
     let line = text[at..].lines().next().unwrap_or_default();
     let line = line.split('#').next().unwrap_or_default().trim();

@@ -1,5 +1,5 @@
 //! Lists of parts that stand in a table beside the project file: `blocks = { file = "stones.xlsx", sheet = "stones" }`. Each row becomes one
-//! entry of the list, as if it were written there, so that everything behind it holds for it too.
+//! entry of the list, as if it were written in the file, so that all later steps apply to it.
 
 use super::error::Fault;
 use super::measure::Measure;
@@ -22,19 +22,19 @@ use toml::de::{DeTable, DeValue};
 /// A list that was read from a table.
 pub(super) struct Tabled {
     span: Range<usize>,
-    /// The list as it would be written.
+    /// The list in TOML.
     text: String,
     file: String,
     /// The cell of each value by its path, and of each row.
     places: BTreeMap<String, String>,
-    /// Heads of columns that no part takes.
+    /// Heads of columns that no part uses.
     left_out: Vec<String>,
-    /// The survey in whose table it belongs; `None` for a list of the file.
+    /// The survey that the list belongs to; `None` for a list of the file.
     survey: Option<String>,
 }
 
 impl Tabled {
-    /// Surveys, each a table of its own.
+    /// Surveys, each a separate table.
     pub(super) fn of_surveys(
         span: Range<usize>,
         text: String,
@@ -63,7 +63,7 @@ impl Tabled {
         }
     }
 
-    /// What to know of the table: the columns that were not read.
+    /// A warning about the columns that were not read.
     pub(super) fn warnings(&self, text: &str) -> Option<Warning> {
         if self.left_out.is_empty() {
             return None;
@@ -78,7 +78,7 @@ impl Tabled {
         Some(warning)
     }
 
-    /// The list in place of the table that names it; its faults stand where the project file names it.
+    /// Replaces the table that names a file by the list; faults of the list have the place of that table.
     pub(super) fn put<'i>(&'i self, root: &mut DeTable<'i>) {
         let Ok(parsed) = DeTable::parse(&self.text) else {
             return; // written here
@@ -90,7 +90,7 @@ impl Tabled {
         let Some(within) = within else { return };
         for (key, mut value) in parsed.into_inner() {
             place(&mut value, &self.span);
-            // surveys stand beside those of the file
+            // these surveys are added to those of the file
             let known = within
                 .get_mut(key.get_ref().as_ref())
                 .map(|known| known.get_mut());
@@ -105,7 +105,7 @@ impl Tabled {
         }
     }
 
-    /// Names the cell of what is wrong in one of the lists.
+    /// Names the cell of each fault in one of the lists.
     pub(super) fn name_cells(all: &[Tabled], faults: &mut [Fault]) {
         for fault in faults {
             let found = all.iter().find_map(|tabled| {
@@ -116,7 +116,7 @@ impl Tabled {
                         .split_once(']')
                         .and_then(|(row, _)| tabled.places.get(&format!("{row}]")))
                 };
-                // what is wrong with a part of a value
+                // a fault in a part of a value
                 let above = || {
                     let all = tabled.places.iter();
                     all.filter(|(path, _)| fault.is_at_or_below(path))
@@ -140,7 +140,7 @@ fn table_in<'t, 'i>(table: &'t mut DeTable<'i>, key: &str) -> Option<&'t mut DeT
     }
 }
 
-/// Every list that stands in a table; none of a text that is not TOML.
+/// Every list in a table beside the file; empty for a text that is not TOML.
 pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<Fault>> {
     let (root, syntax) = DeTable::parse_recoverable(text);
     let root = root.into_inner();
@@ -209,7 +209,7 @@ pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<F
     }
 }
 
-/// The unit of bare numbers that the file gives for a measure.
+/// The file's unit of bare numbers for a measure.
 fn unit_of_file<'a>(root: &'a DeTable<'_>, measure: Measure) -> Option<(&'static str, &'a str)> {
     let key = match measure {
         Measure::Length => "length",
@@ -222,7 +222,7 @@ fn unit_of_file<'a>(root: &'a DeTable<'_>, measure: Measure) -> Option<(&'static
     Some((key, units.get(key)?.get_ref().as_str()?))
 }
 
-/// The rows as a list in TOML, and the place of each value; or what is wrong, with what to do.
+/// The rows as a list in TOML, and the place of each value; or the error and its remedy.
 fn list(
     key: &'static str,
     columns: &[Column],
@@ -242,7 +242,7 @@ fn list(
         for (at, cell) in row.iter().enumerate() {
             let (name, unit) = match heads.get(at).unwrap_or(&Head::Missing) {
                 Head::LeftOut(_) => continue,
-                // where a value is missing, its cell is what must be filled
+                // the cell of a missing value must be filled
                 Head::Of(name, _) if cell.value == SheetValue::Empty => {
                     places.insert(format!("{path}.{name}"), cell.place.clone());
                     continue;
@@ -296,9 +296,9 @@ fn list(
 
 /// The head of a column.
 enum Head {
-    /// The key that it stands for, and its unit.
+    /// The key of the column, and its unit.
     Of(&'static str, Option<String>),
-    /// Of a column that no part takes.
+    /// A column that no part uses.
     LeftOut(String),
     /// None.
     Missing,
@@ -322,7 +322,7 @@ fn heads(
     let mut heads: Vec<Head> = Vec::new();
     for cell in header {
         let SheetValue::Text(head) = &cell.value else {
-            // an empty head over an empty column is no column
+            // an empty head over an empty column is not a column
             heads.push(Head::Missing);
             continue;
         };
@@ -368,7 +368,7 @@ fn heads(
     }
 }
 
-/// Whether an unknown head means something of a part: misspelt, or what stands in the project file alone.
+/// Whether an unknown head seems to belong to a part: misspelt, or a key that only the project file can have.
 fn is_needed(head: &str, columns: &[Column]) -> bool {
     let name = head.split_once(['(', '[']).map_or(head, |(name, _)| name).trim();
     let mut all = columns.iter();
@@ -378,7 +378,7 @@ fn is_needed(head: &str, columns: &[Column]) -> bool {
         })
 }
 
-/// Refuses a row that is the total of the others.
+/// Rejects a row that is the total of the others.
 fn refuse_total(heads: &[Head], body: &[Vec<SheetCell>], file: &str) -> Result<(), Vec<(Both, Both)>> {
     let name_at = heads.iter().position(|head| head.is_of("name"));
     let mut body = body.to_vec();
@@ -425,7 +425,7 @@ pub(super) fn column<'a>(head: &'a str, columns: &'a [Column]) -> Option<(&'a Co
     found.map(|column| (column, unit.filter(|unit| !unit.is_empty())))
 }
 
-/// The unit of a column, if its head has one: of the right kind, and that of the file where that has one.
+/// The unit of a column, if its head has one: of the right dimension, and equal to that of the file if the file has one.
 pub(super) fn checked_unit(
     column: &Column,
     unit: Option<&str>,
@@ -473,7 +473,7 @@ pub(super) fn checked_unit(
     Ok(Some(unit.to_owned()))
 }
 
-/// A value as TOML: names and shapes are words, numbers carry the unit of their head.
+/// A value in TOML: names and shapes are words, numbers have the unit of their head.
 pub(super) fn written(name: &str, value: &SheetValue, unit: Option<&str>) -> String {
     let is_words = ["name", "shape"].contains(&name);
     match value {
@@ -482,7 +482,7 @@ pub(super) fn written(name: &str, value: &SheetValue, unit: Option<&str>) -> Str
             Some(unit) => quoted(&format!("{number} {unit}")),
             None => number.to_string(),
         },
-        // a spreadsheet keeps numbers as text where a cell was formatted so
+        // a spreadsheet stores numbers as text in cells of that format
         SheetValue::Text(text) if !is_words && is_number(text) => match unit {
             Some(unit) => quoted(&format!("{} {unit}", plain(text))),
             None => plain(text),
@@ -499,7 +499,7 @@ fn is_number(text: &str) -> bool {
         && text.parse::<f64>().is_ok()
 }
 
-/// A number as TOML writes it: without zeros before it.
+/// A number in TOML syntax: without leading zeros.
 fn plain(text: &str) -> String {
     let text = text.trim();
     text.parse::<f64>()
@@ -511,7 +511,7 @@ pub(super) fn quoted(text: &str) -> String {
     for sign in text.chars() {
         match sign {
             '"' | '\\' => said.extend(['\\', sign]),
-            // what steers a terminal is no part of a name
+            // a control character is not part of a name
             sign if sign.is_control() => said.push(' '),
             sign => said.push(sign),
         }

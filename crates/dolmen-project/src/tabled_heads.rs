@@ -1,8 +1,8 @@
-//! Heads of the columns of tables of parts, by the keys of the lists that they become.
+//! Heads of the columns of tables of parts, by the keys of the lists.
 
 use super::measure::Measure;
 
-/// A column: the key that it stands for, what else its head may be, and what it measures.
+/// A column: its key, other names of its head, and its measure.
 pub(super) type Column = (&'static str, &'static [&'static str], Option<Measure>);
 
 const BLOCKS: &[Column] = &[
@@ -34,7 +34,7 @@ const STOREYS: &[Column] = &[
     ("height", &["높이", "층고"], Some(Measure::Length)),
     ("axial_force", &["축력"], Some(Measure::Force)),
 ];
-/// What parts have that their table does not take: such a column would be missed in the model.
+/// Keys of parts that tables do not take: without a fault the model would miss such a column.
 pub(super) const ELSEWHERE: [&str; 24] = [
     "tilt",
     "lean",

@@ -1,5 +1,5 @@
 //! Modes of a survey that stand in a file beside the project: `modes = { file = "modes.uff" }`, a universal file of another program, or a table
-//! with a row a mode. Each becomes an entry of the list of its direction, as if it were written there.
+//! with one row per mode. Each becomes an entry of the list of its direction, as if it were written in the file.
 
 use super::error::Fault;
 use super::measure::Measure;
@@ -18,13 +18,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use toml::de::{DeTable, DeValue};
 
-/// The direction of a mode that moves along neither x nor y and does not twist.
+/// The direction of a mode with motion along neither x nor y and without twist.
 const OTHER: &str = "other";
 /// The direction of modes that twist.
 const TORSION: &str = "torsion";
 /// Endings of universal files.
 const UNIVERSAL: [&str; 2] = ["uff", "unv"];
-/// Keys beside each other in the table.
+/// Keys that the table may have.
 const KEYS: [&str; 3] = ["file", "sheet", "length"];
 
 const COLUMNS: &[Column] = &[
@@ -37,16 +37,16 @@ const COLUMNS: &[Column] = &[
     ("frequency_sd", &["frequency_sd_hz"], Some(Measure::Frequency)),
     ("damping_ratio", &["감쇠비"], None),
     ("damping_ratio_sd", &[], None),
-    // of the tables that Dolmen writes, and without a part in a survey
+    // of tables that Dolmen writes; not used in a survey
     ("mode", &["모드"], None),
     ("phase_collinearity", &[], None),
     ("accepted", &[], None),
 ];
 
-/// A fault, and what to do.
+/// A fault with its remedy.
 type Wrong = (Both, Both);
 
-/// Every list of parts, all modes of surveys and all surveys that stand in a file beside the project.
+/// Every list of parts, all modes of surveys and all surveys in a file beside the project.
 pub(super) fn beside_the_file(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<Fault>> {
     let mut all = tabled(text, files)?;
     let (root, syntax) = DeTable::parse_recoverable(text);
@@ -61,7 +61,7 @@ pub(super) fn beside_the_file(text: &str, files: &dyn Files) -> Result<Vec<Table
     }
 }
 
-/// The modes of every survey that stand in a file.
+/// The modes of every survey that are in a file.
 fn modes_in_files(root: &DeTable<'_>, files: &dyn Files, all: &mut Vec<Tabled>, faults: &mut Vec<Fault>) {
     let surveys = root.get("survey").and_then(|value| value.get_ref().as_table());
     for (name, survey) in surveys.into_iter().flatten() {
@@ -99,11 +99,11 @@ fn modes_in_files(root: &DeTable<'_>, files: &dyn Files, all: &mut Vec<Tabled>, 
     }
 }
 
-/// What stands in the table.
+/// The contents of the table.
 struct Keys<'a> {
     file: &'a str,
     sheet: Option<&'a str>,
-    /// Unit of lengths of a universal file that has none.
+    /// Unit of length of a universal file without one.
     length: Option<&'a str>,
 }
 
@@ -154,7 +154,7 @@ type Head = (&'static str, Option<String>);
 /// Modes by direction, each with its frequency to sort by.
 type ByDirection = BTreeMap<String, Vec<(f64, String)>>;
 
-/// The modes of a universal file, each in the direction in which its nodes move.
+/// The modes of a universal file, each in the direction of its nodes' motion.
 fn of_universal(keys: &Keys<'_>, read: &UffModes) -> Result<ByDirection, Wrong> {
     let metres = metres(keys, read)?;
     let components = components(read);
@@ -164,7 +164,7 @@ fn of_universal(keys: &Keys<'_>, read: &UffModes) -> Result<ByDirection, Wrong> 
         direction[*axis] = 1.0;
         let position_m = match metres {
             Some(metres) => place(keys, read, *node)?.map(|x| x * metres),
-            // no two at one height: nothing is judged by how they differ
+            // each at its own height: their differences are not judged
             None => [0.0, 0.0, at as f64],
         };
         channels.push(Channel {
@@ -215,7 +215,7 @@ fn entry(mode: &UffMode, motion: &ShapeMotion, has_heights: bool) -> String {
     text
 }
 
-/// Node and axis of each component that moves in any mode: programs write 0 for what nobody measured.
+/// Node and axis of each component that moves in any mode: programs write 0 for components that were not measured.
 fn components(read: &UffModes) -> Vec<(i64, usize)> {
     let mut moving = BTreeSet::new();
     for (node, vector) in read.modes.iter().flat_map(|mode| &mode.displacements) {
@@ -225,7 +225,7 @@ fn components(read: &UffModes) -> Vec<(i64, usize)> {
     moving.into_iter().collect()
 }
 
-/// Metres a length of the file; `None` where no node has a place.
+/// Metres per unit of length of the file; `None` if no node has a place.
 fn metres(keys: &Keys<'_>, read: &UffModes) -> Result<Option<f64>, Wrong> {
     if read.places.is_empty() {
         return Ok(None);
@@ -256,7 +256,7 @@ fn metres(keys: &Keys<'_>, read: &UffModes) -> Result<Option<f64>, Wrong> {
     }
 }
 
-/// The place of a node that moves.
+/// The place of a moving node.
 fn place(keys: &Keys<'_>, read: &UffModes, node: i64) -> Result<[f64; 3], Wrong> {
     let message = WrongModes::NodeWithoutPlace {
         file: keys.file.to_owned(),
@@ -266,7 +266,7 @@ fn place(keys: &Keys<'_>, read: &UffModes, node: i64) -> Result<[f64; 3], Wrong>
     place.ok_or_else(|| (message.into(), WrongModes::GiveEveryNode.into()))
 }
 
-/// The modes of a table, a row each.
+/// The modes of a table, one per row.
 fn of_table(file: &str, rows: &[Vec<SheetCell>], root: &DeTable<'_>) -> Result<ByDirection, Wrong> {
     let Some((header, body)) = rows.split_first() else {
         return Ok(ByDirection::new());

@@ -1,4 +1,4 @@
-//! Surveys that stand in a table beside the project: `surveys = { file = "history.xlsx" }`, a row a date. Each becomes a `[survey.DATE]`, as if it
+//! Surveys that stand in a table beside the project: `surveys = { file = "history.xlsx" }`, one row per date. Each becomes a `[survey.DATE]`, as if it
 //! were written there.
 
 use super::error::Fault;
@@ -17,14 +17,14 @@ use toml::de::DeTable;
 
 /// The key of the file.
 const KEY: &str = "surveys";
-/// Keys beside each other in it.
+/// Keys that the table may have.
 const KEYS: [&str; 3] = ["file", "sheet", "ignore"];
-/// What stands for a reading that was not taken.
+/// Marks for a missing reading.
 const MISSING: [&str; 8] = ["-", "–", "—", "/", "n/a", "na", "결측", "미측정"];
 
-/// A fault, and what to do.
+/// A fault with its remedy.
 type Wrong = (Both, Both);
-/// A column: what it holds, its unit and its head.
+/// A column: its contents, unit and head.
 #[derive(Debug)]
 struct Head {
     held: Held,
@@ -148,7 +148,7 @@ fn row_of(cell: &SheetCell) -> String {
         .to_owned()
 }
 
-/// The columns; `None` for one that is ignored or empty.
+/// The columns; `None` for an ignored or empty one.
 fn heads(file: &str, header: &[SheetCell], ignored: &[&str]) -> Result<Vec<Option<Head>>, Vec<Wrong>> {
     let (mut heads, mut faults): (Vec<Option<Head>>, Vec<Wrong>) = (Vec::new(), Vec::new());
     for cell in header {
@@ -192,7 +192,7 @@ fn heads(file: &str, header: &[SheetCell], ignored: &[&str]) -> Result<Vec<Optio
     }
 }
 
-/// A cell as it is written.
+/// The text of a cell.
 fn shown(cell: &SheetCell) -> String {
     match &cell.value {
         SheetValue::Text(text) => text.clone(),
@@ -201,7 +201,7 @@ fn shown(cell: &SheetCell) -> String {
     }
 }
 
-/// What a column holds, with a unit of its kind.
+/// The contents of a column, with a unit of the right kind.
 fn head(file: &str, cell: &SheetCell, head: &str) -> Result<Head, Wrong> {
     let (name, unit) = with_unit(head);
     let (file, place) = (file.to_owned(), cell.place.clone());
@@ -286,7 +286,7 @@ fn dated<'r>(
     Ok((date, name, cell))
 }
 
-/// Refuses a date that another row or the project file has.
+/// Rejects a date that another row or the project file has.
 fn only_once(
     file: &str,
     cell: &SheetCell,
@@ -529,7 +529,7 @@ mod tests {
             ("date,temperature (°F)\n2016-05-03,70\n", "cell B1", "°C"),
             ("date,temperature\n2016-05-03,warm\n", "cell B2", "no number"),
             ("date,tilt x\n2016-05-03,11\n", "cell B1", "no unit"),
-            // what the reader of the file refuses
+            // errors of the file's reader
             ("date,temperature\n2016-05-03,240\n", "cell B2", "240"),
             ("date,frequency x\n2016-05-03,-2.9\n", "cell B2", "-2.9"),
             ("date,tilt x (mm/m)\n2016-05-03,900\n", "cell B2", "fallen"),

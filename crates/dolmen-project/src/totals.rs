@@ -1,4 +1,4 @@
-//! Rows of a table that are sums of the rows above them, and no parts of the structure.
+//! Rows of a table that are sums of the rows above them, not parts of the structure.
 
 use dolmen_records::{SheetCell, SheetValue};
 
@@ -40,12 +40,12 @@ const NAMES: [&str; 33] = [
 ];
 /// Relative difference up to which a rounded number counts as the sum.
 const NEAR: f64 = 1e-3;
-/// Fewest rows above a total that is known by its numbers alone: the sum of fewer may be chance.
+/// Fewest rows above a total without a name: the sum of fewer may be chance.
 const ROWS_LEAST: usize = 2;
 /// Fewest numbers of such a total if its row has a name.
 const SUMS_LEAST: usize = 2;
 
-/// A row that is not a part, with the cell that shows it.
+/// A row that is not a part, with the cell that proves it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Total<'a> {
     /// By its name.

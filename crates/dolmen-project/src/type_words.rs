@@ -1,4 +1,4 @@
-//! The words for types and for values among which one is chosen.
+//! The words for types and for enumerated values.
 
 use super::wrong::WrongKey;
 use dolmen_words::message::Both;
@@ -42,12 +42,12 @@ pub(super) fn alternatives(words: &[&str]) -> Both {
     }
 }
 
-/// Whether the values of a survey at a path stand by direction.
+/// Whether the values of a survey at a path are tables by direction.
 pub(super) fn is_by_direction(path: &str) -> bool {
     path.starts_with("survey.") && (path.ends_with(".tilt") || path.ends_with(".frequencies"))
 }
 
-/// A description within a sentence: without its capital and its full stop.
+/// A description for use within a sentence: without capital and full stop.
 pub(super) fn lower_first(sentence: &str) -> String {
     let mut characters = sentence.trim_end_matches('.').chars();
     let first = characters.next().into_iter().flat_map(char::to_lowercase);

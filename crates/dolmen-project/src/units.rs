@@ -1,4 +1,4 @@
-//! Units as people write them, with their dimensions: "kN*m/rad", "kN/mm", "t", "m/s2", "g".
+//! Units in their common spellings, with their dimensions: "kN*m/rad", "kN/mm", "t", "m/s2", "g".
 
 use super::wrong::{Common, WrongUnit};
 pub(super) use dolmen::known::STANDARD_GRAVITY_M_S2;
@@ -50,7 +50,7 @@ impl Dimension {
     }
 }
 
-/// What a message names: the dimension in words.
+/// The dimension in words, for messages.
 impl Dimension {
     pub(super) fn said(self) -> Both {
         let name = match self {
@@ -85,7 +85,7 @@ impl Dimension {
     }
 }
 
-/// Symbols: each is so many SI units of its dimension.
+/// Symbols with their size in SI units and their dimension.
 const SYMBOLS: &[(&str, f64, Dimension)] = &[
     ("m", 1.0, Dimension::LENGTH),
     ("mm", 1e-3, Dimension::LENGTH),
@@ -123,7 +123,7 @@ const SYMBOLS: &[(&str, f64, Dimension)] = &[
 /// No unit of the field has a higher power: m⁴ is a second moment of area.
 const POWER_MOST: i32 = 4;
 
-/// A unit: so many SI units of its dimension.
+/// A unit: its size in SI units, and its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Unit {
     pub(super) factor: f64,
@@ -131,7 +131,7 @@ pub(super) struct Unit {
 }
 
 impl Unit {
-    /// The unit as one of what is needed: itself, or that of a unit weight, kN/m³, as a density; `None` where it measures something else.
+    /// The unit in a needed dimension: itself, or a unit weight, kN/m³, as a density; `None` for another dimension.
     pub(super) fn measuring(self, needed: Dimension) -> Option<Unit> {
         match (needed, self.dimension) {
             (Dimension::DENSITY, Dimension::STRESS_PER_LENGTH) => Some(Unit {
@@ -205,7 +205,7 @@ fn is_product(character: char) -> bool {
     matches!(character, '*' | '·' | '⋅' | '×' | '-' | ' ')
 }
 
-/// Reads a unit. Products are written `*`, `·`, `-` or a space, a quotient `/`, powers `2`, `^2` or `²`.
+/// Reads a unit. Products are `*`, `·`, `-` or a space, quotients `/`, powers `2`, `^2` or `²`.
 pub(super) fn parse_unit(text: &str) -> Result<Unit, UnitError> {
     let text = text.trim();
     if text.is_empty() {
@@ -265,7 +265,7 @@ fn multiply(unit: &mut Unit, written: &str, sign: i32) -> Result<(), UnitError> 
     Ok(())
 }
 
-/// Only differences of case and common spellings: "KN", "HZ", "ton" is left open on purpose (t or tf?).
+/// Only differences of case and common spellings, such as "KN" and "HZ". "ton" is left out on purpose (t or tf?).
 fn nearest_symbol(symbol: &str) -> Option<&'static str> {
     let spelled = match symbol {
         "metre" | "meter" | "metres" | "meters" => "m",
@@ -292,7 +292,7 @@ pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
     let bytes = text.as_bytes();
     let digits = |from: usize| from + bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
-    // the minus that we print is that of typesetting
+    // the minus in printed numbers is the typographic one
     let signed = |at: usize| match bytes.get(at) {
         Some(b'+' | b'-') => at + 1,
         _ if bytes[at.min(bytes.len())..].starts_with(MINUS.as_bytes()) => at + MINUS.len(),
@@ -313,7 +313,7 @@ pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     Some((value, text[end..].trim()))
 }
 
-/// Whether a unit is one of angles: they have the dimension of ratios.
+/// Whether a unit is one of angles, which have the dimension of ratios.
 pub(super) fn is_angle(unit: &str) -> bool {
     ["deg", "rad", "mrad", "°"].contains(&unit.trim())
 }
@@ -341,7 +341,7 @@ pub(super) fn tilt_ratio(text: &str) -> Option<f64> {
 /// "1e-4 rad", "0.5 deg", "2 mrad" as rad; the unit is required.
 ///
 /// # Errors
-/// What is wrong, in a sentence.
+/// The error in a sentence.
 pub fn parse_angle_rad(text: &str) -> Result<f64, AngleError> {
     let refuse = |said: Both| AngleError {
         text: text.to_owned(),
@@ -374,7 +374,7 @@ pub fn parse_angle_rad(text: &str) -> Result<f64, AngleError> {
 pub struct AngleError {
     /// The text.
     pub text: String,
-    /// What is wrong with it, and what to write.
+    /// The error, and the remedy.
     pub why: Both,
 }
 

@@ -1,4 +1,4 @@
-//! Variants that a file names and does not have.
+//! Named variants that are not in the file.
 
 use super::content::{Project, Variant};
 use super::error::Fault;
@@ -6,7 +6,7 @@ use super::wrong::{Common, WrongFile};
 use dolmen_words::message::Both;
 use dolmen_words::nearest;
 
-/// Variants that studies name and the file does not have.
+/// Variants that studies name but that are not in the file.
 pub(super) fn unknown_variants(project: &Project, variants: &[Variant]) -> Vec<Fault> {
     let known: Vec<&str> = variants.iter().map(|variant| variant.name.as_str()).collect();
     let mut faults = Vec::new();

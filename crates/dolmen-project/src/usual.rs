@@ -1,4 +1,4 @@
-//! What is usual: how far a value lies from it, and the unit that would bring it back.
+//! Usual values: how far a value is from them, and the unit that would correct it.
 
 use super::heaviness::Heaviness;
 use super::quantity::Quantity;
@@ -10,16 +10,16 @@ pub(super) fn within(value: f64, range: (f64, f64)) -> bool {
     (range.0..=range.1).contains(&value)
 }
 
-/// Units that are mistaken for each other, and how many of the first each is.
+/// Units that are often confused, with their size relative to the first.
 const FAMILIES: [&[(&str, f64)]; 3] = [
     &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)],
     &[("mm", 1.0), ("cm", 10.0), ("m", 1e3)],
     &[("kg", 1.0), ("t", 1e3)],
 ];
-/// How near a unit must bring a value to what is usual before the help names the unit.
+/// Largest ratio to the usual value after a change of unit for which the help names that unit.
 const NEAR: f64 = 6.0;
 
-/// The unit that would bring a value, `ratio` times what is usual, back.
+/// The unit that would correct a value `ratio` times the usual one.
 pub(super) fn guess(ratio: f64, unit: &str) -> Slip {
     let family = FAMILIES
         .iter()
@@ -52,7 +52,7 @@ pub(super) fn rounded(ratio: f64) -> String {
     short((ratio / unit).round() * unit)
 }
 
-/// The unit a quantity was written in, for a guess.
+/// The unit of a quantity in the file, for a guess.
 pub(super) fn unit_of(quantity: &Quantity) -> &str {
     quantity.written.split_once(' ').map_or("", |(_, unit)| unit)
 }
@@ -79,8 +79,8 @@ pub(super) fn median_of_others(values: &[f64], but: usize) -> Option<f64> {
     }
 }
 
-/// Values that are `most` times above or below the median of the others. Of two values only one can be the odd one:
-/// that further from `usual`.
+/// Values more than `most` times above or below the median of the others. Of two values only one is odd: the one
+/// further from `usual`.
 pub(super) fn odd_ones(values: &[f64], most: f64, usual: f64) -> Vec<usize> {
     let odd = |i: usize| {
         median_of_others(values, i).is_some_and(|median| {
@@ -96,7 +96,7 @@ pub(super) fn odd_ones(values: &[f64], most: f64, usual: f64) -> Vec<usize> {
     }
 }
 
-/// "388 × the link below" or "1/388 of the link above"; `None` of a part alone.
+/// "388 × the link below" or "1/388 of the link above"; `None` for a single part.
 pub(super) fn beside_neighbour(parts: &[&Quantity], i: usize, part: Slip) -> Option<Slip> {
     let below = i.checked_sub(1).and_then(|below| parts.get(below));
     let other = below.or_else(|| parts.get(i + 1))?;
@@ -123,7 +123,7 @@ pub(super) fn beside_neighbour(parts: &[&Quantity], i: usize, part: Slip) -> Opt
     })
 }
 
-/// A value beside others of its kind.
+/// A value compared with others of its kind.
 pub(super) fn beside_others(quantity: &Quantity, beside: Both) -> Slip {
     Slip::Beside {
         path: quantity.path.clone(),

@@ -1,4 +1,4 @@
-//! Numbers as they stand in a doubt.
+//! Numbers in the form for doubts.
 
 use dolmen_words::{Digits, Quantity, Unit};
 

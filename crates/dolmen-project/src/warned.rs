@@ -1,10 +1,10 @@
-//! What warnings on a project say.
+//! Warnings about a project.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// Something that does not stop the reading, but that every result carries.
+    /// A warning that does not stop the reading and appears with every result.
     pub enum Warned in "project.warning" {
         CapLeftOut => {
             en: "the part at the very top (cap stone) is left out: its weight would lower the load factor and every frequency, so what follows is on the unsafe side",

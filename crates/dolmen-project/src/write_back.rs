@@ -1,10 +1,10 @@
-//! Numbers written into the text of a project file in the place of others: comments, order and everything else stay as they are.
+//! Numbers that replace others in the text of a project file; comments, order and everything else stay unchanged.
 
 use crate::Project;
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// A number that a survey led to, to be written as `{ value, unit, sd, source = "identified", survey, note }`.
+/// An identified number, written as `{ value, unit, sd, source = "identified", survey, note }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IdentifiedNumber {
     /// SI.
@@ -15,13 +15,13 @@ pub struct IdentifiedNumber {
     pub unit: &'static str,
     /// The survey.
     pub survey: String,
-    /// What stood in its place, as it was written; `None` where a number stood there that was identified too.
+    /// The replaced text; `None` where it was also an identified number.
     pub before: Option<String>,
-    /// Its note: what stood there before anything was identified.
+    /// Its note: the text before any identification.
     pub note: Option<String>,
 }
 
-/// What is put in the place of a value of the file.
+/// The replacement of a value of the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NewValue {
     /// A number.
@@ -34,16 +34,16 @@ pub enum NewValue {
     Lengths(Vec<f64>),
 }
 
-/// The text of a project file with new values in their places, `joints`, `floors[1].stiffness.x`, parts counted from 1. A key of a table
-/// `[direction.NAME]` that the file does not have is added at its end.
+/// The text of a project file with values replaced at their paths (`joints`, `floors[1].stiffness.x`), parts counted from 1. A key of a table
+/// `[direction.NAME]` that the file does not have is added at the end of the table.
 ///
 /// # Errors
-/// The place that the text does not hold: it stands in a table beside it.
+/// A path that the text does not contain: its value is in a table beside the file.
 pub fn with_values(text: &str, project: &Project, values: &[(String, NewValue)]) -> Result<String, String> {
     put(text, project, values, &NewValue::toml)
 }
 
-/// The same without a new line, so that what follows keeps its line.
+/// [`with_values`] without a new line, so that later text keeps its line numbers.
 ///
 /// # Errors
 /// As [`with_values`].
@@ -137,7 +137,7 @@ impl IdentifiedNumber {
         said + " }"
     }
 
-    /// The unit as project files write it, with the prefix that leaves few digits before the point.
+    /// The unit in the syntax of project files, with a prefix that leaves few digits before the decimal point.
     fn unit(&self) -> (String, f64) {
         let (prefix, factor) = match self.value.abs() {
             value if value >= 1e9 => ("G", 1e9),
@@ -152,7 +152,7 @@ impl IdentifiedNumber {
         }
     }
 
-    /// Significant digits: three beyond the first that the standard deviation touches.
+    /// Significant digits: three more than the first digit that the standard deviation affects.
     fn digits(&self) -> usize {
         const WITHOUT_SD: f64 = 1e-3;
         let ratio = self.sd.map_or(WITHOUT_SD, |sd| sd / self.value.abs());
@@ -160,7 +160,7 @@ impl IdentifiedNumber {
     }
 }
 
-/// The number with so many significant digits.
+/// The number with this many significant digits.
 fn shortest(number: f64, digits: usize) -> f64 {
     let text = format!("{number:.*e}", digits.saturating_sub(1));
     text.parse().unwrap_or(number)

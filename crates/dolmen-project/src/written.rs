@@ -1,4 +1,4 @@
-//! Numbers for messages, as people write them.
+//! Numbers for messages, in readable form.
 
 /// A number for a message: at most six significant digits, without trailing zeros.
 pub(super) fn short(value: f64) -> String {
@@ -18,7 +18,7 @@ pub(super) fn short(value: f64) -> String {
     }
 }
 
-/// A number with its unit behind it.
+/// A number followed by its unit.
 pub(super) fn with_unit(number: &str, unit: &str) -> String {
     match unit {
         "" => number.to_owned(),

@@ -1,11 +1,11 @@
-//! Where a key stands in the text of a project file.
+//! The place of a key in the text of a project file.
 
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The place of the value at a path such as `survey.2026-03-10.tilt.x` or `blocks[4].height`; `None` where the text has none there. Keys may
-/// hold points themselves: of two keys that fit, the longer one is meant.
+/// The place of the value at a path such as `survey.2026-03-10.tilt.x` or `blocks[4].height`; `None` if the text has no such value. Keys
+/// may contain dots: of two matching keys, the longer one counts.
 pub(super) fn written_at(text: &str, path: &str) -> Option<Range<usize>> {
     let (root, _) = DeTable::parse_recoverable(text);
     in_table(root.get_ref(), path)
@@ -38,7 +38,7 @@ fn in_value(value: &Spanned<DeValue<'_>>, rest: &str) -> Option<Range<usize>> {
     }
 }
 
-/// What follows a key in a path.
+/// The rest of a path after a key.
 fn rest_behind<'p>(path: &'p str, key: &str) -> Option<&'p str> {
     let rest = path.strip_prefix(key)?;
     (rest.is_empty() || rest.starts_with(['.', '['])).then_some(rest)

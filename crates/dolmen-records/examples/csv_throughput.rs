@@ -1,9 +1,9 @@
-//! How fast records are read: a million lines of CSV, and the same through the crate `csv` with `str::parse`.
+//! Reading speed of records: a million lines of CSV, compared with the crate `csv` and `str::parse`.
 //!
 //! `cargo run --release -p dolmen-records --example csv_throughput`
 //!
-//! One thread, so on a quiet machine the time on the wall is that of the processor; the median of the runs is printed, and
-//! the fastest, which other work disturbs least.
+//! One thread, so on a quiet machine wall time equals processor time; prints the median of the runs, and the fastest,
+//! which is disturbed least.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a measurement")]
 
 use dolmen_records::records::{RecordOptions, read_csv, read_npy};
@@ -38,7 +38,7 @@ fn main() {
     });
 }
 
-/// Runs it, prints the rates, returns that of the median, MB/s.
+/// Runs it, prints the rates, returns the median, MB/s.
 fn report(what: &str, megabytes: f64, read: impl Fn() -> usize) -> f64 {
     let mut seconds: Vec<f64> = (0..RUNS)
         .map(|_| {
@@ -87,7 +87,7 @@ fn array() -> Vec<u8> {
     bytes
 }
 
-/// What a program does that takes the usual crate: records of bytes, each cell parsed, one vector a column.
+/// A program with the usual crate: byte records, each cell parsed, one vector per column.
 fn through_csv(text: &str) -> usize {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let mut columns = vec![Vec::new(); CHANNELS + 1];

@@ -1,4 +1,4 @@
-//! Frames with dry friction through El Centro 1940 NS: the loop's CPU time and what it found, one line a case, for bench/frame.
+//! Frames with dry friction under El Centro 1940 NS: CPU time of the loop and its results, one line per case, for bench/frame.
 
 #![allow(clippy::print_stdout, reason = "a measurement")]
 
@@ -7,10 +7,10 @@ use dolmen::dynamics::{
 };
 use dolmen::structure::{Convention, Frame, Storey};
 
-/// Runs are repeated for so long and their mean is given: a hundred ticks of the kernel's clock.
+/// Runs are repeated for this time and their mean is printed: a hundred ticks of the kernel's clock.
 const AT_LEAST_S: f64 = 0.4;
 
-/// Processor seconds of this thread, as the kernel counts them: some kernels only at their ticks, up to 10 ms apart.
+/// CPU seconds of this thread; some kernels update it only at ticks, up to 10 ms apart.
 fn cpu_s() -> f64 {
     let stat = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     let nanoseconds = stat.split(' ').next().and_then(|n| n.parse::<f64>().ok());

@@ -1,6 +1,6 @@
-//! P10 through El Centro, both horizontal components, for bench/stack: CPU seconds of the stepping loop.
+//! P10 under El Centro, both horizontal components, for bench/stack: CPU seconds of the stepping loop.
 //!
-//! `stack_bench MOTION180.AT2 MOTION270.AT2 [PEAK_G]`: prints one line a contact rule.
+//! `stack_bench MOTION180.AT2 MOTION270.AT2 [PEAK_G]`: prints one line per contact rule.
 #![allow(
     clippy::print_stdout,
     clippy::unwrap_used,
@@ -15,7 +15,7 @@ use dolmen::structure::stack::{JointMaterial, Stack};
 
 const GRAVITY_M_S2: f64 = 9.81;
 
-/// Seconds that this process has computed.
+/// CPU seconds of this process.
 fn cpu_s() -> f64 {
     let text = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
     let nanoseconds = text
@@ -25,7 +25,7 @@ fn cpu_s() -> f64 {
     nanoseconds.unwrap_or(f64::NAN) * 1e-9
 }
 
-/// Step and samples of an AT2 file, in g.
+/// Time step and samples of an AT2 file, in g.
 fn at2(path: &str) -> (f64, Vec<f64>) {
     let text = std::fs::read_to_string(path).unwrap();
     let header = text.lines().nth(3).unwrap();
@@ -102,7 +102,7 @@ fn main() {
     ensemble(&stack, &motion, peak_g);
 }
 
-/// Many runs at once, at half to one and a half times the peak, 4 points: block-steps a second of one core.
+/// Many runs in parallel, at half to one and a half times the peak, 4 points: block-steps per second and core.
 fn ensemble(stack: &Stack, motion: &GroundMotion, peak_g: f64) {
     const RUNS: usize = 64;
     let options = Springs {

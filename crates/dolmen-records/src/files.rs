@@ -16,7 +16,7 @@ pub trait Files: Send + Sync {
         None
     }
 
-    /// Whether the file `name` is there by that name with its letters composed otherwise (NFC, NFD) alone.
+    /// Whether the file `name` exists only under a name with another Unicode normalization (NFC, NFD).
     fn is_composed_otherwise(&self, _name: &str) -> bool {
         false
     }
@@ -46,7 +46,7 @@ pub enum FileError {
         /// The limit.
         most: u64,
     },
-    /// It lies outside the folder of the project, or may do so.
+    /// It is outside the folder of the project, or may be.
     Outside {
         /// The file, as a user would look for it.
         shown: String,
@@ -63,7 +63,7 @@ pub enum FileError {
         /// The file, as a user would look for it.
         shown: String,
     },
-    /// There is no file of this name, which has the backslashes of Windows.
+    /// There is no such file, and the name has backslashes as on Windows.
     Backslash {
         /// The file, as a user would look for it.
         shown: String,
@@ -77,13 +77,13 @@ pub enum FileError {
         /// The similar name.
         near: String,
     },
-    /// A line of a project file names what cannot be had.
+    /// A line of a project file names an unavailable file.
     NamedIn {
         /// The project file.
         file: String,
         /// Its line, from 1.
         line: usize,
-        /// Why it cannot be had.
+        /// Why it is not available.
         why: Both,
     },
     /// Only text was given, without files.
@@ -126,7 +126,7 @@ impl Files for MemoryFiles {
 pub fn stays_within(name: &str) -> bool {
     let mut parts = name.split(['/', '\\']);
     let begins_at_root = name.starts_with(['/', '\\']);
-    // a drive, or a second stream of a file on Windows
+    // a drive, or an alternate stream of a file on Windows
     !begins_at_root && !name.contains([':', '\0']) && parts.all(|part| part != "..")
 }
 
@@ -140,17 +140,17 @@ impl Files for NoFiles {
     }
 }
 
-/// Most bytes of a vibration record. Chosen here: 64 channels of a day at 100 Hz as numbers of 8 bytes are 4.4 GB.
+/// Largest size of a vibration record, bytes. Our choice: 64 channels of a day at 100 Hz as numbers of 8 bytes are 4.4 GB.
 pub const RECORD_BYTES_MOST: u64 = 8 << 30;
-/// Most bytes of a ground motion. Chosen here: three components of an hour at 200 Hz as text are 30 MB.
+/// Largest size of a ground motion, bytes. Our choice: three components of an hour at 200 Hz as text are 30 MB.
 pub const MOTION_BYTES_MOST: u64 = 512 << 20;
-/// Most bytes of a mesh. Chosen here: a scan of ten million triangles is 500 MB.
+/// Largest size of a mesh, bytes. Our choice: a scan of ten million triangles is 500 MB.
 pub const MESH_BYTES_MOST: u64 = 2 << 30;
-/// Most bytes of a project file. Chosen here: the longest shipped example has 25 kB.
+/// Largest size of a project file, bytes. Our choice: the longest shipped example has 25 kB.
 pub const PROJECT_BYTES_MOST: u64 = 4 << 20;
-/// Most bytes of the journal of a study. Chosen here: ten million runs of 100 bytes.
+/// Largest size of the journal of a study, bytes. Our choice: ten million runs of 100 bytes.
 pub const JOURNAL_BYTES_MOST: u64 = 1 << 30;
-/// Most bytes of a table of a site: periods and accelerations, or rates.
+/// Largest size of a table of a site (periods and accelerations, or rates), bytes.
 pub const TABLE_BYTES_MOST: u64 = 64 << 20;
 
 #[cfg(test)]

@@ -3,19 +3,19 @@
 use crate::wrong::Unread;
 use dolmen_words::message::Both;
 
-/// Largest number of columns of a text, and of channels of any file. Chosen here: more than any recorder has.
+/// Largest number of columns of a text, and of channels of any file. Our choice: more than any recorder has.
 pub(crate) const CHANNELS_MOST: usize = 4096;
-/// Longest line of a text, bytes. Chosen here: 4096 columns of 20 digits are 90 kB.
+/// Longest line of a text, bytes. Our choice: 4096 columns of 20 digits are 90 kB.
 pub(crate) const LINE_BYTES_MOST: usize = 1 << 20;
-/// Largest number of variables, groups and channels in a binary file. Chosen here: files of recorders have some hundred.
+/// Largest number of variables, groups and channels in a binary file. Our choice: files of recorders have some hundred.
 pub(crate) const PARTS_MOST: usize = 65_536;
-/// Bytes of numbers allowed for any file, however small; twice that is held while they are read. Chosen here: six hours of six
+/// Bytes of numbers allowed for any file, however small; twice that is in memory during reading. Our choice: six hours of six
 /// channels at 100 Hz.
 const EXPANDED_FREE: u64 = 100 << 20;
-/// Largest number of bytes of numbers for each byte of a larger file. Chosen here: a quiet record of 16 bits, of which three change, packs as
-/// doubles to a twentieth.
+/// Largest number of bytes of numbers for each byte of a larger file. Our choice: a quiet 16-bit record, in which three bits change, packs
+/// as doubles to a twentieth.
 const EXPANSION_MOST: u64 = 20;
-/// Number of first bytes that identify a format. Chosen here: the longest header examined, 200 lines, has 15 kB.
+/// Number of first bytes that identify a format. Our choice: the longest header examined, 200 lines, has 15 kB.
 const HEAD_BYTES: usize = 1 << 16;
 
 /// A limit of a reader was exceeded.
@@ -54,7 +54,7 @@ pub enum LimitError {
         format: &'static str,
         /// Bytes of the file.
         packed: usize,
-        /// Bytes of its numbers, as the file says.
+        /// Bytes of its numbers, as stated by the file.
         unpacked: u64,
         /// The limit.
         most: u64,

@@ -1,4 +1,4 @@
-//! Readings of slow sensors over time: files of a Campbell logger (TOA5) and tables of text, a time and values a row.
+//! Readings of slow sensors over time: files of a Campbell logger (TOA5), and text tables with a time and values in each row.
 
 use crate::log_times::{TimeCells, UnclearDay, says_when};
 use crate::number::parse_number;
@@ -7,7 +7,7 @@ use crate::text_code::decoded;
 use crate::workbook::{is_workbook, workbook_as_csv};
 use dolmen_words::sentences;
 
-/// Lines of a TOA5 file before its readings: the station, names, units, how each was made.
+/// Lines of a TOA5 file before its readings: the station, names, units, and processing.
 const TOA5_LINES: usize = 4;
 /// First word of such a file.
 const TOA5: &str = "TOA5";
@@ -29,14 +29,14 @@ pub struct Log {
     pub set_back: usize,
     /// Rows more than a day out of order, left out: the clock was wrong.
     pub misdated: usize,
-    /// The unit of the column as the file states it: TOA5 does in a line of its own, tables in brackets at the end of a head, "X (mm/m)".
+    /// The unit of the column in the file: TOA5 has a line of units; tables have them in brackets at the end of a heading, "X (mm/m)".
     pub unit: Option<String>,
 }
 
 /// Why a log cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LogError {
-    /// It is no table of text.
+    /// It is not a text table.
     NotText,
     /// The workbook is refused.
     Workbook(SheetError),
@@ -325,7 +325,7 @@ fn cells(row: &str, sign: char) -> Vec<String> {
     all.iter().map(|cell| cell.trim().to_owned()).collect()
 }
 
-/// The first cell of a row that holds no separator.
+/// The first cell of a row, which contains no separator.
 fn first_cell(row: &str, sign: char) -> &str {
     let cell = row.split(sign).next().unwrap_or_default();
     cell.trim().trim_matches('"').trim()
@@ -400,9 +400,9 @@ mod tests {
         let row = |day: usize, value: usize| format!("2026-11-{day:02} 10:00,{value}\n");
         let mut text = "Time,Tilt\n".to_owned();
         text += &(1..=4).map(|day| row(day, day)).collect::<String>();
-        text += "2096-11-05 10:00,99\n"; // a bit of its clock was flipped
+        text += "2096-11-05 10:00,99\n"; // a bit of its clock flipped
         text += &(5..=6).map(|day| row(day, day)).collect::<String>();
-        text += "1990-01-01 00:00,99\n1990-01-01 00:10,99\n1990-01-03 00:10,99\n"; // its battery was dead
+        text += "1990-01-01 00:00,99\n1990-01-01 00:10,99\n1990-01-03 00:10,99\n"; // its battery was empty
         text += &(9..=12).map(|day| row(day, day)).collect::<String>();
         let log = read_log(text.as_bytes(), None).unwrap();
         assert_eq!(log.values, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 9.0, 10.0, 11.0, 12.0]);
@@ -415,7 +415,7 @@ mod tests {
         let log = read_log(text.as_bytes(), None).unwrap();
         assert_eq!(log.values, [1.0, 4.0, 5.0, 6.0]);
         assert_eq!((log.misdated, log.set_back, log.repeated), (0, 1, 2));
-        // beside a wrong clock it stays
+        // it stays beside rows with a wrong clock
         let log = read_log(format!("{text}1990-01-01 00:00,99\n").as_bytes(), None).unwrap();
         assert_eq!(log.values, [1.0, 4.0, 5.0, 6.0]);
         assert_eq!((log.misdated, log.repeated), (1, 2));

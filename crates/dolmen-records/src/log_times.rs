@@ -3,12 +3,12 @@
 use crate::records::{calendar_day, date_time};
 use crate::start::start_of_text;
 
-/// The form of times in a log. All rows of a file have the same.
+/// Format of the times in a log, the same for all rows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct TimeCells {
     /// The time of day is in a separate cell after the date.
     has_clock_apart: bool,
-    /// The month stands first in dates such as "11/25/2026".
+    /// Whether the month comes first in dates such as "11/25/2026".
     is_month_first: bool,
 }
 
@@ -60,14 +60,14 @@ impl TimeCells {
         plain_time(cell).or_else(|| self.other_time(cell))
     }
 
-    /// A day with or without a time, its year first or last; a time zone applies to all rows.
+    /// A day with or without a time, with its year first or last; a time zone applies to all rows.
     fn other_time(self, cell: &str) -> Option<f64> {
         let cell = match YearLastDate::of(cell) {
             Some(turned) => turned.year_first(self.is_month_first),
             None => cell.to_owned(),
         };
         match cell.contains(':') {
-            // a time of the day alone says no day
+            // a time of day alone gives no date
             true => date_time(&cell)
                 .filter(|at| at.seconds >= DAY_S)
                 .map(|at| at.seconds),
@@ -76,7 +76,7 @@ impl TimeCells {
     }
 }
 
-/// Whether a cell is a time in any form.
+/// Whether a cell is a time in any format.
 pub(super) fn says_when(cell: &str) -> bool {
     let with = |is_month_first| TimeCells {
         has_clock_apart: false,
@@ -90,13 +90,13 @@ pub(super) fn says_when(cell: &str) -> bool {
 const DAY_S: f64 = 86_400.0;
 const MONTHS: u32 = 12;
 
-/// A date whose year stands last: "25.11.2026 10:00", "11/25/2026".
+/// A date with its year last: "25.11.2026 10:00", "11/25/2026".
 struct YearLastDate<'a> {
     first: u32,
     second: u32,
     year: &'a str,
     rest: &'a str,
-    /// Whether the day or the month may come first: between dots it is the day.
+    /// Whether either the day or the month may come first; with dots it is the day.
     is_unclear: bool,
 }
 

@@ -20,7 +20,6 @@ const CELL_MOST: usize = 64;
 /// A number at the beginning of a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Number {
-    /// Its value.
     pub(crate) value: f64,
     /// Index of the first byte after it.
     pub(crate) end: usize,
@@ -123,7 +122,7 @@ pub(crate) fn parse_cell(cell: &[u8], decimal_sign: u8) -> Option<Number> {
     })
 }
 
-/// Gathers the digits from `at` on; returns where they end. Wraps beyond 19 digits.
+/// Gathers the digits from `at` on; returns their end. Wraps beyond 19 digits.
 #[inline]
 fn digits(text: &[u8], mut at: usize, gathered: &mut u64) -> usize {
     while let Some(digit) = text.get(at).map(|b| b.wrapping_sub(b'0'))

@@ -2,9 +2,9 @@
 
 use imagesize::{ImageType, blob_size, image_type};
 
-/// Largest size of a photograph, bytes. Chosen here: a JPEG of a camera with 60 megapixels has 30 MB.
+/// Largest size of a photograph, bytes. Our choice: a JPEG of a camera with 60 megapixels has 30 MB.
 pub const PHOTO_BYTES_MOST: u64 = 32 << 20;
-/// Largest number of pixels. Chosen here: decoded they take 640 MB; a camera of 2026 has 60 to 151 million.
+/// Largest number of pixels. Our choice: decoded they take 640 MB; a camera of 2026 has 60 to 151 million.
 pub const PHOTO_PIXELS_MOST: u64 = 160_000_000;
 
 /// The formats that pages, documents and browsers all show.
@@ -196,7 +196,7 @@ fn has_end(bytes: &[u8], format: PhotoFormat) -> bool {
 mod tests {
     use super::*;
 
-    /// The signature and IHDR of a PNG as RFC 2083 has them, then its end.
+    /// The signature and IHDR of a PNG by RFC 2083, then its end.
     fn png(width: u32, height: u32) -> Vec<u8> {
         let mut bytes = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR".to_vec();
         bytes.extend(width.to_be_bytes());
@@ -206,7 +206,7 @@ mod tests {
         bytes
     }
 
-    /// A JPEG with a thumbnail's frame within APP1 before its own, as cameras write it (ITU-T T.81, B.2.2).
+    /// A JPEG with the frame of a thumbnail within APP1 before its own frame, as from cameras (ITU-T T.81, B.2.2).
     fn jpeg(width: u16, height: u16) -> Vec<u8> {
         let frame = |width: u16, height: u16| {
             let mut segment = vec![0xff, 0xc0, 0, 11, 8];

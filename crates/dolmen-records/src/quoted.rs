@@ -3,9 +3,9 @@
 use crate::wrong::and_more;
 use dolmen_words::message::Both;
 
-/// Longest quotation, in characters. Chosen here: two lines of a terminal.
+/// Longest quotation, in characters. Our choice: two lines of a terminal.
 const CHARACTERS_MOST: usize = 200;
-/// Longest list of names. Chosen here: nobody reads more to find the right one.
+/// Longest list of names. Our choice: nobody reads more to find the right one.
 const NAMES_MOST: usize = 20;
 
 /// A text with its control characters escaped, cut with "…" if it is too long for an error. Applying it twice changes nothing more.

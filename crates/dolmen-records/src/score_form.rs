@@ -16,13 +16,13 @@ const NEEDED: [FormFactor; 4] = [
 const EITHER: [FormFactor; 2] = [FormFactor::BodySlenderness, FormFactor::SlendernessAngle];
 /// The column of the values, from 0.
 const VALUES: usize = 3;
-/// Most rows of a sheet of the form. Chosen here: it has some thirty, and notes may stand below.
+/// Largest number of rows of a sheet of the form. Our choice: it has some thirty, and notes may follow.
 const ROWS_MOST: usize = 1000;
 
 /// Why a form cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ScoreFormError {
-    /// It is no workbook.
+    /// It is not a workbook.
     NoWorkbook(String),
     /// It is larger than a form.
     Sheet(SheetError),
@@ -33,7 +33,7 @@ pub enum ScoreFormError {
         /// The key of the row.
         key: &'static str,
     },
-    /// Two values of which each follows from the other.
+    /// Two values that determine each other.
     Both,
     /// A value that is not a number.
     NoNumber {
@@ -83,7 +83,7 @@ impl FormFactor {
 /// A filled form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScoreForm {
-    /// The name of the pagoda, if it is given.
+    /// The name of the pagoda, if given.
     pub name: Option<String>,
     /// Factors with their values, in the units of the form: m, degrees.
     pub factors: Vec<(FormFactor, f64)>,

@@ -1,4 +1,4 @@
-//! Tables of stones and storeys: XLSX, ODS and CSV to rows of cells with their places.
+//! Tables of stones and storeys: XLSX, ODS and CSV to rows of cells with their references.
 
 use crate::sheet_error::{COLUMNS_MOST, ROWS_MOST, SheetError, unreadable};
 use crate::sheet_limits::{refuse_bomb, refuse_far, refuse_repeats, too_many};
@@ -31,12 +31,12 @@ pub struct SheetCell {
 /// The rows of a table, the header first; empty rows at the end are left out.
 ///
 /// # Errors
-/// [`SheetError`]: no table, a formula, merged cells, or too much; each names the cell.
+/// [`SheetError`]: not a table, a formula, merged cells, or too much; each names the cell.
 pub fn read_sheet(bytes: &[u8], file: &str, sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     rows_of(bytes, file, sheet, SheetUse::Parts)
 }
 
-/// As [`read_sheet`], of a table with a date in each row: dates of a spreadsheet are text, "2026-11-25".
+/// As [`read_sheet`], for a table with a date in each row: dates of a spreadsheet are text, "2026-11-25".
 ///
 /// # Errors
 /// [`SheetError`].
@@ -80,7 +80,7 @@ const SAMPLES_MOST: usize = 1 << 20;
 pub(crate) enum SheetUse {
     /// Parts of a structure: dates are mistakes.
     Parts,
-    /// Surveys of a structure, a row a date: dates are text.
+    /// Surveys of a structure, one row per date: dates are text.
     Dated,
     /// Samples or readings, with dates and times as text.
     Samples,
@@ -95,7 +95,7 @@ impl SheetUse {
     }
 }
 
-/// The sheets of a workbook (XLSX) that hold something.
+/// The nonempty sheets of a workbook (XLSX).
 ///
 /// # Errors
 /// [`SheetError::Unreadable`], [`SheetError::TooLarge`].
@@ -117,7 +117,7 @@ pub(crate) fn filled_sheets(bytes: &[u8]) -> Result<Vec<String>, SheetError> {
     Ok(filled)
 }
 
-/// "C4" of a column and row from 0.
+/// "C4" for a column and row from 0.
 fn place(row: usize, column: usize) -> String {
     let mut letters = Vec::new();
     let mut left = column + 1;
@@ -152,7 +152,7 @@ pub(crate) fn of_xlsx(
     let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
     let mut names = book.sheet_names();
     if sheet.is_none() && names.len() > 1 {
-        // Excel used to make three, of which two stay empty
+        // older versions of Excel create three sheets, of which two stay empty
         names = match filled_sheets(bytes)? {
             filled if filled.is_empty() => names,
             filled => filled,
@@ -230,7 +230,7 @@ fn cells(range: &Range<Data>, of: SheetUse) -> Result<Vec<Vec<SheetCell>>, Sheet
     range.rows().enumerate().map(of_row).collect()
 }
 
-/// "2026-11-25 10:00:00.005", "2026-11-25" of a day without a time, "10:00:00.005" of a time without a day.
+/// "2026-11-25 10:00:00.005", "2026-11-25" for a day without a time, "10:00:00.005" for a time without a day.
 fn moment(at: ExcelDateTime) -> String {
     let (year, month, day, hour, minute, second, millisecond) = at.to_ymd_hms_milli();
     let clock = format!("{hour:02}:{minute:02}:{second:02}.{millisecond:03}");
@@ -252,7 +252,7 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
         ))
     })?;
     let text = text.trim_start_matches('\u{feff}');
-    // a remark above the table has no part in it
+    // a remark above the table is not part of it
     let mut lines = text.lines();
     let first = lines.clone().find(|line| !line.starts_with('#')).or(lines.next());
     let first = first.unwrap_or_default();
@@ -271,7 +271,7 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     let mut within_cells = 0;
     for record in reader.records() {
         let record = record.map_err(unreadable)?;
-        // a record begins behind the one before, empty lines among it
+        // a record begins after the previous one, with any empty lines between
         let line = record.position().map_or(rows.len() + 1, |at| {
             let ahead = text.as_bytes().get(at.byte() as usize..).unwrap_or_default();
             let empty = ahead.iter().take_while(|byte| matches!(byte, b'\n' | b'\r'));
@@ -447,7 +447,7 @@ mod tests {
                 cells: 5
             }
         );
-        // one channel of ten in each line
+        // one of ten channels in each line
         let log = book(|sheet| {
             for row in 0..3000 {
                 sheet.write_number(row, (row % 10) as u16, 1.0).unwrap();
@@ -468,7 +468,7 @@ mod tests {
             archive.write_all(table.as_bytes()).unwrap();
             refuse_repeats(&archive.finish().unwrap().into_inner())
         };
-        // calamine would wait for ever for the end of the table or row
+        // calamine would wait endlessly for the end of the table or row
         for cut in ["</table:table>", "<table:table-row>", "<!-- </table:table>"] {
             assert_eq!(ods(cut), Err(SheetError::Damaged), "{cut}");
         }
@@ -479,7 +479,7 @@ mod tests {
         let text = "<table:table-cell>\n<text:p>a</text:p></table:table-cell>";
         let empty = "<table:table-cell table:number-columns-repeated=\"16384\">\n</table:table-cell>";
         let too_many = |rows, columns| Err(too_many(rows, columns));
-        // what LibreOffice writes up to its last row and column
+        // LibreOffice writes these up to its last row and column
         let end = row("\"1048000\"", empty);
         assert_eq!(
             ods(&format!("{}{end}", row("'9'", &format!("{filled}{empty}")))),
@@ -487,14 +487,14 @@ mod tests {
         );
         assert_eq!(ods(&row("\"10001\"", filled)), too_many(10_001, 1));
         assert_eq!(ods(&row("'10001'", text)), too_many(10_001, 1));
-        // far below, far to the right, and a number that is none
+        // far below, far to the right, and an invalid number
         assert_eq!(
             ods(&format!("{end}{}", row("'1'", filled))),
             too_many(1_048_001, 1)
         );
         assert_eq!(ods(&row("'1'", &format!("{empty}{filled}"))), too_many(1, 16_385));
         assert_eq!(ods(&row("'&#57;'", filled)), too_many(usize::MAX, 1));
-        // a sign of the end within a value
+        // an end tag within a value
         let hidden = "<table:table-row table:style-name=\">\" table:number-rows-repeated='20000'>";
         assert_eq!(
             ods(&format!("<!-- ' -->{hidden}{filled}</table:table-row>")),

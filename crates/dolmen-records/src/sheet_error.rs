@@ -1,12 +1,12 @@
 //! Errors of tables, and limits of their size.
 
-/// Most bytes that a workbook may unpack to. Chosen here: 10,000 stones in twenty columns are 20 MB of XML.
+/// Largest unpacked size of a workbook, bytes. Our choice: 10,000 stones in twenty columns are 20 MB of XML.
 pub(crate) const UNPACKED_BYTES_MOST: u64 = 128 << 20;
-/// Largest number of bytes for each byte of a workbook. Chosen here: sheets of numbers pack to a tenth, formatted empty cells to a thirtieth.
+/// Largest unpacked size relative to that of the workbook. Our choice: sheets of numbers pack to a tenth, formatted empty cells to a thirtieth.
 pub(crate) const UNPACKED_A_BYTE_MOST: u64 = 100;
 /// Bytes allowed for any workbook, however small.
 pub(crate) const UNPACKED_BYTES_FREE: u64 = 16 << 20;
-/// Largest number of rows and columns. Chosen here: no monument was ever measured stone by stone in more.
+/// Largest number of rows and columns. Our choice: no monument was ever measured stone by stone in more.
 pub(crate) const ROWS_MOST: usize = 10_000;
 pub(crate) const COLUMNS_MOST: usize = 256;
 
@@ -20,7 +20,7 @@ pub enum SheetError {
         /// Message of the workbook reader.
         why: String,
     },
-    /// It unpacks to more than it may.
+    /// Its unpacked size is too large.
     TooLarge {
         /// The limit, MiB.
         most_mib: u64,
@@ -31,7 +31,7 @@ pub enum SheetError {
         rows: usize,
         /// Columns.
         columns: usize,
-        /// Rows that are read.
+        /// Largest number of rows.
         rows_most: usize,
     },
     /// Few cells, far from one another.
@@ -40,12 +40,12 @@ pub enum SheetError {
         rows: usize,
         /// Columns up to the last.
         columns: usize,
-        /// Cells that hold something.
+        /// Number of cells with contents.
         cells: usize,
     },
     /// A cell in an impossible place.
     NoPlace {
-        /// How its place begins.
+        /// Beginning of its cell reference.
         place: String,
     },
     /// An element of its XML does not end where it should.
@@ -57,7 +57,7 @@ pub enum SheetError {
         /// The existing names.
         known: String,
     },
-    /// Several sheets, of which one must be named.
+    /// Several sheets; the user must choose one.
     SeveralSheets {
         /// The existing names.
         known: String,
@@ -67,9 +67,9 @@ pub enum SheetError {
         /// They.
         known: String,
     },
-    /// A sheet is named for a table of text.
+    /// The user chose a sheet, but the table is text.
     NoSheets,
-    /// Nothing stands in it.
+    /// It is empty.
     NoRows,
     /// A formula.
     Formula {
@@ -90,7 +90,7 @@ pub enum SheetError {
     },
 }
 
-/// An error of whatever reads a table.
+/// An error of a library that reads a table.
 pub(crate) fn unreadable(why: impl std::fmt::Display) -> SheetError {
     SheetError::Unreadable { why: why.to_string() }
 }

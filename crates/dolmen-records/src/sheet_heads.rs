@@ -1,14 +1,14 @@
-//! Heads of tables: which probably mean a known column and are misspelt, so that nobody takes them for a column of no use here.
+//! Headings of tables: detects misspelt known columns, so that they are not ignored as unknown ones.
 
-/// Letters of a Latin word from which two may differ, and from which one may. Chosen here.
+/// Latin words with at least this many letters may differ in two, and with at least the next number in one. Our choice.
 const LETTERS_OF_TWO: usize = 7;
 const LETTERS_OF_ONE: usize = 4;
-/// Syllables of a Korean word from which one may differ: words of two are too near each other (높이, 깊이). Chosen here.
+/// Korean words with at least this many syllables may differ in one: words of two are too similar (높이, 깊이). Our choice.
 const SYLLABLES_OF_ONE: usize = 3;
-/// Units that stand at the end of a head: "width_mm".
+/// Units at the end of a heading: "width_mm".
 const UNITS: [&str; 11] = ["m", "mm", "cm", "kn", "n", "kg", "t", "deg", "g", "rad", "kn/m3"];
 
-/// Whether a head probably means the known column: some letters apart, its beginning, or the column with a unit behind it.
+/// Whether a heading probably means the known column: it differs in some letters, is its beginning, or has a unit at its end.
 pub fn is_misspelt(head: &str, known: &str) -> bool {
     let plain = |text: &str| -> Vec<char> {
         let text = text.to_lowercase();
@@ -37,7 +37,7 @@ pub fn is_misspelt(head: &str, known: &str) -> bool {
     with_unit || (is_latin && shorter >= LETTERS_OF_ONE && meant.starts_with(&written))
 }
 
-/// Number of letters to change, put in, take out or swap with their neighbour.
+/// Number of letters to change, insert, remove or swap with their neighbour.
 ///
 /// # Source
 /// Damerau, F. J. (1964) CACM 7(3):171–176; Wagner and Fischer (1974) JACM 21(1):168–173.

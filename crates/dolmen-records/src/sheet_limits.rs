@@ -9,9 +9,9 @@ use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::io::{BufReader, Cursor, Read as _};
 
-/// Number of cells between the corners allowed for any sheet. Chosen here: they take 80 MB.
+/// Number of cells between the corners allowed for any sheet. Our choice: they take 80 MB.
 const AREA_FREE: usize = ROWS_MOST * COLUMNS_MOST;
-/// Largest number of cells between the corners of a larger sheet for each cell with contents. Chosen here: a log that gives one of its ten
+/// Largest number of cells between the corners of a larger sheet for each cell with contents. Our choice: a log with one of its ten
 /// channels in each line.
 const AREA_A_CELL: usize = 10;
 
@@ -45,7 +45,7 @@ struct Places {
     /// Name of the current attribute, and whether it is complete.
     name: Vec<u8>,
     name_ended: bool,
-    /// The place that is read, and its letters and digits.
+    /// The cell reference being read, and its numbers of letters and digits.
     place: Vec<u8>,
     letters: usize,
     digits: usize,
@@ -59,7 +59,7 @@ enum Within {
     #[default]
     Text,
     Tag,
-    /// A value, by its quote, and whether it gives places.
+    /// A value, with its quote character, and whether it contains cell references.
     Value(u8, bool),
 }
 
@@ -124,7 +124,8 @@ impl std::io::Write for Places {
     }
 }
 
-/// Refuses a sheet with a cell far from the others before memory is allocated for all between: one at XFD1048576 would take half a terabyte.
+/// Refuses a sheet with a cell far from the others, before memory is allocated for all cells between: one at XFD1048576 would take half a
+/// terabyte.
 pub(crate) fn refuse_far(
     book: &mut Xlsx<Cursor<&[u8]>>,
     name: &str,
@@ -169,16 +170,16 @@ pub(crate) fn too_many(rows: usize, columns: usize) -> SheetError {
     }
 }
 
-/// Refuses sheets of a workbook (ODS) that become larger than any table through repeated contents or gaps: a row repeated a million times takes
-/// a hundred bytes in the file, and gigabytes in memory. Empty rows and cells at the end of a sheet do not count: LibreOffice writes them up to
-/// the last row. Refuses also what is cut off: calamine waits for the end of a table without end.
+/// Refuses sheets of a workbook (ODS) that become larger than any table through repeated contents or gaps: a row repeated a million times
+/// takes a hundred bytes in the file, and gigabytes in memory. Empty rows and cells at the end of a sheet do not count: LibreOffice writes
+/// them up to the last row. Also refuses truncated tables, for which calamine would wait endlessly.
 pub(crate) fn refuse_repeats(bytes: &[u8]) -> Result<(), SheetError> {
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
     let Ok(part) = archive.by_name("content.xml") else {
         return Ok(()); // the reader of the workbook reports this error
     };
     let mut reader = Reader::from_reader(BufReader::new(part));
-    // as calamine reads it, so that both see the same, except that each end is that of what began last
+    // as calamine reads it, so that both agree, except that an end tag ends the last element
     let config = reader.config_mut();
     config.check_end_names = true;
     config.check_comments = false;
@@ -232,19 +233,19 @@ pub(crate) fn refuse_repeats(bytes: &[u8]) -> Result<(), SheetError> {
 /// Extent of a sheet.
 #[derive(Default)]
 struct Extent {
-    /// Rows before the one that is read, and how often that one stands there.
+    /// Number of rows before the present one, and its repetitions.
     rows: usize,
     row_repeats: usize,
-    /// Cells of the row before the one that is read, and those up to the last that holds something.
+    /// Number of cells before the present one in the row, and up to the last with contents.
     columns: usize,
     filled_in_row: usize,
     cell: Repeated,
-    /// Up to the last that holds something.
+    /// Number of rows up to the last with contents.
     filled_rows: usize,
     filled_columns: usize,
 }
 
-/// A cell, how often it stands there, and whether it holds something.
+/// A cell, its repetitions, and whether it has contents.
 #[derive(Clone, Copy, Default)]
 struct Repeated {
     times: usize,
@@ -283,7 +284,7 @@ impl Extent {
     }
 }
 
-/// How often a row or cell stands there; what is no number counts as more than any table has.
+/// Repetitions of a row or cell; an invalid number counts as more than any table has.
 fn repeats(tag: &BytesStart<'_>, name: &str) -> usize {
     match tag.try_get_attribute(name) {
         Ok(None) => 1,

@@ -3,7 +3,7 @@
 /// Seconds in a day.
 const DAY_S: f64 = 86_400.0;
 
-/// Days from 1 January 1970 to a day of the Gregorian calendar; `None` unless it is one.
+/// Days from 1 January 1970 to a day of the Gregorian calendar; `None` for an invalid date.
 ///
 /// # Source
 /// Hinnant (2021) *chrono-Compatible Low-Level Date Algorithms*, days_from_civil.
@@ -31,7 +31,7 @@ pub(crate) fn seconds(day: i64, hour: i64, minute: i64, second: f64) -> f64 {
     day as f64 * DAY_S + (hour * 3600 + minute * 60) as f64 + second
 }
 
-/// Seconds from 1 January 1970 to year, month, day, hour, minute, second; `None` unless they are a time.
+/// Seconds from 1 January 1970 to year, month, day, hour, minute, second; `None` for an invalid time.
 pub(crate) fn time_of([year, month, day, hour, minute, second]: [f64; 6]) -> Option<f64> {
     let whole = |x: f64| (x.fract() == 0.0 && x.abs() < 1e4).then_some(x as i64);
     let day = days(whole(year)?, whole(month)?, whole(day)?)?;
@@ -60,7 +60,7 @@ pub fn start_of_text(text: &str) -> Option<f64> {
 /// Times beyond these are not dates, s: the year 9999.
 const DATES_WITHIN_S: f64 = 253_402_300_800.0;
 
-/// "2018-01-24 19:51:37.250" of seconds from 1 January 1970; "1e300 s from 1970" of what is no date.
+/// "2018-01-24 19:51:37.250" from seconds since 1 January 1970; "1e300 s from 1970" if it is not a date.
 ///
 /// # Source
 /// Hinnant (2021) *chrono-Compatible Low-Level Date Algorithms*, civil_from_days.

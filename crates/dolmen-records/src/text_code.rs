@@ -35,7 +35,7 @@ pub(crate) fn decoded(bytes: &[u8]) -> Decoded<'_> {
     }
 }
 
-/// The bytes of a text file as UTF-8, where they are Korean text in CP949 (EUC-KR) throughout; else as they are.
+/// The bytes of a text file as UTF-8 if they are Korean text in CP949 (EUC-KR) throughout; otherwise unchanged.
 pub fn utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
     decoded(bytes).bytes
 }

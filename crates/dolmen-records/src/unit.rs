@@ -35,7 +35,7 @@ pub enum Unit {
     Millimetre,
 }
 
-/// Each unit with its spellings; the first is how it is printed.
+/// Each unit with its spellings; the first is printed.
 const SPELLINGS: [(Unit, &[&str]); 13] = [
     (Unit::Unknown, &["", "unknown", "counts", "V", "mV"]),
     (Unit::MetrePerSecondSquared, &["m/s2", "m/s²", "m/s^2", "m/s/s"]),
@@ -53,7 +53,7 @@ const SPELLINGS: [(Unit, &[&str]); 13] = [
 ];
 
 impl Unit {
-    /// The unit whose spelling a text is; upper and lower case differ.
+    /// The unit with this spelling; case matters.
     pub(crate) fn of_spelling(text: &str) -> Option<Self> {
         let found = SPELLINGS.iter().find(|(_, spellings)| spellings.contains(&text));
         found.map(|(unit, _)| *unit)

@@ -3,7 +3,7 @@
 use crate::sheet::{SheetCell, SheetUse, SheetValue, filled_sheets, of_xlsx};
 use crate::sheet_error::SheetError;
 
-/// Whether a file begins like a workbook.
+/// Whether the beginning of a file is that of a workbook.
 pub(crate) fn is_workbook(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04")
 }
@@ -11,7 +11,7 @@ pub(crate) fn is_workbook(bytes: &[u8]) -> bool {
 /// The only sheet with values of a workbook (XLSX), as the same table in CSV; dates and times as "2026-11-25 10:00:00.005".
 ///
 /// # Errors
-/// [`SheetError`]; [`SheetError::SeveralTables`] where values stand in several sheets.
+/// [`SheetError`]; [`SheetError::SeveralTables`] if several sheets have values.
 pub(crate) fn workbook_as_csv(bytes: &[u8]) -> Result<Vec<u8>, SheetError> {
     let filled = filled_sheets(bytes)?;
     let sheet = match filled.as_slice() {
@@ -27,7 +27,7 @@ pub(crate) fn workbook_as_csv(bytes: &[u8]) -> Result<Vec<u8>, SheetError> {
     while rows.last().is_some_and(|row| is_empty(row)) {
         rows.pop();
     }
-    // lines of the text are rows of the sheet, so that errors name them
+    // lines of the text are rows of the sheet, so that errors give their numbers
     let above = rows
         .first()
         .and_then(|row| row.first())

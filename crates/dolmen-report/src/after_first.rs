@@ -59,10 +59,10 @@ messages! {
     }
 }
 
-/// The sentences on two motions as they are written.
+/// Templates of the sentences on two motions.
 pub(crate) const TEMPLATES: &[Template] = TwoMotions::TEMPLATES;
 
-/// What came before the second of two motions; empty of one motion.
+/// The result of the first of two motions; empty for one motion.
 pub fn after_first_text(answer: &SimulateAnswer, style: TextStyle) -> String {
     let Some(after) = &answer.after else {
         return String::new();
@@ -201,16 +201,16 @@ fn direction(simulation: &Simulation) -> Option<String> {
     }
 }
 
-/// The state in which a motion left a structure.
+/// The state of a structure after a motion.
 enum StateLeft {
-    /// Of a stack: its state, the largest offset left, m, and over the width, the largest opening, m.
+    /// For a stack: its state, the largest residual offset, m and relative to the width, the largest opening, m.
     Stack {
         state: u8,
         left_m: f64,
         left_ratio: f64,
         opening_m: f64,
     },
-    /// Of a chain: whether it fell, whether a joint opened or turned, the largest lean left, that of the run, and the way turned, rad.
+    /// For a chain: whether it fell, whether a joint opened or slipped, the largest residual lean, the peak, and the accumulated slip, rad.
     Chain {
         fell: bool,
         moved: bool,
@@ -218,14 +218,14 @@ enum StateLeft {
         most_rad: f64,
         turned_rad: f64,
     },
-    /// Of a frame: whether it leaned too far, the displacement left of the top, the largest drift and the way slipped, m.
+    /// For a frame: whether it leaned too far, the residual displacement of the top, the largest drift and the accumulated slip, m.
     Frame {
         fell: bool,
         left_m: f64,
         drift_m: f64,
         slipped_m: f64,
     },
-    /// Of what is left in no state by a motion of its ground.
+    /// For structures without a residual state.
     Other,
 }
 
@@ -347,7 +347,7 @@ impl StateLeft {
     }
 }
 
-/// The same as JSON; `null` of one motion.
+/// The same as JSON; `null` for one motion.
 pub(crate) fn after_first_json(answer: &SimulateAnswer) -> Value {
     let Some(after) = &answer.after else {
         return Value::Null;

@@ -41,7 +41,7 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
     for headed in inputs_tables(answer, &others) {
         document.put(Block::Table(headed.table.without_empty_columns()));
     }
-    // many surveys are in a table above already
+    // many surveys are already in a table above
     if !is_tabled(project) {
         for survey in &project.surveys {
             document.subheading(said(|language| survey_head(survey, language)));

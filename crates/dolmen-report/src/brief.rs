@@ -1,10 +1,10 @@
-//! What every brief and every full answer on a terminal has: what decides, how much more there is, the notes on the file.
+//! Common to all short and full answers on a terminal: the decisive findings, how much more there is, and the notes on the file.
 
 use crate::document::{Finding, TextStyle, Tone, findings_text, heading_text, wrapped};
 use dolmen_project::{Project, Warning};
 use dolmen_words::{Language, Sentence, messages};
 
-/// Lines of a brief answer below its headline.
+/// Lines of a short answer below its headline.
 const LINES_MOST: usize = 15;
 
 messages! {
@@ -30,7 +30,8 @@ fn said(message: Brief, language: Language) -> String {
     Sentence::from(message).text(language)
 }
 
-/// The findings that decide, in their order, and how much more there is; where there is no room for all, those to act on. `above`: lines that the headline takes beyond its first.
+/// The decisive findings in their order, and how much more there is; if they do not all fit, those that require action. `above`: lines of
+/// the headline beyond its first.
 pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style: TextStyle) -> String {
     let mut left = LINES_MOST.saturating_sub(above + 1);
     let key: Vec<&Finding> = all.iter().filter(|finding| finding.is_key).collect();
@@ -48,7 +49,7 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style
     let mut shown = vec![false; key.len()];
     for i in by_weight {
         let lines = findings_text([key[i]], style).lines().count();
-        // a shorter one may have room where a longer one has none
+        // a shorter finding may fit where a longer one does not
         if lines <= left {
             left -= lines;
             shown[i] = true;
@@ -71,12 +72,12 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style
     findings_text(shown, style) + &more_text(project, more, style)
 }
 
-/// Whether it is there because a flag asked for it: samples, sensitivities.
+/// Whether a flag requested it: samples, sensitivities.
 fn is_asked_for(finding: &Finding) -> bool {
     matches!(finding.code, Some("sensitivity" | "probability"))
 }
 
-/// In what order findings are given the lines that there are: the first whatever it is, those to act on, what holds, the rest.
+/// Priority of findings for the available lines: the first one, those that require action, good ones, the rest.
 fn rank(tone: Tone) -> u8 {
     match tone {
         Tone::Bad => 0,
@@ -103,7 +104,7 @@ pub(crate) fn all_findings_text(all: &[Finding], style: TextStyle) -> String {
     heading_text(&said(Brief::FindingsHead, style.language)) + &findings_text(all, style)
 }
 
-/// What every result carries along: assumptions and omissions.
+/// Notes of every result: assumptions and omissions.
 pub(crate) fn notes_text(project: &Project, style: TextStyle) -> String {
     if project.warnings.is_empty() {
         return String::new();

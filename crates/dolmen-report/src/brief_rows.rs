@@ -1,9 +1,9 @@
-//! A brief answer with tables: what decides, as many rows of a table as have room, and how to see all.
+//! A short answer with tables: the decisive part, as many table rows as fit, and how to see all.
 
 use crate::document::{Block, Document, Table, TextStyle, document_text, wrapped};
 use dolmen_words::{Sentence, messages};
 
-/// Lines of a brief answer below its head.
+/// Lines of a short answer below its headline.
 const LINES_MOST: usize = 15;
 
 messages! {
@@ -15,7 +15,7 @@ messages! {
     }
 }
 
-/// Lines below a head, and how much did not find room.
+/// Lines below a headline, and how much did not fit.
 pub(crate) struct BriefText {
     style: TextStyle,
     text: String,
@@ -38,17 +38,17 @@ impl BriefText {
         self.text.lines().count() + piece.lines().count()
     }
 
-    /// Adds a block if it has room.
+    /// Adds a block if it fits.
     pub(crate) fn block(&mut self, block: Block<'_>) {
         self.block_within(block, LINES_MOST - 1);
     }
 
-    /// Adds each block that has room.
+    /// Adds each block that fits.
     pub(crate) fn blocks<'a>(&mut self, blocks: impl IntoIterator<Item = Block<'a>>) {
         blocks.into_iter().for_each(|block| self.block(block));
     }
 
-    /// Adds a block if there are `most` lines with it at most.
+    /// Adds a block if the total then has at most `most` lines.
     pub(crate) fn block_within(&mut self, block: Block<'_>, most: usize) {
         let piece = document_text(&Document { blocks: vec![block] }, self.style);
         match self.lines_with(&piece) <= most {
@@ -57,7 +57,7 @@ impl BriefText {
         }
     }
 
-    /// Adds the first rows of a table, as many as have room and `most` at most.
+    /// Adds the first rows of a table, as many as fit and at most `most`.
     pub(crate) fn table(&mut self, table: &Table, most: usize) {
         let piece = |rows: usize| {
             let mut cut = table.clone();

@@ -1,4 +1,4 @@
-//! Damage of inspections that a model has, in words.
+//! Damage of inspections in a model, in words.
 
 use dolmen_project::{InModel, ModelDamage};
 use dolmen_words::{Quantity, Sentence, Template, messages};
@@ -27,10 +27,10 @@ messages! {
     }
 }
 
-/// The sentences as they are written.
+/// Templates of the sentences.
 pub(crate) const TEMPLATES: &[Template] = Damaged::TEMPLATES;
 
-/// What a damage is, with the survey that found it.
+/// A damage, with the survey that found it.
 pub(crate) fn damaged(of: &ModelDamage) -> Sentence {
     let (part, survey) = (of.part.clone(), of.survey.clone());
     match of.effect {

@@ -1,4 +1,4 @@
-//! What the codes in messages and reports mean: the long answer behind a short note.
+//! Meaning of the codes in messages and reports: the long explanation of a short note.
 
 use crate::document::{TextStyle, wrapped};
 use crate::explain_korean::EXPLANATIONS_KOREAN;
@@ -338,7 +338,7 @@ pub fn explanation_in(code: &'static str, language: Language) -> Option<&'static
     }
 }
 
-/// The explanation of a code for a terminal, its paragraphs within the columns that there are.
+/// The explanation of a code for a terminal, wrapped to its width.
 pub fn explained_text(of: &Explanation, style: TextStyle) -> String {
     let mut out = wrapped(&format!("{}: {}", of.code, of.title), "", "  ", style.columns());
     for paragraph in of.text.split("\n\n") {
@@ -348,9 +348,9 @@ pub fn explained_text(of: &Explanation, style: TextStyle) -> String {
     out
 }
 
-/// The code most like `code`, to suggest when there is none of that name.
+/// The known code most similar to `code`, as a suggestion.
 pub fn nearest_code(code: &str) -> Option<&'static str> {
-    const LIKENESS_LEAST: f64 = 0.6; // Jaro–Winkler; below it a suggestion reads as noise
+    const LIKENESS_LEAST: f64 = 0.6; // Jaro–Winkler; below it a suggestion is not helpful
     EXPLANATIONS
         .iter()
         .map(|e| (strsim::jaro_winkler(code, e.code), e.code))

@@ -1,4 +1,4 @@
-//! What the codes in messages and reports mean, in Korean: the same codes in the same order.
+//! Meaning of the codes in messages and reports, in Korean: the same codes in the same order.
 
 use crate::explanation::Explanation;
 

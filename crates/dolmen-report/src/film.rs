@@ -1,7 +1,7 @@
-//! The film of a simulation as binary glTF 2.0: one node a block, moved by keyframes.
+//! The animation of a simulation as binary glTF 2.0: one node per block, moved by keyframes.
 //!
-//! A root node turns z up into glTF's y up. Each block's mesh lies about its own centroid; keyframes hold the centroid and
-//! the turn of the block in the frame of the ground, so that the ground stands still.
+//! A root node rotates z up into glTF's y up. The mesh of each block is relative to its centroid; keyframes contain the
+//! position of the centroid and the rotation of the block relative to the ground, so that the ground is at rest.
 
 use crate::gltf::{ARRAY_BUFFER, Buffer, dull, upright};
 use dolmen::blocks::StackHistory;
@@ -9,13 +9,13 @@ use dolmen::structure::stack::{Block, Solid, Stack};
 use dolmen_work::stack::{StackSimulation, SupportsRun, SupportsSimulation};
 use serde_json::{Value, json};
 
-/// Time between keyframes, s: 50 a second, between which viewers go straight. Chosen here.
+/// Time between keyframes, s: 50 per second; viewers interpolate linearly. Our choice.
 pub const FILM_STEP_S: f64 = 0.02;
 
 /// Name of the scene of supports that move.
 const SUPPORTS: &str = "supports move";
 
-/// Colours of stones in turn, linear light: near to each other, so that the eye tells stones apart without a meaning.
+/// Alternating colours of stones, linear light: similar, so that they separate stones without having a meaning.
 const STONES: [[f64; 4]; 3] = [
     [0.64, 0.61, 0.56, 1.0],
     [0.55, 0.53, 0.49, 1.0],
@@ -53,7 +53,7 @@ fn unit_normal([a, b, c]: &[[f64; 3]; 3]) -> [f64; 3] {
     normal.map(|part| part / length.max(f64::MIN_POSITIVE))
 }
 
-/// Triangles of a solid's hull about its centroid, outward; those without area are left out.
+/// Triangles of a solid's hull about its centroid, outward; without those of zero area.
 fn triangles(solid: &Solid) -> Vec<[[f64; 3]; 3]> {
     let (vertices, centroid) = (solid.vertices_m(), solid.centroid_m());
     let at =
@@ -67,7 +67,7 @@ fn triangles(solid: &Solid) -> Vec<[[f64; 3]; 3]> {
     fans.filter(has_area).collect()
 }
 
-/// A square of ground under the stack, twice as wide as what stands on it.
+/// A square of ground under the stack, twice as wide as the stack.
 fn ground(blocks: &[Block]) -> Vec<[[f64; 3]; 3]> {
     let far = blocks.iter().flat_map(|block| block.solid.bounds_m());
     let half = far.fold(0.0_f64, |most, at| most.max(at[0].abs()).max(at[1].abs())) * 2.0;
@@ -93,14 +93,14 @@ fn keyframes(time_s: &[f64]) -> Vec<usize> {
 /// A simulation as the bytes of a .glb file.
 ///
 /// # Limits
-/// Numbers are of single precision, as glTF wants them: a place is exact to about 1e-7 of the stack's size. Of stones that are
-/// not convex the hull is shown, and openings are not.
+/// Numbers have single precision, as glTF requires: positions are exact to about 1e-7 of the stack's size. Non-convex stones are shown by their
+/// hull, without openings.
 pub fn stack_film(simulation: &StackSimulation) -> Vec<u8> {
     let scene = [simulation.name.english(), simulation.motion.motion.name()];
     film_of(scene, &simulation.stack, &simulation.history)
 }
 
-/// The film of a stack whose supports move, by one of its runs.
+/// The animation of a stack with moving supports, for one of its runs.
 pub(crate) fn supports_film(of: &SupportsSimulation, run: &SupportsRun) -> Vec<u8> {
     let scene = [of.name.english(), SUPPORTS];
     film_of(scene, &of.stack, &run.moved.history)
@@ -136,7 +136,7 @@ fn film_of([name, scene]: [&str; 2], stack: &Stack, history: &StackHistory) -> V
             let pose = history.pose(sample, number);
             places.push(pose.centroid_m.map(|part| part as f32));
             let [w, x, y, z] = pose.rotation;
-            // q and −q are one turn; neighbours must lie on one side, or viewers turn the long way round
+            // q and −q are the same rotation; neighbours must have the same sign, or viewers rotate the long way round
             let near: f64 = [x, y, z, w].iter().zip(before).map(|(a, b)| a * b).sum();
             let side = if near < 0.0 { -1.0 } else { 1.0 };
             before = [side * x, side * y, side * z, side * w];

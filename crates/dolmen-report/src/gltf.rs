@@ -25,7 +25,7 @@ pub(crate) struct Buffer {
 }
 
 impl Buffer {
-    /// Adds rows of `N` numbers and gives their accessor; `target` says that they are vertices.
+    /// Adds rows of `N` numbers and returns their accessor; `target` marks them as vertices.
     pub(crate) fn rows<const N: usize>(
         &mut self,
         kind: &str,
@@ -49,7 +49,7 @@ impl Buffer {
         self.accessors.len() - 1
     }
 
-    /// Adds the corners of triangles, three each, and gives their accessor.
+    /// Adds the corners of triangles, three each, and returns their accessor.
     pub(crate) fn triangles(&mut self, triangles: &[[u32; 3]]) -> usize {
         let start = self.bytes.len();
         let corners = triangles.iter().flatten();
@@ -69,7 +69,7 @@ impl Buffer {
         self.views.push(view);
     }
 
-    /// The .glb of a file with these parts: `text` is all but the asset, the buffer, its views and accessors.
+    /// The .glb file of these parts: `text` is everything except the asset, the buffer, its views and accessors.
     pub(crate) fn file(self, text: Value) -> Vec<u8> {
         let mut whole = json!({
             "asset": { "version": "2.0", "generator": concat!("dolmen ", env!("CARGO_PKG_VERSION")) },
@@ -84,14 +84,14 @@ impl Buffer {
     }
 }
 
-/// A material of one colour in linear light, dull as stone.
+/// A matt material of one colour in linear light.
 pub(crate) fn dull(colour: [f64; 4]) -> Value {
     json!({ "pbrMetallicRoughness": {
         "baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.95,
     } })
 }
 
-/// The two chunks of a .glb, each filled up to a multiple of four bytes.
+/// The two chunks of a .glb, each padded to a multiple of four bytes.
 fn container(mut text: Vec<u8>, mut bytes: Vec<u8>) -> Vec<u8> {
     text.resize(text.len().next_multiple_of(4), b' ');
     bytes.resize(bytes.len().next_multiple_of(4), 0);

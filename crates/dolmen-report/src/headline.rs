@@ -154,7 +154,7 @@ messages! {
     }
 }
 
-/// The sentences of headlines as they are written.
+/// Templates of the sentences of headlines.
 pub(crate) const TEMPLATES: &[Template] = Headline::TEMPLATES;
 
 /// The headline of one version in one line.
@@ -172,7 +172,7 @@ pub fn simulation_headline_text(judgement: &Judgement, style: TextStyle) -> Stri
     lines.map(|version| verdict_line(version, style)).collect()
 }
 
-/// The verdict of each of several solutions of a stiffness, by their numbers; `worst`: the one that decides, where it is not the one that a check judges worst.
+/// The verdict of each of several solutions of a stiffness, by their numbers; `worst`: the decisive one, if it differs from the worst of a check.
 pub fn solution_headlines_text(
     judged: &[(usize, Judgement)],
     worst: Option<usize>,
@@ -208,7 +208,7 @@ pub(crate) fn worse(variant: Both, judged: &VersionJudgement) -> Sentence {
     Headline::WorseThan { variant, words }.into()
 }
 
-/// What the surveys over the years leave open, which no verdict on weight or shaking holds.
+/// Open findings of the surveys over the years, which the verdicts on weight and shaking do not contain.
 pub(crate) fn over_the_years(alarming: Alarming) -> Option<Sentence> {
     let mut each: Vec<Sentence> = Vec::new();
     let (alarms, cracks) = (alarming.open_alarms, alarming.cracks_beyond);
@@ -235,7 +235,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     all.extend(judged.is_undamped.then(|| Headline::Undamped.into()));
     all.extend(judged.tilt_beyond_limit.then(|| Headline::TiltBeyondLimit.into()));
     match (contradicted, &judged.evidence) {
-        // said beside the weight
+        // given beside the weight
         (Some(_), _) if is_unknown && judged.governed_by.is_none() => {}
         (Some(evidence), _) => all.push(Headline::Model { evidence }.into()),
         (
@@ -322,7 +322,7 @@ fn own_weight(judged: &VersionJudgement, weight: Weight, contradicted: Option<Se
     .into()
 }
 
-/// The finding that decides: of the worst word that with the least in hand.
+/// The finding that decides: among those with the worst word, the one with the smallest margin.
 fn deciding(judged: &VersionJudgement) -> Option<&EarthquakeFinding> {
     let word = judged.earthquake_word();
     let worst = judged.earthquake.iter().filter(|of| of.word == word);
@@ -364,7 +364,7 @@ fn earthquake(judged: &VersionJudgement) -> Option<Sentence> {
     )
 }
 
-/// What the wind makes of it against what is allowed; nothing where nothing is limited.
+/// The response to wind compared with the limits; `None` without limits.
 fn wind(judged: &VersionJudgement) -> Option<Sentence> {
     let of = WindFinding::deciding(&judged.wind)?;
     let word = Both::of(|language| of.word.word(language));

@@ -23,7 +23,7 @@ messages! {
     }
 }
 
-/// What was identified from every survey.
+/// The identification of every survey.
 pub fn identification_text(answer: &IdentifyAnswer, style: TextStyle) -> String {
     let mut out = project_text(&answer.project, &answer.file, style);
     out += &made_up_text(&answer.project, style);
@@ -52,7 +52,7 @@ pub fn identification_text(answer: &IdentifyAnswer, style: TextStyle) -> String 
     out + &notes_text(&answer.project, style)
 }
 
-/// What nothing is identified from.
+/// Data from which nothing can be identified.
 fn nothing(answer: &IdentifyAnswer) -> Option<Nothing> {
     if answer.surveys.is_empty() {
         return Some(Nothing::NoSurvey);

@@ -1,4 +1,4 @@
-//! Inputs of an appendix, one row a stone, link or storey.
+//! Inputs of an appendix, one row per stone, link or storey.
 
 use crate::document::{Cell, Column, Table};
 use crate::html::words::{evidence_word, part_and_quantity, set};
@@ -7,9 +7,9 @@ use dolmen_words::message::Both;
 use dolmen_words::{Language, messages};
 use std::collections::BTreeSet;
 
-/// Parts from which on a row each says more than a line for every number. Chosen here.
+/// Number of parts from which rows are better than one line for every number. Our choice.
 const PARTS_LEAST: usize = 2;
-/// Quantities beside each other that a page has room for. Chosen here.
+/// Number of quantities that fit side by side on a page. Our choice.
 const QUANTITIES_MOST: usize = 8;
 
 messages! {
@@ -29,7 +29,7 @@ messages! {
     }
 }
 
-/// An input of a part: the part's path, what it is called, and what is given.
+/// An input of a part: the part's path, its name, and the value.
 struct OfPart<'a> {
     part: &'a str,
     group: &'a str,
@@ -59,7 +59,7 @@ fn of_part<'a>(structure: &Structure, input: &'a Input) -> Option<OfPart<'a>> {
     })
 }
 
-/// A table a group of parts, and the inputs that stand in none.
+/// A table per group of parts, and the remaining inputs.
 pub(crate) fn by_part<'a>(structure: &Structure, inputs: &[&'a Input]) -> (Vec<Table>, Vec<&'a Input>) {
     let known: Vec<OfPart<'a>> = inputs
         .iter()
@@ -95,7 +95,7 @@ pub(crate) fn by_part<'a>(structure: &Structure, inputs: &[&'a Input]) -> (Vec<T
     (tables, rest.collect())
 }
 
-/// Parts by quantities, with the paths of what stands in it; `None` where parts are few or share nothing.
+/// Parts by quantities, with the paths of the table's inputs; `None` if parts are few or have nothing in common.
 fn table<'a>(own: &[&OfPart<'a>]) -> Option<(Table, Vec<&'a str>)> {
     let mut parts: Vec<&OfPart<'a>> = Vec::new();
     let mut quantities: Vec<(&Both, usize)> = Vec::new();
@@ -126,7 +126,7 @@ fn table<'a>(own: &[&OfPart<'a>]) -> Option<(Table, Vec<&'a str>)> {
             let text = found.map_or_else(|| "–".to_owned(), |of| set(&of.input.written));
             row.push(Cell::words(said(&Both::from(text))));
         }
-        // a part of which all stands elsewhere has no row
+        // a part whose inputs are all elsewhere has no row
         if row.iter().skip(1).any(|cell| cell.text(Language::English) != "–") {
             rows.push(row);
         }

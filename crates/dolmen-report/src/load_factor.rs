@@ -1,4 +1,4 @@
-//! What a load factor says, in the same words for chains, frames and buildings.
+//! Findings on a load factor, with the same words for chains, frames and buildings.
 
 use crate::document::{Finding, Tone};
 use dolmen::stability::Verdict;

@@ -1,4 +1,4 @@
-//! A mode shape that moves, as binary glTF 2.0: the sensors and the lines between them, blended from rest by two shapes.
+//! An animated mode shape as binary glTF 2.0: the sensors and the lines between them, blended by two shapes.
 //!
 //! ```text
 //! x(t) = x₀ + s (Re φ cos ωt − Im φ sin ωt)        weights of the two shapes: cos ωt, −sin ωt
@@ -10,21 +10,21 @@ use dolmen::modal::Mode;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
-/// Steps of a period, and how long it lasts, s: every mode moves at the same pace.
+/// Number of steps in a period, and its duration, s: every mode moves at the same pace.
 const STEPS: usize = 24;
 const PERIOD_S: f64 = 2.0;
-/// Largest displacement, radius of the lines and of the sensors, over the diagonal of the structure.
+/// Largest displacement, radius of the lines and of the sensors, relative to the diagonal of the structure.
 const SWING: f64 = 0.12;
 const LINE: f64 = 0.004;
 const SENSOR: f64 = 0.012;
-/// Colours in linear light: at rest, lines that move, sensors.
+/// Colours in linear light: at rest, moving lines, sensors.
 const COLOURS: [[f64; 4]; 3] = [
     [0.55, 0.57, 0.60, 1.0],
     [0.0, 0.17, 0.45, 1.0],
     [0.66, 0.11, 0.0, 1.0],
 ];
 
-/// Triangles whose corners belong to places.
+/// Triangles whose corners belong to positions.
 #[derive(Default)]
 struct Solid {
     corners: Vec<[f64; 3]>,
@@ -39,7 +39,7 @@ impl Solid {
         self.corners.len() as u32 - 1
     }
 
-    /// A rod of four sides between two places; nothing between two that are one.
+    /// A rod of four sides between two positions; nothing if they coincide.
     fn rod(&mut self, places: &[[f64; 3]], (a, b): (usize, usize), radius: f64) {
         let (from, to) = (places[a], places[b]);
         let along = sum(to, from, -1.0);
@@ -47,7 +47,7 @@ impl Solid {
         if length < radius {
             return;
         }
-        // across the line, along the axis that it follows least
+        // across the line, along the axis least parallel to it
         let least = (0..3)
             .min_by(|i, j| along[*i].abs().total_cmp(&along[*j].abs()))
             .unwrap_or(0);
@@ -84,7 +84,7 @@ impl Solid {
         for octant in 0..8 {
             let [i, j, k] = [octant & 1, octant >> 1 & 1, octant >> 2 & 1];
             let [x, y, z] = [ends[0][i], ends[1][j], ends[2][k]];
-            // outward: turned once for each negative side
+            // outward: reversed once for each negative side
             self.triangles.push(if (i + j + k) % 2 == 0 {
                 [x, y, z]
             } else {
@@ -93,7 +93,7 @@ impl Solid {
         }
     }
 
-    /// The mesh; with `moved`, the real and the imaginary part of how each place moves, as shapes to blend.
+    /// The mesh; with `moved`, the real and the imaginary part of each position's motion as shapes to blend.
     fn mesh(
         &self,
         buffer: &mut Buffer,
@@ -136,8 +136,8 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     ]
 }
 
-/// The number `number` of the modes, at the sensors, as the bytes of a .glb file: metres, y up, 24 steps of a period. Grey stands still. Its
-/// largest displacement is 0.12 of the diagonal of the structure; name and extras of the scene say it in metres.
+/// Mode `number` at the sensors as the bytes of a .glb file: metres, y up, 24 steps per period. Grey parts are at rest. The largest
+/// displacement is 0.12 of the diagonal of the structure; name and extras of the scene give it in metres.
 pub(crate) fn mode_film(wires: &Wires, (number, mode): (usize, &Mode)) -> Vec<u8> {
     let bound = |axis: usize| {
         let values = wires.places.iter().map(|place| place[axis]);
@@ -226,7 +226,7 @@ mod tests {
         modes
     }
 
-    /// Text and numbers of a .glb, read as the format is described.
+    /// Text and numbers of a .glb, read by the format description.
     fn opened(bytes: &[u8]) -> (Value, Vec<u8>) {
         let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
         assert_eq!((&bytes[..4], word(4), word(8)), (&b"glTF"[..], 2, bytes.len()));
@@ -250,7 +250,7 @@ mod tests {
             .collect()
     }
 
-    /// The blend of the two shapes is the mode at each of 24 steps, its largest displacement the one that the film states.
+    /// The blend of the two shapes equals the mode at each of 24 steps, with the stated largest displacement.
     #[test]
     fn exact_the_shapes_blend_to_the_motion_of_the_mode() {
         let mut modes = modes();
@@ -302,7 +302,7 @@ mod tests {
         );
     }
 
-    /// Every triangle looks outward, away from the middle of its rod or bead.
+    /// Every triangle faces outward, away from the middle of its rod or bead.
     #[test]
     fn holds_rods_and_beads_look_outward() {
         let places = [[0.0, 0.0, 0.0], [1.0, 2.0, 3.0]];

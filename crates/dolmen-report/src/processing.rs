@@ -1,9 +1,9 @@
-//! What was done to a record or a motion, step by step.
+//! Processing of a record or a motion, step by step.
 
 use dolmen::signal::{LostSpan, Processing};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
-/// Digits of what a person wrote, and of times.
+/// Digits of values from a user, and of times.
 const DIGITS: usize = 6;
 
 messages! {
@@ -95,7 +95,7 @@ fn trimmed(value: f64, unit: &str) -> Quantity {
     Quantity::new(value, Unit::si(unit), Digits::Trimmed(DIGITS))
 }
 
-/// A step of what was done to a motion or record.
+/// One processing step of a motion or record.
 pub(crate) fn step(of: &Processing) -> Sentence {
     let said = match of {
         Processing::Read { format, unit } if unit.is_empty() => Step::ReadWithoutUnit {

@@ -1,4 +1,4 @@
-//! All sentences as they are written, for who reviews the Korean.
+//! Templates of all sentences, for reviewers of the Korean.
 
 use crate::brief::Brief;
 use crate::brief_rows::BriefRows;
@@ -18,7 +18,7 @@ use crate::{
 };
 use dolmen_words::Template;
 
-/// Every sentence of this crate that is a message, in the order of the groups.
+/// Every message of this crate, in the order of the groups.
 pub fn sentences() -> Vec<Template> {
     let mut groups = vec![
         LoadFactor::TEMPLATES,
@@ -82,7 +82,7 @@ pub fn sentences() -> Vec<Template> {
     groups.into_iter().flatten().copied().collect()
 }
 
-/// The sentences as a table: its identifier, English, Korean. It begins with the mark by which Excel knows UTF-8.
+/// The sentences as a table: identifier, English, Korean. It begins with the byte order mark by which Excel recognises UTF-8.
 pub fn sentences_csv() -> String {
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     let mut csv = "\u{feff}sentence,english,korean\r\n".to_owned();

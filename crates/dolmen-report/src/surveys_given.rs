@@ -1,4 +1,4 @@
-//! What was given with many surveys, as one table.
+//! The inputs of many surveys, as one table.
 
 use crate::document::{Cell, Column, Table};
 use crate::html::words::evidence_word;
@@ -8,7 +8,7 @@ use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::surveyed::SurveyAnswer;
 
-/// Surveys from which on a table says more than a list for each. Chosen here.
+/// Number of surveys from which a table is better than a list for each. Our choice.
 const TABLE_FROM: usize = 4;
 
 messages! {
@@ -29,14 +29,14 @@ messages! {
         Tilt => { en: "Tilt", ko: "기울기" },
         Records => { en: "Records", ko: "진동 기록" },
         Frequencies { direction: String } => { en: "{direction}, Hz", ko: "{direction}, Hz" },
-        Evidence => { en: "Frequencies", ko: "진동수 출처" },
+        Evidence => { en: "Frequencies from", ko: "진동수 출처" },
         Said { text: Both } => { en: "{text}", ko: "{text}" },
         Remarks => { en: "Note, source", ko: "비고, 출처" },
         Text { text: String } => { en: "{text}", ko: "{text}" },
     }
 }
 
-/// The inputs that are listed one by one: those of surveys stand in their table where they are many.
+/// The inputs listed one by one; those of many surveys are in their table instead.
 pub(crate) fn inputs_listed(project: &Project) -> Vec<&Input> {
     match is_tabled(project) {
         true => project.structure_inputs(),
@@ -44,7 +44,7 @@ pub(crate) fn inputs_listed(project: &Project) -> Vec<&Input> {
     }
 }
 
-/// Whether surveys are many enough for their table.
+/// Whether there are enough surveys for a table.
 pub(crate) fn is_tabled(project: &Project) -> bool {
     project.surveys.len() >= TABLE_FROM
 }
@@ -153,7 +153,7 @@ fn row(survey: &Survey, directions: &[&str]) -> Vec<Cell> {
     cells
 }
 
-/// A frequency with its deviation, and the damping ratio where it is stated.
+/// A frequency with its deviation, and the damping ratio if stated.
 fn mode(mode: &SurveyMode) -> String {
     let frequency = Quantity {
         sd_si: Some(mode.frequency.standard_deviation()).filter(|sd| *sd > 0.0),
@@ -165,7 +165,7 @@ fn mode(mode: &SurveyMode) -> String {
     }
 }
 
-/// Where the modes come from, each source once.
+/// Sources of the modes, without duplicates.
 fn evidence(survey: &Survey) -> Cell {
     let modes = survey.modes.values().flatten();
     let mut sources: Vec<Option<Evidence>> = modes.map(|mode| mode.frequency.source).collect();

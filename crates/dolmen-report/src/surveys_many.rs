@@ -1,4 +1,4 @@
-//! Many surveys in a report: one table of all, and details only of those that count.
+//! Many surveys in a report: one table of all, and details only of important ones.
 
 use crate::document::{Block, Cell, Column, Document, Table, Tone};
 use crate::modal;
@@ -6,7 +6,7 @@ use dolmen_project::{Project, date_of};
 use dolmen_words::{Digits, Quantity, Unit, messages};
 use dolmen_work::surveyed::SurveyAnswer;
 
-/// Surveys from which on a report details only some. Chosen here: from as many on changes are sought in their history.
+/// Number of surveys from which a report details only some. Our choice: the number from which changes are sought in their history.
 pub(crate) const MANY_FROM: usize = 8;
 
 messages! {
@@ -34,7 +34,7 @@ messages! {
     }
 }
 
-/// The surveys that a report details: all where they are few.
+/// The surveys that a report details: all if they are few.
 pub(crate) fn detailed<'a>(project: &Project, all: &'a [SurveyAnswer]) -> Vec<&'a SurveyAnswer> {
     let latest = all
         .iter()
@@ -57,7 +57,7 @@ fn has_results(survey: &SurveyAnswer) -> bool {
         || survey.factors.is_some()
 }
 
-/// Whether its records or sensors are doubted.
+/// Whether its records or sensors are doubtful.
 fn has_own_findings(survey: &SurveyAnswer) -> bool {
     let found = modal::findings(std::slice::from_ref(survey));
     survey.shape_doubt.is_some()

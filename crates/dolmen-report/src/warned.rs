@@ -1,4 +1,4 @@
-//! Notes on the file as documents have them: by what the inputs are called, without the lines and paths of a text that a reader of the page does not see.
+//! Notes on the file in documents: with the names of inputs instead of lines and paths of the file, which the reader does not see.
 
 use crate::html::words::input_words;
 use dolmen_project::{Project, Warning};
@@ -13,7 +13,7 @@ messages! {
     }
 }
 
-/// A note with the words of the inputs in the place of their paths.
+/// A note with names of the inputs instead of their paths.
 pub(crate) fn warned(project: &Project, warning: &Warning) -> Sentence {
     Noted::Said {
         words: in_words(project, warning),

@@ -26,7 +26,7 @@ messages! {
 pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     let mut all = answer.check().map_or(Vec::new(), check::findings);
     if answer.watch().is_some() {
-        // what the check leaves to this report
+        // findings that the check leaves to the report
         let left = check::over_the_years(&answer.project);
         all.retain(|finding| !left.contains(finding));
     }

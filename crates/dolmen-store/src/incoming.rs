@@ -18,7 +18,7 @@ use dolmen_work::sensor_alarms::SensorFaults;
 use serde_json::{Value as Json, json};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Largest number of bytes in the name of a structure, a path or a person. Chosen here.
+/// Largest number of bytes in the name of a structure, a path or a person. Our choice.
 const NAME_BYTES_MOST: usize = 200;
 const PATH_BYTES_MOST: usize = 400;
 /// Name of the project file in an exported folder.

@@ -6,7 +6,7 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 use std::fmt::Debug;
 
-/// Level of compression, 0 to 10. Chosen here: higher ones gain 2 % on records and take twice as long.
+/// Level of compression, 0 to 10. Our choice: higher ones gain 2 % on records and take twice as long.
 const LEVEL: u8 = 6;
 /// Number of digits of a hash.
 const HASH_DIGITS: usize = 64;

@@ -1,5 +1,5 @@
-//! What can be done in the project file or with the command about an error or a note of the science. The science says what is
-//! wrong in its own words and names neither; who prints adds this.
+//! Advice on errors and notes of the library: what to do in the project file or with the command. The library knows neither,
+//! so the caller that prints adds the advice.
 
 use crate::message::{Argument, Both};
 use crate::{Sentence, messages};
@@ -76,12 +76,12 @@ messages! {
     }
 }
 
-/// All sentences of advice.
+/// Templates of all advice.
 pub const ADVICE: &[crate::Template] = Advised::TEMPLATES;
 
-/// An error or note of the science of which a project file or the command can do something.
+/// An error or note of the library that a change of the project file or the command may resolve.
 pub trait Advice: Display {
-    /// What to do, with the punctuation that joins it to the sentence; `None` where the sentence says all.
+    /// The advice, with the punctuation before it; `None` if the sentence needs none.
     fn advice(&self) -> Option<Both>;
 
     /// The sentence with its advice.
@@ -90,7 +90,7 @@ pub trait Advice: Display {
         format!("{self}{advice}")
     }
 
-    /// The same in both languages.
+    /// The sentence with its advice, in both languages.
     fn advised_both(&self) -> Both
     where
         Self: Argument,
@@ -106,7 +106,7 @@ pub trait Advice: Display {
     }
 }
 
-/// The advice on an error of the science, whichever it is; `None` for any other error.
+/// The advice on any error of the library; `None` for other errors.
 pub fn advice(error: &(dyn Error + 'static)) -> Option<Both> {
     fn of<E: Advice + Error + 'static>(error: &(dyn Error + 'static)) -> Option<Both> {
         error.downcast_ref::<E>()?.advice()

@@ -1,10 +1,10 @@
-//! Sentences of errors: each variant of an enum in both languages, at one place beside the enum.
+//! Sentences of errors: each variant of an enum in both languages, beside the enum.
 
 use crate::Language;
 use crate::message::{Argument, Run, Sentence};
 
 impl Sentence {
-    /// What an error that hands another one on says: what that one says.
+    /// The text of an error that another error wraps.
     pub fn of_argument(argument: &(impl Argument + ?Sized)) -> Self {
         Sentence {
             id: "handed-on".to_owned(),
@@ -15,12 +15,12 @@ impl Sentence {
     }
 }
 
-/// What an error says in a language, as plain text.
+/// The text of an error in a language.
 pub fn text_of(error: &dyn Argument, language: Language) -> String {
     error.said(language).iter().map(Run::text).collect()
 }
 
-/// The first of the errors of these types that `$error` is, as a text in both languages.
+/// The text of `$error` in both languages, if it is one of these types.
 #[macro_export]
 macro_rules! sayable {
     ($error:expr, $($kind:ty),+ $(,)?) => {{
@@ -30,8 +30,8 @@ macro_rules! sayable {
     }};
 }
 
-/// Says each variant of an error in both languages: `Display` is the English one, [`Argument`] both. The fields of a variant are the
-/// arguments of its sentence; behind `as` stand others, made of them. An error that is only handed on has no sentence of its own.
+/// Gives each variant of an error a sentence in both languages: `Display` shows the English one, [`Argument`] both. The fields of a variant
+/// are the arguments of its sentence, unless `as` lists others. An error that only wraps another one has no sentence of its own.
 ///
 /// ```
 /// use dolmen_words::{Language, sentences};
@@ -61,7 +61,7 @@ macro_rules! sentences {
     $(caused by { $($effect:ident: $cause:ident),* $(,)? })?
     ) => {
         impl $error {
-            /// The sentences as they are written.
+            /// Templates of the sentences.
             pub const TEMPLATES: &'static [$crate::Template] = &[
                 $($crate::Template {
                     group: $group,
@@ -71,7 +71,7 @@ macro_rules! sentences {
                 }),*
             ];
 
-            /// What it says, in both languages.
+            /// Its sentence in both languages.
             pub fn sentence(&self) -> $crate::Sentence {
                 #[allow(unused_variables, clippy::allow_attributes, reason = "a sentence need not say every field")]
                 match self {
@@ -122,7 +122,7 @@ macro_rules! sentences {
     };
 }
 
-/// Arguments of a sentence: those given, else the fields.
+/// Arguments of a sentence: those listed, otherwise the fields.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! arguments {
@@ -134,7 +134,7 @@ macro_rules! arguments {
     };
 }
 
-/// One argument: as it is, or made of others.
+/// One argument: a field or an expression.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! argument {
@@ -146,7 +146,7 @@ macro_rules! argument {
     };
 }
 
-/// Holds, at compile time, that both sentences say every argument and no other.
+/// Checks at compile time that both sentences use every argument and no other.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! argument_names {
@@ -171,7 +171,7 @@ macro_rules! argument_names {
     };
 }
 
-/// Says the Korean of an error of the science, whose English is its `Display`: braces as in `format!`, particles with both forms.
+/// Korean sentences for errors of the library, whose `Display` is English: braces as in `format!`, particles in both forms.
 macro_rules! korean_of {
     ($error:ty { $($pattern:pat => $korean:literal $(, $name:ident = $value:expr)*;)* } $(handed on $handed:pat => $why:expr;)*) => {
         impl $crate::message::Argument for $error {

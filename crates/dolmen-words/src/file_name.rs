@@ -1,28 +1,27 @@
-//! Names of parts as names of files: whatever a project calls a study or a damper, it stays one name in one folder.
+//! Names of files made from names in a project: any name of a study or a damper becomes a single file or folder name.
 
 use unicode_normalization::UnicodeNormalization as _;
 
-/// Most bytes of a name, before its ending: the shortest limit of the usual file systems is 255, and an ending and a folder's own
-/// name for a file in the making must fit. Chosen here.
+/// Largest length of a name without its ending, in bytes. Our choice: common file systems allow 255, and the ending and the name
+/// of the temporary file must fit.
 const BYTES_MOST: usize = 120;
-/// Names that Windows keeps for devices, with any ending.
+/// Device names that Windows reserves, with any ending.
 const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
-/// Names that Windows keeps for ports, followed by one digit.
+/// Port names that Windows reserves, each followed by one digit.
 const PORTS: [&str; 2] = ["com", "lpt"];
 
-/// A name in composed form (NFC): what looks the same is the same.
+/// A name in composed form (NFC), so that names that look the same are the same.
 pub fn composed(name: &str) -> String {
     name.nfc().collect()
 }
 
-/// A name as that of a file or folder, the same on Linux, macOS and Windows: never empty, never a path, never a device.
+/// A name as that of a file or folder on Linux, macOS and Windows: never empty, never a path, never a device.
 ///
-/// Letters, digits, spaces within, `-`, `_`, `+`, `,`, `=`, `(`, `)` and dots within stay as they are, in composed form (NFC); every other
-/// character is written as `%` and its bytes in hexadecimal, as in addresses, and so are a dot or space at an end and the first
-/// letter of a name that Windows keeps for a device. What is longer than 120 bytes is cut and ends in `~` and eight digits that tell
-/// it from others that begin alike.
+/// Letters, digits, inner spaces and dots, and `-`, `_`, `+`, `,`, `=`, `(`, `)` stay as they are, in composed form (NFC). Any other
+/// character becomes `%` and its bytes in hexadecimal, as in web addresses; so do a dot or space at either end, and the first letter of a
+/// name that Windows reserves. A name of more than 120 bytes is cut, and ends in `~` and a checksum of eight digits.
 ///
-/// Two names that differ give two files, unless they differ only in what [`folded_file_name`] passes over.
+/// Different names give different files, unless they differ only in what [`folded_file_name`] ignores.
 ///
 /// # Example
 /// ```
@@ -58,7 +57,7 @@ pub fn file_name(name: &str) -> String {
     shortened(file)
 }
 
-/// The file of a name where case and the composition of letters do not count, as on Windows and macOS.
+/// The file name without regard to case and Unicode normalization, as on Windows and macOS.
 pub fn folded_file_name(name: &str) -> String {
     file_name(name).to_lowercase().nfc().collect()
 }
@@ -80,12 +79,12 @@ fn is_device(name: &str) -> bool {
     DEVICES.contains(&stem.as_str()) || PORTS.iter().any(is_port)
 }
 
-/// At most [`BYTES_MOST`] bytes, the last of them a sum over the whole.
+/// At most [`BYTES_MOST`] bytes, ending in a checksum of the whole.
 fn shortened(file: String) -> String {
     if file.len() <= BYTES_MOST {
         return file;
     }
-    // FNV-1a, 32 bits: tells names apart, keeps no secret
+    // FNV-1a, 32 bits: distinguishes names; not for secrets
     let sum = file.bytes().fold(0x811c_9dc5_u32, |sum, byte| {
         (sum ^ u32::from(byte)).wrapping_mul(0x0100_0193)
     });
@@ -94,7 +93,7 @@ fn shortened(file: String) -> String {
     while !file.is_char_boundary(end) {
         end -= 1;
     }
-    // not in the middle of %2F
+    // do not cut within %2F
     let cut = file[..end].rfind('%').filter(|at| end - at < 3).unwrap_or(end);
     format!("{}{tail}", &file[..cut])
 }

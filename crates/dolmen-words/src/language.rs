@@ -1,6 +1,7 @@
-//! The two languages that people read the results in.
+//! The two languages of results.
 
-/// A language of reports and figures. Both pieces of a text stand side by side where it is written.
+/// A language of reports and figures. The English and Korean of a text stand side by side in the
+/// code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {
     /// English.
@@ -11,7 +12,7 @@ pub enum Language {
 }
 
 impl Language {
-    /// The piece in this language.
+    /// The argument in this language.
     ///
     /// ```
     /// use dolmen_words::Language;

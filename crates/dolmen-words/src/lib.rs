@@ -1,4 +1,4 @@
-//! How numbers and names are printed, in English and Korean, what a name is as that of a file, and what to do about what the science says.
+//! Numbers, names and sentences in English and Korean, names of files, and advice on errors of the library.
 
 pub mod advice;
 pub mod errors;

@@ -1,15 +1,15 @@
-//! Sentences: one variant a sentence, typed arguments, both languages side by side.
+//! Sentences: one enum variant each, with typed arguments and both languages side by side.
 //!
-//! A sentence without its Korean, an argument that does not exist, or one that a language leaves out does not compile.
+//! A missing translation, an unknown argument, or an argument that one language leaves out is a compile error.
 
 use crate::Language;
 use crate::printed_names::printed_name;
 use crate::quantity::{Quantity, Values};
 pub use crate::run::{Run, Slot, Slots};
 
-/// What can stand in a sentence.
+/// A type that can be an argument of a sentence.
 pub trait Argument {
-    /// It in a language.
+    /// Its text in a language.
     fn said(&self, language: Language) -> Vec<Run>;
 }
 
@@ -25,7 +25,7 @@ impl Argument for String {
     }
 }
 
-/// What has a name of its own in each language.
+/// A text in both languages.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Both {
     /// English.
@@ -35,7 +35,7 @@ pub struct Both {
 }
 
 impl Both {
-    /// What `said` gives in each language.
+    /// The results of `said` for each language.
     pub fn of<T: Into<String>>(said: impl Fn(Language) -> T) -> Self {
         Both {
             english: said(Language::English).into(),
@@ -43,13 +43,13 @@ impl Both {
         }
     }
 
-    /// Its name in a language.
+    /// Its text in a language.
     pub fn text(&self, language: Language) -> &str {
         language.pick(&self.english, &self.korean)
     }
 }
 
-/// The same in both languages: a symbol, a name, or what has no Korean yet.
+/// The same text in both languages: a symbol, a name, or a text without a translation.
 impl From<String> for Both {
     fn from(text: String) -> Self {
         Both {
@@ -59,7 +59,7 @@ impl From<String> for Both {
     }
 }
 
-/// The same in both languages: a symbol, a name, or what has no Korean yet.
+/// The same text in both languages: a symbol, a name, or a text without a translation.
 impl From<&str> for Both {
     fn from(text: &str) -> Self {
         Both::from(text.to_owned())
@@ -86,7 +86,7 @@ impl Argument for usize {
     }
 }
 
-/// Numbers as they are written, without rounding, and words that are the same in both languages.
+/// Types with the same text in both languages: unrounded numbers and words.
 macro_rules! said_as_displayed {
     ($($kind:ty),+) => {
         $(impl Argument for $kind {
@@ -117,14 +117,14 @@ impl<T: Argument + ?Sized> Argument for Box<T> {
     }
 }
 
-/// A part of a sentence that is a message of its own.
+/// A sentence within a sentence.
 impl Argument for Sentence {
     fn said(&self, language: Language) -> Vec<Run> {
         self.runs(language).to_vec()
     }
 }
 
-/// Several of a kind: "1.2, 3.4 and 5.6", "1.2, 3.4, 5.6".
+/// A list: "1.2, 3.4 and 5.6", "1.2, 3.4, 5.6".
 impl<T: Argument> Argument for Vec<T> {
     fn said(&self, language: Language) -> Vec<Run> {
         let mut runs = Vec::new();
@@ -141,7 +141,7 @@ impl<T: Argument> Argument for Vec<T> {
     }
 }
 
-/// Values of one unit, which the text gives once, after the last.
+/// Values with a common unit, which follows the last.
 impl Argument for Values {
     fn said(&self, language: Language) -> Vec<Run> {
         let last = self.0.len().saturating_sub(1);
@@ -154,12 +154,12 @@ impl Argument for Values {
     }
 }
 
-/// A sentence as it is written, before its arguments are known.
+/// A sentence before its arguments are filled in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Template {
-    /// The group of its message: "chain.stability".
+    /// The group of its message, such as "chain.stability".
     pub group: &'static str,
-    /// The message: "Contradicted".
+    /// The name of its message, such as "Contradicted".
     pub message: &'static str,
     /// English, its arguments in braces.
     pub english: &'static str,
@@ -168,7 +168,7 @@ pub struct Template {
 }
 
 impl Template {
-    /// "chain.stability/contradicted", as [`Sentence::id`] has it.
+    /// "chain.stability/contradicted", as in [`Sentence::id`].
     pub fn id(&self) -> String {
         message_id(self.group, self.message)
     }
@@ -188,7 +188,7 @@ pub struct Sentence {
 }
 
 impl Sentence {
-    /// Its pieces.
+    /// Its pieces in a language.
     pub fn runs(&self, language: Language) -> &[Run] {
         language.pick(&self.english, &self.korean)
     }
@@ -223,7 +223,7 @@ impl Sentence {
     }
 }
 
-/// An argument of a sentence, as each language writes it.
+/// An argument with its text in each language.
 #[derive(Clone, Debug)]
 pub struct Given {
     name: &'static str,
@@ -232,7 +232,7 @@ pub struct Given {
 }
 
 impl Given {
-    /// An argument by its name.
+    /// An argument with its name.
     pub fn of(name: &'static str, argument: &impl Argument) -> Self {
         Given {
             name,
@@ -242,7 +242,7 @@ impl Given {
     }
 }
 
-/// The pieces of a sentence: each `{name}` is the argument of that name, doubled braces are braces.
+/// Fills in a template: `{name}` becomes the argument of that name, doubled braces become braces.
 fn filled(template: &str, language: Language, arguments: &[Given]) -> Vec<Run> {
     let mut slots = Slots::default();
     let places: Vec<(&str, Slot)> = arguments
@@ -287,7 +287,7 @@ pub fn message_id(group: &str, variant: &str) -> String {
     format!("{group}/{}", words.collect::<String>())
 }
 
-/// Whether a sentence has a place `{argument}`: asked at compile time.
+/// Whether a sentence has a placeholder `{argument}`; runs at compile time.
 pub const fn holds(sentence: &str, argument: &str) -> bool {
     let (sentence, argument) = (sentence.as_bytes(), argument.as_bytes());
     let mut at = 0;
@@ -304,7 +304,7 @@ pub const fn holds(sentence: &str, argument: &str) -> bool {
     false
 }
 
-/// Whether every place `{argument}` of a sentence is that of a known argument: asked at compile time.
+/// Whether every placeholder of a sentence is a known argument; runs at compile time.
 pub const fn knows(sentence: &str, names: &[&str]) -> bool {
     let sentence = sentence.as_bytes();
     let mut at = 0;
@@ -345,8 +345,8 @@ const fn is_one_of(sentence: &[u8], start: usize, end: usize, names: &[&str]) ->
     false
 }
 
-/// Makes an enum of messages; `Sentence::from(message)` says it in both languages. At most 60 variants an enum: the time to compile
-/// grows faster than their number.
+/// Defines an enum of messages; `Sentence::from(message)` gives the sentence in both languages. At most 60 variants per enum, because
+/// compile time grows faster than their number.
 ///
 /// ```
 /// use dolmen_words::{Language, Quantity, Sentence, messages};
@@ -386,7 +386,7 @@ macro_rules! messages {
         $visible enum $name { $($(#[$note])* $message $({ $($argument: $kind),* })?),* }
 
         impl $name {
-            /// The sentences as they are written.
+            /// Templates of the sentences.
             $visible const TEMPLATES: &'static [$crate::Template] = &[
                 $($crate::Template {
                     group: $group,

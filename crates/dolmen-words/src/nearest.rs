@@ -1,11 +1,11 @@
-//! What a misspelt name probably means.
+//! Finds the name that a misspelt one probably means.
 
 use crate::composed;
 
-/// Similarity from which a name is offered (Jaro-Winkler, 1 for the same). Chosen here.
+/// Least similarity for a suggestion (Jaro-Winkler, 1 for equal names). Our choice.
 const SIMILARITY_LEAST: f64 = 0.8;
 
-/// The most similar of the known names, if any is similar enough; how their letters are composed (NFC, NFD) counts for nothing.
+/// The most similar of the known names, if any is similar enough. Unicode normalization (NFC, NFD) makes no difference.
 ///
 /// # Example
 /// ```

@@ -1,30 +1,30 @@
-//! Numbers as text for people: significant digits, a value with its standard deviation, prefixes on units.
+//! Numbers as text: significant digits, a value with its standard deviation, prefixes of units.
 //!
-//! The one place where a result is rounded. Digit groups are parted by a narrow space that does not break
-//! (U+202F), minus is U+2212, and a number is parted from its unit by the same narrow space.
+//! Results are rounded only here. A narrow no-break space (U+202F) separates groups of digits, and a
+//! number from its unit; the minus sign is U+2212.
 
-/// Narrow space that does not break a line: between digit groups, and between a number and its unit.
+/// Narrow no-break space between groups of digits, and between a number and its unit.
 pub const NARROW_SPACE: char = '\u{202f}';
 
-/// What stands in the place of a number that is not one.
+/// Text for a value that is not a number.
 pub const NOT_A_NUMBER: &str = "–";
 
-/// Integers of this many digits and more are grouped by threes (ISO 80000-1 leaves four digits together).
+/// Integers with at least this many digits are grouped by threes (ISO 80000-1 does not group four digits).
 const GROUPED_FROM_DIGITS: usize = 5;
 
-/// Below ten to this power a number is written with a power of ten: 0.00012, but 1.2×10⁻⁵.
+/// Smaller numbers than ten to this power are written with a power of ten: 0.00012, but 1.2×10⁻⁵.
 const LEAST_EXPONENT: i32 = -4;
 
-/// From ten to this power on a number is written with a power of ten: 1 235 000, but 1.2×10⁷.
+/// Numbers of at least ten to this power are written with a power of ten: 1 235 000, but 1.2×10⁷.
 const MOST_EXPONENT: i32 = 7;
 
 /// f64 holds about 17 significant digits; more would print noise.
 const DIGITS_MOST: usize = 17;
 
-/// Half width of a 95 % interval, in standard deviations of a normal variable.
+/// Half width of a 95 % interval, in standard deviations of a normal distribution.
 pub const TWO_SIDED_95: f64 = 1.96;
 
-/// "1 fault was", "3 faults were": English only, for Korean has no plural.
+/// "1 fault", "3 faults". English only: Korean has no plural.
 ///
 /// ```
 /// use dolmen_words::number::counted;
@@ -34,7 +34,7 @@ pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 
-/// `value` rounded to so many significant digits (1 to 17).
+/// `value` rounded to `digits` significant digits (1 to 17).
 ///
 /// ```
 /// use dolmen_words::number::significant;
@@ -65,7 +65,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     sign(value) + &text
 }
 
-/// `value` with at most so many significant digits, zeros behind the point left out: for what a person wrote.
+/// `value` with at most `digits` significant digits, without trailing zeros: for values from a user's file.
 ///
 /// ```
 /// use dolmen_words::number::trimmed;
@@ -88,8 +88,8 @@ pub fn trimmed(value: f64, digits: usize) -> String {
     }
 }
 
-/// A ratio whose meaning turns at 1 (load factor, margin), with as many more digits as keep it from reading "1" when it
-/// is not: 0.99997 at 3 digits is not "1.00".
+/// A ratio with a limit at 1 (load factor, margin). Adds digits until it no longer reads "1" when it is not 1: 0.99997 at
+/// 3 digits is not "1.00".
 ///
 /// ```
 /// use dolmen_words::number::beside_one;
@@ -107,7 +107,7 @@ pub fn beside_one(value: f64, digits: usize) -> String {
     }
 }
 
-/// `value` with so many digits after the point.
+/// `value` with `decimals` digits after the point.
 ///
 /// ```
 /// use dolmen_words::number::fixed;
@@ -124,10 +124,10 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     sign + &grouped(&text)
 }
 
-/// A value and its standard deviation, both to the digit at which the deviation still says something: two digits
-/// of it when they are below 35, else one.
+/// A value and its standard deviation, both rounded to the same digit: the deviation keeps two digits if its leading
+/// three digits are below 355, otherwise one.
 ///
-/// A deviation of 0 or one that is not a number is left out, and the value then has four significant digits.
+/// Without a deviation (0 or not a number), the value gets four significant digits.
 ///
 /// ```
 /// use dolmen_words::number::with_sd;
@@ -139,14 +139,14 @@ pub fn fixed(value: f64, decimals: usize) -> String {
 /// # Source
 /// The rounding rule of the Particle Data Group (Review of Particle Physics, introduction, sec. 5.3).
 pub fn with_sd(value: f64, sd: f64) -> String {
-    /// Leading three digits of a deviation below which two of its digits are kept.
+    /// A deviation whose leading digits are below this keeps two digits.
     const TWO_DIGITS_BELOW: f64 = 3.55;
     if !value.is_finite() || !sd.is_finite() || sd <= 0.0 {
         return significant(value, 4);
     }
     let exponent = sd.log10().floor() as i32;
     let leading = sd / 10f64.powi(exponent);
-    // From 9.5 on one digit rounds up to 10, which is again two.
+    // from 9.5 on, one digit rounds up to 10, which has two digits
     let last = if leading < TWO_DIGITS_BELOW {
         exponent - 1
     } else {
@@ -173,7 +173,7 @@ pub fn with_sd(value: f64, sd: f64) -> String {
     }
 }
 
-/// A share as per cent, with so many significant digits: 0.0123 is "1.2 %".
+/// A fraction as per cent, with `digits` significant digits: 0.0123 is "1.2 %".
 ///
 /// ```
 /// assert_eq!(dolmen_words::number::percent(0.0123, 2), "1.2\u{202f}%");
@@ -182,22 +182,22 @@ pub fn percent(share: f64, digits: usize) -> String {
     format!("{}{NARROW_SPACE}%", significant(100.0 * share, digits))
 }
 
-/// A unit with a prefix, and the factor to it.
+/// A unit with a prefix, and its conversion factor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prefixed {
-    /// Value in this unit = value in SI × factor.
+    /// Value in this unit = SI value × factor.
     pub factor: f64,
     /// "kN·m/rad".
     pub unit: String,
 }
 
 impl Prefixed {
-    /// `value_si` in this unit, without the unit's name: for a table whose head names it.
+    /// `value_si` in this unit, without the unit: for a table whose head names it.
     pub fn number(&self, value_si: f64, digits: usize) -> String {
         significant(value_si * self.factor, digits)
     }
 
-    /// `value_si` in this unit with the unit's name, without zeros behind the point: for what a person wrote.
+    /// `value_si` in this unit, with the unit and without trailing zeros: for values from a user's file.
     pub fn trimmed(&self, value_si: f64, digits: usize) -> String {
         format!(
             "{}{NARROW_SPACE}{}",
@@ -206,16 +206,16 @@ impl Prefixed {
         )
     }
 
-    /// `value_si` in this unit, with the unit's name.
+    /// `value_si` in this unit, with the unit.
     pub fn text(&self, value_si: f64, digits: usize) -> String {
         format!("{}{NARROW_SPACE}{}", self.number(value_si, digits), self.unit)
     }
 }
 
-/// The prefix under which the largest of `values_si` reads best, for a column or an axis of one unit.
+/// The prefix that suits the largest of `values_si`, for a column or an axis with one unit.
 ///
-/// `unit` is written in SI: "N·m/rad", "N/m", "N", "kg", "m". Forces, moments and stiffness go up by thousands (k, M, G); kg
-/// goes to t from 1000 on; all other units stay as they are.
+/// `unit` is an SI unit: "N·m/rad", "N/m", "N", "kg", "m". Forces, moments and stiffness get the prefixes k, M and G;
+/// 1000 kg and more become t; all other units stay as they are.
 ///
 /// ```
 /// let unit = dolmen_words::number::prefix(&[253827.1, 1933.8], "N·m/rad");
@@ -251,7 +251,7 @@ pub fn prefix(values_si: &[f64], unit: &str) -> Prefixed {
     }
 }
 
-/// A value with its unit under the prefix that reads best.
+/// A value with its unit, under the prefix that suits it.
 ///
 /// ```
 /// assert_eq!(dolmen_words::number::engineering(253827.1, "N·m/rad", 4), "253.8\u{202f}kN·m/rad");
@@ -277,7 +277,7 @@ fn sign(value: f64) -> String {
     }
 }
 
-/// Digits of the integer part in threes, from [`GROUPED_FROM_DIGITS`] on.
+/// Groups the digits of the integer part by threes, from [`GROUPED_FROM_DIGITS`] digits on.
 fn grouped(plain: &str) -> String {
     let (whole, rest) = plain.split_at(plain.find('.').unwrap_or(plain.len()));
     if whole.len() < GROUPED_FROM_DIGITS {

@@ -1,6 +1,6 @@
-//! Korean particles, which follow the last sound of what stands before them.
+//! Korean particles, whose form depends on the last sound of the preceding word.
 
-/// What a word ends in when it is read aloud.
+/// The final sound of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
     /// 가, 를, 는, 와, 로.
@@ -11,7 +11,7 @@ pub enum Ending {
     Consonant,
 }
 
-/// As a translator writes them: both forms, the one in brackets chosen by the sound before.
+/// Particles as a translator writes them: both forms, of which the preceding sound selects one.
 const PARTICLES: [(&str, &str, &str); 5] = [
     ("이(가)", "이", "가"),
     ("을(를)", "을", "를"),
@@ -20,7 +20,7 @@ const PARTICLES: [(&str, &str, &str); 5] = [
     ("(으)로", "으로", "로"),
 ];
 
-/// Chooses every particle in `text`; `before` is the ending of what stands before it, if anything does.
+/// Replaces each pair of particles in `text` by the right form; `before` is the ending of what precedes the text, if anything.
 ///
 /// ```
 /// use dolmen_words::particles::particles;
@@ -45,7 +45,7 @@ pub fn particles(text: &str, before: Option<Ending>) -> String {
     chosen + rest
 }
 
-/// Ending of a unit as it is read: 헤르츠, 라디안, 파스칼; `None` where the number before it is the end.
+/// The ending of a unit read aloud: 헤르츠, 라디안, 파스칼; `None` if the ending is that of the number before it.
 pub fn ending_of_unit(symbol: &str) -> Option<Ending> {
     let last = symbol.rsplit(['·', '/', ' ']).next()?;
     let bare = last.trim_end_matches(['²', '³', '⁴']);
@@ -58,13 +58,13 @@ pub fn ending_of_unit(symbol: &str) -> Option<Ending> {
     })
 }
 
-/// Ending of the last word of `text`; `None` if it holds neither letter nor digit.
+/// The ending of the last word of `text`; `None` if it contains neither letters nor digits.
 pub fn ending(text: &str) -> Option<Ending> {
     const SYLLABLES: u32 = 0xAC00;
     const FINALS: u32 = 28; // final consonants of a Hangul syllable, 0: none, 8: ㄹ
     let word = text.trim_end_matches(|c: char| !c.is_alphanumeric());
     let last_word = word.rsplit(char::is_whitespace).next()?;
-    // "1/210" is read 210분의 1: its end is the numerator
+    // "1/210" is read 210분의 1, so the numerator comes last
     let read = last_word
         .split_once('/')
         .map_or(word, |(numerator, denominator)| {
@@ -85,8 +85,8 @@ pub fn ending(text: &str) -> Option<Ending> {
     })
 }
 
-/// Ending of a word in Latin letters: a letter alone and capitals by the names of letters (엘, 알, 엠, 엔), else as a loanword is spelt:
-/// 스톤, 프레임, 푸팅, 블록, 캡, 볼; but 로거, 루프, 샤프트.
+/// Ending of a word in Latin letters. Single letters and capitals are read by the names of letters (엘, 알, 엠, 엔), other words as
+/// loanwords: 스톤, 프레임, 푸팅, 블록, 캡, 볼; but 로거, 루프, 샤프트.
 fn ending_of_latin(read: &str) -> Ending {
     let start = read
         .rfind(|c: char| !c.is_ascii_alphabetic())

@@ -43,6 +43,7 @@ thread_local! {
 /// assert_eq!(printed_name("base", Language::Korean), "기단");
 /// assert_eq!(printed_name("base", Language::English), "base");
 /// assert_eq!(keeping_names(|| printed_name("base", Language::Korean).into_owned()), "base");
+/// assert_eq!(printed_name("base / ground", Language::Korean), "기단 / ground");
 /// print_names(&[one("받침")], Language::Korean); // of another file
 /// assert_eq!(printed_name("base", Language::Korean), "base");
 /// ```
@@ -63,14 +64,33 @@ pub fn print_names(names: &[PrintedName], reader: Language) {
     });
 }
 
-/// A name as it is printed in a language; of one without an entry as it is.
+/// A name as it is printed in a language; of several with commas between them each, of a stone on another ("roof 1 / post a") both. Without
+/// entries as it is.
 pub fn printed_name(name: &str, language: Language) -> Cow<'_, str> {
     PRINTED.with_borrow(|all| {
         let known = language.pick(&all.english, &all.korean);
-        match known.get(name).filter(|_| all.keeping == 0) {
-            Some(printed) => Cow::Owned(printed.clone()),
-            None => Cow::Borrowed(name),
+        if known.is_empty() || all.keeping > 0 {
+            return Cow::Borrowed(name);
         }
+        let alone = known.get(name).cloned();
+        let listed = || {
+            let each = name.split(", ").map(|of| known.get(of).map(String::as_str));
+            each.collect::<Option<Vec<&str>>>().map(|each| each.join(", "))
+        };
+        // the lower of the two may be the ground
+        let stacked = || {
+            let (upper, lower) = name.split_once(" / ")?;
+            let of = |name: &str| known.get(name).cloned();
+            let both = (of(upper), of(lower));
+            let any = both.0.is_some() || both.1.is_some();
+            let [upper, lower] = [(both.0, upper), (both.1, lower)]
+                .map(|(printed, name)| printed.unwrap_or_else(|| name.to_owned()));
+            any.then(|| format!("{upper} / {lower}"))
+        };
+        alone
+            .or_else(listed)
+            .or_else(stacked)
+            .map_or(Cow::Borrowed(name), Cow::Owned)
     })
 }
 
@@ -122,6 +142,8 @@ mod tests {
         assert_eq!(said(Language::English), "bowl falls.");
         assert_eq!(printed_label("bowl"), "복발 받침대");
         assert_eq!(printed_label("bowls"), "bowls");
+        assert_eq!(printed_label("bowl, bowl"), "복발 받침대, 복발 받침대");
+        assert_eq!(printed_label("bowl, crown"), "bowl, crown");
         let kept = keeping_names(|| keeping_names(|| said(Language::Korean)) + &said(Language::Korean));
         assert_eq!(kept, "bowl이 붕괴한다.bowl이 붕괴한다.");
         // the same entry again is no other

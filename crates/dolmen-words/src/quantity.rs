@@ -1,23 +1,23 @@
-//! Values with units, and the digits they deserve.
+//! Values with units and a number of digits.
 
 use crate::number::{NARROW_SPACE, beside_one, fixed, prefix, significant, trimmed, with_sd};
 
-/// A unit in which values are shown.
+/// A display unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unit {
     /// "kN·m/rad"; empty for a ratio.
     pub symbol: String,
-    /// What a value in SI is multiplied by to be in this unit.
+    /// Value in this unit = SI value × factor.
     pub factor: f64,
 }
 
 impl Unit {
-    /// No unit: a ratio or a count.
+    /// No unit, for a ratio or a count.
     pub fn ratio() -> Self {
         Self::si("")
     }
 
-    /// A unit of SI as it is: "Hz".
+    /// An SI unit without a prefix: "Hz".
     pub fn si(symbol: &str) -> Self {
         Unit {
             symbol: symbol.to_owned(),
@@ -25,7 +25,7 @@ impl Unit {
         }
     }
 
-    /// The unit with the prefix under which the largest of `values_si` reads best, as [`prefix`] has it.
+    /// The unit with the prefix that suits the largest of `values_si`, as [`prefix`].
     pub fn of(values_si: &[f64], symbol: &str) -> Self {
         let found = prefix(values_si, symbol);
         Unit {
@@ -34,7 +34,7 @@ impl Unit {
         }
     }
 
-    /// Shares as per cent.
+    /// Per cent, for a fraction.
     pub fn percent() -> Self {
         Unit {
             symbol: "%".to_owned(),
@@ -43,33 +43,33 @@ impl Unit {
     }
 }
 
-/// Values of one unit, which the text gives once.
+/// Values with a common unit, which the text gives only once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values(pub Vec<Quantity>);
 
-/// How many digits a value is shown with.
+/// Number of digits of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Digits {
-    /// So many significant digits.
+    /// Significant digits.
     Significant(usize),
-    /// So many behind the point.
+    /// Digits after the point.
     Fixed(usize),
-    /// At most so many, zeros behind the point left out.
+    /// At most this many significant digits, without trailing zeros.
     Trimmed(usize),
-    /// So many, and as many more as keep it from reading 1 where it is not.
+    /// Significant digits, and more if the value would otherwise read 1 without being 1.
     BesideOne(usize),
 }
 
-/// A value in SI with the unit and digits in which it is shown.
+/// An SI value with its display unit and digits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
     /// The value, in SI.
     pub value_si: f64,
-    /// Its standard deviation, in SI; `None` where there is none.
+    /// Its standard deviation in SI, if it has one.
     pub sd_si: Option<f64>,
     /// The unit.
     pub unit: Unit,
-    /// The digits, where there is no deviation.
+    /// The digits of a value without a deviation.
     pub digits: Digits,
 }
 
@@ -84,22 +84,22 @@ impl Quantity {
         }
     }
 
-    /// A ratio whose meaning turns at 1: a load factor, a margin.
+    /// A ratio with a limit at 1: a load factor, a margin.
     pub fn beside_one(value: f64, digits: usize) -> Self {
         Self::new(value, Unit::ratio(), Digits::BesideOne(digits))
     }
 
-    /// A ratio with so many significant digits.
+    /// A ratio with `digits` significant digits.
     pub fn ratio(value: f64, digits: usize) -> Self {
         Self::new(value, Unit::ratio(), Digits::Significant(digits))
     }
 
-    /// A share as per cent.
+    /// A fraction as per cent.
     pub fn percent(share: f64, digits: usize) -> Self {
         Self::new(share, Unit::percent(), Digits::Significant(digits))
     }
 
-    /// A value under the prefix that reads best.
+    /// A value under the prefix that suits it.
     pub fn engineering(value_si: f64, symbol: &str, digits: usize) -> Self {
         Self::new(
             value_si,
@@ -108,7 +108,7 @@ impl Quantity {
         )
     }
 
-    /// The same in the same unit, which is not said.
+    /// The same without the symbol of its unit.
     pub(crate) fn without_symbol(&self) -> Self {
         let mut bare = self.clone();
         bare.unit.symbol.clear();
@@ -139,7 +139,7 @@ impl Quantity {
     pub fn text(&self) -> String {
         match self.unit.symbol.as_str() {
             "" => self.number(),
-            // the sign of degrees stands at its number (ISO 80000-1)
+            // no space before the degree sign (ISO 80000-1)
             "°" => format!("{}°", self.number()),
             symbol => format!("{}{NARROW_SPACE}{symbol}", self.number()),
         }

@@ -1,15 +1,15 @@
-//! The pieces of a sentence, and how arguments get their places in it.
+//! The pieces of a sentence, and the placeholders of its arguments.
 
 use crate::Language;
 use crate::particles::{Ending, ending, ending_of_unit, particles};
 use crate::quantity::Quantity;
 
-/// A piece of a sentence: renderers set each in their own way and keep the number.
+/// A piece of a sentence. Each renderer formats pieces in its own way, and the numbers stay available.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Run {
     /// Words of the sentence.
     Text(String),
-    /// A name that the user gave: never touched.
+    /// A name from the user, printed unchanged.
     Name(String),
     /// A number with its unit.
     Quantity(Quantity),
@@ -34,12 +34,12 @@ impl Run {
     }
 }
 
-/// Arguments of one sentence while it is formatted: each is one private character, put in its place afterwards. So a name is never
-/// taken for a particle, and renderers get the values.
+/// Arguments of a sentence during formatting: each is a private-use character that is replaced afterwards. So a name is never
+/// mistaken for a particle, and renderers receive the values.
 #[derive(Debug, Default)]
 pub struct Slots(Vec<Vec<Run>>);
 
-/// The place of an argument in a format string.
+/// Placeholder of an argument in a format string.
 #[derive(Clone, Copy, Debug)]
 pub struct Slot(pub(crate) char);
 
@@ -47,14 +47,14 @@ pub struct Slot(pub(crate) char);
 const FIRST_SLOT: u32 = 0xE000;
 
 impl Slots {
-    /// Keeps an argument for later.
+    /// Stores an argument and returns its placeholder.
     pub fn put(&mut self, runs: Vec<Run>) -> Slot {
         self.0.push(runs);
         let index = u32::try_from(self.0.len() - 1).unwrap_or(0);
         Slot(char::from_u32(FIRST_SLOT + index).unwrap_or(char::REPLACEMENT_CHARACTER))
     }
 
-    /// The pieces of a formatted sentence, particles chosen.
+    /// The pieces of a formatted sentence, with the right particles.
     pub fn fill(self, formatted: &str, language: Language) -> Vec<Run> {
         let of = |sign: char| {
             let index = u32::from(sign).checked_sub(FIRST_SLOT)?;

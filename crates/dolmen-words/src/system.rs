@@ -1,4 +1,4 @@
-//! What the operating system says of a file, in both languages.
+//! Errors of the operating system about a file, in both languages.
 
 use crate::message::Both;
 use crate::messages;
@@ -24,10 +24,10 @@ messages! {
     }
 }
 
-/// All sentences of this file.
+/// Templates of all sentences of this file.
 pub const SYSTEM: &[crate::Template] = Refusal::TEMPLATES;
 
-/// What the system says, in its own words in English; in Korean what it means, where that is known.
+/// The system's error: its own text in English; in Korean its meaning, if known.
 pub fn said_by_system(error: &Error) -> Both {
     let refusal = match error.kind() {
         ErrorKind::NotFound => Refusal::NotFound,
@@ -45,7 +45,7 @@ pub fn said_by_system(error: &Error) -> Both {
         ErrorKind::TimedOut => Refusal::TimedOut,
         _ => match error.raw_os_error() {
             Some(number) => Refusal::Numbered { number },
-            // in the words of a library
+            // the text of a library
             None => return Both::from(error.to_string()),
         },
     };
@@ -61,7 +61,8 @@ mod tests {
 
     #[test]
     fn holds_no_english_of_the_system_stands_in_korean() {
-        // numbers of Linux: Input/output error, Too many levels of symbolic links, File name too long, No space left on device
+        // error numbers of Linux: Input/output error, Too many levels of symbolic links, File name too long, No space left on
+        // device
         for (number, korean) in [
             (5, "시스템 오류 5번"),
             (40, "시스템 오류 40번"),

@@ -7,8 +7,8 @@ const DAY_S: f64 = 86_400.0;
 /// Plausible temperatures, °C.
 pub(crate) const BELIEVED_C: std::ops::RangeInclusive<f64> = -60.0..=60.0;
 
-/// The temperature from a given time on, s from 1970, °C to a tenth: the mean over a record of the given length, otherwise the nearest reading
-/// within an hour, or the mean of the day where no time is known. `None` if there is no plausible reading.
+/// The temperature from a given time on, s from 1970, °C to a tenth: the mean over a record of the given length, otherwise the nearest
+/// reading within an hour, or the mean of the day if the time is unknown. `None` without a plausible reading.
 pub(crate) fn air_temperature_c(log: &Log, from_s: f64, duration_s: Option<f64>) -> Option<f64> {
     let read = match duration_s {
         Some(duration_s) => log.around(from_s, from_s + duration_s, HOUR_S),

@@ -59,7 +59,7 @@ pub struct CheckAnswer {
     pub variants: Vec<VariantAnswer>,
     /// Effect of one per cent of each input on `sensitivity_of`, strongest first.
     pub sensitivities: Vec<Sensitivity>,
-    /// The result that the sensitivities are of.
+    /// The result for the sensitivities.
     pub sensitivity_of: SensitivityOf,
     /// Motions of the file that cannot be read, where the check needed them.
     pub unreadable_motions: Vec<UnreadableMotion>,
@@ -96,17 +96,17 @@ pub struct CompareAnswer {
     pub from: String,
     /// The later survey.
     pub to: String,
-    /// The change of the modes; `None` where one of the two has no modes.
+    /// The change of the modes; `None` if one of the two has no modes.
     pub change: Option<SurveyChange>,
-    /// What all surveys say beside these two, whose weather and scatter are taken; `None` where they are too few.
+    /// Findings from all surveys, with their weather and scatter; `None` with too few surveys.
     pub history: Option<ComparedHistory>,
     /// The part of the model that explains the change, by direction; empty where no change is significant.
     pub parts: Vec<ChangedPart>,
-    /// Why none is sought, where the model is too far from the measured frequencies.
+    /// Why no part is sought: the model is too far from the measured frequencies.
     pub model_off: Option<ModelOff>,
     /// Tilts and inspections of both.
     pub readings: ComparedReadings,
-    /// Which of both surveys have records with an earthquake, and from which part of the records their modes are.
+    /// Which of both surveys have records with an earthquake, and which part of the records their modes come from.
     pub shaken: Vec<(String, ModesOf)>,
     /// Other surveys whose records cannot be used, and why: the weather and the scatter are without them.
     pub unread: Vec<(String, Both)>,
@@ -199,7 +199,7 @@ impl ProjectReport {
         })
     }
 
-    /// For each stack the run that decides.
+    /// For each stack, the decisive run.
     pub fn stack_simulations(&self) -> impl Iterator<Item = &StackSimulation> {
         self.stack_runs().map(|runs| &runs.deciding)
     }

@@ -58,7 +58,7 @@ pub(crate) fn drawn(name: Option<&String>, channels: &[Channel]) -> Result<Optio
     Ok(found.first().copied())
 }
 
-/// Indices of the channels with these names; `missing` makes the error for an unknown name and the list of names.
+/// Indices of the channels with these names; `missing` makes the error from an unknown name and the list of names.
 fn places(
     names: &[String],
     channels: &[Channel],

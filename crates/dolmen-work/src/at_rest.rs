@@ -3,11 +3,11 @@
 use dolmen::blocks::StackHistory;
 use dolmen::dynamics::{ChainHistory, ChainModel, FrameHistory};
 
-/// Largest speed of a structure at rest between two motions, m/s. Chosen here: a hundredth of the peak velocity of weak shaking.
+/// Largest speed of a structure at rest between two motions, m/s. Our choice: a hundredth of the peak velocity of weak shaking.
 pub const SPEED_AT_REST_M_S: f64 = 1e-3;
-/// Longest time for a structure to come to rest, s. Chosen here: at 1 Hz and a damping ratio of 0.5 % a motion of 1 m/s falls below that speed.
+/// Longest time for a structure to come to rest, s. Our choice: at 1 Hz and a damping ratio of 0.5 % a motion of 1 m/s falls below that speed.
 pub(crate) const WAIT_MOST_S: f64 = 320.0;
-/// Time before the end of a run in which speeds are examined, s: for stacks that in which joints must be still, otherwise a period of 0.2 Hz.
+/// Time before the end of a run in which speeds are examined, s: for stacks the time in which joints must be still, otherwise a period of 0.2 Hz.
 const STILL_S: f64 = 0.5;
 const SWING_S: f64 = 5.0;
 

@@ -4,16 +4,16 @@ use serde::Serialize;
 
 /// Number of standard deviations within which both count as equal. As for measured frequencies.
 const DEVIATIONS_MOST: f64 = 3.0;
-/// Smallest relative difference that is reported, also where no deviation is known. Chosen here.
+/// Smallest relative difference that is reported, also if no deviation is known. Our choice.
 const RATIO_LEAST: f64 = 1.05;
 const RATIO_ALONE: f64 = 1.2;
 
-/// The stiffness found over that of the file.
+/// Ratio of the identified stiffness to that of the file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BesideFile {
     /// Ratio of each spring, lowest first, or of k_x, k_y, k_θ.
     pub ratios: Vec<f64>,
-    /// Their differences in joint standard deviations; `None` where none is known.
+    /// Their differences in combined standard deviations; `None` if none is known.
     pub deviations: Option<Vec<f64>>,
     /// Whether they differ beyond scatter.
     pub differs: bool,

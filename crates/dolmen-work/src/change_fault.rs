@@ -10,7 +10,7 @@ pub enum ChangeFault {
     NoSurvey {
         /// The name given.
         given: String,
-        /// Those that can be compared.
+        /// Names of comparable surveys.
         known: String,
     },
     /// Which two surveys to compare is unclear.
@@ -23,7 +23,7 @@ pub enum ChangeFault {
         /// Its name.
         given: String,
     },
-    /// Two dates have one record.
+    /// Two dates have the same record.
     SameRecord {
         /// Names of both surveys.
         surveys: [String; 2],

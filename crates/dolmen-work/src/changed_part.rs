@@ -6,15 +6,15 @@ use crate::survey_direction::direction_of;
 use dolmen::assess::{FrequencyChange, SurveyChange, WhichPart, which_part};
 use dolmen_project::Project;
 
-/// A measured frequency belongs to the model's mode within this factor, either way. Chosen here.
+/// Largest ratio, either way, of a measured frequency to that of its mode in the model. Our choice.
 const SAME_MODE: f64 = 1.25;
-/// Number of deviations within which a frequency counts as unchanged; if all of a direction are, no part is sought there.
+/// Number of standard deviations within which a frequency counts as unchanged; if all of a direction are, no part is sought there.
 const CHANGED_FROM_SD: f64 = 1.96;
 
 /// The part of the model that explains a change, in one direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChangedPart {
-    /// The direction; `None` for a chain that is alike all round, and for a stack, which has all directions in one model.
+    /// The direction; `None` for a chain that is alike in all directions, and for a stack, whose model has all directions.
     pub direction: Option<String>,
     /// The parts, lowest first.
     pub parts: Vec<Part>,
@@ -24,23 +24,23 @@ pub struct ChangedPart {
     pub found: WhichPart,
 }
 
-/// A model too far from the structure for a part to be sought: its nearest frequency belongs to another mode.
+/// A model too far from the structure to seek a part: its nearest frequency belongs to another mode.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelOff {
     /// The measured frequency that changed most beyond its deviation, Hz.
     pub measured_hz: f64,
-    /// The nearest of the model in its direction, Hz.
+    /// The nearest frequency of the model in its direction, Hz.
     pub model_hz: f64,
 }
 
 impl ModelOff {
-    /// The larger of both over the smaller.
+    /// Ratio of the larger to the smaller.
     pub fn factor(&self) -> f64 {
         let ratio = self.measured_hz / self.model_hz;
         ratio.max(1.0 / ratio)
     }
 
-    /// The largest such factor within which the two are taken for one mode.
+    /// The largest such ratio for one mode.
     pub fn allowed() -> f64 {
         SAME_MODE
     }
@@ -49,17 +49,17 @@ impl ModelOff {
 /// Change of one measured frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MeasuredChange {
-    /// The direction of the mode's motion, where it is known.
+    /// The direction of the mode's motion, if known.
     pub(crate) direction: Option<String>,
     /// Before, Hz.
     pub(crate) frequency_hz: f64,
     /// Relative change.
     pub(crate) relative: f64,
-    /// Its standard deviation, where it is known.
+    /// Its standard deviation, if known.
     pub(crate) sd: Option<f64>,
 }
 
-/// The part that explains the significant changes from one survey to another, by direction; empty where none is significant, and where the model
+/// The part that explains the significant changes from one survey to another, by direction; empty if none is significant, or if the model
 /// has no such parts.
 pub(crate) fn changed_parts(
     project: &Project,
@@ -84,14 +84,14 @@ pub(crate) fn changed_parts(
     (parts, off)
 }
 
-/// The part of given models that explains changes of frequencies, by direction; empty where the models have no such parts.
+/// The part of given models that explains changes of frequencies, by direction; empty if the models have no such parts.
 pub(crate) fn explained_by(models: &[Loosening<'_>], changes: &[MeasuredChange]) -> Vec<ChangedPart> {
     let each = models.iter().filter_map(|model| explained(model, changes));
     each.collect()
 }
 
-/// Where fewer than two frequencies of every model are near measured ones: the changed frequency that is farthest beyond its deviation among those
-/// without a partner. `None` where parts can be sought, or the directions of the model were not measured.
+/// If fewer than two frequencies of every model are near measured ones: the changed frequency without a partner that exceeds its deviation
+/// most. `None` if parts can be sought, or if the directions of the model were not measured.
 pub(crate) fn model_off(models: &[Loosening<'_>], changes: &[MeasuredChange]) -> Option<ModelOff> {
     let mut apart: Vec<(f64, ModelOff)> = Vec::new();
     for model in models {
@@ -126,7 +126,7 @@ pub(crate) fn model_off(models: &[Loosening<'_>], changes: &[MeasuredChange]) ->
     farthest.map(|(_, found)| found)
 }
 
-/// The changes along a direction of a model; of any but torsion without one.
+/// The changes along a direction of a model; without a direction, all except torsion.
 fn along<'c>(direction: Option<&str>, changes: &'c [MeasuredChange]) -> Vec<&'c MeasuredChange> {
     let is_along = |mode: &&MeasuredChange| match direction {
         None => mode.direction.as_deref() != Some(TORSION),
@@ -181,7 +181,7 @@ fn explained(model: &Loosening<'_>, changes: &[MeasuredChange]) -> Option<Change
     })
 }
 
-/// Pairs of measured and model modes, where each is the nearest of the other.
+/// Pairs of measured and model modes, each the nearest of the other.
 fn matched<'c>(measured: &[&'c MeasuredChange], model_hz: &[f64]) -> Vec<(&'c MeasuredChange, usize)> {
     let off = |mode: &MeasuredChange, hz: f64| (mode.frequency_hz / hz).ln().abs();
     let nearest_of_model = |mode: &MeasuredChange| {

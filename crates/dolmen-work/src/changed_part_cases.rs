@@ -1,4 +1,4 @@
-//! Random structures in which one part is softened: how often the stated set of parts contains it.
+//! Random structures with one softened part: how often the reported set of parts contains it.
 
 use crate::changed_part::{ChangedPart, MeasuredChange, explained_by};
 use crate::loosened::loosening;
@@ -14,7 +14,7 @@ const STRUCTURES: usize = 10;
 const DAMAGES: usize = 20;
 /// Stated standard deviation of a frequency, relative.
 const SD: f64 = 0.002;
-/// Of 200 sets that contain the truth with 95 %.
+/// Of 200 sets, each of which contains the softened part with 95 %.
 const HELD_LEAST: f64 = 0.95;
 
 fn project(text: String) -> Arc<Project> {
@@ -45,7 +45,7 @@ fn measured(
     all
 }
 
-/// Number of stated sets, of those with the damaged part, and of those with it alone.
+/// Number of reported sets, of those with the damaged part, and of those with only that part.
 #[derive(Debug, Default)]
 struct Tally {
     stated: usize,
@@ -90,7 +90,7 @@ fn stones(sizes: &[[f64; 3]], damaged: Option<(usize, f64)>) -> String {
     text + "]\njoint = { friction = 0.6, damping_ratio = 0.3 }\n"
 }
 
-/// By the full matrix of the stack: in a stack symmetric about its axes the motions do not couple.
+/// From the full matrix of the stack: in a stack symmetric about its axes the motions are uncoupled.
 fn of_stones(project: &Project) -> Frequencies {
     let Structure::Stack(part) = &project.structure else {
         panic!("a stack")
@@ -162,7 +162,7 @@ fn floors(stiffness: &[[f64; 2]], centre_m: [f64; 2], damaged: Option<(usize, f6
     text + "]\n"
 }
 
-/// Modes of the building; the motion with the most energy names a mode.
+/// Modes of the building; the name of a mode is the motion with the most energy.
 fn of_floors(project: &Project) -> Frequencies {
     let Structure::Building(part) = &project.structure else {
         panic!("a building")

@@ -1,4 +1,4 @@
-//! `dolmen check`: whether the structure stands, where it begins to move, and how sure that is.
+//! `dolmen check`: whether the structure stands, where it begins to move, and how certain that is.
 
 use crate::answer::CheckAnswer;
 use crate::chain::check::UpliftTilt;
@@ -130,8 +130,8 @@ pub(crate) fn state_of(project: &Project, options: &CheckOptions) -> Result<Opti
     }))
 }
 
-/// Compares the tilts of the survey that the model leans by, or of the latest one with tilts, with the uplift limit of the joints of a chain or
-/// stack, or with the fall of a frame; unknown for other kinds.
+/// Compares the tilts of the survey that the model leans by, or of the latest one with tilts, with the uplift limit of the joints of a
+/// chain or stack, or with the fall of a frame; unknown for other kinds.
 fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
     // the limits already include a lean of the model
     if let Structure::Stack(part) = &project.structure
@@ -208,7 +208,7 @@ fn towards_worst(uplift_tilt: &dyn Fn([f64; 2]) -> Option<UpliftTilt>) -> Option
     })
 }
 
-/// Where the lowest measured frequency of a direction and that of the model differ too much for the same structure.
+/// Measured frequencies that differ too much from the model's lowest in their direction for the same structure.
 fn contradictions(project: &Project, state: &State) -> Vec<FrequencyContradiction> {
     let all = measured_frequencies(project, &state.check);
     let differing = all.iter().filter(|of| of.differs());
@@ -232,7 +232,7 @@ pub(crate) fn falls_by_itself_as_given(project: &Project) -> Result<Option<f64>,
 }
 
 /// The load factor of a chain without friction, a frame or a building that falls under its own weight with the inputs that `pick` chooses;
-/// `None` if it stands, or that is unknown. For a stack the limits contain it.
+/// `None` if it stands, or if that is unknown. For a stack, the limits contain it.
 pub(crate) fn falls_by_itself(project: &Project, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
     let is_held = match &project.structure {
         Structure::Chain(part) => part.joints.iter().flatten().any(|joint| joint.friction.is_some()),
@@ -333,9 +333,9 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
     if kinds::sensitive(project, of, &mut Quantity::nominal)?.is_none() {
         return Ok(Vec::new());
     }
-    // a corner moved alone leaves the bed that it shares with the next stone
+    // moving a single corner separates it from the bed that it shares with the next stone
     let is_corner = |input: &&Quantity| input.path.contains(".points[");
-    // and a stone higher than its neighbours leaves theirs
+    // and a stone higher than its neighbours lifts the load off them
     let shared = match &project.structure {
         Structure::Stack(part) => heights_that_others_share(part),
         _ => BTreeSet::new(),
@@ -347,7 +347,7 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
     let of_input = |input: &Quantity| -> Result<Sensitivity, WorkError> {
         let elasticity = elasticity(input.value, |changed| -> Result<f64, WorkError> {
             let mut pick = |q: &Quantity| if q.path == input.path { changed } else { q.value };
-            // if the structure with this one changed number cannot be built, there is no sensitivity
+            // if the structure cannot be built with this changed number, there is no sensitivity
             Ok(kinds::sensitive(project, of, &mut pick)
                 .ok()
                 .flatten()

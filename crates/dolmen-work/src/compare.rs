@@ -30,7 +30,7 @@ pub struct CompareOptions {
     pub to: Option<String>,
 }
 
-/// Compares two surveys. Where the project has enough others, the weather and the scatter are those of all.
+/// Compares two surveys. If the project has enough others, the weather and the scatter come from all.
 ///
 /// # Errors
 /// Surveys that cannot be compared, or whose records cannot be read.
@@ -110,7 +110,7 @@ pub(crate) fn compared_of(
     })
 }
 
-/// Which of both surveys hold an earthquake, and from which part of their records their modes are.
+/// Which of both surveys contain an earthquake, and which part of their records their modes come from.
 pub(crate) fn shaken(
     project: &Project,
     compared: &ComparedSurveys,
@@ -195,7 +195,7 @@ pub fn surveys_to_compare(
         });
     }
     let fitted = project.change.temperature == TemperaturePart::Fitted;
-    // in the order of their dates if the later one has one, else of the file
+    // by date if the later one has one, otherwise in the order of the file
     let place = |i: usize| {
         (
             date(&project.surveys[to].name).and(date(&project.surveys[i].name)),
@@ -341,7 +341,7 @@ mod tests {
             panic!("{:?}", answer.unread)
         };
         assert_eq!(survey, "2020-01-07");
-        assert!(why.english.contains("gone.csv") && why.korean.contains("gone.csv"), "{why:?}");
+        assert!(why.korean.contains("파일을 읽지 않고"), "{why:?}");
         assert_eq!(answer.history.map(|of| of.surveys), Some(14));
         assert!(compared(&of_many(), None).unread.is_empty());
     }
@@ -366,7 +366,7 @@ mod tests {
                 "{of:?}"
             );
         }
-        // before the step nothing changed: the answer names no lasting change
+        // nothing changed before the step, so the answer names no lasting change
         let mut earlier = all.clone();
         earlier.surveys.truncate(8);
         let answer = compared(&earlier, None);

@@ -1,13 +1,13 @@
-//! What all surveys of a structure say beside two that are compared.
+//! Findings from all surveys of a structure, added to the comparison of two.
 
 use dolmen_project::WorkPart;
 
-/// What all surveys say beside the two that are compared.
+/// Findings from all surveys, added to the comparison of two.
 #[derive(Clone, Debug)]
 pub struct ComparedHistory {
     /// Number of surveys.
     pub surveys: usize,
-    /// Names of the first and the last.
+    /// Names of the first and last survey.
     pub span: [String; 2],
     /// Lasting changes between the two, as `watch` finds them, by time.
     pub lasting: Vec<LastingChange>,
@@ -18,9 +18,9 @@ pub struct ComparedHistory {
 pub struct LastingChange {
     /// Median frequency of the mode, Hz.
     pub frequency_hz: f64,
-    /// When and how.
+    /// Its course in time.
     pub course: Course,
-    /// Relative change: of a drift, up to the last survey.
+    /// Relative change; for a drift, up to the last survey.
     pub ratio: f64,
     /// Its standard deviation.
     pub sd: f64,
@@ -31,9 +31,9 @@ pub struct LastingChange {
 pub enum Course {
     /// A step after one survey and before another.
     Step {
-        /// After this one,
+        /// The survey before the step.
         after: String,
-        /// and before this one.
+        /// The survey after the step.
         before: String,
     },
     /// A drift since about this survey.

@@ -13,7 +13,7 @@ pub struct ComparedReadings {
     pub other_datum: bool,
     /// Damage in inspections; empty unless both surveys have an inspection.
     pub items: Vec<ComparedItem>,
-    /// Which of the two has no modes and no records to find them in.
+    /// Which of the two surveys has neither modes nor records.
     pub without_modes: Vec<String>,
 }
 
@@ -29,12 +29,12 @@ pub struct ComparedTilt {
 }
 
 impl ComparedTilt {
-    /// By how much it changed, horizontal / vertical.
+    /// Change of the tilt, horizontal / vertical.
     pub fn change(&self) -> f64 {
         self.to.ratio - self.from.ratio
     }
 
-    /// Whether it leans further than before, or to the opposite side.
+    /// Whether it leans more than before, or to the opposite side.
     pub fn has_grown(&self) -> bool {
         self.to.ratio.abs() > self.from.ratio.abs() || self.to.ratio * self.from.ratio < 0.0
     }
@@ -72,11 +72,11 @@ pub enum ItemCourse {
     },
     /// Both have it, one without a size.
     NoSize,
-    /// One of the inspections has several of the kind at the part, so they cannot be paired.
+    /// One of the inspections has several of this kind at the part, so they cannot be paired.
     Several {
         /// In the inspection before.
         before: usize,
-        /// In the one after.
+        /// Number in the later inspection.
         after: usize,
     },
 }

@@ -1,9 +1,9 @@
-//! Reduces surveys to one a day, for a history of a structure.
+//! Reduces the surveys of each day to one, for a history of a structure.
 
 use crate::survey_dates::day_of_a_record;
 use dolmen::monitoring::{HistorySurvey, MonitoringError, Tracking, pooled};
 
-/// Surveys by time, one a day.
+/// Surveys by time, one per day.
 pub(crate) struct Days {
     pub(crate) surveys: Vec<HistorySurvey>,
     /// Days with several surveys, and their numbers.
@@ -12,10 +12,10 @@ pub(crate) struct Days {
     pub(crate) left_out: Vec<String>,
 }
 
-/// Reduces surveys to one a day. Surveys named only by time, such as records of a logger, are [pooled]. Of the others the first counts, and only
-/// on days without those.
+/// Reduces the surveys of each day to one. Surveys named only by time, such as records of a logger, are [pooled]. Of the others the first
+/// counts, and only on days without those.
 ///
-/// Several surveys in a day are not a history of their own: effects of sun and traffic within a day are no part of the scatter of days and
+/// Several surveys of one day are not a separate history: effects of sun and traffic within a day do not represent the scatter of days and
 /// seasons, and would cause false alarms in the afternoon.
 pub(crate) fn days(mut surveys: Vec<HistorySurvey>, tracking: &Tracking) -> Result<Days, MonitoringError> {
     surveys.sort_by(|a, b| a.day.total_cmp(&b.day));

@@ -41,7 +41,7 @@ pub(crate) fn of(
     for (direction, period_s) in periods(project, check, &at_rest)? {
         let own = own_damping_ratio(project, check, &direction);
         let damping_ratio = match check {
-            // the spectrum is read at the damping of the modes
+            // the spectrum uses the damping of the modes
             Check::Building(_) => own.unwrap_or(answer.site.damping_ratio),
             _ => answer.site.damping_ratio_of(own),
         };
@@ -91,7 +91,7 @@ fn local_mechanisms(stack: &StackAnswer, site: &SiteDemand) -> Vec<LocalMechanis
         .collect()
 }
 
-/// A chain in its leaning shape, before a motion.
+/// A chain in its leaning shape before a motion.
 fn at_rest(project: &Project, tilts: &[TiltCheck]) -> Result<Vec<AtRest>, WorkError> {
     let Structure::Chain(part) = &project.structure else {
         return Ok(Vec::new());

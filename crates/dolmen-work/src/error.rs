@@ -26,14 +26,14 @@ use dolmen_records::{FileError, LogError, PhotoError};
 use dolmen_words::message::Both;
 use std::error::Error;
 
-/// Why a verb fails: an error of the science, the readers or the project file, with its place, or a refused request.
+/// Why a verb fails: an error of the library, the readers or the project file, with its place, or a refused request.
 #[derive(Debug)]
 pub enum WorkError {
     /// Where the cause lies: a file, a survey, an option.
     Within {
         /// The place.
         place: Both,
-        /// What is wrong there.
+        /// The underlying error.
         cause: Box<WorkError>,
     },
     /// A file cannot be read.
@@ -50,9 +50,9 @@ pub enum WorkError {
     Log(Box<LogError>),
     /// The file of a logger states another unit than the project.
     LogUnit {
-        /// What the file states.
+        /// The unit in the file of the logger.
         stated: String,
-        /// What the project says.
+        /// The unit in the project.
         unit: String,
     },
     /// No survey determines the stiffness that the file could hold.
@@ -63,15 +63,15 @@ pub enum WorkError {
         survey: String,
         /// The factor on all springs that fits its modes.
         factor: String,
-        /// Keys and values to type where all joints are alike, otherwise the keys alone.
+        /// Keys and values to type if all joints are alike, otherwise only the keys.
         keys: String,
     },
-    /// Several surveys determine it.
+    /// Several surveys determine the stiffness.
     SeveralToWrite {
         /// Their names.
         surveys: Vec<String>,
     },
-    /// A value stands in a table beside the project file.
+    /// The value is in a table, not in the project file.
     NotInTheFile {
         /// Its path.
         path: String,
@@ -99,29 +99,29 @@ pub enum WorkError {
     Sensors(Box<SensorsError>),
     /// A journal cannot be read.
     Journal(Box<JournalError>),
-    /// From the science.
+    /// From the library.
     Assess(Box<AssessError>),
-    /// From the science.
+    /// From the library.
     Blocks(Box<BlocksError>),
-    /// From the science.
+    /// From the library.
     Building(Box<BuildingError>),
-    /// From the science.
+    /// From the library.
     Damper(Box<DamperError>),
-    /// From the science.
+    /// From the library.
     Dynamics(Box<DynamicsError>),
-    /// From the science.
+    /// From the library.
     Modal(Box<ModalError>),
-    /// From the science.
+    /// From the library.
     Numeric(Box<NumericError>),
-    /// From the science.
+    /// From the library.
     Signal(Box<SignalError>),
-    /// From the science.
+    /// From the library.
     Stability(Box<StabilityError>),
-    /// From the science.
+    /// From the library.
     Stack(Box<StackError>),
-    /// From the science.
+    /// From the library.
     Structure(Box<StructureError>),
-    /// From the science.
+    /// From the library.
     Validation(Box<ValidationError>),
     /// A requested motion is not available.
     MotionRequest(Box<MotionRequestError>),
@@ -141,14 +141,14 @@ pub enum WorkError {
     NoSuchVariant {
         /// The name.
         name: String,
-        /// Those there are.
+        /// Names of the known ones.
         known: String,
     },
     /// There is no such survey.
     NoSuchSurvey {
         /// The name.
         name: String,
-        /// Those there are.
+        /// Names of the known ones.
         known: String,
     },
     /// An input channel has a name that no channel has.
@@ -162,9 +162,9 @@ pub enum WorkError {
     NoRecord,
     /// One record was requested, and none or several match.
     WhichRecord {
-        /// How many there are.
+        /// Number of matching records.
         meant: usize,
-        /// All that the project has.
+        /// All records of the project.
         known: String,
     },
     /// The channel whose spectrogram is wanted has a name that no channel has.
@@ -182,7 +182,7 @@ pub enum WorkError {
         known: String,
     },
 
-    /// No survey of a project has its record in one file, which records of a watched folder need.
+    /// No survey of a project has its record in one file, as records of a watched folder need.
     NoneToFollow,
 
     /// A run that needs a motion was prepared without one.
@@ -264,7 +264,7 @@ pub enum WorkError {
     NoSuchDirection {
         /// The name.
         direction: String,
-        /// Those there are.
+        /// Names of the known ones.
         known: String,
     },
     /// The stiffness of no direction is known.
@@ -300,9 +300,9 @@ pub enum WorkError {
     WindStepTooLong {
         /// Given, s.
         step_s: f64,
-        /// The most that is allowed, s.
+        /// Longest allowed step, s.
         most_s: f64,
-        /// The frequency of a mode that it would leave out, Hz.
+        /// The frequency of a mode that this step cannot resolve, Hz.
         mode_hz: f64,
     },
     /// A point of a building is missing.
@@ -342,7 +342,7 @@ pub enum WorkError {
 
     /// The score does not apply to such a pagoda.
     PagodaUnlike {
-        /// How it differs.
+        /// The difference.
         how: Both,
     },
     /// A project without a pagoda for the six-factor score.
@@ -373,14 +373,14 @@ pub enum WorkError {
     },
     /// Too few designs for a score.
     TooFewDesigns {
-        /// How many there are.
+        /// Number of designs.
         designs: usize,
     },
     /// Too few designs for the score of the state ranked by.
     TooFewDesignsOfState,
     /// No structure can be ranked.
     NoneRanked {
-        /// How many there are.
+        /// Number of structures.
         structures: usize,
         /// Why, a line a structure.
         reasons: Both,

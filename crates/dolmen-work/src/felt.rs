@@ -34,7 +34,7 @@ pub(crate) fn is_usable(survey: &Survey) -> bool {
     has_modes(survey) || !survey.tilt.is_empty() || survey.earthquake.is_some()
 }
 
-/// Works that have a date, each with its day, by time.
+/// Works with a date, each with its day, by time.
 pub(crate) fn works_by_day(project: &Project) -> Vec<(f64, WorkPart)> {
     let works = project.watch.works.iter();
     let dated = works.filter_map(|work| Some((day_of(date(&work.date)?), work.clone())));
@@ -50,7 +50,6 @@ pub(crate) fn answers(work: &WorkPart) -> bool {
 
 /// Sorts earthquakes, and marks those followed by a repair or an inspection; `last_day` is that of the last survey: a work far after it is
 /// planned, or a mistake.
-/// planned, or a slip.
 pub(crate) fn set_answered(earthquakes: &mut [WatchedEarthquake], works: &[(f64, WorkPart)], last_day: f64) {
     for own in &mut *earthquakes {
         let newest = own.day.max(last_day) + ANSWERED_DAYS;

@@ -1,6 +1,6 @@
 //! Fingerprints of texts that determine results.
 
-/// FNV-1a over 128 bits, as 32 hexadecimal digits: tells inputs apart, keeps no secret.
+/// FNV-1a over 128 bits, as 32 hexadecimal digits: distinguishes inputs; not for secrets.
 ///
 /// # Source
 /// Fowler, G., Noll, L. C., Vo, K.-P. and Eastlake, D., The FNV non-cryptographic hash algorithm, IETF draft-eastlake-fnv.

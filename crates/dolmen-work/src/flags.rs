@@ -84,7 +84,7 @@ impl FlagVerb {
         }
     }
 
-    /// The kinds that it answers for; it refuses others itself, whatever the flags.
+    /// The kinds that it answers for; the verb refuses others itself, whatever the flags.
     pub fn kinds(self) -> &'static [Kind] {
         match self {
             FlagVerb::Check | FlagVerb::Report => &Kind::ALL,
@@ -105,9 +105,9 @@ struct Flag {
     name: &'static str,
     /// The kinds of structure for which it has an effect.
     kinds: &'static [Kind],
-    /// What it is for; `None`: "is for" and its kinds.
+    /// Its purpose; `None`: "is for" and its kinds.
     is_for: Option<fn() -> FlagWords>,
-    /// Kinds for which it has no effect, with what to do instead; the others read "this file has a KIND".
+    /// Kinds for which it has no effect, with what to do instead; for the others, "this file has a KIND".
     instead: &'static [RemedyOfKind],
 }
 
@@ -123,7 +123,7 @@ const fn flag(verb: FlagVerb, name: &'static str, kinds: &'static [Kind]) -> Fla
     }
 }
 
-/// Flags that say which motion acts, and what is done to it.
+/// Flags that choose or change the motion.
 const MOTION: [&str; 18] = [
     "motion",
     "motion-file",
@@ -145,12 +145,12 @@ const MOTION: [&str; 18] = [
     "peak",
 ];
 
-/// Purpose of samples; the verdict of a stack has no load factor to scatter.
+/// Purpose of samples; the verdict of a stack has no load factor to vary.
 const SAMPLES: Option<fn() -> FlagWords> = Some(|| FlagWords::DrawsLoadFactor);
 const NO_SAMPLES: &[RemedyOfKind] = &[(Stack, || FlagWords::NotForStackCheck)];
 const NO_SAMPLES_REPORT: &[RemedyOfKind] = &[(Stack, || FlagWords::NotForStackReport)];
 
-/// The flags of every verb but those of [`MOTION`].
+/// The flags of every verb, except those of [`MOTION`].
 const FLAGS: &[Flag] = &[
     Flag {
         is_for: SAMPLES,
@@ -234,12 +234,12 @@ const FLAGS: &[Flag] = &[
     flag(FlagVerb::Tune, "output", &[Building]),
 ];
 
-/// A flag that was typed and has no effect on any of the kinds given.
+/// A typed flag without effect on any of the given kinds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ForeignFlag {
     /// The flag, without the dashes.
     pub flag: String,
-    /// The kinds that use it, and that of the file.
+    /// The kinds that use it, and the kind of the file.
     pub reason: Both,
 }
 
@@ -283,8 +283,8 @@ pub fn is_known(verb: FlagVerb, name: &str) -> bool {
     find(verb, name).is_some()
 }
 
-/// Refuses the first given flag that none of the kinds of the files uses. For a kind that the verb does not support no flag counts; the verb
-/// itself refuses it.
+/// Refuses the first given flag that none of the kinds of the files uses. Kinds that the verb does not support are ignored here; the verb
+/// itself refuses them.
 ///
 /// # Errors
 /// [`ForeignFlag`].

@@ -1,4 +1,4 @@
-//! Stiffness that the file leaves to its surveys: identified once, then part of the project as if it were written there.
+//! Stiffness that the file takes from its surveys: identified once, then used as if it were written in the project.
 
 use crate::answer::CheckAnswer;
 use crate::check::{CheckOptions, check};
@@ -19,12 +19,12 @@ use dolmen_records::Files;
 use std::cmp::{Ordering, Reverse};
 use std::sync::Arc;
 
-/// Largest number of solutions that are judged one by one; with more the stiffness stays unknown. Chosen here: the orders of four joints.
+/// Largest number of solutions that are judged one by one; with more the stiffness stays unknown. Our choice: the orders of four joints.
 const SOLUTIONS_MOST: usize = 24;
 
-/// Resolves `joints = "identified"`: the project with the stiffness from its surveys, as if it were written in the file. Of several solutions it
-/// holds the one with the worst check, and the others as variants "solution_2" and so on. Where none is accepted the stiffness stays unknown,
-/// and the project says why.
+/// Resolves `joints = "identified"`: the project with the stiffness from its surveys, as if it were written in the file. If there are several
+/// solutions, it contains the one with the worst check, and the others are variants "solution_2" and so on. If none is accepted the stiffness
+/// stays unknown, and the project gives the reason.
 ///
 /// # Errors
 /// [`WorkError`] of the identification, of the resulting project, and of its check.
@@ -154,7 +154,7 @@ fn states_modes(project: &Project, answer: &SurveyAnswer) -> bool {
     own.any(|survey| !survey.modes.is_empty())
 }
 
-/// The survey from which a stiffness is identified: the one named, otherwise the latest with modes in its direction or with records.
+/// The survey from which a stiffness is identified: the named one, otherwise the latest with modes in its direction or with records.
 fn survey_of<'a>(project: &'a Project, path: &str, sought: &'a Sought) -> Option<&'a str> {
     if let Some(name) = &sought.survey {
         return Some(name);
@@ -169,7 +169,7 @@ fn survey_of<'a>(project: &'a Project, path: &str, sought: &'a Sought) -> Option
     let can_tell =
         |survey: &&Survey| has_modes(survey) || survey.records.is_some() || !survey.setups.is_empty();
     let surveys = project.surveys.iter().filter(can_tell);
-    let latest = surveys.max_by_key(|survey| date(&survey.name)); // among equals the last in the file
+    let latest = surveys.max_by_key(|survey| date(&survey.name)); // of equal dates the last in the file
     latest.map(|survey| survey.name.as_str())
 }
 
@@ -177,7 +177,7 @@ fn survey_of<'a>(project: &'a Project, path: &str, sought: &'a Sought) -> Option
 fn values(project: &Project, path: &str, survey: &SurveyAnswer) -> Result<Vec<NewValue>, WhyNotIdentified> {
     match &project.structure {
         Structure::Chain(chain) => {
-            // a chain of one direction has one stiffness for all: the result of any direction is a solution
+            // a chain with one direction has one stiffness for all: the result of any direction is a solution
             let own = survey.stiffness.iter();
             let own = own.filter(|answer| chain.axis_of(&answer.direction) == ChainAxis::Along);
             let numbers = accepted(own)?.into_iter().map(|solution| {
@@ -202,7 +202,7 @@ fn values(project: &Project, path: &str, survey: &SurveyAnswer) -> Result<Vec<Ne
     }
 }
 
-/// The solutions that explain the modes of every direction; none where one direction does not determine it.
+/// The solutions that explain the modes of every direction; none if one direction does not determine it.
 fn accepted<'a>(
     answers: impl Iterator<Item = &'a StiffnessAnswer>,
 ) -> Result<Vec<&'a StiffnessSolution>, WhyNotIdentified> {

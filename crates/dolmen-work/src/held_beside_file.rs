@@ -24,7 +24,7 @@ pub(crate) fn hold_beside_file(project: &Project, survey: &mut SurveyAnswer) {
     }
 }
 
-/// The stiffness of the file in a direction, if it acts on the same quantity as the springs of the answer.
+/// The stiffness of the file in a direction, if it uses the same convention as the springs of the answer.
 fn of_file<'a>(
     project: &'a Project,
     answer: &StiffnessAnswer,
@@ -94,7 +94,7 @@ fn exchanged(project: &Project, survey: &SurveyAnswer) -> Option<[String; 2]> {
     })
 }
 
-/// k_x, k_y, k_θ compared with those of the file, in this order; only where the modes determine the centre of rigidity.
+/// k_x, k_y, k_θ compared with those of the file, in this order; only if the modes determine the centre of rigidity.
 fn of_plan(part: &BuildingPart, plan: &PlanAnswer, survey: &str, order: [usize; 3]) -> Option<BesideFile> {
     let one = plan.determined()?;
     let found = [0, 1, 2].map(|at| KnownStiffness {

@@ -1,4 +1,4 @@
-//! The history behind two surveys that are compared.
+//! The history of all surveys, for a comparison of two.
 
 use crate::change_fault::ChangeFault;
 use crate::compared_history::{ComparedHistory, Course, LastingChange};
@@ -14,16 +14,16 @@ use dolmen::monitoring::{ChangeForm, WatchedMode};
 use dolmen_project::Project;
 use dolmen_records::Files;
 
-/// The history behind two surveys.
+/// The history of all surveys, for a comparison of two.
 pub(crate) struct Behind {
     pub(crate) told: ComparedHistory,
-    /// What it says of each mode that was found in both.
+    /// Its result for each mode found in both surveys.
     pub(crate) effects: Vec<HistoryEffect>,
     /// Temperatures of both, from the file or its log.
     pub(crate) temperatures_c: [Option<f64>; 2],
 }
 
-/// Whether two surveys have a history behind them: both have a date, and enough others have one, and modes.
+/// Whether there is a history for two surveys: both have a date, and enough others have a date and modes.
 pub(crate) fn has_history(project: &Project, both: [usize; 2]) -> bool {
     let day = |at: usize| date(&project.surveys[at].name);
     let dated = project
@@ -34,7 +34,7 @@ pub(crate) fn has_history(project: &Project, both: [usize; 2]) -> bool {
     from.is_some() && to.is_some() && from != to && dated.count() >= CHANGES_LEAST
 }
 
-/// The history behind two surveys; `None` where it says nothing of any of their modes.
+/// The history for two surveys; `None` if it has no result for any of their modes.
 ///
 /// # Errors
 /// Logs that cannot be read; [`ChangeFault`].
@@ -60,11 +60,18 @@ pub(crate) fn behind(
         return Ok(None);
     };
     let effects = answer.watched.between(from, to);
-    let (Some(first), Some(last)) = (answer.surveys.first(), answer.surveys.last()) else {
+    // one whose record cannot be used says nothing of weather and scatter
+    let with_modes = || {
+        answer
+            .surveys
+            .iter()
+            .filter(|survey| !survey.frequencies_hz.is_empty())
+    };
+    let (Some(first), Some(last)) = (with_modes().next(), with_modes().next_back()) else {
         return Ok(None);
     };
     let told = ComparedHistory {
-        surveys: answer.surveys.len(),
+        surveys: with_modes().count(),
         span: [first.name.clone(), last.name.clone()],
         lasting: lasting(&answer, [from.min(to), from.max(to)]),
     };

@@ -33,7 +33,7 @@ use dolmen_records::Files;
 /// Choice of surveys.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct IdentifyOptions {
-    /// Name of the survey; all surveys without it.
+    /// Name of the survey; by default all surveys.
     pub survey: Option<String>,
 }
 
@@ -94,7 +94,7 @@ pub(crate) fn surveys(
 /// Results of the records of a survey.
 #[derive(Clone, Debug)]
 pub struct SurveyModes {
-    /// The modes; none where the records hold only an earthquake.
+    /// The modes; none if the records contain only an earthquake.
     pub modes: Modes,
     /// Faults of the channels.
     pub faults: Vec<(String, SensorFault)>,
@@ -167,7 +167,7 @@ pub(crate) fn found_in(
     })
 }
 
-/// Each setup alone, then all together, and as one where the file requests it.
+/// Each setup alone, then all together, and as one if the file requests it.
 fn of_setups(survey: &Survey, files: &dyn Files, progress: &dyn Progress) -> Result<SetupsAnswer, WorkError> {
     let (mut records, mut measured) = (Vec::new(), Vec::new());
     for source in &survey.setups {
@@ -297,7 +297,7 @@ fn of_survey(
     Ok(answer)
 }
 
-/// The missing direction of the sensors, where none measures along x or y; `None` where one does.
+/// The missing direction of the sensors, if none measures along x or y; `None` otherwise.
 fn why_no_stiffness(found: &Modes) -> Option<WithoutStiffness> {
     let along =
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|vector| directional_modes(found, vector).channels_along);
@@ -347,7 +347,7 @@ pub(crate) fn of_opened(
     let options = options(source, opened.record.channels())?;
     let asked = drawn(source.modal.spectrogram.as_ref(), opened.record.channels());
     let asked = asked.within(|| source.file.clone())?;
-    // what found no shaking in the record as it was read would look at the same samples again
+    // if no shaking was found in the record as read, these are the same samples again
     let is_still =
         !opened.is_shaken && options.inputs.is_empty() && source.conditioning == Conditioning::default();
     let sought = !source.modal.without_earthquake && !is_still;
@@ -410,8 +410,8 @@ struct Quiet {
     earthquake: Option<Earthquake>,
 }
 
-/// The modes after the last earthquake, otherwise between two or before them; those of the strong phase if its ground motion is an input; those
-/// of the whole record where there was no earthquake, where it shows one state of the structure above its ground, and where all parts are too
+/// The modes after the last earthquake, otherwise between two or before them; those of the strong phase if its ground motion is an input;
+/// those of the whole record if there was no earthquake, if it shows one state of the structure above its ground, or if all parts are too
 /// short.
 fn quiet(
     source: &RecordSource,
@@ -485,7 +485,7 @@ fn from_record(
         Structure::Frame(part) => part.storeys.len(),
         Structure::Stack(_) | Structure::Building(_) | Structure::Survey => return Ok(Vec::new()),
     };
-    found.modes.truncate(parts); // a model of n parts has n modes: the lowest ones
+    found.modes.truncate(parts); // a model of n parts has n modes: the lowest are used
     if found.modes.is_empty() {
         return Ok(Vec::new());
     }

@@ -9,7 +9,6 @@ use dolmen_words::message::Both;
 /// A property that runs leave out.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct LeftOutOfRuns {
-    /// The wind.
     pub(crate) wind: bool,
     /// Forces and moments of static loads on a chain or frame; for a stack they act.
     pub(crate) forces: bool,

@@ -8,7 +8,7 @@ use dolmen::monitoring::{
 use dolmen_project::{DamageKind, Inspection, Project, Severity, WorkKind, WorkPart};
 use std::collections::BTreeMap;
 
-/// What inspections found over the years.
+/// Findings of inspections over the years.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inspected {
     /// The inspections by time.
@@ -17,7 +17,7 @@ pub struct Inspected {
     pub damages: Vec<WatchedDamage>,
     /// Damages that one inspection lists several times.
     pub several: Vec<SeveralAlike>,
-    /// Entries of surveys without a date, which are left out.
+    /// Number of entries left out because their surveys have no date.
     pub undated: usize,
 }
 
@@ -38,7 +38,7 @@ impl InspectionOf {
         self.counts.values().map(|of| of[place(severity)]).sum()
     }
 
-    /// How many.
+    /// Their number.
     pub fn all(&self) -> usize {
         self.counts.values().flatten().sum()
     }
@@ -54,7 +54,7 @@ fn place(severity: Option<Severity>) -> usize {
     }
 }
 
-/// A damage that one inspection lists more than once, so that its entries cannot be told apart.
+/// A damage that one inspection lists more than once, so that its entries cannot be distinguished.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeveralAlike {
     /// The part.
@@ -65,7 +65,7 @@ pub struct SeveralAlike {
     pub most: usize,
 }
 
-/// A size of a damage as one inspection read it.
+/// A size of a damage in one inspection.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SizeRead {
     /// Index of the inspection.
@@ -97,7 +97,7 @@ pub struct WatchedDamage {
     pub limit_m: Option<f64>,
     /// The slope of its size.
     pub trend: TiltTrend,
-    /// Whether a repair came after the last reading.
+    /// Whether a repair followed the last reading.
     pub is_repaired: bool,
     /// Whether the last inspection of all lists it.
     pub is_in_last: bool,
@@ -145,12 +145,12 @@ impl Inspected {
         self.inspections.last()
     }
 
-    /// Damages that have reached their limit, with no repair since.
+    /// Damages that have reached their limit, without a later repair.
     pub fn beyond(&self) -> impl Iterator<Item = &WatchedDamage> {
         self.damages.iter().filter(|of| of.is_beyond())
     }
 
-    /// Damages that the last inspection does not list, with no repair since the one that did.
+    /// Damages missing from the last inspection, without a repair since they were listed.
     pub fn not_listed(&self) -> impl Iterator<Item = &WatchedDamage> {
         self.damages.iter().filter(|of| !of.is_in_last && !of.is_repaired)
     }
@@ -232,7 +232,7 @@ pub(crate) fn inspected(
     Ok(found)
 }
 
-/// Most entries that one inspection has.
+/// Largest number of entries of the damage in one inspection.
 fn most(entries: &[(usize, &Inspection)]) -> usize {
     let of = |at: usize| entries.iter().filter(|(other, _)| *other == at).count();
     entries.iter().map(|(at, _)| of(*at)).max().unwrap_or(0)
@@ -253,7 +253,7 @@ fn damage(
             size_m: size.value,
             sd_m: item.reading_sd_m(),
         };
-        // of two inspections on one day the larger size counts
+        // for two inspections on one day the larger size counts
         match readings.last_mut().filter(|last| last.day == read.day) {
             Some(last) if last.size_m >= read.size_m => {}
             Some(last) => *last = read,

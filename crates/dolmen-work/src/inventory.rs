@@ -21,20 +21,20 @@ pub struct StrongestChange {
     pub sd: f64,
     /// The survey before the change,
     pub after: String,
-    /// and the survey after it.
+    /// The survey after it.
     pub before: String,
-    /// The parts of the model that alone explain it, the best first; several cannot be distinguished. Empty without a model, or where no single
-    /// part explains it.
+    /// The parts of the model that each alone explain it, the best first; several cannot be distinguished. Empty without a model, or if no
+    /// single part explains it.
     pub explained_by: Vec<ExplainingPart>,
 }
 
 /// A part of the model that alone explains a change.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExplainingPart {
-    /// The part, as JSON by its name.
+    /// Name of the part in JSON.
     #[serde(serialize_with = "by_name")]
     pub part: Part,
-    /// The direction; `None` where all are taken together.
+    /// The direction; `None` if all are taken together.
     pub direction: Option<String>,
     /// Ratio of its stiffness after to before.
     pub stiffness_left: f64,
@@ -48,7 +48,7 @@ fn by_name<S: Serializer>(part: &Part, to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(part.name())
 }
 
-/// The parts that explain a change between two surveys; empty where none does.
+/// The parts that explain a change between two surveys; empty if none does.
 fn explaining(answer: &WatchAnswer, [after, before]: [usize; 2]) -> Vec<ExplainingPart> {
     let found = answer
         .parts
@@ -70,7 +70,7 @@ fn explaining(answer: &WatchAnswer, [after, before]: [usize; 2]) -> Vec<Explaini
     each.collect()
 }
 
-/// The tilt nearest its limit, or the largest without a limit.
+/// The tilt nearest its limit, or the largest if there is no limit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NearestTilt {
     /// Its direction.
@@ -100,7 +100,7 @@ pub struct History {
     pub cracks_beyond: usize,
     /// Number of failing sensors in the newest record.
     pub open_sensor_alarms: usize,
-    /// Tilt of all directions together, horizontal over vertical, where it is beyond its limit.
+    /// Tilt of all directions together, horizontal over vertical, if it is beyond its limit.
     pub lean_beyond: Option<f64>,
     /// The lasting change with the largest weight: falls of frequency before rises.
     pub change: Option<StrongestChange>,
@@ -117,14 +117,14 @@ pub struct History {
 pub struct InventoryLine {
     /// The structure.
     pub structure: String,
-    /// Its summary; `None` where there is no history.
+    /// Its summary; `None` without a history.
     pub history: Option<History>,
     /// Why there is no history.
     #[serde(serialize_with = "in_english")]
     pub not_watched: Option<Both>,
 }
 
-/// Keys and values in JSON are the same in every language.
+/// Serializes the English text: JSON is the same in every language.
 fn in_english<S: Serializer>(why: &Option<Both>, to: S) -> Result<S::Ok, S::Error> {
     why.as_ref().map(|why| &why.english).serialize(to)
 }
@@ -139,7 +139,7 @@ impl InventoryLine {
         }
     }
 
-    /// A structure without one.
+    /// A structure without a history.
     pub fn not_watched(structure: String, why: Both) -> Self {
         InventoryLine {
             structure,
@@ -235,7 +235,7 @@ impl History {
     }
 }
 
-/// Weight of a rise of a frequency relative to a fall. Chosen here: a fall means loss of stiffness.
+/// Weight of a rise of a frequency relative to a fall. Our choice: a fall means loss of stiffness.
 const OF_RISE: f64 = 0.5;
 
 /// Weight of a change of a frequency.

@@ -66,7 +66,7 @@ pub(crate) fn add_wind(check: &mut Check, project: &Project, pick: Pick<'_>) -> 
 }
 
 /// The load factor, with the value of each input that `pick` chooses: for a frame the smallest of its directions;
-/// `None` unless the stiffness is known in every direction, and of stacks.
+/// `None` unless the stiffness is known in every direction, and for stacks.
 pub(crate) fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
     Ok(match &project.structure {
         Structure::Survey | Structure::Stack(_) => None,
@@ -111,7 +111,7 @@ pub(crate) fn sensitive(
 pub(crate) fn uplift_tilt(check: &Check) -> Option<f64> {
     match check {
         Check::Chain(chain) => chain::check::uplift_tilt(chain),
-        // a lean by a slope equals a sideways pull by that share of the weight
+        // a lean by a slope is equivalent to a sideways force of that share of the weight
         Check::Stack(stack) => stack
             .check
             .limits
@@ -121,7 +121,7 @@ pub(crate) fn uplift_tilt(check: &Check) -> Option<f64> {
     }
 }
 
-/// The same for a chain of two directions towards the side to which it leans, along x and y; `None` for others.
+/// The same for a chain with two directions towards the side to which it leans, along x and y; `None` for others.
 pub(crate) fn uplift_tilt_towards(
     project: &Project,
     check: &Check,
@@ -135,7 +135,7 @@ pub(crate) fn uplift_tilt_towards(
     }
 }
 
-/// The response to wind and static loads, with the surveyed tilt; `None` without any, and where they are not supported.
+/// The response to wind and static loads, with the surveyed tilt; `None` without any, and if they are not supported.
 pub(crate) fn loads(
     project: &Project,
     check: &Check,
@@ -162,7 +162,7 @@ pub(crate) fn spring_fits(check: &Check, surveys: &[Survey]) -> Result<Vec<Sprin
     }
 }
 
-/// Every stiffness that explains measured modes: of chains and frames.
+/// Every stiffness that explains measured modes, for chains and frames.
 pub(crate) fn stiffness(
     project: &Project,
     direction: &str,

@@ -1,4 +1,4 @@
-//! Names that there are, beside one that there is not.
+//! Lists the known names in the error for an unknown one.
 
 use crate::wrong::KnownNames;
 use dolmen_words::message::Both;

@@ -4,7 +4,7 @@ use crate::watched::WatchAnswer;
 use dolmen::monitoring::SurveyTSquared;
 use dolmen_project::{WorkKind, WorkPart};
 
-/// Scores beyond this are off: one in 370 by chance, as for the alarm.
+/// Scores beyond this are off: 1 in 370 by chance, as for the alarm.
 const OFF_FROM: f64 = 3.0;
 
 /// A mode of the last survey that is off its prediction.
@@ -14,9 +14,9 @@ pub struct LastFarOff {
     pub mode: usize,
     /// Its median frequency through the years, Hz.
     pub frequency_hz: f64,
-    /// Relative difference of the frequency from the one predicted.
+    /// Relative difference from the predicted frequency.
     pub ratio: f64,
-    /// Normal score of that: beyond ±3 one in 370 by chance.
+    /// Normal score of the difference: beyond ±3, 1 in 370 by chance.
     pub score: f64,
 }
 
@@ -50,7 +50,7 @@ impl WatchAnswer {
         all
     }
 
-    /// T² of all modes of the last survey, where it is beyond its limit without a later repair or inspection.
+    /// T² of all modes of the last survey, if it is beyond its limit without a later repair or inspection.
     pub fn last_t_squared(&self) -> Option<&SurveyTSquared> {
         let last = self.surveys.len().checked_sub(1)?;
         let found = self.watched.t_squared.last()?;

@@ -11,7 +11,7 @@ use dolmen::signal::ChannelFault;
 use dolmen_project::{ChannelSource, Column, RecordSource, Survey};
 use dolmen_records::Files;
 
-/// Leaves out the channels with which nothing can be identified, and one of two with the same signal, if others remain; returns their names.
+/// Leaves out unusable channels, and one of two with the same signal, if others remain; returns their names.
 pub(crate) fn without(why: &WorkError, source: &mut RecordSource) -> Option<Vec<String>> {
     let fault = match why {
         WorkError::Within { cause, .. } => return without(cause, source),
@@ -37,7 +37,7 @@ pub(crate) fn without(why: &WorkError, source: &mut RecordSource) -> Option<Vec<
 /// Modes of a survey's records without failed sensors, and the names of those. Their faults stay in the list of faults.
 ///
 /// # Errors
-/// Records that cannot be read or hold no modes.
+/// If records cannot be read, or contain no modes.
 pub(crate) fn found_without(
     survey: &Survey,
     files: &dyn Files,
@@ -71,7 +71,7 @@ pub(crate) fn found_without(
     }
 }
 
-/// The channels of a record as a project would list them.
+/// The channels of a record in the form of a project.
 fn channels(source: &RecordSource, files: &dyn Files) -> Result<Vec<ChannelSource>, WorkError> {
     let read = record::record(source, files)?;
     let each = read.record.channels().iter().map(|channel| ChannelSource {

@@ -32,7 +32,7 @@ struct ReadLog {
 }
 
 impl Logs {
-    /// Reads them.
+    /// Reads all logs of a project.
     ///
     /// # Errors
     /// Files that cannot be read as logs, or that state another unit than the project.
@@ -52,7 +52,7 @@ impl Logs {
         Ok(logs)
     }
 
-    /// Whether one of them is watched alone.
+    /// Whether one of them is watched by itself.
     pub fn are_watched(&self) -> bool {
         !self.read.is_empty()
     }
@@ -153,7 +153,7 @@ fn daily(part: &LogPart, log: &Log) -> ReadLog {
     }
 }
 
-/// The temperature of each day, NaN where there is none.
+/// The temperature of each day, NaN if there is none.
 fn on_days(air: &DailyReadings, days: &[f64]) -> Vec<f64> {
     let of = |day: &f64| {
         let at = air.days.binary_search_by(|own| own.total_cmp(day)).ok()?;
@@ -179,7 +179,7 @@ mod tests {
         };
         let opened = Opened::read(text, "p".to_owned(), &files).unwrap();
         let logs = Logs::read(&opened.project, &files).unwrap();
-        assert_eq!(logs.temperature_c("2026-11-25"), Some(4.0)); // 85 is what a sensor reads right after its start
+        assert_eq!(logs.temperature_c("2026-11-25"), Some(4.0)); // 85 is the reading of a sensor right after its start
         assert_eq!(logs.temperature_c("2026-11-25T10:50:00"), Some(5.0));
         assert_eq!(logs.temperature_c("2026-11-25T13:50:00"), None);
         assert_eq!(

@@ -14,11 +14,11 @@ use dolmen_project::{
 };
 use std::rc::Rc;
 
-/// Largest number of parts tried. Chosen here: each costs some hundred modal analyses, or some fifty for a stack or building.
+/// Largest number of parts tried. Our choice: each costs some hundred modal analyses, or some fifty for a stack or building.
 const PARTS_MOST: usize = 20;
-/// Largest number of stones in a stack whose parts are tried. Chosen here: with more, all different, it takes longer than a minute.
+/// Largest number of stones in a stack whose parts are tried. Our choice: with more, all different, it takes longer than a minute.
 const STONES_MOST: usize = 40;
-/// Factors of a table, from the smallest to the largest. Chosen here: 12 % apart, which gives frequencies to 1e-6.
+/// Factors of a table, from the smallest to the largest. Our choice: 12 % apart, which gives frequencies to 1e-6.
 const TABLED: usize = 51;
 /// Relative difference below which two modes of one building have the same frequency, and shapes that can be mixed arbitrarily.
 const REPEATED: f64 = 1e-6;
@@ -41,7 +41,7 @@ pub(crate) struct Loosening<'a> {
 /// The direction of a mode that twists the plan.
 pub(crate) const TORSION: &str = "torsion";
 
-/// The models of a project; empty where its stiffness is unknown, or where it has too many parts.
+/// The models of a project; empty if its stiffness is unknown, or if it has too many parts.
 pub(crate) fn loosening(project: &Project) -> Vec<Loosening<'_>> {
     let models = match &project.structure {
         Structure::Chain(part) => chains(project, part),
@@ -167,8 +167,8 @@ fn loosened(storey: &Storey, factor: f64) -> Storey {
     }
 }
 
-/// Frequencies, Hz, of the modes that move most along x, along y and in torsion. Modes that share a frequency share their directions, whatever
-/// mixture of them was found.
+/// Frequencies, Hz, of the modes that move most along x, along y and in torsion. Modes with the same frequency share their directions,
+/// whatever combination of them was found.
 fn by_direction(modes: &[BuildingMode]) -> Vec<Vec<f64>> {
     let mut along = vec![Vec::new(); 3];
     for same in modes.chunk_by(|a, b| b.frequency_hz <= a.frequency_hz * (1.0 + REPEATED)) {
@@ -186,7 +186,7 @@ fn by_direction(modes: &[BuildingMode]) -> Vec<Vec<f64>> {
 fn stack(part: &StackPart) -> Option<Loosening<'_>> {
     let stack = with_gaps(part.build(&mut Quantity::nominal).ok()?).ok()?;
     let beside = beside_in_small_motion(&stack, RULE).ok()?;
-    // a joint that can be met from one side only has no small oscillations
+    // a joint that acts in one sense only has no small oscillations
     if stack.blocks().len() > STONES_MOST || beside.contains(&BesideInSmallMotion::OneWay) {
         return None;
     }
@@ -251,7 +251,7 @@ impl Table {
         })
     }
 
-    /// By the cubic through the four neighbouring factors.
+    /// Cubic interpolation through the four neighbouring factors.
     fn frequencies_hz(&self, part: Option<usize>, factor: f64) -> Option<Vec<Vec<f64>>> {
         if factor == 1.0 {
             return Some(self.given.clone());

@@ -4,7 +4,7 @@
 //! |:--|:--|:--|
 //! | φ | `shape` | a measured shape at the sensors |
 //! | q_k | `basis` | motion of the model's modes of one frequency at the sensors, orthonormalised |
-//! | MAC | `assurance` | Σ_k \|q_k* φ\|² / φ*φ: of one mode the usual one |
+//! | MAC | `assurance` | Σ_k \|q_k* φ\|² / φ*φ; for a single mode the usual MAC |
 
 use crate::error::WorkError;
 use dolmen::blocks::{ContactRule, lowest_stack_modes};
@@ -16,11 +16,11 @@ use dolmen_project::{BuildingPart, Project, Quantity, StackPart, Structure};
 const MORE: usize = 2;
 /// Most modes of the model.
 const MODES_MOST: usize = 16;
-/// Modes of the model whose frequencies are this close are one pair, in whose span any direction is a mode, as for a square pagoda.
+/// Modes of the model with frequencies this close are a pair, and any combination of them is a mode, as for a square pagoda.
 const ONE_FREQUENCY: f64 = 0.01;
-/// Smallest MAC for a pair of measured and model modes. Chosen here: below it, other modes are as likely.
+/// Smallest MAC for a pair of measured and model modes. Our choice: below it, other modes are as likely.
 pub const SAME_FROM: f64 = 0.8;
-/// A measured frequency this many times that of its mode of the model, or the inverse, is doubted. Chosen here.
+/// A measured frequency is doubted if it is this many times that of its mode in the model, or the inverse. Our choice.
 pub const FREQUENCY_RATIO_DOUBTED: f64 = 1.5;
 /// A sensor stands on the stone nearest to it, within this distance, m.
 const NEAR_M: f64 = 0.3;
@@ -68,13 +68,13 @@ pub struct BesideModel {
     pub frequency_hz: f64,
     /// MAC with each of [`ModelModes::of_model`].
     pub assurance: Vec<f64>,
-    /// Which of them it is.
+    /// Its index among them.
     pub is: WhichMode,
 }
 
 impl ModelModes {
-    /// Indices of measured modes whose frequency is far from that of the mode with the most similar shape: the model is of another structure, or
-    /// these channels do not distinguish its modes.
+    /// Indices of measured modes whose frequency is far from that of the mode with the most similar shape: the model is of another
+    /// structure, or these channels do not distinguish its modes.
     pub fn far_off(&self) -> Vec<usize> {
         let each = self.measured.iter().enumerate();
         let far = each.filter(|(_, of)| match of.is {
@@ -154,7 +154,7 @@ pub(crate) fn model_modes(project: &Project, modes: &Modes) -> Option<ModelModes
     })
 }
 
-/// The only one from [`SAME_FROM`] on, several, or none.
+/// The only one with at least [`SAME_FROM`], several, or none.
 fn which(assurance: &[f64]) -> WhichMode {
     let alike: Vec<usize> = (0..assurance.len())
         .filter(|k| assurance[*k] >= SAME_FROM)
@@ -230,13 +230,13 @@ struct Model {
 }
 
 enum PlaceMotion {
-    /// Of each mode, each floor from the ground on: u, v and θ about its centre.
+    /// For each mode, each floor from the ground: u, v and θ about its centre.
     Floors {
         heights_m: Vec<f64>,
         centres_m: Vec<[f64; 2]>,
         shapes: Vec<Vec<[f64; 3]>>,
     },
-    /// Of each mode, each stone: displacement of its centroid and turn about it.
+    /// For each mode, each stone: displacement of its centroid, and rotation about it.
     Stones {
         solids: Vec<Solid>,
         shapes: Vec<Vec<[f64; 6]>>,
@@ -299,7 +299,7 @@ impl Model {
         }))
     }
 
-    /// The displacement of a place along a direction in each mode; `None` where the model has nothing there.
+    /// The displacement of a place along a direction in each mode; `None` if the model has nothing there.
     fn moved(&self, position_m: [f64; 3], direction: [f64; 3]) -> Option<Vec<f64>> {
         let along = |by: [f64; 3]| by.iter().zip(direction).map(|(by, d)| by * d).sum::<f64>();
         match &self.of {
@@ -377,7 +377,7 @@ mod tests {
         Opened::read(text.to_owned(), "p".to_owned(), &NoFiles).unwrap()
     }
 
-    /// Modes that look at these channels as said, the first of a made record otherwise.
+    /// Modes measured by these channels; all else is from a made record.
     fn measured(channels: Vec<Channel>, shapes: &[Vec<[f64; 2]>]) -> Modes {
         let record = ReferenceCase::ShearChain.made(1).unwrap().make().unwrap();
         let found = identify(&record, &Identify::default()).unwrap().modes;
@@ -407,7 +407,7 @@ mod tests {
         }
     }
 
-    /// Where `dolmen sensors` stands its sensors, the model moves as it says there: written apart from this file.
+    /// At the sensor places of `dolmen sensors`, the model moves as that verb gives; written independently of this file.
     #[test]
     fn agrees_with_the_shapes_that_sensors_are_planned_by() {
         for name in ["twisting_floor", "three_storey_pagoda"] {
@@ -428,7 +428,7 @@ mod tests {
                 };
                 rows.push(model.moved(sensor.site.position_m, direction).unwrap());
             }
-            // the likeness of the modes at those sensors is that of the plan
+            // the MAC of the modes at those sensors is that of the plan
             for i in 0..3 {
                 for j in 0..3 {
                     let of = |k: usize| rows.iter().map(|row| row[k]).collect::<Vec<f64>>();
@@ -443,8 +443,8 @@ mod tests {
         }
     }
 
-    /// The left wall is nearly twice as stiff as the right one: the right end swings more in the first mode, about a centre far to the left, where
-    /// nothing moves along y. Half way up the storey everything moves by half.
+    /// The left wall is nearly twice as stiff as the right one: the right end moves more in the first mode, about a centre far to the left,
+    /// where nothing moves along y. Half way up the storey everything moves by half.
     #[test]
     fn exact_the_soft_end_of_a_floor_swings_more_about_the_centre_of_its_mode() {
         let opened = example("twisting_floor");
@@ -483,7 +483,7 @@ mod tests {
                 .map(|c| model.moved(c.position_m.unwrap(), c.direction.unwrap()).unwrap()[k])
                 .collect()
         };
-        // a turned phase changes nothing; what the other channels say is not looked at
+        // a rotated phase changes nothing; components of other channels are ignored
         let complex = |shape: &[f64], turn: f64| -> Vec<[f64; 2]> {
             let (sin, cos) = f64::sin_cos(turn);
             let mut all: Vec<[f64; 2]> = shape.iter().map(|x| [x * cos, x * sin]).collect();
@@ -518,7 +518,7 @@ mod tests {
             "{:?}",
             found.measured[3]
         );
-        // two channels along x tell no two of three modes apart: no answer
+        // two channels along x cannot distinguish two of three modes: no answer
         let few = measured(vec![channels[0].clone()], &[vec![[1.0, 0.0]]]);
         assert_eq!(model_modes(&opened.project, &few), None);
     }

@@ -9,18 +9,18 @@ use std::sync::Arc;
 /// A project, its text, and the name of its file.
 #[derive(Clone, Debug)]
 pub struct Opened {
-    /// What the file says.
+    /// The project.
     pub project: Arc<Project>,
-    /// The text of the file, from which the cases of a study are read.
+    /// The text of the file, from which cases of a study are parsed.
     pub text: String,
     /// The file name for the user.
     pub file: String,
-    /// Earlier results of surveys, for the stiffness that the file leaves to them.
+    /// Earlier results of surveys, for the stiffness that the file takes from them.
     pub identified: Vec<SurveyAnswer>,
 }
 
 impl Opened {
-    /// Reads the text of a project file; `files` gives what it names.
+    /// Parses the text of a project file; `files` provides the files that it names.
     ///
     /// # Errors
     /// [`WorkError::Project`], which holds every fault with its line.

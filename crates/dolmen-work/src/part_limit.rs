@@ -41,13 +41,13 @@ impl Part {
 pub struct PartLimit {
     /// The part.
     pub part: Part,
-    /// The direction; `None` where all directions are alike.
+    /// The direction; `None` if all directions are alike.
     pub direction: Option<String>,
     /// The limited quantity.
     pub limited: Limited,
     /// The demand.
     pub demand: f64,
-    /// The capacity left by loads without shaking; `None` where no limit is known.
+    /// The capacity left by loads without shaking; `None` if no limit is known.
     pub capacity: Option<f64>,
     /// The part of the limit that surveyed tilt and static loads use without shaking; 0 without any.
     pub taken: f64,
@@ -69,7 +69,7 @@ pub struct Compared {
 /// A direction without a comparison.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotCompared {
-    /// The direction; `None` where it is the same in all.
+    /// The direction; `None` if it is the same in all.
     pub direction: Option<String>,
     /// Why.
     pub why: WhyNotCompared,
@@ -89,7 +89,7 @@ pub enum WhyNotCompared {
 }
 
 impl PartLimit {
-    /// The drift of a storey over its height compared with the allowable one.
+    /// The drift ratio of a storey compared with the allowable one.
     pub(crate) fn of_drift(part: Part, direction: &str, ratio: f64, limit: Option<&DriftLimit>) -> Self {
         PartLimit {
             part,
@@ -111,7 +111,7 @@ impl PartLimit {
         }
     }
 
-    /// The same where a lean without shaking uses a part of it: lean and drift together, as vectors in plan, stay within the limit.
+    /// The same for a part whose lean without shaking uses some of the limit: lean and drift together, as vectors in plan, stay within it.
     ///
     /// ```text
     /// left = √(limit² − across²) − along
@@ -160,7 +160,7 @@ impl PartLimit {
         }
     }
 
-    /// Order of parts: the larger the worse; one that falls comes first.
+    /// Sorting key of parts: larger is worse; a part that falls comes first.
     fn use_of(&self) -> f64 {
         match self.use_ratio() {
             _ if self.falls() => self.whole_drift() / DRIFT_RATIO_MOST * 1e3,
@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn exact_lean_across_a_direction_takes_less_than_along_it() {
-        // 2 % allowed, leaning by 1.2 %: 0.8 % is left along the lean, 1.6 % across it
+        // 2 % allowed with a lean of 1.2 %: 0.8 % is left along the lean, 1.6 % across it
         let leaning = |lean| drift("storey", 0.01, Some(0.02)).taking(lean);
         let [along, across] = [leaning([0.012, 0.0]), leaning([0.0, -0.012])];
         assert!((along.capacity.unwrap() - 0.008).abs() < 1e-12 && (along.taken - 0.012).abs() < 1e-12);

@@ -6,13 +6,13 @@ use dolmen_project::{PhotoPart, Project};
 use dolmen_records::{Files, PHOTO_BYTES_MOST, Photo, read_photo};
 use std::collections::BTreeMap;
 
-/// Most bytes of all photographs of one report. Chosen here: a page that holds more is slow to open and too large to send.
+/// Largest size of all photographs of one report, in bytes. Our choice: a larger page is slow to open and too large to send.
 const ALL_BYTES_MOST: u64 = 256 << 20;
 
-/// Each photograph by the name that the project gives it.
+/// Each photograph by its name in the project.
 pub type Photos = BTreeMap<String, Photo>;
 
-/// Reads the head of every photograph; none of a project without any.
+/// Reads the header of every photograph; empty for a project without any.
 pub(crate) fn photos(opened: &Opened, files: &dyn Files) -> Result<Photos, WorkError> {
     let mut all = Photos::new();
     let mut total = 0;

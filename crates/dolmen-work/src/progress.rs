@@ -27,15 +27,15 @@ pub enum Stage {
     Joining,
 }
 
-/// Receives the progress of a verb, and may stop it. Finished work is then kept.
+/// Receives the progress of a verb, and may stop it; finished work is kept.
 pub trait Progress: Send + Sync {
-    /// A stage begins; it replaces the one before.
+    /// Begins a stage, which replaces the one before.
     fn begin(&self, stage: &Stage);
-    /// The stage has come to `position`, in its own unit.
+    /// The stage has reached `position`, in its own unit.
     fn advance(&self, position: f64);
     /// The stage is over.
     fn end(&self);
-    /// Whether to stop at the next place where finished work can be kept.
+    /// Whether to stop at the next point where finished work can be kept.
     fn is_cancelled(&self) -> bool;
 }
 
@@ -55,7 +55,7 @@ impl Progress for Silent {
     }
 }
 
-/// Runs `run` as a stage of simulated time: `run` reports the time reached, and learns whether to go on.
+/// Runs `run` as a stage of simulated time: `run` reports the time reached, and learns whether to continue.
 pub(crate) fn simulating<T>(
     progress: &dyn Progress,
     whole_s: f64,

@@ -3,12 +3,12 @@
 use crate::surveyed::SurveyAnswer;
 use dolmen::assess::{ChangeNote, Surveyed};
 
-/// Relative difference within which the ratio of frequencies is that of the rates. Chosen here: frequencies of good records scatter less.
+/// Relative difference within which the ratio of frequencies is that of the rates. Our choice: frequencies of good records scatter less.
 const ONE_RATIO: f64 = 0.005;
-/// Fewest modes for that conclusion. Chosen here.
+/// Fewest modes for that conclusion. Our choice.
 const MODES_LEAST: usize = 2;
 
-/// The slip of a sampling rate that explains the change of all frequencies between two surveys; `None` where there is none.
+/// The wrong sampling rate that explains the change of all frequencies between two surveys; `None` without one.
 pub(crate) fn rate_slip(
     before: (&Surveyed, Option<&SurveyAnswer>),
     after: (&Surveyed, Option<&SurveyAnswer>),
@@ -40,7 +40,7 @@ pub(crate) fn rate_slip(
     })
 }
 
-/// The sampling rate of the records of a survey, where they have one.
+/// The sampling rate of the records of a survey, if they have the same.
 fn rate_hz(answer: &SurveyAnswer) -> Option<f64> {
     let setups = answer.setups.iter().flat_map(|setups| &setups.records);
     let mut rates = answer

@@ -67,8 +67,8 @@ pub(crate) fn record(source: &RecordSource, files: &dyn Files) -> Result<OpenedR
     opened(join_stations(stations, &options)?, source, composed)
 }
 
-/// As [`record`]; but a record with an earthquake is used on both sides of its lost samples, so that its times count from its first sample, and
-/// the part before the loss is available.
+/// As [`record`], but a record with an earthquake keeps the parts on both sides of its lost samples, so that its times count from its first
+/// sample, and the part before the loss is available.
 pub(crate) fn record_to_identify(
     source: &RecordSource,
     files: &dyn Files,

@@ -8,12 +8,12 @@ use dolmen::signal::{
 
 /// Number of parts of an envelope: one for each pixel of a figure.
 const PARTS: usize = 600;
-/// Number of lines of a spectrogram up to the highest frequency of the search, and of its columns; chosen here for a figure.
+/// Number of frequency lines of a spectrogram up to the highest frequency of the search, and number of its columns. Chosen here for a figure.
 const LINES: f64 = 96.0;
 const COLUMNS: usize = 100;
-/// Upper limit of the frequencies of a spectrogram over the highest frequency of the search: as for the spectrum in the figure.
+/// Upper limit of the frequencies of a spectrogram, relative to the highest frequency of the search: as for the spectrum in the figure.
 const BEYOND_RANGE: f64 = 1.08;
-/// Upper limit over the highest mode found, where that is lower.
+/// Upper limit relative to the highest mode found, if that is lower.
 const BEYOND_MODES: f64 = 2.0;
 /// Fewest samples of a segment.
 const SEGMENT_LEAST: usize = 16;
@@ -25,7 +25,7 @@ pub struct RecordSeen {
     pub channels: Vec<ChannelSeen>,
     /// Its time.
     pub time: RecordTime,
-    /// The spectrogram; `None` of a record too short for one.
+    /// The spectrogram; `None` for a record too short for one.
     pub spectrogram: Option<SpectrogramSeen>,
 }
 
@@ -34,13 +34,13 @@ pub struct RecordSeen {
 pub struct ChannelSeen {
     /// Its name.
     pub name: String,
-    /// What it measures.
+    /// Its quantity.
     pub quantity: Quantity,
     /// Mean of the samples used.
     pub mean: f64,
     /// Root mean square about the mean.
     pub deviation: f64,
-    /// Largest distance from the mean.
+    /// Largest deviation from the mean.
     pub largest: f64,
     /// Its time, s from the first sample of the file.
     pub largest_at_s: f64,
@@ -63,7 +63,7 @@ pub struct RecordTime {
     pub lost: Vec<LostSpan>,
     /// Lost samples that were filled.
     pub filled: Vec<LostSpan>,
-    /// Whether several files lost samples, each with its own times, so that they are not in `lost` and `filled`.
+    /// Whether several files lost samples, each with its own times; these are then not in `lost` and `filled`.
     pub lost_elsewhere: bool,
 }
 
@@ -180,7 +180,7 @@ impl SpectrogramSeen {
         };
         let highest = analysis.modes.modes.last();
         let end_hz = highest.map_or(end_hz, |mode| end_hz.min(BEYOND_MODES * mode.frequency_hz));
-        // as fine in frequency as the figure, or as many lines as columns for a short record
+        // the frequency resolution of the figure, or for a short record as many lines as columns
         let resolution_hz = (end_hz / LINES).max((0.5 * end_hz / record.duration_s()).sqrt());
         let segment_length = 2 * ((0.5 * rate_hz / resolution_hz).round() as usize);
         if segment_length < SEGMENT_LEAST || 2 * segment_length > record.length() {
@@ -273,7 +273,7 @@ mod tests {
         let analysis = identify(&record, &Identify::default()).unwrap();
         let seen = RecordSeen::of(&record, record.duration_s(), (&analysis, None), true).unwrap();
         let of = seen.spectrogram.unwrap();
-        // the upper floor moves more in the first mode, which holds most of the motion
+        // the upper floor moves more in the first mode, which contains most of the motion
         assert!(!of.is_asked);
         assert!(seen.channels[of.channel].deviation >= seen.channels[1 - of.channel].deviation);
         assert!(of.of.columns.len() <= COLUMNS && of.end_hz > 4.2);

@@ -28,7 +28,7 @@ use dolmen_records::Files;
 pub struct ReportOptions {
     /// Samples of the uncertain inputs; none for a stack, whose verdict has no load factor.
     pub sampling: Option<Sampling>,
-    /// The motion of the simulations; none if it requests none.
+    /// The motion of the simulations; without one, none are run.
     pub motion: MotionRequest,
     /// The journals of earlier studies.
     pub journals: Vec<StudyJournals>,
@@ -58,8 +58,8 @@ pub fn report(
     checked.unreadable_motions = unreadable_motions(project, files);
     let mut answers = Vec::new();
     let is_watched = can_watch(project);
-    // `watch` removes the effect of the weather; a comparison of the first and the last survey alone does not, unless the file gives the
-    // coefficient of temperature
+    // `watch` removes the effect of the weather; a comparison of only the first and the last survey does not, unless the file gives the
+    // temperature coefficient
     let is_covered = is_watched && project.change.temperature == TemperaturePart::Unknown;
     if !is_covered && let Ok(compared) = surveys_to_compare(project, None, None) {
         answers.push(Answer::Compare(Box::new(compared_of(
@@ -99,7 +99,7 @@ pub fn report(
     })
 }
 
-/// The stack as it is on supports that move slowly, where the file has them and no motion.
+/// The stack as it is with slowly moving supports, if the file has movements and there is no motion.
 fn supports_moved(
     opened: &Opened,
     files: &dyn Files,
@@ -117,7 +117,7 @@ fn supports_moved(
     Ok(moved.does_not_stand.is_none().then_some(moved))
 }
 
-/// Every version that can be simulated, as it is and in its variants; where a stack does not stand as it is, none of its versions.
+/// Every version that can be simulated, as it is and in its variants; none if a stack does not stand as it is.
 fn simulated(
     opened: &Opened,
     checked: &CheckAnswer,
@@ -155,7 +155,7 @@ fn simulated(
         simulations,
         variant: None,
         does_not_stand: None,
-        evidence: Evidence::none(), // from the check, as are the next
+        evidence: Evidence::none(), // from the check, like the next fields
         without_shaking: None,
         tilt_beyond_limit: false, // from the check, as above
         after: None,

@@ -1,4 +1,4 @@
-//! Refuses one record under two dates: its survey would be compared with itself.
+//! Refuses the same record under two dates: its survey would be compared with itself.
 
 use crate::change_fault::ChangeFault;
 use crate::fingerprint::fingerprint;
@@ -7,7 +7,7 @@ use dolmen_project::{Column, Cut, RecordSource, Survey};
 use dolmen_records::{Files, RECORD_BYTES_MOST};
 use std::collections::BTreeMap;
 
-/// A file of a survey, and the part of it that is used.
+/// A file of a survey, and the part of it in use.
 struct Part<'p> {
     survey: &'p Survey,
     source: &'p RecordSource,
@@ -31,7 +31,7 @@ impl Part<'_> {
     }
 }
 
-/// Refuses surveys of two dates whose records are one: a file with the same bytes, of which both use the same samples.
+/// Refuses surveys of two dates with the same record: files with the same bytes, of which both use the same samples.
 ///
 /// # Errors
 /// [`ChangeFault::SameRecord`].
@@ -89,7 +89,7 @@ mod tests {
     use dolmen_project::parse_project;
     use dolmen_records::FileError;
 
-    /// Files of which "b.csv" is a copy of "a.csv".
+    /// Files where "b.csv" is a copy of "a.csv".
     #[derive(Debug)]
     struct Copies;
 
@@ -127,7 +127,7 @@ mod tests {
             refused(&[("2024-05-01", a), ("2025-05-01", "file = \"c.csv\"")]),
             None
         );
-        // one day twice: two ways of one record
+        // the same day twice: two uses of one record
         assert_eq!(refused(&[("2024-05-01", a), ("2024-05-01 filtered", a)]), None);
     }
 

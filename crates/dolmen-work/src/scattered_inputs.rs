@@ -1,18 +1,18 @@
-//! What the scatter of weights and dimensions in a project file adds to the deviations of an identified stiffness.
+//! Adds the scatter of weights and dimensions to the standard deviation of an identified stiffness.
 
 use crate::error::WorkError;
 use crate::surveyed::StiffnessAnswer;
 use dolmen::structure::StiffnessSolution;
 use dolmen_project::{Pick, Project, Quantity};
 
-/// Adds to the variance of each stiffness that of the inputs, as independent of each other and linearised:
+/// Adds the variance from the inputs to that of each stiffness; the inputs are independent, and their effect is linearised:
 ///
 /// ```text
 /// σ_k² = σ_k²(modes) + Σ_i [(k(q_i + σ_i) − k(q_i − σ_i))/2]²
 /// ```
 ///
-/// `identify` finds the stiffness with the inputs that it is given. A solution that vanishes where an input moves by one deviation has no
-/// linear deviation and loses its own. Tested by `exact_the_weight_of_one_link_scatters_its_stiffness`.
+/// If a solution vanishes when an input changes by one standard deviation, it has no linear deviation and loses its own. Tested by
+/// `exact_the_weight_of_one_link_scatters_its_stiffness`.
 pub(crate) fn add_scatter_of_inputs(
     project: &Project,
     mut answers: Vec<StiffnessAnswer>,
@@ -48,14 +48,14 @@ pub(crate) fn add_scatter_of_inputs(
     answers
 }
 
-/// Whether an input with scatter is a weight, dimension or load: stiffness is sought, and surveys have their own deviations.
+/// Whether an input with scatter is a weight, dimension or load. Stiffness is the unknown, and surveys have their own deviations.
 fn is_of_body(input: &Quantity) -> bool {
     let path = input.path.as_str();
     let is_other = path.starts_with("survey.") || path.contains("stiffness") || path.contains("damping");
     input.standard_deviation() > 0.0 && !is_other
 }
 
-/// Adds the part of one input.
+/// Adds the contribution of one input.
 fn add(solution: &mut StiffnessSolution, ends: &[Option<StiffnessAnswer>; 2]) {
     let near = |end: &Option<StiffnessAnswer>| nearest(&solution.stiffness, end.as_ref()?);
     let [upper, lower] = [near(&ends[0]), near(&ends[1])];
@@ -69,7 +69,7 @@ fn add(solution: &mut StiffnessSolution, ends: &[Option<StiffnessAnswer>; 2]) {
     }
 }
 
-/// The solution nearest to a stiffness, by the logarithms.
+/// The solution nearest to a stiffness, by logarithms.
 fn nearest(stiffness: &[f64], answer: &StiffnessAnswer) -> Option<Vec<f64>> {
     let apart = |of: &StiffnessSolution| -> f64 {
         let each = of.stiffness.iter().zip(stiffness);
@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn exact_the_weight_of_one_link_scatters_its_stiffness() {
-        // k = W (h + I ω²/W): of the weight alone σ_k/k is its cov
+        // k = W (h + I ω²/W): with only the weight uncertain, σ_k/k is its cov
         let of_modes = relative_sd("\"40 kN\"", 0.01);
         let of_both = relative_sd("{ value = \"40 kN\", cov = 0.06 }", 0.01);
         let exact = of_modes.hypot(0.06);

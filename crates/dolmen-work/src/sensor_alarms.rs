@@ -1,4 +1,4 @@
-//! Failing sensors: faults of the channels of records, followed from survey to survey. They tell nothing about the structure.
+//! Failing sensors: faults of the channels of records, followed from survey to survey. They say nothing about the structure.
 
 use crate::survey_dates::date;
 use dolmen::signal::ChannelFault;
@@ -23,7 +23,7 @@ pub enum SensorFault {
     Faded,
     /// It is almost the same signal as another one.
     Alike,
-    /// It drifts by far more than it moves.
+    /// It drifts by far more than it oscillates.
     Drifts,
     /// It has spikes.
     Spikes,
@@ -34,7 +34,7 @@ pub enum SensorFault {
 }
 
 impl SensorFault {
-    /// Every one of them.
+    /// All kinds.
     const ALL: [SensorFault; 9] = [
         SensorFault::Dead,
         SensorFault::Faint,
@@ -83,8 +83,8 @@ impl SensorFault {
         SensorFault::ALL.into_iter().find(|fault| fault.word() == word)
     }
 
-    /// Number of successive records with the fault before it is an alarm; `None` for never. A strong shock clips and a passing cart shakes one
-    /// record; a dead sensor stays dead. Chosen here.
+    /// Number of successive records with the fault before it is an alarm; `None` for never. A strong shock clips one record, and a passing
+    /// cart shakes one; a dead sensor stays dead. Our choice.
     fn records_least(self) -> Option<usize> {
         match self {
             SensorFault::Dead | SensorFault::Faint | SensorFault::Duplicated => Some(1),
@@ -103,7 +103,7 @@ pub struct SensorAlarm {
     pub fault: SensorFault,
     /// The first survey with the fault.
     pub since: String,
-    /// The last successive one.
+    /// The last successive survey with it.
     pub last: String,
     /// Number of successive ones.
     pub records: usize,
@@ -111,7 +111,7 @@ pub struct SensorAlarm {
     pub is_open: bool,
 }
 
-/// Failing sensors, by the time of their first fault; surveys with records and a date are found by their names.
+/// Failing sensors, by the time of their first fault; dated surveys with records are found by their names.
 pub(crate) fn sensor_alarms(project: &Project, faults: &SensorFaults) -> Vec<SensorAlarm> {
     let dated = project
         .surveys

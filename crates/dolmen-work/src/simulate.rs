@@ -57,9 +57,9 @@ pub struct SimulateOptions {
     pub repeats: Repeating,
     /// Options of the wind of the file on a building, instead of a motion of the ground; `None` for none.
     pub wind: Option<WindAsked>,
-    /// Whether a building is also run without its dampers.
+    /// Whether to run a building also without its dampers.
     pub compare: bool,
-    /// Whether every history of a building is kept.
+    /// Whether to keep every history of a building.
     pub keep: bool,
 }
 
@@ -90,13 +90,13 @@ impl Default for SimulateOptions {
 /// Histories of the wind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WindAsked {
-    /// Seed of the first history; the others count on.
+    /// Seed of the first history; the others use the next numbers.
     pub seed: u64,
-    /// Number for the wind along x and along y; 10 by default.
+    /// Number of histories for the wind along x and along y; 10 by default.
     pub repeats: Option<usize>,
 }
 
-/// A prepared simulation with its inputs: a run can be announced before it begins.
+/// A prepared simulation with its inputs, so that a run can be announced before it begins.
 #[derive(Debug)]
 pub struct PreparedSimulation<'a> {
     version: Version<'a>,
@@ -154,7 +154,7 @@ pub fn prepare<'a>(
     })
 }
 
-/// Whether the supports of a stack move: the file has them, and no motion.
+/// Whether the supports of a stack move: the file has movements, and there is no motion.
 pub(crate) fn moves_supports(project: &Project) -> bool {
     let Structure::Stack(part) = &project.structure else {
         return false;
@@ -170,7 +170,7 @@ pub fn evidence_of(opened: &Opened) -> Result<Evidence, WorkError> {
     evidence(&opened.project, None)
 }
 
-/// Evidence of the surveys for the model; none for a variant, nor where none measured a frequency.
+/// Evidence of the surveys for the model; none for a variant, or if no survey measured a frequency.
 pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evidence, WorkError> {
     let surveys = &project.surveys;
     let is_measured = surveys
@@ -183,8 +183,8 @@ pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evide
     Ok(check.map_or_else(Evidence::none, |check| Evidence::of(project, &check)))
 }
 
-/// State of a chain, frame or building without any shaking, if it is not "stable": for a chain or frame with its static loads and wind, for a
-/// frame also with its lean. For a stack the check contains it.
+/// State of a chain, frame or building without any shaking, if it is not "stable": for a chain or frame with its static loads and wind, for
+/// a frame also with its lean. For a stack, the check contains it.
 fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkError> {
     let asks_check = match &project.structure {
         Structure::Chain(_) => !project.loads.is_empty(),
@@ -205,7 +205,7 @@ fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkErro
     let factor = kinds::least_load_factor(project, &mut Quantity::nominal)?;
     let weight = match factor.map(Verdict::of_load_factor) {
         Some(Verdict::Marginal) => Weight::Marginal,
-        // only friction, or a post with a gap, holds it
+        // only friction, or a post with a gap, supports it
         Some(Verdict::Unstable) => Weight::Unstable,
         Some(Verdict::Stable | Verdict::Unknown) | None => return Ok(None),
     };
@@ -252,7 +252,7 @@ impl PreparedSimulation<'_> {
     /// Runs the simulation; with two motions the first alone, then both as one with the time to rest between them.
     ///
     /// # Errors
-    /// [`WorkError`], where the structure cannot be built or its stiffness is unknown, or the run is refused.
+    /// [`WorkError`] if the structure cannot be built, its stiffness is unknown, or the run is refused.
     pub fn run(self, progress: &dyn Progress) -> Result<SimulateAnswer, WorkError> {
         let PreparedSimulation {
             version,
@@ -267,7 +267,7 @@ impl PreparedSimulation<'_> {
     }
 }
 
-/// The first motion alone, extended until the structure is at rest; then both as one. Repeats with small differences are of both.
+/// Runs the first motion alone, extended until the structure is at rest, then both as one. Repeats with small differences are of both.
 fn run_after(
     version: &Version<'_>,
     (first, second): (MotionAnswer, MotionAnswer),
@@ -319,7 +319,7 @@ fn run_after(
     Ok(answer)
 }
 
-/// The end of every run of one motion; `None` without a ground motion, and where a run has no verdict or fell.
+/// The end of every run of one motion; `None` without a ground motion, or if a run has no verdict or fell.
 fn rest_of(simulations: &[Simulation]) -> Option<AtRest> {
     let mut all = Vec::new();
     for simulation in simulations {

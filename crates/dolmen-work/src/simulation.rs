@@ -69,7 +69,7 @@ impl Simulation {
 pub struct WithoutShaking {
     /// The word.
     pub weight: Weight,
-    /// The wind or static loads that govern it; `None` where its own weight does.
+    /// The wind or static loads that govern; `None` if its own weight does.
     pub governed_by: Option<Governing>,
 }
 
@@ -91,7 +91,7 @@ pub struct AfterFirst {
 pub enum Second {
     /// It did: the simulations are of both motions as one.
     Acted {
-        /// How long the ground stood still between them, s.
+        /// Duration of still ground between them, s.
         still_s: f64,
         /// Largest speed of any part shortly before it began, m/s.
         speed_m_s: f64,
@@ -105,7 +105,7 @@ pub enum Second {
 }
 
 impl Second {
-    /// Whether the structure was at rest before it acted; `None` where it did not act.
+    /// Whether the structure was at rest before the second acted; `None` if it did not act.
     pub fn began_at_rest(&self) -> Option<bool> {
         match self {
             Second::Acted { speed_m_s, .. } => Some(*speed_m_s <= SPEED_AT_REST_M_S),
@@ -123,7 +123,7 @@ pub struct SimulateAnswer {
     pub simulations: Vec<Simulation>,
     /// The requested variant of the file; `None` for the structure as it is.
     pub variant: Option<String>,
-    /// Why a stack that does not stand without shaking was not simulated.
+    /// Why a stack that is unstable without shaking was not simulated.
     pub does_not_stand: Option<Standing>,
     /// Evidence of surveys for the model of the structure as it is.
     pub evidence: Evidence,

@@ -16,17 +16,17 @@ use dolmen::structure::stack::Stack;
 use dolmen_project::{Names, Quantity, SurveyedLean};
 use dolmen_words::message::Both;
 
-/// Load factors of chains and frames above this are asked about. Chosen here: measured timber frames and stone poles have 5 to 100, a low gate that sways
-/// at 4 Hz has up to 1200.
+/// Load factors of chains and frames above this need confirmation. Our choice: measured timber frames and stone poles have 5 to 100, a low
+/// gate that sways at 4 Hz has up to 1200.
 pub const LOAD_FACTOR_USUAL_MOST: f64 = 2000.0;
 
-/// The result of which sensitivities are given.
+/// The result whose sensitivities are given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SensitivityOf {
     /// λ: the structure's stiffness is known.
     #[default]
     LoadFactor,
-    /// Stiffness that equal joints of a chain need, because its own is unknown.
+    /// Stiffness that equal joints of a chain need, because its stiffness is unknown.
     EqualJoints,
     /// Horizontal acceleration at which a stack begins to move.
     FirstMotion,
@@ -41,7 +41,7 @@ pub struct State {
     pub tilts: Vec<TiltCheck>,
     /// The response to wind and static loads; `None` if the file gives none.
     pub loads: Option<LoadsAnswer>,
-    /// Where a measured first frequency and that of the model differ by more than [`FREQUENCY_RATIO_MOST`].
+    /// Measured first frequencies that differ from the model's by more than [`FREQUENCY_RATIO_MOST`].
     pub contradictions: Vec<FrequencyContradiction>,
     /// The factor on the springs of a stack that gives the frequencies of surveys.
     pub spring_fits: Vec<SpringFit>,
@@ -56,9 +56,9 @@ pub struct State {
 pub struct DemandAnswer {
     /// The site, with all intermediate numbers.
     pub site: SiteDemand,
-    /// The comparison of a stack with it; `None` for other structures, and where the site gives no ground acceleration.
+    /// The comparison of a stack with it; `None` for other structures, or if the site gives no ground acceleration.
     pub stack: Option<StackDemandCheck>,
-    /// The part of a stack that lifts first, under the spectral velocity; `None` for other structures, and where it does not rock first.
+    /// The part of a stack that lifts first, under the spectral velocity; `None` for other structures, or if it does not rock first.
     pub by_velocity: Option<VelocityDemand>,
     /// The comparison of local mechanisms of a stack with it, as codes require; they do not affect the verdict.
     pub local_mechanisms: Vec<LocalMechanismAgainstSite>,
@@ -68,25 +68,25 @@ pub struct DemandAnswer {
     pub drift_limit: Option<DriftLimit>,
     /// The spectrum at the first period of each direction with a known period.
     pub spectral: Vec<SpectralAt>,
-    /// Why there is no comparison, or a value is missing.
+    /// Why there is no comparison, or why a value is missing.
     pub refused: Option<Both>,
 }
 
 /// The spectrum at a first period.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct SpectralAt {
-    /// "x", "weak"; "all" for a structure that is the same in all.
+    /// "x", "weak"; "all" for a structure that is the same in all directions.
     pub direction: String,
     /// T₁, s.
     pub period_s: f64,
-    /// ζ at which the spectrum is read: that of the mode of a building; for a chain or frame that of the file, otherwise that of the site.
+    /// Damping ratio of the spectrum: that of the mode of a building; for a chain or frame that of the file, otherwise that of the site.
     pub damping_ratio: f64,
     /// S_a(T₁, ζ), m/s².
     pub acceleration_m_s2: f64,
 }
 
-/// Ratio of a measured first frequency to the model's (or the inverse) from which the stiffness of the model is not that of the measured
-/// structure: 10 %, a fifth in stiffness. Chosen here.
+/// Ratio of a measured first frequency to the model's (or the inverse) from which the model's stiffness does not represent the measured
+/// structure: 10 %, a fifth in stiffness. Our choice.
 pub const FREQUENCY_RATIO_MOST: f64 = 1.1;
 
 /// A measured tilt compared with overturning, which a load factor does not include: linear joints do not open, and linear storeys have no limit.
@@ -110,7 +110,7 @@ pub struct TiltCheck {
 pub(crate) struct Leaning {
     /// Resultant of all directions, rad.
     pub(crate) together_rad: f64,
-    /// Along x and y, rad; both that of all together where a direction has another name.
+    /// Along x and y, rad; both are the resultant if a direction has another name.
     pub(crate) each_rad: [f64; 2],
 }
 
@@ -135,7 +135,7 @@ impl Leaning {
 }
 
 impl TiltCheck {
-    /// Share of the tilt at which a bed stands on its edge, at which it begins to open along one of its sides.
+    /// Share of the overturning tilt at which a bed begins to open at a side.
     pub const OPENS: f64 = 1.0 / 3.0;
 
     /// The resultant tilt of perpendicular directions, rad.
@@ -168,9 +168,9 @@ pub struct FrequencyContradiction {
     pub measured_hz: f64,
     /// Lowest frequency of the model, Hz.
     pub computed_hz: f64,
-    /// Whether three standard deviations of the measurement reach the model's frequency: it is too inaccurate to tell.
+    /// Whether the model's frequency is within three standard deviations: the measurement is too inaccurate to contradict it.
     pub is_too_rough: bool,
-    /// The later survey that also measured this direction, and decides.
+    /// The later survey that also measured this direction and is used instead.
     pub superseded_by: Option<String>,
 }
 
@@ -201,7 +201,7 @@ pub struct StackAnswer {
     pub stack: Stack,
     /// Whether it stands, and the horizontal acceleration at which it begins to move.
     pub check: StackCheck,
-    /// How it leans as surveyed.
+    /// Its measured lean.
     pub lean: Option<SurveyedLean>,
     /// Natural frequencies on the springs of its joints; `None` if it does not stand.
     pub frequencies: Option<StackFrequencies>,
@@ -254,7 +254,7 @@ pub enum StackFrequencies {
     Refused(Both),
 }
 
-/// Number of natural frequencies of a stack that are shown. Chosen here: swaying along both axes, and one more.
+/// Number of natural frequencies of a stack that are shown. Our choice: swaying along both axes, and one more.
 pub const MODES_SHOWN: usize = 3;
 
 impl StackFrequencies {
@@ -299,13 +299,13 @@ pub struct DirectionCheck {
     pub direction: String,
     /// Its check, with every joint stuck.
     pub check: FrameCheck,
-    /// The same with every joint slipping; `None` where slipping does not reduce the stiffness, or that is unknown.
+    /// The same with every joint slipping; `None` if slipping does not reduce the stiffness, or if the stiffness is unknown.
     pub slipping: Option<FrameCheck>,
-    /// Its surveyed lean at rest; `None` where it has no tilt, is unknown, or falls.
+    /// Its surveyed lean at rest; `None` without a tilt, with unknown stiffness, or if it falls.
     pub lean: Option<DirectionLean>,
     /// The resistance of free-standing columns, for the storeys that have some.
     pub columns: Vec<StoreyColumns>,
-    /// The stiffness of its tenons with slack once they bear; `None` without any, or where its stiffness is unknown.
+    /// The stiffness of its tenons with slack once they bear; `None` without any, or if its stiffness is unknown.
     pub tenons: Option<TenonsCheck>,
 }
 
@@ -327,7 +327,7 @@ pub struct VariantAnswer {
 pub struct Sampled {
     /// Probability of a fall: λ ≤ 1, or a frame whose surveyed lean grows to a fall.
     pub unstable: Probability,
-    /// Probability that a combination of wind and static loads brings a joint to its limit; `None` where there are none.
+    /// Probability that a combination of wind and static loads brings a joint to its limit; `None` without such loads.
     pub under_loads: Option<Probability>,
     /// λ of each sample, ascending. For a frame the smallest of its directions.
     #[serde(rename = "load_factor_quantiles", serialize_with = "as_quantiles")]
@@ -373,8 +373,8 @@ impl State {
         }
     }
 
-    /// The load factor of a chain or frame, where it is so large that a unit is probably wrong. Of a building its lowest frequency is looked at
-    /// when the file is read.
+    /// The load factor of a chain or frame, if it is so large that a unit is probably wrong. For a building, the reader of the file checks
+    /// its lowest frequency.
     pub fn unusual_load_factor(&self) -> Option<f64> {
         match &self.check {
             Check::Chain(_) | Check::Frame(_) => self
@@ -418,7 +418,7 @@ impl State {
     }
 
     /// The share of the samples that fall under their own weight, or reach a limit under wind and static loads, whichever is larger; `None`
-    /// without samples, or where none does.
+    /// without samples, or if none does.
     pub fn falling_share(&self) -> Option<f64> {
         let sampled = self.sampled.as_ref()?;
         let each = std::iter::once(&sampled.unstable).chain(&sampled.under_loads);
@@ -447,7 +447,7 @@ impl State {
         (is_one || self.weight_verdict() != verdict).then_some(loads)
     }
 
-    /// The worse direction of a chain of two, under its weight and its tilt; `None` for others, and where both are equal.
+    /// The worse direction of a chain with two, under its weight and its tilt; `None` for others, or if both are equal.
     pub fn worse_direction(&self) -> Option<&'static str> {
         let Check::Chain(check) = &self.check else {
             return None;
@@ -471,7 +471,7 @@ impl State {
         Some(self.demand.as_ref()?.stack.as_ref()?.verdict)
     }
 
-    /// The verdict on the load factor alone; for a stack on its smallest margin without shaking.
+    /// The verdict on the load factor alone; for a stack, on its smallest margin without shaking.
     pub fn stability_verdict(&self) -> Verdict {
         match &self.check {
             Check::Chain(chain) => {

@@ -2,10 +2,10 @@
 
 use dolmen::modal::ObservedMode;
 
-/// Share of a shape's square along one direction from which that is its direction. Chosen here.
+/// Smallest share of a shape's square along one direction for that to be its direction. Our choice.
 const ALONG_FROM: f64 = 0.8;
 
-/// The direction stated in the file, otherwise "x" or "y" from the shape at the sensors; `None` where neither is known.
+/// The direction stated in the file, otherwise "x" or "y" from the shape at the sensors; `None` if neither is known.
 pub(crate) fn direction_of(mode: &ObservedMode) -> Option<String> {
     if mode.direction.is_some() {
         return mode.direction.clone();

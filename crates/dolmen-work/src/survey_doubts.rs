@@ -1,4 +1,4 @@
-//! What the modes of surveys and the stiffness sought from them say against the model.
+//! Evidence against the model from the modes of surveys and the stiffness sought from them.
 
 use crate::judgement::{PairedMode, SurveyDoubts, Unexplained};
 use crate::model_modes::WhichMode;
@@ -8,7 +8,7 @@ use dolmen::blocks::StackMotion;
 use dolmen::structure::Choice;
 use dolmen_project::{Project, Structure};
 
-/// Survey by survey; none of a survey that nobody measured.
+/// One entry per survey; none for a survey that nobody measured.
 pub(crate) fn survey_doubts(project: &Project, surveys: &[SurveyAnswer]) -> Vec<SurveyDoubts> {
     let is_measured = |answer: &&SurveyAnswer| {
         let mut own = project.surveys.iter().filter(|survey| survey.name == answer.name);
@@ -36,7 +36,7 @@ fn of_survey(project: &Project, answer: &SurveyAnswer) -> SurveyDoubts {
     }
 }
 
-/// The modes of a stack beside those on the springs of the file.
+/// The modes of a stack compared with those on the springs of the file.
 fn of_stack(survey: &str, factors: &FactorsAnswer) -> Vec<PairedMode> {
     let each = factors.found.modes.iter().map(|mode| PairedMode {
         survey: survey.to_owned(),
@@ -56,7 +56,7 @@ fn of_stack(survey: &str, factors: &FactorsAnswer) -> Vec<PairedMode> {
     each.collect()
 }
 
-/// The modes of records that look like one mode of the model alone; none beside a model without its dampers.
+/// The modes of records that resemble one mode of the model alone; none for a model without its dampers.
 fn by_shape(answer: &SurveyAnswer) -> Vec<PairedMode> {
     let model = answer
         .model
@@ -81,7 +81,7 @@ fn by_shape(answer: &SurveyAnswer) -> Vec<PairedMode> {
     paired.collect()
 }
 
-/// That no stiffness explains the modes: in a direction of a chain or frame by the convention of the file, in plan, or on the joints of a stack.
+/// Modes that no stiffness explains: in a direction of a chain or frame by the convention of the file, in plan, or on the joints of a stack.
 fn unexplained(project: &Project, answer: &SurveyAnswer) -> Option<Unexplained> {
     let of_file = match &project.structure {
         Structure::Frame(part) => Some(part.convention),

@@ -41,13 +41,13 @@ pub enum WithoutStiffness {
         /// Number of floors.
         floors: usize,
     },
-    /// The walls of a building's storey are not along x and y, so that sway along one pushes along the other.
+    /// The walls of a building's storey are not along x and y, so that sway along one axis pushes along the other.
     WallsTurned,
     /// A survey of a building states no modes, and its record does not determine the motion of the floor.
     OnlyRecord,
     /// The shapes of the record are not those of a rigid floor.
     FloorNotRigid {
-        /// Share of them that is not the motion of a rigid floor.
+        /// Share of the shapes that is not the motion of a rigid floor.
         unexplained: f64,
     },
     /// Dampers stand on the floor: its modes are not those of the floor alone.
@@ -59,7 +59,7 @@ pub enum WithoutStiffness {
     SideSupportOneWay {
         /// Its index among the side supports, from 1.
         number: usize,
-        /// The stone that it holds.
+        /// The supported stone.
         stone: String,
     },
     /// The modes of a building are refused.
@@ -174,7 +174,7 @@ pub struct SurveyAnswer {
     pub plan: Option<Box<PlanAnswer>>,
     /// Factors on the springs of the joints from its modes, for a stack.
     pub factors: Option<Box<FactorsAnswer>>,
-    /// Why its modes give no stiffness, where they do not.
+    /// Why its modes give no stiffness, if they give none.
     pub without_stiffness: Option<WithoutStiffness>,
 }
 
@@ -194,11 +194,11 @@ pub struct SetupsAnswer {
     pub records: Vec<RecordAnswer>,
     /// Joined after each was identified.
     pub merged: MergedSetups,
-    /// Identified as one, if the file requests it: then these are the modes of the survey.
+    /// Identified as one, if the file requests it; these are then the modes of the survey.
     pub joint: Option<JointSetups>,
 }
 
-/// MAC of the shapes of one mode at its references that is rarely undercut; chosen here.
+/// MAC of the shapes of one mode at its references that is rarely undercut. Our choice.
 pub const REFERENCES_ALIKE: f64 = 0.9;
 
 impl SetupsAnswer {
@@ -246,7 +246,7 @@ impl SurveyAnswer {
         all
     }
 
-    /// The earthquake in its records: of several the strongest relative to its noise.
+    /// The earthquake in its records; if there are several, the strongest relative to its noise.
     pub fn earthquake(&self) -> Option<&Earthquake> {
         let setups = self.setups.iter().flat_map(|setups| &setups.records);
         let all = self.records.iter().chain(setups);
@@ -288,7 +288,7 @@ impl SurveyAnswer {
     }
 }
 
-/// The part of a record with an earthquake from which its modes are.
+/// The part of a record with an earthquake from which its modes come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModesOf {
     /// The part after the last one.
@@ -303,7 +303,7 @@ pub enum ModesOf {
     Whole,
 }
 
-/// An earthquake in a record, and the part from which its modes are.
+/// An earthquake in a record, and the part from which its modes come.
 #[derive(Clone, Debug)]
 pub struct Earthquake {
     /// The earthquake.
@@ -351,7 +351,7 @@ pub struct RecordAnswer {
     pub sampling_rate_hz: f64,
     /// Unit of the numbers; "" if not known.
     pub unit: String,
-    /// Notes of its files besides the samples, as sentences.
+    /// Other notes in its files, as sentences.
     pub remarks: Vec<Both>,
     /// Columns that look like times but cannot be read, so that nothing confirms the given sampling rate.
     pub unread_stamps: Vec<String>,
@@ -372,7 +372,7 @@ pub struct RecordAnswer {
 pub struct StiffnessAnswer {
     /// "x", "weak".
     pub direction: String,
-    /// What the springs of a frame act on; `None` for a chain.
+    /// The quantity that the springs of a frame act on; `None` for a chain.
     pub convention: Option<Convention>,
     /// The frequencies used, Hz.
     pub frequencies_hz: Vec<f64>,
@@ -382,8 +382,8 @@ pub struct StiffnessAnswer {
     pub solutions: StiffnessSolutions,
     /// Load factor λ with each solution, in the same order.
     pub load_factors: Vec<Option<f64>>,
-    /// Peaks of the record below the highest mode in use that are not among the modes, Hz: if one of them is a mode of this direction, every
-    /// stiffness is wrong.
+    /// Peaks of the record below the highest mode in use that are not among the modes, Hz. If one of them is a mode of this direction,
+    /// every stiffness is wrong.
     pub peaks_below_hz: Vec<f64>,
     /// Why no solution is chosen although some explain the modes; `None` without doubt.
     pub doubted: Option<StiffnessDoubt>,
@@ -398,7 +398,7 @@ pub enum StiffnessDoubt {
     Sensors,
     /// The shapes of the direction contradict the model.
     Shapes {
-        /// Share of them that the model does not have.
+        /// Share of the shapes that the model does not reproduce.
         unexplained: f64,
     },
 }
@@ -410,7 +410,7 @@ impl StiffnessAnswer {
         self.solutions.choice == Choice::One && self.is_undoubted()
     }
 
-    /// Whether nothing doubts the modes.
+    /// Whether there is no doubt about the modes.
     pub fn is_undoubted(&self) -> bool {
         self.peaks_below_hz.is_empty() && self.doubted.is_none()
     }

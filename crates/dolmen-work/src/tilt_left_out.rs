@@ -12,13 +12,13 @@ pub struct TiltLeftOut {
     pub written: String,
 }
 
-/// Slope from which a tilt left out appears in the headline: 1/100, which timber and masonry storeys have from their construction. Chosen here.
+/// Slope from which a tilt left out appears in the headline: 1/100, which timber and masonry storeys have from their construction. Our choice.
 const SLOPE_SAID: f64 = 0.01;
 
 impl TiltLeftOut {
-    /// A tilt that matters and that the model of a project does not have: storeys of buildings start plumb; stones with their own tilts or
-    /// offsets keep them; of several surveys the latest one with a date decides, even if one without a date has a larger tilt, or only an
-    /// earlier one measured a direction without a later repair. A tilt left out by `as_surveyed` is intended.
+    /// A tilt that matters and is not in the model of a project: storeys of buildings start plumb; stones with their own tilts or offsets
+    /// keep them; among several surveys the latest dated one decides, even if an undated one has a larger tilt, or if only an earlier one
+    /// measured a direction, without a later repair. A tilt left out by `as_surveyed` is intended.
     pub(crate) fn of_model(project: &Project) -> Option<Self> {
         let is_left_out = match &project.structure {
             Structure::Stack(_) => project
@@ -27,7 +27,7 @@ impl TiltLeftOut {
                 .any(|warning| warning.kind == WarningKind::SurveyTilt),
             Structure::Frame(part) => part.lean.is_none() && !part.takes_no_tilt,
             Structure::Building(_) => true,
-            // its beds are checked against its tilt
+            // its beds are checked for its tilt
             Structure::Chain(_) => false,
             Structure::Survey => return None,
         };
@@ -47,7 +47,7 @@ impl TiltLeftOut {
         }
         let used = tilted.clone().find(|survey| Some(&survey.name) == leans_as)?;
         let when = date(&used.name)?;
-        // a survey without a date may be the latest, so a larger tilt in it may be today's
+        // an undated survey may be the latest, so a larger tilt in it may be the present one
         let larger = tilted
             .clone()
             .filter(|survey| date(&survey.name).is_none() && survey.tilt_together() > used.tilt_together());

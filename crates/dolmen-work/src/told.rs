@@ -23,7 +23,7 @@ use dolmen_words::message::{Argument, Both};
 use dolmen_words::said_by_system;
 use std::error::Error;
 
-/// The error of the science inside an error of a layer above that passes it on.
+/// The error of the library inside an error of a higher layer.
 fn handed_on<'a>(cause: &'a (dyn Error + 'static)) -> &'a (dyn Error + 'static) {
     let boxed = || cause.downcast_ref::<Box<WorkError>>().map(Box::as_ref); // the cause within a place
     if let Some(work) = cause.downcast_ref::<WorkError>().or_else(boxed) {
@@ -69,7 +69,7 @@ pub fn told_both(fault: &(dyn Error + 'static)) -> Both {
     Both::of(|language| told_in(fault, language))
 }
 
-/// The same in one language. Messages of the system, a database or another library stay in theirs.
+/// The same in one language. Messages of the system, a database or another library keep their own.
 pub fn told_in(fault: &(dyn Error + 'static), language: Language) -> String {
     told_by(fault, language, &|_| None)
 }
@@ -125,7 +125,7 @@ fn short_numbers(text: &str) -> String {
         let (number, after) = number.split_at(end);
         short.push_str(before);
         match number.parse::<f64>() {
-            // a name such as a date without separators, or a sum, is not a number
+            // a date without separators, or a checksum, is not a number
             Ok(value)
                 if number.len() > DIGITS_MOST
                     && !(SMALL..LARGE).contains(&value)

@@ -28,7 +28,7 @@ pub struct UsedRecord {
 /// The record of a survey as identification uses it.
 ///
 /// # Errors
-/// [`WorkError::NoSuchSurvey`]; [`WorkError::NoRecord`]; [`WorkError::WhichRecord`] where there is none or more than one of that description; a record that cannot be read.
+/// [`WorkError::NoSuchSurvey`]; [`WorkError::NoRecord`]; [`WorkError::WhichRecord`] if none or several match; a record that cannot be read.
 pub fn used_record(
     project: &Project,
     which: &WhichRecord,

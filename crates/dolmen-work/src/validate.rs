@@ -1,4 +1,4 @@
-//! `dolmen validate`: published numbers beside computed ones.
+//! `dolmen validate`: compares published numbers with computed ones.
 
 use crate::error::WorkError;
 use crate::record::record;
@@ -11,7 +11,7 @@ use dolmen_words::number::TWO_SIDED_95;
 /// Published frequencies of Palisaden, Hz (Aloisio et al. 2020; the peer pyOMA-2 finds the same).
 const PALISADEN_HZ: [f64; 3] = [1.882, 2.421, 2.687];
 
-/// The cases of the science, and the identified record of the project `palisaden` compared with its published frequencies.
+/// The cases of the library, and the identified record of the project `palisaden` compared with its published frequencies.
 ///
 /// # Errors
 /// If a case cannot be computed, or the record cannot be read.

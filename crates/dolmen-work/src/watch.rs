@@ -31,10 +31,10 @@ use std::collections::BTreeMap;
 /// Fewest surveys with modes, or with tilts, for a history.
 pub const SURVEYS_LEAST: usize = 3;
 
-/// Number of surveys from which changes are sought: with fewer two are compared alone, and a report has no section on the years.
+/// Fewest surveys for a search for changes: with fewer only two are compared, and a report has no section on the years.
 pub(crate) const CHANGES_LEAST: usize = 8;
 
-/// Number of inspections from which a report has a section on the years: with fewer two are compared.
+/// Fewest inspections for a section on the years in a report: with fewer two are compared.
 const INSPECTIONS_REPORTED_LEAST: usize = 3;
 
 /// Whether a project has enough surveys or inspections for a section of its report, or a log of a tilt or crack.
@@ -91,7 +91,7 @@ fn gives_no_modes(why: &WorkError) -> bool {
     }
 }
 
-/// The same; `answers` hold the results of records.
+/// The same; `answers` contain the results of records.
 ///
 /// # Errors
 /// [`ChangeFault`]; logs that cannot be read.
@@ -185,7 +185,7 @@ impl Followed {
         for survey in &project.surveys {
             let dated = date(&survey.name);
             let Some(when) = dated.filter(|_| is_usable(survey)) else {
-                // surveys with only an inspection are followed in addition
+                // surveys with only an inspection are followed as well
                 if dated.is_none() || survey.inspections.is_empty() {
                     followed.left_out.push(survey.name.clone());
                 }
@@ -200,7 +200,7 @@ impl Followed {
                     part,
                     is_answered: false,
                 });
-                // a record of an earthquake is not a survey of the structure at rest; stated frequencies beside it are
+                // a record of an earthquake does not describe the structure at rest; frequencies stated beside it do
                 if survey.earthquake.is_some() && (survey.records.is_some() || !survey.setups.is_empty()) {
                     own.modes.clear();
                 }

@@ -18,18 +18,18 @@ pub struct WatchAnswer {
     pub file: String,
     /// The project.
     pub project: Arc<Project>,
-    /// The surveys that were watched, by time.
+    /// The surveys of the history, by time.
     pub surveys: Vec<WatchedSurvey>,
-    /// Names of surveys that were left out: without a date, modes and a tilt, or on the day of another one and with a name that is more than a
-    /// date.
+    /// Names of surveys that were left out: those without a date, modes and a tilt, and those on the day of another survey with a name that
+    /// is more than a date.
     pub left_out: Vec<String>,
-    /// Days with several surveys, which count as one, and their numbers.
+    /// Days with several surveys, which count as one, and the number of surveys.
     pub several: Vec<(String, usize)>,
-    /// Works by time, each with its day.
+    /// Repairs and other works by time, each with its day.
     pub works: Vec<(f64, WorkPart)>,
     /// Earthquakes by time, from records or as stated in surveys.
     pub earthquakes: Vec<WatchedEarthquake>,
-    /// Failed sensors; they tell nothing about the structure.
+    /// Failed sensors; they say nothing about the structure.
     pub sensor_alarms: Vec<SensorAlarm>,
     /// Surveys identified without failed sensors, and those sensors.
     pub sensors_left_out: Vec<(String, Vec<String>)>,
@@ -44,7 +44,7 @@ pub struct WatchAnswer {
     /// The parts of the model that explain the lasting changes; for a structure in a store only for the strongest change, and none in `watch
     /// --follow`.
     pub parts: Vec<YearsParts>,
-    /// Why none is sought, where the model is too far from the measured frequencies.
+    /// Why no part is sought: the model is too far from the measured frequencies.
     pub model_off: Option<ModelOff>,
     /// Results of the surveys.
     pub watched: Watched,
@@ -76,15 +76,31 @@ pub struct WatchedSurvey {
     pub frequencies_hz: Vec<f64>,
     /// Their standard deviations, Hz, where known.
     pub frequency_sds_hz: Vec<Option<f64>>,
-    /// Which of them the user accepted although a test refused them.
+    /// Those accepted by the user although a test refused them.
     pub accepted: Vec<bool>,
 }
 
 impl WatchAnswer {
-    /// Whether a day is so far after the last survey that a work on it does not count: planned, or a mistake.
+    /// Whether a day is so far after the last survey that a work on it does not count: it is planned, or a mistake.
     pub fn is_far_ahead(&self, day: f64) -> bool {
         let last = self.surveys.last();
         last.is_some_and(|last| day > last.day + ANSWERED_DAYS)
+    }
+
+    /// Whether a repair followed each survey that raised an alarm.
+    pub fn is_mended(&self) -> bool {
+        let mut alarms = self.watched.alarms.iter();
+        alarms.all(|alarm| {
+            let since = self
+                .surveys
+                .get(alarm.alarm.survey)
+                .map_or(0.0, |survey| survey.day);
+            let mut repairs = self
+                .works
+                .iter()
+                .filter(|(_, work)| work.kind == WorkKind::Repair);
+            repairs.any(|(day, _)| *day >= since && !self.is_far_ahead(*day))
+        })
     }
 
     /// The newest day in surveys, inspections or logs.
@@ -127,7 +143,7 @@ impl WatchAnswer {
         self.lean_beyond().is_some()
     }
 
-    /// The largest tilt beyond its limit, by surveys and logs, of all directions together where they can be combined.
+    /// The largest tilt beyond its limit, by surveys and logs, of all directions together if they can be combined.
     pub fn lean_beyond(&self) -> Option<f64> {
         let leans = self.leans().into_iter().chain(self.logged_lean());
         let beyond = leans.filter(LeanNow::is_beyond).map(|lean| lean.size);
@@ -143,7 +159,7 @@ impl WatchAnswer {
         cracks.filter(|log| log.is_beyond()).count() + self.inspected.beyond().count()
     }
 
-    /// The tilt of x and y together, where there is one log of each with a known zero.
+    /// The tilt of x and y together, if there is one log of each with a known zero.
     pub fn logged_lean(&self) -> Option<LeanNow> {
         let of = |direction: &str| -> Option<[f64; 2]> {
             let mut all = self.logs.iter().filter(|log| {
@@ -170,7 +186,7 @@ impl WatchAnswer {
         others.any(|other| other.direction == series.direction && last(other) > last(series))
     }
 
-    /// Whether another mark replaced it, and a repair followed its last reading: its tilt then tells nothing about today.
+    /// Whether another mark replaced it, and a repair followed its last reading: its tilt then says nothing about today.
     fn is_of_the_past(&self, series: &TiltSeries) -> bool {
         let last = series.days.last().copied().unwrap_or(f64::INFINITY);
         let mut repairs = self
@@ -236,7 +252,7 @@ pub struct LeanNow {
     pub datum: Option<String>,
     /// The directions.
     pub directions: Vec<String>,
-    /// Horizontal over vertical, without a sign: from the trends, without the season, or the last readings where there is no trend.
+    /// Horizontal over vertical, without a sign: from the trends, without the season, or from the last readings if there is no trend.
     pub size: f64,
     /// Its limit.
     pub limit: Option<f64>,
@@ -245,7 +261,7 @@ pub struct LeanNow {
 }
 
 impl LeanNow {
-    /// From the tilt now and the slope, 1/year, in each direction.
+    /// From the present tilt and its slope, 1/year, in each direction.
     ///
     /// ```text
     /// Σ (n + s T)² = L²

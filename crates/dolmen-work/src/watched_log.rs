@@ -3,7 +3,7 @@
 use dolmen::monitoring::LoggedTrend;
 use dolmen_project::{LogKind, LogPart};
 
-/// Number of days, and of usual intervals between readings, without a reading from which a log counts as silent. Chosen here.
+/// A log is silent if this many days, and this many of its usual intervals, pass without a reading. Our choice.
 const SILENT_DAYS: f64 = 7.0;
 const SILENT_GAPS: f64 = 5.0;
 
@@ -32,7 +32,7 @@ pub struct LogRows {
 }
 
 impl WatchedLog {
-    /// Whether it reads a tilt.
+    /// Whether it records a tilt.
     pub fn is_tilt(&self) -> bool {
         matches!(self.part.kind, LogKind::Tilt { .. })
     }
@@ -42,7 +42,7 @@ impl WatchedLog {
         self.trend.is_beyond_limit()
     }
 
-    /// The last day with a reading, where other data are newer by a week and by five usual intervals of the log.
+    /// The last day with a reading, if other data are newer by a week and by five usual intervals of the log.
     pub fn silent_since(&self, newest: Option<f64>) -> Option<f64> {
         let days = &self.trend.daily.days;
         let last = *days.last()?;

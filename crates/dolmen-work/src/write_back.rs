@@ -53,7 +53,7 @@ pub fn write_back(
     })
 }
 
-/// The springs of a stack by the common factor of its latest survey; `None` where no survey has one that explains its modes.
+/// The springs of a stack from the common factor of its latest survey; `None` if no survey has a factor that explains its modes.
 fn springs_to_type(answer: &IdentifyAnswer) -> Option<WorkError> {
     let known = answer.surveys.iter().filter_map(|survey| {
         let factors = survey.factors.as_deref()?;
@@ -130,7 +130,7 @@ pub(crate) fn of_solution(
     numbers.collect()
 }
 
-/// The numbers of a chain in the form of the file: the lowest joint by its bed alone. `None` where the soil below is softer than both together.
+/// The numbers of a chain in the form of the file: for the lowest joint only its bed. `None` if the soil below is softer than both together.
 pub(crate) fn without_soil(
     chain: &ChainPart,
     towards: ChainAxis,
@@ -146,7 +146,7 @@ pub(crate) fn without_soil(
     Some(numbers)
 }
 
-/// Replaces the numbers of the file, each with a note of the old value; writes the whole entry where the file has none.
+/// Replaces the numbers of the file, each with a note of the old value; writes the whole entry if the file has none.
 fn in_place(
     known: Option<Vec<&Quantity>>,
     numbers: Vec<IdentifiedNumber>,
@@ -185,8 +185,8 @@ fn known_before(before: &Quantity) -> String {
     format!("before: {}{known}", before.written)
 }
 
-/// A chain of one direction has one stiffness for all: only if one direction of the survey determines it. For a chain of two directions each
-/// separately; across only where the file has values there.
+/// A chain with one direction has one stiffness for all directions, so it is written only if a single direction of the survey determines
+/// it. A chain with two directions is written separately for each; across only if the file has values there.
 fn of_chain(chain: &ChainPart, survey: &SurveyAnswer) -> Option<Vec<(String, NewValue)>> {
     let mut all = Vec::new();
     for of in chain.axes() {
@@ -253,7 +253,7 @@ fn of_plan(building: &BuildingPart, plan: &PlanAnswer, survey: &str) -> Option<V
     else {
         return None;
     };
-    // frequencies alone do not determine the centre of rigidity: their result depends on that of the file
+    // with frequencies alone the centre of rigidity is that of the file
     let one = plan.determined()?;
     let parts = [(x, "N/m"), (y, "N/m"), (rotation, "N m/rad")];
     let each = parts.into_iter().enumerate();

@@ -5,7 +5,7 @@ use crate::loosened::loosening;
 use dolmen::monitoring::{ChangeForm, WatchedChange, WatchedMode};
 use dolmen_project::Project;
 
-/// Number of changes of one structure that are explained. Chosen here: each costs some hundred modal analyses for each part.
+/// Largest number of changes of one structure to explain. Our choice: each costs some hundred modal analyses for each part.
 pub(crate) const EXPLAINED_MOST: usize = 3;
 
 /// Explanation of a change in several modes at one date.
@@ -13,16 +13,16 @@ pub(crate) const EXPLAINED_MOST: usize = 3;
 pub struct YearsParts {
     /// Step or slope.
     pub form: ChangeForm,
-    /// It came after this survey,
+    /// The survey before the change.
     pub after: usize,
-    /// and before this one.
+    /// The survey after it.
     pub before: usize,
     /// The explanation, by direction.
     pub parts: Vec<ChangedPart>,
 }
 
-/// The part that explains each of the lasting changes of a history, the strongest first, at most `most`. Modes without a change at that date
-/// also count with their data there: that they did not change helps to distinguish parts. And why none is sought, where the model is too far off.
+/// The part that explains each of the lasting changes of a history, the strongest first, at most `most`. Modes without a change at that date also
+/// count: their data there help to distinguish parts. If the model is too far off, no part is sought, and the second value gives the reason.
 pub(crate) fn years_parts(
     project: &Project,
     modes: &[WatchedMode],

@@ -1,4 +1,4 @@
-//! How well `identify` does on made records whose poles are known, over many seeds.
+//! Accuracy of `identify` on simulated records with known poles, over many seeds.
 //!
 //! ```text
 //! cargo run --release -p dolmen --example modal_cases -- \
@@ -137,7 +137,7 @@ fn nearest(truth: &MadeMode, modes: &[Mode]) -> Option<usize> {
         .max_by(|a, b| alike(a).total_cmp(&alike(b)))
 }
 
-/// What the seeds say of one mode; each pair is of the frequency and of the damping ratio.
+/// Results of the seeds for one mode; each pair is of the frequency and of the damping ratio.
 struct Row {
     frequency_hz: f64,
     /// Mean error and its standard error, %.

@@ -1,7 +1,7 @@
 //! The training study of the six-factor score, as a project file: `pagoda_designs > examples/pagoda_score/project.toml`.
 //!
 //! Designs fill the space of five independent factors evenly (an additive sequence of the plastic numbers, which has no seed);
-//! those whose last storey would be thinner or wider than real ones are passed over. Chosen here, and said in its README.
+//! those whose last storey would be thinner or wider than real ones are passed over. Our choice, and said in its README.
 #![allow(
     clippy::print_stdout,
     clippy::unwrap_used,

@@ -1,4 +1,4 @@
-//! How well `identify` does on records as unkind as the field's, whose modes are known.
+//! Accuracy of `identify` on records with the faults of the field and with known modes.
 //!
 //! ```text
 //! cargo run --release -p dolmen --example unkind_modes -- FIRST_SEED LAST_SEED [METHOD] [least=DAMPING_RATIO] [scatter=FLOORS] [quiet]

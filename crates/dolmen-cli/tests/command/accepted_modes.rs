@@ -1,6 +1,6 @@
 // SOURCE     examples/palisaden: peaks of its spectrum that tests refuse.
-// GOAL       What the output says of a refused peak can be followed; the mode is used and keeps its mark in every list.
-// TOLERANCE  A frequency lies within 3 % of the one that was asked for.
+// GOAL       The user can follow the advice on a refused peak; the mode is then used and stays marked in every list.
+// TOLERANCE  A frequency is within 3 % of the requested one.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -45,7 +45,7 @@ fn holds_the_advice_on_a_refused_peak_can_be_followed_and_the_mode_keeps_its_mar
     assert!(of(accepted[0], "frequency_sd_hz").is_some() && of(accepted[0], "damping_ratio").is_some());
     let refused = |mode: &Value| mode["accepted"]["refused"].as_str().unwrap().to_owned();
     assert!(refused(accepted[0]).contains("times its floor, at most 3.5"));
-    // no pole shows the peak of a tone: it has no damping ratio, and the answer calls it narrow
+    // no pole has the frequency of a tone: it has no damping ratio, and the answer calls it narrow
     assert!(of(accepted[1], "damping_ratio").is_none());
     assert!(refused(accepted[1]).contains("narrower or steadier than a mode"));
 

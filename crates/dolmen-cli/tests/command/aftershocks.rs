@@ -1,7 +1,7 @@
 // SOURCE     Small stacks, a pole and a frame under El Centro 1940, twice.
-// GOAL       A second motion acts on what the first left: both runs are what one run of a record that was put together here, by hand, is; a study after a
-//            motion says of every scan, table and headline that it is not of the structure as it stands.
-// TOLERANCE  1e-9 of the largest value: the same equations on the same samples; bytes where nothing differs.
+// GOAL       A second motion acts on the structure as the first left it: both runs equal one run of a record joined by hand; every scan, table
+//            and headline of a study after a motion says that it does not describe the present structure.
+// TOLERANCE  1e-9 of the largest value: the same equations on the same samples; bytes if nothing differs.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -66,7 +66,7 @@ fn json(scratch: &Scratch, command: &str) -> Value {
     serde_json::from_str(&done.stdout).unwrap()
 }
 
-/// The acceleration of a motion as it acts: as `dolmen motion` writes it.
+/// The acceleration samples of a motion, as `dolmen motion` writes them.
 fn samples(scratch: &Scratch, name: &str) -> Vec<f64> {
     let file = format!("{name}-as-it-acts.csv");
     let flags = match name {
@@ -88,7 +88,7 @@ fn samples(scratch: &Scratch, name: &str) -> Vec<f64> {
     numbers.collect()
 }
 
-/// Both motions with so many samples of nothing between, as a file.
+/// Writes a file of both motions with a still interval between them.
 fn by_hand(scratch: &Scratch, still_s: f64) {
     let (main, aftershock) = (samples(scratch, "main"), samples(scratch, "aftershock"));
     let still = (still_s / 0.02).round() as usize;
@@ -111,7 +111,7 @@ fn numbers(csv: &str) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// Largest difference of two tables over the largest number, of the rows that the shorter has.
+/// Largest difference of two tables, relative to the largest number, over the rows of the shorter.
 fn difference(one: &str, other: &str) -> f64 {
     let (one, other) = (numbers(one), numbers(other));
     assert!(
@@ -138,7 +138,7 @@ fn history(scratch: &Scratch, folder: &str, file: &str) -> String {
     fs::read_to_string(found.unwrap_or_else(|| panic!("no {file} in {folder}"))).unwrap()
 }
 
-/// The sequence against the first alone, and against a record put together by hand.
+/// Compares the sequence with the first motion alone, and with a record joined by hand.
 fn sequence(name: &str, text: &str, flags: &str, file: &str) -> Value {
     let scratch = with(name, text);
     let both = json(
@@ -161,7 +161,7 @@ fn sequence(name: &str, text: &str, flags: &str, file: &str) -> Value {
     let [sequence, hand, alone] = ["both", "hand", "alone"].map(|folder| history(&scratch, folder, file));
     let apart = difference(&sequence, &hand);
     assert!(apart < 1e-9, "{name} by hand: {apart:e}");
-    // until the first alone ends, they are one
+    // they agree until the first alone ends
     let apart = difference(&sequence, &alone);
     assert!(apart < 1e-9, "{name} alone: {apart:e}");
     both
@@ -280,9 +280,9 @@ fn holds_a_study_after_a_motion_is_of_what_that_motion_leaves() {
     }
     assert!(states[2]["damage_state"].as_u64() >= states[1]["damage_state"].as_u64());
     assert!(states[2]["measures"]["residual_slip_m"].as_f64().unwrap() > 0.0);
-    // the hazard of the site is of the structure as it stands
+    // the hazard of the site applies to the structure as it is now
     assert!(study["hazard"].is_null());
-    // what was not shaken before is the structure as it stands, to the last bit
+    // without an earlier motion the study is that of the structure as it is now, to the last bit
     let done = scratch.dolmen("study . --study intact -o out");
     assert_eq!(done.status, 0, "{}", done.stderr);
     let rows = |study: &str| super::studies::rows(&scratch.path().join(format!("out/{study}/runs.csv")));
@@ -294,7 +294,7 @@ fn holds_a_study_after_a_motion_is_of_what_that_motion_leaves() {
             assert_eq!(&a[name], value, "{name}");
         }
     }
-    // what is left of the first motion is in every run after it
+    // every run after the first motion includes its residual
     let first = states[2]["measures"]["peak_slip_m"].as_f64().unwrap();
     for row in left.iter().filter(|row| row["case"] == "3") {
         assert!(

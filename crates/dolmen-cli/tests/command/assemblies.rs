@@ -1,6 +1,6 @@
-// SOURCE     Leaves, bonds, gaps and stones that are not convex, as an audit gave them; right values by hand: b/h of one leaf.
-// GOAL       What a stone, a joint or friction does not hold is refused, counted or said in the short answer.
-// TOLERANCE  none: words and exit statuses; accelerations to the three digits that are printed.
+// SOURCE     Leaves, bonds, gaps and non-convex stones from an audit; right values by hand: b/h of one leaf.
+// GOAL       If a stone, a joint or friction cannot support a part, the short answer counts, reports or refuses it.
+// TOLERANCE  none: words and exit statuses; accelerations to the three printed digits.
 
 use super::verbs::Scratch;
 use std::fs;
@@ -135,7 +135,7 @@ fn refuses_an_opening_through_the_foot() {
         words.contains("20.0 %") && words.contains("an opening reaches the joint"),
         "{words}"
     );
-    // a chamber within, and a small one in the bed, are no matter
+    // an inner cavity, and a small one in the bed, make no difference
     let chamber = text.replace("position = [0, -0.1, 0]", "position = [0, 0, 0.05]");
     assert_eq!(said("chamber-within", &chamber, "check project.toml").0, 0);
 }

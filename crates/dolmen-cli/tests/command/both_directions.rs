@@ -1,6 +1,6 @@
 // SOURCE     Statics of one rigid link on a bed of known width, written out here; frequencies of one link, ω² = (k − m g l)/I.
-// GOAL       What is known of one direction alone is never better than it was: a bed of unknown plan has no corners, a frequency belongs to its
-//            direction and swings with what hangs, no report calls a contradicted model safe, and `check` names a newer survey.
+// GOAL       Data of only one direction never improve an answer: a bed of unknown plan has no corners, a frequency belongs to its direction
+//            and includes loads that swing, no report calls a contradicted model safe, and `check` names a newer survey.
 //
 // PARAMETERS a stone of 100 kN, 6 m; a bed 0.7 m wide whose depth is not given.
 // TOLERANCE  1e-6 of printed numbers.
@@ -30,7 +30,7 @@ fn scratch(name: &str, text: &str) -> Scratch {
 
 #[test]
 fn exact_a_bed_of_unknown_plan_has_no_corners_whatever_else_makes_two_directions() {
-    // each tilt alone is within 1/8.86 by 2 %, both together are not; a square would bear them
+    // each tilt alone is within 1/8.86 by 2 %, both together are not; a square would resist them
     let tilt = 0.98 * 0.35 / 3.0 * (1.0 - MGL / K);
     let survey = format!("[survey.2026-01-01]\ntilt = {{ x = {tilt}, y = {tilt} }}");
     let post = "side_supports = [{ height = 3, stiffness = \"10 kN/m\", direction = \"y\" }]\n";
@@ -44,7 +44,7 @@ fn exact_a_bed_of_unknown_plan_has_no_corners_whatever_else_makes_two_directions
         assert_eq!(answer.status, 1, "{joint}{rest}: {}", answer.stdout);
         assert!(answer.stdout.contains("unstable"), "{}", answer.stdout);
     }
-    // of a square of which both sides are known, the corners count
+    // for a square with both sides known, the corners count
     let text = pole(", bed_depth = 0.7", &survey);
     let answer = scratch("both_square", &text).dolmen("check project.toml");
     assert!(!answer.stdout.contains("unstable"), "{}", answer.stdout);

@@ -1,11 +1,11 @@
 // SOURCE     every example that `dolmen check` takes.
-// GOAL       A brief answer is a headline and at most 15 lines of at most 80 columns; the Korean one holds no English sentence.
+// GOAL       A short answer has a headline and at most 15 lines of at most 80 columns; the Korean one contains no English sentence.
 // TOLERANCE  names, sources, keys and units may be English.
 
 use super::verbs::{Scratch, root};
 use std::fs;
 
-/// Columns of a terminal: Hangul takes two.
+/// Columns of a terminal; Hangul takes two.
 fn columns(line: &str) -> usize {
     line.chars()
         .map(|c| {

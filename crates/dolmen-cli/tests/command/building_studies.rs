@@ -1,6 +1,6 @@
 // SOURCE     The twisting floor under El Centro 1940 and noise.
-// GOAL       A study of a building: each row is a single run; limits of drift become states; a cut journal goes on to the same bits.
-// TOLERANCE  1e-12 of a single run (its motion is scaled in another order); none of bytes.
+// GOAL       A study of a building: each row equals a single run; drift limits become states; a cut journal continues to the same bits.
+// TOLERANCE  1e-12 of a single run (its motion is scaled in another order); bytes exactly.
 
 use super::studies::rows;
 use super::verbs::Scratch;
@@ -72,7 +72,7 @@ fn agrees_each_row_of_a_building_is_a_single_run() {
     same(number(row, "peak_corner_drift_ratio"), drift);
     assert!(drift > 0.003 && drift < 0.006);
     assert_eq!(number(row, "damage_state"), 2.0);
-    // linear: everything in proportion, and beyond the last limit it "fell"
+    // linear: everything is proportional, and beyond the last limit it "fell"
     for other in &own {
         let scale = number(other, "scale");
         assert!((number(other, "peak_corner_drift_ratio") / (scale * drift) - 1.0).abs() < 1e-9);
@@ -80,7 +80,7 @@ fn agrees_each_row_of_a_building_is_a_single_run() {
         assert_eq!(other["outcome"] == "fell", fell, "{other:?}");
     }
     assert!(own.iter().any(|row| row["outcome"] == "fell"));
-    // and so the limits are known between the steps of the scan
+    // so the limits are known between the steps of the scan
     let scans = rows(&scratch.path().join("out/shaken/capacities.csv"));
     let scan = scans
         .iter()
@@ -98,7 +98,7 @@ fn agrees_each_row_of_a_building_is_a_single_run() {
             "{key}: {found}"
         );
     }
-    // the mass has 100 mm: runs beyond it are counted, from the least peak on
+    // the mass has a room of 100 mm: runs beyond it are counted, from the lowest such peak
     let beyond = all
         .iter()
         .filter(|row| number(row, "peak_stroke_m") > 0.1)

@@ -1,5 +1,5 @@
 // SOURCE     The shipped buildings and El Centro 1940 north-south.
-// GOAL       What a user reads of a building that twists, the files it writes and its exit status follow from what was computed.
+// GOAL       The text on a building with torsion, its output files and the exit status follow from the computation.
 // TOLERANCE  none: printed words. Histories against the peaks beside them: printed digits.
 
 use super::verbs::Scratch;
@@ -83,7 +83,7 @@ fn holds_every_file_of_a_simulation_says_the_same() {
     };
     let floor = &json["peaks"]["floors"][0];
     let value = |peak: &serde_json::Value| peak["value"].as_f64().unwrap().abs();
-    // peaks lie between the steps: no less than at any, and less than π²/2n² more for n = 170 steps a period and fewer of the others
+    // peaks lie between steps: at least the largest sample, and at most π²/2n² larger for n = 170 steps per period, and fewer for the others
     let same = |a: f64, b: f64| assert!(b >= a * (1.0 - 4e-16) && b < 1.002 * a, "{a} {b}");
     same(
         most("floor_1_displacement_y_m"),
@@ -112,7 +112,7 @@ fn holds_every_file_of_a_simulation_says_the_same() {
     ] {
         assert!(text(&format!("{figure}.svg")).starts_with("<svg"), "{figure}");
     }
-    // a quarter turn leaves nothing along x, and a level line is no figure
+    // a quarter turn leaves nothing along x, and a constant line gets no figure
     assert!(!out.join("top-x.svg").exists());
     assert_eq!(most("floor_1_displacement_x_m"), 0.0);
 }
@@ -146,7 +146,7 @@ fn holds_a_damper_that_the_ground_shakes_across_is_named() {
     assert_eq!(answer.status, 3, "{}", answer.stderr); // it ends before its motion
     let said = "The ground shakes across damper top, which moves along y";
     assert!(answer.stdout.contains(said), "{}", answer.stdout);
-    // nearly across is not across: some of the motion is along it
+    // nearly across is not across: part of the motion is along it
     let answer = scratch.dolmen(&format!("{run} --turn 1"));
     assert!(!answer.stdout.contains("shakes across"), "{}", answer.stdout);
 }
@@ -251,7 +251,7 @@ soil = "S4"
     );
     let answer = scratch.dolmen("check b.toml");
     assert!(answer.stdout.contains("has no outline"), "{}", answer.stdout);
-    // a spectrum that does not know the damping says so
+    // a spectrum undefined for this damping says so
     let low = text.replace(
         "name = \"no outline\"",
         "name = \"no outline\"\ndamping.ratio = 0.004",
@@ -287,7 +287,7 @@ unit = "g"
     let spectral = &json["state"]["check"]["building"]["standing"]["spectral"];
     let x = spectral["base_shear_n"]["cqc"][0].as_f64().unwrap();
     assert!((x - 490.33e3).abs() < 10.0, "{x}");
-    // 349.91 kN under x and 343.5 kN under y by another program, both modes as strong: the stronger along x, .85 of it along y
+    // 349.91 kN under x and 343.5 kN under y by another program; both modes are as strong: the larger along x, 0.85 of it along y
     let worst = &spectral["base_shear_least_favourable"][0];
     let by_hand = 349.91e3_f64.hypot(0.85 * 343.5e3);
     assert!(
@@ -348,7 +348,7 @@ fn holds_dampers_of_every_kind_through_check_simulate_and_report() {
         findings.contains("damper pair-1 is beyond its room: it needs"),
         "the findings say it"
     );
-    // the liquid of a column on a spring has a room of its own
+    // the liquid of a column on a spring has its own room
     let tank = |mm: f64| {
         let roomy = format!("liquid_share = 0.5\nliquid_stroke = \"{mm} mm\"");
         fs::write(&file, text.replace("liquid_share = 0.5", &roomy)).unwrap();

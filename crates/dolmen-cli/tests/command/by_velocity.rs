@@ -1,6 +1,6 @@
 // SOURCE     Kim, Koo & Hong (2018), eqs 1 to 3 and Fig. 17; Housner (1963); the stack P10 on KDS 17 10 00, soil S4.
-// GOAL       The check prints what the spectral velocity asks of the part that lifts first, beside the published forms, and the frequencies of
-//            pagodas of other heights.
+// GOAL       The check prints the demand of the spectral velocity on the part that lifts first, beside the published forms, and the
+//            frequencies of pagodas of other heights.
 // PARAMETERS plateau 0.748 g to T_s 0.576471 s, as the section of the site prints them.
 // TOLERANCE  1e-5: the digits printed; ratios of the forms 1e-12; a law of similar pagodas 1e-9.
 
@@ -80,14 +80,14 @@ fn holds_pagodas_of_other_heights_and_storeys_have_their_frequencies() {
     );
     for line in &lines {
         assert_eq!(line.len(), 9);
-        // similar towers on beds of one stiffness per area: K goes with s² in force and s⁴ in moment, M with s³: f with s^−½
+        // similar towers on beds with the same stiffness per area: K in force grows with s², in moment with s⁴, M with s³, so f with s^−½
         for [height, hz] in line {
             let [first_height, first_hz] = line[0];
             let similar = first_hz * (first_height / height).sqrt();
             assert!((hz / similar - 1.0).abs() < 1e-6, "{height}: {hz} {similar}");
         }
     }
-    // that of the file itself: 5 storeys, 6 m
+    // the file itself: 5 storeys, 6 m
     let own = first(&whole, "frequencies").unwrap();
     let modes = first(own, "modes").and_then(Value::as_array).unwrap();
     let lowest = modes

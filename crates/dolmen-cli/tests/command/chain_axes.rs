@@ -1,5 +1,5 @@
 // SOURCE     Statics and dynamics of one and two rigid links on oblong beds, closed forms written out here.
-// GOAL       A chain whose beds have a depth is judged along (x), across (y) and between, in every answer; nothing given across changes nothing.
+// GOAL       A chain whose beds have a depth is judged along (x), across (y) and between, in every answer; without values across nothing changes.
 //
 //        N·0.35 ┌───────┐          λ = k/(m g l),  ω² = (k − m g l)/(m (l² + (b² + L²)/12))
 //               │   ·   │ N·0.15   tilt at which it stands on its edge: N b/2 / (m g l k/(k − m g l))
@@ -109,7 +109,7 @@ fn exact_load_factor_and_frequency_across_are_their_own() {
     let chain = "/state/check/chain";
     for (joint, k) in [
         (", stiffness_across = \"3 MN*m/rad\"", 3e6),
-        // nobody gave it: springs under the whole bed
+        // no value given: springs under the whole bed
         (OBLONG, K * (0.3_f64 / 0.7).powi(2)),
         // and never stiffer than along
         (", bed_width = 0.3, bed_depth = 0.7", K),
@@ -206,7 +206,7 @@ fn exact_wind_is_tried_from_every_side() {
         number(&value, &format!("{combination}/across/under/joints/0/moment_n_m")),
         moment(0.8, 6e6),
     );
-    // a force along takes nothing of a wind across from a bed that does not crush; a tilt across does
+    // a force along does not reduce the resistance of a bed that does not crush to wind across; a tilt across does
     let pushed = text.replace(
         "joints",
         "loads = [{ name = \"sign\", at = \"pole\", force = [\"1 kN\", \"0.5 kN\"] }]\njoints",
@@ -241,7 +241,7 @@ fn exact_a_site_asks_of_each_direction_by_its_own_period() {
         .pointer("/state/demand/limits/parts")
         .and_then(Value::as_array)
         .unwrap_or_else(|| panic!("{value}"));
-    // m l S_a k/(k − m g l): the moment at the response of the spectrum, gravity counted, does not depend on the period of a flat one
+    // m l S_a k/(k − m g l): the moment under a flat spectrum, with gravity, does not depend on the period
     for (direction, half, k) in [("x", 0.35, K), ("y", 0.15, 6e6)] {
         let of = parts
             .iter()
@@ -306,7 +306,7 @@ fn holds_a_survey_is_held_against_its_direction_and_identified_in_it() {
         swapped["judgement"]["versions"][0]["evidence"]["word"],
         "contradicted"
     );
-    // identified in each direction, and written into each key
+    // identified in each direction, and written to each key
     let scratch = scratch("axes-identify", &survey(1.02 * along, 1.03 * across));
     let answer = scratch.dolmen("identify project.toml --write --json");
     assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
@@ -318,7 +318,7 @@ fn holds_a_survey_is_held_against_its_direction_and_identified_in_it() {
     assert!((found("across/") / (1.03 * across) - 1.0).abs() < 1e-5);
 }
 
-/// Two records of 0.02 s steps, m/s².
+/// Two records with a step of 0.02 s, m/s².
 fn records(scratch: &Scratch, x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64) {
     for (name, of) in [("x.csv", x), ("y.csv", y)] {
         let rows = (0..400).map(|i| {
@@ -358,7 +358,7 @@ fn holds_two_components_on_linear_joints_are_two_runs_and_turn_with_the_motion()
         (&runs[0]["direction"], &runs[1]["direction"]),
         (&"x".into(), &"y".into())
     );
-    // one component alone acts in each direction by itself
+    // one component acts in each direction separately
     for (run, file) in [(0, "x = \"x.csv\""), (1, "x = \"y.csv\"")] {
         let (alone, why, _) = shaken("axes-alone", &text, file, [&first, &second]);
         let alone = &alone["simulations"].as_array().unwrap_or_else(|| panic!("{why}"))[run];
@@ -368,7 +368,7 @@ fn holds_two_components_on_linear_joints_are_two_runs_and_turn_with_the_motion()
             alone["links"][0]["peak_rotation_rad"]
         );
     }
-    // a square pole: the same motion from another side moves it as far
+    // a square pole: the same motion from another side gives the same displacement
     let square = stone("", ", opening = \"held\"", "");
     let slanted = |sign: f64| move |t: f64| (first(t) + sign * second(t)) / 2.0_f64.sqrt();
     let files = "x = \"x.csv\", y = \"y.csv\"";
@@ -482,7 +482,7 @@ fn holds_posts_hold_in_their_direction_and_are_drawn() {
         !without.contains("side posts") && with.contains("side posts"),
         "{with}"
     );
-    // two posts and two wedges more, in one of two views
+    // two more posts and two more wedges, in one of two views
     assert_eq!(
         with.matches("<polygon").count(),
         without.matches("<polygon").count() + 2

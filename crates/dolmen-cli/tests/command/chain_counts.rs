@@ -1,6 +1,6 @@
 // SOURCE     Poles with lamps, dry friction, vertical shaking and loose posts; by hand: k = ω²(J + m h²) + G + W h, N (b/2 − N/(2 f w)), Σ m z A_0,
 //            N b/2 (1 − 0.77 A_0/g).
-// GOAL       Every command counts what hangs on a pole, what its joints rub and what its posts may do, or says that it does not.
+// GOAL       Every command counts the loads on a pole, the friction of its joints and its loose posts, or says that it does not.
 // TOLERANCE  0.3 % of hand values; words and exit statuses.
 
 use super::verbs::Scratch;
@@ -37,12 +37,12 @@ fn of(name: &str, text: &str, command: &str) -> Said {
     }
 }
 
-/// Keys stand before tables in a file of TOML.
+/// Keys precede tables in a TOML file.
 fn with_key(text: &str, key: &str) -> String {
     text.replacen("[motion.ec]", &format!("{key}\n[motion.ec]"), 1)
 }
 
-/// Every number of a JSON value.
+/// Appends every number of a JSON value.
 fn numbers(value: &Value, all: &mut Vec<f64>) {
     match value {
         Value::Number(number) => all.extend(number.as_f64()),
@@ -82,7 +82,7 @@ fn agrees_what_hangs_on_a_pole_swings_in_identify() {
         "{}",
         said.words
     );
-    // and the model with that stiffness is not contradicted
+    // and a model with that stiffness is not contradicted
     let model = format!("{POST}joints = [{{ stiffness = {} }}]\n", stiffness / 1e3);
     let model = model + "[survey.2020-01-01]\nfrequencies.x = [{ value = 1.0, sd = 0.01 }]\n";
     let said = of("hangs-check", &model, "check project.toml");
@@ -187,7 +187,7 @@ fn holds_a_loose_post_is_followed_in_time_or_not_decided() {
         "{}",
         said.words
     );
-    // a pole that only the post holds is as unstable in simulate as in check
+    // a pole that only the post supports is as unstable in simulate as in check
     let joints = "joints = [{ stiffness = 130.0, bed_width = 0.65, damping = \"3 kN*m*s/rad\" },\n\
         { stiffness = 45.0, bed_width = 0.48, damping = \"2 kN*m*s/rad\" }, { stiffness = 40.0, bed_width = 0.36, damping = \"1 kN*m*s/rad\" }]\n\
         side_supports = [{ height = 2.5, stiffness = \"400 kN/m\", gap = \"5 mm\" }]";

@@ -1,5 +1,5 @@
 // SOURCE     The shipped flagpole between its side posts.
-// GOAL       side_supports of a chain: tight in check and identify, with a gap in simulate, refused where it cannot be.
+// GOAL       side_supports of a chain: tight in check and identify, with a gap in simulate, refused where impossible.
 // TOLERANCE  ratios and words as each test says.
 
 use super::verbs::Scratch;
@@ -74,7 +74,7 @@ fn holds_posts_with_a_gap_are_met_in_motion() {
     for run in [&own, &tight, &without] {
         assert!(number(run, "/energy/left_over_ratio") < 1e-9, "{}", run["energy"]);
     }
-    // what the post holds moves less
+    // the supported part moves less
     let lowest = |run: &Value| number(run, "/links/0/peak_rotation_rad").abs();
     assert!(lowest(&own) < lowest(&without) && lowest(&tight) < lowest(&own));
     let answer = scratch.dolmen(&format!("simulate {POSTS} --motion el-centro --output out"));
@@ -100,7 +100,7 @@ fn holds_a_pole_that_only_its_posts_hold_leans_on_them() {
     let scratch = Scratch::with_examples("side_posts_lean");
     let file = scratch.path().join("examples/naju_flagpole/side_posts.toml");
     let text = fs::read_to_string(&file).unwrap();
-    // the lowest joint alone too soft, and a bed that does not open
+    // the lowest joint alone is too soft, and its bed does not open
     let text = text
         .replace(
             "{ value = 1109.5, source = \"assumed\" }",

@@ -1,6 +1,6 @@
 // SOURCE     The shipped flagpole (Choi 2021) and El Centro 1940 north-south.
-// GOAL       What a user reads of a simulated chain, the files it writes, and its exit status follow from what happened.
-// TOLERANCE  none: printed words. Growth 1 %, what is asked of it. Histories against the peaks printed beside them: their sampling.
+// GOAL       The text on a simulated chain, its output files and the exit status follow from the simulation.
+// TOLERANCE  none: printed words. Growth 1 %. Histories against the peaks printed beside them: their sampling.
 
 use super::studies::rows;
 use super::verbs::Scratch;
@@ -56,7 +56,7 @@ fn published_criterion_falls_from_a_push_and_weight_times_height_stands() {
             .iter()
             .all(|link| leans(link) < 5e-3)
     );
-    // the linear equations know no fall of what stands, and go beyond any angle with what does not
+    // the linear equations never let a stable chain fall, and exceed any angle with an unstable one
     let linear = json(&scratch, &format!("{pole} --push 1e-4rad --rotations small"), 1);
     assert_eq!(linear["rotations"], "small");
 }
@@ -128,10 +128,10 @@ fn holds_friction_of_the_file_sticks_and_slips() {
         .map(|line| line.rsplit(',').next().unwrap().parse::<f64>().unwrap().abs())
         .sum();
     assert!((way - slipped).abs() < 1e-12, "{way} {slipped}");
-    // what friction takes is its moment times the way
+    // friction dissipates its moment times the rotation
     let taken = found["energy"]["friction_j"].as_f64().unwrap();
     assert!((taken / (4000.0 * way) - 1.0).abs() < 1e-12, "{taken} {way}");
-    // the page tells both moments
+    // the page gives both moments
     for (language, said) in [("en", "5 then 4"), ("ko", "정지 5, 운동 4")] {
         let report = format!(
             "report examples/naju_flagpole --samples 0 --motion el-centro -o page.html --language {language}"
@@ -301,7 +301,7 @@ fn holds_a_simulated_chain_says_how_it_leans() {
     assert!(scratch.dolmen(run).words().contains(said));
 }
 
-/// The shipped flagpole in wind with other lines in the place of its wind.
+/// The shipped flagpole with other wind.
 fn flagpole_in(scratch: &Scratch, name: &str, change: &dyn Fn(String) -> String) -> String {
     let file = scratch.path().join("examples/naju_flagpole/wind.toml");
     let text = change(fs::read_to_string(file).unwrap());
@@ -387,7 +387,7 @@ fn holds_combinations_strength_and_codes_have_their_words() {
             "{moment}"
         );
     }
-    // KDS at 0.32 Hz is not compared, and the word is not "stable"
+    // KDS is not compared at 0.32 Hz, and the word is not "stable"
     let soft = flagpole_in(&scratch, "soft", &|text| {
         gale(text).replace(
             "means = \"gust\",",
@@ -397,7 +397,7 @@ fn holds_combinations_strength_and_codes_have_their_words() {
     let answer = scratch.briefly(&format!("check {soft}"));
     assert!(answer.words().contains("unknown in wind"), "{}", answer.stdout);
     assert!(answer.words().contains("Annex B"), "{}", answer.stdout);
-    // without a word on wind a pole gets a finding
+    // a pole without wind in its file gets a finding
     let silent = scratch.briefly("check examples/naju_flagpole");
     assert!(
         silent.words().contains("Wind is not in the file"),

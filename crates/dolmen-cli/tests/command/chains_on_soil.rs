@@ -1,5 +1,5 @@
 // SOURCE     A chain of one stone on soil: joint and soil in series, closed forms.
-// GOAL       The soil of a file counts in check and simulate, and what a survey determines is given back as the bed alone.
+// GOAL       check and simulate include the soil of a file, and a stiffness from a survey is given for the bed alone.
 // PARAMETERS one stone of 120 kN, 10 m; a round footing of 2 m on 40 MPa.
 // TOLERANCE  1e-6 of stiffness.
 
@@ -36,7 +36,7 @@ fn holds_soil_and_bed_act_in_series() {
         (factor / (together / (120e3 * 5.0)) - 1.0).abs() < 1e-9,
         "{factor}"
     );
-    // as if the two were written as one joint
+    // as if the two were one joint
     let one = format!("{POLE}joints = [{{ stiffness = {together} }}]\n");
     let (_scratch, same) = json("one", &one, "check project.toml --json");
     assert_eq!(

@@ -1,6 +1,6 @@
 // SOURCE     Natural modes of the changed structure from `dolmen check` of another project file, in which one joint or storey has less stiffness.
-// GOAL       `compare` names the part that changed, how much of it is left, and what cannot be told apart.
-// TOLERANCE  what the frequencies' stated deviation of 0.2 % allows: the interval that is printed
+// GOAL       `compare` names the part that changed, its remaining stiffness, and which parts cannot be distinguished.
+// TOLERANCE  what the frequencies' stated deviation of 0.2 % allows: the printed interval
 
 use super::stores::json;
 use super::verbs::Scratch;
@@ -102,7 +102,7 @@ fn agrees_what_no_part_or_every_part_explains_is_said() {
         "{answer}"
     );
     assert!(!answer.contains("All parts alike"), "{answer}");
-    // nothing changed: no part is looked for
+    // nothing changed: no part is sought
     let answer = said(&before);
     assert!(
         !answer.contains("single part") && !answer.contains("alone changed"),
@@ -110,7 +110,7 @@ fn agrees_what_no_part_or_every_part_explains_is_said() {
     );
 }
 
-/// Four stones, oblong in plan, of which one has springs with a factor.
+/// Four stones, oblong in plan, one with its springs scaled by a factor.
 fn pillar(factor: f64, surveys: &str) -> String {
     format!(
         "schema = 1\nkind = \"stack\"\nname = \"pillar\"\nevidence = \"measured\"\ndensity = 2600\n\
@@ -124,7 +124,7 @@ fn pillar(factor: f64, surveys: &str) -> String {
     )
 }
 
-/// Of the modes that a check shows, those along x, along y and of torsion.
+/// The modes of a check: along x, along y and of torsion.
 fn modes_hz(scratch: &Scratch, factor: f64) -> [Vec<f64>; 3] {
     fs::write(scratch.path().join("project.toml"), pillar(factor, "")).unwrap();
     let check = json(scratch, "check .");
@@ -134,7 +134,7 @@ fn modes_hz(scratch: &Scratch, factor: f64) -> [Vec<f64>; 3] {
     let mut all: [Vec<f64>; 3] = Default::default();
     for mode in modes.unwrap_or_else(|| panic!("{check}")) {
         let top = |row: usize| mode["shape"][3][row].as_f64().unwrap().abs();
-        // what only turns about the vertical moves by rounding alone
+        // the top of a torsional mode moves only by rounding
         let along = match (top(0).max(top(1)) < 1e-6 * top(5), top(1) > top(0)) {
             (true, _) => 2,
             (false, across) => usize::from(across),

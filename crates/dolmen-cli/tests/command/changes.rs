@@ -1,6 +1,6 @@
 // SOURCE     The made-up gate through the seasons; ten minutes of Palisaden cut into two setups of four sensors.
-// GOAL       What `dolmen compare` and several setups say: true changes within their intervals, doubt where there is doubt.
-// TOLERANCE  the 95 % intervals that the answer states; printed words.
+// GOAL       `dolmen compare` and several setups: intervals contain the true changes, and doubts are stated.
+// TOLERANCE  the 95 % intervals of the answer; printed words.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -38,7 +38,7 @@ fn holds_true_changes_lie_in_their_intervals_once_the_weather_is_out() {
             .contains("2.140 Hz")
     );
 
-    // the same without the temperatures' effect: all three seem to have changed, and the answer gives the doubt
+    // without the temperature correction all three seem to have changed, and the answer states the doubt
     let text = fs::read_to_string(scratch.path().join(GATE)).unwrap();
     fs::write(
         scratch.path().join("blind.toml"),
@@ -51,7 +51,7 @@ fn holds_true_changes_lie_in_their_intervals_once_the_weather_is_out() {
         (Some(3), Some(true))
     );
 
-    // a coefficient that is given, with its deviation
+    // a given coefficient with its deviation
     let known = "temperature_coefficient_per_c = -0.0011\ntemperature_coefficient_sd_per_c = 0.0002";
     fs::write(
         scratch.path().join("known.toml"),
@@ -127,7 +127,7 @@ fn holds_two_setups_of_four_sensors_show_what_one_of_six_shows() {
         assert!(mac > 0.98, "mode {i}: {mac}");
     }
     let partial = setups["partial"].as_array().unwrap();
-    assert!(!partial.is_empty(), "{setups}"); // five minutes of four sensors do not show all
+    assert!(!partial.is_empty(), "{setups}"); // not all modes show in five minutes of four sensors
 }
 
 #[test]
@@ -167,7 +167,7 @@ fn holds_two_setups_identified_as_one_show_what_one_record_shows() {
     let (_, section) = page
         .split_once("Setups identified as one")
         .unwrap_or_else(|| panic!("the report has their section"));
-    // what is known beside the modes of the one identification stands behind them
+    // other notes follow those of the identification
     let notes = joint["notes"].as_array().unwrap();
     assert!(!notes.is_empty(), "{joint}");
     assert!(
@@ -233,7 +233,7 @@ fn surveys(name: &str, before: &str, after: &str) -> String {
     answer.words()
 }
 
-/// The line that begins with these words stands before the other.
+/// Checks that the line beginning with these words precedes the other.
 fn comes_first(text: &str, line: &str, other: &str) {
     let at = |words: &str| text.find(words).unwrap_or_else(|| panic!("{words}: {text}"));
     assert!(at(line) < at(other), "{text}");
@@ -253,7 +253,7 @@ fn holds_a_pairing_with_more_pairs_is_said_before_no_change() {
 #[test]
 fn holds_what_moved_too_far_to_be_paired_is_said_first_with_what_it_may_be() {
     let text = surveys("moved-far", "1.1 2.9", "0.7 1.8");
-    // .7/1.1 - 1 = -36 %, (.7/1.1)² - 1 = -60 %
+    // 0.7/1.1 - 1 = -36 %, (0.7/1.1)² - 1 = -60 %
     assert!(
         text.contains(
             "The lowest mode (1.100 Hz) was not found again and is not compared. A new one lies at 0.7000 Hz: if it is the same mode, it fell by 36 % (60 % of stiffness)"

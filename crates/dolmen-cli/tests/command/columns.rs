@@ -1,5 +1,6 @@
 // SOURCE     The shipped gate on free columns; the theory of columns that roll on their beds.
-// GOAL       The check says what the columns hold, counts their beds once, and changes no verdict; simulations say they leave them out.
+// GOAL       The check gives the resistance of the columns, counts their beds once, and changes no verdict; simulations say that they
+//            omit the columns.
 // TOLERANCE  1e-9: the numbers follow from the input in closed form.
 
 use super::verbs::Scratch;
@@ -30,11 +31,11 @@ fn exact_beds_are_counted_once() {
     assert!((of("axial_n") / weight - 1.0).abs() < 1e-9);
     assert!((of("bed_stiffness_n_m") / beds - 1.0).abs() < 1e-9);
     assert!((of("springs_n_m") / (0.887e6 - beds) - 1.0).abs() < 1e-9);
-    // the frequency is that of the stiffness given, columns or not
+    // the frequency is that of the given stiffness, with or without columns
     let hertz = ((0.887e6 - weight / 4.0) / 32e3).sqrt() / (2.0 * PI);
     let mode = &direction["check"]["modes"][0]["frequency_hz"];
     assert!((mode.as_f64().unwrap() / hertz - 1.0).abs() < 1e-9);
-    // and so are small swings on columns and springs together
+    // and likewise for small oscillations on columns and springs together
     let first = columns["swings"][0]["with_springs_hz"].as_f64().unwrap();
     assert!((first / hertz - 1.0).abs() < 1e-4, "{first} {hertz}");
     let most = columns["standing"]["greatest"]["force_n"].as_f64().unwrap();
@@ -75,7 +76,7 @@ fn holds_columns_that_do_not_stand_alone_are_a_finding() {
             .map(str::to_owned)
     };
     assert_eq!(head(&soft.stdout), head(&stable.stdout));
-    // beds stiffer than the storey that stands on them
+    // beds stiffer than the storey above
     changed(&scratch, "0.04 GPa/m", "4 GPa/m");
     let stiff = scratch.dolmen("check examples/free_columns");
     assert!(stiff.stdout.contains("less than the beds"), "{}", stiff.stdout);
@@ -102,14 +103,14 @@ fn holds_a_frame_of_one_storey_moves_on_its_columns_alone() {
         let command = "simulate examples/free_columns/rigid_stones.toml --motion el-centro-1940-ns";
         json(&scratch, &format!("{command} --peak {peak}"))["simulations"][0].clone()
     };
-    // b 0.5 m, h 4 m: feet lift off at g b/h, and stay down below it
+    // b 0.5 m, h 4 m: feet lift off at g b/h, and not below
     let calm = &simulate("0.12g")["columns_alone"];
     let of = |columns: &serde_json::Value, key: &str| columns[key].as_f64().unwrap();
     assert!((of(calm, "uplift_m_s2") / (9.80665 * 0.125) - 1.0).abs() < 1e-9);
     assert_eq!(calm["outcome"], "stood");
     let rocks = &simulate("0.2g")["columns_alone"];
     assert_eq!(rocks["outcome"], "rocked");
-    // without weight in the columns: p̂² = g/2R, r = cos 2α
+    // massless columns: p̂² = g/2R, r = cos 2α
     let pull = 9.80665 / 4.0_f64.hypot(0.5);
     assert!((of(rocks, "frequency_parameter_rad_s").powi(2) / pull - 1.0).abs() < 1e-9);
     let kept = (4.0_f64.powi(2) - 0.25) / (4.0_f64.powi(2) + 0.25);
@@ -138,7 +139,7 @@ fn holds_a_frame_of_one_storey_moves_on_its_columns_alone() {
         .map(|f| f.unwrap().file_name().into_string().unwrap())
         .collect();
     assert!(names.iter().any(|name| name.contains("columns")), "{names:?}");
-    // beds that give way: not run, and said
+    // compliant beds: not run, and reported
     let beds = scratch.dolmen("simulate examples/free_columns --motion el-centro-1940-ns");
     assert!(beds.words().contains("only on rigid stones"), "{}", beds.stdout);
 }

@@ -1,7 +1,7 @@
-// SOURCE     docs/damage.md; by hand: a block of width b, its centre h above its bed, begins to rock at g b / 2 h, and where a share s of its bed is lost
-//            at one side at g (b / 2 − s b) / h towards that side. Of chains and frames: project files in which the damage is written into the numbers by hand.
-// GOAL       What inspections say of the model is in the model: check and simulate judge the structure as last inspected, and the headline says so.
-// TOLERANCE  1e-8 of the closed forms, which the solver of limits allows; else none: the answers of the two files are the same.
+// SOURCE     docs/damage.md; by hand: a block of width b with its centre h above its bed begins to rock at g b / 2 h; with a share s of its bed
+//            lost at one side, at g (b / 2 − s b) / h towards that side. For chains and frames: project files with the damage written into the numbers.
+// GOAL       Inspections change the model: check and simulate judge the structure as last inspected, and the headline says so.
+// TOLERANCE  1e-8 of the closed forms, as the limit solver allows; otherwise none: the two files give the same answers.
 
 use super::stores::json;
 use super::verbs::Scratch;
@@ -50,7 +50,7 @@ fn exact_a_bed_that_lost_a_fifth_at_one_side_tips_about_a_fifth_of_its_width_fur
         let along = direction[0] * towards[0] + direction[1] * towards[1];
         assert!(along > 0.999, "{side}: {direction:?}");
     }
-    // half of its bed and more: its weight stands beside what is left
+    // half of its bed and more: its weight is outside the remaining bed
     let lost = inspection("2026-05-12", "stone", "bed_lost = 0.55, side = \"x+\"");
     write(&scratch, "pier.toml", &format!("{BLOCK}{ONE}{lost}"));
     let answer = scratch.briefly("check pier.toml");
@@ -75,7 +75,7 @@ fn holds_a_run_rocks_about_what_is_left_of_the_bed_by_both_laws() {
     let lost = inspection("2026-05-12", "stone", "bed_lost = 0.2, side = \"x+\"");
     let both = push("right") + &push("left");
     let whole = format!("{BLOCK}{ONE}{both}");
-    // the ground goes left: the stone is pushed to the right, where its bed is lost
+    // the ground moves left: the stone is pushed to the right, where its bed is lost
     for (text, side, falls) in [
         (&whole, "right", false),
         (&(whole.clone() + &lost), "right", true),
@@ -115,7 +115,7 @@ fn exact_a_block_on_a_loosened_bed_sways_by_the_root_of_what_is_left() {
     let loose = whole.clone() + &inspection("2026-05-12", "stone", "stiffness_left = 0.25");
     assert!((sways_hz(&scratch, &whole) / whole_hz - 1.0).abs() < 1e-6);
     assert!((sways_hz(&scratch, &loose) / (0.5 * whole_hz) - 1.0).abs() < 1e-6);
-    // springs see it; rigid joints have none, and say so
+    // springs include the loss; rigid joints have none, and the answer says so
     let run = |law: &str| scratch.briefly(&format!("simulate pier.toml --motion rest --law {law}"));
     let unseen = "Rigid joints have no stiffness";
     assert!(!run("springs").words().contains(unseen));
@@ -129,7 +129,7 @@ fn exact_a_block_on_a_loosened_bed_sways_by_the_root_of_what_is_left() {
         "{}",
         korean.stdout
     );
-    // its stiffness was found after the inspection: the loss is in it
+    // its stiffness was identified after the inspection, so it includes the loss
     let identified =
         "normal_stiffness = { value = \"8e8 Pa/m\", source = \"identified\", survey = \"2026-05-20\" }";
     let found = BLOCK.replace("friction = 0.9", &format!("friction = 0.9, {identified}"))
@@ -179,7 +179,7 @@ fn chain(bed: &str, stiffness: &str) -> String {
     )
 }
 
-/// What the answers say of numbers, which the way of writing does not change.
+/// Appends the numbers of an answer, whatever its format.
 fn numbers(value: &Value, all: &mut Vec<f64>) {
     match value {
         Value::Number(number) => all.push(number.as_f64().unwrap()),
@@ -205,7 +205,7 @@ fn agrees_a_damaged_chain_and_frame_are_those_written_so_by_hand() {
     let scratch = Scratch::new("damaged-chain");
     let loose = inspection("2026-05-12", "top", "stiffness_left = 0.75");
     same_numbers(&scratch, &(chain("0.5", "900") + &loose), &chain("0.5", "675"));
-    // the pivot moves by 0.2 b: 0.5 · (1 − 0.4); the stiffness goes with the third power, 900 · 0.8³
+    // the pivot moves by 0.2 b: 0.5 · (1 − 0.4); the stiffness changes with the third power, 900 · 0.8³
     let less = inspection("2026-05-12", "top", "bed_lost = 0.2");
     same_numbers(&scratch, &(chain("0.5", "900") + &less), &chain("0.3", "460.8"));
     let frame = |hall: &str| {
@@ -234,7 +234,7 @@ fn holds_the_headline_says_which_damage_and_the_last_word_of_inspections_counts(
     assert!(korean.contains("점검에서 확인된 손상 반영"), "{korean}");
     let judged = json(&scratch, "check pole.toml");
     assert_eq!(judged.pointer("/project/damage/0/stiffness_left").unwrap(), 0.75);
-    // worse since, then mended
+    // worse later, then mended
     let worse = inspection("2025-06-01", "top", "stiffness_left = 0.5");
     same_numbers(
         &scratch,
@@ -247,13 +247,13 @@ fn holds_the_headline_says_which_damage_and_the_last_word_of_inspections_counts(
         &(chain("0.5", "900") + &found + &worse + &mended),
         &chain("0.5", "900"),
     );
-    // as it was built, and as one inspection found it
+    // as built, and as one inspection found it
     let tables = found.clone() + &worse;
     let as_built = chain("0.5", "900").replace("cap = ", "as_inspected = \"none\"\ncap = ") + &tables;
     same_numbers(&scratch, &as_built, &chain("0.5", "900"));
     let at = chain("0.5", "900").replace("cap = ", "as_inspected = \"2024-05-12\"\ncap = ") + &tables;
     same_numbers(&scratch, &at, &chain("0.5", "675"));
-    // side by side: a variant without the damage
+    // for comparison: a variant without the damage
     let beside = chain("0.5", "900") + &tables + "[variant.built]\nas_inspected = \"none\"\n";
     write(&scratch, "pole.toml", &beside);
     let both = json(&scratch, "check pole.toml");

@@ -1,5 +1,5 @@
 // SOURCE     The shipped pile of three blocks under 22 made motions; KDS 17 10 00.
-// GOAL       Fragility and risk of a study follow from its runs, say what they rest on, and refuse what cannot be said.
+// GOAL       Fragility and risk of a study follow from its runs, give their basis, and refuse what the runs do not support.
 // TOLERANCE  fits 1e-9 against the library given the same scans; everything else printed words.
 
 use super::studies::rows;
@@ -25,7 +25,7 @@ fn holds_curves_and_rates_are_those_of_the_runs() {
     let answer = json(&scratch, &format!("study {PILE} -o out"));
     let folder = scratch.path().join("out/fragility");
     let number = |row: &BTreeMap<String, String>, key: &str| row[key].parse::<f64>().unwrap();
-    // DS3 by hand from the runs: of each motion the first peak with it, and the one below
+    // DS3 by hand from the runs: for each motion the first peak with DS3, and the one below
     let runs = rows(&folder.join("runs.csv"));
     let mut motions: BTreeMap<String, Vec<(f64, f64)>> = BTreeMap::new();
     for run in &runs {
@@ -52,7 +52,7 @@ fn holds_curves_and_rates_are_those_of_the_runs() {
         "{ds3:?}"
     );
     measures_and_joints(&answer, &folder, &runs);
-    // the hazard of zone I on S2: 1.4 F_a up to .2 g, where it falls to 1.37 at .22 g
+    // the hazard of zone I on S2: 1.4 F_a up to 0.2 g, then falling to 1.37 at 0.22 g
     let hazard = answer["hazard"].as_array().unwrap();
     let points: Vec<[f64; 2]> = hazard
         .iter()
@@ -81,7 +81,7 @@ fn holds_curves_and_rates_are_those_of_the_runs() {
     ] {
         assert!(text.contains(said), "{said}: {text}");
     }
-    // and the report has it, in both languages
+    // the report contains it, in both languages
     let file = scratch.path().join(PILE);
     let studies = file.parent().unwrap().join("studies");
     fs::create_dir_all(&studies).unwrap();
@@ -98,10 +98,10 @@ fn holds_curves_and_rates_are_those_of_the_runs() {
     }
 }
 
-/// Measures of the shaking and states of the joints, by hand from the runs.
+/// Shaking measures and joint states, by hand from the runs.
 fn measures_and_joints(answer: &Value, folder: &Path, runs: &[BTreeMap<String, String>]) {
     let number = |row: &BTreeMap<String, String>, key: &str| row[key].parse::<f64>().unwrap();
-    // S_a over the peak of the first motion, made again here
+    // S_a over the peak of the first motion, which is made again here
     let made = Noise {
         duration_s: 20.0,
         rise_s: 2.0,
@@ -122,7 +122,7 @@ fn measures_and_joints(answer: &Value, folder: &Path, runs: &[BTreeMap<String, S
     // p = √(3g/4R), R of the half diagonal of 300 x 300 mm
     let p = (0.75 * 9.80665 / 0.15_f64.hypot(0.15)).sqrt();
     assert!((velocity * 9.80665 / p - 1.0).abs() < 1e-9, "{velocity}");
-    // β by S_a(0.5 s) of DS3 by hand; the table says the same
+    // β by S_a(0.5 s) of DS3 by hand; the table gives the same
     let mut motions: BTreeMap<&str, Vec<&BTreeMap<String, String>>> = BTreeMap::new();
     for run in runs {
         motions.entry(&run["motion"]).or_default().push(run);
@@ -143,7 +143,7 @@ fn measures_and_joints(answer: &Value, folder: &Path, runs: &[BTreeMap<String, S
     let ds3 = compared.iter().find(|row| row["state"] == "DS3").unwrap();
     let beta = ds3["measures"]["sa_0.5_s_m_s2"]["beta"].as_f64().unwrap();
     assert!((beta / by_hand.curve.beta() - 1.0).abs() < 1e-9, "{beta}");
-    // each joint has a state of its own, the pile that of the worst
+    // each joint has its own state; the pile has the worst of them
     let states = |run: &BTreeMap<String, String>| -> Vec<u8> {
         let words = run["joint_states"].split(' ');
         words.map(|word| word.parse().unwrap()).collect()
@@ -164,7 +164,7 @@ fn measures_and_joints(answer: &Value, folder: &Path, runs: &[BTreeMap<String, S
     assert!(joints.iter().all(|row| row["gave_way"] == "0"));
 }
 
-/// Five samples of a slippery stone under four motions: the answer separates what its friction adds to the scatter.
+/// Five samples of a slippery stone under four motions: the answer separates the scatter due to friction from that due to motions.
 #[test]
 fn holds_the_scatter_of_inputs_is_told_from_that_of_motions() {
     let scratch = Scratch::new("scatter");
@@ -187,7 +187,7 @@ rest_s = 0.2
     let answer = json(&scratch, "study . -o out");
     let ds2 = &answer["fragility"][0]["states"][1];
     let of = |key: &str| ds2[key].as_f64().unwrap();
-    // the plate slides where the ground shakes by more than its friction: ln of it scatters by √ln(1 + .3²) = .29, and five draws of seed 1 by
+    // the plate slides when the ground acceleration exceeds friction: its ln scatters by √ln(1 + 0.3²) = 0.29, and five draws of seed 1 by
     let frictions: Vec<f64> = rows(&scratch.path().join("out/friction/runs.csv"))
         .iter()
         .step_by(4 * 26)
@@ -196,12 +196,12 @@ rest_s = 0.2
     assert_eq!(frictions.len(), 5);
     let mean = frictions.iter().sum::<f64>() / 5.0;
     let drawn = (frictions.iter().map(|f| (f - mean).powi(2)).sum::<f64>() / 4.0).sqrt();
-    // to a step of the scan, .08 in ln
+    // to one step of the scan, 0.08 in ln
     assert!((of("beta_of_inputs") / drawn - 1.0).abs() < 0.25, "{ds2} {drawn}");
     assert!(of("beta_of_motions") < 0.5 * of("beta_of_inputs"), "{ds2}");
     let text = scratch.dolmen("study . -o out").words();
     assert!(text.contains("from what is not known of the structure"), "{text}");
-    // periods say what is made of the runs: nothing is run again
+    // other periods only evaluate the runs differently: nothing is run again
     let other = fs::read_to_string(scratch.path().join("project.toml")).unwrap();
     let other = other.replace(
         "refine = 0",
@@ -217,7 +217,7 @@ rest_s = 0.2
     assert!(again.stdout.contains("S_a(0.3 s)"), "{}", again.stdout);
 }
 
-/// A slender post that falls from a plate: what the plate would have come to is not known beyond the fall, and the table gives a bracket.
+/// A slender post falls from a plate: the plate's capacity beyond the fall is unknown, and the table gives a bracket.
 #[test]
 fn holds_a_fall_elsewhere_leaves_a_joint_open() {
     let scratch = Scratch::new("cut_short");
@@ -238,7 +238,7 @@ refine = 0
     let answer = json(&scratch, "study . -o out");
     let runs = rows(&scratch.path().join("out/post/runs.csv"));
     let number = |row: &BTreeMap<String, String>, key: &str| row[key].parse::<f64>().unwrap();
-    // by hand: each scan's plate is known below its first fall alone
+    // by hand: in each scan the plate is known only below the first fall
     let mut scans: BTreeMap<String, Vec<(f64, u8, bool)>> = BTreeMap::new();
     for run in &runs {
         let state: u8 = run["joint_states"].split(' ').next().unwrap().parse().unwrap();
@@ -264,14 +264,14 @@ refine = 0
         (ds3["median_above_m_s2"].as_f64().unwrap() / lower[2] - 1.0).abs() < 1e-12,
         "{ds3} {lower:?}"
     );
-    // the post gave way in every scan, the plate in none
+    // the post failed in every scan, the plate in none
     let gave_way: Vec<u64> = (0..2)
         .map(|joint| answer["joints"][joint]["gave_way"].as_u64().unwrap())
         .collect();
     assert_eq!(gave_way, [0, 5]);
 }
 
-/// The gate moves in one plane: two motions that are alike in that plane act alike, whatever they have across it.
+/// The gate moves in one plane: motions with the same components in that plane have the same effect, whatever their component across.
 #[test]
 fn holds_the_size_of_a_motion_of_a_frame_is_that_of_the_plane() {
     let scratch = Scratch::with_examples("plane");
@@ -302,7 +302,7 @@ fn holds_the_size_of_a_motion_of_a_frame_is_that_of_the_plane() {
     }
 }
 
-/// A pagoda of other friction than the designs is not known to the score: refused, and marked where it is forced.
+/// The score does not cover a pagoda with other friction than the designs: it is refused, and marked if forced.
 #[test]
 fn refuses_a_score_of_a_pagoda_unlike_the_designs_and_marks_it_where_forced() {
     let scratch = Scratch::with_examples("unlike");
@@ -334,7 +334,7 @@ fn refuses_a_score_of_a_pagoda_unlike_the_designs_and_marks_it_where_forced() {
     );
 }
 
-/// Rates need the hazard of every site: where one lacks it, the order is by capacity, and the answer says so first.
+/// Rates need the hazard of every site: if one is missing, the ranking is by capacity, and the answer begins with that.
 #[test]
 fn holds_a_list_that_lacks_a_hazard_says_that_rates_do_not_order_it() {
     let scratch = Scratch::with_examples("lacking_hazard");
@@ -364,7 +364,7 @@ fn holds_a_list_that_lacks_a_hazard_says_that_rates_do_not_order_it() {
     );
 }
 
-/// What has no place stands in the text, the CSV and the figure with its reason; numbers that cannot be are refused row by row.
+/// Text, CSV and figure list unranked structures with the reason; impossible numbers are refused row by row.
 #[test]
 fn holds_structures_without_a_place_are_in_every_output() {
     let scratch = Scratch::with_examples("without_place");
@@ -393,7 +393,7 @@ fn holds_structures_without_a_place_are_in_every_output() {
     }
     let svg = fs::read_to_string(scratch.path().join("ranked/ranking.svg")).unwrap();
     assert!(svg.contains("3 without a place"), "{svg}");
-    // nothing that can be ranked: each with its reason
+    // nothing can be ranked: each with its reason
     let none = list.replace("Good,5,5.6,,3.5", "Good,5,5.6,0.22,2.9");
     fs::write(scratch.path().join("none.csv"), none).unwrap();
     let refused = scratch.dolmen("rank none.csv");

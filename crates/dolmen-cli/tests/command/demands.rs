@@ -1,5 +1,5 @@
-// SOURCE     The shipped stacks; KDS 17 10 00 with S = .22 g on S4: Fa 1.36, Fv 1.96, Ts .57647 s.
-// GOAL       What an earthquake asks for at a site is visible from the file to the printed answer, and decides the exit status.
+// SOURCE     The shipped stacks; KDS 17 10 00 with S = 0.22 g on S4: Fa 1.36, Fv 1.96, Ts 0.57647 s.
+// GOAL       The seismic demand of a site is visible from the file to the printed answer, and decides the exit status.
 // TOLERANCE  none: printed digits.
 
 use super::verbs::Scratch;
@@ -8,12 +8,12 @@ use std::fs;
 const KOREA: &str =
     "\n[site]\ncode = \"KDS 17 10 00\"\nzone = \"I\"\nreturn_period_years = 2400\nsoil = \"S4\"\n";
 
-/// Without the breaks of lines.
+/// The text without line breaks.
 fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// `text` behind the project file of an example.
+/// Appends `text` to the project file of an example.
 fn append(scratch: &Scratch, example: &str, text: &str) {
     let project = scratch.path().join(format!("examples/{example}/project.toml"));
     let before = fs::read_to_string(&project).unwrap();
@@ -44,7 +44,7 @@ fn published_the_korean_case_is_printed_with_every_number_on_the_way() {
         "vertical / horizontal 0.77 (unverified)",
         "damping 5 %",
         "In the worst direction: below demand.",
-        // .32402 (1 − .77 · .2992) = .24937, over .2992 and over .748
+        // 0.32402 (1 − 0.77 · 0.2992) = 0.24937, over 0.2992 and over 0.748
         "0.3240",
         "0.2494",
         "0.2992",
@@ -99,7 +99,7 @@ fn exact_local_mechanisms_of_a_code_stand_beside_the_verdict() {
     };
     append(&scratch, "p10", KOREA);
     let full = scratch.dolmen("check examples/p10");
-    // neither word nor status speaks of it
+    // neither words nor status mention it
     assert!(!verdict(&full.stdout).unwrap().contains("Circolare"));
     // blocks 5 to 10: 5.884125 m³ whose centroid is 1.697433 m above the joint, 1.1 m wide
     let (half, height, volume): (f64, f64, f64) = (0.55, 1.697_433, 5.884_125);
@@ -138,7 +138,7 @@ fn exact_local_mechanisms_of_a_code_stand_beside_the_verdict() {
             .words()
             .contains("Circolare 7/2019의 국부 메커니즘은 부지 지진의 1.60배")
     );
-    // what slides has no check, and no finding either
+    // a sliding block has no check, and no finding either
     let project = scratch.path().join("examples/p10/project.toml");
     let smooth = fs::read_to_string(&project)
         .unwrap()
@@ -173,7 +173,7 @@ fn holds_weak_shaking_is_above_or_near_demand_with_status_0() {
         .unwrap()
         .replace("\"0.05 g\"", "\"0.06 g\"");
     fs::write(&project, text).unwrap();
-    // the smooth variant: with S_a on all alike .3 (1 − .45 · .06)/(2.5 · .06) = 1.95, by modes its top stone slides at 1.06
+    // the smooth variant: with S_a on all alike 0.3 (1 − 0.45 · 0.06)/(2.5 · 0.06) = 1.95, by modes its top stone slides at 1.06
     let near = scratch.dolmen("check examples/p10");
     assert_eq!(near.status, 0, "{}", near.stderr);
     assert!(
@@ -241,7 +241,7 @@ fn holds_a_motion_of_the_file_acts_and_what_is_typed_goes_before_it() {
                    [motion.wrong]\nfiles = { x = \"record.csv\" }\nunit = \"m/s2\"\n";
     append(&scratch, "piled_blocks", motions);
     let folder = scratch.path().join("examples/piled_blocks");
-    // a pulse of .338 g
+    // a pulse of 0.338 g
     let rows: String = (0..200)
         .map(|i| {
             let t = 0.01 * f64::from(i);
@@ -298,7 +298,7 @@ fn refuses_a_record_in_the_wrong_unit() {
         "piled_blocks",
         "\n[motion.wrong]\nfiles = { x = \"record.csv\" }\nunit = \"g\"\n",
     );
-    // a peak of 33.8, called g
+    // a peak of 33.8, wrongly given in g
     let rows = |factor: f64| -> String {
         let each = (0..200).map(|i| {
             format!(
@@ -363,7 +363,7 @@ fn holds_a_stone_from_a_scan_beside_the_project_is_checked() {
     let text = "schema = 1\nkind = \"stack\"\nname = \"Scan\"\ndensity = 2600\nblocks = [\n  { name = \"stone\", shape = \"mesh\", \
                 file = \"scans/stone.obj\", unit = \"mm\" },\n]\n";
     fs::write(folder.join("project.toml"), text).unwrap();
-    // .4 × .4 × 2 m: rocks at .2 g
+    // 0.4 × 0.4 × 2 m: rocks at 0.2 g
     let obj = "v 0 0 0\nv 400 0 0\nv 400 400 0\nv 0 400 0\nv 0 0 2000\nv 400 0 2000\nv 400 400 2000\nv 0 400 2000\n\
                f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
     fs::write(folder.join("scans/stone.obj"), obj).unwrap();
@@ -393,7 +393,7 @@ fn exact_figures_of_a_stack_show_what_the_site_demands_and_what_was_run() {
     );
     let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
     let page = page.replace('\u{202f}', " ");
-    // tipping and sliding of dry joints: capacity(a_z) / capacity(0) = 1 − a_z / g, KDS a_z = .77 a
+    // tipping and sliding of dry joints: capacity(a_z) / capacity(0) = 1 − a_z / g, KDS a_z = 0.77 a
     let peak = 0.22 * 1.36;
     let with_vertical = peak / (1.0 - 0.77 * peak);
     for words in [
@@ -404,7 +404,7 @@ fn exact_figures_of_a_stack_show_what_the_site_demands_and_what_was_run() {
     }
     let run =
         "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --peak 0.6g --duration 0.1 -o out";
-    // cut off after 0.1 s: not done
+    // cut off after 0.1 s: unfinished
     assert_eq!(scratch.dolmen(run).status, 3);
     let capacity = fs::read_to_string(scratch.path().join("out/capacity.svg")).unwrap();
     assert!(

@@ -1,7 +1,7 @@
 // SOURCE     README.md and docs/*.md.
-// GOAL       Every `console` listing runs as printed: each line after "$ " is run by a shell, in a fresh folder that
-//            holds a copy of examples/, and prints the lines that follow it. A line "..." stands for any lines, "…"
-//            within a line for any characters. "$ echo $?" shows an exit status other than 0.
+// GOAL       Every `console` listing is reproducible: a shell runs each line after "$ " in a fresh folder with a copy of examples/, and the
+//            output is the lines that follow. A line "..." stands for any lines, "…" within a line for any characters. "$ echo $?" shows
+//            an exit status other than 0.
 // TOLERANCE  none: a listing is cut with "...", not approximated.
 
 use super::verbs::{Scratch, root};
@@ -58,7 +58,7 @@ fn line_fits(pattern: &str, line: &str) -> bool {
     rest.is_empty() || last == Some("")
 }
 
-/// Whether `printed` is what `expected` says, "..." standing for any number of lines.
+/// Whether `printed` matches `expected`, where "..." matches any number of lines.
 fn fits(expected: &[String], printed: &[&str]) -> bool {
     match expected.split_first() {
         None => printed.iter().all(|line| line.trim().is_empty()),
@@ -77,13 +77,13 @@ fn run_page(page: &Path) {
         .take(2)
         .map(|part| part.as_os_str().to_string_lossy())
         .collect();
-    let name = parts.join("-"); // two pages are called README.md
+    let name = parts.join("-"); // two pages have the name README.md
     let scratch = Scratch::with_examples(&name);
     for listing in listings(&text) {
         let mut status = 0;
         for (command, expected) in &listing.commands {
             if command.starts_with("cargo ") || command.starts_with("scripts/") {
-                continue; // the two commands of the first screen: scripts/test is what runs us, and runs the demo
+                continue; // scripts/test runs this test and the demo itself
             }
             let script = command.replace("$?", &status.to_string());
             let output = Command::new("sh")

@@ -1,6 +1,7 @@
-// SOURCE     Free decays made of the modes of a gate and of a floor with known stiffness, with sensors exchanged, turned or misnamed.
-// GOAL       `identify`, `compare` and `check` say what a slip of the sensors, the axes or the sampling rate would explain, before any number.
-// TOLERANCE  stiffness 1 % and centres of rigidity 2 cm: what noise of a thousandth leaves of a decay of 20 s.
+// SOURCE     Free decays made from the modes of a gate and of a floor with known stiffness, with sensors exchanged, reversed or misnamed.
+// GOAL       `identify`, `compare` and `check` first name the error of sensors, axes or sampling rate that would explain the data, before
+//            any number.
+// TOLERANCE  stiffness 1 % and centres of rigidity 2 cm: the effect of noise of a thousandth on a decay of 20 s.
 
 use super::verbs::Scratch;
 use dolmen::numeric::Random;
@@ -14,7 +15,7 @@ use std::fs;
 /// Modes as frequency, Hz, and components of the channels.
 type Decaying = Vec<(f64, Vec<f64>)>;
 
-/// 20 s of a free decay with noise of a thousandth, as CSV; each take has its own noise.
+/// 20 s of a free decay with noise of a thousandth, as CSV; each take has different noise.
 fn decay(modes: &Decaying, names: &[&str], take: u64) -> String {
     let rate_hz = 50.0;
     let mut text = names.join(",") + "\n";
@@ -61,7 +62,7 @@ fn gate_modes() -> Decaying {
 /// A survey: its name, level and direction of each channel, its sampling rate.
 type Placed<'a> = (&'a str, [(usize, &'a str); 4], f64);
 
-/// A gate with stiffness as it is given, its record read by these places: level and direction of each channel.
+/// A gate with the given stiffness, and its record read with these positions: level and direction of each channel.
 fn gate(stiffness: &str, surveys: &[Placed<'_>]) -> String {
     let mut text = format!(
         "schema = 1\nkind = \"frame\"\nname = \"Gate\"\nevidence = \"measured\"\nunits = {{ length = \"m\", mass = \"t\", stiffness = \"kN/mm\" }}\n\
@@ -272,7 +273,7 @@ const AS_IS: [&str; 5] = ["", "", "", "", ""];
 
 #[test]
 fn exact_a_floors_record_gives_stiffness_and_centre_of_rigidity() {
-    // by itself, and where the file writes the frequencies beside it: what was asked for once
+    // by itself, and with the same frequencies also in the file: reported once
     let frequencies: Vec<f64> = floor_modes().into_iter().map(|(hz, _)| hz).collect();
     let [y, x, torsion] = frequencies[..] else {
         panic!("three modes")
@@ -298,7 +299,7 @@ fn exact_a_floors_record_gives_stiffness_and_centre_of_rigidity() {
         }
         let said = scratch.briefly("identify project.toml").words();
         assert!(said.contains("● Stiffness from vibration"), "{said}");
-        // the first guess of the file is another
+        // the initial guess of the file differs
         assert!(said.contains("times those of the file"), "{said}");
         assert_eq!(scratch.briefly("identify project.toml --write").status, 0);
         let text = fs::read_to_string(scratch.path().join("project.toml")).unwrap();
@@ -333,7 +334,7 @@ fn holds_frequencies_alone_determine_no_stiffness_in_plan() {
         "{}",
         refused.stderr
     );
-    // the truth lies within the bounds, the solution with the centre of the file 67 of its deviations off
+    // the truth is within the bounds; the solution with the file's centre is 67 standard deviations off
     let found = json(&scratch, "identify project.toml");
     let bounds = &found["surveys"][0]["plan"]["bounds"]["stiffness"];
     for (at, known) in [130e6, 90e6, 8.2e9].into_iter().enumerate() {

@@ -1,6 +1,6 @@
 // SOURCE     Closed form of the made frame: examples/frame_on_soft_ground/README.md.
-// GOAL       Inputs of a record give the modes of a held base, in both languages and in JSON.
-// TOLERANCE  2.5 of the deviations stated; 1 % with the ground.
+// GOAL       Recorded inputs give the modes of a fixed base, in both languages and in JSON.
+// TOLERANCE  2.5 of the stated deviations; 1 % with the ground.
 
 use super::verbs::Scratch;
 
@@ -62,7 +62,7 @@ fn refuses_inputs_that_are_no_channel_or_of_another_method() {
     );
 }
 
-/// Numbers of the figure whose head holds these words, by column.
+/// Numbers of the figure whose header contains these words, by column.
 fn figure_with(scratch: &Scratch, folder: &str, head: &str) -> Vec<Vec<f64>> {
     let files = std::fs::read_dir(scratch.path().join(folder)).unwrap();
     let texts = files.filter_map(|file| std::fs::read_to_string(file.unwrap().path()).ok());
@@ -97,7 +97,7 @@ fn holds_the_report_draws_responses_and_coherence_with_their_numbers() {
             .iter()
             .all(|row| row[1..].iter().all(|c| (0.0..=1.0).contains(c)))
     );
-    // the input shakes more than the wind does: about the first mode most of the motion follows it
+    // the input exceeds the wind: near the first mode, most of the motion follows it
     let about: Vec<f64> = coherence
         .iter()
         .filter(|row| (2.2..2.7).contains(&row[0]))
@@ -105,7 +105,7 @@ fn holds_the_report_draws_responses_and_coherence_with_their_numbers() {
         .collect();
     let mean = about.iter().sum::<f64>() / about.len() as f64;
     assert!(mean > 0.7, "{mean}");
-    // the roof answers most near the first mode of the held base
+    // the roof responds most near the first mode of the fixed base
     let response = figure_with(&scratch, "en", "phase of ");
     let low = response.iter().filter(|row| (0.5..4.0).contains(&row[0]));
     let top = low

@@ -1,6 +1,6 @@
 // SOURCE     docs/earthquakes.md; made records whose truth is known (`dolmen::modal::MadeEarthquake`).
-// GOAL       Records that hold two earthquakes, lost samples in one, a sensor at the end of its range, or lorries instead of one: the answer says so,
-//            gives lower bounds as such, and calls no sensor faulty because the ground moved.
+// GOAL       Records with two earthquakes, with samples lost in one, with a saturated sensor, or with lorries instead: the answer says so, marks
+//            lower bounds as such, and does not report a sensor as faulty because the ground moved.
 // TOLERANCE  2.5 s on arrivals; words.
 
 use super::followed::{FOLLOW, HEAD, RECORDS, STORE, made_record, put};
@@ -26,7 +26,7 @@ fn shock(seed: u64, peak_m_s2: f64, softened: [f64; 2]) -> Samples {
     (0..3).map(|c| record.samples(c).to_vec()).collect()
 }
 
-/// A project of one survey with this record, without the rows in `lost`.
+/// A project with one survey of this record, without the rows in `lost`.
 fn survey(name: &str, samples: &Samples, lost: std::ops::Range<usize>) -> Scratch {
     let scratch = Scratch::new(name);
     let rows = (0..samples[0].len()).filter(|t| !lost.contains(t));
@@ -120,7 +120,7 @@ fn holds_an_earthquake_in_which_samples_are_lost_is_told_from_both_sides_of_them
             .iter()
             .all(|of| of["peak_at_least"] == "lost_samples")
     );
-    // an ambient record that lost as much is used as before
+    // an ambient record with the same loss is used as before
     let ambient = survey("lost-in-none", &shock(1, 0.0, [1.0, 1.0]), 8400..9200);
     let plain = good(ambient.briefly("identify project.toml")).words();
     assert!(plain.contains("only the longest whole span is used"), "{plain}");
@@ -147,7 +147,7 @@ fn holds_the_peak_of_a_clipped_sensor_is_at_least() {
     );
 }
 
-/// Three lorries that pass one after the other, 6 to 18 Hz on the ground, and the two floors above it at rest but for wind.
+/// Three passing lorries, 6 to 18 Hz on the ground, and two floors above that move only in the wind.
 fn lorries() -> Samples {
     let still = MadeEarthquake {
         seed: 5,

@@ -1,6 +1,6 @@
 //! English sentences within Korean ones.
 
-/// The first three English words that stand one after the other outside quotes; the first of them may begin a sentence.
+/// The first three consecutive English words outside quotes; the first of them may begin a sentence.
 pub(crate) fn english_in(text: &str) -> Option<String> {
     const UNITS: [&str; 5] = ["mm", "mrad", "rad", "kg", "deg"];
     let is_word =

@@ -1,13 +1,13 @@
 // SOURCE     examples/frame_on_soft_ground and examples/palisaden, whose modes are written and read back; modes_pyuff.uff of pyuff 2.5.8.
-// GOAL       The modes of another program, and those that Dolmen writes, are the modes of a survey for identify, check and compare.
-// TOLERANCE  2e-5: the six digits of a universal file; none for a table, but that deviations are kept over the mean, 1e-15.
+// GOAL       identify, check and compare accept modes from another program, and those that Dolmen writes, as the modes of a survey.
+// TOLERANCE  2e-5: the six digits of a universal file; for a table none, except 1e-15 for deviations, which are stored relative to the mean.
 
 use super::verbs::{Scratch, root};
 use serde_json::Value;
 
 const HOUSE: &str = "examples/palisaden";
 
-/// Two surveys of a chain of three stones: one by pyuff, one written.
+/// Two surveys of a chain of three stones: one written by pyuff, one by Dolmen.
 const CHAIN: &str = r#"schema = 1
 kind = "chain"
 name = "Pillar"

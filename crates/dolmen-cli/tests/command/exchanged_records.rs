@@ -1,5 +1,5 @@
 // SOURCE     examples/frame_on_soft_ground and examples/palisaden, written and read back; headers of glTF and PNG.
-// GOAL       A record written for other programs is read as the same record; figures, moving shapes and drawings are there to use.
+// GOAL       A record written for other programs reads back as the same record; figures, animated shapes and drawings can be used.
 // TOLERANCE  1e-9 of a frequency for samples of 13 digits, none for doubles.
 
 use super::verbs::Scratch;

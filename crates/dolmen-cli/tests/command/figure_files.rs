@@ -1,4 +1,4 @@
-//! The figures of a report as files: each as SVG and PNG, named by its number, and its numbers as they were computed.
+//! The figures of a report as files: each as SVG and PNG, named by its number, and its data in full precision.
 
 use super::verbs::Scratch;
 use std::fs;
@@ -13,7 +13,7 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// The columns of a table of numbers by their heads.
+/// The columns of a table of numbers by their headers.
 fn columns(file: &Path) -> Vec<(String, Vec<f64>)> {
     let text = fs::read_to_string(file).unwrap();
     let mut lines = text.trim_start_matches('\u{feff}').lines();

@@ -1,5 +1,5 @@
-// SOURCE     what a new user's first day showed: logs of Korean spreadsheets, flags without effect, numbers with commas, closed pipes.
-// GOAL       What contradicts itself is refused with the fix; what is swallowed nowhere; answers and errors are in the language asked for.
+// SOURCE     a new user's first day: logs of Korean spreadsheets, flags without effect, numbers with commas, closed pipes.
+// GOAL       Contradictions are refused with the fix; nothing is ignored silently; answers and errors are in the requested language.
 // TOLERANCE  none: words and exit statuses.
 
 use super::verbs::Scratch;
@@ -23,7 +23,7 @@ fn refuses_a_rate_that_the_times_of_a_korean_spreadsheet_contradict() {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         f64::from(state >> 8) / 1e6
     };
-    // a mode of 5.07 Hz: the next swing follows from the two before
+    // a mode of 5.07 Hz: each sample follows from the two before
     let mut swing = [0.0, 0.0];
     for i in 0..6000 {
         swing = [1.88 * swing[0] - 0.98 * swing[1] + noise() - noise(), swing[0]];
@@ -154,7 +154,7 @@ fn refuses_a_bare_number_with_a_comma_and_says_how_it_is_written() {
     }
 }
 
-/// A pipe that nobody reads any more ends each verb that prints at length without a word.
+/// A closed pipe ends each verb with long output silently.
 #[cfg(unix)]
 #[test]
 fn holds_a_closed_pipe_is_no_fault_of_any_verb() {
@@ -234,7 +234,7 @@ fn holds_notes_and_errors_of_a_site_are_in_korean() {
 #[test]
 fn exact_a_warning_names_the_line_of_its_value_and_the_unit_as_written() {
     let scratch = Scratch::new("first-day-lines");
-    // it would be refused if it were to lean the model
+    // it would be refused if it leaned the model
     let mut text = TOWER.replacen("schema = 1\n", "schema = 1\nas_surveyed = \"none\"\n", 1);
     writeln!(
         text,

@@ -1,10 +1,10 @@
-//! What a folder holds, for tests of what is written into it.
+//! Contents of a folder, for tests of outputs.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// All files of a folder and below, hidden ones too, by their paths in it.
+/// All files in a folder and its subfolders, including hidden ones, by relative path.
 pub(crate) fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut found = BTreeMap::new();
     let mut left = vec![folder.to_owned()];

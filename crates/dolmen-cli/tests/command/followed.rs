@@ -1,5 +1,5 @@
 // SOURCE     docs/watch.md, "Records as they come".
-// GOAL       A record that comes becomes a survey, once, as if it had been added by hand; what cannot be read is put aside and nothing is lost.
+// GOAL       A record in the watched folder becomes a survey, once, as if added by hand; unreadable files are put aside and nothing is lost.
 // TOLERANCE  none: words, rows, files, exit statuses.
 
 use super::store_processes::{acknowledged_of, moments};
@@ -13,7 +13,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, SystemTime};
 
 pub(super) const STORE: &str = "--store s.db";
-/// Files in the tests are old, so that they rest; what is written meanwhile is not.
+/// Files in the tests are old, so that they count as complete; files written during the test do not.
 pub(super) const FOLLOW: &str = "watch --follow in --store s.db --once --quiet";
 
 /// Three channels of an oscillator of 2 % damping under noise, 100 Hz, by its difference equation.
@@ -47,7 +47,7 @@ pub(crate) fn made_record(frequency_hz: f64, samples: usize, seed: u64) -> Strin
     text
 }
 
-/// A file that was written long ago.
+/// Writes a file with an old date.
 pub(crate) fn put(path: &Path, content: impl AsRef<[u8]>) {
     fs::write(path, content).unwrap();
     let file = fs::File::options().write(true).open(path).unwrap();
@@ -59,12 +59,12 @@ pub(super) const HEAD: &str = "schema = 1\nkind = \"survey\"\nname = { en = \"Ga
 pub(super) const RECORDS: &str = "sampling_rate = \"100 Hz\"\nunit = \"mg\"\nchannels = [{ column = \"low\", direction = \"x\", position = [0, 0, 1] }, \
      { column = \"high\", direction = \"x\", position = [0, 0, 3] }, { column = \"mid\", direction = \"x\", position = [0, 0, 2] }]\n";
 
-/// A gate with one survey in a store, and an empty folder for what comes.
+/// Stores a gate with one survey, and creates an empty watched folder.
 pub(super) fn gate(scratch: &Scratch) {
     gate_in(scratch, STORE);
 }
 
-/// The same in the store that these words name.
+/// The same in the store that these arguments name.
 pub(super) fn gate_in(scratch: &Scratch, store: &str) {
     fs::create_dir_all(scratch.path().join("p")).unwrap();
     fs::create_dir_all(scratch.path().join("in")).unwrap();
@@ -74,7 +74,7 @@ pub(super) fn gate_in(scratch: &Scratch, store: &str) {
     good(scratch.briefly(&format!("survey add p {store}")));
 }
 
-/// What was printed of each record.
+/// The printed result of each record.
 fn lines(answer: &Answer) -> Vec<Value> {
     assert!(answer.status <= 1, "{}{}", answer.stdout, answer.stderr);
     answer
@@ -108,7 +108,7 @@ fn holds_records_that_came_say_what_a_project_with_them_says() {
         scratch.path().join("hand/first.csv"),
     )
     .unwrap();
-    // the last of two days are several, and the last day has changed
+    // the last two days have several records, and the last day has changed
     for (at, name) in [
         "2026-01-02",
         "2026-01-03",
@@ -158,7 +158,7 @@ fn holds_records_that_came_say_what_a_project_with_them_says() {
         answer["project"] = Value::Null;
     }
     assert_eq!(by_hand, exported);
-    // as the store alone has it
+    // the store alone gives the same
     let all = json(&scratch, &format!("watch --all {STORE}"));
     assert_eq!(all["structures"][0]["history"]["surveys"], 4);
     let before = content(&scratch, STORE);
@@ -167,13 +167,13 @@ fn holds_records_that_came_say_what_a_project_with_them_says() {
         Vec::<Value>::new()
     );
     assert_eq!(before, content(&scratch, STORE));
-    // what was exported may be added again: the same surveys
+    // an exported project can be added again: the same surveys
     good(scratch.briefly(&format!("survey add out {STORE}")));
     assert_eq!(names(&scratch).len(), 6);
     let listed = json(&scratch, &format!("survey list {STORE}"));
     assert_eq!(listed["structures"][0]["surveys"], 6);
     assert_eq!(listed["structures"][0]["last_survey"], "2026-01-04");
-    // and another store takes all of it over
+    // and another store can import all of it
     good(scratch.briefly("survey import s.db --store copy.db"));
     assert_eq!(content(&scratch, STORE), content(&scratch, "--store copy.db"));
 }
@@ -197,7 +197,7 @@ fn holds_what_cannot_be_read_goes_to_quarantine_and_what_grows_is_left_alone() {
     let growing = inbox.join("growing.csv");
     let whole = made_record(2.0, 6000, 9);
     fs::write(&growing, &whole[..whole.len() / 2]).unwrap();
-    // it grows while the command waits once for what is new
+    // it grows while the command waits once for new files
     let (path, rest) = (growing.clone(), whole[whole.len() / 2..].to_owned());
     let writer = std::thread::spawn(move || {
         let mut file = fs::File::options().append(true).open(&path).unwrap();
@@ -228,14 +228,14 @@ fn holds_what_cannot_be_read_goes_to_quarantine_and_what_grows_is_left_alone() {
         "{metrics}"
     );
     assert!(!inbox.join("shell").exists() && !scratch.path().join("shell").exists());
-    // what was taken lies where it was, byte for byte
+    // a processed file lies where it was, byte for byte
     for (at, name) in hostile.iter().enumerate() {
         assert_eq!(
             fs::read_to_string(inbox.join(name)).unwrap(),
             made_record(2.0, 6000, at as u64 + 2)
         );
     }
-    // finished, it is taken whole; what is in quarantine stays there
+    // once complete, it is stored whole; files in quarantine stay there
     put(&growing, &whole);
     put(&inbox.join("broken.csv"), "low,other\n3,4\n");
     let korean = scratch.briefly(&format!("{FOLLOW} --language ko --metrics in/m.prom"));
@@ -256,7 +256,7 @@ fn holds_what_cannot_be_read_goes_to_quarantine_and_what_grows_is_left_alone() {
     assert_eq!(exported.count(), hostile.len() + 1);
 }
 
-/// Kills `watch --follow` at so many random moments, and holds that what was acknowledged is there, once, and at the end all.
+/// Kills `watch --follow` at random moments, and checks that acknowledged records are stored exactly once, and at the end all.
 pub(super) fn kill_follow_at_random_moments(scratch: &Scratch, store: &str, moments: usize) {
     const FILES: usize = 5;
     gate_in(scratch, store);
@@ -326,7 +326,7 @@ fn holds_a_log_gives_the_temperature_of_each_record() {
     let toa5 = "\"TOA5\",\"gate\",\"CR1000\"\n\"TIMESTAMP\",\"RECORD\",\"Air_Avg\",\"Tilt\"\n\"TS\",\"RN\",\"Deg C\",\"deg\"\n\"\",\"\",\"Avg\",\"Avg\"\n\
         \"2026-01-02 06:00:00\",1,2.0,0\n\"2026-01-02 18:00:00\",2,5.04,0\n\"2026-01-03 09:30:00\",3,-7.26,0\n\"2026-01-03 10:10:00\",4,\"NAN\",0\n";
     fs::write(inbox.join("air.dat"), toa5).unwrap();
-    // a day, a time with a reading near, a time without one
+    // a day, a time with a temperature nearby, a time without one
     for (at, name) in ["2026-01-02", "2026-01-03T10-00-00", "2026-01-05T10-00-00"]
         .iter()
         .enumerate()
@@ -419,7 +419,7 @@ fn holds_a_broken_file_that_cannot_be_moved_does_not_hold_up_the_others() {
         &scratch.path().join("in/2026-01-02.csv"),
         made_record(2.0, 6000, 2),
     );
-    // a file stands where the folder should be made
+    // a file has the name of the folder to create
     fs::write(scratch.path().join("aside"), "").unwrap();
     let answer = scratch.briefly(&format!("{FOLLOW} --quarantine aside"));
     assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
@@ -468,7 +468,7 @@ fn refuses_a_folder_a_store_and_a_structure_that_are_not_there() {
     );
 }
 
-/// The same with a second mode of 5 Hz, and the upper sensor turned round or not.
+/// The same with a second mode of 5 Hz, and the upper sensor optionally reversed.
 fn two_modes(seed: u64, turned: bool) -> String {
     let (one, two) = (
         made_record(2.0, 12_000, seed),
@@ -529,7 +529,7 @@ fn holds_a_copy_and_a_sensor_that_was_turned_round_are_named() {
         "{}",
         answer.stderr
     );
-    // what was taken under its own name is no copy of itself
+    // a record stored under its own name is no copy of itself
     assert!(
         !answer.stderr.contains("gate 2026-01-09.csv holds"),
         "{}",

@@ -1,5 +1,5 @@
 // SOURCE     docs/watch.md, "Records as they come" and sensors.
-// GOAL       An alarm calls once; a sensor that fails is an alarm of its own, and none of the structure.
+// GOAL       An alarm calls once; a failed sensor raises its own alarm, and none for the structure.
 // TOLERANCE  none: words, rows, exit statuses.
 
 use super::followed::{FOLLOW, HEAD, RECORDS, STORE, gate, made_record, put};
@@ -99,7 +99,7 @@ fn holds_a_sensor_that_fails_is_an_alarm_of_its_own_and_none_of_the_structure() 
     let history = |all: &Value| all["structures"][0]["history"]["open_sensor_alarms"].clone();
     let all = json(&scratch, &format!("watch --all {STORE}"));
     assert_eq!((history(&all), &all["alarming"]), (1.into(), &0.into()));
-    // the modes are those of the sensor that works, and the file says that the other is left out
+    // the modes are those of the working sensor, and the file says that the other is left out
     let kept = json(&scratch, &format!("survey show Gate {STORE}"));
     let surveys = kept["surveys"].as_array().unwrap();
     assert!(
@@ -115,7 +115,7 @@ fn holds_a_sensor_that_fails_is_an_alarm_of_its_own_and_none_of_the_structure() 
         json(&scratch, "watch out")["surveys"].as_array().unwrap().len(),
         5
     );
-    // it works again: no alarm, and none is called
+    // it works again: no alarm and no call
     put_day(6, false);
     assert_eq!(scratch.briefly(&words).status, 0);
     assert_eq!(called().lines().count(), 1);

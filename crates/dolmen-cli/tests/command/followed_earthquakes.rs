@@ -1,6 +1,6 @@
 // SOURCE     docs/earthquakes.md.
-// GOAL       A record that holds an earthquake is stored apart from the ambient surveys, alarms by itself once, stays open over restarts and
-//            is answered by an inspection; the ambient records around it are judged as if it had not come.
+// GOAL       A record with an earthquake is stored separately from ambient surveys; it alarms once, the alarm stays open after restarts until
+//            an inspection, and the ambient records around it are judged as if it did not exist.
 // TOLERANCE  none: words, rows, exit statuses.
 
 use super::followed::{FOLLOW, HEAD, RECORDS, STORE, gate, made_record, put};
@@ -8,7 +8,7 @@ use super::stores::{good, json};
 use super::verbs::{Scratch, root};
 use std::fs;
 
-/// The record with a strong shaking of all channels, 0.35 m/s² and more, from 60 to 75 s.
+/// The record with strong shaking of all channels, at least 0.35 m/s², from 60 to 75 s.
 fn shaken(record: &str) -> String {
     let mut lines = record.lines();
     let mut text = lines.next().unwrap().to_owned() + "\n";
@@ -71,7 +71,7 @@ fn holds_an_earthquake_is_an_alarm_of_its_own_and_no_survey() {
         metrics.contains("kind=\"earthquake\"} 1") && metrics.contains("kind=\"structure\"} 0"),
         "{metrics}"
     );
-    // the next ambient records are as predicted, the alarm stays open and calls no more
+    // the next ambient records are as predicted; the alarm stays open but does not call again
     into(15, made_record(2.0, 6000, 15));
     let next = scratch.briefly(&format!("{words} --json"));
     let line: serde_json::Value = serde_json::from_str(next.stdout.trim()).unwrap();
@@ -83,7 +83,7 @@ fn holds_an_earthquake_is_an_alarm_of_its_own_and_no_survey() {
     assert_eq!(called().lines().count(), 1);
     let all = json(&scratch, &format!("watch --all {STORE}"));
     assert_eq!(all["structures"][0]["history"]["open_alarms"], 1, "{all}");
-    // by hand: its record gives modes of the part after it, and the same alarm; an inspection answers it
+    // by hand: its record gives the modes after the earthquake, and the same alarm; an inspection closes it
     good(scratch.briefly(&format!("survey export Gate -o out {STORE}")));
     let file = scratch.path().join("out/project.toml");
     let text = fs::read_to_string(&file).unwrap();
@@ -130,7 +130,7 @@ fn holds_an_earthquake_of_a_stored_project_is_what_every_verb_says() {
     );
     let peak = by_hand[0]["peak_acceleration_m_s2"].as_f64().unwrap();
     assert!((10.0..40.0).contains(&peak), "{peak}");
-    // adding it says so, each time
+    // adding it reports the earthquake, each time
     let said = good(scratch.briefly(&format!("survey add p {STORE}"))).stdout;
     assert!(
         said.contains("EARTHQUAKE: the record of survey 2026-01-14"),
@@ -177,13 +177,13 @@ fn holds_an_earthquake_of_a_stored_project_is_what_every_verb_says() {
     assert_eq!(followed.status, 1, "{}", followed.stdout);
     let metrics = fs::read_to_string(folder("m.prom")).unwrap();
     assert!(metrics.contains("kind=\"earthquake\"} 1"), "{metrics}");
-    // out again, as a folder and as a store
+    // exported as a folder and as a store
     good(scratch.briefly(&format!("survey export Gate -o out {STORE}")));
     assert_eq!(json(&scratch, "watch out")["earthquakes"], by_hand);
     good(scratch.briefly(&format!("survey export -o copy.db {STORE}")));
     let copied = json(&scratch, "watch --all --store copy.db");
     assert_eq!(copied["structures"][0]["history"]["open_alarms"], 1, "{copied}");
-    // an inspection answers it, wherever it is read
+    // an inspection closes the alarm in every copy
     let works = "[watch]\nworks = [{ date = \"2026-01-15\", kind = \"inspection\", what = \"looked at\" }]\n";
     fs::write(folder("p/project.toml"), text + works).unwrap();
     let said = good(scratch.briefly(&format!("survey add p {STORE}"))).stdout;

@@ -1,6 +1,6 @@
 // SOURCE     Statics of a gate of two storeys by hand; the shipped gate on free columns in a storm.
-// GOAL       Wind and static loads of frames reach the headline; every verb counts them or says that it does not; columns without ties are the same
-//            structure everywhere.
+// GOAL       The headline includes wind and static loads of frames; every verb counts them or says that it does not; columns without ties are
+//            the same structure everywhere.
 // TOLERANCE  1e-9: the numbers follow from the input in closed form.
 
 use super::verbs::Scratch;
@@ -44,7 +44,7 @@ fn exact_a_gate_of_two_storeys_in_a_gust() {
     written(&scratch, &format!("{GATE}{WIND}"));
     let whole = json(&scratch, "check gate.toml");
     let q = 600.0;
-    // half of what meets the columns of a storey reaches its top, half the level below; the roof reaches the top
+    // half the force on the columns of a storey acts at its top, half at the level below; the roof's force acts at the top
     let [low, high] = [q * 1.3 * 20.0, q * 1.3 * 10.0];
     let roof = q * 30.0;
     let shears = [low / 2.0 + high + roof, high / 2.0 + roof];
@@ -76,7 +76,7 @@ fn holds_a_storm_that_a_gate_does_not_bear_is_in_the_headline() {
     written(&scratch, &format!("{soft}{WIND}"));
     let calm = scratch.dolmen("check gate.toml");
     assert_eq!(calm.status, 0, "{}{}", calm.stdout, calm.stderr);
-    // a hundred kilonewtons from the side, a direction that the wind adds to
+    // a side load of a hundred kilonewtons, in a direction that the wind adds to
     let pulled = format!("{soft}{WIND}loads = [{{ name = \"cable\", at = \"loft\", force = -100 }}]\n");
     written(&scratch, &pulled);
     let storm = scratch.dolmen("check gate.toml");
@@ -93,7 +93,7 @@ fn holds_a_storm_that_a_gate_does_not_bear_is_in_the_headline() {
     );
     let korean = scratch.dolmen("check gate.toml --language ko");
     assert!(korean.words().contains("견디지 못한다"), "{}", korean.stdout);
-    // the worse of the two ways of the wind
+    // the worse of the two wind directions
     let whole = json(&scratch, "check gate.toml");
     let shear = storeys(&whole, 0)[1]["under"]["shear_n"].as_f64().unwrap();
     let wind = 600.0 * (1.3 * 5.0 + 30.0);
@@ -129,7 +129,7 @@ fn holds_drifts_in_wind_are_held_against_the_limit_of_the_file() {
     let within = scratch.dolmen("check gate.toml");
     assert!(within.words().contains("within its limits"), "{}", within.stdout);
     assert_eq!(within.status, 0, "{}", within.stdout);
-    // a lean as surveyed takes its part
+    // a surveyed lean reduces the margin
     let lean = "[survey.2025-04-02]\ntilt.x = \"1/250\"\n";
     with("[limits]\nstorey_drift = \"0.5 %\"\n", lean);
     let leaning = scratch.dolmen("check gate.toml");
@@ -138,7 +138,7 @@ fn holds_drifts_in_wind_are_held_against_the_limit_of_the_file() {
         "{}",
         leaning.stdout
     );
-    // a gust says nothing of how it makes a soft frame swing
+    // gust response of a soft frame is not covered
     let soft = GATE.replace("[8, 5]", "[0.9, 0.8]");
     written(
         &scratch,
@@ -264,7 +264,7 @@ fn holds_columns_without_ties_are_one_structure_everywhere() {
     let hertz = ((beds - weight / 4.0) / (weight / 9.80665)).sqrt() / TAU;
     near(&direction["check"]["modes"][0]["frequency_hz"], hertz);
     assert_eq!(direction["columns"][0]["springs_n_m"], 0.0);
-    // what the storm asks is more than they hold
+    // the storm exceeds the resistance
     assert_eq!(variant["verdict"], "unstable", "{}", variant["loads"]);
     let alone = scratch.dolmen(&format!(
         "simulate {path} --variant no_ties --motion el-centro-1940-ns --peak 0.02g"
@@ -279,7 +279,7 @@ fn holds_columns_without_ties_are_one_structure_everywhere() {
         &scratch,
         &format!("simulate {path} --variant no_ties --motion el-centro-1940-ns --peak 0.5g"),
     );
-    // beyond the drift of their greatest force springs tell of nothing: it counts as fallen
+    // beyond the drift of maximum force the springs are not defined: it counts as fallen
     assert_eq!(
         run["simulations"][0]["outcome"]["kind"], "drift_limit",
         "{}",

@@ -1,5 +1,5 @@
 // SOURCE     The shipped gate (Park and Min 2010) and El Centro 1940 north-south.
-// GOAL       What a user reads of a simulated frame, the files it writes, and its exit status follow from what happened.
+// GOAL       The text on a simulated frame, its output files and the exit status follow from the simulation.
 // TOLERANCE  none: printed words. Histories against the peaks printed beside them: the sampling of the history.
 
 use super::studies::rows;
@@ -30,11 +30,11 @@ fn holds_a_gate_slips_and_every_file_says_the_same() {
         .skip(1)
         .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
         .collect();
-    // level 2 after time and the three columns of level 1
+    // level 2, after time and the three columns of level 1
     let most = rows.iter().map(|row| row[4].abs()).fold(0.0, f64::max);
     assert!(most <= peak && most > 0.999 * peak, "{most} {peak}");
     assert_eq!(most, upper["peak_displacement_at_samples_m"].as_f64().unwrap());
-    // slips of one storey, each with its way: together what the table says
+    // slips of one storey, each with its length: the sum is in the table
     let way: f64 = text("slips.csv")
         .lines()
         .skip(1)
@@ -81,7 +81,7 @@ fn holds_a_frame_that_leans_too_far_counts_as_fallen() {
         "{}",
         answer.stdout
     );
-    // and the check says so before: without its sliders it has no stiffness
+    // and the check says so: without its sliders it has no stiffness
     let check = scratch.dolmen("check examples/heunginjimun_gate");
     assert_eq!(check.status, 1);
     assert!(
@@ -131,7 +131,7 @@ fn holds_frames_are_mapped_released_and_scanned() {
         assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
     }
     let folder = scratch.path().join("out/map");
-    // stuck, the frame has its measured frequency; slipping, less
+    // sticking, the frame has its measured frequency; slipping, a lower one
     let release = rows(&folder.join("release.csv"));
     let of = |row: &BTreeMap<String, String>, key: &str| row[key].parse::<f64>().unwrap();
     let below: Vec<_> = release
@@ -176,7 +176,7 @@ fn holds_two_components_meet_both_directions_together() {
             assert!(most(storey) >= alone && most(storey) < 1.5 * alone + 0.05);
         }
     }
-    // the resultant is held against the limit, once
+    // the resultant is compared with the limit, once
     let parts = |run: usize| {
         let all = runs[run]["limits"]["parts"].as_array().unwrap().clone();
         all.iter()
@@ -216,7 +216,7 @@ fn holds_a_surveyed_tilt_of_a_frame_is_in_its_runs_and_takes_of_its_drift() {
     let check: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
     let state = &check["variants"][0]["state"];
     let at_rest = state["check"]["frame"][1]["lean"]["at_rest"][0].as_f64().unwrap();
-    // of stuck and slipping joints the larger
+    // the larger value of sticking and slipping joints
     let wanted = 16.3e6 / (16.3e6 - 5919e3 / 5.84) / 120.0;
     assert!((at_rest / wanted - 1.0).abs() < 1e-9, "{at_rest} {wanted}");
     let both = state["tilts"].as_array().unwrap().last().unwrap();
@@ -251,7 +251,7 @@ fn holds_a_frame_that_leans_to_its_fall_is_unstable_and_near_it_marginal() {
     }
     let (code, words) = said("{ x = \"1/12\" }", "as_surveyed = \"none\"\n");
     assert!(code == 0 && words.contains("Own weight: stable"), "{words}");
-    // what it may drift in an earthquake it leans already
+    // its lean already reaches the allowable drift for earthquakes
     let (code, words) = said("{ x = \"1/50\" }", "limits = { storey_drift = \"1/60\" }\n");
     assert!(code == 1 && words.contains("Tilt: beyond its limit"), "{words}");
 }

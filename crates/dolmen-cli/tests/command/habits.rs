@@ -1,5 +1,5 @@
 // SOURCE     what people write: small letters, Roman numerals as signs or digits, curly quotes, decimal commas, records of unequal length.
-// GOAL       What can mean one thing only is read as that; what cannot is refused with the fix.
+// GOAL       Unambiguous input is accepted; ambiguous input is refused with the fix.
 // TOLERANCE  none: words and exit statuses.
 
 use super::verbs::Scratch;

@@ -1,4 +1,4 @@
-//! What an engineer gives stands in every format of the report, photographs are looked at before anything is computed, and every kind is drawn.
+//! The engineer's data appear in every format of the report, photographs are checked before any computation, and every kind is drawn.
 
 use super::verbs::Scratch;
 use std::fs;

@@ -1,7 +1,7 @@
 // SOURCE     Closed forms of one joint and of two storeys; the same file with the stiffness written into it by `identify --write`.
-// GOAL       "identified" is the stiffness that the modes of a survey give, with its deviation, in check, simulate, study and report; of several solutions the worst
-//            decides, and where there is none the stiffness is unknown and the answer says why.
-// TOLERANCE  the digits that are written: a thousandth of a standard deviation.
+// GOAL       "identified" is the stiffness from the modes of a survey, with its deviation, in check, simulate, study and report. Of several
+//            solutions the worst decides; without any, the stiffness is unknown and the answer gives the reason.
+// TOLERANCE  the digits written: a thousandth of a standard deviation.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -16,7 +16,7 @@ const POLE: &str = "schema = 1\nkind = \"chain\"\nname = \"Pole\"\nunits = { for
     [survey.2025-01-01]\nfrequencies = { x = [{ value = 3.0, sd = 0.01, source = \"measured\" }] }\n\
     [survey.2026-04-02]\nfrequencies = { x = [{ value = 2.0, sd = 0.01, source = \"measured\" }] }\n";
 
-/// Two storeys with two measured frequencies: two pairs of stiffness have them.
+/// Two storeys with two measured frequencies, which two pairs of stiffness satisfy.
 const GATE: &str = "schema = 1\nkind = \"frame\"\nname = \"Gate\"\nunits = { length = \"m\", mass = \"t\", stiffness = \"kN/mm\" }\n\
     storeys = [{ mass = 290, height = 5.84 }, { mass = 314, height = 7.69 }]\n\
     [direction.x]\nstiffness = \"identified\"\ndamping_ratio = { value = 0.02, source = \"assumed\" }\n\
@@ -55,7 +55,7 @@ fn exact_joints_of_the_latest_survey_have_the_stiffness_of_the_closed_form() {
         .iter()
         .find(|of| of["path"] == "joints[1].stiffness")
         .unwrap();
-    // d ln k / d ln f = 2 (k − m g h) / k, and the deviation of 2.0 Hz is a half per cent
+    // d ln k / d ln f = 2 (k − m g h) / k, and the deviation of 2.0 Hz is half a per cent
     let cov = 2.0 * 0.005 * (1.0 - 1.0 / of_hz(2.0));
     assert!(
         (joint["cov"].as_f64().unwrap() / cov - 1.0).abs() < 0.01,
@@ -134,7 +134,7 @@ fn exact_of_two_solutions_the_worse_decides_and_both_are_named() {
         .map(|state| factor(state, "/check/frame/0/check"))
         .collect();
     assert!(factors[0] < factors[1], "{factors:?}");
-    // ω² of both modes: their product and their sum, with the string of each storey N/h off its stiffness
+    // ω² of both modes: product and sum, with the geometric stiffness N/h of each storey subtracted
     let inputs = found["project"]["inputs"].as_array().unwrap();
     let stiffness = |path: &str| {
         let of = inputs.iter().find(|of| of["path"] == path).unwrap();
@@ -166,7 +166,7 @@ fn exact_of_two_solutions_the_worse_decides_and_both_are_named() {
     for words in ["Solution 1: ", "Solution 2: "] {
         assert!(run.words().contains(words), "{}", run.words());
     }
-    // all together are as bad as the worst by itself
+    // all together give the worst of the single ones
     let exit = |more: &str| {
         scratch
             .briefly(&format!("simulate project.toml --motion ec{more}"))

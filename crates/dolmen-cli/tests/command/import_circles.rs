@@ -1,7 +1,7 @@
-// SOURCE     The layout of the project, as CONTRIBUTING.md tells it: imports go one way.
-// GOAL       No file of a crate imports, over whatever detour, a file that imports it.
-// METHOD     imports.rs resolves every path to the file that defines the item; files that lead to each other are a circle
-//            (a strongly connected component).
+// SOURCE     The layout of the project as in CONTRIBUTING.md: imports go one way.
+// GOAL       No file of a crate imports, directly or indirectly, a file that imports it.
+// METHOD     imports.rs resolves every path to the file that defines the item; files that import each other form a
+//            strongly connected component.
 // LIMITS     A method called on a value is no import: only the name of its type is. Names inside format strings and
 //            string literals of attributes are not read.
 // TOLERANCE  none.
@@ -13,13 +13,13 @@ use std::path::Path;
 use crate::imports::{Imports, Sources, imports};
 use crate::layout::{root, rust_files};
 
-/// Files that lead to each other, and the names that tie them.
+/// A set of files that import each other, and the names that connect them.
 struct Circle {
     files: BTreeSet<String>,
     ties: Imports,
 }
 
-/// The circles of a crate.
+/// The cycles of a crate.
 fn circles(sources: &Sources) -> Vec<Circle> {
     let imports = imports(sources);
     let mut next: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
@@ -101,13 +101,13 @@ fn holds_no_file_imports_itself_over_a_detour() {
     );
 }
 
-/// Files of a planted crate.
+/// Files of a made-up crate.
 fn planted(files: &[(&str, &str)]) -> Sources {
     let owned = |(path, text): &(&str, &str)| ((*path).to_owned(), (*text).to_owned());
     files.iter().map(owned).collect()
 }
 
-/// The circles of a planted crate, each as its files.
+/// The cycles of a made-up crate, each as its files.
 fn files_in_circles(files: &[(&str, &str)]) -> Vec<Vec<String>> {
     let found = circles(&planted(files));
     found
@@ -166,7 +166,7 @@ fn refuses_a_circle_through_a_function_that_has_the_name_of_its_module() {
 
 #[test]
 fn refuses_a_circle_of_three_files_however_they_name_each_other() {
-    // by an import, by a path in the tokens of a macro, and by a glob
+    // by an import, by a path in a macro, and by a glob
     let files = [
         ("lib.rs", "mod a; mod b; mod deep;"),
         ("a.rs", "use super::b;\npub fn first() { b::second() }"),
@@ -219,7 +219,7 @@ fn holds_a_good_layout_has_no_circle() {
             "modal/mod.rs",
             "mod identify;\nmod options;\nmod pole;\npub use identify::identify;\npub use options::Options;\npub use pole::*;",
         ),
-        // a module and a function of one name, and an inherent function of a type
+        // a module and a function with the same name, and an inherent function of a type
         (
             "modal/identify.rs",
             "use super::{Options, Pole};\npub fn identify(o: &Options) -> Pole { Options::default(); Pole::at(o.hz) }",
@@ -228,7 +228,7 @@ fn holds_a_good_layout_has_no_circle() {
             "modal/options.rs",
             "#[derive(Default)]\npub struct Options { pub(super) hz: f64 }\n#[cfg(test)]\nmod tests { use super::super::identify; }",
         ),
-        // a field and a variable may have the name of a function elsewhere
+        // a field and a variable may have the name of a function in another file
         (
             "modal/pole.rs",
             "pub struct Pole { identify: f64 }\nimpl Pole { pub fn at(identify: f64) -> Self { assert!(identify > 0.0); Pole { identify } } }\n#[cfg(test)]\nmod tests;",

@@ -1,7 +1,7 @@
-//! Which file of a crate takes which names from which other file, read from the source with `syn`.
+//! Lists the names that each file of a crate takes from other files, by reading the source with `syn`.
 //!
-//! A path leads to the file that defines the item, never to one that only hands it on by `pub use`. Declaring `mod x;` is no import; items
-//! under `#[cfg(test)]` are left out.
+//! A path leads to the file that defines the item, not to one that re-exports it. Declaring `mod x;` is not an import; items under
+//! `#[cfg(test)]` are left out.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -21,13 +21,13 @@ struct Module {
     file: String,
     parent: usize,
     children: BTreeMap<String, usize>,
-    /// What the module defines itself.
+    /// Items that the module itself defines.
     items: BTreeSet<String>,
     macros: BTreeSet<String>,
     uses: Vec<Use>,
-    /// Every path that its code names, `use` trees apart.
+    /// Every path in its code, without `use` trees.
     paths: BTreeSet<Vec<String>>,
-    /// Names that stand alone; they count where a glob may have brought them.
+    /// Single names; they count only if a glob import may provide them.
     words: BTreeSet<String>,
     called_macros: BTreeSet<String>,
 }
@@ -40,7 +40,7 @@ struct Use {
     hands_on: bool,
 }
 
-/// What a path leads to.
+/// The target of a path.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Target {
     Module(usize),
@@ -53,7 +53,7 @@ struct Tree {
     left_out: Vec<String>,
 }
 
-/// Whether the attributes leave an item to the tests alone.
+/// Whether an item has an attribute that limits it to tests.
 fn only_for_tests(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         attribute.path().is_ident("cfg")
@@ -101,9 +101,9 @@ struct Reader<'a> {
     sources: &'a Sources,
     tree: &'a mut Tree,
     module: usize,
-    /// Folder of the module's children, with its slash.
+    /// Folder of the module's children, ending in a slash.
     folder: String,
-    /// Inside a function: what it defines is no item of the module.
+    /// Nesting depth within functions, whose items do not belong to the module.
     depth: usize,
 }
 
@@ -226,7 +226,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
         }
     }
 
-    /// `pub(super)` and its like name no item.
+    /// `pub(super)` and similar name no item.
     fn visit_visibility(&mut self, _: &'ast Visibility) {}
 
     fn visit_path(&mut self, path: &'ast syn::Path) {
@@ -265,7 +265,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
     }
 }
 
-/// The word behind a `::`, and what follows it.
+/// The name after a `::`, and the tokens after it.
 fn after_colons(cursor: Cursor) -> Option<(syn::Ident, Cursor)> {
     let (first, rest) = cursor.punct()?;
     let (second, rest) = rest.punct()?;
@@ -280,7 +280,7 @@ fn end(mut cursor: Cursor) -> Cursor {
     cursor
 }
 
-/// Every `a::b::c` and every lone name in the tokens of a macro, except fields and methods.
+/// Every `a::b::c` and every single name in the tokens of a macro, except fields and methods.
 fn paths_of_tokens(mut cursor: Cursor, paths: &mut Vec<Vec<String>>) {
     let mut after_point = false;
     while !cursor.eof() {
@@ -353,8 +353,8 @@ impl Tree {
         }
     }
 
-    /// What a name means in a module: a child, an item of its own, or one that a `use` brings. A name may mean a module and a function at
-    /// once. `open` holds the `use`s (module, place) that are being resolved: none of them explains itself.
+    /// The meaning of a name in a module: a child module, an own item, or an import; a name may be both a module and a function. `open`
+    /// holds the `use`s (module, place) being resolved, so that none refers to itself.
     fn meaning(&self, module: usize, name: &str, open: &mut Vec<(usize, usize)>) -> BTreeSet<Target> {
         let here = &self.modules[module];
         let mut found = BTreeSet::new();
@@ -393,7 +393,7 @@ impl Tree {
         found
     }
 
-    /// What a path leads to, seen from a module; nothing for a path into another crate.
+    /// The target of a path in a module; empty for a path into another crate.
     fn resolve(&self, module: usize, path: &[String], open: &mut Vec<(usize, usize)>) -> BTreeSet<Target> {
         let Some(first) = path.first() else {
             return BTreeSet::new();
@@ -417,7 +417,7 @@ impl Tree {
                 }
             }
             if next.is_empty() {
-                // The rest names a variant or a function of the type.
+                // the rest names a variant or a function of the type
                 at.retain(|target| matches!(target, Target::Item { .. }));
                 return at;
             }
@@ -426,7 +426,7 @@ impl Tree {
         at
     }
 
-    /// Which file takes which names from which other file.
+    /// The names that each file takes from each other file.
     fn imports(&self) -> Imports {
         let mut imports = Imports::new();
         for (index, module) in self.modules.iter().enumerate() {
@@ -473,7 +473,7 @@ impl Tree {
         imports
     }
 
-    /// A `macro_rules!` reaches the modules declared below it without an import.
+    /// A `macro_rules!` is visible in the modules declared below it without an import.
     fn macro_above(&self, module: usize, name: &str) -> BTreeSet<Target> {
         let here = &self.modules[module];
         if here.macros.contains(name) {
@@ -487,7 +487,7 @@ impl Tree {
     }
 }
 
-/// Which file of a crate takes which names from which other file.
+/// The names that each file takes from each other file.
 pub(crate) fn imports(sources: &Sources) -> Imports {
     Tree::of(sources).imports()
 }

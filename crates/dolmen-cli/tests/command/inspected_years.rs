@@ -1,7 +1,7 @@
 // SOURCE     docs/watch.md#inspections, docs/store.md; the slope of a line through readings of known error: ordinary least squares, written here.
 //            Modes of the changed pole of the example: `dolmen check` of its model with three quarters of one joint (scripts/example-years).
-// GOAL       What inspections find is kept by stores and followed over the years: how many, how far each damage grew, when it reaches its limit, and
-//            which part of a model explains what changed meanwhile.
+// GOAL       Stores keep the findings of inspections and follow them over the years: their number, the growth of each damage, when it reaches its
+//            limit, and which part of a model explains changes in the same period.
 // TOLERANCE  1e-3 of the standard deviation that the last written digit leaves; else none: words, rows, exit statuses.
 
 use super::stores::{FILE, content, database, good, json};
@@ -80,7 +80,7 @@ fn holds_a_damage_at_its_limit_is_an_alarm_until_a_repair_answers_it() {
         "{}",
         answer.stdout
     );
-    // an inspection that looked elsewhere does not answer it
+    // an inspection of another part does not close it
     let mut elsewhere = beyond.clone();
     elsewhere.push("{ part = \"stone 1\", what = \"growth\" }".to_owned());
     inspected(&scratch, "pole", &borrowed(&elsewhere), "");
@@ -113,7 +113,7 @@ fn holds_several_cracks_of_one_part_need_names_and_counts_need_none() {
     );
     let words = scratch.briefly("watch pole").words();
     assert!(words.contains("name = \"C1\""), "{words}");
-    // a reading too few for a slope says what its error leaves
+    // too few readings for a slope: the answer gives the reading error
     let few = ["0.2 mm", "0.2 mm", "0.6 mm"]
         .map(|size| format!("{{ part = \"stone 3\", what = \"crack\", size = \"{size}\" }}"));
     inspected(&scratch, "few", &borrowed(&few), "");
@@ -151,11 +151,11 @@ fn holds_a_store_keeps_inspections_and_what_is_made_up() {
         (&entry["size_m"], &entry["limit_m"]),
         (&5.5e-4.into(), &8e-4.into())
     );
-    // what comes out gives the answers of what went in
+    // the exported project gives the same answers
     good(scratch.briefly(&format!("survey export pole -o back {FILE}")));
     let of = |folder: &str| json(&scratch, &format!("watch {folder}"))["inspected"].clone();
     assert_eq!(of("back"), of("pole"));
-    // a copy of the store holds the same
+    // a copy of the store contains the same
     good(scratch.briefly("survey import s.db --store other.db"));
     assert_eq!(kept(&scratch, "--store other.db"), surveys);
     assert_eq!(content(&scratch, "--store other.db"), content(&scratch, FILE));
@@ -218,7 +218,7 @@ fn agrees_the_years_name_the_joint_that_the_storm_loosened() {
     };
     assert!(between("stiffness_left_lower", "stiffness_left_upper"), "{best}");
     assert_eq!(part["modes_hz"].as_array().unwrap().len(), 3, "{part}");
-    // the bed that opened with it, and the crack that grows
+    // the bed that opened with it, and the growing crack
     let damage = |part: &str, name: Value| {
         let all = found.pointer("/inspected/damages").and_then(Value::as_array);
         let mut same = all

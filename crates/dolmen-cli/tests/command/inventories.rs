@@ -1,6 +1,6 @@
 // SOURCE     docs/watch.md, docs/store.md.
-// GOAL       Every structure of a store is watched as its project file alone would be, the worst first; what cannot be watched says why.
-// TOLERANCE  none: words, rows, exit statuses; numbers as `dolmen watch` gives them.
+// GOAL       Every structure of a store is watched as by its own project file, the worst first; one that cannot be watched gives the reason.
+// TOLERANCE  none: words, rows, exit statuses; numbers as in `dolmen watch`.
 
 use super::stores::{good, json};
 use super::verbs::Scratch;
@@ -8,7 +8,7 @@ use std::fs;
 
 const STORE: &str = "--store s.db";
 
-/// A pagoda of the example by another name, whose last survey is that of `until`.
+/// A pagoda of the example under another name, with surveys up to that of `until`.
 fn pagoda(scratch: &Scratch, folder: &str, until: &str) {
     let path = scratch.path().join("examples/pagoda_over_the_years/project.toml");
     let text = fs::read_to_string(path).unwrap();

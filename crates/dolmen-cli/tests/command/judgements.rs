@@ -1,6 +1,6 @@
 // SOURCE     The shipped examples.
-// GOAL       Terminal, page, index page, JSON and exit status take their words and colours from one judgement, and a flag of another
-//            kind is refused by name.
+// GOAL       Terminal, page, index page, JSON and exit status take their words and colours from one judgement, and a flag of another kind is
+//            refused by name.
 // TOLERANCE  none: words, colours and exit statuses.
 
 use super::verbs::Scratch;
@@ -13,7 +13,7 @@ fn holds_a_building_beyond_its_stroke_is_red_wherever_it_is_judged() {
     let file = scratch.path().join("examples/several_dampers/project.toml");
     let text = fs::read_to_string(&file).unwrap();
     fs::write(&file, text.replace("stroke = \"600 mm\"", "stroke = \"20 mm\"")).unwrap();
-    // the motion of the file, turned along the dampers
+    // the motion of the file, rotated to the dampers
     let moved = "examples/several_dampers --motion el-centro";
     let answer = scratch.dolmen(&format!("simulate {moved}"));
     assert_eq!(answer.status, 1, "{}", answer.stderr);
@@ -201,7 +201,7 @@ fn refuses_flags_of_another_kind_by_name() {
         assert_eq!(answer.status, 2, "{command}: {}", answer.stdout);
         assert!(answer.stderr.contains(said), "{command}: {}", answer.stderr);
     }
-    // of a list a flag is used by those that can
+    // with several projects, a flag applies to those that have it
     let answer = scratch.dolmen(&format!("report {tower} {floor} --samples 0 -o page.html"));
     assert_eq!(answer.status, 0, "{}", answer.stderr);
 }

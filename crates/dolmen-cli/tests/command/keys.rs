@@ -1,6 +1,6 @@
-// SOURCE     what the verbs print with --json for the examples.
-// GOAL       The keys of JSON are a promise: one that goes, comes or is renamed shows here. No number is without a value by accident.
-// TOLERANCE  keys by name; values are held by other tests. To take over a wished change: DOLMEN_WRITE_KEYS=1, then read the difference.
+// SOURCE     output of the verbs with --json for the examples.
+// GOAL       Any JSON key that is added, removed or renamed fails this test. No number lacks a value by accident.
+// TOLERANCE  keys by name; other tests check the values. To accept a change: DOLMEN_WRITE_KEYS=1, then read the difference.
 
 use super::verbs::{Scratch, root};
 use serde_json::Value;
@@ -71,7 +71,7 @@ const COMMANDS: [&str; 61] = [
     "survey verify --store s.db",
 ];
 
-/// Every key with the way to it: "state.check.chain.modes[].frequency_hz".
+/// Every key with its path: "state.check.chain.modes[].frequency_hz".
 fn gather(value: &Value, path: &str, keys: &mut BTreeSet<String>) {
     match value {
         Value::Object(fields) => {

@@ -1,6 +1,6 @@
 // SOURCE     Our own sentences.
-// GOAL       A Korean answer holds no English sentence: in its text, in its page, in the words of its figures.
-// TOLERANCE  Words of the project file itself, names, code, references and what says that it is English ([영문]) stand as they are.
+// GOAL       A Korean answer contains no English sentence: in its text, its page, and the words of its figures.
+// TOLERANCE  Words of the project file, names, code, references and passages marked as English ([영문]) are allowed.
 
 use super::brief::examples;
 use super::english::english_in;
@@ -8,7 +8,7 @@ use super::verbs::Scratch;
 use std::fs;
 use std::path::Path;
 
-/// Whether a line cites a work ("출처", authors, or a year in brackets), or says that it is English.
+/// Whether a line cites a work ("출처", authors, or a year in brackets), or is marked as English.
 fn cites(line: &str) -> bool {
     let is_year = |part: &str| {
         part.len() >= 5 && part.as_bytes()[..4].iter().all(u8::is_ascii_digit) && part.as_bytes()[4] == b')'
@@ -19,7 +19,7 @@ fn cites(line: &str) -> bool {
         || line.split('(').skip(1).any(is_year)
 }
 
-/// Parts of a pagoda and an arch that are given by their proportions, and a motion that is made.
+/// Parts of a pagoda and an arch given by their proportions, and a made motion.
 const NAMES: [&str; 5] = [
     "upper base cover",
     "lower base cover",
@@ -28,7 +28,7 @@ const NAMES: [&str; 5] = [
     "Ricker wavelet, period",
 ];
 
-/// The strings of a project file or the cells of a table, the longest first: they are the user's own.
+/// The strings of a project file or the cells of a table, longest first: these are the user's own words.
 fn own_words(file: &Path) -> Vec<String> {
     let text = fs::read_to_string(file).unwrap_or_default();
     let parts: Vec<&str> = match file.extension().is_some_and(|kind| kind == "csv") {
@@ -47,7 +47,7 @@ fn without(text: &str, own: &[String]) -> String {
         .fold(one_line, |text, word| text.replace(word.as_str(), "‘’"))
 }
 
-/// The texts between the tags of a page, those of drawings too, without code and scripts.
+/// The texts between the tags of a page, including drawings, without code and scripts.
 fn text_nodes(page: &str) -> Vec<String> {
     const CODE: [&str; 4] = ["script", "style", "pre", "code"];
     let mut nodes = Vec::new();
@@ -73,7 +73,7 @@ fn text_nodes(page: &str) -> Vec<String> {
     nodes
 }
 
-/// What is English in the pages and drawings below a folder.
+/// English text in the pages and drawings below a folder.
 fn english_files(folder: &Path, own: &[String]) -> Vec<String> {
     let mut found = Vec::new();
     for path in fs::read_dir(folder)
@@ -99,7 +99,7 @@ fn english_page(page: &str, own: &[String]) -> Vec<String> {
     bare.filter(|node| english_in(node).is_some()).collect()
 }
 
-/// What is English in a printed answer: paragraphs are looked at as one line.
+/// English text in a printed answer, whose paragraphs are joined to one line.
 fn english_answer(answer: &str, own: &[String]) -> Vec<String> {
     let paragraphs = answer
         .split("\n\n")
@@ -150,7 +150,7 @@ fn holds_a_korean_check_and_its_page_hold_no_english_sentence() {
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
-/// A stack that is over soon.
+/// A stack whose study is short.
 const STUDIED: &str = r#"
 [study.tiny]
 vary = { "joint.friction" = [0.3, 0.6] }

@@ -1,5 +1,5 @@
 // SOURCE     Our own sentences.
-// GOAL       The command tells an error of a project file in the language that was asked for.
+// GOAL       The command reports an error of a project file in the requested language.
 // TOLERANCE  none. The sentences themselves are tested beside the reader.
 
 use super::verbs::Scratch;

@@ -1,6 +1,6 @@
 // SOURCE     Our own sentences.
-// GOAL       Errors tell what is wrong with a record, a motion, a mesh, a table or a flag in Korean, without an English sentence.
-// TOLERANCE  Keys, file names, values, units and commands stay as they are. What another library says of a file is in its own words, and none of these has it.
+// GOAL       Errors about a record, a motion, a mesh, a table or a flag are in Korean, without an English sentence.
+// TOLERANCE  Keys, file names, values, units and commands stay as they are. Errors of other libraries are in English; none occurs here.
 
 use super::english::english_in;
 use super::verbs::Scratch;
@@ -26,7 +26,7 @@ fn npy(header: &str, values: usize) -> Bytes {
     bytes
 }
 
-/// A survey of one record: its file, and what the project says of it.
+/// A survey with one record: its file, and its keys in the project.
 fn of_record(file: &str, more: &str) -> String {
     format!(
         "schema = 1\nkind = \"survey\"\nname = {{ ko = \"조사\" }}\n[survey.one.records]\nfile = \"{file}\"\n{more}\n"
@@ -164,7 +164,7 @@ fn broken_meshes() -> Vec<(&'static str, Bytes)> {
     ]
 }
 
-/// Commands that ask for what is not there, or for what the kind does not have.
+/// Commands that ask for something missing, or something that the kind does not have.
 const ASKED: [&str; 26] = [
     "check nowhere.toml",
     "check examples",
@@ -194,7 +194,7 @@ const ASKED: [&str; 26] = [
     "explain no-such-code",
 ];
 
-/// What is English in the error, or that it is not Korean at all.
+/// English words in the error, or that it is not Korean at all.
 fn fault_of(asked: &str, stderr: &str) -> Option<String> {
     let said: Vec<&str> = stderr.lines().filter(|line| !line.contains(" | ")).collect();
     let said = said.join(" ");
@@ -236,7 +236,7 @@ fn holds_what_is_wrong_with_an_input_is_told_in_korean_without_an_english_senten
     for (file, words) in &asked {
         let answer = scratch.dolmen(&format!("{words} --language ko"));
         if answer.stderr.contains("Usage:") {
-            continue; // the parser of flags speaks English
+            continue; // clap's errors are English
         }
         if answer.status != 2 {
             found.push(format!(

@@ -1,11 +1,11 @@
-// SOURCE     The layout of the project, as CONTRIBUTING.md tells it.
+// SOURCE     The layout of the project, as in CONTRIBUTING.md.
 // GOAL       Chapters import only downwards, and files stay readable in one sitting.
 // TOLERANCE  none.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The chapters of the science crate: each may import itself and those before it.
+/// The chapters of the science crate: each may import itself and earlier ones.
 const CHAPTERS: [&str; 12] = [
     "known",
     "numeric",
@@ -20,7 +20,7 @@ const CHAPTERS: [&str; 12] = [
     "monitoring",
     "comparisons",
 ];
-/// Crates, lowest first, with the crates each may name.
+/// Crates, lowest first, with the crates that each may use.
 const CRATES: [(&str, &[&str]); 13] = [
     ("dolmen-picture", &[]),
     ("dolmen-print", &["dolmen-picture"]),
@@ -94,7 +94,7 @@ const CRATES: [(&str, &[&str]); 13] = [
         ],
     ),
 ];
-/// Lines a file may have before its `#[cfg(test)]` module: one sitting.
+/// Largest number of lines of a file before its `#[cfg(test)]` module.
 const LINES_MOST: usize = 550;
 
 pub(crate) fn root() -> PathBuf {
@@ -123,7 +123,7 @@ fn code(path: &Path) -> String {
         .to_owned()
 }
 
-/// Chapters that `text` names through `crate::`, outside comments.
+/// Chapters that `text` refers to through `crate::`, outside comments.
 fn imports(text: &str) -> Vec<&'static str> {
     let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
     let mut named: Vec<&str> = lines
@@ -240,7 +240,7 @@ fn literals(text: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// A flag of the command: "--" with a letter after it.
+/// Whether a text contains a flag of the command: "--" followed by a letter.
 fn names_a_flag(text: &str) -> bool {
     let mut parts = text.split("--").skip(1);
     parts.any(|rest| rest.starts_with(|c: char| c.is_ascii_lowercase()))

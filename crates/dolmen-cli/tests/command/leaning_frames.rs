@@ -1,6 +1,6 @@
-// SOURCE     docs/frame.md: the lean as surveyed takes its part of the allowable drift, and of the tenth at which a storey counts as fallen.
-// GOAL       Samples, studies and runs of a frame that leans count its lean as `check` and `simulate` do.
-// TOLERANCE  counts: none; a share of samples: its own interval at 95 % holds the closed form
+// SOURCE     docs/frame.md: the surveyed lean uses up part of the allowable drift, and of the tenth at which a storey counts as fallen.
+// GOAL       Samples, studies and runs of a leaning frame include its lean as `check` and `simulate` do.
+// TOLERANCE  none for counts; the 95 % interval of a share of samples contains the closed form
 
 use super::stores::json;
 use super::verbs::Scratch;
@@ -140,7 +140,7 @@ fn refuses_a_motion_along_x_after_one_along_x_and_y() {
 #[test]
 fn exact_a_lean_across_leaves_more_of_the_drift_than_one_along() {
     let scratch = Scratch::new("leaning-across");
-    // the lean of y at rest is 1/100 × λ/(λ − 1), λ = k h/W
+    // the lean along y at rest is 1/100 × λ/(λ − 1), λ = k h/W
     let gate = |tilt: &str| {
         format!(
             "schema = 1\nkind = \"frame\"\nname = \"gate\"\nunits = {{ mass = \"t\", stiffness = \"kN/mm\" }}\n\
@@ -163,7 +163,7 @@ fn exact_a_lean_across_leaves_more_of_the_drift_than_one_along() {
     let [x, y] = capacities("{ y = \"1/100\" }");
     assert!((x / (4e-4_f64 - lean * lean).sqrt() - 1.0).abs() < 1e-9, "{x}");
     assert!((y / (0.02 - lean) - 1.0).abs() < 1e-9, "{y}");
-    // to which side is not known: it counts along both
+    // the sign is unknown: it counts along both
     let [x, y] = capacities("{ overall = \"1/100\" }");
     assert!((y / (0.02 - lean) - 1.0).abs() < 1e-9, "{y}");
     let stiffer = 1.08 / 0.6676 * lambda;

@@ -1,6 +1,6 @@
 // SOURCE     KDS 41 17 00, table 8.2-4: 1.0, 1.5, 2.0 %; a frame of one storey, a chain of one link, S_a/ω² by hand.
-// GOAL       Storeys are held against their allowable drift in check and simulate, joints against the edges of their beds; a drift above 10 % is a
-//            fall; text, judgement and exit status say the same.
+// GOAL       Storeys are compared with their allowable drift in check and simulate, joints with the edges of their beds; a drift above 10 % is
+//            a fall; text, judgement and exit status agree.
 // TOLERANCE  none: printed digits, words, exit statuses.
 
 use super::verbs::{Answer, Scratch};
@@ -75,7 +75,7 @@ fn exact_a_storey_is_held_against_its_allowable_drift_by_the_spectrum() {
         "{}",
         answer.stdout
     );
-    // without a limit nothing is decided, and it says what to write
+    // without a limit nothing is decided, and the answer says what to write
     let answer = run(&scratch, "check p.toml", &gate(60.0, SITE));
     assert_eq!(answer.status, 0, "{}", answer.stdout);
     assert!(
@@ -84,7 +84,7 @@ fn exact_a_storey_is_held_against_its_allowable_drift_by_the_spectrum() {
         "{}",
         answer.stdout
     );
-    // beyond ten per cent it falls, limit or none
+    // beyond ten per cent it falls, with or without a limit
     let low = gate(0.4, SITE).replace("height = 4.0", "height = 2.8");
     let answer = run(&scratch, "check p.toml", &low);
     assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
@@ -119,7 +119,7 @@ fn exact_a_tilt_and_loads_take_from_what_a_bed_passes_before_the_shaking() {
     let number = |of: &Value, key: &str| of[key].as_f64().unwrap();
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
     close(number(&of, "taken"), taken);
-    // vertical shaking takes weight off the bed
+    // vertical shaking reduces the weight on the bed
     let left = |demand: &Value| {
         let peak = demand["peak_ground_acceleration_m_s2"].as_f64().unwrap();
         1.0 - 0.77 * peak / 9.8
@@ -133,7 +133,7 @@ fn exact_a_tilt_and_loads_take_from_what_a_bed_passes_before_the_shaking() {
     );
     let read = number(&demand["spectral"][0], "acceleration_m_s2");
     close(number(&of, "demand"), 200e3 * 1500.0 * read / 185.3e3);
-    // what loads weigh swings too: 1 kN at the top
+    // loads have mass: 1 kN at the top
     let loads = "loads = [{ name = \"sign\", at = \"shaft\", height = 3.0, weight = 1.0, force = 0.2 }]\n";
     let (demand, _) = part(&pole(bed, loads));
     let (gravity, inertia): (f64, f64) = (14.7e3 + 1e3 * 3.0, 3000.0 + 1e3 / 9.8 * 9.0);
@@ -180,7 +180,7 @@ fn holds_what_is_not_known_of_a_chain_or_direction_is_not_decided_by_the_rest() 
         &strong,
         "Direction strong is not compared with the demand of the site",
     );
-    // its slipping joints leave less than the weight takes: 981/4 kN/m
+    // its slipping joints are less stiff than the weight requires: 981/4 kN/m
     let slipping = format!(
         "{}[direction.weak.friction]\nlaw = \"jenkins\"\ncoefficient = 0.1\nslipping_stiffness = [0.2]\n",
         gate(60.0, &format!("{SITE}{}", limits("I")))

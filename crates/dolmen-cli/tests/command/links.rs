@@ -1,5 +1,5 @@
 // SOURCE     Every page of the repository in Markdown.
-// GOAL       A link or picture on a page leads to a file that is there, its #anchor to a heading of that page; each chapter of the book has a picture.
+// GOAL       Every link or picture leads to an existing file, and its #anchor to a heading there; each chapter of the book has a picture.
 // TOLERANCE  none. Links into the web are not followed.
 
 use super::layout::root;
@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-/// Pages in Markdown below `folder`, without what a build or a fetch put there.
+/// Markdown pages below `folder`, without generated and downloaded ones.
 fn pages(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -27,7 +27,7 @@ fn pages(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// Lines of a page that are no code, with code within a line blanked.
+/// Lines of a page outside code blocks, with inline code blanked.
 fn prose(text: &str) -> Vec<String> {
     let mut fenced = false;
     let mut lines = Vec::new();
@@ -39,7 +39,7 @@ fn prose(text: &str) -> Vec<String> {
             lines.push(String::new());
         } else {
             let pieces: Vec<&str> = line.split('`').collect();
-            // an odd piece lies between two backticks
+            // odd pieces lie between backticks
             let kept = pieces
                 .iter()
                 .enumerate()
@@ -50,7 +50,7 @@ fn prose(text: &str) -> Vec<String> {
     lines
 }
 
-/// The anchors that GitHub gives the headings of a page: lower case, blanks as hyphens, other marks left out, the second of a name with -1.
+/// The anchors of headings as GitHub forms them: lower case, hyphens for blanks, other marks omitted, -1 for the second of a name.
 fn anchors(text: &str) -> BTreeSet<String> {
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     let mut found = BTreeSet::new();
@@ -63,7 +63,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
         let Some(title) = title.strip_prefix(' ').filter(|_| line.starts_with('#')) else {
             continue;
         };
-        // a link in a heading counts with its words only
+        // a link in a heading counts only with its text
         let title = match (title.find("]("), title.rfind(')')) {
             (Some(from), Some(to)) if to > from => format!("{}{}", &title[..from], &title[to..]),
             _ => title.to_owned(),
@@ -87,7 +87,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
     found
 }
 
-/// What the links and pictures of a line lead to: `[words](target)`, `[name]: target`, `src="target"`, `href="target"`.
+/// Targets of the links and pictures in a line: `[words](target)`, `[name]: target`, `src="target"`, `href="target"`.
 fn targets(line: &str) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
     for (at, _) in line.match_indices("](") {
@@ -128,7 +128,7 @@ fn resolved(folder: &Path, target: &str) -> PathBuf {
     path
 }
 
-/// The links of a page that lead nowhere, with their lines.
+/// Dead links of a page, with their lines.
 fn dead(page: &Path, text: &str) -> Vec<String> {
     let mut found = Vec::new();
     for (number, line) in prose(text).iter().enumerate() {

@@ -1,6 +1,6 @@
-// SOURCE     docs/watch.md, "What a logger reads"; the example pagoda_with_a_logger, whose truth its README states.
-// GOAL       A tilt or crack on a logger is watched from its file to the words: trend, limit, shift, what is wrong with file and sensor.
-// TOLERANCE  the truth lies in the 95 % interval of each answer; words and exit statuses exactly.
+// SOURCE     docs/watch.md, "What a logger reads"; the example pagoda_with_a_logger, whose README gives the true values.
+// GOAL       A logged tilt or crack is watched from its file to the words: trend, limit, shift, faults of file and sensor.
+// TOLERANCE  the 95 % interval of each answer contains the true value; words and exit statuses exactly.
 
 use super::stores::json;
 use super::verbs::Scratch;
@@ -31,7 +31,7 @@ fn holds_the_truth_of_the_example_in_its_intervals() {
     let shift = &x["shifts"][0];
     let [by, sd] = ["shift", "sd"].map(|key| shift[key].as_f64().unwrap());
     assert!((by - 0.55e-3).abs() <= 1.96 * sd, "{by} {sd}");
-    // 1/150 less 1/280, the shift, and what three years added
+    // 1/150 less 1/280, the shift, and the growth of three years
     let left = (1.0 / 150.0 - 1.0 / 280.0 - 0.55e-3) / 0.45e-3 - 3.09;
     let years = |key: &str| x[key].as_f64().unwrap();
     assert!(
@@ -55,12 +55,12 @@ fn holds_the_truth_of_the_example_in_its_intervals() {
     );
 }
 
-/// A reading at noon of each day from 2023-01-01 on.
+/// A reading at noon of each day from 2023-01-01.
 fn days(count: usize, value: impl Fn(f64) -> f64) -> String {
     let mut text = "Time,Tilt\n".to_owned();
     for day in 0..count {
         let (year, of_year) = (2023 + day / 360, day % 360);
-        // twelve months of thirty days, February cut short: a calendar that every reader knows
+        // twelve months of thirty days, February shortened: dates that every reader accepts
         let (month, of_month) = (1 + of_year / 30, 1 + of_year % 30);
         if month == 2 && of_month > 28 {
             continue;
@@ -75,7 +75,7 @@ fn days(count: usize, value: impl Fn(f64) -> f64) -> String {
     text
 }
 
-/// A project of one tilt, its rows as given.
+/// A project with one tilt log.
 fn tilt(scratch: &Scratch, rows: &str, keys: &str) {
     let head = "schema = 1\nkind = \"survey\"\nname = \"Pole\"\n";
     let table = "[watch.log.top]\nfile = \"top.csv\"\nkind = \"tilt\"\ndirection = \"x\"\nunit = \"mm/m\"\n";
@@ -83,7 +83,7 @@ fn tilt(scratch: &Scratch, rows: &str, keys: &str) {
     fs::write(scratch.path().join("top.csv"), rows).unwrap();
 }
 
-/// Chance that is no chance: neighbouring days differ, and no day goes far.
+/// Deterministic noise: bounded, and different on neighbouring days.
 fn noise(day: f64) -> f64 {
     0.05 * ((day * 12.9898).sin() * 43_758.547).fract()
 }
@@ -131,7 +131,7 @@ fn holds_what_cannot_be_told_is_not_told() {
         said.contains("1.1 years of readings do not tell a trend from the season"),
         "{said}"
     );
-    // it fell by 2 mm/m within a day, and the file does not say why
+    // it fell by 2 mm/m within a day, and the file gives no reason
     tilt(
         &scratch,
         &days(1080, |day| noise(day) - if day < 500.0 { 0.0 } else { 2.0 }),
@@ -173,7 +173,7 @@ fn holds_a_log_that_fell_silent_is_no_good_news() {
     assert!(!said.contains("● foot"), "{said}");
     let korean = scratch.briefly("watch pole.toml --language ko").words();
     assert!(korean.contains("이후 측정값이 없다"), "{korean}");
-    // a week is no silence
+    // a gap of one week is accepted
     let (silent, brief) = found(1073);
     assert_eq!(silent, None);
     assert!(!brief.words().contains("SENSOR"), "{}", brief.stdout);

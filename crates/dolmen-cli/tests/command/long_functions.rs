@@ -1,13 +1,13 @@
 // SOURCE     The source of every crate, laid out by rustfmt.
-// GOAL       A function is read in one look: at most 100 lines. Lists of sentences or of cases are named.
+// GOAL       A function can be read at one glance: at most 100 lines. Functions that are lists of sentences or cases are exempt.
 // TOLERANCE  none.
 
 use super::layout::{root, rust_files};
 use std::fs;
 
-/// Most lines of a function, from `fn` to its last brace.
+/// Largest number of lines of a function, from `fn` to its closing brace.
 const LINES_MOST: usize = 100;
-/// Functions that are a list: a sentence for each variant, or one published case after the other.
+/// Functions that are lists: a sentence for each variant, or published cases.
 const LISTS: [&str; 10] = [
     "dolmen-report/src/identification/notes.rs stiffness_note",
     "dolmen-report/src/modal/notes.rs note_words",
@@ -36,7 +36,7 @@ fn function(line: &str) -> Option<&str> {
     name.split(|c: char| !c.is_alphanumeric() && c != '_').next()
 }
 
-/// Functions of more than `most` lines: each ends with the brace that stands as far in as it began.
+/// Functions of more than `most` lines; each ends with a brace at the same indentation.
 fn longer(text: &str, most: usize) -> Vec<Long> {
     let lines: Vec<&str> = text.lines().collect();
     let mut found = Vec::new();

@@ -1,5 +1,5 @@
-// SOURCE     What looked safe to engineers on their first days with the command, and was not known.
-// GOAL       The command says or refuses what looked safe and was not known.
+// SOURCE     Answers that looked safe to engineers in their first days with the command, but were not known.
+// GOAL       The command reports or refuses each.
 // TOLERANCE  none: words and exit statuses.
 
 use super::verbs::Scratch;
@@ -46,7 +46,7 @@ fn refuses_an_angle_where_a_ratio_stands() {
 
 #[test]
 fn holds_a_pole_that_stood_on_its_edge_is_near_what_was_asked() {
-    // the moment of 20 kN under a quarter of g comes to N b/2 = 6 kN m; shaken by a tenth of that nothing is near
+    // 20 kN under a quarter of g gives a moment of N b/2 = 6 kN m; a tenth of that is far from it
     let shaken = |peak: &str| {
         said(
             "pole-on-edge",
@@ -69,14 +69,14 @@ fn holds_a_pole_that_stood_on_its_edge_is_near_what_was_asked() {
 #[test]
 fn holds_a_run_that_was_cut_has_no_verdict_from_what_is_left() {
     let whole = "simulate project.toml --motion el-centro-1940-ns --scale 2 --law springs";
-    // a stone that slides far: friction is low, and at the cut it is on its way
+    // a stone that slides far: friction is low, and at the cut it still moves
     let slippery = TOWER.replace("friction = 0.6", "friction = 0.12");
     let (_, words) = said("whole-run", &slippery, whole);
     assert!(words.contains("below demand (severe damage, DS3)"), "{words}");
     let (status, words) = said("cut-run", &slippery, &format!("{whole} --duration 5"));
     assert_eq!(status, 3, "{words}");
     assert!(words.contains("not decided"), "{words}");
-    // how far a joint rocked will not be undone
+    // the largest rocking of a joint is not undone later
     let (_, words) = said("cut-rocking", TOWER, &format!("{whole} --duration 5"));
     assert!(words.contains("below demand (severe damage, DS3)"), "{words}");
 }
@@ -85,7 +85,7 @@ fn holds_a_run_that_was_cut_has_no_verdict_from_what_is_left() {
 fn holds_samples_count_wind_and_say_where_there_is_nothing_to_draw() {
     let (status, words) = said("nothing-drawn", POLE, "check project.toml --samples 100");
     assert!(status == 0 && words.contains("no input carries a cov"), "{words}");
-    // N b/2 = 6 kN m, less what the lean under the load takes: 4 kN at 1.5 m are 6 kN m
+    // N b/2 = 6 kN m, less the moment of the lean under the load: 4 kN at 1.5 m are 6 kN m
     let loaded = POLE.replace("weight = 20", "weight = { value = 20, cov = 0.1 }")
         + "loads = [{ name = \"rope\", at = \"shaft\", height = 1.47, force = 4 }]\n";
     let (_, words) = said("loads-drawn", &loaded, "check project.toml --samples 400");
@@ -208,7 +208,7 @@ fn holds_tilts_alone_are_watched() {
     );
 }
 
-/// Three stones with 30 kN on top; by hand it bears 0.35 of its weight and the load's.
+/// Three stones with 30 kN on top; by hand, it supports 0.35 times its weight and the load's.
 const LAMP: &str = "schema = 1\nkind = \"chain\"\nname = \"Pole\"\nunits = { force = \"kN\", stiffness = \"kN*m/rad\" }\ndamping_ratio = 0.02\n\
     loads = [{ name = \"lamp\", at = \"top\", LOAD }]\nlinks = [\
     { name = \"low\", weight = 30, length = 3.0, centroid = 1.4, breadth = 0.7, bed_width = 0.7 },\
@@ -223,7 +223,7 @@ fn lamp(load: &str, factor: f64) -> String {
 #[test]
 fn holds_what_a_pole_carries_swings_with_it_and_what_makes_it_fall_is_no_green_run() {
     let push = "simulate project.toml --push 0.001rad";
-    // the damping ratio of a mode says nothing of a pole that falls
+    // the damping ratio of a mode is undefined for a pole that falls
     let falls = lamp("weight = 30", 1.0).replace("damping_ratio = 0.02\n", "");
     let (status, words) = said("lamp-falls", &falls, push);
     assert!(
@@ -289,7 +289,7 @@ fn holds_loads_that_no_combination_counts_are_not_in_the_word() {
 
 #[test]
 fn holds_tilts_of_two_directions_are_held_together_against_the_edge() {
-    // the edge of the bed is at N b/2 over N h = 0.3/1.5: 1/5; 1/6.5 along each is 1/4.6 together
+    // the edge of the bed is at N b/2 over N h = 0.3/1.5: 1/5; 1/6.5 along each axis is 1/4.6 together
     let text = format!(
         "{POLE}[survey.2026-04-02]\ntilt = {{ x = \"1/6.5\", y = \"1/6.5\" }}\nas_surveyed = \"none\"\n"
     );

@@ -1,5 +1,5 @@
 // SOURCE     The shipped gate whose tenons have slack, and El Centro 1940 north-south.
-// GOAL       What a user reads of tenons in check, simulate and JSON follows from the file; what cannot be is refused.
+// GOAL       Text and JSON of check and simulate on tenons follow from the file; impossible values are refused.
 // TOLERANCE  none: printed words; sums by hand to 1e-12.
 
 use super::verbs::Scratch;
@@ -68,7 +68,7 @@ fn holds_the_run_balances_and_says_what_crushed() {
         run["energy"]
     );
     assert!(energy("left_over_ratio") < 1e-9 && energy("crushing_j") > 0.0);
-    // crushing takes the crushing force times what both faces of each storey gave
+    // the crushing energy is the crushing force times the plastic deformation of both faces of each storey
     let mut crushed_j = 0.0;
     for storey in run["storeys"].as_array().unwrap() {
         let tenons = &storey["tenons"];

@@ -1,6 +1,6 @@
 // SOURCE     docs/earthquakes.md, "Measured beside simulated".
-// GOAL       A model under the ground that a survey measured is set beside what the sensors above it measured: the right model follows, one whose
-//            stiffness is off by a fifth does not, and its frequency says so.
+// GOAL       A simulation under the ground motion of a survey is compared with the sensors above the ground: the right model agrees, one
+//            whose stiffness is off by a fifth does not, as its frequency shows.
 // PARAMETERS two storeys of 12 t and 10 t, 6 and 4 MN/m, 3 % in both modes; an earthquake of 1.5 m/s², noise of 2 mm/s²
 // TOLERANCE  correlation 0.99 and peaks 3 %: noise and the line between samples at 100 Hz; frequency 3 %: a few lines of 0.03 Hz
 
@@ -15,10 +15,10 @@ const HEIGHT_M: f64 = 3.0;
 const DAMPING: f64 = 0.03;
 const RATE_HZ: f64 = 100.0;
 
-/// A frequency and a shape.
+/// Frequency and mode shape.
 type Mode = (f64, [f64; 2]);
 
-/// Both modes in closed form: ω², and the shape whose first part is 1.
+/// Both modes in closed form: ω², and the shape with first component 1.
 fn modes() -> [Mode; 2] {
     let g = 9.80665;
     let axial = [(MASS_KG[0] + MASS_KG[1]) * g, MASS_KG[1] * g];
@@ -28,7 +28,7 @@ fn modes() -> [Mode; 2] {
     [half - root, half + root].map(|square| (square.sqrt(), [1.0, (a - square) / b]))
 }
 
-/// Ground, floor and roof, m/s²: each mode by the method of Runge and Kutta at ten steps a sample, its ground on the line between samples.
+/// Ground, floor and roof, m/s²: each mode by a Runge-Kutta method with ten steps per sample and linear interpolation of the ground.
 fn record() -> Vec<[f64; 3]> {
     let mut state = 7u64;
     let mut random = move || {
@@ -115,7 +115,7 @@ fn first<'a>(value: &'a Value, key: &str) -> Option<&'a Value> {
 fn agrees_a_model_under_its_measured_ground_and_one_a_fifth_too_stiff_does_not() {
     let scratch = Scratch::new("measured-beside");
     let rows = record().into_iter();
-    // the roof's sensor points against x
+    // the roof sensor points along −x
     let rows = rows.map(|[g, f, r]| format!("{g:.5},{f:.5},{:.5}\n", -r));
     fs::write(
         scratch.path().join("record.csv"),
@@ -175,7 +175,7 @@ fn agrees_a_model_under_its_measured_ground_and_one_a_fifth_too_stiff_does_not()
     assert!((ratio - 1.2f64.sqrt()).abs() < 0.05, "{ratio}");
     let said = good(scratch.briefly(words)).stdout;
     assert!(said.contains("MODEL AND MEASUREMENT DIFFER"), "{said}");
-    // what does not move as the structure did does not say that it is safe
+    // a simulation that does not agree with the record does not show that the structure is safe
     assert!(said.contains("not decided"), "{said}");
     let with = |from: &str, to: &str| {
         fs::write(&file, frame(1.0).replace(from, to)).unwrap();
@@ -187,7 +187,7 @@ fn agrees_a_model_under_its_measured_ground_and_one_a_fifth_too_stiff_does_not()
     assert!(said.contains("Not compared") && said.contains("RF"), "{said}");
     let said = with("direction = \"-x\"", "direction = \"x\"");
     assert!(said.contains("opposite to RF"), "{said}");
-    // a direction whose ground nobody recorded
+    // a direction without a recorded ground motion
     let said = with(
         "[survey.2026-09-12.records]",
         "[direction.y]\nstiffness = [8, 8]\n[survey.2026-09-12.records]",
@@ -197,12 +197,12 @@ fn agrees_a_model_under_its_measured_ground_and_one_a_fifth_too_stiff_does_not()
         said.contains("Direction y is moved by the ground that survey 2026-09-12 recorded along x"),
         "{said}"
     );
-    // what is changed is not what was felt
+    // a scaled motion is not comparable with the record
     let changed = json(&scratch, &format!("{words} --scale 2"));
     assert!(first(&changed, "measured").unwrap().is_null());
 }
 
-/// Seventy seconds of noise, and an earthquake whose beginning was cut off: the model is not blamed.
+/// Seventy seconds of noise, and an earthquake whose beginning is missing: the model is not blamed.
 #[test]
 fn holds_a_record_in_which_no_earthquake_stands_out_blames_no_model() {
     let scratch = Scratch::new("no-earthquake");

@@ -1,5 +1,6 @@
-// SOURCE     Slips that an auditor made by hand, as offices make them: names of surveys, units of files, totals of tables, signs of a Korean keyboard.
-// GOAL       None is taken without a word, and the advice leads to what was meant.
+// SOURCE     Typical office mistakes that an auditor made by hand: names of surveys, units of files, totals of tables, characters of a
+//            Korean keyboard.
+// GOAL       None is accepted silently, and the advice leads to the intended input.
 // TOLERANCE  Sentences are compared by their parts, in both languages.
 
 use super::verbs::{Answer, Scratch};
@@ -54,7 +55,7 @@ fn both(scratch: &Scratch, text: &str, verb: &str) -> Both {
     }
 }
 
-/// Refused, with all these parts in what is printed, of whatever language.
+/// Checks that the input is refused, and that the output contains all these parts, in either language.
 fn refuses(scratch: &Scratch, text: &str, parts: &[&str]) {
     let Both { english, korean } = both(scratch, text, "check");
     let said = format!("{}\n{}", english.stderr, korean.stderr);
@@ -87,7 +88,7 @@ fn refuses_names_that_may_be_dates_and_counts_surveys_without_one() {
     ] {
         refuses(&scratch, &with(name, "1/40"), parts);
     }
-    // 1/40 is beyond the limit, and leans the pole more than the model has it
+    // 1/40 is beyond the limit, and leans the pole more than the model does
     for name in ["1차", "Apr2025"] {
         let Both { english, korean } = both(&scratch, &with(name, "1/40"), "check --full");
         assert_eq!((english.status, korean.status), (1, 1), "{}", english.stdout);
@@ -114,7 +115,7 @@ fn refuses_names_that_may_be_dates_and_counts_surveys_without_one() {
             korean.stdout
         );
     }
-    // a smaller one leaves the limit to the last survey with a date
+    // with a smaller one, the last dated survey decides the limit
     let english = both(&scratch, &with("1차", "1/400"), "check --full").english;
     assert!(
         english
@@ -411,7 +412,7 @@ fn holds_a_tilt_as_people_and_this_program_write_it() {
             .unwrap()
     };
     assert_eq!(tilted("-1/190"), -1.0 / 190.0);
-    assert_eq!(tilted("−1/190"), -1.0 / 190.0); // the minus of our own tables
+    assert_eq!(tilted("−1/190"), -1.0 / 190.0); // the minus sign of our own tables
     assert_eq!(tilted("1:190"), 1.0 / 190.0);
 }
 

@@ -1,5 +1,5 @@
-// SOURCE     Histories made here: forty surveys of one structure, of which the last ones show something that no survey is judged by.
-// GOAL       What falls so far that its mode is not found any more, what a logger reads today, and what a repair loosened is no good news.
+// SOURCE     Made-up histories: forty surveys of one structure, of which the last show a change in quantities without a survey verdict.
+// GOAL       A mode too low to be found, today's logger reading, and a loosening after a repair are not reported as good.
 // TOLERANCE  none: words and exit statuses.
 
 use super::verbs::Scratch;
@@ -7,7 +7,7 @@ use dolmen_work::date_text;
 use std::fmt::Write as _;
 use std::fs;
 
-/// Forty surveys, three months apart, of three modes; `of` gives the factor on the frequency of a mode in a survey, `None`: not found.
+/// Forty surveys, three months apart, of three modes; `of` gives the factor on the frequency of a mode in a survey, or `None` if not found.
 fn history(of: impl Fn(usize, usize) -> Option<f64>, more: &str) -> String {
     let mut text = format!("schema = 1\nkind = \"survey\"\nname = \"Pole\"\n{more}");
     for survey in 0..40 {
@@ -20,7 +20,7 @@ fn history(of: impl Fn(usize, usize) -> Option<f64>, more: &str) -> String {
         .unwrap();
         for (direction, modes) in [("x", vec![0, 2]), ("y", vec![1])] {
             let listed = modes.into_iter().filter_map(|mode| {
-                // scatter of 0.1 %, the same every time
+                // scatter of 0.1 %, always the same
                 let scatter = ((survey * 7 + mode * 13) % 11) as f64 / 11.0 - 0.5;
                 let hz = [3.0, 3.4, 8.0][mode] * of(mode, survey)? * (1.0 + 0.003 * scatter);
                 Some(format!("{{ value = {hz:.5}, sd = {:.5} }}", 0.0015 * hz))
@@ -76,7 +76,7 @@ fn holds_a_mode_that_vanished_is_an_alarm_once_that_is_no_chance() {
     let seldom = |mode: usize, survey: usize| (mode != 0 || !survey.is_multiple_of(3)).then_some(1.0);
     let (status, words) = watched("seldom", &history(seldom, ""));
     assert!(status == 0 && !words.contains("ALARM"), "{words}");
-    // somebody looked
+    // with an inspection
     let looked = format!(
         "[watch]\nworks = [{{ date = \"{}\", kind = \"inspection\" }}]\n",
         date_text(15_000.0 + 91.0 * 39.0 + 3.0)
@@ -144,7 +144,7 @@ fn holds_a_survey_without_its_temperature_is_no_good_news() {
     );
 }
 
-/// Three years of a tilt read each day, 3 mm/m with a season, but for what `of` says.
+/// Three years of daily tilt readings, 3 mm/m with a seasonal variation, except as `of` says.
 fn logged(name: &str, of: impl Fn(usize) -> Option<f64>) -> (i32, String) {
     let scratch = Scratch::new(name);
     let head = "schema = 1\nkind = \"survey\"\nname = \"Pole\"\n[watch.log.tx]\nfile = \"log.csv\"\nkind = \"tilt\"\n\

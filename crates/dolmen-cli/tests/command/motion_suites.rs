@@ -1,13 +1,13 @@
-// SOURCE     Made records: decaying swings of many periods, scaled and bent at will; a station as a Korean network gives it.
-// GOAL       A folder of records becomes a suite whose mean spectrum follows a demand, as another integration of the files written sees it; its lines stand
-//            in a project file; columns of one file are x, y and z in a project, on the command line and in a study alike.
+// SOURCE     Made records: decaying oscillations of many periods, scaled and distorted; a station in the format of a Korean network.
+// GOAL       A folder of records becomes a suite whose mean spectrum follows a demand, by a separate integration of the files; its lines work
+//            in a project file; columns of one file are x, y and z alike in a project, on the command line and in a study.
 // TOLERANCE  1e-3 of the spectra (steps of a hundredth of the period against exact peaks); motions to their last digit.
 
 use super::verbs::Scratch;
 use serde_json::Value;
 use std::fs;
 
-/// A record of five swings whose weights a seed draws.
+/// A record of five decaying oscillations with random weights from a seed.
 fn record(seed: u64, size: f64) -> Vec<f64> {
     let mut state = seed;
     let mut draw = || {
@@ -52,7 +52,7 @@ fn pool(scratch: &Scratch) {
     fs::write(folder.join("readme.txt"), "Records made for a test.\n").unwrap();
 }
 
-/// Largest pseudo-acceleration of an oscillator by the average acceleration method in steps of a two-hundredth of the shorter of period and sample.
+/// Largest pseudo-acceleration of an oscillator by the average acceleration method, with steps of 1/200 of the shorter of period and sample.
 fn pseudo_acceleration(samples: &[f64], step_s: f64, period_s: f64) -> f64 {
     let (omega, zeta) = (2.0 * std::f64::consts::PI / period_s, 0.05);
     let parts = (step_s / (period_s / 400.0)).ceil().max(4.0) as usize;
@@ -212,7 +212,7 @@ fn exact_columns_of_one_file_are_components_everywhere() {
     assert_eq!(peaks(&alone), [&up, &north, &east].map(|samples| peak(samples)));
     let components = [&east, &north, &up].map(|samples| peak(samples));
     assert_eq!(peaks(&of("station.csv --columns x=EW,y=ns,z=UD")), components);
-    // numbers count the columns of the file, as a spreadsheet does: its second is the time
+    // numbers count the columns of the file, as in a spreadsheet: the second is the time
     assert_eq!(peaks(&of("station.csv --columns x=4,y=3,z=1")), components);
     let time = scratch.dolmen("motion station.csv --columns x=2,y=3");
     assert_eq!(time.status, 2, "{}", time.stdout);

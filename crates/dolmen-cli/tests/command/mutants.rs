@@ -1,5 +1,5 @@
-// SOURCE     fuzz/bodies: what is done with an input of each kind; fuzz/corpus, the examples and the data of the tests: inputs to begin with.
-// GOAL       Whatever is changed in a file, it is read or refused: no panic, none that takes 10 s, and the process stays below 1 GiB.
+// SOURCE     fuzz/bodies: what is done with an input of each kind; fuzz/corpus, the examples and the test data: initial inputs.
+// GOAL       A changed file is read or refused: no panic, no run of 10 s, and the process stays below 1 GiB.
 // PARAMETERS DOLMEN_MUTANTS: mutants of each kind in place of 30 a file. Run one kind at a time (`mutants::holds_csv --exact`), so that its peak of
 //            memory is its own; it is printed as a row of the table in docs/measured.md.
 // TOLERANCE  none.
@@ -37,11 +37,11 @@ mod sites;
 #[path = "../../../../fuzz/bodies/store.rs"]
 mod store;
 
-/// Mutants of each file where no number is asked for.
+/// Default number of mutants of each file.
 const OF_EACH: usize = 30;
-/// Longer texts are cut: a change far down the samples says nothing new.
+/// Longer texts are cut: changes far down the samples test nothing new.
 const TEXT_BYTES_MOST: usize = 6000;
-/// What an input may take.
+/// Longest time for an input.
 const SLOWEST_MOST: Duration = Duration::from_secs(10);
 const MEMORY_MOST_MIB: u64 = 1024;
 
@@ -77,7 +77,7 @@ impl Draw {
     }
 }
 
-/// What a writer may slip, a disk may lose, and a reader may trip over.
+/// Text that writers slip in, disks corrupt, or readers fail on.
 const PIECES: [&[u8]; 16] = [
     b"-1",
     b"0",
@@ -107,7 +107,7 @@ fn changed(from: &[u8], other: &[u8], draw: &mut Draw) -> Vec<u8> {
             1 => drop(bytes.drain(at..to)),
             2 => drop(bytes.splice(at..to, PIECES[draw.below(PIECES.len())].iter().copied())),
             3 => bytes.truncate(at),
-            // lengths and counts stay where they are
+            // lengths and counts stay unchanged
             4 => {
                 let piece = PIECES[draw.below(PIECES.len())];
                 let end = (at + piece.len()).min(bytes.len());
@@ -124,7 +124,7 @@ fn changed(from: &[u8], other: &[u8], draw: &mut Draw) -> Vec<u8> {
     bytes
 }
 
-/// The same archive with one of its parts changed and the sums of all of them right, so that the change is not refused for its sum.
+/// The archive with one part changed and all checksums correct, so that it is not refused for a checksum.
 fn changed_within(archive: &[u8], other: &[u8], draw: &mut Draw) -> Option<Vec<u8>> {
     let mut from = zip::ZipArchive::new(Cursor::new(archive)).ok()?;
     let changes = draw.below(from.len());
@@ -144,7 +144,7 @@ fn changed_within(archive: &[u8], other: &[u8], draw: &mut Draw) -> Option<Vec<u
     Some(to.finish().ok()?.into_inner())
 }
 
-/// One mutant: of an archive every other one is changed within.
+/// One mutant; every second mutant of an archive is changed inside.
 fn mutant(from: &[u8], other: &[u8], draw: &mut Draw) -> Vec<u8> {
     match from.starts_with(b"PK\x03\x04") && draw.below(2) == 0 {
         true => changed_within(from, other, draw).unwrap_or_else(|| changed(from, other, draw)),
@@ -152,14 +152,14 @@ fn mutant(from: &[u8], other: &[u8], draw: &mut Draw) -> Vec<u8> {
     }
 }
 
-/// A number of kilobytes of this process by its name in /proc; `None` elsewhere than on Linux.
+/// A number of kilobytes of this process from /proc by its name; `None` on other systems than Linux.
 fn memory_kib(name: &str) -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with(name))?;
     line.split_whitespace().nth(1)?.parse().ok()
 }
 
-/// Time of processors that this process has used, to a hundredth of a second; `None` elsewhere than on Linux.
+/// Processor time of this process, to a hundredth of a second; `None` on other systems than Linux.
 fn processor_time() -> Option<Duration> {
     let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
     let (_, fields) = stat.rsplit_once(')')?;
@@ -168,7 +168,7 @@ fn processor_time() -> Option<Duration> {
     Some(Duration::from_millis(10 * (user.ok()? + system.ok()?)))
 }
 
-/// Runs each file and its mutants, and holds them to what they may take. Returns how many there were.
+/// Runs each file and its mutants within the limits. Returns the number of inputs.
 fn all(kind: &str, corpus: &[Vec<u8>], run: impl Fn(&[u8])) -> usize {
     let asked = std::env::var("DOLMEN_MUTANTS")
         .ok()
@@ -186,7 +186,7 @@ fn all(kind: &str, corpus: &[Vec<u8>], run: impl Fn(&[u8])) -> usize {
             let (begun, before) = (Instant::now(), processor_time());
             let caught = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| run(&bytes)));
             let mut took = begun.elapsed();
-            // beside other work only the time of processors says what an input takes
+            // on a busy machine only processor time is meaningful
             if took > SLOWEST_MOST
                 && let (Some(before), Some(after)) = (before, processor_time())
             {
@@ -215,7 +215,7 @@ fn all(kind: &str, corpus: &[Vec<u8>], run: impl Fn(&[u8])) -> usize {
     runs
 }
 
-/// Texts, cut.
+/// Texts of limited length.
 fn cut(corpus: Vec<Vec<u8>>) -> Vec<Vec<u8>> {
     let mut corpus = corpus;
     corpus.iter_mut().for_each(|file| file.truncate(TEXT_BYTES_MOST));
@@ -333,7 +333,7 @@ fn holds_whole_checks() {
     let projects = projects();
     let asked = std::env::var("DOLMEN_MUTANTS").is_ok();
     let texts: Vec<Vec<u8>> = projects.iter().map(|(text, _)| text.clone()).collect();
-    // all files of all examples: names of records do not meet
+    // all files of all examples: no two records have the same name
     let mut beside = MemoryFiles::default();
     for (_, files) in projects {
         beside.files.extend(files.files);
@@ -346,12 +346,12 @@ fn holds_whole_checks() {
     };
     match asked {
         true => assert!(all("check, whole", &texts, run) > 200),
-        // seconds each: those that fuzzing kept, and two of them
+        // these take seconds each: the corpus, and two mutants
         false => assert!(all("check, whole", &texts[..2], run) > 50),
     }
 }
 
-/// Seconds of a floor that sways at 2 and 5 Hz, as text: long enough that modes are found.
+/// A record of a floor with modes at 2 and 5 Hz, as text, long enough to find the modes.
 fn swaying() -> Vec<u8> {
     let mut draw = Draw(7);
     let mut text = "time_s,a,b\n".to_owned();
@@ -381,7 +381,7 @@ fn holds_whole_identifications() {
         let opened = Opened::read(text.to_owned(), "fuzz".to_owned(), &beside).unwrap();
         let _ = identify(&opened, &IdentifyOptions::default(), &beside, &Silent);
     };
-    // the record as it is has modes
+    // the unchanged record has modes
     let whole = swaying();
     let mut beside = MemoryFiles::default();
     beside.files.insert("r.csv".to_owned(), whole.clone());

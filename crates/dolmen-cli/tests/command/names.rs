@@ -1,7 +1,6 @@
 // SOURCE     names that were mistyped in use.
-// GOAL       A name that is not there is answered with those there are and the one that was probably meant, at its own place; a flag
-//            that would do nothing is refused.
-// TOLERANCE  the words that help.
+// GOAL       The error for an unknown name lists the known names and the one probably meant, in its own line; a flag without effect is refused.
+// TOLERANCE  the helpful words.
 
 use super::verbs::Scratch;
 use std::fs;
@@ -124,7 +123,7 @@ fn holds_each_restitution_goes_where_it_is_used() {
     ));
     write("rocking_restitution = 0.65");
     assert!(!said("rigid", "is more than"));
-    // the earlier name is that of falls
+    // the earlier name means that of falls
     write("restitution = 0.4");
     let full = scratch.briefly("check p.toml --full").words();
     assert!(
@@ -164,7 +163,7 @@ fn holds_each_restitution_goes_where_it_is_used() {
     }
 }
 
-/// 기록 composed as Windows and Linux write it, and in parts as macOS does.
+/// 기록 composed as on Windows and Linux, and decomposed as on macOS.
 const WHOLE: &str = "\u{ae30}\u{b85d}.csv";
 const IN_PARTS: &str = "\u{1100}\u{1175}\u{1105}\u{1169}\u{11a8}.csv";
 

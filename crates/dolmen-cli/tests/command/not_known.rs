@@ -1,5 +1,5 @@
-// SOURCE     What users with fresh eyes found green, or silent, and was not known.
-// GOAL       The command says or refuses it.
+// SOURCE     What new users found reported as green, or not reported, though it was not known.
+// GOAL       The command reports or refuses it.
 // TOLERANCE  none: words and exit statuses.
 
 use super::verbs::Scratch;

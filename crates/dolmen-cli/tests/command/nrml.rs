@@ -1,5 +1,5 @@
 // SOURCE     OpenQuake engine manual, "Fragility models"; mean and standard deviation of a lognormal: Johnson, Kotz, Balakrishnan (1994), ch. 14.
-// GOAL       A study's curves stand in NRML as in fragility.csv, in OpenQuake's units; directions of one record are no more motions.
+// GOAL       NRML has the same fragility curves as fragility.csv, in OpenQuake's units; directions of one record do not count as more motions.
 // TOLERANCE  1e-12: the same numbers by another formula, to rounding.
 
 use super::verbs::Scratch;
@@ -15,7 +15,7 @@ joint = { friction = 0.7 }
 blocks = [{ name = "foot", width = 1.0, height = 0.3 }, { name = "stone", width = 0.3, height = 0.9 }]
 "#;
 
-/// Attributes of an element that stands on a line.
+/// Attributes of an element within a line.
 fn attributes(line: &str) -> BTreeMap<String, String> {
     let mut rest = line;
     let mut found = BTreeMap::new();

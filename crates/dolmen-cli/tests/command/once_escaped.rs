@@ -1,5 +1,5 @@
-// SOURCE     Cases that once escaped: names with marks of formulas, folders made without a word, a binary at a fixed address.
-// GOAL       None of them comes back.
+// SOURCE     Past defects: names with formula characters, folders created silently, a binary at a fixed address.
+// GOAL       They stay mended.
 // TOLERANCE  none: words and bytes.
 
 use super::verbs::Scratch;
@@ -34,7 +34,7 @@ fn holds_a_name_puts_no_tags_into_a_page() {
     assert!(!page.contains("<b>of</b>") && !page.contains("<i>base</i>"));
 }
 
-/// The address of a position-independent executable is drawn at each start.
+/// A position-independent executable gets a random address at each start.
 #[cfg(target_os = "linux")]
 #[test]
 fn holds_the_binary_is_position_independent() {

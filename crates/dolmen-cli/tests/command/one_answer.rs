@@ -1,4 +1,4 @@
-// SOURCE     Answers that users with fresh eyes found misleading, or that contradicted themselves.
+// SOURCE     Answers that new users found misleading or contradictory.
 // GOAL       One count of assumed inputs, one direction of a ratio, one word for equal parts, and a key to type in each refusal.
 // TOLERANCE  none: words, numbers as printed and exit statuses.
 
@@ -39,7 +39,7 @@ fn holds_assumed_inputs_are_counted_once_and_named() {
         words.contains(&finding) && words.contains(" more (every result"),
         "{finding}: {words}"
     );
-    // what Dolmen takes counts too
+    // assumptions of Dolmen count too
     let taken = BLOCKS.replace(", shear_stiffness = \"4e8 Pa/m\", damping_ratio = 0.05", "");
     let (_, words) = said("one-count-taken", &taken, "check project.toml");
     assert!(

@@ -1,6 +1,6 @@
 // SOURCE     The flagpole of Choi (2021) with its stone, Fig. 8.
-// GOAL       The check sets a pole beside one stone, says how loose it is, and refuses a stone that no pole has.
-// TOLERANCE  1e-9 between numbers of one answer; the frequencies themselves are held by the library against other methods.
+// GOAL       The check compares a pole with a single stone, says how loose it is, and refuses a stone that no pole has.
+// TOLERANCE  1e-9 between numbers of one answer; tests of the library check the frequencies against other methods.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -29,12 +29,12 @@ fn holds_a_pole_on_joints_is_below_one_stone_in_every_mode() {
         assert!((rigid / shears[i] / ratio - 1.0).abs() < 1e-9);
         assert!(jointed[i] < shears[i] && shears[i] < bends[i]);
     }
-    // joints a hundred times as stiff leave ten times the frequency of the joints, and less of it where the stones bend
+    // joints a hundred times as stiff give ten times the joint frequency, and less where the stones bend
     let tight = &whole["variants"][0]["state"]["check"]["chain"]["one_stone"];
     let tight_ratio = numbers(&tight["ratios"])[0];
     assert!(tight_ratio > 9.0 * of("ratios")[0], "{tight_ratio}");
     assert!(numbers(&tight["jointed_hz"])[0] < shears[0]);
-    // joints that nobody knows leave the one stone
+    // with unknown joints only the single stone remains
     let path = scratch.path().join(POLE);
     let text = fs::read_to_string(&path).unwrap();
     let (before, rest) = text.split_once("joints = [").unwrap();

@@ -1,5 +1,5 @@
-// SOURCE     Numbers typed or written that nothing real has: steps, counts, scales and turns without end, and names that are not there.
-// GOAL       Each is refused with what is allowed, before any work; what is near is named.
+// SOURCE     Values that no real structure has: extreme steps, counts, scales and turns, and unknown names.
+// GOAL       Each is refused with the allowed range before any work; similar names are suggested.
 // TOLERANCE  none: words and exit statuses.
 
 use super::untrusted::refused;

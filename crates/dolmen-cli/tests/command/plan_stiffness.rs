@@ -1,6 +1,6 @@
 // SOURCE     Park and Min (2010): the gate in plan; Hwang, Min & Hong, Table 1; closed forms.
-// GOAL       What `identify` and `check` say of the stiffness of a building in plan.
-// TOLERANCE  closed forms 1e-9; the centre of rigidity 4e-4 m, what the digits printed in Table 1 move.
+// GOAL       What `identify` and `check` report about the stiffness of a building in plan.
+// TOLERANCE  closed forms 1e-9; the centre of rigidity 4e-4 m, the effect of the printed digits of Table 1.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -69,7 +69,7 @@ fn holds_check_contradicts_the_first_guess_and_agrees_with_what_was_found() {
         !said.contains("in direction x") && !said.contains("in direction y"),
         "{said}"
     );
-    // a model of another torsion is contradicted too
+    // a model with other torsional stiffness is contradicted too
     fs::write(&path, found.replace("1700 MN*m/rad", "3000 MN*m/rad")).unwrap();
     let said = scratch.dolmen("check examples/gate_in_plan").words();
     assert!(said.contains("measured 1.300 Hz in direction torsion"), "{said}");
@@ -93,7 +93,7 @@ fn refuses_two_frequencies_and_says_what_stays_free() {
         said.contains("determined in part, with the centre of rigidity where the file has it: k_x"),
         "{said}"
     );
-    // off the middle nothing is determined by itself
+    // with an eccentricity no stiffness is determined by itself
     let off = gate("plan_few_off", |text| {
         no_torsion(text).replace("centre = [0, 0]", "centre = [1, 0.5]")
     });
@@ -162,7 +162,8 @@ fn hall(name: &str, more: &str) -> Scratch {
     scratch
 }
 
-/// The survey is of the floor with its tuned mass, by numpy's complex modes: nothing is written to the floor alone, and the check compares the whole.
+/// The survey is of the floor with its tuned mass, by numpy's complex modes: nothing is written for the floor alone, and the check compares
+/// the whole.
 #[test]
 fn holds_a_tuned_mass_is_counted_in_the_check_and_stiffness_is_not_sought_with_it() {
     let scratch = hall("plan_damped", &format!("[damper.t]\n{MASS}"));
@@ -187,7 +188,7 @@ fn holds_a_tuned_mass_is_counted_in_the_check_and_stiffness_is_not_sought_with_i
         "{said}"
     );
     assert!(!said.contains("83.0 %"), "{said}");
-    // in a variant the dampers are not of the floor that was surveyed
+    // dampers of a variant do not belong to the surveyed floor
     let scratch = hall("plan_blocked", &format!("[variant.damped.damper.t]\n{MASS}"));
     let said = scratch.dolmen("identify hall.toml").words();
     assert!(said.contains("k_x"), "{said}");

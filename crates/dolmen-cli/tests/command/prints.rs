@@ -1,4 +1,4 @@
-//! A report as a PDF: the same bytes from the same input, kept by the rules of every output; without the feature it is refused before any work.
+//! A report as a PDF: the same input gives the same bytes, and the rules of every output apply; without the feature it is refused at once.
 
 use super::verbs::Scratch;
 #[cfg(feature = "pdf")]
@@ -22,7 +22,7 @@ fn holds_the_same_project_gives_the_same_pdf() {
             let bytes = fs::read(scratch.path().join("once.pdf")).unwrap();
             assert!(bytes.starts_with(b"%PDF-1.7"));
             assert_eq!(bytes, fs::read(scratch.path().join("again.pdf")).unwrap());
-            // what makes it a PDF/A-2a stands in it unpacked
+            // the PDF/A-2a metadata are not compressed
             let archival = b"<pdfaid:conformance>A</pdfaid:conformance>";
             assert!(
                 bytes.windows(archival.len()).any(|part| part == archival),

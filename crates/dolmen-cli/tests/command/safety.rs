@@ -1,4 +1,4 @@
-// SOURCE     Ways in which an unsafe structure could be made to look safe.
+// SOURCE     Ways to make an unsafe structure look safe.
 // GOAL       The answer names each, its verdict changes, or Dolmen refuses the input.
 // TOLERANCE  none: words and exit statuses.
 
@@ -122,7 +122,7 @@ fn refuses_a_report_over_its_own_project() {
     );
 }
 
-/// A frame of two storeys with sliders; the numbers of its springs once it slips come after.
+/// A frame of two storeys with sliders; the numbers of its springs during slip follow.
 const HALL: &str = "schema = 1\nkind = \"frame\"\nname = { en = \"Hall\" }\nunits = { force = \"kN\", mass = \"t\", stiffness = \"kN/mm\" }\n\
     storeys = [{ mass = 60, height = 4.2 }, { mass = 45, height = 3.6 }]\n[direction.weak]\n";
 
@@ -230,7 +230,7 @@ fn holds_a_vertical_motion_does_not_act_on_a_frame_and_that_is_said() {
 
 #[test]
 fn holds_the_verdict_says_what_decided_it() {
-    // min k l/N once it slips: .1 kN/mm × 4.2 m / (105 t g) = .408
+    // min k l/N during slip: 0.1 kN/mm × 4.2 m / (105 t g) = 0.408
     let slips = format!(
         "{HALL}stiffness = [8.1, 5.2]\ndamping_ratio = 0.03\n\
          friction = {{ law = \"jenkins\", coefficient = 0.1, slipping_stiffness = [0.1, 0.05] }}\n"
@@ -279,7 +279,7 @@ fn holds_a_chance_of_falling_stands_beside_the_verdict() {
         "{}",
         answer.stdout
     );
-    // k l/N while it slips: .55 × 4.2 m/1030 kN = 2.2 and .3 × 3.6/441 = 2.4 at the mean: below 1 in about one of ten
+    // k l/N during slip: 0.55 × 4.2 m/1030 kN = 2.2 and 0.3 × 3.6/441 = 2.4 at the mean: below 1 in about one of ten
     let frame = format!(
         "{HALL}stiffness = [21, 14]\nfriction = {{ law = \"jenkins\", coefficient = 0.08, slipping_stiffness = \
          [{{ value = 0.5, cov = 0.5 }}, {{ value = 0.3, cov = 0.5 }}] }}\n"
@@ -406,7 +406,7 @@ fn exact_turning_a_motion_leaves_its_strength() {
     let answer = scratch.dolmen(
         "simulate project.toml --motion el-centro-1940-ns --peak 0.02g --turn 45 --keep-first 4 --law rigid",
     );
-    // .02 cos 45° along each, .02 together
+    // 0.02 cos 45° along each, 0.02 together
     for said in [" 0.01414 ", "x and y together – – 0.02000 "] {
         assert!(
             answer.words().contains(said),

@@ -1,6 +1,6 @@
-// SOURCE     What an engineer's first reading of the answers missed: two surveys without modes, samples that fall, a study beside the limit of its
-//            file, wind that no limit holds.
-// GOAL       What decides stands in the answer, and no green word beside it says otherwise.
+// SOURCE     What an engineer's first reading of the answers missed: two surveys without modes, samples that fall, a study beyond the limit
+//            of its file, wind without a limit.
+// GOAL       The answer gives what decides, and no green word beside it contradicts it.
 // TOLERANCE  none: words and exit statuses; the moment of wind and its drift are printed numbers of `check`.
 
 use super::verbs::Scratch;
@@ -13,7 +13,7 @@ const SURVEYS: &str = "schema = 1\nkind = \"survey\"\nname = \"Pole\"\n\
     [survey.2024]\ntilt = { x = \"1/120\", y = \"1/310\" }\n\
     inspections = [{ part = \"base\", what = \"crack\", size = \"0.5 mm\" }, { part = \"mid\", what = \"loss\" }]\n";
 
-/// One stone on a bed of 0.6 m: 20 kN at 1.5 m, so that a stiffness below 30 kN m/rad does not hold it.
+/// One stone on a bed of 0.6 m: 20 kN at 1.5 m, so that a stiffness below 30 kN m/rad is unstable.
 const POLE: &str = "schema = 1\nkind = \"chain\"\nname = \"Pole\"\nunits = { force = \"kN\", stiffness = \"kN*m/rad\" }\ndamping_ratio = 0.02\n\
     links = [{ name = \"shaft\", weight = 20, length = 3.0, centroid = 1.5, breadth = 0.6, bed_width = 0.6 }]\n";
 
@@ -63,7 +63,7 @@ fn holds_tilts_and_inspections_are_compared_without_modes() {
     assert!((change - (1.0 / 120.0 - 1.0 / 170.0)).abs() < 1e-12, "{found}");
     assert_eq!(found["inspections"][0]["course"], "sized");
 
-    // other marks: nothing is claimed of tilts
+    // other marks: no statement about tilts
     let other = SURVEYS.replace("[survey.2010]", "[survey.2010]\ndatum = \"bolt A\"");
     let other = other.replace("[survey.2024]", "[survey.2024]\ndatum = \"bolt B\"");
     let said = of("readings-datum", &other, "compare project.toml");
@@ -87,7 +87,7 @@ fn holds_tilts_and_inspections_are_compared_without_modes() {
 
 #[test]
 fn holds_samples_that_fall_are_in_the_word() {
-    // 100 kN m/rad holds 3.3 times the weight; a scatter of 80 % falls below 30 in some of a hundred samples
+    // 100 kN m/rad is 3.3 times what the weight needs; with a cov of 80 % some of a hundred samples fall below 30
     let scattered = format!("{POLE}joints = [{{ stiffness = {{ value = 100, cov = 0.8 }} }}]\n");
     let said = of("samples", &scattered, "check project.toml --samples 400");
     assert!(
@@ -102,7 +102,7 @@ fn holds_samples_that_fall_are_in_the_word() {
         share > 0.01 && version["weight"]["word"] == "marginal",
         "{version}"
     );
-    // a scatter that leaves them all standing changes nothing
+    // a cov with which all stand changes nothing
     let narrow = scattered.replace("cov = 0.8", "cov = 0.05");
     let said = of("samples-narrow", &narrow, "check project.toml --samples 400");
     assert!(
@@ -151,7 +151,7 @@ fn holds_wind_is_judged_by_the_limits_of_the_file_or_not_at_all() {
         "{}",
         said.words
     );
-    // far beyond what the file allows in an earthquake
+    // far beyond the limit of the file for earthquakes
     let limited = format!("{blown}[limits]\nstorey_drift = \"1/400\"\n");
     for command in [
         "check project.toml",
@@ -164,7 +164,7 @@ fn holds_wind_is_judged_by_the_limits_of_the_file_or_not_at_all() {
             said.words
         );
     }
-    // within it nothing is claimed: it is a limit of earthquakes
+    // within the limit nothing is stated: it is a limit for earthquakes
     let wide = limited.replace("1/400", "1/11").replace("45 m/s", "10 m/s");
     let said = of("wind-wide", &wide, "check project.toml");
     assert!(said.words.contains("Wind: not decided"), "{}", said.words);
@@ -176,7 +176,7 @@ fn holds_a_full_answer_has_what_the_brief_one_has() {
     for example in ["pagoda_with_a_logger", "pagoda_over_the_years"] {
         let brief = scratch.briefly(&format!("check examples/{example}"));
         let full = scratch.dolmen(&format!("check examples/{example}")).words();
-        // a line of the short answer may break elsewhere in the full one
+        // line breaks of the short and the full answer may differ
         let findings = brief
             .stdout
             .lines()
@@ -211,7 +211,7 @@ fn holds_what_decides_stands_before_what_it_depends_on() {
         "{}",
         answer.words
     );
-    // criteria of others decide nothing where the stiffness is known
+    // criteria for unknown stiffness decide nothing where the stiffness is known
     assert!(
         !answer.words.contains("buckling of a post on one spring"),
         "{}",

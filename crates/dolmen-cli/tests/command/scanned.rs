@@ -1,13 +1,13 @@
 // SOURCE     examples/scanned_tower/tower.ply, made by scripts/example-scan of boxes and frusta with noise of 0.5 mm; their first motion by hand
-// GOAL       One scan becomes a project that can be checked at once, or nothing is written and the reason is given.
-// TOLERANCE  2 % of the first motion by hand, what the joints of noisy stones are held to; 0.5 % of the volume
+// GOAL       One scan becomes a project that can be checked at once; otherwise nothing is written and the answer gives the reason.
+// TOLERANCE  2 % of the first motion by hand, the tolerance for joints of noisy stones; 0.5 % of the volume
 
 use super::verbs::Scratch;
 use std::fs;
 
 const NEW: &str = "new pagoda tower --scan examples/scanned_tower/tower.ply --beds 0.30,0.93,1.20";
 
-/// Half widths at base and top, height, middle along x, m, as in scripts/example-scan.
+/// Half widths at base and top, height, centre along x, m, as in scripts/example-scan.
 const STONES: [[f64; 4]; 4] = [
     [0.4, 0.4, 0.3, 0.0],
     [0.24, 0.24, 0.64, 0.0],
@@ -19,7 +19,7 @@ fn volume([a, b, h, _]: [f64; 4]) -> f64 {
     4.0 * h / 3.0 * (a * a + a * b + b * b)
 }
 
-/// Over all beds, along ±x and ±y: distance of the edge from the centroid of what lies above, over the height of that.
+/// Minimum over all beds, along ±x and ±y: distance of the edge from the centroid of the part above, divided by the height of that centroid.
 fn tips_at() -> f64 {
     let mut least = f64::INFINITY;
     for from in 0..STONES.len() {
@@ -64,7 +64,7 @@ fn exact_project_from_one_scan_begins_to_move_as_its_solids() {
     let found = json["state"]["check"]["stack"]["capacity"]["acceleration_g"]
         .as_f64()
         .unwrap();
-    // friction of 0.6 is more than that
+    // friction of 0.6 is larger
     assert!(
         (found / tips_at() - 1.0).abs() < 0.02,
         "{found} for {}",
@@ -166,7 +166,7 @@ fn refuses_scans_with_what_to_do_and_writes_nothing() {
     );
     let answer = scratch.briefly("new pagoda made --scan closed.obj");
     assert_eq!(answer.status, 2, "{}", answer.stdout);
-    // and a folder that holds something stays as it was
+    // and a folder that is not empty stays as it was
     fs::create_dir(scratch.path().join("full")).unwrap();
     fs::write(scratch.path().join("full/mine.txt"), "mine").unwrap();
     let answer = scratch.briefly("new pagoda full --scan closed.obj --beds 0.5");
@@ -174,7 +174,7 @@ fn refuses_scans_with_what_to_do_and_writes_nothing() {
     assert_eq!(fs::read_dir(scratch.path().join("full")).unwrap().count(), 1);
 }
 
-/// Two posts and a lintel: 1 % more height of one post would take the lintel off the other, which is no sensitivity.
+/// Two posts and a lintel: 1 % more height of one post alone would lift the lintel off the other, so it is no sensitivity.
 #[test]
 fn holds_heights_of_stones_that_carry_one_together_are_no_sensitivity() {
     let scratch = Scratch::new("shared-course");
@@ -196,7 +196,7 @@ fn holds_heights_of_stones_that_carry_one_together_are_no_sensitivity() {
     );
 }
 
-/// Stones in the grid of a map: rounding of 4,000 km left forces of 4e-5 of the weight, so that a run under its own weight found no rest.
+/// Stones in map coordinates: at 4,000 km, rounding left forces of 4e-5 of the weight, so that a run under its own weight found no rest.
 #[test]
 fn refuses_stones_in_the_grid_of_a_map_and_says_what_to_take_off() {
     let scratch = Scratch::new("grid");

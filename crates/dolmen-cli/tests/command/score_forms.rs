@@ -1,4 +1,4 @@
-//! The form of the six-factor score: written, filled, read back.
+//! The form of the six-factor score: written, filled in, read back.
 
 use super::verbs::Scratch;
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::Path;
 use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};
 
-/// Rows of the form, counted as Excel counts, with the keys in column A.
+/// Rows of the form, numbered as in Excel, with the keys in column A.
 const ROWS: [(&str, u32); 7] = [
     ("name", 5),
     ("storeys", 6),
@@ -18,7 +18,7 @@ const ROWS: [(&str, u32); 7] = [
     ("body_base_height_ratio", 11),
 ];
 
-/// The form with values in column D, as a spreadsheet would save them: numbers, or words within the cell.
+/// The form with values in column D, as a spreadsheet would save them: numbers, or inline strings.
 fn filled(form: &Path, values: &[(&str, &str)]) -> Vec<u8> {
     let mut archive = ZipArchive::new(Cursor::new(fs::read(form).unwrap())).unwrap();
     let mut written = ZipWriter::new(Cursor::new(Vec::new()));

@@ -1,5 +1,5 @@
 // SOURCE     The files of dolmen-project, dolmen-work and dolmen-report, and the sentences that `dolmen words` prints.
-// GOAL       No group of messages is missing from what a reviewer is given, and no two sentences have one name.
+// GOAL       `dolmen words` prints every group of messages, and no two sentences have the same name.
 // TOLERANCE  none.
 
 use dolmen_report::sentences::sentences;

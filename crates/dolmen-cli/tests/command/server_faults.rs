@@ -1,6 +1,6 @@
 // SOURCE     docs/store.md, "For teams".
-// GOAL       The command gives the reason why a server refuses and what to do, in both languages, and never with a password; names and texts of
-//            strangers are neither statements nor ways out of a folder.
+// GOAL       The command gives the reason why a server refuses and what to do, in both languages and never with a password; names and texts
+//            from strangers never act as SQL statements and never lead out of a folder.
 // TOLERANCE  none: words, rows and exit statuses.
 
 use super::server_processes::free_port;
@@ -10,10 +10,10 @@ use super::verbs::{Answer, Scratch};
 use std::fs;
 use std::process::Command;
 
-/// What stands in no answer.
+/// Must not appear in any answer.
 const SECRET: &str = "s3cr3t";
 
-/// Refused with these words, in Korean with those, and never with a password.
+/// Refused with these English words and those Korean ones, without a password.
 fn refused_in_both(scratch: &Scratch, words: &str, english: &str, korean: &str) {
     for (language, why) in [("en", english), ("ko", korean)] {
         let answer = scratch.briefly(&format!("{words} --language {language}"));
@@ -135,7 +135,7 @@ fn refuses_a_server_that_is_not_there_and_one_that_refuses() {
         "The server refuses postgresql://nobody@/refusing",
         "접속을 거부한다",
     );
-    // the password in the address, in the environment and in a file, which only its owner may read
+    // the password in the address, in the environment, and in a file that only its owner may read
     let run = |set: &dyn Fn(&mut Command)| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_dolmen"));
         command
@@ -197,10 +197,10 @@ fn refuses_what_a_role_may_not_do_and_lets_it_read() {
     assert_eq!(before, content(&scratch, &of("reader")));
     good(scratch.briefly(&format!("survey show a {}", of("reader"))));
     good(scratch.briefly(&format!("survey export a -o back {}", of("reader"))));
-    // to write needs no more than to add rows
+    // writing needs only the right to add rows
     project(&scratch, "b", 1);
     good(scratch.briefly(&format!("survey add b --without-modes {}", of("writer"))));
-    // a role that may not make the store
+    // a role that may not create the store
     server.database("bare");
     refused_in_both(
         &scratch,
@@ -221,7 +221,7 @@ fn refuses_what_a_role_may_not_do_and_lets_it_read() {
         ),
         "0"
     );
-    // a server that only gives
+    // a read-only server
     server.sql(
         "postgres",
         "alter role writer set default_transaction_read_only = on",
@@ -247,7 +247,7 @@ fn refuses_stores_of_later_versions_other_programs_and_encodings() {
             "더 새로운 버전의 Dolmen이 만든 저장소이다(스키마 99",
         );
     }
-    // an earlier one is brought to this one; a reader may not do that
+    // a writer updates an earlier schema; a reader may not
     server.sql(
         "later",
         "alter table dolmen.mode drop column is_accepted; update dolmen.schema_number set number = 2; create role old login; \
@@ -270,7 +270,7 @@ fn refuses_stores_of_later_versions_other_programs_and_encodings() {
         "holds tables of another program",
         "다른 프로그램의 테이블",
     );
-    // tables of others beside ours are left alone
+    // tables of other programs are left alone
     let beside = server.database("beside");
     server.sql(
         "beside",
@@ -351,7 +351,7 @@ fn refuses_names_and_texts_of_strangers_as_statements_and_ways_out() {
         ),
         "1|t"
     );
-    // a zero byte, which a file of another program may hold and a server cannot
+    // a zero byte, which SQLite allows and PostgreSQL does not
     fs::write(
         scratch.path().join("p.toml"),
         "schema = 1\nkind = \"survey\"\nname = \"zero\"\n[survey.2020]\n",
@@ -369,7 +369,7 @@ fn refuses_names_and_texts_of_strangers_as_statements_and_ways_out() {
         "NUL 바이트",
     );
     assert_eq!(before, content(&scratch, &store));
-    // a database of a stranger names a file outside: nothing is written there
+    // a foreign database names a file outside: nothing is written there
     server.sql(
         "hostile",
         "update dolmen.project_file set path = '../evil.csv' where project = (select project from dolmen.adoption where structure = 'a/b')",

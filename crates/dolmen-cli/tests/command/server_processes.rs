@@ -1,5 +1,5 @@
 // SOURCE     docs/store.md, "For teams".
-// GOAL       What was acknowledged stays, once, whatever happens to processes and to the server.
+// GOAL       Acknowledged data are stored exactly once, whatever happens to processes and to the server.
 // TOLERANCE  none: bytes, rows, words and exit statuses.
 
 use super::followed::{gate_in, kill_follow_at_random_moments, made_record, names_in, put};
@@ -66,7 +66,7 @@ fn refuses_to_write_while_another_process_does_and_reads_on() {
     let scratch = Scratch::new("server-locked");
     project(&scratch, "a", 1);
     let store = super::servers::stored(&scratch, server, "locked_store", "a");
-    // another process that holds the lock of those who write
+    // another process holds the writers' lock
     let mut other = Command::new("psql")
         .args(["-X", "-q", "-U", "postgres", "-d", "locked_store", "-h"])
         .arg(server.folder())
@@ -99,7 +99,7 @@ fn refuses_to_write_while_another_process_does_and_reads_on() {
     content(&scratch, &store);
 }
 
-/// A port that nobody listens on now.
+/// A port that is free now.
 pub(super) fn free_port() -> u16 {
     let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     listener.local_addr().unwrap().port()
@@ -153,7 +153,7 @@ fn holds_a_follow_goes_on_when_the_server_was_restarted() {
             server.control(&["-m", "immediate", "restart"]);
         }
         if at == 3 {
-            // it stays away for some rounds
+            // it stays down for some rounds
             server.control(&["-m", "immediate", "stop"]);
             std::thread::sleep(Duration::from_millis(600));
             server.control(&["-w", "start"]);
@@ -218,7 +218,7 @@ fn holds_two_that_follow_for_one_structure_see_what_the_other_stored() {
         .status()
         .unwrap();
     let output = child.wait_with_output().unwrap();
-    // with those alone that it knew at its start there would be two days with modes: too few
+    // with only the surveys known at its start there would be two days with modes: too few
     let last: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(
         (&last["survey"], &last["verdict"]),

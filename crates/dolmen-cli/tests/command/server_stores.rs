@@ -1,5 +1,5 @@
 // SOURCE     docs/store.md, "For teams".
-// GOAL       A store on a server of PostgreSQL is the same store as a file: same rows, same answers, there and back.
+// GOAL       A store on a PostgreSQL server equals a store in a file: same rows, same answers, in both directions.
 // TOLERANCE  none: bytes, rows, words and exit statuses.
 
 use super::servers::{Server, stored};
@@ -10,7 +10,7 @@ use std::fs;
 use std::io::Read as _;
 use std::process::{Command, Stdio};
 
-/// Every answer of a store, as it is printed.
+/// Every printed answer of a store.
 fn answers(scratch: &Scratch, store: &str, structures: &[&str]) -> Vec<String> {
     let mut all: Vec<String> = [
         "survey list --full",
@@ -56,7 +56,7 @@ fn holds_a_store_goes_to_a_server_and_back_unchanged() {
     good(scratch.briefly(&format!(
         "survey add examples/pagoda_over_the_years {FILE} --name 석탑"
     )));
-    // a database whose own order of words is not that of bytes
+    // a database whose collation is not bytewise
     server.sql(
         "postgres",
         "create database back template template0 encoding 'UTF8' locale_provider icu icu_locale 'ko' locale 'C.UTF-8'",
@@ -82,7 +82,7 @@ fn holds_a_store_goes_to_a_server_and_back_unchanged() {
         (Some(0), Some(0)),
         "{again}"
     );
-    // back into a file, and into another database by the programs of the server
+    // back into a file, and into another database with the server's own programs
     good(scratch.briefly(&format!("survey export -o back.db {store}")));
     assert_eq!(own, content(&scratch, "--store back.db"));
     let dump = server.program("pg_dump", &["--format=custom", "back"]);
@@ -96,7 +96,7 @@ fn holds_a_store_goes_to_a_server_and_back_unchanged() {
         ],
     );
     assert_eq!(own, content(&scratch, &restored));
-    // a project comes out as it went in, and a file that somebody named by hand stays
+    // an exported project equals the stored one, and a file that somebody named by hand stays
     good(scratch.briefly(&format!("survey export 석탑 -o out {store}")));
     let text = |of: &str| fs::read(scratch.path().join(of).join("project.toml")).unwrap();
     assert_eq!(text("examples/pagoda_over_the_years"), text("out"));
@@ -195,11 +195,11 @@ fn holds_what_was_changed_or_lost_on_a_server_is_named() {
         &scratch.briefly(&format!("survey export a -o back {store}")),
         "is missing or was changed",
     );
-    // adding it again brings back what is missing
+    // adding it again restores what is missing
     good(scratch.briefly(&format!("survey add a {store} --without-modes")));
     let found = json(&scratch, &format!("survey verify {store}"));
     assert_eq!(found["faults"].as_array().unwrap().len(), 1, "{found}");
-    // rows that another program changed, a row that refers to nothing, and a column that became another
+    // rows changed by another program, a dangling reference, and a column of another type
     server.sql(
         "damaged",
         "set session_replication_role = replica; update dolmen.project_file set path = 'x.csv' where path = 'record-0.csv'; \
@@ -221,7 +221,7 @@ fn holds_a_large_record_is_kept_in_pieces_and_nothing_larger_is_sent() {
     let Some(server) = Server::shared() else { return };
     let scratch = Scratch::new("server-large");
     project(&scratch, "a", 1);
-    // 18 MiB that do not compress
+    // 18 MiB of incompressible bytes
     let mut seed = 3;
     let noise: Vec<u8> = (0..18 << 17)
         .flat_map(|_| (below(&mut seed, 1 << 31) * below(&mut seed, 1 << 31)).to_le_bytes())
@@ -257,7 +257,7 @@ fn holds_memory_stays_flat_however_many_surveys_a_server_lists() {
             .stdout(Stdio::piped())
             .spawn()
             .unwrap();
-        // the pipe holds it up: it lives until the last bytes are read
+        // the pipe blocks it, so it runs until the last bytes are read
         let mut out = child.stdout.take().unwrap();
         let (mut bytes, mut buffer, mut most) = (0, [0; 65536], 0.0_f64);
         loop {

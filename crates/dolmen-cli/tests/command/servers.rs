@@ -1,4 +1,4 @@
-//! Servers of PostgreSQL for the tests: real ones, each in a folder of its own, that end and leave nothing when the tests end.
+//! PostgreSQL servers for the tests, each in its own folder; they stop with the tests and leave nothing behind.
 
 use super::stores::good;
 use super::verbs::Scratch;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::{Mutex, OnceLock};
 
-/// The system's user that may run a server; the one who may do all in it.
+/// System user that may run a server, and superuser of its databases.
 const USER: &str = "postgres";
 
 /// A server that listens on a socket in its folder.
@@ -19,7 +19,7 @@ pub(crate) struct Server {
     keeper: Mutex<Option<(Child, ChildStdin)>>,
 }
 
-/// Where the programs of a server are; Debian keeps them out of the PATH.
+/// Folder of the server programs; on Debian it is not in the PATH.
 fn programs() -> Option<PathBuf> {
     let debian = fs::read_dir("/usr/lib/postgresql")
         .into_iter()
@@ -39,7 +39,7 @@ fn is_root() -> bool {
     told.stdout.trim_ascii() == b"0"
 }
 
-/// A server refuses to be run by root.
+/// A server refuses to run as root.
 fn as_user(program: &Path) -> Command {
     if !is_root() {
         return Command::new(program);
@@ -49,7 +49,7 @@ fn as_user(program: &Path) -> Command {
     command
 }
 
-/// Makes a server, starts it, and stops and removes it once its standard input ends, as it does when the tests end, however they end.
+/// Creates and starts a server; stops and removes it when its standard input closes, as happens whenever the tests end.
 const KEEPER: &str = r#"
 trap '' INT TERM HUP
 "$1/initdb" --no-sync -A trust -U postgres -E UTF8 --locale C -D "$2/data" >"$2/made" 2>&1 || { cat "$2/made" >&2; exit 1; }
@@ -71,7 +71,7 @@ rm -rf "$2"
 "#;
 
 impl Server {
-    /// A server of its own on a socket, and on 127.0.0.1 where `port` gives a port; `None` where none is installed.
+    /// A new server on a socket, and on 127.0.0.1 if `port` gives a port; `None` if PostgreSQL is not installed.
     pub(crate) fn start(name: &str, port: Option<u16>) -> Option<Self> {
         let Some(programs) = programs() else {
             let _ = writeln!(
@@ -130,7 +130,7 @@ impl Server {
         &self.folder
     }
 
-    /// Runs statements of its owner; what they give, a line a row.
+    /// Runs statements as the owner; returns the result, one line per row.
     pub(crate) fn sql(&self, database: &str, statements: &str) -> String {
         let output = Command::new(self.programs.join("psql"))
             .args([
@@ -158,13 +158,13 @@ impl Server {
         String::from_utf8_lossy(&output.stdout).trim().to_owned()
     }
 
-    /// Makes an empty database; the words that name the store in it.
+    /// Creates an empty database; returns the arguments that name the store in it.
     pub(crate) fn database(&self, name: &str) -> String {
         self.sql(USER, &format!("create database {name}"));
         self.store(name, USER)
     }
 
-    /// The words that name the store of a database, for a role.
+    /// The arguments that name the store of a database, for a role.
     pub(crate) fn store(&self, database: &str, role: &str) -> String {
         format!("--store {}", self.url(database, role))
     }
@@ -189,7 +189,7 @@ impl Server {
         output.stdout
     }
 
-    /// Stops or starts it again: `pg_ctl` with these words.
+    /// Runs `pg_ctl` with these arguments, to stop or restart the server.
     pub(crate) fn control(&self, words: &[&str]) {
         let done = as_user(&self.programs.join("pg_ctl"))
             .arg("-D")
@@ -214,7 +214,7 @@ impl Drop for Server {
     }
 }
 
-/// A store of a project in a database of its own on the shared server.
+/// Stores a project in its own database on the shared server.
 pub(crate) fn stored(scratch: &Scratch, server: &Server, database: &str, project: &str) -> String {
     let store = server.database(database);
     good(scratch.briefly(&format!("survey add {project} --without-modes {store}")));

@@ -1,5 +1,5 @@
-// SOURCE     Signals as schedulers, terminals and shells send them: SIGTERM, SIGHUP, and SIGXFSZ of `ulimit -f`.
-// GOAL       A run that is asked to end keeps what is done; a file that may not grow is a write error, and the old one stays whole.
+// SOURCE     Signals of schedulers, terminals and shells: SIGTERM, SIGHUP, and SIGXFSZ of `ulimit -f`.
+// GOAL       A run that receives a signal keeps its results; exceeding the file size limit is a write error, and the old file stays complete.
 // TOLERANCE  none: words, files and exit statuses.
 
 use super::verbs::{Answer, Scratch};
@@ -49,7 +49,7 @@ fn lines(journal: &Path) -> usize {
     fs::read_to_string(journal).map_or(0, |text| text.lines().count())
 }
 
-/// Waits until the journal has so many lines, and sends a signal.
+/// Waits until the journal has `wanted` lines, and sends a signal.
 fn send(child: &Child, name: &str, journal: &Path, wanted: usize) {
     let begun = Instant::now();
     while lines(journal) < wanted {
@@ -63,7 +63,7 @@ fn send(child: &Child, name: &str, journal: &Path, wanted: usize) {
     assert!(sent.success());
 }
 
-/// Whether this process, and so each that it starts, passes a hang-up over, as under `nohup`.
+/// Whether this process, and so its children, ignores a hang-up, as under `nohup`.
 fn hang_up_is_passed_over() -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

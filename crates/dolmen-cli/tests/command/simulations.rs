@@ -1,5 +1,5 @@
 // SOURCE     The shipped stacks and El Centro 1940 north-south.
-// GOAL       What a user reads of a simulation, the files it writes, and its exit status follow from what happened.
+// GOAL       The text on a simulation, its output files and the exit status follow from the simulation.
 // TOLERANCE  none: printed words. Histories against the peaks printed beside them: the sampling of the history.
 
 use super::verbs::{Scratch, root};
@@ -17,7 +17,7 @@ fn holds_a_block_that_slides_stands_and_every_file_says_the_same() {
     for said in [
         "el_centro_1940_ns.csv 0.3188 0.6000",
         "Done to it: read from csv",
-        "It shifted and stood; no stone fell, but ",
+        "It shifted and stood; no stone fell. Largest for the width of its joint: ",
     ] {
         assert!(answer.words().contains(said), "{said}: {}", answer.stdout);
     }
@@ -37,7 +37,7 @@ fn holds_a_block_that_slides_stands_and_every_file_says_the_same() {
         joint["residual_slip_m"].as_f64().unwrap(),
     );
     assert!(peak > 0.01 && left > 0.0 && left <= peak, "{joint}");
-    // it only slides: what the ground puts in, friction takes, but for what dashpots take as it sticks
+    // it only slides: friction dissipates the input energy, apart from the dashpots' part while it sticks
     let energy = |key: &str| json["energy"][key].as_f64().unwrap();
     let share = energy("friction_j") / energy("input_j");
     assert!((0.9..=1.0).contains(&share), "{share}: {}", json["energy"]);
@@ -102,7 +102,7 @@ fn holds_a_stack_that_does_not_stand_by_itself_has_status_1() {
 fn refuses_motions_and_options_that_cannot_be() {
     let scratch = Scratch::with_examples("refused");
     let record = root().join("data/el_centro_1940_ns/el_centro_1940_ns.csv");
-    // the same numbers as a file that says nothing of its unit, in cm/s2
+    // the same numbers as a file without a unit, in cm/s2
     let rows = fs::read_to_string(record).unwrap();
     let in_gal: String = rows
         .lines()
@@ -187,7 +187,7 @@ fn holds_a_report_shows_the_limits_and_the_motion_in_both_languages() {
         ("ko", ["접합면별 한계", "지진응답 시뮬레이션", "붕괴 없음", "2단"]),
     ] {
         let answer = scratch.dolmen(&format!("{words} {language}"));
-        assert_eq!(answer.status, 1, "{}", answer.stderr); // the worst of its runs with small differences decides
+        assert_eq!(answer.status, 1, "{}", answer.stderr); // the worst of the runs with small changes decides
         let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
         for said in said {
             assert!(page.contains(said), "{language}: {said}");
@@ -211,14 +211,14 @@ fn holds_the_report_puts_stones_that_move_together_beside_the_joints() {
         .nth(1)
         .unwrap();
     let row = row.split("</tr>").next().unwrap();
-    assert!(row.contains("0.333"), "{row}"); // what `dolmen check` says; the least of the joints alone is 0.397
+    assert!(row.contains("0.333"), "{row}"); // as in `dolmen check`; the smallest of the joints alone is 0.397
     let answer = scratch.dolmen("report examples/p10 -o alone.html");
     assert_eq!(answer.status, 0, "{}", answer.stderr);
     let page = fs::read_to_string(scratch.path().join("alone.html")).unwrap();
     assert!(!page.contains("several stones together (limit analysis)"));
 }
 
-/// A block of .4 × 2 m that topples slowly: half a sine just above what overturns it.
+/// A block of 0.4 × 2 m that topples slowly: half a sine just above the overturning amplitude.
 const TOPPLES: &str = r#"
 schema = 1
 kind = "stack"
@@ -276,7 +276,7 @@ fn holds_a_stone_that_still_topples_at_the_end_is_no_survivor() {
         cut.stdout
     );
     assert!(cut.stdout.contains("Give a longer"), "{}", cut.stdout);
-    // a study goes on after the motion though its time to rest is 0
+    // a study continues after the motion even if its time to rest is 0
     let study = scratch.dolmen("study . -o out");
     assert_eq!(study.status, 0, "{}{}", study.stdout, study.stderr);
     assert!(study.stdout.contains("1 of 1"), "{}", study.stdout);
@@ -285,7 +285,7 @@ fn holds_a_stone_that_still_topples_at_the_end_is_no_survivor() {
     assert_eq!(ends, [false, true, true], "{runs}");
 }
 
-/// A block on another under a pulse, with joints of which the file says what `stiffness` says.
+/// A block on another under a pulse, with the given stiffness of the joints.
 fn two_blocks(name: &str, stiffness: &str) -> Scratch {
     let scratch = Scratch::new(name);
     let text = format!(
@@ -337,7 +337,7 @@ fn holds_both_laws_run_where_no_stiffness_is_measured_and_the_worse_one_decides(
     assert!(differ, "{} {}", alone[0].0, alone[1].0);
     let said = "depends on joint stiffness that nobody measured";
     assert!(both.words().contains(said), "{}", both.stdout);
-    // one law where a stiffness is measured
+    // one law if a stiffness was measured
     let measured = ", normal_stiffness = { value = \"1e9 Pa/m\", source = \"measured\" }";
     let measured = two_blocks("laws-measured", measured);
     let one = json(&measured.briefly("simulate . --motion pulse --json").stdout);
@@ -351,7 +351,7 @@ fn holds_both_laws_run_where_no_stiffness_is_measured_and_the_worse_one_decides(
             .stdout,
     );
     assert!(both["other_law"].is_object());
-    // the files of the other law stand in a folder of its name
+    // the files of the other law are in a folder of its name
     assumed.briefly("simulate . --motion pulse -o out");
     let other = found["other_law"]["law"].as_str().unwrap();
     for file in ["simulation.json", "joints.csv", "film.glb"] {
@@ -401,7 +401,7 @@ fn holds_repeats_are_of_their_seed_and_print_median_and_range() {
     assert_eq!(pole.status, 2, "{}", pole.stdout);
 }
 
-/// The spreading arch, its support moved by this.
+/// The spreading arch, with this support movement.
 fn spreading(scratch: &Scratch, movement: &str, more: &str) -> String {
     let example = include_str!("../../../../examples/arch/spreading.toml");
     let text = example.replace("x = \"40 mm\"", movement) + more;

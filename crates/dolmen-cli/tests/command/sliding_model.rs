@@ -1,5 +1,5 @@
 // SOURCE     The block of Hwang & Kim (2002), 300 × 200 × 100 mm; a block on a ground that shakes as a sine and stops, exact event by event.
-// GOAL       `--law sliding` gives slip, turn and mode of each bed beside the simulation by contact, and says where it does not hold.
+// GOAL       `--law sliding` gives slip, turn and mode of each bed beside the contact simulation, and says where the model does not hold.
 // TOLERANCE  0.5 % of the exact slip: the sine is sampled every ms. 2 % against springs, which are not rigid.
 
 use super::verbs::Scratch;
@@ -40,7 +40,7 @@ fn exact_slip_of_one_block_on_a_sine() {
     let bed = &model["beds"][0];
     assert_eq!(bed["mode"], "slide");
     let of = |key: &str| bed[key].as_f64().unwrap();
-    // peak 24.48 mm, left 0.42031 mm
+    // peak 24.48 mm, residual 0.42031 mm
     assert!((of("peak_slip_m") / 24.48e-3 - 1.0).abs() < 5e-3, "{bed}");
     assert!(
         (of("residual_slip_m") - 0.42031e-3).abs() < 5e-3 * 24.48e-3,

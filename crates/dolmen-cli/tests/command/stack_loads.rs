@@ -1,6 +1,6 @@
 // SOURCE     Moments about edges, by hand; the shipped wall and arch.
-// GOAL       What a file of stones says of wind, static loads and combinations decides its verdict, its first motion and its runs.
-// TOLERANCE  1e-6 relative: what the conic solver may miss.
+// GOAL       Wind, static loads and combinations in a file of stones determine its verdict, its first motion and its runs.
+// TOLERANCE  1e-6 relative: the tolerance of the conic solver.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -70,7 +70,7 @@ fn exact_a_block_in_wind_is_judged_by_the_moment_about_its_edge() {
 #[test]
 fn exact_static_loads_take_their_part_of_the_first_motion() {
     let scratch = Scratch::new("stack_static");
-    // half of the edge moment by a force at the top along x: what moves it along x is half of b/h
+    // a force at the top along x of half the edge moment: the first motion along x is at half of b/h
     let push = EDGE_KN_M / 2.0 / 2.0;
     let file = with(
         &scratch,
@@ -82,7 +82,7 @@ fn exact_static_loads_take_their_part_of_the_first_motion() {
     near(first["acceleration_g"].as_f64().unwrap(), 0.5 * 0.25);
     near(first["direction"][0].as_f64().unwrap(), 1.0);
     near(found["state"]["loads"]["load_factor"].as_f64().unwrap(), 2.0);
-    // what is beyond the edge falls, and says so
+    // a load beyond the edge overturns it, and the answer says so
     let over = format!(
         "loads = [{{ name = \"cable\", at = \"stone\", force = [{}, 0, 0] }}]",
         2.1 * push
@@ -117,7 +117,7 @@ wind = 1.5
     let file = with(&scratch, "combined", lines);
     let found = json(&scratch, &format!("check {file}"));
     let of = |i: usize| &found["state"]["loads"]["combinations"][i];
-    // what presses downwards may be gone when it blows
+    // downward loads may be absent in a storm
     near(of(0)["load_factor"].as_f64().unwrap(), EDGE_KN_M / 2.0);
     near(of(1)["load_factor"].as_f64().unwrap(), 0.9 * EDGE_KN_M / 3.0);
     assert_ne!(of(0)["grows"], "all");
@@ -128,7 +128,7 @@ wind = 1.5
         "{}",
         answer.stdout
     );
-    // what presses has no mass in an earthquake
+    // downward loads have no mass in an earthquake
     assert!(
         scratch
             .dolmen(&format!("check {file}"))
@@ -148,7 +148,7 @@ fn holds_a_banner_and_given_areas_are_met_where_they_are() {
         let found = json(&scratch, &format!("check {file}"));
         found["state"]["loads"]["load_factor"].as_f64().unwrap()
     };
-    // 0.4 m² at 1.8 m with C_f 1.2 beside 1 m² at 1 m with 2.0
+    // 0.4 m² at 1.8 m with C_f 1.2, and 1 m² at 1 m with 2.0
     near(
         wind("{ part = \"stone\", area = 0.4, height = 1.8, force_coefficient = 1.2 }"),
         EDGE_KN_M / (1.0 + 0.5 * 1.2 * 0.4 * 1.8),
@@ -169,7 +169,7 @@ fn holds_static_loads_act_in_time_under_both_laws_and_the_wind_is_said_to_be_lef
         ),
     );
     let still = with(&scratch, "still", "");
-    // it lifts at 0.25 g without, at 0.125 g with the cable
+    // it lifts at 0.25 g without the cable, at 0.125 g with it
     let mut lines = String::from("a\n");
     for i in 0..200 {
         let a: f64 = -0.18 * 9.81 * (f64::from(i) / 100.0).min(1.0);

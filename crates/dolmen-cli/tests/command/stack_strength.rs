@@ -1,5 +1,5 @@
 // SOURCE     Rectangular stress block by hand: N/(2 f l) inside the edge.
-// GOAL       The key `strength` of a joint reaches answer, headline, JSON, loads and simulation in both languages; a slip is refused.
+// GOAL       The key `strength` of a joint reaches answer, headline, JSON, loads and simulation in both languages; a mistyped value is refused.
 // TOLERANCE  three printed digits; 1e-8 in JSON.
 
 use super::verbs::Scratch;
@@ -24,7 +24,7 @@ fn json(scratch: &Scratch, words: &str) -> serde_json::Value {
     serde_json::from_str(&answer.stdout).unwrap()
 }
 
-/// What the block bears: (b/2 − N/(2 f l)) / h, with N = γ b l H.
+/// The block's resistance: (b/2 − N/(2 f l)) / h, with N = γ b l H.
 fn moves_at_g(strength_pa: f64) -> f64 {
     (0.25 - 0.5 * 2.4 * 2600.0 * 9.80665 * 0.5 / strength_pa) / 1.2
 }
@@ -64,7 +64,7 @@ fn exact_a_strength_moves_the_pivot_in_and_the_answer_says_what_it_costs() {
 
 #[test]
 fn exact_a_joint_too_weak_for_its_weight_is_unstable_and_the_headline_says_that_it_crushes() {
-    // 2.4 m press with 61.2 kPa, which no strength that the file may give lies below: a heavy stone on a small bed does
+    // The 2.4 m press with 61.2 kPa, below every strength that a file may give; a heavy stone on a small bed presses more
     let text = "schema = 1\nkind = \"stack\"\nname = \"Heavy\"\ndensity = 2600\njoint = { friction = 0.9, strength = \"0.2 MPa\" }\n\
                 blocks = [{ name = \"foot\", width = 0.3, depth = 0.3, height = 0.5 }, { name = \"cap\", width = 1, depth = 1, height = 0.9 }]\n";
     let scratch = scratch("too-weak", text);
@@ -109,7 +109,7 @@ fn holds_a_run_says_that_it_crushes_nothing_and_how_deep_the_edge_would() {
         .words();
     assert!(words.contains("Edges crush where stones rock: with a compressive strength of 0.400 MPa, 'pillar' on 'ground' turns about a line 38"), "{words}");
     assert!(words.contains("crushes nothing: not on the safe side"), "{words}");
-    // nothing that rocks, nothing to say
+    // nothing rocks, so nothing is reported
     let still = "simulate project.toml --motion el-centro-1940-ns --peak 0.02g --law rigid --repeats 1";
     let words = scratch.briefly(still).words();
     assert!(!words.contains("Edges crush"), "{words}");

@@ -1,6 +1,6 @@
 // SOURCE     The shipped stacks; Kim, Koo & Hong (2018), eqs 9 and 16.
-// GOAL       What a user reads of a stack is what the science computed, quickly, and the exit status follows the verdict.
-// TOLERANCE  none: printed digits. Time: 30 ms of processor time for the whole process, the mean of ten.
+// GOAL       The printed values of a stack are those of the library, computed quickly, and the exit status follows the verdict.
+// TOLERANCE  none: printed digits. Time: 30 ms of processor time for the whole process, mean of ten.
 
 use super::verbs::Scratch;
 use std::fs;
@@ -10,7 +10,7 @@ fn exact_p10_rocks_at_its_known_threshold_and_slides_first_where_it_is_smooth() 
     let scratch = Scratch::with_examples("p10");
     let answer = scratch.dolmen("check examples/p10");
     assert_eq!(answer.status, 0, "{}", answer.stderr);
-    // above block 4: half of 1.1 m over the height of the centroid of what stands on it
+    // above block 4: half of 1.1 m divided by the height of the centroid of the part above it
     assert!(
         answer
             .words()
@@ -95,7 +95,7 @@ fn holds_a_new_pagoda_can_be_checked_at_once_and_its_variants_stand_side_by_side
     ] {
         assert!(answer.words().contains(said), "{said}: {}", answer.stdout);
     }
-    // what has no elasticity, a place of 0, stands behind what has one
+    // parts without an elasticity (0) come after those with one
     let table = answer
         .stdout
         .split("Sensitivity of acceleration of first motion")
@@ -117,14 +117,14 @@ fn exact_measured_frequencies_contradict_the_springs_and_say_their_factor() {
     fs::write(&project, text.replace("[variant.", survey)).unwrap();
     let answer = scratch.dolmen("check examples/p10");
     assert_eq!(answer.status, 0, "{}", answer.stderr);
-    // ω² is proportional to k, (6.0 · 5.9)/4.7043² = 1.5996, but for 7e-5, as stiffer springs settle less; both modes then have
-    // √(6.0 · 5.9)
+    // ω² is proportional to k, (6.0 · 5.9)/4.7043² = 1.5996, except for 7e-5, as stiffer springs settle less; both modes then
+    // have √(6.0 · 5.9)
     let said = [
         "Survey 2019 measured 6.000 Hz in direction x; this model has 4.704 Hz. Its stiffness or mass is not that of the structure \
          measured, and the verdict is on the model.",
         "Natural frequencies on the springs of its joints.",
         "no finding until a survey measures them.",
-        "Survey 2019: every joint 1.5997 times as stiff fits its frequencies best (x 6.000 Hz measured, 5.950 Hz then and y 5.900 Hz \
+        "Survey 2019: every joint 1.600 times as stiff fits its frequencies best (x 6.000 Hz measured, 5.950 Hz then and y 5.900 Hz \
          measured, 5.950 Hz then).",
         "Survey 2019: the frequencies in direction weak are not compared: a stack sways along x and y.",
     ];
@@ -163,7 +163,8 @@ fn holds_a_stack_that_falls_has_no_frequencies() {
     );
 }
 
-/// Joint of body on base 9.9 MN·m/rad and 10 MN/m at 0.7 m above it: what holds beside a stone is in its frequencies, and is not written to its joints.
+/// Joint of body on base 9.9 MN·m/rad and 10 MN/m at 0.7 m above it: supports beside a stone count in its frequencies, and do not change
+/// its joints.
 #[test]
 fn holds_tight_side_supports_are_in_the_frequencies_and_gaps_are_named() {
     let of = |supports: &str| {

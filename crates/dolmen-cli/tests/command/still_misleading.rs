@@ -1,5 +1,5 @@
-// SOURCE     Runs and reports in which a headline or a silence said something that the file does not.
-// GOAL       Each says now what the structure in the file is, and what was not looked at.
+// SOURCE     Runs and reports whose headline or silence was misleading about the file.
+// GOAL       Each now describes the structure in the file, and what was not examined.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -194,7 +194,7 @@ fn holds_pages_name_inputs_by_what_they_are() {
 #[test]
 fn holds_variants_stand_beside_each_other_with_what_the_site_asks() {
     let scratch = Scratch::new("variants-earthquake");
-    // stiffer below: a larger load factor, and more of the spectrum
+    // stiffer at the base: a larger load factor, and a larger spectral demand
     let frame = "schema = 1\nkind = \"frame\"\nname = \"Gate\"\nunits = { length = \"m\", mass = \"t\", stiffness = \"kN/mm\" }\nstoreys = [{ mass = 40, height = 4.0 }, { mass = 25, height = 3.1 }]\n\
         [direction.x]\nstiffness = [6.0, 1.2]\ndamping_ratio = 0.03\n[limits]\nstorey_drift = \"1/60\"\nsource = \"a\"\n[site]\ncode = \"KDS 17 10 00\"\nzone = \"I\"\nreturn_period_years = 1000\nsoil = \"S3\"\n\
         [variant.braced]\ntitle = \"Braced below\"\n[variant.braced.direction.x]\nstiffness = [9.0, 1.2]\ndamping_ratio = 0.03\n";

@@ -1,5 +1,5 @@
 // SOURCE     docs/store.md.
-// GOAL       A disk that is full or may only be read is an error, and the store stays as it was.
+// GOAL       A full or read-only disk is an error, and the store stays as it was.
 // TOLERANCE  none: bytes, rows, words and exit statuses.
 
 use super::stores::{below, content, good, project, refused};
@@ -7,7 +7,7 @@ use super::verbs::Scratch;
 use std::fs;
 use std::process::Command;
 
-/// A file system of its own, of so many bytes; `None` where none may be mounted.
+/// A small file system of its own; `None` if mounting is not allowed.
 pub(super) struct Small<'a>(&'a Scratch);
 
 impl<'a> Small<'a> {
@@ -57,7 +57,7 @@ fn refuses_a_full_or_read_only_disk_and_keeps_what_was_there() {
     project(&scratch, "a", 2);
     good(scratch.briefly(&format!("survey add a {store} --without-modes")));
     let before = content(&scratch, store);
-    // bytes that do not compress
+    // incompressible bytes
     let mut seed = 3;
     let noise: Vec<u8> = (0..3_000_000).map(|_| below(&mut seed, 256) as u8).collect();
     project(&scratch, "b", 1);
@@ -67,7 +67,7 @@ fn refuses_a_full_or_read_only_disk_and_keeps_what_was_there() {
         "The disk is full",
     );
     assert_eq!(before, content(&scratch, store));
-    // the last bytes taken by something else: the database itself finds no room
+    // another file takes the last bytes, so the database has no space
     fs::write(scratch.path().join("small/rest"), vec![0; 64]).unwrap();
     let mut rest = fs::OpenOptions::new()
         .append(true)

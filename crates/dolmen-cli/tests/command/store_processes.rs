@@ -1,5 +1,6 @@
 // SOURCE     docs/store.md.
-// GOAL       An acknowledged survey stays in the store exactly once, whatever happens to the process; a busy store, or a file that is no store, is refused.
+// GOAL       An acknowledged survey stays in the store exactly once, whatever happens to the process; a busy store, or a file that is not a
+//            store, is refused.
 // TOLERANCE  none: bytes, rows, words and exit statuses.
 
 use super::stores::{FILE, below, content, database, good, json, project, refused};
@@ -10,7 +11,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
-/// Starts `dolmen survey add` on these projects; it prints a line of JSON for each that it has stored.
+/// Starts `dolmen survey add` on these projects; it prints a line of JSON for each stored one.
 pub(crate) fn adding(folder: &Path, store: &str, projects: &[String]) -> Child {
     Command::new(env!("CARGO_BIN_EXE_dolmen"))
         .args([
@@ -31,12 +32,12 @@ pub(crate) fn adding(folder: &Path, store: &str, projects: &[String]) -> Child {
         .unwrap()
 }
 
-/// Names of the structures that were acknowledged.
+/// Names of the acknowledged structures.
 pub(crate) fn acknowledged(stdout: &[u8]) -> Vec<String> {
     acknowledged_of(stdout, "structure")
 }
 
-/// Values of a key in the whole lines of JSON.
+/// Values of a key in the complete lines of JSON.
 pub(crate) fn acknowledged_of(stdout: &[u8], key: &str) -> Vec<String> {
     let lines = String::from_utf8_lossy(stdout).into_owned();
     let whole = lines.split_inclusive('\n').filter(|line| line.ends_with('\n'));
@@ -48,7 +49,7 @@ pub(crate) fn acknowledged_of(stdout: &[u8], key: &str) -> Vec<String> {
         .collect()
 }
 
-/// Moments at which a process is killed: few, or with DOLMEN_KILLS 50.
+/// Number of moments at which a process is killed: `few`, or DOLMEN_KILLS if set.
 pub(crate) fn moments(few: usize) -> usize {
     match std::env::var_os("DOLMEN_KILLS") {
         Some(_) => 50,
@@ -56,7 +57,7 @@ pub(crate) fn moments(few: usize) -> usize {
     }
 }
 
-/// Kills `add` at so many random moments, and holds that what was acknowledged is there, once.
+/// Kills `add` at random moments, and checks that acknowledged projects are stored exactly once.
 pub(crate) fn kill_at_random_moments(scratch: &Scratch, store: &str, moments: usize) {
     const SURVEYS: usize = 2;
     let projects: Vec<String> = (0..4).map(|at| format!("p{at}")).collect();
@@ -64,7 +65,7 @@ pub(crate) fn kill_at_random_moments(scratch: &Scratch, store: &str, moments: us
     let (mut seed, mut killed, mut whole_us) = (7, 0, 0);
     // two undisturbed ones first
     for moment in 0..moments + 2 {
-        // each time other bytes: a new state of every project
+        // new bytes each time: a new state of every project
         for name in &projects {
             let folder = scratch.path().join(name);
             let text = fs::read_to_string(folder.join("project.toml")).unwrap();
@@ -81,7 +82,7 @@ pub(crate) fn kill_at_random_moments(scratch: &Scratch, store: &str, moments: us
         let output = child.wait_with_output().unwrap();
         let said = acknowledged(&output.stdout);
         if moment < 2 {
-            // undisturbed: makes the store, then measures how long adding takes
+            // undisturbed: creates the store, then measures how long adding takes
             whole_us = start.elapsed().as_micros() as u64;
             assert_eq!(said, projects, "{}", String::from_utf8_lossy(&output.stderr));
         }

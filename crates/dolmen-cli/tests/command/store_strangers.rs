@@ -1,5 +1,5 @@
 // SOURCE     docs/store.md.
-// GOAL       Names and paths of strangers are neither statements nor ways out of a folder.
+// GOAL       Names and paths from strangers never act as SQL statements and never lead out of a folder.
 // TOLERANCE  none: bytes, rows, words and exit statuses.
 
 use super::stores::{FILE, content, database, good, json, refused};
@@ -59,7 +59,7 @@ fn refuses_names_and_paths_of_strangers_as_statements_and_ways_out() {
     );
     let outside = scratch.briefly(&format!("survey add in {FILE} --allow-outside --without-modes"));
     refused(&outside, "it must lie in the folder of the project");
-    // a store from a stranger names a file outside: nothing is written there
+    // a foreign store names a file outside: nothing is written there
     for path in ["../evil.csv", "/tmp/evil.csv", "a/../../evil.csv", "x\u{7}.csv"] {
         let other = database(&scratch);
         other.execute("update project_file set path = ?1 where project = (select project from adoption where structure = 'a/b')", [path]).unwrap();

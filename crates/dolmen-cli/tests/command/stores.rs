@@ -1,6 +1,6 @@
 // SOURCE     docs/store.md.
-// GOAL       What goes into a store comes out as it was; a fault says what is wrong. What happens to the process, the disk and at the
-//            hands of strangers stands in store_processes, store_disks and store_strangers.
+// GOAL       Data come out of a store unchanged; a fault gives its reason. store_processes, store_disks and store_strangers test processes,
+//            disks and foreign data.
 // TOLERANCE  none: bytes, rows, words and exit statuses.
 
 use super::verbs::{Answer, Scratch, root};
@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::fs;
 use std::process::{Command, Stdio};
 
-/// Places of stores that the tests use in turn: a file, and a server where there is one.
+/// The tests use both kinds of store in turn: a file, and a server if there is one.
 pub(crate) const FILE: &str = "--store s.db";
 
 pub(crate) fn good(answer: Answer) -> Answer {
@@ -28,7 +28,7 @@ pub(crate) fn refused(answer: &Answer, why: &str) {
     assert!(!answer.stderr.contains("panicked"), "{}", answer.stderr);
 }
 
-/// A project of so many surveys, each with a record of its own.
+/// A project with this many surveys, each with its own record.
 pub(crate) fn project(scratch: &Scratch, name: &str, surveys: usize) {
     let folder = scratch.path().join(name);
     fs::create_dir_all(&folder).unwrap();
@@ -163,7 +163,7 @@ fn holds_adding_again_adds_nothing_and_a_changed_project_is_another_state() {
             .all(|mode| mode["frequency_sd_hz"].as_f64().unwrap() > 0.0)
     );
 
-    // other settings: another state and another analysis, the old ones stay
+    // other settings: another state and another analysis; the old ones stay
     let file = scratch.path().join("p/project.toml");
     let old = fs::read_to_string(&file).unwrap();
     fs::write(&file, format!("{old}\n[survey.2026-10-01]\ntemperature_c = 3\n")).unwrap();
@@ -186,7 +186,7 @@ fn holds_adding_again_adds_nothing_and_a_changed_project_is_another_state() {
         (Some("lee"), Some("kim"))
     );
     assert_eq!(kept["surveys"][1]["temperature_c"], 3.0);
-    // back to the old text: it counts again
+    // back to the old text: it is current again
     fs::write(&file, &old).unwrap();
     json(&scratch, &format!("survey add p {FILE}"));
     assert_eq!(shown("")["surveys"].as_array().unwrap().len(), 1);
@@ -256,7 +256,7 @@ fn holds_places_names_and_removed_structures_are_listed() {
             .unwrap()
             .len()
     };
-    // signs of a pattern are signs of a name
+    // wildcards are ordinary characters in a name
     assert_eq!(
         [
             count("pAGO"),
@@ -328,11 +328,11 @@ fn holds_what_was_changed_or_lost_is_named() {
     );
     let out = scratch.briefly(&format!("survey export a -o back {FILE}"));
     refused(&out, "is missing or was changed");
-    // adding it again brings back what is missing
+    // adding it again restores what is missing
     good(scratch.briefly(&format!("survey add a {FILE} --without-modes")));
     let found = json(&scratch, &format!("survey verify {FILE}"));
     assert_eq!(found["faults"].as_array().unwrap().len(), 1);
-    // a row that another program changed, and one that refers to nothing
+    // a row changed by another program, and a dangling reference
     let other = database(&scratch);
     other
         .execute_batch(
@@ -349,7 +349,7 @@ fn holds_what_was_changed_or_lost_is_named() {
     );
 }
 
-/// A number below `most` from a seed.
+/// A random number below `most`.
 pub(crate) fn below(seed: &mut u64, most: u64) -> u64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
     (*seed >> 33) % most
@@ -373,7 +373,7 @@ fn holds_memory_stays_flat_however_many_surveys_are_listed() {
             .stdout(Stdio::piped())
             .spawn()
             .unwrap();
-        // the pipe holds it up: it lives until the last bytes are read
+        // the pipe blocks it, so it runs until the last bytes are read
         let mut out = child.stdout.take().unwrap();
         let (mut bytes, mut buffer, mut most) = (0, [0; 65536], 0.0_f64);
         loop {
@@ -415,7 +415,7 @@ fn holds_memory_stays_flat_however_many_surveys_are_listed() {
     let few = most_kib(2_000);
     grow(2_000, 60_000);
     let many = most_kib(60_000);
-    // SQLite's own cache of pages is 2 MB at most; the list itself is 9 MB
+    // SQLite's own page cache is 2 MB at most; the list itself is 9 MB
     assert!(
         few > 0.0 && many < few + 4096.0,
         "{few} KiB for 2,000 surveys, {many} KiB for 60,000"

@@ -1,6 +1,6 @@
 // SOURCE     Small stacks and the shipped gate under noise and El Centro 1940.
-// GOAL       A study's table depends on its inputs alone: not on threads, shards, or how often the process was killed; a run
-//            that is refused is a row with its reason; capacities follow from the runs beside them.
+// GOAL       A study's table depends only on its inputs: not on threads, shards, or how often the process was killed; a refused run is a row
+//            with its reason; capacities follow from the runs.
 // TOLERANCE  none: bytes of tables.
 
 use super::verbs::Scratch;
@@ -46,7 +46,7 @@ fn with(name: &str, text: &str) -> Scratch {
     scratch
 }
 
-/// All results of a study by name, but for the journals.
+/// All results of a study by name, without the journals.
 fn results(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let named = files.map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), path));
@@ -99,7 +99,7 @@ fn holds_the_same_bits_on_one_two_four_and_eight_threads() {
         same(&of(&stones, 1, "height"), &of(&stones, threads, "height"));
         same(&of(&pole, 1, "growth"), &of(&pole, threads, "growth"));
     }
-    // samples of a check: as many threads as the environment of the pool says
+    // samples of a check: the environment sets the number of threads
     let sampled = |threads: &str| {
         let output = Command::new(env!("CARGO_BIN_EXE_dolmen"))
             .args("check examples/naju_flagpole --samples 300 --sensitivity --json".split(' '))
@@ -142,7 +142,7 @@ fn holds_a_killed_study_goes_on_and_ends_with_the_same_bits() {
         while lines() < part && begun.elapsed() < Duration::from_secs(60) {
             sleep(Duration::from_millis(1));
         }
-        child.kill().unwrap(); // SIGKILL: nothing can be tidied up
+        child.kill().unwrap(); // SIGKILL: no cleanup is possible
         child.wait().unwrap();
         assert!(
             !scratch.path().join("cut/height/runs.csv").exists(),
@@ -150,7 +150,7 @@ fn holds_a_killed_study_goes_on_and_ends_with_the_same_bits() {
         );
         kept = lines() - 1;
         assert!(kept + 1 >= part && kept < runs, "{kept} of {runs}");
-        // what a kill within a write leaves
+        // as after a kill during a write
         let torn = fs::read_to_string(&journal).unwrap() + "3\t2\t0.31";
         fs::write(&journal, torn).unwrap();
     }
@@ -175,7 +175,7 @@ fn holds_a_killed_study_goes_on_and_ends_with_the_same_bits() {
         &scratch.path().join("cut/height"),
     );
     assert_eq!(resumed.stdout, whole.stdout);
-    // nothing lost, nothing twice
+    // no row is lost or repeated
     let text = fs::read_to_string(&journal).unwrap();
     let mut keys: Vec<String> = text
         .lines()
@@ -186,7 +186,7 @@ fn holds_a_killed_study_goes_on_and_ends_with_the_same_bits() {
     let all = keys.len();
     keys.dedup();
     assert_eq!((keys.len(), all), (runs, runs));
-    // a third time there is nothing to do
+    // the third time there is nothing to do
     let again = scratch.dolmen("study . --study height -o cut");
     assert_eq!(again.stdout, whole.stdout);
     assert_eq!(fs::read_to_string(&journal).unwrap(), text);
@@ -220,7 +220,7 @@ fn holds_ctrl_c_keeps_what_is_done() {
     let stdout = String::from_utf8_lossy(&ended.stdout);
     assert_eq!(ended.status.code(), Some(3), "{stdout}");
     assert!(stdout.contains("Not finished"), "{stdout}");
-    // the answer says once what is not finished, and does not count it as what cannot be used
+    // the answer reports unfinished runs once, and does not count them as unusable
     assert!(
         stdout.contains("not finished") && !stdout.contains("cannot be used"),
         "{stdout}"
@@ -305,7 +305,7 @@ fn holds_capacities_follow_from_the_runs() {
                 .all(|run| (run["outcome"] == "fell") == (run["damage_state"] == "4"))
         );
     }
-    // a slenderer stone falls sooner: the trend is printed
+    // a more slender stone falls sooner: the trend is printed
     let printed = scratch.dolmen("study . --study height -o out");
     assert!(
         printed
@@ -395,7 +395,7 @@ fn holds_a_refused_run_is_a_row_with_its_reason() {
     let verdicts: Vec<&str> = capacities.iter().map(|row| row["verdict"].as_str()).collect();
     assert_eq!(verdicts, ["beyond", "refused", "refused", "refused"]);
     assert!(capacities.iter().all(|row| row["first_fall_m_s2"].is_empty()));
-    // of inputs that are all refused the answer gives the reason alone; the studies after it are run
+    // if all inputs are refused, the answer gives only the reason; later studies still run
     let text = TWO_STONES.replace("[0.5, -1]", "[-1, -2]")
         + "\n[study.last]\nmotions = [\"el-centro-1940-ns\"]\nscale = [0.1]\npoints = 4\n";
     fs::write(scratch.path().join("project.toml"), text).unwrap();
@@ -417,7 +417,12 @@ fn holds_results_say_how_they_were_computed_and_few_scans_have_no_tails() {
     );
     let note = "normal_stiffness 1e9 Pa/m";
     let figure = fs::read_to_string(scratch.path().join("out/drawn/capacity-all.svg")).unwrap();
-    let figure = figure.replace("</text>", "").replace('\n', " ");
+    // its lines wrap
+    let figure: Vec<&str> = figure
+        .split(['<', '>'])
+        .filter(|part| !part.contains("text"))
+        .collect();
+    let figure = figure.concat().split_whitespace().collect::<Vec<_>>().join(" ");
     for said in [
         method.as_str(),
         note,

@@ -1,8 +1,9 @@
 // SOURCE     Closed forms of falling by own weight: k/(W z) of one link, k/P·h of a storey, friction against tan of the lean. A likelihood of our own.
-// GOAL       A sample that falls under its own weight counts as a capacity of 0 in every kind of study, and the curve begins at its share.
+// GOAL       A sample that falls under its own weight has a capacity of 0 in every kind of study, and the curve begins at the share of
+//            such samples.
 // PARAMETERS 40, 30 and 20 samples of one uncertain input.
-// PUBLISHED  none: the share, θ and β by a search over the likelihood of all scans, (p₀, θ, β) together, apart from the program's.
-// TOLERANCE  1e-4 of θ and β: the search stops at 1e-9 of the logarithm; none of counts.
+// PUBLISHED  none: the share, θ and β from a separate maximisation over the likelihood of all scans, (p₀, θ, β) together.
+// TOLERANCE  1e-4 of θ and β: the search stops at 1e-9 of the logarithm; counts exactly.
 
 use super::studies::rows;
 use super::verbs::{Answer, Scratch};
@@ -85,7 +86,7 @@ fn number(row: &Row, key: &str) -> f64 {
     text.parse().unwrap_or(f64::NAN)
 }
 
-/// Runs the study of a project; its answer, its scans and its curves.
+/// Result of a project's study: its answer, its scans and its curves.
 struct Studied {
     scratch: Scratch,
     answer: Answer,
@@ -107,7 +108,7 @@ fn studied(name: &str, project: &str) -> Studied {
     }
 }
 
-/// Samples that fall by themselves by a rule, and those that the study says do.
+/// Samples that fall by themselves by a rule, and those that the study reports.
 fn alone(of: &Studied, falls: impl Fn(&Row) -> bool) -> [BTreeSet<String>; 2] {
     let samples = |of_it: &dyn Fn(&&Row) -> bool, scans: &[Row]| -> BTreeSet<String> {
         let own = scans.iter().filter(of_it);
@@ -119,7 +120,7 @@ fn alone(of: &Studied, falls: impl Fn(&Row) -> bool) -> [BTreeSet<String>; 2] {
     ]
 }
 
-/// A drawn column, whatever its place in the project is called.
+/// A drawn column, wherever its part is in the project.
 fn drawn(row: &Row, part: &str) -> f64 {
     let found = row
         .iter()
@@ -142,7 +143,7 @@ fn normal(z: f64) -> f64 {
     0.5 + sum * (-0.5 * z * z).exp() / std::f64::consts::TAU.sqrt()
 }
 
-/// ln of the likelihood of all scans: those that fall by themselves, and of the others the interval their capacity lies in.
+/// ln of the likelihood of all scans: those that fall by themselves, and for the others the interval of their capacity.
 fn likelihood(scans: &[Row], share: f64, ln_theta: f64, ln_beta: f64) -> f64 {
     let below = |x: f64| match x {
         x if x <= 0.0 => 0.0,
@@ -160,7 +161,7 @@ fn likelihood(scans: &[Row], share: f64, ln_theta: f64, ln_beta: f64) -> f64 {
     scans.iter().map(of).sum()
 }
 
-/// Where a function of one number is largest, by golden section.
+/// The maximum of a function of one variable, by golden section.
 fn largest(mut from: f64, mut to: f64, of: impl Fn(f64) -> f64) -> f64 {
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
     while to - from > 1e-11 {
@@ -185,7 +186,7 @@ fn agrees_a_chain_that_may_fall_by_itself_with_the_likelihood_of_all_scans() {
     });
     assert_eq!(said, right);
     assert!((2..20).contains(&right.len()), "{right:?}");
-    // each number in its turn, until none moves: the likelihood of interval-censored capacities is concave
+    // one coordinate at a time, until none moves: the likelihood of interval-censored capacities is concave
     let (mut share, mut ln_theta, mut ln_beta) = (0.5, 0.0, -0.5);
     for _ in 0..300 {
         share = largest(1e-6, 1.0 - 1e-6, |p| {
@@ -209,7 +210,7 @@ fn agrees_a_chain_that_may_fall_by_itself_with_the_likelihood_of_all_scans() {
         "{beta} {}",
         ln_beta.exp()
     );
-    // the curve never lies below the share, and the rate of all is not finite
+    // the curve never lies below the share, so the total rate is not finite
     assert_eq!(falls["annual_rate"], "");
     let (standing, in_50) = (
         number(falls, "annual_rate_of_standing"),
@@ -231,7 +232,7 @@ fn agrees_a_chain_that_may_fall_by_itself_with_the_likelihood_of_all_scans() {
     let falls = states.iter().find(|state| state["state"] == "falls").unwrap();
     assert_eq!(falls["scans_fell_by_themselves"], 4 * right.len());
     assert_eq!(falls["probability_without_shaking"].as_f64(), Some(p0));
-    // the same in a few lines, and in Korean
+    // the same in the short answer, and in Korean
     let brief = study
         .scratch
         .briefly("study . --study samples -o out --language ko");
@@ -297,13 +298,13 @@ fn exact_which_samples_fall_by_themselves_in_frames_buildings_and_stacks() {
         "{}",
         stack.answer.stdout
     );
-    // the last state of each: those that fall by themselves reached it
+    // the last state of each: samples that fall by themselves reached it
     for of in [&frame, &building, &stack] {
         let last = of.curves.last().unwrap();
         assert!(number(last, "fell_by_itself") > 0.0, "{last:?}");
         assert!(number(last, "reached") >= number(last, "fell_by_itself"));
     }
-    // what fell at the end of the halving has no least capacity but a bound
+    // samples that fell at the end of the halving have only an upper bound of the capacity
     let words = frame.answer.words();
     assert!(!words.contains("the weakest at 0.00"), "{words}");
 }

@@ -1,5 +1,5 @@
-// SOURCE     Cargo.lock and the manifests of all crates in it, as `cargo metadata` tells them.
-// GOAL       No crate comes in under a licence that was not agreed to, twice without being named, or without a line in THIRD-PARTY.md.
+// SOURCE     Cargo.lock and the manifests of all its crates, from `cargo metadata`.
+// GOAL       No crate has a licence that was not agreed to, an unlisted second version, or no line in THIRD-PARTY.md.
 // TOLERANCE  none: names, versions and licences.
 
 use super::verbs::root;
@@ -19,8 +19,8 @@ const LICENCES: [&str; 8] = [
     "Unicode-3.0",
     "Zlib",
 ];
-/// Crates that stand in Cargo.lock in several versions, without those of Typst, which brings its own; `deny.toml` says who needs the older ones, but for those
-/// that stand below Typst too.
+/// Crates with several versions in Cargo.lock, except those that only Typst needs; `deny.toml` says who needs the older ones, apart from
+/// those below Typst.
 const SEVERAL: [(&str, usize); 15] = [
     ("bitflags", 2),
     ("constant_time_eq", 2),
@@ -65,13 +65,13 @@ fn list<'a>(of: &'a Value, key: &str) -> &'a [Value] {
     of[key].as_array().unwrap()
 }
 
-/// Crates of others.
+/// Third-party crates.
 fn others(metadata: &Value) -> impl Iterator<Item = &Value> {
     let all = list(metadata, "packages").iter();
     all.filter(|package| !package["source"].is_null())
 }
 
-/// Whether an expression of licences (SPDX) can be met by those agreed to.
+/// Whether the agreed licences satisfy an SPDX expression.
 fn is_agreed(expression: &str) -> bool {
     let spaced = expression
         .replace('/', " OR ")
@@ -82,7 +82,7 @@ fn is_agreed(expression: &str) -> bool {
     either(&mut rest) && rest.is_empty()
 }
 
-/// OR binds less than AND.
+/// OR binds less tightly than AND.
 fn either(rest: &mut &[&str]) -> bool {
     let mut met = both(rest);
     while let Some(("OR", after)) = rest.split_first().map(|(word, after)| (*word, after)) {
@@ -101,7 +101,7 @@ fn both(rest: &mut &[&str]) -> bool {
     met
 }
 
-/// A licence, with its exception if any, or what stands between brackets.
+/// A licence, with its exception if any, or an expression in brackets.
 fn one(rest: &mut &[&str]) -> bool {
     match **rest {
         ["(", ref inside @ ..] => {
@@ -178,7 +178,7 @@ fn holds_no_crate_is_there_twice_but_those_named() {
     );
 }
 
-/// Crates of others that anything but the printing of a PDF needs.
+/// Third-party crates that anything other than PDF output needs.
 fn without_print(metadata: &Value) -> Vec<&Value> {
     let packages = list(metadata, "packages").iter();
     let packages: BTreeMap<&str, &Value> = packages.map(|package| (text(package, "id"), package)).collect();
@@ -197,7 +197,7 @@ fn without_print(metadata: &Value) -> Vec<&Value> {
     seen.filter(|package| !package["source"].is_null()).collect()
 }
 
-/// Crates of others that are part of the command on any system, with all its features: neither those that only build it nor those that only test it.
+/// Third-party crates in the command on any system, with all features; without build and test dependencies.
 fn contained(metadata: &Value) -> BTreeSet<[String; 3]> {
     let by_id = |of: &'static str, all: &[Value]| -> BTreeMap<String, Value> {
         all.iter()
@@ -319,7 +319,7 @@ fn holds_every_manifest_of_ours_is_complete() {
                 "{name}: 1 to 5 {key}, not {}",
                 words.len()
             );
-            // what crates.io takes
+            // what crates.io accepts
             let plain = |word: &str| {
                 word.len() <= 20
                     && word

@@ -1,6 +1,6 @@
-// SOURCE     the same lean written on every block: a block's own tilt turns it about its base, and the next stands on its top.
-// GOAL       The tilt of a survey leans a stack in check, simulate and study as the same lean on its parts does.
-// TOLERANCE  1e-9 of the first motion; what a history shows is as sensitive as rocking is, so 1e-6 of its peaks.
+// SOURCE     the same lean written on every block: a block's own tilt rotates it about its base, and the next stands on its top.
+// GOAL       In check, simulate and study, the tilt of a survey leans a stack as the same lean of its parts does.
+// TOLERANCE  1e-9 of the first motion; histories are as sensitive as rocking is, so 1e-6 of their peaks.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -13,7 +13,7 @@ const STONES: [(&str, f64, f64); 4] = [
     ("top", 0.5, 0.6),
 ];
 
-/// A tower whose lean stands on each block, or in a survey.
+/// A tower with the lean on each block, or in a survey.
 fn project(tilt_on_blocks: bool, more: &str) -> String {
     let lean = if tilt_on_blocks {
         ", tilt = { x = \"1/40\", y = \"-1/60\" }"
@@ -129,7 +129,7 @@ fn holds_a_surveyed_tilt_is_said_or_why_it_is_left_out() {
         unknown.contains("must be one of \"latest\", \"none\", \"2025-09-10\""),
         "{unknown}"
     );
-    // a survey without a date counts only where the file names it
+    // a survey without a date counts only if the file names it
     let undated = said("", "[survey.2025-09-10]", "[survey.before-the-repair]");
     assert!(!undated.contains("found it"), "{undated}");
     assert!(
@@ -138,7 +138,7 @@ fn holds_a_surveyed_tilt_is_said_or_why_it_is_left_out() {
     );
 }
 
-/// A pole of two stones whose survey found it to lean.
+/// A leaning pole of two stones.
 fn pole(tilt: &str, more: &str) -> String {
     format!(
         "schema = 1\nkind = \"chain\"\nname = \"Pole\"\nunits = {{ force = \"kN\", stiffness = \"kN*m/rad\" }}\n{more}damping_ratio = 0.05\nlinks = [\n\
@@ -174,7 +174,7 @@ fn holds_a_chain_that_overturns_as_surveyed_falls_in_simulate_too() {
 
 #[test]
 fn exact_at_rest_a_leaning_chain_carries_what_the_check_says_its_tilt_adds() {
-    // moments of the tilt in check: linear statics of its own; here those of the run's first sample
+    // moments of the tilt in check come from linear statics; here from the run's first sample
     let scratch = Scratch::new("surveyed-lean-moment");
     let more = "loads = [{ name = \"sign\", at = \"upper\", force = 0.001 }]\n";
     fs::write(

@@ -1,5 +1,5 @@
-// SOURCE     Closed forms: a trilithon sways at b/h, a solid tower at its width over its height.
-// GOAL       `dolmen new tower` and `dolmen new trilithon` make files that stand and are answered; slips of their keys are refused.
+// SOURCE     Closed forms: a trilithon starts to rock at b/h, a solid tower at its width over its height.
+// GOAL       `dolmen new tower` and `dolmen new trilithon` make valid files of stable structures; mistyped keys are refused.
 // TOLERANCE  three printed digits.
 
 use super::verbs::Scratch;

@@ -1,5 +1,5 @@
 // SOURCE     Small pagodas under six short made motions.
-// GOAL       The training study of the score, small: killed and gone on with it gives the same table, and the table gives a score.
+// GOAL       A small training study of the score: after a kill it resumes and gives the same table, and the table gives a score.
 // TOLERANCE  none: bytes of tables.
 
 use super::verbs::Scratch;
@@ -8,7 +8,7 @@ use std::fs;
 
 const DESIGNS: usize = 42;
 
-/// Designs that fill heights, slenderness and taper; scales that throw them down.
+/// Designs that cover heights, slenderness and taper; scales that overturn them.
 fn project() -> String {
     let mut text = r#"
 schema = 1
@@ -60,7 +60,7 @@ fn holds_a_small_training_killed_and_gone_on_with_gives_the_same_score() {
     );
     assert!(rows.starts_with("# motions "));
 
-    // killed in the middle of a line: what was whole before it is kept, the rest is run
+    // killed in the middle of a line: complete lines are kept, the rest is run
     let journal = fs::read(scratch.path().join("whole/small/journal.tsv")).unwrap();
     let folder = scratch.path().join("killed/small");
     fs::create_dir_all(&folder).unwrap();

@@ -1,6 +1,6 @@
 // SOURCE     The shipped floors: Hwang, Min & Hong's, and one on which their rule fails.
-// GOAL       What a user reads of a damper, the files it writes, and what is refused.
-// TOLERANCE  half a unit of the fourth digit of ratios computed apart.
+// GOAL       What a user reads about a damper, the files written, and the refusals.
+// TOLERANCE  half a unit of the fourth digit of ratios computed separately.
 
 use super::verbs::Scratch;
 use std::fs;
@@ -10,7 +10,7 @@ fn ratios(choice: &serde_json::Value) -> Vec<f64> {
     list.iter().map(|ratio| ratio.as_f64().unwrap()).collect()
 }
 
-/// Sentences as they are before they are set in lines.
+/// Sentences before they are wrapped.
 fn unwrapped(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -133,7 +133,7 @@ fn holds_all_dampers_are_judged_together_and_apart() {
     assert!(cost("given") < 1.0 && cost("tuned_best") < cost("given"));
     assert!(cost("best") <= cost("tuned_best") * (1.0 + 1e-6));
     assert!(cost("best_shared") <= cost("best") * (1.0 + 1e-6));
-    // one alone in the table of all is the one judged alone
+    // a damper in the table of all equals the same damper alone
     let alone = &json["dampers"][2]["choices"][0];
     let only = rows.iter().find(|row| row["damper"] == "tank").unwrap();
     let ratios = only["point_ratio"].as_array().unwrap();
@@ -179,7 +179,7 @@ fn regress_peaks_are_compared_with_peaks() {
     let json: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert!(json["map"]["cells"].as_array().unwrap().is_empty());
     assert!(!out.join("plan.svg").exists() && !out.join("position.svg").exists());
-    // the goal is the largest of the points, over the largest without
+    // the goal is the largest response of the points, over the largest without dampers
     let without: Vec<f64> = json["points"]
         .as_array()
         .unwrap()
@@ -235,7 +235,7 @@ fn holds_rooms_are_held_against_strokes_under_the_motions_of_the_file() {
     let text = format!("{before}# {damper}# {motions}");
     let roomy =
         |text: &str, mm: &str| text.replace("mass = 5.125", &format!("mass = 5.125\nstroke = \"{mm} mm\""));
-    // 211.25 mm under el-centro, as `simulate` has it
+    // 211.25 mm under el-centro, as in `simulate`
     fs::write(&file, roomy(&text, "211")).unwrap();
     let answer = scratch.dolmen("tune examples/twisting_floor --map 2");
     assert_eq!(answer.status, 0, "a tuning is done: {}", answer.stderr);
@@ -251,7 +251,7 @@ fn holds_rooms_are_held_against_strokes_under_the_motions_of_the_file() {
     let strokes = json["dampers"][0]["strokes_under_motions"].as_array().unwrap();
     assert_eq!(strokes.len(), 5);
     assert!((strokes[0]["stroke_m"].as_f64().unwrap() - 0.21125).abs() < 5e-6);
-    // under the spectrum of the site, as `check` has it
+    // under the spectrum of the site, as in `check`
     fs::write(&file, roomy(&format!("{before}[site]{site}# {damper}"), "212")).unwrap();
     let answer = scratch.dolmen("--json check examples/twisting_floor");
     let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
@@ -268,7 +268,7 @@ fn holds_rooms_are_held_against_strokes_under_the_motions_of_the_file() {
         "{said}: {}",
         answer.stdout
     );
-    // a room, and nothing to hold it against
+    // a room, and no stroke to compare with it
     fs::write(&file, roomy(&format!("{before}# {damper}"), "212")).unwrap();
     let answer = scratch.dolmen("tune examples/twisting_floor --map 2");
     assert_eq!(answer.status, 0, "{}", answer.stderr);

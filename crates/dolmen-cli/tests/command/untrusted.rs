@@ -1,5 +1,5 @@
-// SOURCE     Project files, records and folders as strangers send them, and slips of the hand.
-// GOAL       Nothing measured is replaced, nothing is written or read outside, nothing runs without end, no error quotes a private file.
+// SOURCE     Project files, records and folders from strangers, and mistakes.
+// GOAL       Measured files are never replaced, nothing is written or read outside, no run is endless, no error quotes a private file.
 // TOLERANCE  none: files, words and exit statuses.
 
 use super::verbs::{Answer, Scratch};
@@ -124,7 +124,7 @@ fn refuses_a_journal_that_is_none_even_to_restart() {
     );
 }
 
-/// A block that a study shakes.
+/// A block with a study.
 const STUDIED: &str = "schema = 1\nkind = \"stack\"\nname = \"Block\"\n\
     units = { length = \"mm\" }\ndensity = 2600\n\
     joint = { friction = 0.5, normal_stiffness = \"1e9 Pa/m\", shear_stiffness = \"4e8 Pa/m\", damping_ratio = 0.3 }\n\
@@ -230,7 +230,7 @@ fn refuses_files_outside_the_folder_of_the_project() {
     .unwrap();
     let allowed = scratch.dolmen("identify inner --allow-outside");
     assert_eq!(allowed.status, 0, "{}", allowed.stderr);
-    // meshes, tables of a site and motions go the same way
+    // the same for meshes, tables of a site and motions
     let mesh = "schema = 1\nkind = \"stack\"\nname = \"a\"\nblocks = [{ name = \"b\", shape = \"mesh\", file = \"../private.csv\", density = \"2600 kg/m3\" }]\n";
     fs::write(inner.join("project.toml"), mesh).unwrap();
     refused(
@@ -295,7 +295,7 @@ fn holds_a_line_of_thousands_of_faults_is_told_in_a_page() {
     assert!(widest.is_some_and(|width| width < 1200), "{widest:?}");
 }
 
-/// An archive with these parts, the last of them so many MiB of zeros.
+/// An archive with these parts; the last is followed by zeros_mib MiB of zeros.
 fn packed(parts: &[(&str, &str)], zeros_mib: usize) -> Vec<u8> {
     use std::io::Write as _;
     let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
@@ -319,7 +319,7 @@ fn refuses_bombs_of_every_packed_format() {
     assert!(bomb.len() < 1 << 20);
     let mut gzip = vec![0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 3];
     gzip.extend_from_slice(&bomb[40..]);
-    // neither NPZ, gz, zip nor Parquet is read as a record: by its name, or by what it begins with
+    // NPZ, gz, zip and Parquet are not read as records, whether recognised by name or by content
     for (name, bytes, why) in [
         ("r.npz", &bomb, "write format = one of"),
         ("r.zip", &bomb, "write format = one of"),

@@ -1,5 +1,5 @@
 // SOURCE     DESIGN: verbs, exit codes, messages.
-// GOAL       Each verb does on the shipped examples what its help says; bad input ends with status 2 and a sentence.
+// GOAL       On the shipped examples, each verb does what its help says; bad input gives status 2 and a sentence.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// A folder of its own that is removed at the end.
+/// A temporary folder that is removed at the end.
 pub(crate) struct Scratch(PathBuf);
 
 impl Scratch {
@@ -20,7 +20,7 @@ impl Scratch {
         Scratch(folder)
     }
 
-    /// With a copy of the repository's `examples/` in it.
+    /// A folder with a copy of the repository's `examples/`.
     pub(crate) fn with_examples(name: &str) -> Self {
         let scratch = Self::new(name);
         for example in fs::read_dir(root().join("examples"))
@@ -40,7 +40,7 @@ impl Scratch {
         &self.0
     }
 
-    /// Copies a record to a file of other bytes: each take has its own rounding in the last value.
+    /// Copies a record with slightly different bytes: each take rounds the last value differently.
     pub(crate) fn copy_as_take(&self, take: u8, from: &str, to: &str) {
         let mut bytes = std::fs::read(self.path().join(from)).unwrap();
         let last = bytes.len() - 8;
@@ -57,12 +57,12 @@ impl Scratch {
         std::env::join_paths(std::iter::once(own).chain(std::env::split_paths(&others))).unwrap()
     }
 
-    /// Runs `dolmen` with these words in this folder, all of its answer printed.
+    /// Runs `dolmen` with these arguments in this folder, with the full answer.
     pub(crate) fn dolmen(&self, words: &str) -> Answer {
         self.briefly(&format!("{words} --full"))
     }
 
-    /// Runs `dolmen` with these words in this folder.
+    /// Runs `dolmen` with these arguments in this folder.
     pub(crate) fn briefly(&self, words: &str) -> Answer {
         let output = Command::new(env!("CARGO_BIN_EXE_dolmen"))
             .args(words.split_whitespace())
@@ -96,14 +96,14 @@ impl Answer {
         }
     }
 
-    /// What was printed, whatever its lines are.
+    /// The printed text without line breaks.
     pub(crate) fn words(&self) -> String {
         let words: Vec<&str> = self.stdout.split_whitespace().collect();
         words.join(" ")
     }
 }
 
-/// An error whose reader has gone (`2>&1 | head`) still ends with its own status.
+/// After a closed pipe (`2>&1 | head`) an error still ends with its own status.
 #[test]
 fn holds_an_error_nobody_reads_keeps_its_status() {
     let (reader, writer) = std::io::pipe().unwrap();
@@ -153,7 +153,7 @@ fn holds_a_bare_project_has_nothing_of_another_structure() {
         }
         let answer = scratch.dolmen(&format!("check {kind}"));
         assert_eq!(answer.status, 0, "{kind}: {}", answer.stderr);
-        // the survey that stands in a remark is one that can be read
+        // the survey in a remark is a readable one
         let survey: String = text
             .lines()
             .map(|line| match line.strip_prefix("# ") {
@@ -235,7 +235,7 @@ fn refuses_a_record_in_place_of_a_project_in_a_few_lines() {
 #[test]
 fn holds_sensors_that_point_along_neither_axis_are_the_reason_why_no_stiffness_is_sought() {
     let scratch = Scratch::new("sensors-at-45");
-    // two floors' worth of motion: noise through a resonator at 2 Hz, ten minutes at 50 Hz
+    // motion of two floors: noise through a resonator at 2 Hz, ten minutes at 50 Hz
     let (mut state, mut y) = (1_u64, [0.0_f64; 2]);
     let omega = 2.0 * std::f64::consts::PI * 2.0 / 50.0;
     let mut rows = String::from("time,a,b\n");

@@ -1,5 +1,5 @@
-// SOURCE     A leaf that turns about its outer edge: a/g = thickness over height (tests/validation/walls.rs has the numbers).
-// GOAL       Leaves, through stones and openings of a wall from the file to the answer, and what cannot be built.
+// SOURCE     A leaf that rotates about its outer edge: a/g = thickness over height (tests/validation/walls.rs has the numbers).
+// GOAL       Leaves, through stones and openings of a wall from the file to the answer, and impossible walls.
 
 use super::verbs::Scratch;
 use std::fs;

@@ -1,5 +1,5 @@
-// SOURCE     Histories made here: yearly inspections, two directions read at different times, surveys without a temperature, exchanged marks.
-// GOAL       What counts for the exit status and `watch --all` stands in the words, and no value stands there that nobody read.
+// SOURCE     Made-up histories: yearly inspections, two directions read at different times, surveys without a temperature, exchanged marks.
+// GOAL       The words explain the exit status and `watch --all`, and contain no value that nobody read.
 // TOLERANCE  none: words and exit statuses.
 
 use super::stores::{good, json};
@@ -8,7 +8,7 @@ use dolmen_work::date_text;
 use std::fmt::Write as _;
 use std::fs;
 
-/// One survey a line: its day, and what stands in it.
+/// A project with one survey per line: its day and its entries.
 fn project(more: &str, surveys: &[(f64, String)]) -> String {
     let mut text =
         format!("schema = 1\nkind = \"survey\"\nname = \"Pole\"\n[watch]\ntilt_limit = \"1/150\"\n{more}\n");
@@ -54,7 +54,7 @@ fn holds_a_yearly_inspection_is_forecast_from_what_was_read() {
 
 #[test]
 fn holds_a_lean_beyond_its_limit_is_in_the_words_wherever_it_counts() {
-    // x is read in every fourth survey alone, y in each
+    // x is read only in every fourth survey, y in each
     let read = |i: usize| {
         let x = 5.0 + 0.2 * i as f64 / 4.0 + noise(i);
         let own = if i.is_multiple_of(4) {

@@ -1,6 +1,6 @@
 // SOURCE     Histories made here: forty surveys a quarter apart, of two modes and a tilt, with exact truth.
-// GOAL       The answer names a slipped reading, which hides nothing; a drift that begins late is forecast from its recent slope; the last survey far off
-//            comes first; what is at its limit stands first; `compare` names what stands between two surveys.
+// GOAL       The answer names a mistyped reading, which hides nothing; the forecast of a late drift uses its recent slope; a last survey far off comes
+//            first, as does a quantity at its limit; `compare` names events between two surveys.
 // TOLERANCE  none: words, exit statuses; dates and years of the forecast as the made history has them.
 
 use super::stores::json;

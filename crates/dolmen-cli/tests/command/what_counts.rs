@@ -1,7 +1,7 @@
-// SOURCE     Poles, pillars and a floor whose answers a person can follow; closed forms beside them where there are some.
-// GOAL       What of a file decides an answer is in it, and the answer names what is not: studies after a survey has changed, loads without mass, supports that move, motions
-//            that are one record, a wind whose steps or length cut it short.
-// TOLERANCE  words as each test says; half a per cent of an end of an interval, which is sought to a third of a per cent.
+// SOURCE     Poles, pillars and a floor with hand-checkable answers; closed forms for some.
+// GOAL       Everything in a file that matters enters the answer, and the answer names what does not: studies older than a survey, massless loads,
+//            moving supports, motions from the same record, wind with too long steps or too short a duration.
+// TOLERANCE  words as stated; half a per cent of the end of an interval, which the search finds to a third of a per cent.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -43,7 +43,7 @@ fn refuses_runs_of_a_pole_that_leaned_otherwise() {
     let fresh = scratch.dolmen("study project.toml -o out --restart");
     assert_eq!(fresh.status, 0, "{}", fresh.stderr);
     assert!(capacity() < 0.8 * upright, "{} {upright}", capacity());
-    // a comment, and a measured frequency, change no run
+    // a comment or a measured frequency changes no run
     let more = pole("1/20", "# a remark\n").replace("tilt =", "frequencies.x = [0.9]\ntilt =");
     fs::write(scratch.path().join("project.toml"), more).unwrap();
     let kept = scratch.dolmen("study project.toml -o out");
@@ -138,7 +138,7 @@ fn refuses_the_score_of_a_pagoda_with_loads_or_moving_supports() {
     }
 }
 
-/// Swings of five periods that a seed draws, m/s².
+/// Oscillations of five periods from a seed, m/s².
 fn shaking(seed: u64) -> Vec<f64> {
     let mut state = seed;
     let mut draw = || {
@@ -283,7 +283,7 @@ fn holds_a_tilt_beyond_its_drift_and_friction_of_no_weight_are_said() {
         words.contains("a storey leans by as much as counts as fallen"),
         "{words}"
     );
-    // the words for what is in no model stay as they were
+    // the words for data that no model uses stay the same
     let undated = tilted.replace("2024-01-01", "first");
     let words = with("tilt-undated", &undated)
         .briefly("check project.toml --full")

@@ -1,7 +1,7 @@
 // SOURCE     The shipped twisting floor in the mean wind of EN 1991-1-4.
 // GOAL       `dolmen simulate --wind`: histories beside the mean square, limits in headline and exit status, files, refusals.
-// TOLERANCE  standard deviations of 8 × 10 minutes within 15 % of the mean square, four times their scatter 1/(2 √(ζωT)); their mean peak, which a
-//            lightly damped floor has up to 7 % lower (100 histories), within three times its scatter of 4.5 %; words as each test says.
+// TOLERANCE  standard deviations of 8 × 10 minutes within 15 % of the mean square, four times their scatter 1/(2 √(ζωT)); their mean peak,
+//            which is up to 7 % lower for a lightly damped floor (100 histories), within three times its scatter of 4.5 %; words as stated.
 
 use super::verbs::Scratch;
 use serde_json::Value;
@@ -10,7 +10,7 @@ use std::fs;
 const WIND: &str =
     r#"speed = 27, means = "10 min", code = "EN 1991-1-4", terrain = "II", force_coefficient = 1.3"#;
 
-/// A shipped example with a line more.
+/// A shipped example with an additional line.
 fn with_line(scratch: &Scratch, example: &str, line: &str) {
     let file = scratch.path().join("examples").join(example).join("project.toml");
     let text = fs::read_to_string(&file).unwrap();
@@ -68,7 +68,7 @@ fn agrees_with_the_mean_square_of_the_check_and_the_seed_decides() {
     let from_2 = of("simulate floor --wind --seed 2 --repeats 1");
     assert!((first(&from_2) / second - 1.0).abs() < 1e-12);
     assert!((first(&from_2) / first(&run) - 1.0).abs() > 1e-6);
-    // fewer than two peaks do not scatter
+    // fewer than two peaks have no scatter
     let scatter = from_2.pointer("/along_x/without_dampers/top_displacement_m/peak_rms");
     assert_eq!(scatter, Some(&Value::Null));
 }
@@ -109,9 +109,12 @@ fn holds_limits_decide_headline_and_exit_and_files_hold_the_first_history() {
     let answer = run(r#", acceleration_limit = "0.001 m/s2""#, "");
     assert_eq!(answer.status, 1, "{}", answer.stdout);
     let said = answer.words();
-    assert!(said.contains("Wind: beyond its limits (limit/acceleration"), "{said}");
+    assert!(
+        said.contains("Wind: beyond its limits (limit/acceleration"),
+        "{said}"
+    );
     assert!(said.contains("2 of these 2 histories go beyond it"), "{said}");
-    // of a hundred seconds nothing within is decided
+    // a hundred seconds are too short for a decision
     let answer = run(r#", acceleration_limit = "9 m/s2""#, "");
     let said = answer.words();
     assert!(said.contains("Wind: not decided (limit/acceleration"), "{said}");
@@ -135,7 +138,7 @@ fn holds_limits_decide_headline_and_exit_and_files_hold_the_first_history() {
         csv.starts_with("time_s,along_x_without_dampers_top_displacement_m"),
         "{csv:.200}"
     );
-    // a row a step of 20 ms, both ends, and the head
+    // one row per step of 20 ms, both ends, and the header
     assert_eq!(csv.lines().count(), 5002);
     let json: Value = serde_json::from_str(&read("simulation.json")).unwrap();
     let column = csv
@@ -197,7 +200,7 @@ fn refuses_a_wind_that_is_not_there_and_flags_without_effect() {
     );
 }
 
-/// One floor whose answers are near its limits.
+/// One floor whose response is near its limits.
 fn floor(limits: &str, more: &str) -> String {
     format!(
         "schema = 1\nkind = \"building\"\nname = \"one floor\"\nevidence = \"assumed\"\n\
@@ -216,7 +219,7 @@ fn holds_the_mean_square_and_stops_that_are_met_decide_too() {
         fs::write(scratch.path().join("project.toml"), floor(limits, more)).unwrap();
         scratch.briefly(&format!("{words} project.toml"))
     };
-    // 0.520 m/s² in the mean of ten histories, 0.553 by the mean square
+    // Mean of ten histories 0.520 m/s², by the mean square 0.553
     let limits = ", acceleration_limit = \"0.54 m/s2\"";
     let (check, run) = (said(limits, "", "check"), said(limits, "", "simulate --wind"));
     for answer in [&check, &run] {
@@ -235,7 +238,7 @@ fn holds_the_mean_square_and_stops_that_are_met_decide_too() {
         "{}",
         run.stdout
     );
-    // the step at which lines reach the modes gives the standard deviation that the usual one gives
+    // the step that resolves the modes gives the same standard deviation as the default
     let json = |words: &str| -> Value {
         let answer = scratch.briefly(&format!(
             "--json simulate --wind --repeats 6 {words} project.toml"
@@ -250,7 +253,7 @@ fn holds_the_mean_square_and_stops_that_are_met_decide_too() {
     let corner = |key: &str| number(&run, &format!("/along_y/without_dampers/corner_m_s2/{key}"));
     let ratio = corner("rms") / corner("mean_square/rms");
     assert!((ratio - 1.0).abs() < 0.15, "{ratio}");
-    // a damper whose room its strokes reach in the mean square, and then one that only single histories go beyond
+    // a damper whose mean-square stroke reaches its room, then one that only single histories exceed
     let damper = |room: &str| {
         format!(
             "[damper.d]\nkind = \"tmd\"\nfloor = 1\nplace = [-8, 0]\ndirection = \"y\"\nmass_ratio = 0.02\n\

@@ -1,5 +1,6 @@
 // SOURCE     The shipped twisting floor and tower in the mean wind of EN 1991-1-4.
-// GOAL       From the file of a user to the answer: forces by hand, no twist of what is symmetric, limits in headline and exit status, refusals.
+// GOAL       From the user's file to the answer: forces by hand, no torsion of a symmetric building, limits in headline and exit status,
+//            refusals.
 // TOLERANCE  1e-9 of forces by hand (one strip at one height); ratios and words as each test says.
 
 use super::verbs::Scratch;
@@ -9,7 +10,7 @@ use std::fs;
 const WIND: &str =
     r#"speed = 27, means = "10 min", code = "EN 1991-1-4", terrain = "II", force_coefficient = 1.3"#;
 
-/// The shipped floor of 10 × 8 m at 30 m with a line more.
+/// The shipped floor of 10 × 8 m at 30 m with an additional line.
 fn floor_with(scratch: &Scratch, line: &str) {
     let file = scratch.path().join("examples/twisting_floor/project.toml");
     let text = fs::read_to_string(&file).unwrap();
@@ -43,7 +44,7 @@ fn exact_mean_forces_by_hand_and_no_twist_without_eccentricity() {
         let met = number(&wind, &format!("/{axis}/met/0/mean_speed_m_s"));
         assert!((met / speed - 1.0).abs() < 1e-12);
     }
-    // the walls lie off the middle along x alone: the wind along x does not turn it, that along y does
+    // the walls are eccentric along x only: wind along x causes no torsion, wind along y does
     let of = |axis: &str, what: &str| number(&wind, &format!("/{axis}/without_dampers/floors/0/{what}"));
     assert!(of("along_x", "rotation_rad_s2/rms") < 1e-9 * of("along_y", "rotation_rad_s2/rms"));
     let (corner, centre) = (
@@ -52,11 +53,11 @@ fn exact_mean_forces_by_hand_and_no_twist_without_eccentricity() {
     );
     assert!((corner / centre - 1.0).abs() < 1e-9, "{corner} {centre}");
     assert!(of("along_y", "corner_m_s2/rms") > 1.05 * of("along_y", "acceleration_m_s2/rms"));
-    // a peak is the mean and g σ
+    // a peak is the mean plus g σ
     let peak = of("along_y", "displacement_m/mean")
         + of("along_y", "displacement_m/peak_factor") * of("along_y", "displacement_m/rms");
     assert!((peak / of("along_y", "displacement_m/peak") - 1.0).abs() < 1e-12);
-    // off the middle it turns
+    // eccentric wind causes torsion
     let off = wind_of(&scratch, &format!("wind = {{ {WIND} }}"));
     assert!(number(&off, "/eccentricity") == 0.15);
     let twisted = number(&off, "/along_x/without_dampers/floors/0/corner_m_s2/rms");
@@ -156,7 +157,7 @@ fn refuses_what_is_no_mean_wind_on_a_building() {
         let stderr = answer.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(stderr.contains(said), "{line}: {stderr}");
     }
-    // keys of a building say so on a pole
+    // the same keys in the file of a pole
     let pole = scratch.path().join("examples/naju_flagpole/wind.toml");
     let text = fs::read_to_string(&pole).unwrap();
     fs::write(
@@ -200,19 +201,19 @@ fn holds_a_damper_is_tuned_to_the_wind_of_the_file() {
     let json: Value = serde_json::from_str(&answer.stdout).unwrap();
     let tuned = &json["dampers"][0];
     assert_eq!(tuned["load"]["kind"], "gusts");
-    // prepared frequencies and the whole integral agree
+    // tabulated frequencies and full integration agree
     assert!(
         number(tuned, "/prepared_frequencies_apart").abs() < 1e-3,
         "{tuned}"
     );
-    // the check says the same of the damper as it is, the wind at the middle
+    // the check gives the same for the damper in the file, with centred wind
     let check = scratch.dolmen("--json check examples/far_from_the_centre");
     let check: Value = serde_json::from_str(&check.stdout).unwrap();
     let wind = &check["state"]["check"]["building"]["standing"]["wind"]["along_y"];
     let stroke = number(wind, "/with_dampers/strokes_m/0/rms");
     let given = number(tuned, "/choices/0/stroke_rms_m");
     assert!((given / stroke - 1.0).abs() < 1e-4, "{given} {stroke}");
-    // what is placed and tuned best moves least
+    // the best position and tuning gives the smallest response
     let cost = |choice: usize| number(tuned, &format!("/choices/{choice}/cost"));
     let best = (0..5).map(cost).fold(f64::INFINITY, f64::min);
     assert!(best < 0.95 * cost(0), "{best} {}", cost(0));

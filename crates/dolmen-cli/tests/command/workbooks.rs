@@ -1,11 +1,11 @@
-//! A report as a workbook: its numbers are those of the page, and it is refused and replaced by the rules of every output.
+//! A report as a workbook: its numbers are those of the page, and the rules of every output apply to it.
 
 use super::verbs::Scratch;
 use calamine::{Data, Reader, Xlsx};
 use std::fs;
 use std::io::Cursor;
 
-/// The texts of the cells of all tables of a page.
+/// The texts of all table cells of a page.
 fn cells(page: &str) -> Vec<String> {
     let each = page.split("<td").skip(1).filter_map(|rest| {
         let inside = rest.split_once('>')?.1.split("</td>").next()?;
@@ -14,7 +14,7 @@ fn cells(page: &str) -> Vec<String> {
     each.collect()
 }
 
-/// A number as the page shows it, and half a unit of its last digit. Deviations and arrows are left off.
+/// A number as the page prints it, and half a unit of its last digit; without deviation and arrow.
 fn shown(cell: &str) -> Option<(f64, f64)> {
     let first = cell.split(" ± ").next()?.trim_end_matches(" ↑").replace('−', "-");
     let value: f64 = first.parse().ok()?;
@@ -34,7 +34,7 @@ fn numbers(bytes: &[u8]) -> (Vec<f64>, usize) {
         for cell in book.worksheet_range(&name).unwrap().used_cells() {
             match cell.2 {
                 Data::Float(value) => all.push(*value),
-                // the number of a mode is a name
+                // the number of a mode is stored as a name
                 Data::String(text) => all.extend(text.parse::<f64>().ok()),
                 _ => {}
             }

@@ -1,6 +1,6 @@
 // SOURCE     docs/project-file.md, files that outputs replace.
-// GOAL       On a disk that is full, or may only be read, every writer says so in both languages and ends with status 2; what was there before stays as
-//            it was, and nothing half written is left.
+// GOAL       On a full or read-only disk every writer gives the reason in both languages and ends with status 2; existing files stay
+//            as they were, and no partial file remains.
 // PARAMETERS a file system of 4 MiB in memory, of which 8 KiB are free.
 // TOLERANCE  none: bytes, names and exit statuses.
 
@@ -11,7 +11,7 @@ use std::fs;
 use std::io::Write as _;
 use std::path::Path;
 
-/// Takes the room of the disk but for so many bytes.
+/// Fills the disk except for this many bytes.
 fn fill(folder: &Path, free: usize) {
     let rest = folder.join("rest");
     let mut file = fs::OpenOptions::new()
@@ -61,7 +61,7 @@ fn refuses_a_full_or_read_only_disk_whatever_writes_and_keeps_what_was_there() {
                 false => fs::remove_file(entry).unwrap(),
             }
         }
-        // one file replaces an earlier one of ours; a folder is new
+        // a single file replaces an earlier output; a folder is new
         let is_file = command.contains("small/answer.");
         if is_file {
             let first = scratch.dolmen(&command);
@@ -83,7 +83,7 @@ fn refuses_a_full_or_read_only_disk_whatever_writes_and_keeps_what_was_there() {
             "{command}: {korean}"
         );
         let after = files(&folder);
-        // the list of our files names what was to come as well
+        // the list of our files also names files that were not written yet
         let is_list = |name: &Path| name.ends_with(".dolmen-files");
         for (name, bytes) in before.iter().filter(|(name, _)| !is_list(name)) {
             assert!(
@@ -99,7 +99,7 @@ fn refuses_a_full_or_read_only_disk_whatever_writes_and_keeps_what_was_there() {
         {
             assert!(!is_file && !name.contains(".part"), "{command}: {name} is left");
         }
-        // with room again the same command goes on, and needs no --force
+        // with free space again, the same command continues without --force
         fs::remove_file(folder.join("rest")).unwrap();
         let again = scratch.dolmen(&command);
         assert!(

@@ -1,8 +1,8 @@
 // SOURCE     docs/project-file.md, files that outputs replace; docs/store.md, what a store bears.
-// GOAL       Killed at any of its system calls that write, every writer leaves each file as it was or as it was to become, and the same command then
-//            brings all to the end without --force and leaves nothing hidden.
-// PARAMETERS strace kills at call N of its kind, at the first and the last of each kind of some writers. DOLMEN_KILLS: so many kills of each kind of
-//            call, spread over all of them, of every writer.
+// GOAL       Killed at any of its system calls that write, every writer leaves each file either old or complete. The same command then
+//            finishes the work without --force and leaves no hidden file.
+// PARAMETERS strace kills at call N of its kind, at the first and the last of each kind, for some writers. DOLMEN_KILLS: number of
+//            kills for each kind of call, spread over all calls, for every writer.
 // TOLERANCE  none: bytes and names.
 
 use super::folders::files;
@@ -14,7 +14,7 @@ use std::os::unix::process::ExitStatusExt as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// System calls that change what a disk holds.
+/// System calls that write to a disk.
 const CALLS: [&str; 12] = [
     "openat",
     "write",
@@ -30,7 +30,7 @@ const CALLS: [&str; 12] = [
     "ftruncate",
 ];
 
-/// A command that writes into `out`, over what `before` left there.
+/// A command that writes into `out`, over the files that `before` wrote.
 struct Writer {
     before: String,
     command: String,
@@ -53,7 +53,7 @@ fn put_back(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) {
     }
 }
 
-/// Hidden files are the list of our own and what is not yet in its place.
+/// Hidden files: our list, and files that are not renamed yet.
 fn is_hidden(name: &Path) -> bool {
     name.file_name().unwrap().to_string_lossy().starts_with('.')
 }
@@ -73,7 +73,7 @@ impl Traced<'_> {
             .unwrap()
     }
 
-    /// How often each call is made by the thread that makes it most often; of those that open files, which ones make or change a file.
+    /// For each call, the number made by the thread that makes it most often; for calls that open files, which ones create or change a file.
     fn calls(&self, words: &str) -> BTreeMap<String, Vec<usize>> {
         let log = self.0.path().join("trace");
         let trace = format!("trace={}", CALLS.join(","));
@@ -106,7 +106,7 @@ impl Traced<'_> {
             .collect()
     }
 
-    /// Whether the kill came before the end.
+    /// Whether the process was killed before it ended.
     fn killed(&self, words: &str, call: &str, at: usize) -> bool {
         let inject = format!("inject={call}:signal=KILL:when={at}");
         let output = self.run(
@@ -117,7 +117,7 @@ impl Traced<'_> {
     }
 }
 
-/// So many of them, the first and the last among them.
+/// At most `most` of them, including the first and the last.
 fn spread(all: &[usize], most: usize) -> Vec<usize> {
     match all.len() <= most {
         true => all.to_vec(),
@@ -149,7 +149,7 @@ fn kills_of_each() -> usize {
     asked().unwrap_or(2)
 }
 
-/// Kills `writer` at its calls one after the other, and says how many kills there were. `compare` tells which files must be whole.
+/// Kills `writer` at each of its calls in turn, and returns the number of kills. `compare` tells which files must be complete.
 fn kill_at_each_call(scratch: &Scratch, writer: &Writer, compare: impl Fn(&Path) -> bool) -> usize {
     let (out, traced) = (scratch.path().join("out"), Traced(scratch));
     let ends = |words: &str| -> Answer {
@@ -187,7 +187,7 @@ fn kill_at_each_call(scratch: &Scratch, writer: &Writer, compare: impl Fn(&Path)
             for name in before.keys() {
                 assert!(left.contains_key(name), "{context}: {} is gone", name.display());
             }
-            // a folder that is whole is not begun again
+            // a complete folder is not started again
             if !(writer.command.starts_with("new ") && left == whole) {
                 ends(&writer.command);
             }
@@ -254,7 +254,7 @@ fn holds_whole_files_whatever_system_call_a_writer_is_killed_at() {
     let kills: usize = writers
         .iter()
         .map(|writer| {
-            // a study notes how long each run took
+            // a study records how long each run took
             kill_at_each_call(&scratch, writer, |name| {
                 !name.to_string_lossy().contains("studied")
             })
@@ -266,7 +266,7 @@ fn holds_whole_files_whatever_system_call_a_writer_is_killed_at() {
     }
 }
 
-/// SQLite writes pages where they stand, so its file has more states than two: what counts is that it verifies and that nothing is lost.
+/// SQLite writes pages in place, so its file has more than two states; it must verify, and nothing may be lost.
 #[test]
 fn holds_a_store_verifies_whatever_system_call_an_import_is_killed_at() {
     if !can_trace() {

@@ -1,6 +1,6 @@
-// SOURCE     Stiffness that one survey determines, through the file to the verdict; closed forms of one joint and one floor.
-// GOAL       `identify --write` changes the stiffness alone, and check, simulate and report rest on it.
-// TOLERANCE  the digits that are written: a thousandth of a standard deviation.
+// SOURCE     Stiffness that one survey determines, from the file to the verdict; closed forms of one joint and one floor.
+// GOAL       `identify --write` changes only the stiffness, and check, simulate and report use it.
+// TOLERANCE  the digits written: a thousandth of a standard deviation.
 
 use super::verbs::Scratch;
 use std::fs;
@@ -33,7 +33,7 @@ fn agrees_a_written_stiffness_with_the_closed_form_of_one_stone() {
     assert!(head.ends_with("# one stone\njoints = [{ "), "{head}");
     assert!(rest.contains("source = \"identified\", survey = \"2026-04-02\", note = \"before: 3000 kN*m/rad, assumed\" } }] # first guess\n\n[survey.2026-04-02]"), "{rest}");
     let value: f64 = rest.split(',').next().unwrap().parse().unwrap();
-    // 2000 kg of 3.0 m by 0.6 m: I about the middle is m (3² + 0.6²)/12
+    // 2000 kg of 3.0 m by 0.6 m: I about the centre is m (3² + 0.6²)/12
     let inertia = 2000.0 * (9.0 + 0.36) / 12.0 + 2000.0 * 1.5 * 1.5;
     let omega = std::f64::consts::TAU * 2.0;
     let stiffness = omega * omega * inertia + 2000.0 * 9.81 * 1.5;
@@ -50,7 +50,7 @@ fn agrees_a_written_stiffness_with_the_closed_form_of_one_stone() {
     // written again, nothing changes
     scratch.dolmen("identify project.toml --write");
     assert_eq!(fs::read_to_string(&file).unwrap(), text);
-    // the survey contradicts what it does not agree with any more
+    // the survey contradicts a model that no longer agrees with it
     fs::write(&file, text.replace("\"2000 kg\"", "\"4000 kg\"")).unwrap();
     let edited = scratch.dolmen("check project.toml");
     assert!(
@@ -117,7 +117,7 @@ fn holds_a_floor_has_the_measured_frequencies_afterwards() {
     assert_eq!(scratch.dolmen("new building own").status, 0);
     let gate = include_str!("../../../../examples/gate_in_plan/project.toml");
     let file = scratch.path().join("gate.toml");
-    // its frequencies alone do not tell the centre of rigidity
+    // its frequencies alone do not determine the centre of rigidity
     fs::write(&file, gate).unwrap();
     let refused = scratch.dolmen("identify gate.toml --write");
     assert_eq!(refused.status, 2, "{}", refused.stdout);

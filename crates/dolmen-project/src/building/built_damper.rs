@@ -1,19 +1,19 @@
-//! A damper of a building with every number that follows.
+//! A damper of a building with every derived number.
 
 use dolmen::damper::{AttachedDamper, DamperKind, TuningRule};
 use dolmen::dynamics::TunedMass;
 use dolmen::structure::building::PlanDirection;
 
-/// What a damper is tuned to.
+/// The tuning of a damper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TunedTo {
-    /// The mode that it is for, from 1.
+    /// The mode that it damps, from 1.
     pub mode: usize,
     /// Its mass over the modal mass of the mode.
     pub mass_ratio: f64,
 }
 
-/// A damper with every number that follows.
+/// A damper with every derived number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BuiltDamper {
     /// Its name in the file; with a number where it has several masses.
@@ -24,17 +24,17 @@ pub struct BuiltDamper {
     pub place_m: [f64; 2],
     /// Direction in which it moves.
     pub direction: PlanDirection,
-    /// What it is.
+    /// Its kind.
     pub kind: DamperKind,
-    /// What it rides on: a row over all coordinates of the building.
+    /// The motion of its base: a row over all coordinates of the building.
     pub row: Vec<f64>,
-    /// What it is tuned to; `None` of a link.
+    /// Its tuning; `None` for a link.
     pub tuned_to: Option<TunedTo>,
     /// Closed form that gave both frequency and damping; `None` if the file gives one of them.
     pub tuning: Option<TuningRule>,
     /// Room each way, m, if given.
     pub room_m: Option<f64>,
-    /// Room of the liquid of a column on a spring each way, m, if given.
+    /// Available stroke of the liquid of a column on a spring, each way, m, if given.
     pub liquid_room_m: Option<f64>,
     /// Floor (0: the ground) and place of the other end of a link, m.
     pub to: Option<(usize, [f64; 2])>,
@@ -51,7 +51,7 @@ impl BuiltDamper {
         }
     }
 
-    /// Frequency, Hz, and damping ratio; `None` of a link.
+    /// Frequency, Hz, and damping ratio; `None` for a link.
     pub fn own(&self) -> Option<[f64; 2]> {
         match self.kind {
             DamperKind::TunedMass {
@@ -73,7 +73,7 @@ impl BuiltDamper {
         }
     }
 
-    /// Coefficient of its dashpot, N s/m: of a mass and of a container on a spring 2 ζ m ω; `None` of a liquid column, which has none.
+    /// Coefficient of its dashpot, N s/m: 2 ζ m ω of a mass or a container on a spring; `None` for a liquid column, which has none.
     pub fn dashpot_n_s_m(&self) -> Option<f64> {
         match self.kind {
             DamperKind::TunedMass {
@@ -91,7 +91,7 @@ impl BuiltDamper {
         }
     }
 
-    /// As a damper of the science.
+    /// As a damper of the library.
     pub fn attached(&self) -> AttachedDamper {
         AttachedDamper {
             kind: self.kind,
@@ -120,7 +120,7 @@ impl BuiltDamper {
         })
     }
 
-    /// Whether something in it has a damping ratio above 1.
+    /// Whether any of its damping ratios is above 1.
     pub fn is_overdamped(&self) -> bool {
         let liquid = match self.kind {
             DamperKind::LiquidColumnMass {
@@ -131,13 +131,13 @@ impl BuiltDamper {
         self.own().is_some_and(|[_, ratio]| ratio.max(liquid) > 1.0)
     }
 
-    /// What moves in it besides its stroke: the liquid of a column on a spring.
+    /// Whether it has a stroke of liquid besides its own: a column on a spring.
     pub fn has_liquid_apart(&self) -> bool {
         matches!(self.kind, DamperKind::LiquidColumnMass { .. })
     }
 }
 
-/// What moves in a damper.
+/// A moving part of a damper.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stroke {
     /// The damper, or "NAME liquid" for the liquid of a column on a spring.

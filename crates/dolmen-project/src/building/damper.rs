@@ -41,14 +41,14 @@ pub struct MassPart {
     pub damping_ratio: Option<Quantity>,
 }
 
-/// What moves.
+/// The moving mass of a damper.
 #[allow(
     clippy::large_enum_variant,
     reason = "a file has a few dampers: a box would save nothing"
 )]
 #[derive(Clone, Debug, PartialEq)]
 pub enum MovingPart {
-    /// Masses on springs and dashpots; none listed: one.
+    /// Masses on springs and dashpots; empty list: one mass.
     Masses(Vec<MassPart>),
     /// A liquid column.
     Column {
@@ -68,20 +68,20 @@ pub enum MovingPart {
     },
 }
 
-/// What a damper is.
+/// The kind of a damper with its numbers.
 #[allow(
     clippy::large_enum_variant,
     reason = "a file has a few dampers: a box would save nothing"
 )]
 #[derive(Clone, Debug, PartialEq)]
 pub enum DamperBody {
-    /// Something that moves on the floor.
+    /// A mass that moves on the floor.
     Moving {
-        /// What.
+        /// The moving mass.
         moving: Box<MovingPart>,
-        /// Mass, all of it.
+        /// Total mass.
         mass: DamperMass,
-        /// The mode that it is for, from 1.
+        /// The mode that it damps, from 1.
         mode: usize,
         /// Frequency.
         frequency: DamperFrequency,
@@ -112,24 +112,24 @@ pub struct DamperPart {
     pub place: Box<[Quantity; 2]>,
     /// Direction.
     pub direction: PlanDirection,
-    /// What it is.
+    /// Its kind with its numbers.
     pub body: DamperBody,
-    /// Room that it has to move, each way, m.
+    /// Available stroke, each way, m.
     pub stroke: Option<Quantity>,
-    /// Room of the liquid of a column on a spring, each way, m.
+    /// Available stroke of the liquid of a column on a spring, each way, m.
     pub liquid_stroke: Option<Quantity>,
 }
 
 /// Why a damper cannot be.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DamperFault {
-    /// Its mode does not move there.
+    /// Its mode does not move at its place.
     Still {
         /// The damper.
         name: String,
         /// Its mode.
         mode: usize,
-        /// What the mode does there.
+        /// The motion of the mode at its place.
         why: Both,
     },
     /// There is no such mode.
@@ -138,10 +138,10 @@ pub enum DamperFault {
         name: String,
         /// Its mode.
         mode: usize,
-        /// How many there are.
+        /// Their number.
         most: usize,
     },
-    /// It weighs more than what it damps.
+    /// It is heavier than the modal mass of its mode.
     Heavy {
         /// The damper.
         name: String,
@@ -152,9 +152,9 @@ pub enum DamperFault {
         /// Modal mass there, kg.
         modal_mass_kg: f64,
     },
-    /// Its tuning cannot be.
+    /// Its tuning is impossible.
     Tuning(DamperError),
-    /// It weighs more than the building.
+    /// It is heavier than the building.
     HeavierThanAll {
         /// The damper.
         name: String,
@@ -165,7 +165,7 @@ pub enum DamperFault {
         /// Its mode.
         mode: usize,
     },
-    /// The building refuses it.
+    /// The building rejects its place.
     Place {
         /// The damper.
         name: String,
@@ -174,7 +174,7 @@ pub enum DamperFault {
     },
 }
 
-/// A building as a damper needs it.
+/// The building in the form that a damper needs.
 pub(super) struct HostBuilding<'a> {
     pub(super) vibrating: &'a VibratingBuilding,
     pub(super) gravity_m_s2: f64,

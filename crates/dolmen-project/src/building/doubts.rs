@@ -7,9 +7,9 @@ use crate::reader::Reader;
 use crate::usual::mass_kg;
 use crate::usual_numbers::{hertz, metres, ratio, tonnes_per_m2};
 
-/// Mass per area of a floor, kg/m²: a pavilion of timber under tin to a floor of stone on walls of stone, each with room.
+/// Mass per area of a floor, kg/m²: from a timber pavilion with a tin roof to a stone floor on stone walls, each with a margin.
 const PER_AREA_KG_M2: [f64; 2] = [150.0, 6000.0];
-/// The top storey over the lowest, in stiffness, above which the list seems to begin with the top. Ours.
+/// Stiffness of the top storey over the lowest, above which the list seems to begin with the top. Our choice.
 const STIFFER_MOST: f64 = 1.3;
 /// Lowest frequency × height, Hz m: slender towers have 8, low walls of stone 150.
 const SWAYS_HZ_M: [f64; 2] = [4.0, 220.0];
@@ -24,7 +24,7 @@ pub(crate) fn doubt_building(reader: &mut Reader, part: &BuildingPart) {
     sways(reader, part);
 }
 
-/// The lowest frequency against the height of the whole.
+/// Compares the lowest frequency with the height of the building.
 fn sways(reader: &mut Reader, part: &BuildingPart) {
     let Ok(modes) = part
         .build(&mut Quantity::nominal)

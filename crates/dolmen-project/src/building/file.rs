@@ -1,4 +1,4 @@
-//! A building as it is written: floors with the storey below each, damping, dampers, points.
+//! The keys of a building: floors with the storey below each, damping, dampers, points.
 
 use crate::file_number::{At, QuantityRaw};
 use schemars::JsonSchema;

@@ -1,4 +1,4 @@
-//! What moves in a damper, its mass and its frequency, from what is given of them.
+//! The moving mass of a damper with its frequency, from the given values.
 
 use super::damper::{DamperFrequency, DamperMass, MassPart, MovingPart};
 use super::file::DamperKindRaw;
@@ -6,7 +6,7 @@ use crate::quantity::Quantity;
 use crate::wrong::{Common, WrongDamper};
 use dolmen_words::message::Both;
 
-/// What is wrong with a damper as a whole.
+/// Errors of a damper as a whole.
 pub(super) struct DamperRefusal {
     pub(super) message: WrongDamper,
     pub(super) help: Both,
@@ -19,7 +19,7 @@ impl DamperRefusal {
     }
 }
 
-/// What is written of a liquid column.
+/// The keys of a liquid column.
 pub(super) struct Liquid {
     pub(super) length_ratio: Option<Quantity>,
     pub(super) share: Option<Quantity>,
@@ -48,7 +48,7 @@ pub(super) fn mass_of(
     }
 }
 
-/// The frequency from itself, its ratio to that of the mode, the length of the column, or the tuning.
+/// The frequency: given, or from its ratio to that of the mode, the length of the column, or the tuning.
 pub(super) fn frequency_of(
     given: [Option<Quantity>; 3],
     is_tuned: bool,
@@ -73,7 +73,7 @@ pub(super) fn frequency_of(
     }
 }
 
-/// A damping ratio is given or tuned; a tuning that gives neither it nor the frequency is of no use.
+/// Requires a damping ratio or a tuning; a tuning that gives neither damping nor frequency is useless.
 pub(super) fn judge_damping(
     is_given: bool,
     is_tuned: bool,
@@ -96,7 +96,7 @@ pub(super) fn judge_damping(
     Ok(())
 }
 
-/// What moves; `None` if the parts of a mass were refused before.
+/// The moving mass; `None` if its parts were rejected.
 pub(super) fn moving_part(
     kind: DamperKindRaw,
     liquid: Liquid,

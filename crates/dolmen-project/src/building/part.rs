@@ -1,4 +1,4 @@
-//! The building of a project file, and the building of the science it makes.
+//! The building of a project file, and the building of the library that it makes.
 
 use super::built_damper::BuiltDamper;
 use super::damper::{DamperFault, DamperPart, HostBuilding};
@@ -10,7 +10,7 @@ use dolmen::structure::building::{
     BuildingDamping, BuildingError, DampingAnchor, Element, Floor, Outline, PDelta, Storey, StoreyStiffness,
 };
 
-/// A wall or column as the file gives it.
+/// A wall or column, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WallPart {
     /// Name, if given.
@@ -23,13 +23,13 @@ pub struct WallPart {
     pub stiffness_x: Option<Quantity>,
     /// Stiffness along its second axis, N/m.
     pub stiffness_y: Option<Quantity>,
-    /// Its own stiffness against turning, N m/rad.
+    /// Its own torsional stiffness, N m/rad.
     pub stiffness_rotation: Option<Quantity>,
     /// Angle of its first axis from x, rad.
     pub angle: Option<Quantity>,
 }
 
-/// Stiffness of a storey as the file gives it.
+/// Stiffness of a storey, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StoreyStiffnessPart {
     /// Walls and columns in plan.
@@ -54,7 +54,7 @@ pub enum StoreyStiffnessPart {
     },
 }
 
-/// How the radius of gyration of a floor is given.
+/// The radius of gyration of a floor, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GyrationPart {
     /// That of its area.
@@ -65,12 +65,12 @@ pub enum GyrationPart {
     Inertia(Quantity),
 }
 
-/// Floors that are alike, with the storeys below them.
+/// Equal floors, with the storeys below them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FloorPart {
     /// Name, if given.
     pub name: Option<String>,
-    /// How many.
+    /// Their number.
     pub count: usize,
     /// Mass or weight.
     pub heaviness: Heaviness,
@@ -86,10 +86,10 @@ pub struct FloorPart {
     pub stiffness: StoreyStiffnessPart,
 }
 
-/// How the modes are damped, as the file gives it.
+/// Damping of the modes, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DampingPart {
-    /// Ratios, lowest mode first; the last holds on.
+    /// Ratios, lowest mode first; the last holds for all further modes.
     Modal(Vec<Quantity>),
     /// Two frequencies, Hz, with their ratios.
     Rayleigh(Box<[[Quantity; 2]; 2]>),
@@ -113,7 +113,7 @@ pub struct WatchedPart {
 pub struct BuildingPart {
     /// The floors.
     pub floors: Vec<FloorPart>,
-    /// Whether the weight takes part of the stiffness.
+    /// Whether the weight reduces the stiffness (P-delta).
     pub p_delta: bool,
     /// Damping of the modes, if given.
     pub damping: Option<DampingPart>,
@@ -123,7 +123,7 @@ pub struct BuildingPart {
     pub points: Vec<WatchedPart>,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: f64,
-    /// Kept from reading, which needs its modes.
+    /// The building from reading, which needs its modes.
     pub(super) as_written: Option<VibratingBuilding>,
 }
 
@@ -230,7 +230,7 @@ impl BuildingPart {
         Ok(built)
     }
 
-    /// The part that floor `floor`, from 1, comes from: its number from 1.
+    /// Number, from 1, of the part of the file that floor `floor` (from 1) comes from.
     pub fn part_of_floor(&self, floor: usize) -> usize {
         let mut last = 0;
         for (i, part) in self.floors.iter().enumerate() {
@@ -352,7 +352,7 @@ impl StoreyStiffnessPart {
     }
 }
 
-/// Degrees, whole ones to the last bit.
+/// Degrees; whole numbers are exact.
 fn degrees(angle_rad: f64) -> f64 {
     let degrees = angle_rad.to_degrees();
     let whole = degrees.round();

@@ -1,4 +1,4 @@
-//! A damper of a project file placed on the building that it damps: masses, frequencies and damping ratios as numbers.
+//! A damper of a project file placed on its building: masses, frequencies and damping ratios as numbers.
 
 use super::built_damper::{BuiltDamper, TunedTo};
 use super::damper::{
@@ -10,18 +10,18 @@ use dolmen::damper::{AttachedDamper, ColumnAsMass, DamperKind, TuningRule};
 use dolmen::structure::building::{BuildingMode, PlanDirection};
 use std::f64::consts::TAU;
 
-/// What several masses take from the damper that they make up, where they give nothing of their own.
+/// Values that several masses take from their damper, where they have none of their own.
 struct WholeDamper {
     place_m: [f64; 2],
     mass_kg: f64,
     frequency_hz: f64,
     damping_ratio: f64,
     mode: usize,
-    /// Frequency of that mode.
+    /// Frequency of its mode.
     mode_hz: f64,
-    /// The rule that frequency and damping follow from.
+    /// The rule for frequency and damping.
     rule: Option<TuningRule>,
-    /// Room for the stroke, and for the liquid's, m.
+    /// Available stroke of the damper and of its liquid, m.
     rooms_m: [Option<f64>; 2],
 }
 
@@ -33,7 +33,7 @@ struct AtMode {
 }
 
 impl MovingPart {
-    /// α of a column alone; 1 of a mass on a spring.
+    /// α of a column; 1 of a mass on a spring.
     fn length_ratio(&self, pick: Pick<'_>) -> f64 {
         match self {
             MovingPart::Column { length_ratio } => pick(length_ratio),
@@ -43,7 +43,7 @@ impl MovingPart {
 }
 
 impl MovingPart {
-    /// The damper as one that moves as a whole, of this mass, kg, frequency, Hz, and damping ratio.
+    /// The damper with a single moving mass of this mass, kg, frequency, Hz, and damping ratio.
     fn as_one(
         &self,
         [mass_kg, frequency_hz, damping_ratio]: [f64; 3],
@@ -168,7 +168,7 @@ impl DamperPart {
         })
     }
 
-    /// A dashpot between its place and another, with the floor of that, 0 for the ground.
+    /// A dashpot between its place and another one, with the floor of the other, 0 for the ground.
     fn link(
         &self,
         host: &HostBuilding<'_>,
@@ -205,7 +205,7 @@ impl DamperPart {
         }
     }
 
-    /// Its mass, kg, and that over the modal mass.
+    /// Its mass, kg, and its ratio to the modal mass.
     fn mass(
         &self,
         mass: &DamperMass,
@@ -311,9 +311,9 @@ impl DamperPart {
         place_m: [f64; 2],
         row: &[f64],
     ) -> Result<AtMode, DamperFault> {
-        /// A mode that moves less than this part of its largest is still there. Our choice.
+        /// Least motion of a mode at a place over its largest, below which it counts as zero. Our choice.
         const STILL: f64 = 1e-6;
-        /// Modes whose frequencies are this near, relatively, are one.
+        /// Relative difference below which modes have the same frequency.
         const ONE_FREQUENCY: f64 = 1e-6;
         let name = self.name.clone();
         let (building, modes) = (host.vibrating.building(), host.vibrating.modes());
@@ -324,7 +324,7 @@ impl DamperPart {
                 most: modes.modes.len(),
             });
         };
-        // of modes of one frequency all move, in the proportion that moves the place most
+        // modes of one frequency all move, in the combination that moves the place most
         let near = |other: &&BuildingMode| (other.omega_rad_s / mode.omega_rad_s - 1.0).abs() < ONE_FREQUENCY;
         let together: Vec<&BuildingMode> = modes.modes.iter().filter(near).collect();
         let moved_by = |row: &[f64]| -> f64 {

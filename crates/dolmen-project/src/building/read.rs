@@ -72,7 +72,7 @@ pub(crate) fn building(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) ->
     })
 }
 
-/// Two floors of one name, or two walls of one storey, would be one in every table.
+/// Rejects two floors with one name, or two walls of one storey, which tables could not distinguish.
 fn names_apart(reader: &mut Reader, floors: &[FloorPart], list: &At<Vec<At<FloorRaw>>>) {
     let mut refuse = |what: WrongBuilding, path: &str, span, name: &str| {
         let fault = Fault::new(
@@ -439,12 +439,12 @@ fn points(reader: &mut Reader, raw: Option<&At<Vec<At<WatchedRaw>>>>, floors: us
     all
 }
 
-/// What the science refuses beyond what has been checked here, at the line that it is about. A building that falls under its
-/// weight is a verdict, and no fault of the file.
+/// Further faults that the library finds, at the line that causes them. A building that falls under its
+/// weight is a verdict, not a fault of the file.
 pub(crate) fn buildable(reader: &mut Reader, part: &mut BuildingPart) {
     let pick = &mut Quantity::nominal;
     let (built, stands) = match part.build(pick) {
-        // its dampers are judged all the same
+        // its dampers are judged anyway
         Err(BuildingError::Falls { .. }) => {
             let parts = part.floors_and_storeys(pick);
             let elastic = parts.and_then(|(floors, storeys)| Building::new(floors, storeys, PDelta::LeftOut));

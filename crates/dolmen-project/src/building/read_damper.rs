@@ -1,4 +1,4 @@
-//! Damping and dampers of a building, from what is written.
+//! Reads damping and dampers of a building.
 
 use super::damper::{DamperBody, DamperFrequency, DamperPart, MassPart};
 use super::file::{DamperKindRaw, DamperRaw, MassRaw, TuningRaw};
@@ -96,7 +96,7 @@ fn ratio_of(reader: &mut Reader, raw: Option<&At<QuantityRaw>>, path: &str) -> O
     Some(ratio)
 }
 
-/// Refuses keys of other kinds, by name.
+/// Rejects keys of other kinds.
 fn only_its_keys(reader: &mut Reader, kind: DamperKindRaw, given: &DamperRaw, path: &str) -> Option<()> {
     use DamperKindRaw::{Link, Tlcd, Tlcmd, Tmd};
     let span = |raw: &Option<At<QuantityRaw>>| raw.as_ref().map(|raw| raw.span.clone());
@@ -286,7 +286,7 @@ fn moving(
         reader.fault(fault.help(WrongDamper::MassRatioIsTo));
         return None;
     }
-    // of a tlcd the column's length is its own frequency, of a tlcmd the liquid's
+    // the length of the column gives the own frequency of a tlcd, and the liquid's frequency of a tlcmd
     let (own_length, liquid_length) = match kind {
         DamperKindRaw::Tlcd => (length, None),
         _ => (None, length),
@@ -325,7 +325,7 @@ fn moving(
     }
 }
 
-/// Shares that differ from 1 by less add up to it: people round.
+/// Rounding difference between 1 and a sum of shares.
 const SHARES_ROUNDED: f64 = 1e-3;
 
 fn masses(reader: &mut Reader, raw: Option<&At<Vec<At<MassRaw>>>>, path: &str) -> Option<Vec<MassPart>> {

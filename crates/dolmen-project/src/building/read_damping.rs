@@ -1,4 +1,4 @@
-//! The damping of a building from what is written.
+//! Reads the damping of a building.
 
 use super::file::DampingRaw;
 use super::part::DampingPart;

@@ -6,19 +6,17 @@ use crate::reader::Reader;
 use crate::usual::{guess, mass_kg, rounded_length, unit_of, within};
 use crate::wrong::{Common, WrongBuilding};
 
-/// Mass of a floor, kg.
 const FLOOR_MASS_KG: (f64, f64) = (1e3, 2e7);
-/// Height of a storey, m.
 const STOREY_HEIGHT_M: (f64, f64) = (0.1, 50.0);
-/// What a slip of height is compared with, m.
+/// Usual storey height, for comparison, m.
 const STOREY_HEIGHT_USUAL_M: f64 = 3.5;
-/// √(k/m)/2π of a storey with its own floor alone, Hz. Our choice: the lowest of 100 storeys that sways at .1 Hz in all does so at 6 Hz,
-/// low walls of stone at 20.
+/// √(k/m)/2π of a storey with its own floor only, Hz. Our choice: the lowest storey of a 100-storey building that sways at 0.1 Hz has 6
+/// Hz, low stone walls have 20.
 const STOREY_FREQUENCY_HZ: (f64, f64) = (0.1, 40.0);
 
 /// Longest side of a floor, m.
 const FLOOR_SIDE_MOST_M: f64 = 300.0;
-/// Walls stand on the floor, and a centre of rigidity lies on it, or not farther off than this part of its longer side.
+/// Largest distance of walls and of a centre of rigidity from the floor, as a share of its longer side.
 const OFF_FLOOR_MOST: f64 = 0.25;
 
 pub(crate) fn judge_building(reader: &mut Reader, building: &BuildingPart) {
@@ -81,7 +79,7 @@ pub(crate) fn judge_building(reader: &mut Reader, building: &BuildingPart) {
     }
 }
 
-/// Places in plan: walls and centres of rigidity far off the floor, floors larger than any.
+/// Places in plan: walls and centres of rigidity far from the floor, floors of impossible size.
 fn judge_plan(reader: &mut Reader, floor: &FloorPart) {
     let Some(outline) = &floor.outline else { return };
     let extent = |axis: usize| {

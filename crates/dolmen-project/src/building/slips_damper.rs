@@ -1,4 +1,4 @@
-//! Probable slips in the dampers of a building, and what the science refuses of them.
+//! Probable slips in the dampers of a building, and faults that the library finds in them.
 
 use super::built_damper::BuiltDamper;
 use super::damper::{DamperPart, HostBuilding};
@@ -13,20 +13,20 @@ use dolmen::dynamics::VibratingBuilding;
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingModes, Outline};
 
-/// A damper heavier than this part of the building. Our choice: built ones have a hundredth.
+/// Largest mass of a damper over that of the building. Our choice: built ones have a hundredth.
 const HEAVY: f64 = 0.25;
-/// A damper whose frequency is beyond this factor of its mode's is none for it. Our choice: 2π, rad/s for Hz, is beyond.
+/// Largest ratio of a damper's frequency to that of its mode, either way. Our choice: 2π, for rad/s instead of Hz, is beyond.
 const OUT_OF_TUNE: f64 = 5.0;
-/// A dashpot that alone would give one of the lowest modes more than this part of its critical damping is a strut. Our choice: built ones
-/// give .05 to .3.
+/// Largest share of critical damping that a dashpot alone may give one of the lowest modes; beyond it the dashpot is a strut. Our choice:
+/// built ones give 0.05 to 0.3.
 const STRUT: f64 = 1.0;
-/// Modes that are looked at for that: one along each side, one that twists.
+/// Number of modes checked for this: one along each side, and one that twists.
 const LOWEST_MODES: usize = 3;
-/// Room of a damper, m: no less, and no more than half the longest side of its floor, or so much where that is not known.
+/// Least stroke of a damper, m, and the largest where the floor is unknown; otherwise at most half the longest side of the floor.
 const ROOM_LEAST_M: f64 = 0.002;
 const ROOM_MOST_M: f64 = 5.0;
 
-/// Each damper alone on the building.
+/// Judges each damper alone on the building.
 pub(super) fn judge_dampers(reader: &mut Reader, part: &BuildingPart, vibrating: &VibratingBuilding) {
     let (building, modes) = (vibrating.building(), vibrating.modes());
     let host = HostBuilding {
@@ -60,7 +60,7 @@ pub(super) fn judge_dampers(reader: &mut Reader, part: &BuildingPart, vibrating:
     }
 }
 
-/// Far out of tune: the damper with its mode, the liquid of a column on a spring with the container.
+/// Judges the tuning: of a damper with its mode, and of the liquid of a column on a spring with the container.
 fn judge_tune(reader: &mut Reader, path: &str, own: &BuiltDamper, modes: &BuildingModes) {
     let mode = own.tuned_to.and_then(|to| modes.modes.get(to.mode - 1));
     let (Some(mode), Some([hz, _])) = (mode, own.own()) else {

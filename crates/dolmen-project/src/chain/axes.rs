@@ -10,7 +10,7 @@ use dolmen::stability::BedEdge;
 use dolmen::structure::{Chain, Inertia, Link, Soil, StructureError};
 
 impl ChainPart {
-    /// Whether the file gives it something of its own across the direction of motion.
+    /// Whether the file gives any value across the direction of motion.
     pub fn has_two_axes(&self) -> bool {
         let of_link = |link: &LinkPart| link.depth.is_some() || link.inertia_across.is_some();
         let of_joint = |joint: &JointPart| joint.bed_depth.is_some() || joint.stiffness_across.is_some();
@@ -21,7 +21,7 @@ impl ChainPart {
             || matches!(soil, Some(FootingPart::Rectangle([along, across])) if along.value != across.value)
     }
 
-    /// The direction that a survey means by a name.
+    /// The direction for a name in a survey.
     pub fn axis_of(&self, direction: &str) -> ChainAxis {
         match self.has_two_axes() && direction == ChainAxis::Across.name() {
             true => ChainAxis::Across,
@@ -29,7 +29,7 @@ impl ChainPart {
         }
     }
 
-    /// The soil as motion in a direction meets it; `None` if nothing is known of it.
+    /// The soil for motion in a direction; `None` if no soil is given.
     pub fn soil_towards(&self, axis: ChainAxis, pick: Pick<'_>) -> Option<Soil> {
         let along = self.soil.as_ref()?.build(pick);
         Some(match axis {
@@ -38,7 +38,7 @@ impl ChainPart {
         })
     }
 
-    /// The directions that it is judged in.
+    /// The directions in which it is judged.
     pub fn axes(&self) -> &'static [ChainAxis] {
         match self.has_two_axes() {
             true => &[ChainAxis::Along, ChainAxis::Across],
@@ -63,7 +63,7 @@ impl ChainPart {
         self.build_loaded(axis, &LoadsPart::none(), pick)
     }
 
-    /// The chain in a direction with the masses of its static loads, which its beds bear too.
+    /// The chain in a direction with the masses of its static loads, which its beds also bear.
     ///
     /// # Errors
     /// As [`ChainPart::build_towards`].
@@ -96,7 +96,7 @@ impl ChainPart {
             .try_fold(alone, Chain::with_side_support)
     }
 
-    /// Takes N/(f w) off the width of each bed that crushes: half of what is left, times N, is the moment of its stress block.
+    /// Reduces the width of each bed that crushes by N/(f w): half of the remaining width times N is the moment of its stress block.
     fn take_crushed_beds(&self, axis: ChainAxis, links: &mut [Link], pick: Pick<'_>) {
         let mut normal_n = 0.0;
         let beds: Vec<Option<BedEdge>> = (0..links.len())
@@ -110,13 +110,13 @@ impl ChainPart {
         }
     }
 
-    /// The bed below a link, from 0 at the bottom, as motion in its direction meets it; `None` where its width is not given.
+    /// The bed below a link, from 0 at the bottom, for motion in a direction; `None` where its width is not given.
     pub fn bed(&self, link: usize, pick: Pick<'_>) -> Option<BedEdge> {
         let part = self.links.get(link)?;
         let width_m = pick(part.bed_width.as_ref()?);
         let joint = self.joints.as_ref().and_then(|joints| joints.get(link));
         let given = joint.and_then(|joint| joint.bed_depth.as_ref());
-        // without a depth of its own the bed is as oblong as the link on it
+        // without its own depth the bed has the proportions of the link on it
         let depth_m = match (given, &part.depth, &part.breadth) {
             (Some(given), ..) => Some(pick(given)),
             (None, Some(depth), Some(breadth)) => Some(width_m * pick(depth) / pick(breadth)),
@@ -168,8 +168,8 @@ impl ChainPart {
         Some(each.collect())
     }
 
-    /// Stiffness across over that along where none is given: a bed of equal springs has (w/b)². Never above 1: a bed that is longer across may
-    /// be stiffer there, and that is not taken for granted.
+    /// Ratio of the stiffness across to that along where none is given: a bed of equal springs has (w/b)². At most 1: a bed that is longer
+    /// across may be stiffer there, but this is not assumed.
     fn stiffness_ratio(&self, joint: usize, pick: Pick<'_>) -> f64 {
         let bed = self.bed(joint, pick);
         bed.map_or(1.0, |bed| bed.stiffness_ratio_across().min(1.0))
@@ -209,7 +209,7 @@ impl LinkPart {
         }
     }
 
-    /// The breadth that a wind blowing in a direction meets; `None` if no side is known.
+    /// The breadth exposed to wind in a direction; `None` if no side is known.
     pub fn met_by_wind(&self, axis: ChainAxis, bed: Option<BedEdge>, pick: Pick<'_>) -> Option<f64> {
         let sides = match axis {
             ChainAxis::Along => [&self.depth, &self.breadth],

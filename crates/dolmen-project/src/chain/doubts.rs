@@ -15,7 +15,7 @@ use crate::reader::Reader;
 use crate::usual::mass_kg;
 use crate::usual_numbers::{metres, ratio};
 
-/// Fewest links that tell an order. Ours.
+/// Fewest links that have an order. Our choice.
 const LINKS_LEAST: usize = 3;
 const UPWARDS: f64 = 1.5;
 const CENTROID_MEAN: f64 = 0.52;
@@ -101,7 +101,7 @@ fn sides(reader: &mut Reader, chain: &Chain<'_>) {
     }
 }
 
-/// A link that is odd beside both of its neighbours; the ends have one.
+/// A link that differs from both of its neighbours; the ends have one.
 fn neighbours(reader: &mut Reader, chain: &Chain<'_>) {
     for middle in 1..chain.per_length.len().saturating_sub(1) {
         let [below, own, above] = [middle - 1, middle, middle + 1].map(|i| chain.per_length[i]);

@@ -1,4 +1,4 @@
-//! Dry friction and damping of chains from what is written.
+//! Reads dry friction and damping of chains.
 
 use super::file::JointRaw;
 use super::part::{JointFrictionPart, JointPart};
@@ -10,7 +10,7 @@ use crate::ratio::damping_ratio;
 use crate::reader::Reader;
 use crate::wrong::WrongChain;
 
-/// Damping of a whole chain, beside that of its joints: one of the two.
+/// Damping of a whole chain instead of that of its joints.
 pub(super) fn chain_damping(
     reader: &mut Reader,
     raw: Option<&At<QuantityRaw>>,

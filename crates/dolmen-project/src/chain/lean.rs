@@ -1,12 +1,12 @@
-//! Whose measured tilt a chain takes over.
+//! The survey whose measured tilt a chain takes.
 
 use super::part::{ChainLean, ChainPart};
 use crate::file_number::At;
 use crate::reader::Reader;
 use crate::survey::{Survey, as_surveyed};
 
-/// Gives the chain the tilt of the survey that `as_surveyed` chooses. The plane in which a chain of one direction moves is not said: it leans in
-/// it by the tilts of all directions together.
+/// Gives the chain the tilt of the survey that `as_surveyed` chooses. The plane of motion of a chain with one direction is unknown: it
+/// leans by the combined tilt of all directions.
 pub(crate) fn lean_chain(
     reader: &mut Reader,
     given: Option<&At<String>>,
@@ -30,7 +30,7 @@ pub(crate) fn lean_chain(
     });
 }
 
-/// The tilt of a survey along x and along y; that of all directions together for both where one has another name.
+/// The tilt of a survey along x and along y; the combined tilt for both if a direction has another name.
 pub fn tilt_of_axes(survey: &Survey) -> [f64; 2] {
     let named = survey
         .tilt

@@ -1,4 +1,4 @@
-//! The chain of a project file, and the chain of the science it builds.
+//! The chain of a project file, and the chain of the library that it builds.
 
 use super::axis::ChainAxis;
 use super::support_part::ChainSupportPart;
@@ -11,7 +11,7 @@ use dolmen::assess::JointOnSoil;
 use dolmen::dynamics::{ChainJoint, ChainModel, ChainRotations, DynamicsError, JointFriction, JointOpening};
 use dolmen::structure::Stone;
 
-/// One link as the file gives it.
+/// One link, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinkPart {
     /// Name, if given.
@@ -24,7 +24,7 @@ pub struct LinkPart {
     pub centroid: Quantity,
     /// Moment of inertia about the centre of mass, kg m².
     pub inertia: Option<Quantity>,
-    /// The same for motion across, kg m²; `None`: by its depth, else as in the direction of motion.
+    /// Moment of inertia across the direction of motion, kg m²; `None`: by its depth, else that in the direction of motion.
     pub inertia_across: Option<Quantity>,
     /// Breadth in the direction of motion, m: the link's inertia is then that of a box.
     pub breadth: Option<Quantity>,
@@ -39,15 +39,15 @@ pub struct LinkPart {
 pub struct JointPart {
     /// Rotational stiffness, N m/rad.
     pub stiffness: Quantity,
-    /// The same across the direction of motion; `None`: by the sides of its bed.
+    /// Stiffness across the direction of motion; `None`: by the sides of its bed.
     pub stiffness_across: Option<Quantity>,
     /// Rotational dashpot, N m s/rad.
     pub damping: Option<Quantity>,
-    /// Width of its bed across the direction of motion, m; `None`: as wide as in it.
+    /// Width of its bed across the direction of motion, m; `None`: equal to that in the direction of motion.
     pub bed_depth: Option<Quantity>,
-    /// Compressive strength of its bed, Pa; `None`: it does not crush.
+    /// Compressive strength of its bed, Pa; `None`: no crushing.
     pub strength: Option<Quantity>,
-    /// Whether it opens, as the file says; `None`: at the edge of its bed where that is known.
+    /// Whether the joint opens, by the file; `None`: it opens at the edge of its bed if that is known.
     pub opening: Option<JointOpening>,
     /// Dry friction.
     pub friction: Option<JointFrictionPart>,
@@ -56,9 +56,9 @@ pub struct JointPart {
 /// Dry friction of a joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointFrictionPart {
-    /// Moment while it turns, N m.
+    /// Moment while it rotates, N m.
     pub kinetic: Quantity,
-    /// Moment before it turns, N m; as the kinetic one if not given.
+    /// Moment before it rotates, N m; the kinetic one if not given.
     pub fixed: Option<Quantity>,
 }
 
@@ -87,9 +87,9 @@ impl StonePart {
 /// Whether the part at the very top (cap stone, finial) is among the links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cap {
-    /// There is none, or it is among the links.
+    /// There is none, or it is one of the links.
     Included,
-    /// It is left out: unconservative, and warned about.
+    /// It is left out: unconservative, with a warning.
     LeftOut,
 }
 
@@ -100,34 +100,34 @@ pub struct ChainPart {
     pub links: Vec<LinkPart>,
     /// The joint below each link; `None` if they are unknown.
     pub joints: Option<Vec<JointPart>>,
-    /// The survey that their stiffness is sought in, where the file leaves it to one.
+    /// The survey from which to identify their stiffness, where the file leaves it to one.
     pub sought: Option<Sought>,
     /// Whether the part at the very top is among the links.
     pub cap: Cap,
     /// Damping ratio of the first mode, by dashpots in proportion to the springs.
     pub damping_ratio: Option<Quantity>,
-    /// The stone of the links; `None` if it is not given.
+    /// The stone of the links, if given.
     pub stone: Option<Box<StonePart>>,
-    /// The soil below, in series with the lowest joint; `None` if the joint holds it.
+    /// The soil below, in series with the lowest joint; `None` if the stiffness of the joint includes it.
     pub soil: Option<Box<SoilPart>>,
-    /// What holds it at its side.
+    /// Its side supports.
     pub side_supports: Vec<ChainSupportPart>,
     /// Acceleration of gravity, m/s², that turns weights into masses.
     pub gravity_m_s2: f64,
-    /// How a survey found it to lean; `None` if none did, or the file leaves that out.
+    /// Its measured lean; `None` if no survey gives one, or the file leaves it out.
     pub lean: Option<ChainLean>,
 }
 
-/// How a survey found a chain to lean as a whole, beds with it.
+/// The measured lean of a whole chain, beds included.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainLean {
     /// The survey.
     pub survey: String,
-    /// As written: "x 1/177, y 1/540".
+    /// The text of the file: "x 1/177, y 1/540".
     pub written: String,
-    /// The tilts of all directions together, rad.
+    /// The tilts of all directions combined, rad.
     pub lean_rad: f64,
-    /// The tilts in the direction of motion and across, rad; both that of all together where the survey does not say x and y.
+    /// The tilts in the direction of motion and across, rad; both the combined tilt where the survey does not name x and y.
     pub each_rad: [f64; 2],
 }
 
@@ -142,7 +142,7 @@ impl ChainLean {
 }
 
 impl ChainPart {
-    /// The lowest joint and the soil below it; `None` if nothing is known of the soil.
+    /// The lowest joint and the soil below it; `None` if no soil is given.
     pub fn on_soil(&self, pick: Pick<'_>) -> Option<JointOnSoil> {
         let soil = self.soil.as_ref()?.build(pick);
         let joint = self.joints.as_ref().and_then(|joints| joints.first());
@@ -165,7 +165,7 @@ impl ChainPart {
     /// joints are unknown.
     ///
     /// # Errors
-    /// [`DynamicsError`] for a damping ratio of a chain that falls by itself; else none with the file's own values.
+    /// [`DynamicsError`] for a damping ratio of a chain that falls under its own weight; none else with the file's own values.
     pub fn moving(
         &self,
         loads: &LoadsPart,
@@ -175,7 +175,7 @@ impl ChainPart {
         self.moving_towards(loads, (rotations, ChainAxis::Along), pick)
     }
 
-    /// The same in a direction.
+    /// [`ChainPart::moving`] in another direction.
     ///
     /// # Errors
     /// As [`ChainPart::moving`].

@@ -1,4 +1,4 @@
-//! Chains from what is written.
+//! Reads chains.
 
 use super::file::{CapRaw, JointRaw, LinkRaw, OpeningRaw};
 use super::friction::{chain_damping, joint_friction};
@@ -232,7 +232,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     Some(part)
 }
 
-/// A joint that opens at the edge of its bed needs the width of it.
+/// Requires the width of the bed for a joint that opens at its edge.
 fn edges_known(reader: &mut Reader, links: &[LinkPart], joints: Option<&[JointPart]>) {
     for (i, (link, joint)) in links.iter().zip(joints.unwrap_or_default()).enumerate() {
         if joint.opening == Some(JointOpening::AtBedEdge) && link.bed_width.is_none() {

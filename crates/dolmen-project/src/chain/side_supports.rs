@@ -13,11 +13,11 @@ use crate::stack::SideSupportRaw;
 use crate::usual::{guess, rounded, unit_of};
 use crate::wrong::WrongChain;
 
-/// Most free travel of a pole to a post over the height at which it would meet it: a pole leans by 1/10 at its end. Chosen here.
+/// Largest gap between a pole and a post over the height of contact: a pole leans by 1/10 at its end. Our choice.
 const GAP_SHARE_MOST: f64 = 0.2;
-/// Least stiffness of a post times its height squared over weight × height of the pole: 1 is about what keeps a pole upright. Chosen here.
+/// Least stiffness of a post times its height squared over weight × height of the pole: about 1 keeps a pole upright. Our choice.
 const HOLD_SHARE_LEAST: f64 = 0.01;
-/// Largest stiffness of a post, N/m: a hundred times that of half a metre of granite over two metres, as a cantilever. Chosen here.
+/// Largest stiffness of a post, N/m: a hundred times that of a granite cantilever half a metre thick and two metres high. Our choice.
 const STIFFNESS_MOST_N_M: f64 = 1e10;
 
 /// Probable slips in the posts of a pole that weighs `weight_n`.

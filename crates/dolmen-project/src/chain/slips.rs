@@ -16,21 +16,20 @@ use crate::written::short;
 use crate::wrong::{Slip, WrongChain};
 use dolmen_words::message::Both;
 
-/// Density of stone that a link is compared with, kg/m³: granite 2600, marble 2700, sandstone 2300.
+/// Density of stone for comparison with a link, kg/m³: granite 2600, marble 2700, sandstone 2300.
 const STONE_KG_M3: f64 = 2500.0;
-/// Mass per length of a stone shaft half a metre wide, kg/m: of two unlike links the one further from it is doubted.
+/// Mass per length of a stone shaft half a metre wide, kg/m: of two unlike links the one further from it is doubtful.
 const SHAFT_KG_M: f64 = 600.0;
-/// Mass per length of a link over the median of the others, either way.
+/// Ratio of the mass per length of a link to the median of the others, either way.
 const LINK_RATIO_MOST: f64 = 200.0;
 /// Side of a link, as a square block of stone, over the height of the whole.
 const LINK_SIDE_TO_HEIGHT: (f64, f64) = (0.004, 1.5);
-/// Length of a link, m.
 const LINK_LENGTH_M: (f64, f64) = (0.005, 100.0);
-/// Length of a link over the median of the others, either way.
+/// Ratio of the length of a link to the median of the others, either way.
 const LENGTH_RATIO_MOST: f64 = 100.0;
-/// A centre of mass nearer to the lower joint than this share of the length, but not 0.
+/// Least height of a centre of mass above the lower joint, over the length; 0 is allowed.
 const CENTROID_SHARE_LEAST: f64 = 0.02;
-/// Density of a link with a breadth, taken as square in plan, kg/m³: hollow timber to solid iron, each with room.
+/// Density of a link with a breadth, assumed square in plan, kg/m³: from hollow timber to solid iron, each with a margin.
 const BOX_DENSITY_KG_M3: (f64, f64) = (20.0, 50_000.0);
 /// Radius of gyration over the larger of length and side as a block of stone: 0.29 for rod and block.
 const GYRATION: (f64, f64) = (0.03, 3.0);

@@ -1,4 +1,4 @@
-//! The stone of a chain: what it would be without joints.
+//! The stone of a chain, for the pole without joints.
 
 use super::file::StoneRaw;
 use super::part::{ChainPart, StonePart};
@@ -11,13 +11,13 @@ use crate::usual::{rounded, within};
 use crate::wrong::WrongChain;
 use dolmen::structure::SHAFTS_MOST;
 
-/// Largest Poisson's ratio of a solid that resists a change of volume.
+/// Largest Poisson's ratio of a solid with resistance to volume change.
 const POISSON_RATIO_MOST: f64 = 0.5;
-/// Where the centre of mass of a shaft that tapers evenly lies, as a share of its length: that of a point and of one turned over.
+/// Height of the centre of mass of a uniformly tapering shaft over its length: for a cone upright and upside down.
 const CENTROID_SHARE: (f64, f64) = (0.25, 0.75);
-/// Young's modulus, Pa: weathered tuff to steel, each with room.
+/// Young's modulus, Pa: from weathered tuff to steel, each with a margin.
 const MODULUS_PA: (f64, f64) = (0.5e9, 250e9);
-/// Density, kg/m³: timber to iron, with room.
+/// Density, kg/m³: from timber to iron, with a margin.
 const DENSITY_KG_M3: (f64, f64) = (300.0, 9000.0);
 
 pub(super) fn stone(reader: &mut Reader, raw: Option<&At<StoneRaw>>) -> Option<StonePart> {
@@ -66,7 +66,7 @@ pub(super) fn stone(reader: &mut Reader, raw: Option<&At<StoneRaw>>) -> Option<S
     })
 }
 
-/// Refuses a stone of links that no shafts are.
+/// Rejects a stone for links that are not shafts.
 pub(super) fn shafts_are_shafts(reader: &mut Reader, part: &ChainPart) {
     if part.stone.is_none() {
         return;

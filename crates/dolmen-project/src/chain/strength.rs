@@ -8,7 +8,7 @@ use crate::reader::Reader;
 use crate::usual::mass_kg;
 use crate::wrong::WrongChain;
 
-/// Refuses a strength without a bed, and a bed that crushes under the weight above it alone.
+/// Rejects a strength without a bed, and a bed that crushes under the weight above it alone.
 pub(super) fn beds_bear(reader: &mut Reader, part: &ChainPart) {
     let mut normal_n = 0.0;
     for (i, link) in part.links.iter().enumerate().rev() {

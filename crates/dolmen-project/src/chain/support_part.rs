@@ -1,4 +1,4 @@
-//! A side support of a chain in a project file, and that of the science it builds.
+//! A side support of a chain in a project file, and that of the library that it builds.
 
 use super::axis::ChainAxis;
 use crate::quantity::{Pick, Quantity};
@@ -13,7 +13,7 @@ pub struct ChainSupportPart {
     pub stiffness: Quantity,
     /// Free travel to each side, m; 0 if not given.
     pub gap: Option<Quantity>,
-    /// The direction in which it holds the chain, as the file says; `None`: that of motion.
+    /// The direction in which it holds the chain, from the file; `None`: that of motion.
     pub axis: Option<ChainAxis>,
 }
 

@@ -1,4 +1,4 @@
-//! Which inspections' damage a model has.
+//! The inspections whose damage a model has.
 
 use super::chain::damage_chain;
 use super::frame::damage_frame;
@@ -14,10 +14,11 @@ use crate::survey::{DamageKind, Survey, date_of};
 use crate::wrong::WrongDamage;
 use std::collections::BTreeMap;
 
-/// Carries what inspections say of the model into it, up to the inspection that `as_inspected` chooses; what it has now.
+/// Puts the effects of damage by inspections into the model, up to the inspection that `as_inspected` chooses, and returns the damage that
+/// it then has.
 ///
-/// A damage counts from the inspection that gives it until a later one gives the same damage otherwise, or as mended. That a later one does not list it
-/// takes nothing away: it may not have been looked for.
+/// A damage applies from its inspection until a later one gives the same damage another effect, or as mended. A later inspection without it
+/// does not remove it: it may not have been looked for.
 pub(crate) fn damaged(
     reader: &mut Reader,
     chosen: Option<&At<String>>,
@@ -55,7 +56,7 @@ pub(crate) fn damaged(
         return all;
     };
     let names = structure.part_names();
-    // a stone that is gone moves the places of those behind it: last of all
+    // last of all: removing a stone changes the places of later stones
     all.sort_by_key(|of| of.effect == InModel::Lost);
     for of in &all {
         let Some(part) = names.iter().position(|name| *name == of.part) else {
@@ -76,7 +77,7 @@ pub(crate) fn damaged(
     all
 }
 
-/// The day up to which inspections count, `Some(None)` for all; `None` where none does.
+/// The day up to which inspections count, `Some(None)` for all; `None` for no inspection.
 fn chosen_day(
     reader: &mut Reader,
     chosen: Option<&At<String>>,
@@ -109,7 +110,7 @@ fn chosen_day(
     }
 }
 
-/// Refuses what inspections without a date say of the model: which came last is not known.
+/// Rejects effects on the model from inspections without a date, because their order is unknown.
 fn undated(reader: &mut Reader, surveys: &[Survey]) {
     for survey in surveys.iter().filter(|survey| date_of(&survey.name).is_none()) {
         for (number, item) in (1..).zip(&survey.inspections) {

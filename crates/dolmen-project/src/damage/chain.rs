@@ -1,4 +1,4 @@
-//! Damage of a chain: a bed of which a part is lost, a joint that has lost stiffness.
+//! Damage of a chain: a bed that has lost a part, a joint that has lost stiffness.
 
 use super::in_model::{InModel, Side};
 use super::model_damage::ModelDamage;
@@ -9,16 +9,16 @@ use crate::reader::Reader;
 use crate::survey::date_of;
 use crate::wrong::WrongDamage;
 
-/// From half of its width on the weight stands beside what is left of a bed.
+/// At a loss of half of its width the weight is no longer above the remaining bed.
 const HALF: f64 = 0.5;
 
-/// A quantity times a factor, and so written.
+/// A quantity times a factor, with its text.
 pub(super) fn scale(of: &mut Quantity, factor: f64) {
     of.value *= factor;
     of.written = format!("{} × {factor:.4}", of.written);
 }
 
-/// Whether a stiffness comes from a survey that was not before the inspection: it has the damage in it.
+/// Whether a stiffness comes from a survey after the inspection: it then includes the damage.
 pub(super) fn has_it(identified_from: Option<&str>, inspection: &str) -> bool {
     let survey = identified_from.and_then(date_of);
     survey.is_some() && survey >= date_of(inspection)
@@ -100,7 +100,7 @@ fn narrow(
             let whole = bed.clone();
             scale(bed, edge);
             if let Some(joint) = joint {
-                // as wide across as it was
+                // the width across is unchanged
                 if joint.bed_depth.is_none() && has_two_axes {
                     joint.bed_depth = Some(whole);
                 }
@@ -117,7 +117,7 @@ fn narrow(
     }
 }
 
-/// Takes off the stiffness what the bed has lost, unless a survey has found it since.
+/// Reduces the stiffness by the loss of the bed, unless a later survey identified it.
 fn weaken(joint: &mut JointPart, factor: f64, inspection: &str, later: Option<bool>) {
     if later == Some(true) || has_it(joint.stiffness.survey.as_deref(), inspection) {
         return;

@@ -1,4 +1,4 @@
-//! What a damage means for the model, as it is written.
+//! The keys of a damage's effect on the model.
 
 use crate::file_number::At;
 use schemars::JsonSchema;

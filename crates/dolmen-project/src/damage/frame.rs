@@ -8,7 +8,7 @@ use crate::frame::FramePart;
 use crate::reader::Reader;
 use crate::wrong::WrongDamage;
 
-/// Carries a damage into a frame: what is left of the lateral stiffness of a storey, in each direction.
+/// Puts a damage into a frame: the remaining share of the lateral stiffness of a storey, in each direction.
 pub(super) fn damage_frame(reader: &mut Reader, (of, part): (&ModelDamage, usize), frame: &mut FramePart) {
     let InModel::StiffnessLeft(factor) = of.effect else {
         return refused(reader, of, WrongDamage::OfFrame, WrongDamage::WriteItYourself);

@@ -1,4 +1,4 @@
-//! What a damage means for the model.
+//! The effect of a damage on the model.
 
 /// The side of a bed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,7 +14,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// The direction out of the bed, x and y.
+    /// The outward direction of the side, x and y.
     pub fn outward(self) -> [f64; 2] {
         match self {
             Side::XPlus => [1.0, 0.0],
@@ -40,7 +40,7 @@ impl Side {
     }
 }
 
-/// What a damage means for the model.
+/// The effect of a damage on the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InModel {
     /// A part of the bed below the part no longer bears.
@@ -50,12 +50,12 @@ pub enum InModel {
         /// The side from which it is lost; `None` of a chain that moves in one direction.
         side: Option<Side>,
     },
-    /// What is left of the stiffness of the joint below a link or stone, or of a storey.
+    /// The remaining share of the stiffness of the joint below a link or stone, or of a storey.
     StiffnessLeft(f64),
-    /// The dowels and clamps between a stone and what it stands on are broken.
+    /// The dowels and clamps between a stone and the stones below it are broken.
     TiesBroken,
     /// A stone is gone.
     Lost,
-    /// An earlier inspection said one of these, and it was mended since.
+    /// An earlier inspection gave one of these effects, and it was repaired since.
     Mended,
 }

@@ -1,4 +1,4 @@
-//! Damage that inspections found, carried into the model: which counts, and what it does to a chain, a frame, a stack.
+//! Damage from inspections in the model: which damage counts, and its effect on a chain, a frame, a stack.
 
 mod as_inspected;
 mod chain;

@@ -1,21 +1,21 @@
-//! A damage that a model has.
+//! Damage in the model.
 
 use super::in_model::InModel;
 use crate::survey::DamageKind;
 
-/// A damage that the model has.
+/// Damage in the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelDamage {
-    /// The survey whose inspection said so last.
+    /// The survey whose inspection stated it last.
     pub survey: String,
     /// The part.
     pub part: String,
-    /// What the inspection calls it.
+    /// Its kind in the inspection.
     pub what: DamageKind,
-    /// What tells it from others of its kind at the part.
+    /// Its name among others of its kind at the part.
     pub name: Option<String>,
-    /// What it does.
+    /// Its effect.
     pub effect: InModel,
-    /// Where it stands in the file.
+    /// Its path in the file.
     pub path: String,
 }

@@ -1,4 +1,4 @@
-//! Reads what a damage means for the model.
+//! Reads the effect of a damage on the model.
 
 use super::file::{InModelRaw, SideRaw};
 use super::in_model::{InModel, Side};
@@ -7,11 +7,11 @@ use crate::file_number::At;
 use crate::reader::Reader;
 use crate::wrong::WrongDamage;
 
-/// Bounds of shares: less is nothing, more is the whole. Chosen here.
+/// Bounds of shares: less counts as nothing, more as the whole. Our choice.
 const LOST: [f64; 2] = [0.01, 0.95];
 const LEFT: [f64; 2] = [0.01, 1.0];
 
-/// What it means; one of the keys, and no more.
+/// The effect, by exactly one key.
 pub(crate) fn in_model(reader: &mut Reader, raw: Option<&At<InModelRaw>>, path: &str) -> Option<InModel> {
     let raw = raw?;
     reader.mark(path, &raw.span);

@@ -1,4 +1,4 @@
-//! That a damage cannot be carried into the model, with the reason.
+//! Why a damage cannot be included in the model.
 
 use super::model_damage::ModelDamage;
 use crate::error::Fault;

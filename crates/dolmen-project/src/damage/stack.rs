@@ -1,4 +1,4 @@
-//! Damage of a stack: a bed of which a part is lost or that has lost stiffness, broken dowels and clamps, a stone that is gone.
+//! Damage of a stack: a bed that has lost a part or stiffness, broken dowels and clamps, a missing stone.
 
 use super::chain::has_it;
 use super::in_model::InModel;
@@ -53,7 +53,7 @@ fn loosen(reader: &mut Reader, of: &ModelDamage, stack: &mut StackPart, factor: 
     });
 }
 
-/// Takes out the dowels and clamps between a stone and what it stands on.
+/// Removes the dowels and clamps between a stone and the stones below it.
 fn break_ties(reader: &mut Reader, (of, block): (&ModelDamage, usize), stack: &mut StackPart) {
     let before = stack.ties.len();
     let below = |lower: Body, upper: usize| {
@@ -72,7 +72,7 @@ fn break_ties(reader: &mut Reader, (of, block): (&ModelDamage, usize), stack: &m
     }
 }
 
-/// Takes out a stone that nothing stands on alone, and what belongs to it.
+/// Removes a stone, with its joints and ties, unless another stone stands on it alone.
 fn lose(reader: &mut Reader, of: &ModelDamage, stack: &mut StackPart) {
     let Some(gone) = stack.blocks.iter().position(|block| block.name == of.part) else {
         return refused(reader, of, WrongDamage::NoList, WrongDamage::ListBlocks);

@@ -1,4 +1,4 @@
-//! Free-standing columns of a storey: from what is written, and what looks like a slip.
+//! Free-standing columns of a storey: reading, and probable slips.
 
 use super::file::ColumnsRaw;
 use super::part::{ColumnsPart, FootPart, FramePart};
@@ -9,17 +9,17 @@ use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::{guess, rounded_length, unit_of, within};
 
-/// Most columns of a storey. Chosen here: the largest halls have some two hundred.
+/// Most columns of a storey. Our choice: the largest halls have some two hundred.
 const COLUMNS_MOST: usize = 10_000;
 /// Width of a column, m.
 const WIDTH_M: (f64, f64) = (0.05, 2.0);
-/// What a slip of width is compared with, m.
+/// Usual width, for comparison, m.
 const WIDTH_USUAL_M: f64 = 0.4;
 /// Bed stiffness, Pa/m: 1e7 is a stone on soft ground, 1e12 a faced joint of hard stones.
 const BED_STIFFNESS_PA_M: (f64, f64) = (1e6, 1e13);
-/// What a slip of bed stiffness is compared with, Pa/m.
+/// Usual bed stiffness, for comparison, Pa/m.
 const BED_STIFFNESS_USUAL_PA_M: f64 = 1e9;
-/// Mean pressure under a foot, Pa: the most is the strength of hard wood along its grain.
+/// Mean pressure under a foot, Pa: the largest is the strength of hard wood along its grain.
 const PRESSURE_PA: (f64, f64) = (1e3, 5e7);
 
 pub(super) fn columns(reader: &mut Reader, raw: &At<ColumnsRaw>, path: &str) -> Option<ColumnsPart> {
@@ -65,7 +65,7 @@ pub(super) fn columns(reader: &mut Reader, raw: &At<ColumnsRaw>, path: &str) -> 
     })
 }
 
-/// Refuses columns that the frame contradicts; whether they are sound.
+/// Rejects columns that contradict the frame; returns whether they are consistent.
 pub(super) fn agree(reader: &mut Reader, frame: &FramePart) -> bool {
     let before = reader.faults.len();
     let built = frame.build(&mut Quantity::nominal).ok();

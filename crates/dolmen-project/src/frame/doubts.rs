@@ -7,10 +7,10 @@ use crate::usual::mass_kg;
 use crate::usual_numbers::ratio;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 
-/// How near to gravity, or to its inverse, the ratio of axial forces and weights looks like tf for kN. Ours.
+/// Relative distance from gravity, or its inverse, within which the ratio of axial forces and weights suggests tf for kN. Our choice.
 const NEAR: f64 = 0.35;
 
-/// Axial forces over weights, of all storeys together: a sum of what each storey's columns carry.
+/// Compares axial forces with weights, of all storeys together: each axial force is the sum of the forces in the storey's columns.
 pub(crate) fn doubt_frame(reader: &mut Reader, part: &FramePart) {
     let forces: Vec<f64> = part
         .storeys
@@ -47,7 +47,7 @@ pub(crate) fn doubt_frame(reader: &mut Reader, part: &FramePart) {
     }
 }
 
-/// Friction that follows from an axial force of 0.
+/// Friction that depends on an axial force of 0.
 fn doubt_friction(reader: &mut Reader, part: &FramePart) {
     let forces = part
         .storeys

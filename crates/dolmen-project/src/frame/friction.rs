@@ -1,4 +1,4 @@
-//! Dry friction of frames from what is written.
+//! Reads dry friction of frames.
 
 use super::file::{FrictionActsOnRaw, FrictionLawRaw, FrictionRaw};
 use super::part::{FrictionPart, SlipForces};
@@ -12,10 +12,10 @@ use crate::reader::Reader;
 use crate::wrong::WrongFrame;
 use dolmen::dynamics::FrictionActsOn;
 
-/// Largest coefficient of friction: timber and stone, dry, reach 0.8. Chosen here.
+/// Largest coefficient of friction: timber and stone, dry, reach 0.8. Our choice.
 const COEFFICIENT_MOST: f64 = 2.0;
 
-/// `stiffness` is that of the storeys while everything sticks, if known.
+/// `stiffness` is that of the storeys while all sliders stick, if known.
 pub(super) fn friction(
     reader: &mut Reader,
     raw: &At<FrictionRaw>,

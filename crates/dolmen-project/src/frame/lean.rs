@@ -1,4 +1,4 @@
-//! Whose measured tilt a frame takes over.
+//! The survey whose measured tilt a frame takes.
 
 use super::part::{FrameLean, FramePart};
 use crate::file_number::At;

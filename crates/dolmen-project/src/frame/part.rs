@@ -1,4 +1,4 @@
-//! The frame of a project file, and the frame of the science it builds.
+//! The frame of a project file, and the frame of the library that it builds.
 
 use crate::heaviness::Heaviness;
 use crate::loads::LoadPart;
@@ -11,7 +11,7 @@ use dolmen::signal::Component;
 use dolmen::stability::{FootSection, FreeColumns, StabilityError};
 use dolmen::structure::{Convention, Frame, Storey, StructureError};
 
-/// What `axial_force` of a storey is.
+/// The meaning of `axial_force` of a storey.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axial {
     /// N_i, the force in the columns of the storey: its own level and all above.
@@ -22,7 +22,7 @@ pub enum Axial {
     FromMasses,
 }
 
-/// One storey as the file gives it.
+/// One storey, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StoreyPart {
     /// Name, if given.
@@ -31,9 +31,9 @@ pub struct StoreyPart {
     pub heaviness: Heaviness,
     /// Column height, m.
     pub height: Quantity,
-    /// Axial force as [`FramePart::axial`] says, N; `None` with [`Axial::FromMasses`].
+    /// Axial force, N, with the meaning of [`FramePart::axial`]; `None` with [`Axial::FromMasses`].
     pub axial_force: Option<Quantity>,
-    /// Columns that stand free, if given.
+    /// Free-standing columns, if given.
     pub columns: Option<ColumnsPart>,
 }
 
@@ -54,10 +54,10 @@ pub enum FootPart {
     },
 }
 
-/// Equal columns of a storey that stand free on foot stones; as high as the storey.
+/// Equal free-standing columns of a storey on foot stones; as high as the storey.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnsPart {
-    /// How many.
+    /// Their number.
     pub count: usize,
     /// Foot and head.
     pub foot: FootPart,
@@ -124,11 +124,11 @@ impl ColumnsPart {
 pub struct DirectionPart {
     /// "weak", "strong", "x".
     pub name: String,
-    /// The component of a motion, and of a tilt, along it; `None` if that is not known.
+    /// The component of a motion, and of a tilt, along it, if known.
     pub along: Option<Component>,
-    /// Lateral stiffness of each storey, N/m, lowest first; 0 where its columns alone hold it, `None` if unknown.
+    /// Lateral stiffness of each storey, N/m, lowest first; 0 where free-standing columns alone support it, `None` if unknown.
     pub stiffness: Option<Vec<Quantity>>,
-    /// The survey that it is sought in, where the file leaves it to one.
+    /// The survey from which to identify it, where the file leaves it to one.
     pub sought: Option<Sought>,
     /// Viscous damping ratio of every mode, if given.
     pub damping_ratio: Option<Quantity>,
@@ -141,11 +141,11 @@ pub struct DirectionPart {
 /// Slip forces of the storeys.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SlipForces {
-    /// Coefficients of the axial force: while slipping, and before it if it is another.
+    /// Coefficients of the axial force: while slipping, and before slipping if different.
     Coefficient {
         /// μ while slipping.
         kinetic: Box<Quantity>,
-        /// μ before slipping; `None` for the same.
+        /// μ before slipping; `None`: equal to that while slipping.
         fixed: Option<Box<Quantity>>,
     },
     /// One force for each storey, N, lowest first.
@@ -157,9 +157,9 @@ pub enum SlipForces {
 pub struct FrictionPart {
     /// Slip forces.
     pub slip: SlipForces,
-    /// What is left of each storey's stiffness while its slider slips, N/m (Jenkins); `None` for Coulomb's law.
+    /// Remaining stiffness of each storey while its slider slips, N/m (Jenkins); `None` for Coulomb's law.
     pub slipping_stiffness: Option<Vec<Quantity>>,
-    /// What the sliders act on.
+    /// The quantity that the sliders act on.
     pub acts_on: FrictionActsOn,
 }
 
@@ -168,66 +168,65 @@ pub struct FrictionPart {
 pub struct FramePart {
     /// The storeys.
     pub storeys: Vec<StoreyPart>,
-    /// What `axial_force` is.
+    /// The meaning of `axial_force`.
     pub axial: Axial,
-    /// What the stiffness acts on.
+    /// The quantity that the stiffness acts on.
     pub convention: Convention,
-    /// Directions in the order of the file; those that only a survey names follow, with unknown stiffness.
-    /// At least one.
+    /// Directions in the order of the file, at least one; directions that only a survey names follow, with unknown stiffness.
     pub directions: Vec<DirectionPart>,
-    /// How a survey found it to lean, from which checks and runs start; `None` where none with a date did, or the file leaves it out.
+    /// Its measured lean, from which checks and runs start; `None` if no dated survey gives one, or the file leaves it out.
     pub lean: Option<FrameLean>,
-    /// Whether the file leaves every surveyed tilt out.
+    /// Whether the file leaves out every surveyed tilt.
     pub takes_no_tilt: bool,
-    /// Static loads, whose weight it carries: in its masses and axial forces.
+    /// Static loads; its masses and axial forces include their weight.
     pub static_loads: Vec<LoadPart>,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: f64,
 }
 
-/// The measured tilt that a frame takes over.
+/// The measured tilt of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameLean {
     /// The survey.
     pub survey: String,
-    /// As written, by direction: "x 1/177, y 1/540".
+    /// The text of the file, by direction: "x 1/177, y 1/540".
     pub written: String,
-    /// Horizontal over vertical in each direction of the frame; that of all together in each where a tilt has a direction that the frame has not.
+    /// Horizontal over vertical in each direction of the frame; the combined tilt in each direction if the survey names a direction that
+    /// the frame does not have.
     pub tilts: Vec<f64>,
     /// Of all directions together.
     pub together: f64,
 }
 
 impl FramePart {
-    /// How it leans in a direction, horizontal over vertical; 0 where it takes no tilt over.
+    /// The lean in a direction, horizontal over vertical; 0 without a measured tilt.
     pub fn tilt(&self, direction: &str) -> f64 {
         let place = self.directions.iter().position(|own| own.name == direction);
         let tilt = place.and_then(|place| self.lean.as_ref()?.tilts.get(place).copied());
         tilt.unwrap_or(0.0)
     }
 
-    /// How it leans across a direction, horizontal over vertical; 0 where it takes no tilt over, or its direction is unknown.
+    /// The lean across a direction, horizontal over vertical; 0 without a measured tilt, or for an unknown direction.
     pub fn tilt_across(&self, direction: &str) -> f64 {
         let whole = self.lean.as_ref().map_or(0.0, |lean| lean.together);
         let own = self.tilt(direction);
         (whole * whole - own * own).max(0.0).sqrt()
     }
 
-    /// The direction along a component of a motion; `None` if that is not known.
+    /// The direction along a component of a motion, if known.
     pub fn along(&self, component: Component) -> Option<&DirectionPart> {
         self.directions.iter().find(|own| own.along == Some(component))
     }
 
-    /// The frame, the same in each direction, each input with the value that `pick` chooses; with what its static loads weigh.
+    /// The frame, the same in each direction, with the weight of its static loads, each input with the value that `pick` chooses.
     ///
     /// # Errors
-    /// None with the file's own values, which are checked on reading; [`StructureError`] if a picked one is
-    /// impossible.
+    /// None with the file's own values, which are checked on reading; [`StructureError`] if a picked one is impossible.
     pub fn build(&self, pick: Pick<'_>) -> Result<Frame, StructureError> {
         self.build_weighing([1.0, 1.0], pick)
     }
 
-    /// The same with factors on the axial forces of its own weight, and on those of its static loads; the masses are as they are.
+    /// [`FramePart::build`] with factors on the axial forces of its own weight, and on those of its static loads; the masses are unchanged.
     ///
     /// # Errors
     /// As [`FramePart::build`].
@@ -267,7 +266,7 @@ impl FramePart {
         Frame::new(storeys, self.convention)
     }
 
-    /// The force of a static load in a direction; `None` where it has none there.
+    /// The force of a static load in a direction, if it has one.
     pub fn force_of<'a>(&self, load: &'a LoadPart, direction: &DirectionPart) -> Option<&'a Quantity> {
         match (self.directions.len(), direction.along) {
             (1, _) | (_, Some(Component::X)) => load.force.as_ref(),
@@ -277,7 +276,7 @@ impl FramePart {
     }
 
     /// Stiffness of each storey in a direction, N/m, lowest first; `None` if it is unknown or there is no such
-    /// direction. Where columns alone hold a storey, that of their beds.
+    /// direction. Where columns alone support a storey, the stiffness of their beds.
     pub fn stiffness_n_m(&self, direction: &str, pick: Pick<'_>) -> Option<Vec<f64>> {
         let named = self.directions.iter().find(|d| d.name == direction)?;
         let given = named.stiffness.as_ref()?.iter().enumerate();
@@ -288,14 +287,14 @@ impl FramePart {
         each.collect()
     }
 
-    /// Whether the columns of a storey are all that holds it in a direction: a stiffness of 0.
+    /// Whether columns alone support a storey in a direction: a stiffness of 0.
     pub fn is_on_columns_alone(&self, direction: &str) -> bool {
         let named = self.directions.iter().find(|d| d.name == direction);
         let mut given = named.and_then(|own| own.stiffness.as_ref()).into_iter().flatten();
         given.any(|given| given.value == 0.0)
     }
 
-    /// What the beds of the columns of a storey give it at small drift, N/m.
+    /// The stiffness that the beds of the columns give a storey at small drift, N/m.
     fn beds_n_m(&self, storey: usize, pick: Pick<'_>) -> Option<f64> {
         let frame = self.build(pick).ok()?;
         let columns = self.storeys[storey].columns.as_ref()?;
@@ -351,7 +350,7 @@ impl FramePart {
         Ok(Some(tenons.build(&frame, pick)))
     }
 
-    /// Stiffness of each storey while every slider slips, N/m; `None` where friction takes no stiffness with it.
+    /// Stiffness of each storey while every slider slips, N/m; `None` where friction does not reduce the stiffness.
     pub fn slipping_stiffness_n_m(&self, direction: &str, pick: Pick<'_>) -> Option<Vec<f64>> {
         let part = self.directions.iter().find(|d| d.name == direction)?;
         part.stiffness.as_ref()?;
@@ -412,7 +411,7 @@ fn furnished(
 }
 
 impl FrictionPart {
-    /// Sliders of the storeys, from the stiffness while all stick and while all slip.
+    /// Sliders of the storeys, from the stiffness while all stick and that while all slip.
     fn build(
         &self,
         frame: &Frame,
@@ -454,11 +453,11 @@ impl FrictionPart {
 pub struct TenonsPart {
     /// Rotation of the columns before the tenons bear, to either side, each storey, lowest first.
     pub slack: Vec<Quantity>,
-    /// Stiffness once they bear, N/m; 0 for a storey without.
+    /// Stiffness once they bear, N/m; 0 for a storey without tenons.
     pub stiffness: Vec<Quantity>,
     /// Force at which their faces crush, N, each storey; `None` if they never do.
     pub crushing_force: Option<Vec<Quantity>>,
-    /// Crushed depth, as drift, at which a face has half of its stiffness left, m; `None` if it keeps all of it.
+    /// Crushed depth, as drift, at which a face keeps half of its stiffness, m; `None` if it keeps all of it.
     pub half_stiffness_depth: Option<Quantity>,
 }
 

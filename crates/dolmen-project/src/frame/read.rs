@@ -1,4 +1,4 @@
-//! Frames from what is written.
+//! Reads frames.
 
 use super::columns::{agree, columns};
 use super::file::{AlongRaw, AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
@@ -102,7 +102,7 @@ pub(crate) fn frame(
     (agree(reader, &frame) && alone_agree(reader, &frame)).then_some(frame)
 }
 
-/// Refuses a storey of nothing but columns that the frame contradicts; whether it is sound.
+/// Rejects a storey on columns alone that contradicts the frame; returns whether it is consistent.
 fn alone_agree(reader: &mut Reader, frame: &FramePart) -> bool {
     let before = reader.faults.len();
     for direction in &frame.directions {
@@ -137,14 +137,14 @@ fn alone_agree(reader: &mut Reader, frame: &FramePart) -> bool {
     reader.faults.len() == before
 }
 
-/// Whether the columns of a storey stand free.
+/// Whether the columns of a storey are free-standing.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Free {
-    /// Nobody says so.
+    /// The file does not say so.
     No,
-    /// On beds that give way.
+    /// On beds with elasticity.
     OnBeds,
-    /// On stones that do not.
+    /// On rigid stones.
     OnRigidStones,
 }
 
@@ -160,7 +160,7 @@ fn free(storeys: &[Option<StoreyPart>]) -> Vec<Free> {
     each.collect()
 }
 
-/// What the axial forces are: given for all storeys and named, or for none.
+/// The meaning of the axial forces: given for all storeys and named, or for none.
 fn axial(reader: &mut Reader, raw: &FileRaw, storeys: &At<Vec<At<StoreyRaw>>>) -> Option<Axial> {
     let given = |storey: &At<StoreyRaw>| storey.value.axial_force.is_some();
     let count = storeys.value.iter().filter(|storey| given(storey)).count();
@@ -211,7 +211,7 @@ fn axial(reader: &mut Reader, raw: &FileRaw, storeys: &At<Vec<At<StoreyRaw>>>) -
     }
 }
 
-/// The component that a name is of.
+/// The component of a name.
 fn of_name(name: &str) -> Option<Component> {
     match name {
         "x" => Some(Component::X),
@@ -220,7 +220,7 @@ fn of_name(name: &str) -> Option<Component> {
     }
 }
 
-/// The component along a direction: as given, or that of its name; no two directions have the same.
+/// The component along a direction: given, or by its name; no two directions have the same.
 fn along(
     reader: &mut Reader,
     name: &str,
@@ -338,7 +338,7 @@ fn directions(
     sound.then_some(all)
 }
 
-/// A direction of which nothing is written.
+/// A direction without any values.
 fn unknown(name: &str, along: Option<Component>) -> DirectionPart {
     DirectionPart {
         name: name.to_owned(),

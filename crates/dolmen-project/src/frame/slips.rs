@@ -8,15 +8,13 @@ use crate::reader::Reader;
 use crate::usual::{guess, mass_kg, rounded, rounded_length, unit_of, within};
 use crate::wrong::{Common, WrongFrame};
 
-/// Mass of a storey, kg.
 const STOREY_MASS_KG: (f64, f64) = (1e3, 2e7);
-/// Height of a storey, m.
 const STOREY_HEIGHT_M: (f64, f64) = (0.1, 50.0);
-/// What a slip of height is compared with, m.
+/// Usual storey height, for comparison, m.
 const STOREY_HEIGHT_USUAL_M: f64 = 5.0;
-/// Axial force over the weight that the storey carries. 0 leaves P-delta out and is not judged.
+/// Axial force over the weight carried by the storey. 0 means no P-delta and is not judged.
 const AXIAL_SHARE: (f64, f64) = (0.2, 5.0);
-/// How near two readings of axial forces must come to the weights to be the better one.
+/// How close one reading of the axial forces must be to the weights to count as the better one.
 const AXIAL_MATCH: f64 = 0.25;
 /// √(k/m)/2π of a storey, Hz.
 const STOREY_FREQUENCY_HZ: (f64, f64) = (0.2, 60.0);
@@ -70,7 +68,7 @@ pub(crate) fn judge_frame(reader: &mut Reader, frame: &FramePart) {
     }
     for direction in &frame.directions {
         let given = direction.stiffness.iter().flatten().zip(&masses);
-        // beds of columns alone are judged by themselves
+        // beds of columns alone have their own check
         for (stiffness, mass_kg) in given.filter(|(stiffness, _)| stiffness.value != 0.0) {
             let frequency_hz = (stiffness.value / mass_kg).sqrt() / std::f64::consts::TAU;
             if !within(frequency_hz, STOREY_FREQUENCY_HZ) {

@@ -1,4 +1,4 @@
-//! Tenons with slack in a direction of a frame: as they are written.
+//! Reads tenons with slack in a direction of a frame.
 
 use super::file::TenonsRaw;
 use super::part::TenonsPart;
@@ -11,7 +11,7 @@ use crate::ratio::below;
 use crate::reader::Reader;
 use crate::wrong::WrongFrame;
 
-/// Most slack, as drift over height: at 0.1 the storey counts as fallen. Chosen here.
+/// Most slack, as drift over height: at 0.1 the storey counts as fallen. Our choice.
 const SLACK_MOST: f64 = 0.1;
 
 pub(super) fn tenons(

@@ -1,4 +1,4 @@
-//! The table `[limits]` as written.
+//! The keys of the table `[limits]`.
 
 use crate::file_number::{At, NumberRaw};
 use schemars::JsonSchema;

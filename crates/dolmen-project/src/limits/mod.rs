@@ -1,4 +1,4 @@
-//! What a structure is allowed to do: `[limits]`, with the allowable drift of its storeys.
+//! Limits of a structure: `[limits]`, with the allowable drift of its storeys.
 
 mod file;
 mod read;

@@ -1,4 +1,4 @@
-//! Wind, static loads and combinations as they are written.
+//! The keys of wind, static loads and combinations.
 
 use super::file_force::ForceRaw;
 use crate::file_number::{At, QuantityRaw};

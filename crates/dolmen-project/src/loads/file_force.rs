@@ -1,4 +1,4 @@
-//! A force as it is written: from the side, or in three components.
+//! The forms of a force: horizontal, or in three components.
 
 use crate::file_number::{At, NumberRaw, QuantityRaw, QuantityTable};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};

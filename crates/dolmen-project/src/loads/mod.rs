@@ -1,4 +1,4 @@
-//! What acts on a structure beside its own weight: wind, static loads, and their combinations.
+//! Loads on a structure besides its own weight: wind, static loads, and their combinations.
 
 mod file;
 mod file_force;

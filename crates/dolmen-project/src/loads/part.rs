@@ -1,4 +1,4 @@
-//! What acts on a structure beside its own weight, checked.
+//! Loads on a structure besides its own weight, checked.
 
 use crate::quantity::{Pick, Quantity};
 use dolmen::structure::wind::{
@@ -6,7 +6,7 @@ use dolmen::structure::wind::{
 };
 use dolmen::structure::{AddedMass, Chain};
 
-/// The speed or pressure of a wind, and what it is.
+/// The speed or pressure of a wind, by its definition.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WindSpeed {
     /// Peak velocity pressure, Pa.
@@ -35,23 +35,23 @@ pub enum WindSpeed {
     },
 }
 
-/// An area that the wind meets.
+/// An area exposed to the wind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindArea {
     /// The part, from 0 at the bottom.
     pub part: usize,
     /// Area across the wind, m².
     pub area: Quantity,
-    /// Height of its middle above the ground, m: an area more. `None`: in the place of the part's own.
+    /// Height of its middle above the ground, m, for an additional area; `None`: it replaces the part's own area.
     pub height: Option<Quantity>,
     /// Its force coefficient; `None`: that of the wind.
     pub force_coefficient: Option<Quantity>,
-    /// Of a frame: which of its directions the wind blows along that it meets; `None`: all.
+    /// Of a frame: the direction of wind that meets the area; `None`: all.
     pub direction: Option<usize>,
 }
 
 impl WindArea {
-    /// Whether it stands in the place of a part's own area, in wind along one of the directions of a frame.
+    /// Whether it replaces a part's own area, in wind along one of the directions of a frame.
     pub fn replaces(&self, part: usize, direction: usize) -> bool {
         self.part == part && self.height.is_none() && self.is_met(direction)
     }
@@ -62,12 +62,12 @@ impl WindArea {
     }
 }
 
-/// How a wind on a building is taken in time, and what limits its motion.
+/// The wind on a building in time, with limits of its motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindInTime {
     /// The spectrum; `None`: that of the code.
     pub spectrum: Option<TurbulenceSpectrum>,
-    /// How far off the middle of the breadth it acts, over the breadth, either side.
+    /// Eccentricity of the wind to either side, over the breadth.
     pub eccentricity: f64,
     /// Largest peak acceleration of the top floor, m/s².
     pub acceleration_limit: Option<Quantity>,
@@ -75,7 +75,7 @@ pub struct WindInTime {
     pub drift_limit: Option<f64>,
 }
 
-/// Eccentricity of the wind over the breadth where the file gives none: that of ASCE 7-10, figure 27.4-8, case 2.
+/// Eccentricity of the wind over the breadth if the file gives none: that of ASCE 7-10, figure 27.4-8, case 2.
 pub const WIND_ECCENTRICITY: f64 = 0.15;
 
 impl Default for WindInTime {
@@ -94,24 +94,24 @@ impl Default for WindInTime {
 pub struct WindGiven {
     /// Its speed or pressure.
     pub speed: WindSpeed,
-    /// Density of air, kg/m³, as the file or the code gives it.
+    /// Density of air, kg/m³, from the file or the code.
     pub air_density_kg_m3: f64,
     /// Force coefficient of the parts.
     pub force_coefficient: Quantity,
-    /// Areas other than those of the parts' own widths.
+    /// Areas besides those of the parts' own widths.
     pub areas: Vec<WindArea>,
-    /// How it blows on a building, in time.
+    /// The wind on a building in time.
     pub in_time: WindInTime,
-    /// Where it comes from, in words.
+    /// Its source, in words.
     pub source: Option<String>,
 }
 
-/// What the file says of wind.
+/// Wind in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WindPart {
     /// Nothing.
     NotSaid,
-    /// That the structure stands out of it.
+    /// The structure is sheltered from wind.
     Sheltered,
     /// A wind.
     Given(Box<WindGiven>),
@@ -120,34 +120,34 @@ pub enum WindPart {
 /// A static load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadPart {
-    /// What it is.
+    /// Its name.
     pub name: String,
-    /// The part that it acts on, from 0 at the bottom.
+    /// The loaded part, from 0 at the bottom.
     pub part: usize,
     /// Height above the ground, m; `None`: the top of the part.
     pub height: Option<Quantity>,
-    /// The point at which it acts, m, of a stack; `None`: the middle of the stone in plan, at that height.
+    /// The loaded point of a stack, m; `None`: the middle of the stone in plan, at that height.
     pub position: Option<[Quantity; 3]>,
-    /// Force from the side, N, of a chain; of a frame along its one direction, of several along x.
+    /// Horizontal force, N: of a chain; of a frame with one direction along it, of a frame with several along x.
     pub force: Option<Quantity>,
-    /// Force across, N, of a chain of two directions; of a frame of several along y.
+    /// Force across, N: of a chain with two directions; of a frame with several along y.
     pub force_across: Option<Quantity>,
     /// Force along x, y and upwards, N, of a stack.
     pub components: Option<[Quantity; 3]>,
-    /// Weight that it adds, N.
+    /// Additional weight, N.
     pub weight: Option<Quantity>,
     /// Overturning moment, N m.
     pub moment: Option<Quantity>,
 }
 
 impl LoadPart {
-    /// Whether it pushes or turns a link of a chain.
+    /// Whether it applies a force or moment to a link of a chain.
     pub fn pushes(&self) -> bool {
         let both = [&self.force, &self.force_across, &self.moment];
         both.into_iter().flatten().any(|of| of.value != 0.0)
     }
 
-    /// Height above the joint below the link of a chain that carries it, m: the top of the link where the file says none.
+    /// Height above the joint below the loaded link of a chain, m: the top of the link if the file gives none.
     pub fn above_joint_m(&self, chain: &Chain, pick: Pick<'_>) -> f64 {
         let length_m = chain.links()[self.part].length_m;
         self.height.as_ref().map_or(length_m, |height| {
@@ -159,9 +159,9 @@ impl LoadPart {
 /// Factors of a combination.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CombinationPart {
-    /// The table's name; `None`: everything as it is, where the file names no combination.
+    /// The table's name; `None`: unit factors, where the file has no combination.
     pub name: Option<String>,
-    /// On the weight of the structure.
+    /// Factor of the weight of the structure.
     pub weight: f64,
     /// On the wind.
     pub wind: f64,
@@ -169,19 +169,19 @@ pub struct CombinationPart {
     pub loads: f64,
 }
 
-/// All that acts beside the weight of the parts.
+/// All loads besides the weight of the parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadsPart {
     /// Wind.
     pub wind: WindPart,
     /// Static loads in the order of the file.
     pub loads: Vec<LoadPart>,
-    /// Combinations in the order of the file; that of everything as it is where the file names none.
+    /// Combinations in the order of the file; one with unit factors where the file has none.
     pub combinations: Vec<CombinationPart>,
 }
 
 impl WindSpeed {
-    /// The number that the file gives.
+    /// The number in the file.
     pub fn quantity(&self) -> &Quantity {
         match self {
             WindSpeed::Pressure(quantity) | WindSpeed::Gust(quantity) => quantity,
@@ -191,7 +191,7 @@ impl WindSpeed {
 }
 
 impl WindGiven {
-    /// The wind of the science.
+    /// The wind of the library.
     pub fn build(&self, pick: Pick<'_>) -> Wind {
         let air_density_kg_m3 = self.air_density_kg_m3;
         match &self.speed {
@@ -253,18 +253,18 @@ impl LoadsPart {
         }
     }
 
-    /// Whether anything acts beside the weight.
+    /// Whether there is any load besides the weight.
     pub fn is_empty(&self) -> bool {
         self.wind().is_none() && self.loads.is_empty()
     }
 
-    /// What the static loads weigh together, N.
+    /// Total weight of the static loads, N.
     pub fn weight_n(&self, pick: Pick<'_>) -> f64 {
         let weights = self.loads.iter().filter_map(|load| load.weight.as_ref());
         weights.map(pick).sum()
     }
 
-    /// The masses of loads that a chain carries; forces and moments have none.
+    /// The masses of loads on a chain; forces and moments have none.
     pub fn added_masses(&self, chain: &Chain, pick: Pick<'_>) -> Vec<AddedMass> {
         let heavy = self
             .loads

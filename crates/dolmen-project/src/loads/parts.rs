@@ -1,4 +1,4 @@
-//! Parts of a structure that loads act on.
+//! Parts of a structure for loads.
 
 use crate::chain::LinkPart;
 use crate::content::Structure;
@@ -14,20 +14,20 @@ use dolmen::signal::Component;
 use dolmen_words::message::Both;
 use dolmen_words::nearest;
 
-/// Heights that differ by less are the same, m: three courses of 0.3 m end at 0.9 m but for rounding. Chosen here.
+/// Smallest difference of two heights, m: three courses of 0.3 m end at 0.9 m except for rounding. Our choice.
 const ROUNDING_M: f64 = 1e-9;
 
-/// Parts that loads can act on: how lists of them are called, and their names.
+/// Parts that can be loaded: the name of their list, and their own names.
 pub(super) struct Parts {
-    /// Whether they are the stones of a stack, which forces meet in three dimensions.
+    /// Whether they are the stones of a stack, with forces in three dimensions.
     pub(super) are_stones: bool,
-    /// Whether forces meet them in two directions, along and across.
+    /// Whether forces act on them in two directions, along and across.
     pub(super) have_two_axes: bool,
-    /// Whether they are the floors of a building, which only wind acts on.
+    /// Whether they are the floors of a building, with wind only.
     pub(super) are_floors: bool,
-    /// The directions of a frame, whose storeys they are, and the component along each; `None` of others.
+    /// The directions of a frame and the component along each; `None` for other structures.
     pub(super) directions: Option<Vec<(String, Option<Component>)>>,
-    /// How far above its part the middle of an area may lie, m: a roof is above the columns that carry it.
+    /// Largest height of the middle of an area above its part, m: a roof is above its columns.
     pub(super) above_m: f64,
     pub(super) list: &'static str,
     pub(super) names: Vec<Option<String>>,
@@ -37,7 +37,7 @@ pub(super) struct Parts {
     pub(super) has_width: Vec<bool>,
 }
 
-/// The parts of a structure that can be loaded; `None` where loads are not read.
+/// The parts of a structure that can be loaded; `None` if it takes no loads.
 pub(super) fn parts(structure: &Structure) -> Option<Parts> {
     match structure {
         Structure::Chain(part) => Some(Parts {
@@ -80,7 +80,7 @@ pub(super) fn parts(structure: &Structure) -> Option<Parts> {
     }
 }
 
-/// The storeys of a frame: nobody knows the width of their walls and roofs.
+/// The storeys of a frame: the width of their walls and roofs is unknown.
 fn storeys(part: &FramePart) -> Parts {
     let mut top_m = 0.0;
     let ends = part.storeys.iter().map(|storey| {
@@ -103,7 +103,7 @@ fn storeys(part: &FramePart) -> Parts {
     }
 }
 
-/// The stones of a stack; none of one that cannot be built, which is refused elsewhere.
+/// The stones of a stack; empty for a stack that cannot be built, which another check rejects.
 fn stones(part: &StackPart) -> Parts {
     let built = part.build(&mut Quantity::nominal);
     let blocks = built.as_ref().map_or(&[][..], |stack| stack.blocks());
@@ -170,7 +170,7 @@ pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: 
     }
 }
 
-/// Refuses a height that is not on its part, nor `above_m` its top at the most.
+/// Rejects a height that is neither on its part nor at most `above_m` above its top.
 pub(super) fn on_part(
     reader: &mut Reader,
     height: &Quantity,

@@ -1,4 +1,4 @@
-//! Static loads and combinations from what is written.
+//! Reads static loads and combinations.
 
 use super::file::{CombinationRaw, LoadRaw};
 use super::file_force::ForceRaw;
@@ -17,7 +17,7 @@ use crate::written::short;
 use crate::wrong::{Common, WrongLoads};
 use dolmen::signal::Component;
 
-/// Largest factor of a combination, our choice: codes have 1.7 at the most.
+/// Largest factor of a combination, our choice: codes have at most 1.7.
 const FACTOR_MOST: f64 = 10.0;
 
 /// Wind, static loads and combinations.
@@ -104,7 +104,7 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
     }
 }
 
-/// Refuses a factor on what the file does not have.
+/// Rejects a factor on a load that the file does not have.
 fn judge_factors(reader: &mut Reader, raw: &FileRaw) {
     let missing = [
         ("wind", raw.wind.is_none(), WrongLoads::WriteWindSpeedMeans),
@@ -180,7 +180,7 @@ fn load(reader: &mut Reader, raw: &At<LoadRaw>, path: &str, parts: &Parts) -> Op
     })
 }
 
-/// The force from the side, along and across, or the three components of one on a stone.
+/// The horizontal force, along and across, or the three components of a force on a stone.
 fn forces(
     reader: &mut Reader,
     of: &LoadRaw,
@@ -236,7 +236,7 @@ fn forces(
     }
 }
 
-/// Refuses a component along which a frame has no direction: nothing would bear it.
+/// Rejects a component along which a frame has no direction: no storey would resist it.
 fn directed(reader: &mut Reader, both: &[Option<Quantity>; 2], parts: &Parts) {
     let Some(directions) = &parts.directions else {
         return;

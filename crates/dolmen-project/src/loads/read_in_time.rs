@@ -1,4 +1,4 @@
-//! How wind acts on a building in time, from what is written.
+//! Reads the wind on a building in time.
 
 use super::file::{MeansRaw, SpectrumRaw, WindRaw};
 use super::part::{WIND_ECCENTRICITY, WindInTime};
@@ -15,7 +15,7 @@ const ECCENTRICITY: (f64, f64) = (0.0, 0.5);
 /// Allowable drift over the height: tighter than any, and the drift at which a storey counts as fallen.
 const DRIFT: (f64, f64) = (1e-5, 0.1);
 
-/// The keys of a building; those that only it has are refused elsewhere.
+/// The keys of a building; another check rejects them for other kinds.
 pub(super) fn in_time(
     reader: &mut Reader,
     of: &WindRaw,

@@ -1,4 +1,4 @@
-//! Wind from what is written.
+//! Reads wind.
 
 use super::file::{MeansRaw, TerrainRaw, WindAreaRaw, WindCodeRaw, WindOrShelteredRaw, WindRaw};
 use super::part::{WindArea, WindGiven, WindPart, WindSpeed};
@@ -14,7 +14,7 @@ use dolmen::structure::wind::{EUROCODE_AIR_KG_M3, EurocodeTerrain, KDS_41_AIR_KG
 use dolmen_words::message::Both;
 use std::ops::Range;
 
-/// Factors for hills and importance, our choice: codes end at 2 or so.
+/// Factors for hills and importance, our choice: codes reach about 2.
 const FACTOR: (f64, f64) = (0.5, 3.0);
 
 pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Parts) -> Option<WindPart> {
@@ -63,7 +63,7 @@ pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Pa
     })))
 }
 
-/// Parts that the wind meets and whose width nobody gave.
+/// Reports parts exposed to wind without a width.
 fn widths_known(reader: &mut Reader, areas: &[WindArea], parts: &Parts) {
     let ways = parts.directions.as_ref().map_or(1, Vec::len);
     let is_given =
@@ -93,7 +93,7 @@ fn refuse(reader: &mut Reader, span: Range<usize>, path: &str, message: WrongLoa
     reader.fault(Fault::new(span, path, message).help(help));
 }
 
-/// The speed or pressure: one of them, with what it is, and the code for a mean.
+/// The speed or pressure: exactly one, with its definition, and the code for a mean.
 fn speed(reader: &mut Reader, of: &WindRaw, span: &Range<usize>) -> Option<WindSpeed> {
     let before = reader.faults.len();
     match (&of.speed, &of.pressure) {
@@ -190,7 +190,7 @@ fn speed(reader: &mut Reader, of: &WindRaw, span: &Range<usize>) -> Option<WindS
     })
 }
 
-/// Keys that need a code, or another one.
+/// Keys that need a code, or another code.
 fn foreign(reader: &mut Reader, of: &WindRaw) {
     let code = of.code.as_ref().map(|code| code.value);
     let is_kds = code == Some(WindCodeRaw::Kds41);
@@ -315,7 +315,7 @@ fn area(reader: &mut Reader, raw: &At<WindAreaRaw>, path: &str, parts: &Parts) -
     })
 }
 
-/// Which direction of a frame the wind blows along; refused of others.
+/// The direction of a frame along which the wind blows; rejected for other kinds.
 fn direction(reader: &mut Reader, raw: &At<String>, path: &str, parts: &Parts) -> Option<usize> {
     let Some(directions) = &parts.directions else {
         let message = WrongLoads::HasNoMeaningWithout {

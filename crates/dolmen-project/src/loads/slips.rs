@@ -4,17 +4,17 @@ use super::part::{LoadsPart, WindPart, WindSpeed};
 use crate::reader::Reader;
 use crate::wrong::WrongLoads;
 
-/// Speed of a gust or of the mean that codes take, m/s: a fresh breeze to the largest gusts measured.
+/// Speed of a gust or of the mean in codes, m/s: from a fresh breeze to the largest measured gusts.
 const SPEED_M_S: (f64, f64) = (8.0, 95.0);
-/// Peak velocity pressure, Pa: of such gusts.
+/// Peak velocity pressure of such gusts, Pa.
 const PRESSURE_PA: (f64, f64) = (40.0, 6000.0);
-/// Force coefficient: a smooth round section in a storm to a lattice.
+/// Force coefficient: from a smooth round section in a storm to a lattice.
 const COEFFICIENT: (f64, f64) = (0.4, 4.0);
-/// A force from the side or a weight of a load, N: a rope of the hand to a building.
+/// Horizontal force or weight of a load, N: from a rope pulled by hand to a building.
 const FORCE_N: (f64, f64) = (1.0, 5e7);
 /// Factor of the weight in a combination: codes have 0.8 to 1.5.
 const WEIGHT_FACTOR: (f64, f64) = (0.5, 2.0);
-/// Density of air, kg/m³: at 4000 m in summer, at the sea in deep frost.
+/// Density of air, kg/m³: from 4000 m in summer to sea level in deep frost.
 const DENSITY_KG_M3: (f64, f64) = (0.7, 1.5);
 
 pub(crate) fn judge_loads(reader: &mut Reader, loads: &LoadsPart) {

@@ -2,7 +2,7 @@
 
 use dolmen_records::start_of_text;
 
-/// Year, month and day of a text such as "2026-05-12"; `None` if it is no day of the calendar.
+/// Year, month and day of a text such as "2026-05-12"; `None` for a day that is not in the calendar.
 pub fn calendar_day(text: &str) -> Option<[u16; 3]> {
     let parts: Vec<&str> = text.split('-').collect();
     let digits = |part: &&str| part.bytes().all(|b| b.is_ascii_digit());

@@ -1,4 +1,4 @@
-//! What a report says beside the computation, as it is written.
+//! The keys of the report's own contents, which Dolmen does not compute.
 
 use crate::file_names::NamesRaw;
 use crate::file_number::{At, QuantityRaw};

@@ -1,4 +1,4 @@
-//! What a report says beside the computation: given by the engineer, never computed.
+//! The report's own contents: given by the engineer, never computed.
 
 mod date;
 mod file;

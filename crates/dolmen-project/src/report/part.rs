@@ -1,9 +1,9 @@
-//! What a report says beside the computation, read.
+//! The report's own contents, read.
 
 use crate::names::Names;
 use crate::quantity::Quantity;
 
-/// What the engineer gives for a report: `[report]`. What is not given is left out.
+/// The contents that the engineer gives for a report: `[report]`. Missing ones are left out.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReportPart {
     /// Title of the report.
@@ -12,7 +12,7 @@ pub struct ReportPart {
     pub number: Option<Names>,
     /// For whom.
     pub client: Option<Names>,
-    /// Who makes it.
+    /// The organisation that writes it.
     pub organisation: Option<Names>,
     /// Address of the organisation.
     pub address: Option<Names>,
@@ -20,7 +20,7 @@ pub struct ReportPart {
     pub date: Option<String>,
     /// Who took part.
     pub authors: Vec<Author>,
-    /// What it is for.
+    /// Its purpose.
     pub purpose: Option<Names>,
     /// Where the structure stands.
     pub location: Option<Location>,
@@ -47,7 +47,7 @@ pub struct ReportPart {
 pub struct Author {
     /// Name.
     pub name: Names,
-    /// What for.
+    /// Role.
     pub role: Option<Names>,
     /// Qualification and number.
     pub licence: Option<Names>,
@@ -67,15 +67,15 @@ pub struct Location {
 pub struct PhotoPart {
     /// Relative to the project file.
     pub file: String,
-    /// What it shows.
+    /// Its caption.
     pub caption: Option<Names>,
-    /// The part that it shows.
+    /// The part in the picture.
     pub of: Option<String>,
-    /// Where the project file names it: `report.photos[2].file`.
+    /// Its path in the project file: `report.photos[2].file`.
     pub path: String,
 }
 
-/// How material was tested, and what was read.
+/// Test method of a material, with the reading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MaterialMethod {
     /// Velocity of ultrasonic pulses, m/s.
@@ -146,7 +146,7 @@ impl PeriodicGrade {
     }
 }
 
-/// What a grade is one of.
+/// The scale of a grade.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GradeScale {
     /// The six words of the Korean periodic inspection of heritage, A to F.
@@ -160,7 +160,7 @@ pub enum GradeScale {
 pub struct Grade {
     /// "C".
     pub value: Names,
-    /// Of which scale.
+    /// Its scale.
     pub scale: GradeScale,
     /// Why.
     pub reason: Names,

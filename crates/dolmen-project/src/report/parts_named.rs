@@ -1,4 +1,4 @@
-//! The parts of a structure by the names that reports, photographs and inspections call them.
+//! The parts of a structure by their names in reports, photographs and inspections.
 
 use crate::content::Structure;
 use crate::quantity::Quantity;
@@ -14,7 +14,7 @@ impl PartNames {
 }
 
 impl Structure {
-    /// The names of its parts, lowest first; a part without a name is called by its number, "3". None of a survey alone, nor of a stack that
+    /// The names of its parts, lowest first; a part without a name has its number, "3". Empty for a survey only, and for a stack that
     /// cannot be built.
     pub fn part_names(&self) -> Vec<String> {
         fn named<'a>(names: impl Iterator<Item = Option<&'a String>>) -> Vec<String> {

@@ -24,7 +24,7 @@ const VELOCITY_M_S: (f64, f64) = (100.0, 8000.0);
 /// Readings of a rebound hammer: its scale.
 const REBOUND: (f64, f64) = (0.0, 100.0);
 
-/// What the engineer gives; `parts` are the names that photographs and tests may speak of.
+/// The contents given by the engineer; `parts` are the names that photographs and tests may use.
 pub(crate) fn report(
     reader: &mut Reader,
     raw: Option<&At<ReportRaw>>,
@@ -64,7 +64,7 @@ pub(crate) fn report(
     })
 }
 
-/// Text in one or two languages; `None` where it is not given or blank, which has then been reported.
+/// Text in one or two languages; `None` where it is missing, or blank, which is reported.
 pub(crate) fn words(reader: &mut Reader, raw: Option<&At<NamesRaw>>, path: &str) -> Option<Names> {
     let raw = raw?;
     reader.mark(path, &raw.span);
@@ -88,7 +88,7 @@ pub(crate) fn words(reader: &mut Reader, raw: Option<&At<NamesRaw>>, path: &str)
     Some(read)
 }
 
-/// The same of what a form may leave empty: nothing is then given.
+/// Text that a form may leave empty.
 fn words_or_none(reader: &mut Reader, raw: Option<&At<NamesRaw>>, path: &str) -> Option<Names> {
     let read = names(raw?.value.clone());
     let mut given = [&read.en, &read.ko].into_iter().flatten();
@@ -98,7 +98,7 @@ fn words_or_none(reader: &mut Reader, raw: Option<&At<NamesRaw>>, path: &str) ->
     }
 }
 
-/// Each of a list with its path.
+/// Each element of a list with its path.
 fn each<R, T>(
     reader: &mut Reader,
     raw: &Option<Vec<At<R>>>,
@@ -140,7 +140,7 @@ fn day(reader: &mut Reader, raw: Option<&At<String>>, path: &str) -> Option<Stri
     None
 }
 
-/// The name of a part, which the structure must have.
+/// The name of a part of the structure.
 pub(crate) fn a_part(
     reader: &mut Reader,
     raw: Option<&At<String>>,

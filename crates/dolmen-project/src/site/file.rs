@@ -1,4 +1,4 @@
-//! A site and ground motions as they are written.
+//! The keys of a site and of ground motions.
 
 use crate::file_number::{At, NumberRaw};
 use schemars::JsonSchema;

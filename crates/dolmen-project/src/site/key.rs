@@ -25,7 +25,7 @@ pub(super) enum SiteKey {
 }
 
 impl SiteKey {
-    /// Keys that some codes alone have, and those codes.
+    /// Keys that belong to some codes only, with those codes.
     pub(super) const OF_CODES: [(SiteKey, &[CodeRaw]); 12] = [
         (SiteKey::Zone, &[CodeRaw::Kds17, CodeRaw::Kds41]),
         (SiteKey::ZoneFactor, &[CodeRaw::Kds17, CodeRaw::Kds41]),
@@ -67,7 +67,7 @@ impl SiteKey {
         format!("site.{}", self.word())
     }
 
-    /// Where it stands, if it is given.
+    /// Its place, if given.
     pub(super) fn span_in(self, raw: &SiteRaw) -> Option<Range<usize>> {
         fn span<T>(key: &Option<At<T>>) -> Option<Range<usize>> {
             key.as_ref().map(|at| at.span.clone())
@@ -91,7 +91,7 @@ impl SiteKey {
         }
     }
 
-    /// The key that gives a quantity of the science under a code.
+    /// The key of a quantity of the library under a code.
     pub(super) fn of_quantity(quantity: &str, code: CodeRaw) -> Option<Self> {
         match quantity {
             "damping_ratio" => Some(SiteKey::DampingRatio),

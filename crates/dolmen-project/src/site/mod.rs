@@ -1,4 +1,4 @@
-//! Where a structure stands: its hazard and the motions of its ground.
+//! The site of a structure: its hazard and ground motions.
 
 mod file;
 mod key;

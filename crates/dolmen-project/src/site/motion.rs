@@ -1,4 +1,4 @@
-//! Ground motions from what is written. Their files are opened when one is simulated.
+//! Reads ground motions. Their files are opened only for a simulation.
 
 use super::file::{LengthsRaw, MotionColumnsRaw, MotionFilesRaw, MotionRaw, StatedPeakRaw};
 use super::part::{MotionPart, MotionSize, MotionSource};
@@ -12,10 +12,10 @@ use dolmen::signal::{Component, Quantity};
 use dolmen_records::records::Unit;
 use std::collections::BTreeMap;
 
-/// Shortest and longest time that a motion may name, s.
+/// Shortest and longest time in a motion, s.
 const TIME_S: [f64; 2] = [1e-6, 1e5];
 
-/// Least and largest magnitude and distance, km, of an earthquake that a motion may name.
+/// Least and largest magnitude and distance, km, of the earthquake of a motion.
 const MAGNITUDE: [f64; 2] = [0.0, 10.0];
 const DISTANCE_KM: [f64; 2] = [0.1, 2e4];
 
@@ -102,7 +102,7 @@ fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<Motion
     })
 }
 
-/// Where it comes from: one of files, file and built_in.
+/// Its source: one of files, file and built_in.
 fn source(reader: &mut Reader, raw: &At<MotionRaw>, path: &str) -> Option<MotionSource> {
     let given = &raw.value;
     let keys = [
@@ -146,7 +146,7 @@ fn source(reader: &mut Reader, raw: &At<MotionRaw>, path: &str) -> Option<Motion
     }
 }
 
-/// The components of one file: those that columns names, else x.
+/// The components in one file: those in columns, else x.
 fn of_one_file(given: &MotionRaw, file: &str) -> Vec<(Component, String)> {
     let named = given
         .columns
@@ -170,7 +170,7 @@ fn columns_named(raw: &MotionColumnsRaw) -> Vec<(Component, String)> {
     named.collect()
 }
 
-/// The columns of the components, each of which has a file.
+/// The columns of components with a file each.
 fn columns(reader: &mut Reader, given: &MotionRaw, path: &str) -> Vec<(Component, String)> {
     let Some(raw) = &given.columns else {
         return Vec::new();
@@ -212,7 +212,7 @@ fn response_files(given: &MotionRaw) -> Vec<String> {
     files.map(|file| file.value.clone()).collect()
 }
 
-/// Refuses what says how files are read beside a motion that is in none.
+/// Rejects keys for reading files of a motion without files.
 fn refuse_idle(reader: &mut Reader, given: &MotionRaw, from: &MotionSource, path: &str) {
     let MotionSource::BuiltIn(name) = from else {
         return;

@@ -13,16 +13,16 @@ pub struct Place {
     pub longitude_deg: f64,
 }
 
-/// Where the structure stands, and by what it is judged: `[site]`.
+/// Location of the structure, and the code of its site: `[site]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SitePart {
     /// The code with its numbers, or a table.
     pub site: Site,
-    /// ζ that the spectrum is read at.
+    /// Damping ratio ζ of the spectrum.
     pub damping_ratio: f64,
     /// Vertical over horizontal acceleration; `None`: that of the code.
     pub vertical_ratio: Option<f64>,
-    /// How often the ground shakes there: as written, or by the return periods of KDS 17 10 00.
+    /// Rates of ground shaking at the site: from the file, or by the return periods of KDS 17 10 00.
     pub hazard: Option<HazardPart>,
 }
 
@@ -45,10 +45,10 @@ pub enum HazardSource {
 }
 
 impl SitePart {
-    /// What an earthquake asks for there.
+    /// Seismic demand at the site.
     ///
     /// # Errors
-    /// None for the site of a file that was read: it has been asked then.
+    /// None for the site of a file that was read: reading has computed the demand once.
     pub fn demand(&self) -> Result<SiteDemand, AssessError> {
         site_demand(&self.site, self.damping_ratio, self.vertical_ratio)
     }
@@ -57,64 +57,64 @@ impl SitePart {
 /// Where a motion comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionSource {
-    /// Files, relative to the project, one a component; the same file for several where they are columns of it.
+    /// Files relative to the project, one for each component; the same file repeated where components are its columns.
     Files(Vec<(Component, String)>),
     /// One that the program carries with it, by name.
     BuiltIn(String),
 }
 
-/// How large a motion is made.
+/// How a motion is scaled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MotionSize {
     /// All components times this.
     Scale(f64),
-    /// All components times the one factor that brings the largest horizontal peak to this, m/s².
+    /// All components times one factor that brings the largest horizontal peak to this value, m/s².
     Peak(f64),
 }
 
-/// A motion of the ground: `[motion.NAME]`. What is done to it is done in the order of the fields.
+/// A ground motion: `[motion.NAME]`. The fields are applied in their order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionPart {
     /// The table's name.
     pub name: String,
-    /// Its files, or what it is called.
+    /// Its files, or the name of a built-in motion.
     pub from: MotionSource,
     /// The column or channel of each component's file, by name or number, where the file gives it.
     pub columns: Vec<(Component, String)>,
-    /// Where x points, degrees from north, clockwise, of channels that say which way they point.
+    /// Direction of x, degrees clockwise from north, for channels that state their direction.
     pub x_azimuth_deg: Option<f64>,
-    /// What the numbers are multiplied by to be in the unit.
+    /// Factor from the numbers to the unit.
     pub factor: Option<f64>,
-    /// Files of responses (RESP), relative to the project: what a count of each channel is worth.
+    /// Response files (RESP), relative to the project: the value of a count of each channel.
     pub responses: Vec<String>,
-    /// Whether the peak that a header states is passed over.
+    /// Whether to ignore the peak stated in a header.
     pub ignores_stated_peak: bool,
-    /// Unit of the numbers in the files; `None` where they say it.
+    /// Unit of the numbers in the files; `None` where the files state it.
     pub unit: Option<String>,
-    /// Between the samples of the files, s; `None` where they say it.
+    /// Time between samples of the files, s; `None` where the files state it.
     pub sample_step_s: Option<f64>,
     /// Whether files of different lengths are cut to the shortest.
     pub cut_to_shortest: bool,
     /// Keep only the first seconds.
     pub keep_first_s: Option<f64>,
-    /// Bring it to zero within so many seconds at both ends.
+    /// Length of the taper to zero at both ends, s.
     pub taper_s: Option<f64>,
-    /// Turn it from x towards y, rad.
+    /// Rotation from x towards y, rad.
     pub turn_rad: Option<f64>,
-    /// How large it is made; `None`: as it is.
+    /// Its scaling; `None`: unchanged.
     pub size: Option<MotionSize>,
-    /// The record that it is part of, where the file says it.
+    /// The record that it belongs to, where the file states it.
     pub record: Option<String>,
-    /// Magnitude of its earthquake, where the file says it.
+    /// Magnitude of its earthquake, where the file states it.
     pub magnitude: Option<f64>,
-    /// Distance of its earthquake, km, where the file says it.
+    /// Distance of its earthquake, km, where the file states it.
     pub distance_km: Option<f64>,
-    /// Where it comes from, in words.
+    /// Its source, in words.
     pub source: Option<String>,
 }
 
 impl MotionPart {
-    /// Whether two motions are of one record: they name the same record, share a file, or are the same motion that Dolmen carries.
+    /// Whether two motions belong to one record: they name the same record, share a file, or are the same built-in motion.
     pub fn is_of_one_record(&self, other: &MotionPart) -> bool {
         let is_named = self.record.is_some() && self.record == other.record;
         let shares = match (&self.from, &other.from) {

@@ -1,4 +1,4 @@
-//! The place on the earth from what is written.
+//! Reads the geographic place.
 
 use super::file::{CodeRaw, SiteRaw};
 use super::part::Place;
@@ -8,7 +8,7 @@ use crate::file_number::At;
 use crate::reader::Reader;
 use crate::wrong::WrongSite;
 
-/// The place, if the site has one: both of its numbers or none.
+/// The place, if the site has one: both numbers or none.
 pub(crate) fn place(reader: &mut Reader, raw: Option<&At<SiteRaw>>, has_korean_name: bool) -> Option<Place> {
     let raw = &raw?.value;
     let (latitude, longitude) = (raw.latitude_deg.as_ref(), raw.longitude_deg.as_ref());
@@ -43,7 +43,7 @@ pub(crate) fn place(reader: &mut Reader, raw: Option<&At<SiteRaw>>, has_korean_n
     })
 }
 
-/// Whether a site says no more than its place.
+/// Whether a site has only a place.
 pub(super) fn is_place_alone(raw: &SiteRaw) -> bool {
     let SiteRaw {
         latitude_deg,

@@ -1,4 +1,4 @@
-//! The site from what is written.
+//! Reads the site.
 
 use super::file::{CodeRaw, GroundRaw, HazardRaw, SiteRaw, SoilRaw, ZoneRaw};
 use super::key::SiteKey;
@@ -20,7 +20,7 @@ use dolmen_records::TABLE_BYTES_MOST;
 use dolmen_records::records::Unit;
 use dolmen_words::message::Both;
 
-/// Damping ratio that codes give their plateaus for.
+/// Damping ratio of the plateaus in codes.
 const DAMPING_RATIO: f64 = 0.05;
 
 fn code_word(code: CodeRaw) -> &'static str {
@@ -32,7 +32,7 @@ fn code_word(code: CodeRaw) -> &'static str {
     }
 }
 
-/// The site, asked once for its demand, so that what the code has no numbers for is refused here.
+/// The site; its demand is computed once, so that values outside the code are rejected here.
 pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<SitePart> {
     let raw = raw?;
     reader.mark("site", &raw.span);
@@ -143,7 +143,7 @@ fn code_hazard(site: &Site) -> Option<HazardPart> {
     })
 }
 
-/// A hazard as it is written.
+/// Reads a hazard.
 fn hazard(reader: &mut Reader, raw: &At<HazardRaw>) -> Option<HazardPart> {
     const PATH: &str = "site.hazard";
     let given = &raw.value;
@@ -198,7 +198,7 @@ fn hazard(reader: &mut Reader, raw: &At<HazardRaw>) -> Option<HazardPart> {
     }
 }
 
-/// The key that a complaint is about; `None` where it is about the code itself.
+/// The key that causes an error; `None` where the code itself causes it.
 fn key_of(why: &AssessError, code: CodeRaw) -> Option<SiteKey> {
     match why {
         AssessError::SiteSpecific => Some(SiteKey::Soil),
@@ -209,7 +209,7 @@ fn key_of(why: &AssessError, code: CodeRaw) -> Option<SiteKey> {
     }
 }
 
-/// A key that a code needs.
+/// A key required by a code.
 fn needs(reader: &mut Reader, raw: &At<SiteRaw>, key: SiteKey, help: WrongSite) {
     let path = key.path();
     if key.span_in(&raw.value).is_none() && !reader.is_reported(&path) {
@@ -393,7 +393,7 @@ fn acceleration_unit(reader: &mut Reader, unit: &At<String>) -> Option<f64> {
     }
 }
 
-/// Rows of two numbers; lines that begin with # and a first line of names are passed over.
+/// Rows of two numbers, without lines that begin with # and without a first line of names.
 fn rows_of_file(reader: &mut Reader, file: &At<String>) -> Option<Vec<[f64; 2]>> {
     let refuse = |reader: &mut Reader, why: Both| {
         let message = WrongSite::SiteFile {

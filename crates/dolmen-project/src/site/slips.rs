@@ -1,4 +1,4 @@
-//! Probable slips in what a site asks for.
+//! Probable slips in the demand of a site.
 
 use super::part::SitePart;
 use crate::reader::Reader;
@@ -12,17 +12,17 @@ use dolmen::assess::demand::Site;
 const GROUND_G: (f64, f64) = (0.02, 1.0);
 /// Importance factor: EN 1998-1 has 0.8 to 1.4.
 const IMPORTANCE: (f64, f64) = (0.5, 2.0);
-/// Largest acceleration of a design spectrum, g: rare in a quiet country to maximum beside a fault.
+/// Largest acceleration of a design spectrum, g: from a rare one in a quiet country to the maximum near a fault.
 const PLATEAU_G: (f64, f64) = (0.05, 5.0);
 
 /// Longest period of a design spectrum, s: codes and hazard models go to 10, seldom to 20.
 const PERIOD_MOST_S: f64 = 100.0;
-/// Where a design spectrum is largest, s: codes have 0.05 to 1.5, soft basins up to 4.
+/// Largest usual period of the peak of a design spectrum, s: codes have 0.05 to 1.5, soft basins up to 4.
 const LARGEST_FROM_S: f64 = 5.0;
-/// A period from which a spectrum lies below its start, the peak of the ground, s.
+/// A period from which a spectrum is below its start, the peak of the ground, s.
 const LONG_S: f64 = 5.0;
 
-/// Periods in ms, and frequencies in place of periods: both would give a stiff structure next to no shaking.
+/// Periods in ms, or frequencies instead of periods: both would give a stiff structure almost no shaking.
 fn judge_periods(reader: &mut Reader, points: &[[f64; 2]]) {
     let (Some([_, first]), Some([longest, last])) = (points.first(), points.last()) else {
         return;
@@ -59,8 +59,8 @@ fn judge_periods(reader: &mut Reader, points: &[[f64; 2]]) {
 /// Latitude and longitude of Korea, degrees, islands and the north included.
 const KOREA_DEG: [(f64, f64); 2] = [(33.0, 43.1), (124.0, 132.0)];
 
-/// A place of a structure of Korea that lies elsewhere: two numbers exchanged, or a digit too few. `is_by_code`: the code of the site is Korean; a
-/// Korean name alone may be that of a structure abroad.
+/// A place outside Korea for a Korean structure: two numbers exchanged, or a lost digit. `is_by_code`: the code of the site is Korean; a
+/// Korean name alone may belong to a structure abroad.
 pub(crate) fn judge_korean_place(reader: &mut Reader, paths: [&str; 2], degrees: [f64; 2], is_by_code: bool) {
     let [latitude, longitude] = [0, 1].map(|of| within(degrees[of], KOREA_DEG[of]));
     let tenth = [0, 1].map(|of| within(10.0 * degrees[of], KOREA_DEG[of]));

@@ -1,4 +1,4 @@
-//! The soil as a file gives it.
+//! The keys of the soil.
 
 use crate::file_number::{At, QuantityRaw};
 use schemars::JsonSchema;

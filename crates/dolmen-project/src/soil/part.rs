@@ -1,4 +1,4 @@
-//! The soil of a project file, and that of the science it builds.
+//! The soil of a project file, and that of the library that it builds.
 
 use crate::quantity::{Pick, Quantity};
 use dolmen::structure::stack::{Stack, StackError};
@@ -58,10 +58,10 @@ impl FootingPart {
 }
 
 impl SoilBelowPart {
-    /// The stack on it, each number with the value that `pick` chooses.
+    /// The stack on this soil, each number with the value that `pick` chooses.
     ///
     /// # Errors
-    /// [`StackError`] for a stack that stands with several blocks on the ground, and for values out of their range.
+    /// [`StackError`] for a stack with several blocks on the ground, and for values out of their range.
     pub fn below(&self, stack: Stack, pick: Pick<'_>) -> Result<Stack, StackError> {
         let half_space = [pick(&self.shear_modulus), pick(&self.poisson_ratio)];
         let footing = self.footing.as_ref().map(|footing| footing.build(pick));

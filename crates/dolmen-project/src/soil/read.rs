@@ -13,14 +13,14 @@ use crate::wrong::WrongChain;
 
 /// Largest Poisson's ratio: that of water-saturated clay.
 const POISSON_RATIO_MOST: f64 = 0.5;
-/// Least side of a footing over the width of the bed that it carries: a stone may overhang a little. Chosen here.
+/// Least side of a footing over the width of the bed on it: a stone may overhang a little. Our choice.
 const FOOTING_OF_BED_LEAST: f64 = 0.8;
-/// Largest side of a footing, m: that of a tower or a chimney, with room.
+/// Largest side of a footing, m: that of a tower or a chimney, with a margin.
 const FOOTING_MOST_M: f64 = 40.0;
-/// Shear modulus, Pa: peat to sound rock, with room.
+/// Shear modulus, Pa: from peat to sound rock, with a margin.
 const SHEAR_MODULUS_PA: (f64, f64) = (0.3e6, 40e9);
 
-/// The soil under a footing that the file must give.
+/// The soil under a footing, which the file must give.
 pub(crate) fn soil_under_footing(reader: &mut Reader, raw: Option<&At<HalfSpaceRaw>>) -> Option<SoilPart> {
     let keys = &raw?.value;
     let is_given = keys.diameter.is_some() || keys.along.is_some() || keys.across.is_some();
@@ -41,7 +41,7 @@ fn without_footing(reader: &mut Reader) {
     reader.fault(fault.help(WrongChain::SoilKeys));
 }
 
-/// The soil under a stack, and the footing if it is not the bed of the lowest block.
+/// The soil under a stack, and its footing unless that is the bed of the lowest block.
 pub(crate) fn soil_below(reader: &mut Reader, raw: Option<&At<HalfSpaceRaw>>) -> Option<SoilBelowPart> {
     let raw = raw?;
     reader.mark("soil", &raw.span);
@@ -75,7 +75,7 @@ pub(crate) fn soil_below(reader: &mut Reader, raw: Option<&At<HalfSpaceRaw>>) ->
     })
 }
 
-/// A footing carries the bed above it, and is no larger than one of a pole.
+/// A footing supports the bed above it, and is at most as large as that of a pole.
 fn judge_side(reader: &mut Reader, side: &Quantity, bed: Option<&Quantity>) {
     let (path, written) = (side.path.clone(), side.written.clone());
     match bed {

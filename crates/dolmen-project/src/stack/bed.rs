@@ -1,4 +1,4 @@
-//! What acts in a joint of a stack, from what is written.
+//! Reads the properties of a joint of a stack.
 
 use super::file::BedRaw;
 use super::part::BedPart;

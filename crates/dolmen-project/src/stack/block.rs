@@ -1,4 +1,4 @@
-//! One block of a stack from what is written: its shape, and what it stands on.
+//! Reads one block of a stack: its shape and its supports.
 
 use super::bed::bed;
 use super::body::{MayBeGround, body};
@@ -14,7 +14,7 @@ use crate::reader::Reader;
 use crate::wrong::{Common, WrongStack};
 use dolmen::structure::stack::Body;
 
-/// One block, with what it stands on.
+/// One block with its supports.
 pub(super) fn block(
     reader: &mut Reader,
     raw: &At<BlockRaw>,
@@ -102,8 +102,8 @@ fn opening(reader: &mut Reader, raw: &At<OpeningRaw>, path: &str) -> Option<Open
     })
 }
 
-/// What a block stands on: what it says, else the block before it, else the ground; one that keeps its place stands on
-/// whatever it touches.
+/// The supports of a block: those of the file, else the block before it, else the ground; a block that keeps its place
+/// stands on whatever it touches.
 fn on(
     reader: &mut Reader,
     block: &BlockRaw,

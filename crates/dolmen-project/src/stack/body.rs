@@ -10,10 +10,10 @@ use dolmen_words::message::Both;
 use dolmen_words::nearest;
 use std::ops::Range;
 
-/// The word for what everything stands on in the end.
+/// The word for the ground, on which everything stands in the end.
 pub(super) const GROUND: &str = "ground";
 
-/// The names of all blocks; one that is missing, empty or repeated is reported.
+/// The names of all blocks; missing, empty and repeated ones are reported.
 pub(super) fn names(reader: &mut Reader, blocks: &[At<BlockRaw>]) -> Vec<String> {
     let mut names: Vec<String> = Vec::with_capacity(blocks.len());
     for (i, block) in blocks.iter().enumerate() {
@@ -53,7 +53,7 @@ pub(super) enum MayBeGround {
     No,
 }
 
-/// The body of a name among `known`; `place` says where it is written, and `ground` whether it may be the ground.
+/// The body with a name among `known`; `place` is the place of the name, and `ground` whether it may be the ground.
 pub(super) fn body(
     reader: &mut Reader,
     name: &str,

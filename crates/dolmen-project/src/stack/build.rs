@@ -1,4 +1,4 @@
-//! From the stack of a project file to the stack of the science: where each block goes, and what acts in each joint.
+//! From the stack of a project file to the stack of the library: the place of each block, and the properties of each joint.
 
 use super::fault::StackFault;
 use super::made_part::MadePart;
@@ -15,11 +15,11 @@ use dolmen::structure::stack::{
     Placement, SideSupport, Solid, Stack, StackError, StaticLoad, SupportMovement, Tie, pagoda, without_bed,
 };
 
-/// Least rise of the normal of a face that can be stood on, as cosine: 45°. Chosen here; what leans more is a side.
+/// Least upward component of the normal of a top face, the cosine of 45°. Our choice; a steeper face is a side.
 const TOP_RISE_LEAST: f64 = 0.7;
 
 impl PointsFrame {
-    /// A stone in its own coordinates, or as it is.
+    /// A stone in its own coordinates, or unchanged.
     pub(super) fn of(self, solid: Solid) -> Solid {
         if self == PointsFrame::Site {
             return solid;
@@ -37,7 +37,7 @@ impl PagodaPart {
     /// The pagoda, each factor with the value that `pick` chooses.
     ///
     /// # Errors
-    /// [`StackError`] for factors that cannot be together.
+    /// [`StackError`] for impossible factors.
     pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Pagoda, StackError> {
         pagoda(&PagodaFactors {
             density_kg_m3,
@@ -45,7 +45,7 @@ impl PagodaPart {
         })
     }
 
-    /// Its factors, each with the value that `pick` chooses; the density is the usual one.
+    /// Its factors, each with the value that `pick` chooses, and the usual density.
     pub fn factors(&self, pick: Pick<'_>) -> PagodaFactors {
         let usual = PagodaFactors::default();
         PagodaFactors {
@@ -169,14 +169,13 @@ impl BedPart {
     }
 }
 
-/// The top of a solid: the centroid of its highest face that can be stood on, and that face's upward normal.
+/// The top of a solid: the centroid of its highest top face, and that face's upward normal.
 struct Top {
     centroid_m: [f64; 3],
     normal: [f64; 3],
 }
 
 impl Top {
-    /// The ground.
     const GROUND: Top = Top {
         centroid_m: [0.0; 3],
         normal: [0.0, 0.0, 1.0],
@@ -205,7 +204,7 @@ impl Top {
 impl StackPart {
     /// The stack, each input with the value that `pick` chooses.
     ///
-    /// Every block stands on the highest face of what it stands on; on several, on the highest of them.
+    /// Every block stands on the highest face of the block below it; on several blocks, on the highest of them.
     ///
     /// # Errors
     /// None with the file's own values, which are checked on reading; [`StackFault`] if picked ones are impossible.
@@ -294,7 +293,7 @@ impl StackPart {
         }
     }
 
-    /// A block that stands, over others, on itself.
+    /// A block that stands on itself through others.
     pub(super) fn ring(&self) -> Option<usize> {
         let order = self.lowest_first();
         let place = |block: usize| order.iter().position(|other| *other == block);
@@ -469,7 +468,7 @@ impl StackPart {
 }
 
 impl BlockPart {
-    /// Where it goes, the blocks before it standing where they stand.
+    /// Its place, with the earlier blocks at their places.
     fn placement(&self, before: &[Option<Block>], pick: Pick<'_>) -> Placement {
         if self.shape.keeps_its_place() {
             return Placement::default();
@@ -498,7 +497,7 @@ impl BlockPart {
                 *place += pick(shift);
             }
         }
-        // on one stone its own plane, also where it leans; on several the highest of their tops
+        // on one stone the plane of that stone, even if it leans; on several the highest of their tops
         let height_m = match tops.as_slice() {
             [one] => one.height_m(plan),
             several => several
@@ -522,7 +521,7 @@ fn at_block(index: usize, why: StackError) -> StackFault {
     StackFault::part(path, why)
 }
 
-/// A static load; without a position in the middle of its stone in plan, at its height or the top of the stone.
+/// A static load; without a position it is in the middle of its stone in plan, at its height or the top of the stone.
 fn static_load(part: &LoadPart, stack: &Stack, turn: Option<Turn>, pick: Pick<'_>) -> StaticLoad {
     let position_m = match (&part.position, stack.blocks().get(part.part)) {
         (Some(position), _) => {

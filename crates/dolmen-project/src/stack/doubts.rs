@@ -9,13 +9,13 @@ use dolmen::structure::stack::Body;
 
 /// Stones whose order is judged.
 const STONES_LEAST: usize = 5;
-/// Of the pairs of stones, by how much more become wider upwards than narrower: Kendall's τ. Chosen here: pagodas have -0.9 to 0.
+/// Kendall's τ of widths: the share of pairs of stones that become wider upwards less that of those that become narrower. Our choice: pagodas have -0.9 to 0.
 const WIDER_PAIRS: f64 = 0.4;
-/// Friction of stone on stone that nobody has measured; sliding bearings lie below.
+/// Least friction of stone on stone if it was not measured; sliding bearings have less.
 const FRICTION_LEAST: f64 = 0.15;
-/// A stone that has turned by more than this, rad, does not rest as it was laid. Ours: an eighth of a circle.
+/// Rotation of a stone, rad, beyond which it is out of its place. Our choice: an eighth of a circle.
 const TURNED_MOST_RAD: f64 = std::f64::consts::FRAC_PI_4 * 1.01;
-/// By how much the lowest joint may give way under the stones, m. Ours: dry rubble closes by 1 mm.
+/// Largest settlement of the lowest joint under the stones, m. Our choice: dry rubble closes by 1 mm.
 const SINKS_MOST_M: f64 = 0.003;
 
 pub(crate) fn doubt_stack(reader: &mut Reader, part: &StackPart) {
@@ -100,7 +100,7 @@ fn friction(reader: &mut Reader, bed: &BedPart) {
     }
 }
 
-/// ρ g H over the stiffness per area: what the lowest joint gives way by under a column of all stones.
+/// ρ g H over the stiffness per area: the settlement of the lowest joint under a column of all stones.
 fn sinks(reader: &mut Reader, part: &StackPart) {
     let (Some(density), Some(stiffness)) = (&part.density, &part.joint.normal_stiffness) else {
         return;

@@ -5,31 +5,31 @@ use dolmen::structure::stack::StackError;
 /// Why a stack cannot be built, and where in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StackFault {
-    /// A stone, or where it stands.
+    /// A stone, or its position.
     Part {
-        /// Where in the file: `blocks[2]`.
+        /// Path in the file: `blocks[2]`.
         path: String,
-        /// What the science says.
+        /// The error of the library.
         why: Box<StackError>,
     },
-    /// Two blocks that the file puts on each other do not touch.
+    /// One block stands on another by the file, but the two do not touch.
     Apart {
-        /// Where in the file: `blocks[2]`.
+        /// Path in the file: `blocks[2]`.
         path: String,
         /// The upper block.
         upper: String,
-        /// What it should stand on.
+        /// The block below.
         lower: String,
-        /// What is allowed, m.
+        /// The allowed distance, m.
         allowed_m: f64,
     },
     /// One joint is given twice.
     Twice {
-        /// Where in the file: `contacts[2]`.
+        /// Path in the file: `contacts[2]`.
         path: String,
         /// The upper block.
         upper: String,
-        /// What it stands on.
+        /// The block below.
         lower: String,
         /// The contact that gave it first, from 1.
         first: usize,

@@ -1,4 +1,4 @@
-//! Whose measured lean a stack takes over.
+//! The survey whose measured lean a stack takes.
 
 use super::part::StackPart;
 use super::surveyed_lean::{SurveyedLean, only_foot};
@@ -11,16 +11,16 @@ use crate::survey::{Survey, as_surveyed};
 use crate::warned::Warned;
 use crate::wrong::WrongStack;
 
-/// Slope beyond which a stack does not lie on level ground any more: joints are recognised up to 5°.
+/// Slope beyond which a stack is no longer on level ground: joints are recognised up to 5°.
 const SLOPE_MOST: f64 = 0.087;
 
-/// Slopes nearer than this are not told apart by a tape or a plumb line: 5 mm a metre. Chosen here.
+/// Smallest difference of slopes that a tape or plumb line shows: 5 mm per metre. Our choice.
 const SLOPE_SEEN: f64 = 0.005;
-/// Share of the larger of two slopes by which they may differ as well. Chosen here.
+/// Allowed difference of two slopes, also as a share of the larger. Our choice.
 const SHARE_MOST: f64 = 1.0 / 3.0;
 
-/// The slope of the line from the centre of the lowest block to that of the top one, as the blocks stand by their own tilts, offsets and places; `None` of one
-/// block, and where they cannot be built.
+/// The slope of the line from the centre of the lowest block to that of the top one, by the tilts, offsets and places in the file; `None`
+/// for one block, and where the blocks cannot be built.
 fn own_slope(stack: &StackPart) -> Option<[f64; 2]> {
     let built = stack.build(&mut crate::quantity::Quantity::nominal).ok()?;
     let centres = built.blocks().iter().map(|block| block.solid.centroid_m());
@@ -31,7 +31,7 @@ fn own_slope(stack: &StackPart) -> Option<[f64; 2]> {
     (height > 0.0).then(|| [0, 1].map(|axis| (top[axis] - lowest[axis]) / height))
 }
 
-/// Whether two slopes are not of one structure.
+/// Whether two slopes are too different to belong to one structure.
 fn differ(own: [f64; 2], measured: [f64; 2]) -> bool {
     let apart = (own[0] - measured[0]).hypot(own[1] - measured[1]);
     let larger = own[0].hypot(own[1]).max(measured[0].hypot(measured[1]));
@@ -45,7 +45,7 @@ fn sign(ratio: f64) -> &'static str {
     }
 }
 
-/// Gives the stack the lean of the survey that `as_surveyed` chooses, or says why not.
+/// Gives the stack the lean of the survey that `as_surveyed` chooses, or reports why not.
 pub(crate) fn lean(
     reader: &mut Reader,
     given: Option<&At<String>>,
@@ -96,7 +96,7 @@ pub(crate) fn lean(
     } else {
         let built = stack.build(&mut crate::quantity::Quantity::nominal);
         match built {
-            // said where the stack is looked at
+            // reported where the stack is checked
             Err(_) => return,
             Ok(built) if only_foot(built.blocks()).is_none() => {
                 Some(Warned::TiltOfSeveralFeet { survey: name })

@@ -1,11 +1,11 @@
-//! Beds that have lost stiffness, as inspections found them.
+//! Beds that have lost stiffness, by inspections.
 
 use super::fault::StackFault;
 use super::part::StackPart;
 use dolmen::structure::stack::{Body, Joint, Stack};
 
 impl StackPart {
-    /// The stack with what is left of the stiffness of loosened beds.
+    /// The stack with the remaining stiffness of loosened beds.
     pub(super) fn with_loosened_beds(&self, mut stack: Stack) -> Result<Stack, StackFault> {
         for loosened in &self.loosened_beds {
             let Some(block) = stack
@@ -36,7 +36,7 @@ impl StackPart {
         Ok(stack)
     }
 
-    /// The survey from which the stiffness of the bed below a block was identified; `None` where it was not.
+    /// The survey from which the stiffness of the bed below a block was identified, if it was.
     pub(crate) fn bed_identified_from(&self, block: &str) -> Option<&str> {
         let index = self.blocks.iter().position(|own| own.name == block);
         let own = index.map(|index| &self.blocks[index].joint);

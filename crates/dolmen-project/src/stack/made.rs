@@ -1,4 +1,4 @@
-//! Arches and walls from their dimensions, as they are written and as the science makes them.
+//! Arches and walls: from their keys, and to the stones that the library makes.
 
 use super::file::{ArchRaw, StoneWallRaw, WallOpeningRaw};
 use super::made_part::{ArchPart, StoneWallPart, WallOpeningPart};
@@ -11,22 +11,22 @@ use crate::reader::Reader;
 use crate::wrong::{WrongStack, said};
 use dolmen::structure::stack::{ArchFactors, Block, StackError, WallFactors, WallOpening, arch, wall};
 
-/// Most voussoirs: as the science allows.
+/// Most voussoirs, as in the library.
 const VOUSSOIRS_MOST: usize = 400;
-/// Most courses: as the science allows.
+/// Most courses, as in the library.
 const COURSES_MOST: usize = 100;
-/// Most leaves: as the science allows.
+/// Most leaves, as in the library.
 const LEAVES_MOST: usize = 3;
-/// Core between leaves over the thickness of the wall, if it is not given. Chosen here.
+/// Default core between leaves over the thickness of the wall. Our choice.
 const CORE: f64 = 0.1;
-/// Bearing of a lintel over the clear width, if it is not given. Chosen here.
+/// Default bearing of a lintel over the clear width. Our choice.
 const BEARING: f64 = 0.25;
-/// Density only to try the dimensions with, kg/m³: names and sizes do not depend on it.
+/// A density to try the dimensions with, kg/m³: names and sizes do not depend on it.
 pub(super) const ANY_DENSITY_KG_M3: f64 = 2600.0;
-/// Width of an abutment over the thickness of the arch, if it is not given. Chosen here.
+/// Default width of an abutment over the thickness of the arch. Our choice.
 const ABUTMENT: f64 = 2.0;
 
-/// An arch and the names of its stones; what its dimensions cannot make together is refused here.
+/// An arch and the names of its stones; impossible dimensions are rejected here.
 pub(super) fn arch_part(reader: &mut Reader, raw: &At<ArchRaw>) -> Option<(ArchPart, Vec<String>)> {
     reader.mark("arch", &raw.span);
     let before = reader.faults.len();
@@ -122,7 +122,7 @@ fn opening_part(reader: &mut Reader, raw: &WallOpeningRaw, path: &str) -> Option
     })
 }
 
-/// The names of what was made, or the fault at the key that the science names.
+/// The names of the stones, or the fault at the key that the library's error names.
 pub(super) fn tried(
     reader: &mut Reader,
     span: std::ops::Range<usize>,
@@ -156,7 +156,7 @@ impl ArchPart {
     /// Its stones, each dimension with the value that `pick` chooses.
     ///
     /// # Errors
-    /// [`StackError`] for dimensions that cannot be together.
+    /// [`StackError`] for impossible dimensions.
     pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Vec<Block>, StackError> {
         let (span_m, thickness_m) = (pick(&self.span), pick(&self.thickness));
         arch(&ArchFactors {
@@ -184,7 +184,7 @@ impl StoneWallPart {
     /// Its stones, each dimension with the value that `pick` chooses.
     ///
     /// # Errors
-    /// [`StackError`] for dimensions that cannot be together.
+    /// [`StackError`] for impossible dimensions.
     pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Vec<Block>, StackError> {
         let thickness_m = pick(&self.thickness);
         wall(&WallFactors {

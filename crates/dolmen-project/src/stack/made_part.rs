@@ -1,8 +1,8 @@
-//! What makes the blocks of a stack: an arch, a wall, a tower or a trilithon from its dimensions.
+//! Generators of the blocks of a stack: an arch, a wall, a tower or a trilithon by its dimensions.
 
 use crate::quantity::Quantity;
 
-/// An arch of voussoirs; `None` as the file's key says.
+/// An arch of voussoirs; `None`: the default of the key.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ArchPart {
     /// Clear span of the inner line, m.
@@ -38,7 +38,7 @@ pub struct StoneWallPart {
     pub leaves: u32,
     /// Width of the core between two leaves, m; `None`: a tenth of the thickness.
     pub core: Option<Quantity>,
-    /// Every so many courses one is of through stones.
+    /// Every how many courses one consists of through stones.
     pub through_every: Option<u32>,
     /// Doors and windows.
     pub openings: Vec<WallOpeningPart>,
@@ -53,7 +53,7 @@ pub struct WallOpeningPart {
     pub width: Quantity,
     /// Its lowest course, from 1.
     pub first_course: u32,
-    /// How many courses it is high.
+    /// Number of courses.
     pub courses: u32,
     /// Bearing of its lintel, m; `None`: a quarter of the width.
     pub bearing: Option<Quantity>,
@@ -64,14 +64,14 @@ pub struct WallOpeningPart {
 pub enum TowerPlanPart {
     /// A square.
     Square,
-    /// A circle; hollow, with so many stones in a ring.
+    /// A circle; hollow, with this number of stones in a ring.
     Round {
         /// Stones in a ring.
         stones: u32,
     },
 }
 
-/// A tower of courses; `None` as the file's key says.
+/// A tower of courses; `None`: the default of the key.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TowerPart {
     /// Its plan.
@@ -88,7 +88,7 @@ pub struct TowerPart {
     pub thickness: Option<Quantity>,
 }
 
-/// Two posts and a lintel; `None` as the file's key says.
+/// Two posts and a lintel; `None`: the default of the key.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrilithonPart {
     /// Clear span, m.
@@ -105,7 +105,7 @@ pub struct TrilithonPart {
     pub overhang: Option<Quantity>,
 }
 
-/// What makes the blocks of a stack, if the file does not list them.
+/// The generator of a stack's blocks, if the file does not list them.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MadePart {
     /// An arch of voussoirs.

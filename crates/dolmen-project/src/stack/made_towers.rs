@@ -1,4 +1,4 @@
-//! Towers and trilithons from their dimensions, as they are written and as the science makes them.
+//! Towers and trilithons: from their keys, and to the stones that the library makes.
 
 use super::file::{TowerPlanRaw, TowerRaw, TrilithonRaw};
 use super::made::{ANY_DENSITY_KG_M3, tried};
@@ -13,13 +13,13 @@ use dolmen::structure::stack::{
     Block, StackError, TowerFactors, TowerPlan, TrilithonFactors, tower, trilithon,
 };
 
-/// Most courses: as the science allows.
+/// Most courses, as in the library.
 const COURSES_MOST: usize = 200;
-/// Stones of a ring: as the science allows, and if their number is not given. Chosen here.
+/// Least and most stones of a ring in the library, also used if the number is not given. Our choice.
 const STONES: (usize, usize) = (6, 48);
 const STONES_USUAL: u32 = 12;
 
-/// A tower and the names of its stones; what its dimensions cannot make together is refused here.
+/// A tower and the names of its stones; impossible dimensions are rejected here.
 pub(super) fn tower_part(reader: &mut Reader, raw: &At<TowerRaw>) -> Option<(TowerPart, Vec<String>)> {
     reader.mark("tower", &raw.span);
     let before = reader.faults.len();
@@ -99,7 +99,7 @@ impl TowerPart {
     /// Its stones, each dimension with the value that `pick` chooses.
     ///
     /// # Errors
-    /// [`StackError`] for dimensions that cannot be together.
+    /// [`StackError`] for impossible dimensions.
     pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Vec<Block>, StackError> {
         let width_m = pick(&self.width);
         tower(&TowerFactors {
@@ -128,7 +128,7 @@ impl TrilithonPart {
     /// Its stones, each dimension with the value that `pick` chooses.
     ///
     /// # Errors
-    /// [`StackError`] for dimensions that cannot be together.
+    /// [`StackError`] for impossible dimensions.
     pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Vec<Block>, StackError> {
         let post_width_m = pick(&self.post_width);
         trilithon(&TrilithonFactors {

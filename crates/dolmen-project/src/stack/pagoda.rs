@@ -1,4 +1,4 @@
-//! A pagoda from its six factors, as they are written.
+//! Reads a pagoda from its six factors.
 
 use super::file::PagodaRaw;
 use super::part::{PagodaPart, PagodaSlendernessPart};
@@ -11,12 +11,12 @@ use crate::wrong::WrongStack;
 use crate::wrong::said;
 use dolmen::structure::stack::StackError;
 
-/// Most storeys: as the science allows.
+/// Most storeys: as in the library.
 const STOREYS_MOST: usize = 13;
-/// Density only to try the factors with, kg/m³: names and sizes do not depend on it.
+/// A density to try the factors with, kg/m³: names and sizes do not depend on it.
 const ANY_DENSITY_KG_M3: f64 = 2600.0;
 
-/// The factors, tried once: what they cannot make together is refused here. With them the names of the stones.
+/// The factors with the names of the stones; impossible factors are rejected here.
 pub(super) fn pagoda(reader: &mut Reader, raw: &At<PagodaRaw>) -> Option<(PagodaPart, Vec<String>)> {
     reader.mark("pagoda", &raw.span);
     let before = reader.faults.len();

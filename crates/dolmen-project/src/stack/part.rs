@@ -7,7 +7,7 @@ use crate::quantity::{Evidence, Quantity};
 use crate::soil::SoilBelowPart;
 use dolmen::structure::stack::{Body, JointMaterial, Solid};
 
-/// The shape of a block as the file gives it.
+/// The shape of a block, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShapePart {
     /// width × depth × height.
@@ -23,7 +23,7 @@ pub enum ShapePart {
     Frustum {
         /// Along x at its base, m.
         width: Quantity,
-        /// Along y at its base, m; `None` as wide.
+        /// Along y at its base, m; `None`: equal to the width.
         depth: Option<Quantity>,
         /// At its top.
         top: Box<TopPart>,
@@ -36,7 +36,7 @@ pub enum ShapePart {
         sides: u32,
         /// Across flats at its base, m.
         width: Quantity,
-        /// Across flats at its top, m; `None` as at its base.
+        /// Across flats at its top, m; `None`: equal to that at its base.
         top_width: Option<Quantity>,
         /// Upwards, m.
         height: Quantity,
@@ -45,7 +45,7 @@ pub enum ShapePart {
     Drum {
         /// At its base, m.
         diameter: Quantity,
-        /// At its top, m; `None` as at its base.
+        /// At its top, m; `None`: equal to that at its base.
         top_diameter: Option<Quantity>,
         /// Upwards, m.
         height: Quantity,
@@ -61,29 +61,29 @@ pub enum ShapePart {
     Mesh(Box<MeshPart>),
 }
 
-/// Where the coordinates of points or of a mesh count from.
+/// The origin of the coordinates of points or of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointsFrame {
-    /// The stone's own: it is moved so that its lowest point is its base, in the middle of its bounds in plan.
+    /// The stone's own: it is moved so that its lowest point is at its base, in the middle of its bounds in plan.
     Own,
-    /// Those of the site: it stays where they put it.
+    /// That of the site: the stone stays at these coordinates.
     Site,
 }
 
 /// A stone from a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshPart {
-    /// Its file, as the project names it.
+    /// Its file, with the name in the project.
     pub file: String,
-    /// Triangles that were read.
+    /// Number of triangles in the file.
     pub triangles: usize,
     /// The stone, m.
     pub solid: Solid,
-    /// Where its coordinates count from.
+    /// The origin of its coordinates.
     pub frame: PointsFrame,
 }
 
-/// Which of the two slenderness factors of a pagoda is given.
+/// The slenderness factor of a pagoda that the file gives.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PagodaSlendernessPart {
     /// Height of all storeys over the width of the first body.
@@ -92,16 +92,16 @@ pub enum PagodaSlendernessPart {
     Angle(Quantity),
 }
 
-/// A pagoda made from six factors; `None` as the science has it.
+/// A pagoda made from six factors; `None`: the default of the library.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PagodaPart {
     /// Storeys.
     pub storeys: u32,
     /// Height of all storeys, without the base, m.
     pub body_height: Quantity,
-    /// How slender it is.
+    /// Its slenderness.
     pub slenderness: Option<PagodaSlendernessPart>,
-    /// How the body narrows, rad.
+    /// Taper of the body, rad.
     pub taper: Option<Quantity>,
     /// Height of all storeys over that of the base.
     pub body_base_height_ratio: Option<Quantity>,
@@ -116,7 +116,7 @@ pub struct TopPart {
     pub depth: Option<Quantity>,
 }
 
-/// A box taken out of a block.
+/// A box-shaped opening in a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpeningPart {
     /// Along x, m.
@@ -129,10 +129,10 @@ pub struct OpeningPart {
     pub position: [Quantity; 3],
 }
 
-/// What acts in a joint; `None` as in the joints around it.
+/// The properties of a joint; `None`: as in the joints around it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BedPart {
-    /// Friction coefficient, static; kinetic too unless that is given.
+    /// Coefficient of static friction; also of kinetic friction unless that is given.
     pub friction: Option<Quantity>,
     /// Kinetic friction coefficient.
     pub friction_kinetic: Option<Quantity>,
@@ -140,7 +140,7 @@ pub struct BedPart {
     pub cohesion: Option<Quantity>,
     /// Tensile strength of the bond, Pa.
     pub tension: Option<Quantity>,
-    /// Compressive strength, Pa; without one no edge crushes.
+    /// Compressive strength, Pa; without it no edge crushes.
     pub strength: Option<Quantity>,
     /// Normal stiffness per area, Pa/m.
     pub normal_stiffness: Option<Quantity>,
@@ -154,7 +154,7 @@ pub struct BedPart {
     pub rocking_restitution: Option<Quantity>,
 }
 
-/// Dolmen's own values of joints, where a file gives none.
+/// Dolmen's default values of joints, used where a file gives none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct JointDefaults {
     /// Friction coefficient.
@@ -168,7 +168,7 @@ pub struct JointDefaults {
 }
 
 impl JointDefaults {
-    /// How many they are.
+    /// Number of defaults used.
     pub fn count(&self) -> usize {
         let all = [
             self.friction,
@@ -180,20 +180,20 @@ impl JointDefaults {
     }
 }
 
-/// One block as the file gives it.
+/// One block, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BlockPart {
     /// Its name, unique.
     pub name: String,
     /// Its shape.
     pub shape: ShapePart,
-    /// What is taken out of it.
+    /// Its openings.
     pub openings: Vec<OpeningPart>,
     /// Density, kg/m³; `None` that of the stack.
     pub density: Option<Quantity>,
-    /// What it stands on: blocks, or the ground; none if it keeps its place and the file does not say.
+    /// Its supports: blocks, or the ground; empty if it keeps its place and the file names none.
     pub on: Vec<Body>,
-    /// Plan position of the centre of its base, m; `None` the middle of what it stands on.
+    /// Plan position of the centre of its base, m; `None`: the middle of its supports.
     pub at: Option<[Quantity; 2]>,
     /// Shift from there, m.
     pub offset: Option<[Quantity; 2]>,
@@ -205,25 +205,25 @@ pub struct BlockPart {
     pub joint: BedPart,
 }
 
-/// A joint that differs.
+/// A joint with its own properties.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactPart {
     /// One body.
     pub lower: Body,
     /// The other, a block by its index.
     pub upper: usize,
-    /// What differs in it.
+    /// Its own properties.
     pub joint: BedPart,
 }
 
-/// A dowel or clamp as the file gives it.
+/// A dowel or clamp, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TiePart {
     /// One body.
     pub lower: Body,
     /// The other, a block by its index.
     pub upper: usize,
-    /// Where it crosses the joint, m.
+    /// Point at which it crosses the joint, m.
     pub position: [Quantity; 3],
     /// Unit vector of its axis.
     pub axis: [f64; 3],
@@ -237,7 +237,7 @@ pub struct TiePart {
     pub shear_strength: Quantity,
 }
 
-/// Something beside a block as the file gives it.
+/// A side support of a block, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SideSupportPart {
     /// The block, by its index.
@@ -246,13 +246,13 @@ pub struct SideSupportPart {
     pub position: [Quantity; 3],
     /// Unit vector in which the block must move to meet it.
     pub direction: [f64; 3],
-    /// How far it must move, m.
+    /// The distance that it must move, m.
     pub gap: Option<Quantity>,
     /// Stiffness once met, N/m.
     pub stiffness: Quantity,
 }
 
-/// How far the ground under a block moves, as the file gives it.
+/// The movement of the ground under a block, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SupportMovementPart {
     /// The block, by its index.
@@ -261,7 +261,7 @@ pub struct SupportMovementPart {
     pub movement: [Option<Quantity>; 3],
 }
 
-/// A bed of which a part no longer bears, as an inspection found it.
+/// A bed of which a part no longer bears, by an inspection.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LostBedPart {
     /// The name of the block above it.
@@ -270,7 +270,7 @@ pub struct LostBedPart {
     pub share: f64,
     /// The side from which it is lost, x and y.
     pub outward: [f64; 2],
-    /// Where it stands in the file.
+    /// Its path in the file.
     pub path: String,
 }
 
@@ -279,13 +279,13 @@ pub struct LostBedPart {
 pub struct LoosenedBedPart {
     /// The name of the block above it.
     pub block: String,
-    /// What is left of the normal and shear stiffness.
+    /// Remaining share of the normal and shear stiffness.
     pub factor: f64,
-    /// Where it stands in the file.
+    /// Its path in the file.
     pub path: String,
 }
 
-/// Whether the file says of a value that it was measured or tested.
+/// Whether the file marks a value as measured or tested.
 fn is_measured(value: &Quantity) -> bool {
     matches!(
         value.source,
@@ -293,24 +293,24 @@ fn is_measured(value: &Quantity) -> bool {
     )
 }
 
-/// Blocks, lowest first, the joints between them, and what ties and holds them.
+/// Blocks, lowest first, the joints between them, ties and side supports.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackPart {
-    /// The blocks in the order of the file; none if a pagoda makes them.
+    /// The blocks in the order of the file; empty if they are generated.
     pub blocks: Vec<BlockPart>,
-    /// What makes the blocks, if the file does not list them.
+    /// The pagoda that generates the blocks, if the file does not list them.
     pub pagoda: Option<PagodaPart>,
-    /// What else makes the blocks, if neither the file nor a pagoda does.
+    /// Another generator of the blocks, if there is neither a list nor a pagoda.
     pub made: Option<MadePart>,
     /// Density of the blocks that have none of their own, kg/m³.
     pub density: Option<Quantity>,
-    /// What acts in every joint that does not say it itself.
+    /// The properties of every joint without its own.
     pub joint: BedPart,
-    /// Joints that differ, by the blocks that meet in them.
+    /// Joints with their own properties, by the two blocks that meet.
     pub contacts: Vec<ContactPart>,
     /// Dowels and clamps.
     pub ties: Vec<TiePart>,
-    /// What stands beside blocks.
+    /// Side supports of blocks.
     pub side_supports: Vec<SideSupportPart>,
     /// Supports that spread or settle.
     pub support_movement: Vec<SupportMovementPart>,
@@ -320,7 +320,7 @@ pub struct StackPart {
     pub lost_beds: Vec<LostBedPart>,
     /// Beds that have lost stiffness.
     pub loosened_beds: Vec<LoosenedBedPart>,
-    /// The soil under it; `None` for ground that gives nothing.
+    /// The soil under it; `None` for rigid ground.
     pub soil: Option<SoilBelowPart>,
     /// How it leans as surveyed; `None` if upright, or if blocks carry their own tilt.
     pub lean: Option<SurveyedLean>,
@@ -329,7 +329,7 @@ pub struct StackPart {
 }
 
 impl StackPart {
-    /// Whether every joint has a normal stiffness that was measured or tested; what has none takes Dolmen's own, which is assumed.
+    /// Whether every joint has a measured or tested normal stiffness; a joint without one takes Dolmen's default, which is assumed.
     pub fn has_measured_stiffness(&self) -> bool {
         let is_measured = |bed: &BedPart| bed.normal_stiffness.as_ref().map(is_measured);
         let blocks = self.blocks.iter().map(|block| &block.joint);
@@ -346,7 +346,7 @@ impl StackPart {
             .any(|bed| bed.strength.is_some())
     }
 
-    /// What neither `joint` nor every block says of its joints, so that Dolmen's own values are taken for it: assumed, all of them.
+    /// The properties that neither `joint` nor every block gives, for which Dolmen's defaults are used; all of them are assumed.
     pub fn joint_defaults(&self) -> JointDefaults {
         let is_given = |key: fn(&BedPart) -> &Option<Quantity>| {
             let blocks = &self.blocks;
@@ -363,14 +363,14 @@ impl StackPart {
         }
     }
 
-    /// Whether its blocks carry their own tilt, offset or coordinates, so that a surveyed tilt is not added to them.
+    /// Whether its blocks have their own tilt, offset or coordinates, so that a surveyed tilt is not added.
     pub fn carries_own_lean(&self) -> bool {
         self.blocks.iter().any(BlockPart::has_own_place)
     }
 }
 
 impl BlockPart {
-    /// Whether it says itself where it is off its place: tilt, offset, or coordinates of the site.
+    /// Whether it gives its own displacement from its place: tilt, offset, or coordinates of the site.
     pub(super) fn has_own_place(&self) -> bool {
         self.offset.is_some() || self.tilt.iter().any(Option::is_some) || self.shape.keeps_its_place()
     }
@@ -421,7 +421,7 @@ impl ShapePart {
         }
     }
 
-    /// Whether it stays where its coordinates put it.
+    /// Whether its coordinates are those of the site.
     pub(super) fn keeps_its_place(&self) -> bool {
         match self {
             ShapePart::Points { frame, .. } => *frame == PointsFrame::Site,

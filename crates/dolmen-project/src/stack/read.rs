@@ -1,4 +1,4 @@
-//! Stacks from what is written.
+//! Reads stacks.
 
 use super::bed::bed;
 use super::block::block;
@@ -25,7 +25,7 @@ use crate::wrong::WrongStack;
 use dolmen_words::message::Both;
 use std::ops::Range;
 
-/// What makes the blocks, if it is one thing alone.
+/// The generator of the blocks, if exactly one is given.
 fn makers(reader: &mut Reader, raw: &FileRaw) -> Option<Vec<Both>> {
     let makers: Vec<Both> = [
         raw.blocks.as_ref().map(|_| Both::from("blocks")),
@@ -168,7 +168,7 @@ fn stands_on_itself(stack: &StackPart, block: usize, at: Range<usize>) -> Fault 
     Fault::new(at, &path, message).help(WrongStack::LetOneOfThem)
 }
 
-/// Reports blocks that have no density where the stack has none either.
+/// Reports blocks without a density where the stack has none either.
 fn without_density(reader: &mut Reader, blocks: &[At<BlockRaw>]) {
     let mut without = blocks
         .iter()
@@ -329,7 +329,7 @@ fn support_movement(
     })
 }
 
-/// Says which values of the joints are Dolmen's own.
+/// Warns of the values of joints for which Dolmen's defaults are used.
 fn warn_of_defaults(reader: &mut Reader, stack: &StackPart) {
     let joint = &stack.joint;
     let each = [

@@ -1,4 +1,4 @@
-//! The shape of a block from what is written.
+//! Reads the shape of a block.
 
 use super::file::{BlockRaw, CoordinatesRaw, ShapeRaw};
 use super::part::{MeshPart, PointsFrame, ShapePart, TopPart};
@@ -16,10 +16,10 @@ use dolmen_records::meshes::read_mesh;
 use dolmen_words::message::Both;
 use std::ops::Range;
 
-/// Most sides of a prism: as the science allows; more are a drum.
+/// Most sides of a prism: as in the library; more are a drum.
 const SIDES_MOST: usize = 64;
 
-/// A length of a block that gives it its shape.
+/// A length that belongs to a shape of a block.
 #[derive(Clone, Copy)]
 enum ShapeKey {
     Width,
@@ -56,7 +56,7 @@ impl ShapeKey {
         }
     }
 
-    /// The shapes that have it.
+    /// The shapes that have this length.
     fn shapes(self) -> &'static [ShapeRaw] {
         match self {
             ShapeKey::Width => &[ShapeRaw::Box, ShapeRaw::Frustum, ShapeRaw::Prism],
@@ -68,7 +68,7 @@ impl ShapeKey {
         }
     }
 
-    /// What is written for it.
+    /// Its value in the file.
     fn of(self, block: &BlockRaw) -> Option<&At<QuantityRaw>> {
         match self {
             ShapeKey::Width => block.width.as_ref(),
@@ -180,7 +180,7 @@ pub(super) fn shape(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &
     }
 }
 
-/// Refuses keys that have no meaning in a shape.
+/// Rejects keys that have no meaning in a shape.
 fn refuse_foreign(reader: &mut Reader, block: &BlockRaw, path: &str, shape: ShapeRaw) {
     for key in ShapeKey::ALL {
         let shapes = key.shapes();
@@ -232,8 +232,8 @@ fn word_of(shape: ShapeRaw) -> &'static str {
 
 type OtherKey = (&'static str, Option<Range<usize>>, &'static [ShapeRaw]);
 
-/// Keys that are no lengths: where they stand, and the shapes that have them. What `coordinates = "site"` rules out is among
-/// them: a stone that stays where it is has no other place.
+/// Keys that are not lengths, with their places and the shapes that have them. Keys that `coordinates = "site"` excludes are
+/// among them: a stone at its coordinates has no other place.
 fn other_keys(block: &BlockRaw) -> [OtherKey; 5] {
     fn span<T>(key: &Option<At<T>>) -> Option<Range<usize>> {
         key.as_ref().map(|at| at.span.clone())
@@ -251,7 +251,7 @@ fn other_keys(block: &BlockRaw) -> [OtherKey; 5] {
     ]
 }
 
-/// Where coordinates count from; a stone that stays where they put it has no other place.
+/// The origin of the coordinates; a stone at its coordinates has no other place.
 fn frame(reader: &mut Reader, block: &BlockRaw, path: &str) -> PointsFrame {
     let site = block
         .coordinates

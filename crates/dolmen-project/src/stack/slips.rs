@@ -13,24 +13,24 @@ use crate::wrong::{Common, Slip, StackSlip};
 use dolmen::structure::stack::Body;
 use dolmen_words::message::Both;
 
-/// A dimension of a block over the median of the others', either way: a spire of 80 mm on slabs of 2 m has 1/25.
+/// Ratio of a dimension of a block to the median of the others, either way: a spire of 80 mm on slabs of 2 m has 1/25.
 const SIZE_RATIO_MOST: f64 = 30.0;
-/// Any dimension of a block, m: a shim of 5 mm to the longest monoliths with room.
+/// Any dimension of a block, m: from a shim of 5 mm to the longest monoliths, with a margin.
 const SIZE_M: (f64, f64) = (0.005, 50.0);
-/// A block of usual size, m: of two unlike blocks the one further from it is doubted.
+/// A block of usual size, m: of two unlike blocks the one further from it is doubtful.
 const SIZE_USUAL_M: f64 = 1.0;
-/// Distance of a stone from the origin of its coordinates, m: at 4,000 km rounding of contact forces is 1e-4 of the weight, and no rest is
-/// found; at this it is 1e-7. A grid of a map is farther away.
+/// Largest distance of a stone from the origin, m. At 4,000 km rounding of contact forces is 1e-4 of the weight, and no rest is found; at
+/// this limit it is 1e-7. Coordinates of a map grid are beyond it.
 const FROM_ORIGIN_MOST_M: f64 = 20_000.0;
-/// Density of a block, kg/m³: light timber to lead, with room.
+/// Density of a block, kg/m³: from light timber to lead, with a margin.
 const DENSITY_KG_M3: (f64, f64) = (350.0, 15_000.0);
-/// Friction coefficient: a greased sliding bearing to interlocking rubble.
+/// Friction coefficient: from a greased sliding bearing to interlocking rubble.
 const FRICTION: (f64, f64) = (0.03, 2.0);
-/// Angles of friction of stone on stone, with room: a coefficient within them is an angle in degrees.
+/// Angles of friction of stone on stone, with a margin: a coefficient in this range is an angle in degrees.
 const FRICTION_ANGLES_DEG: std::ops::RangeInclusive<f64> = 10.0..=50.0;
-/// Stiffness of a joint per area, Pa/m: rubble in clay to ground beds of granite.
+/// Stiffness of a joint per area, Pa/m: from rubble in clay to ground beds of granite.
 const STIFFNESS_PA_M: (f64, f64) = (1e6, 1e13);
-/// What a stiffness per area usually is, Pa/m.
+/// Usual stiffness per area, Pa/m.
 const STIFFNESS_USUAL_PA_M: f64 = 1e9;
 /// Shear over normal stiffness: elastic contact has 0.3 to 1.
 const STIFFNESS_RATIO: (f64, f64) = (0.01, 2.0);
@@ -40,28 +40,27 @@ const STRENGTH_MOST_PA: f64 = 2e7;
 /// Compressive strength of a joint, Pa: a soft lime mortar has 5e5, quartzite 4e8.
 const CRUSHES_PA: (f64, f64) = (1e5, 1e9);
 
-/// Tilt of a stone on its bed: 11°, more than any pagoda leans. Ours.
+/// Tilt of a stone on its bed: 11°, more than any pagoda leans. Our choice.
 const TILT_MOST: f64 = 0.2;
-/// Span and depth of an arch, m: a model to the longest spans of stone, 146 m.
+/// Span and depth of an arch, m: from a model to the longest spans of stone, 146 m.
 const ARCH_SPAN_M: (f64, f64) = (0.03, 200.0);
-/// Length of a wall, m.
 const WALL_LENGTH_M: (f64, f64) = (0.03, 1000.0);
-/// Width of a tower, m: a model to the widest keeps.
+/// Width of a tower, m: from a model to the widest keeps.
 const TOWER_WIDTH_M: (f64, f64) = (0.03, 60.0);
-/// Height of a post, m: a model to obelisks.
+/// Height of a post, m: from a model to obelisks.
 const POST_M: (f64, f64) = (0.03, 40.0);
 /// A stone of an arch, wall, tower or trilithon, m.
 const STONE_M: (f64, f64) = (0.01, 10.0);
 
-/// Height of all storeys of a pagoda, m: a model to the highest ever built.
+/// Height of all storeys of a pagoda, m: from a model to the highest ever built.
 const PAGODA_HEIGHT_M: (f64, f64) = (0.3, 60.0);
 
-/// tan α of a pagoda: far outside what stands or was ever built.
+/// tan α of a pagoda: far outside any pagoda ever built.
 const SLENDERNESS_ANGLE: (f64, f64) = (0.05, 1.5);
 
-/// A top stone over a first one, in width, above which the list seems to begin with the top. Ours.
+/// Width of a top stone over that of the first one, above which the list seems to begin with the top. Our choice.
 const WIDER_MOST: f64 = 3.0;
-/// Stones of a list whose order is judged.
+/// Fewest stones of a list to judge its order.
 const STONES_LEAST: usize = 4;
 
 pub(crate) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
@@ -96,7 +95,7 @@ pub(crate) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
-/// A list that begins with the top: each stone then stands, in silence, on a smaller one.
+/// A list that begins with the top: each stone would then stand on a smaller one without any message.
 fn judge_order(reader: &mut Reader, stack: &StackPart) {
     let listed = |(i, block): (usize, &BlockPart)| {
         let before = i.checked_sub(1).map_or(Body::Ground, Body::Block);
@@ -128,7 +127,7 @@ fn judge_order(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
-/// Tilts that no stone stands at.
+/// Tilts at which no stone stands.
 fn judge_tilts(reader: &mut Reader, stack: &StackPart) {
     let tilts = stack.blocks.iter().flat_map(|block| block.tilt.iter().flatten());
     for tilt in tilts.filter(|tilt| tilt.value.abs() > TILT_MOST) {
@@ -140,7 +139,7 @@ fn judge_tilts(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
-/// An arch, wall, tower or trilithon larger or smaller than any.
+/// An arch, wall, tower or trilithon of impossible size.
 fn judge_made(reader: &mut Reader, made: &MadePart) {
     let bounds = match made {
         MadePart::Arch(arch) => vec![
@@ -250,7 +249,7 @@ fn judge_sizes(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
-/// Largest extent of stones of points and of meshes, whose single coordinates say nothing.
+/// Largest extent of stones given by points or meshes, because single coordinates mean nothing.
 fn judge_extents(reader: &mut Reader, stack: &StackPart) {
     for (i, block) in stack.blocks.iter().enumerate() {
         let key = match &block.shape {
@@ -295,8 +294,8 @@ fn judge_extents(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
-/// The odd ones among sizes, the worst taken out before the rest is judged: of a few stones one slip would make its
-/// neighbours look odd too.
+/// The odd ones among sizes; the worst is removed before the rest is judged, because among few stones one slip
+/// would make its neighbours look odd too.
 fn odd_sizes(values: &[f64]) -> Vec<usize> {
     let mut left: Vec<usize> = (0..values.len()).collect();
     let mut odd = Vec::new();

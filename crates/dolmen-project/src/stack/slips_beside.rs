@@ -1,4 +1,4 @@
-//! Stones that are far narrower than what they lie between, and stones far higher than the others.
+//! Stones far narrower than their neighbours, and stones far higher than the others.
 
 use super::part::{BlockPart, StackPart};
 use crate::quantity::Quantity;
@@ -8,15 +8,16 @@ use crate::written::short;
 use crate::wrong::StackSlip;
 use dolmen::structure::stack::Body;
 
-/// A stone over the narrower of those below and above it. Shafts of lanterns have a quarter of the slab above them; a digit lost leaves a tenth. Ours.
+/// Width of a stone over that of the narrower neighbour. Shafts of lanterns have a quarter of the slab above them; a lost digit leaves a
+/// tenth. Our choice.
 const NARROW_LEAST: f64 = 0.2;
-/// Height of a stone over the median of the others', and over its own width. A shaft on a low base has 10 of the first; cm in place of mm give 10
-/// of both. Ours.
+/// Height of a stone over the median of the others, and over its own width. A shaft on a low base has 10 of the first; cm instead of mm
+/// give 10 of both. Our choice.
 const HIGH_MOST: f64 = 12.0;
 const SLENDER_MOST: f64 = 6.0;
-/// Part by which an extent may differ from the number it is of.
+/// Relative rounding difference between an extent and the number that gives it.
 const ROUNDING: f64 = 1e-9;
-/// Fewest others that have a median.
+/// Fewest other stones for a median.
 const OTHERS_LEAST: usize = 3;
 
 /// Extents of a stone along x, y and z, m.

@@ -1,17 +1,17 @@
-//! Probable slips in what holds a stack: dowels, clamps, and what stands beside it.
+//! Probable slips in dowels, clamps and side supports.
 
 use super::part::StackPart;
 use crate::reader::Reader;
 use crate::usual::{guess, unit_of, within};
 use crate::wrong::StackSlip;
 
-/// Stiffness of a dowel or clamp, N/m: a wooden peg in loose holes to a bar of iron through a whole stone, with room. Chosen here.
+/// Stiffness of a dowel or clamp, N/m: from a wooden peg in loose holes to a bar of iron through a whole stone, with a margin. Our choice.
 const TIE_STIFFNESS_N_M: (f64, f64) = (1e5, 1e11);
-/// Its strength, N: a nail to a bar of iron 0.4 m thick. Chosen here.
+/// Its strength, N: from a nail to a bar of iron 0.4 m thick. Our choice.
 const TIE_STRENGTH_N: (f64, f64) = (10.0, 5e7);
-/// Stiffness of what stands beside, N/m: a prop of timber to a rock face. Chosen here.
+/// Stiffness of a side support, N/m: from a prop of timber to a rock face. Our choice.
 const BESIDE_STIFFNESS_N_M: (f64, f64) = (1e4, 1e11);
-/// Most free travel to it, m. Chosen here.
+/// Largest gap to it, m. Our choice.
 const GAP_MOST_M: f64 = 2.0;
 
 pub(super) fn judge_held(reader: &mut Reader, stack: &StackPart) {

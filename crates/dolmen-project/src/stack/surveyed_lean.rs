@@ -1,23 +1,23 @@
-//! The lean that a survey measured, given to a stack as a whole.
+//! The lean measured by a survey, applied to a whole stack.
 
 use super::vectors::{centroid, cross, minus, unit_normal};
 use dolmen::structure::stack::{BED_GAP_M, Block, Placement};
 
-/// Share of the downward normal that a face of a base has at least, as cosine of 8°.
+/// Least downward component of the unit normal of a base face, the cosine of 8°.
 const LEVEL: f64 = 0.99;
 
-/// How a survey found the stack to lean, beds with it, about the foot of its lowest stone.
+/// The measured lean of a whole stack, beds included, about the foot of its lowest stone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurveyedLean {
     /// The survey.
     pub survey: String,
     /// Horizontal / vertical towards x and y.
     pub slope: [f64; 2],
-    /// As written: "x 1/177, y 1/540".
+    /// The text of the file: "x 1/177, y 1/540".
     pub written: String,
 }
 
-/// A turn of everything about the foot.
+/// A rotation of everything about the foot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turn {
     slope: [f64; 2],
@@ -25,7 +25,7 @@ pub(super) struct Turn {
 }
 
 impl SurveyedLean {
-    /// How blocks that stand upright are turned.
+    /// The rotation of upright blocks.
     pub(super) fn turn(&self, blocks: &[Block]) -> Option<Turn> {
         let slope = self.slope;
         only_foot(blocks).map(|foot_m| Turn { slope, foot_m })
@@ -52,7 +52,7 @@ impl Turn {
         plus(turned, self.foot_m)
     }
 
-    /// A vector, turned by the shortest turn from the vertical to the leaning axis.
+    /// A vector, rotated by the shortest rotation from the vertical to the leaning axis.
     pub(super) fn turned(&self, vector: [f64; 3]) -> [f64; 3] {
         let [x, y] = self.slope;
         let size = (x * x + y * y + 1.0).sqrt();

@@ -14,13 +14,13 @@ fn length(a: [f64; 3]) -> f64 {
     a.iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 
-/// The triangles that a convex polygon falls into.
+/// The triangles of a convex polygon.
 fn triangles(corners: &[[f64; 3]]) -> impl Iterator<Item = [[f64; 3]; 3]> {
     let fan = corners.windows(2).skip(1);
     fan.map(|pair| [corners[0], pair[0], pair[1]])
 }
 
-/// Unit normal of a convex polygon; counterclockwise about it.
+/// Unit normal of a convex polygon whose corners are counterclockwise about it.
 pub(super) fn unit_normal(corners: &[[f64; 3]]) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for [a, b, c] in triangles(corners) {

@@ -1,4 +1,4 @@
-//! What acts before the runs of a study. Several sizes of it are varied as inputs are.
+//! The motion before the runs of a study. Several sizes of it are varied as inputs.
 
 use super::file::{AfterRaw, SeriesRaw};
 use super::part::{AfterPart, Axis, Override, Scan};
@@ -8,7 +8,7 @@ use crate::measure::Bound;
 use crate::reader::Reader;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 
-/// The motion with its sizes, several of which become the last of the varied inputs, `after.peak` or `after.scale`.
+/// The motion with its sizes; several sizes become the last of the varied inputs, `after.peak` or `after.scale`.
 pub(super) fn after_motion(
     reader: &mut Reader,
     (raw, text): (&At<AfterRaw>, &str),

@@ -1,4 +1,4 @@
-//! Studies: what is varied, and what is expected.
+//! Studies: varied inputs and expected trends.
 
 mod after;
 mod file;

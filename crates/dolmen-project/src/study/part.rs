@@ -5,12 +5,12 @@ use crate::site::MotionSize;
 use dolmen::assess::{DamageThresholds, Direction};
 use std::ops::Range;
 
-/// A value laid over the file for a run, with the place of the study that writes it.
+/// A value that replaces one of the file for a run, with the place of the study that gives it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Override {
-    /// What it changes: `pagoda.storeys`, `links[2].weight`.
+    /// The path of the replaced value: `pagoda.storeys`, `links[2].weight`.
     pub path: String,
-    /// The value as it would stand in the file.
+    /// The value in the syntax of the file.
     pub text: String,
     pub(crate) span: Range<usize>,
 }
@@ -24,17 +24,17 @@ pub struct Axis {
     pub values: Vec<Override>,
 }
 
-/// How the shaking grows.
+/// The levels of shaking.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Scan {
-    /// By these factors on the motion as the file has it, –.
+    /// Factors on the motion of the file, –.
     Scales(Vec<f64>),
-    /// To these largest horizontal peaks, m/s².
+    /// Largest horizontal peaks, m/s².
     Peaks(Vec<f64>),
 }
 
 impl Scan {
-    /// How many steps it has.
+    /// Number of levels.
     pub fn steps(&self) -> usize {
         match self {
             Scan::Scales(values) | Scan::Peaks(values) => values.len(),
@@ -45,26 +45,26 @@ impl Scan {
 /// A motion that acts before each run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AfterPart {
-    /// Its name: of the file, or carried by the program.
+    /// Its name: of the file, or built in.
     pub motion: String,
-    /// Its sizes, rising, 0 for the structure that was not shaken before; `None`: as the file has it.
+    /// Its sizes, rising, 0 for a structure without an earlier motion; `None`: that of the file.
     pub sizes: Option<Scan>,
-    /// Which of the varied inputs its size is, where there is more than one.
+    /// The index of its size among the varied inputs, where there is more than one.
     pub axis: Option<usize>,
 }
 
 /// Motions made for a study: seeded noise of firm ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArtificialPart {
-    /// How many.
+    /// Their number.
     pub count: usize,
-    /// Seed of the first; the next has the next one.
+    /// Seed of the first; each further motion has the next seed.
     pub seed: u64,
     /// Length, s.
     pub duration_s: f64,
-    /// Time until it is strong, s.
+    /// Rise time, s.
     pub rise_s: f64,
-    /// Time that it is strong, s.
+    /// Duration of the strong part, s.
     pub strong_s: f64,
 }
 
@@ -77,16 +77,16 @@ pub enum LawPart {
     Rigid,
 }
 
-/// What a study expects to see, to be held or contradicted.
+/// A trend that a study expects; the result confirms or contradicts it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExpectedTrend {
     /// The path of a varied input.
     pub input: String,
-    /// Which way the capacity goes as it grows.
+    /// Direction of the capacity as the input grows.
     pub direction: Direction,
-    /// What that means, in words.
+    /// Its meaning, in words.
     pub words: Option<Names>,
-    /// Who says so.
+    /// Its source.
     pub source: Option<String>,
 }
 
@@ -103,36 +103,36 @@ pub struct HarmonicPart {
 /// concrete frames 1, 2 and 4 % for immediate occupancy, life safety and collapse prevention.
 pub const DRIFT_LIMITS: [f64; 4] = [0.005, 0.01, 0.02, 0.04];
 
-/// A study of a project file, checked but for the values that its inputs take: those are read with each run.
+/// A study of a project file, checked except for the values of its inputs, which are read with each run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StudyPart {
     /// The table's name.
     pub name: String,
     /// A longer name, if given.
     pub title: Option<Names>,
-    /// What every run changes of the file.
+    /// Values that every run replaces in the file.
     pub set: Vec<Override>,
-    /// What is varied, in the order of the file: every value with every other.
+    /// The varied inputs, in the order of the file: every value is combined with every other.
     pub vary: Vec<Axis>,
-    /// Variants of the file to take in turn; the file as it is if the list is empty.
+    /// Variants of the file to run one after the other; the file itself if the list is empty.
     pub variants: Vec<String>,
-    /// How often uncertain inputs are drawn; `None`: each is its mean.
+    /// Number of samples of uncertain inputs; `None`: the mean of each.
     pub samples: Option<usize>,
     /// Seed of the samples.
     pub seed: u64,
-    /// Names of motions: of the file, or carried by the program.
+    /// Names of motions: of the file, or built in.
     pub motions: Vec<String>,
     /// Motions made for the study.
     pub artificial: Option<ArtificialPart>,
-    /// Turns of the motion from x towards y, rad; one, 0, if none is given.
+    /// Rotations of the motion from x towards y, rad; 0 alone if the file gives none.
     pub turns_rad: Vec<f64>,
-    /// Of a frame: the direction that is shaken.
+    /// Of a frame: the shaken direction.
     pub direction: Option<String>,
-    /// How the shaking grows; `None` only for a frame or chain that is mapped or released.
+    /// The levels of shaking; `None` only for a frame or chain that is mapped or released.
     pub scan: Option<Scan>,
-    /// What acts before each run.
+    /// The motion before each run.
     pub after: Option<AfterPart>,
-    /// How often the bracket of the first fall is halved.
+    /// Number of bisections for the first fall.
     pub refine: u32,
     /// Contact law of a stack.
     pub law: LawPart,
@@ -140,24 +140,24 @@ pub struct StudyPart {
     pub points: u32,
     /// Time after the motion, s; `None`: 2 for a stack, 20 for a frame.
     pub rest_s: Option<f64>,
-    /// Periods of the spectral accelerations that capacities are fitted over beside the peak of the ground, s, rising.
+    /// Periods of the spectral accelerations for which fragility is fitted, besides that for the peak of the ground, s, rising.
     pub spectral_periods_s: Vec<f64>,
     /// Their damping ratio, –.
     pub spectral_damping_ratio: f64,
-    /// Where damage states of a stack begin.
+    /// Thresholds of the damage states of a stack.
     pub damage: DamageThresholds,
-    /// Drifts of a building, over the height of the storey, where its states begin; rising.
+    /// Thresholds of the damage states of a building, drift over the height of the storey; rising.
     pub drift_limits: [f64; 4],
-    /// What it expects to see.
+    /// Expected trends.
     pub expect: Vec<ExpectedTrend>,
     /// Of a frame or a chain: a map of sticking and slipping.
     pub harmonic: Option<HarmonicPart>,
-    /// Of a frame: the displacement of its top from which it is let go, m.
+    /// Of a frame: the displacement of its top before the release, m.
     pub release_m: Option<f64>,
 }
 
 impl StudyPart {
-    /// How many combinations of variants and varied values there are.
+    /// Number of combinations of variants and varied values.
     pub fn combinations(&self) -> usize {
         let axes: usize = self.vary.iter().map(|axis| axis.values.len()).product();
         axes * self.variants.len().max(1)
@@ -176,14 +176,14 @@ impl StudyPart {
         (variant, values)
     }
 
-    /// Which value of an axis a combination has.
+    /// Index of the value of an axis in a combination.
     fn value_of(&self, axis: usize, combination: usize) -> usize {
         let faster = self.vary.iter().skip(axis + 1);
         let faster: usize = faster.map(|axis| axis.values.len()).product();
         combination / faster.max(1) % self.vary.get(axis).map_or(1, |axis| axis.values.len())
     }
 
-    /// The size of the motion that acts before the runs of a combination; `None`: as the file has it, or there is none.
+    /// The size of the motion before the runs of a combination; `None`: that of the file, or there is no such motion.
     pub fn size_before(&self, combination: usize) -> Option<MotionSize> {
         let after = self.after.as_ref()?;
         let at = after.axis.map_or(0, |axis| self.value_of(axis, combination));
@@ -193,7 +193,7 @@ impl StudyPart {
         }
     }
 
-    /// The values of a combination that are laid over the file: all but the size of the motion that acts before.
+    /// The values of a combination that replace values of the file: all except the size of the motion before the run.
     pub fn laid_over(&self, combination: usize) -> Vec<&Override> {
         let (_, values) = self.combination(combination);
         let before = self.after.as_ref().and_then(|after| after.axis);

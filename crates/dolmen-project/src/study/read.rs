@@ -1,4 +1,4 @@
-//! Studies from what is written. Values of inputs are kept as text: each run lays them over the file and reads it again.
+//! Reads studies. Values of inputs stay text: each run merges them into the file and reads it again.
 
 use super::after::after_motion;
 use super::file::{
@@ -19,26 +19,26 @@ use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Most samples, motions that are made, and halvings.
+/// Most samples, artificial motions, and bisections.
 const SAMPLES_MOST: usize = 1_000_000;
 const MADE_MOST: usize = 1000;
 const HALVINGS_MOST: usize = 20;
-/// Halvings of the bracket of the first fall if the file gives none. Chosen here: an eighth of a step of the scan.
+/// Default bisections for the first fall. Our choice: an eighth of a step of the scan.
 const HALVINGS: u32 = 3;
-/// Least ratio at which a damage state may begin: below it every stack is damaged. Chosen here.
+/// Least threshold of a damage state, as a ratio: below it every stack is damaged. Our choice.
 const RATIO_LEAST: f64 = 1e-4;
-/// Largest drift over the height of the storey that may be a limit: beyond, nothing is linear. Chosen here.
+/// Largest limit of drift over the height of the storey: beyond it no structure is linear. Our choice.
 const DRIFT_MOST: f64 = 0.1;
 /// Longest time, s.
 const TIME_MOST_S: f64 = 1e4;
-/// Periods of spectral accelerations if none are given, the range they may have, s, and how many there may be. Chosen here.
+/// Default periods of spectral accelerations, their range, s, and their largest number. Our choice.
 const PERIODS_S: [f64; 4] = [0.2, 0.5, 1.0, 2.0];
 const PERIOD_RANGE_S: [f64; 2] = [0.01, 20.0];
 const PERIODS_MOST: usize = 20;
-/// Damping ratio of spectral accelerations if none is given, and the most.
+/// Default damping ratio of spectral accelerations, and the largest.
 const SPECTRAL_DAMPING: f64 = 0.05;
 const SPECTRAL_DAMPING_MOST: f64 = 0.5;
-/// Contact points that a joint can have.
+/// Allowed numbers of contact points of a joint.
 const POINTS: [i64; 4] = [4, 9, 16, 36];
 
 /// The studies in the order of the file.
@@ -146,7 +146,7 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
     })
 }
 
-/// Refuses what a study lists twice: values of an axis, inputs that are set and varied, motions, variants, directions.
+/// Rejects double entries of a study: values of an axis, inputs that are set and varied, motions, variants, directions.
 fn all_once(
     reader: &mut Reader,
     (text, given): (&str, &StudyRaw),
@@ -194,7 +194,7 @@ fn all_once(
     );
 }
 
-/// Motions to be made: from so many seeds, so long.
+/// Artificial motions: number of seeds, and duration.
 fn artificial(reader: &mut Reader, raw: &At<ArtificialRaw>, path: &str) -> Option<ArtificialPart> {
     let path = format!("{path}.artificial");
     let given = &raw.value;
@@ -246,7 +246,7 @@ fn harmonic(reader: &mut Reader, raw: &At<HarmonicRaw>, path: &str) -> Option<Ha
     })
 }
 
-/// Periods of spectral accelerations: as usual if not given, none if the list is empty.
+/// Periods of spectral accelerations: the default if not given, none if the list is empty.
 fn periods(reader: &mut Reader, raw: Option<&At<Vec<At<f64>>>>, path: &str) -> Vec<f64> {
     let Some(raw) = raw else {
         return PERIODS_S.to_vec();
@@ -273,7 +273,7 @@ fn periods(reader: &mut Reader, raw: Option<&At<Vec<At<f64>>>>, path: &str) -> V
     found
 }
 
-/// Where damage states begin: what is not given is as usual.
+/// Thresholds of damage states, with defaults.
 fn damage(reader: &mut Reader, raw: &At<DamageRaw>, path: &str) -> DamageThresholds {
     let (given, usual) = (&raw.value, DamageThresholds::default());
     let mut length = |value: &Option<At<NumberRaw>>, key: &str, usual: f64| {
@@ -344,7 +344,7 @@ fn drift_limits(reader: &mut Reader, raw: Option<&At<Vec<At<f64>>>>, path: &str)
     }
 }
 
-/// Refuses what is written twice: it would count as more than it is.
+/// Rejects a value listed twice: it would count twice.
 fn once<'v>(reader: &mut Reader, list: Both, items: impl Iterator<Item = (&'v str, &'v Range<usize>)>) {
     let mut seen: Vec<&str> = Vec::new();
     for (item, span) in items {

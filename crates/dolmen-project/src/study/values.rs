@@ -1,4 +1,4 @@
-//! Values of a study from what is written: lists and ranges of inputs, kept as text, and of numbers in SI.
+//! Reads values of a study: lists and ranges of inputs, kept as text, and of numbers in SI.
 
 use super::file::{SeriesRaw, SpacingRaw, TreeRaw};
 use super::part::{Axis, Override, Scan};
@@ -20,7 +20,7 @@ pub(super) const VALUES_MOST: usize = 10_000;
 /// Fewest values of a range: both of its ends.
 const STEPS_LEAST: usize = 2;
 
-/// Largest peak of the ground that is scanned, m/s²: four times the largest recorded. Chosen here.
+/// Largest peak of the ground in a study, m/s²: four times the largest recorded. Our choice.
 const PEAK_MOST_M_S2: f64 = 10.0 * STANDARD_GRAVITY_M_S2;
 
 /// A value, list or range at the end of a path.
@@ -60,7 +60,7 @@ pub(super) fn leaves<'r>(reader: &mut Reader, tree: Option<&'r At<TreeRaw>>, pla
     found
 }
 
-/// Paths may be written as one key, "joint.friction", or as tables: both end in the same leaves.
+/// A path may be one key, "joint.friction", or nested tables: both give the same leaves.
 fn flatten<'r>(tree: &'r TreeRaw, span: &Range<usize>, path: &str, found: &mut Vec<Leaf<'r>>) {
     match tree {
         TreeRaw::Table(table)
@@ -131,7 +131,7 @@ pub(super) fn axis(reader: &mut Reader, text: &str, place: &str, leaf: &Leaf<'_>
     })
 }
 
-/// The values of { from, to, steps, spacing } as they would be written one by one.
+/// The values of { from, to, steps, spacing }, each as text.
 fn written_range(
     reader: &mut Reader,
     text: &str,
@@ -215,7 +215,7 @@ fn written_range(
     Some(each.collect())
 }
 
-/// Whether a number of steps is written that no range has.
+/// Whether a text is a number of steps that no range can have.
 fn is_no_count(written: Option<&str>) -> bool {
     let number = written.and_then(|text| text.trim().replace('_', "").parse::<f64>().ok());
     number.is_some_and(|steps| {
@@ -223,7 +223,6 @@ fn is_no_count(written: Option<&str>) -> bool {
     })
 }
 
-/// One end of a range as it is written.
 struct RangeEnd {
     value: f64,
     unit: Option<String>,
@@ -247,7 +246,7 @@ fn end_of_range(text: &str) -> Option<RangeEnd> {
     }
 }
 
-/// Numbers from one to another, both ends exact; `None` if that cannot be.
+/// Numbers from one to another, both ends exact; `None` if impossible.
 fn spaced(from: f64, to: f64, steps: usize, spacing: SpacingRaw) -> Option<Vec<f64>> {
     let is_log = spacing == SpacingRaw::Logarithmic;
     let fits =
@@ -269,12 +268,12 @@ fn spaced(from: f64, to: f64, steps: usize, spacing: SpacingRaw) -> Option<Vec<f
     Some(each.collect())
 }
 
-/// The number of 12 digits nearest to it: 0.3 and not 0.30000000000000004, whatever the mathematics library makes of a power.
+/// The nearest number of 12 digits: 0.3 instead of 0.30000000000000004, independent of the mathematics library.
 pub(super) fn as_written(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
 
-/// Numbers in SI; `None` if there are none or one is wrong, which has then been reported.
+/// Numbers in SI; `None` if there are none or one is wrong, which is reported.
 pub(super) fn series(
     reader: &mut Reader,
     raw: Option<&At<SeriesRaw>>,
@@ -318,10 +317,10 @@ pub(super) fn series(
     values
 }
 
-/// Largest peak of a study that is asked about, m/s²: 0.005 g is hardly felt, and gal in place of g are a thousandth.
+/// Largest peak of a study that is questioned as too small, m/s²: 0.005 g is hardly felt, and gal instead of g are a thousandth.
 const PEAK_USUAL_LEAST_M_S2: f64 = 0.005 * STANDARD_GRAVITY_M_S2;
 
-/// Factors or peaks, whichever are given; `None` if there are none or one is wrong, which has then been reported.
+/// Factors or peaks, whichever are given; `None` if there are none or one is wrong, which is reported.
 pub(super) fn scan(
     reader: &mut Reader,
     (scale, peak): (Option<&At<SeriesRaw>>, Option<&At<SeriesRaw>>),

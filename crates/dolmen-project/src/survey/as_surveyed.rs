@@ -1,4 +1,4 @@
-//! Whose measured tilt a model takes over.
+//! The survey whose measured tilt a model takes.
 
 use super::part::Survey;
 use super::watch::date_of;
@@ -7,7 +7,7 @@ use crate::file_number::At;
 use crate::reader::Reader;
 use crate::wrong::WrongStack;
 
-/// The survey whose tilt the model takes over: the one named, else the latest with a date and a tilt.
+/// The survey whose tilt the model takes: the named one, else the latest with a date and a tilt.
 pub(crate) fn as_surveyed<'a>(
     reader: &mut Reader,
     given: Option<&At<String>>,

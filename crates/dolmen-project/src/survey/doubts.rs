@@ -10,15 +10,15 @@ use crate::usual_numbers::{hertz, metres, ratio};
 use crate::wrong::{WrongRecords, WrongSurvey};
 use std::collections::BTreeMap;
 
-/// Distance of a sensor from the middle of the others, m; none stands so far away on one structure. Ours.
+/// Distance of a sensor from the middle of the others, m, beyond that on any structure. Our choice.
 const AWAY_MOST_M: f64 = 500.0;
-/// Air about a structure, °C; hotter was measured only in deserts.
+/// Air temperature at a structure, °C; higher ones were measured only in deserts.
 const WARM_MOST_C: f64 = 45.0;
-/// A tilt of 5.7°: towers at their end lean by less.
+/// A tilt of 5.7°: towers near collapse lean by less.
 const TILT_MOST: f64 = 0.1;
-/// A frequency over the median of the same mode of the other surveys, either way. Ours: damage to collapse halves one.
+/// Ratio of a frequency to the median of the same mode in the other surveys, either way. Our choice: damage near collapse halves a frequency.
 const UNLIKE: f64 = 1.9;
-/// Surveys that must agree with each other.
+/// Fewest surveys that must agree with each other.
 const SURVEYS_LEAST: usize = 3;
 /// Samples a second of a vibration record, Hz.
 const RATE_HZ: [f64; 2] = [5.0, 20_000.0];
@@ -66,7 +66,7 @@ pub(crate) fn doubt_surveys(reader: &mut Reader, surveys: &[Survey]) {
     }
 }
 
-/// The days, or the month, that six digits at the beginning of a name may mean: 250402 is 2 April 2025, or 25 April 2002.
+/// The days, or the month, that six digits at the start of a name may mean: 250402 is 2 April 2025, or 25 April 2002.
 fn of_six_digits(name: &str) -> Vec<String> {
     let digits = name.bytes().take_while(u8::is_ascii_digit).count();
     let pair = |at: usize| name.get(at..at + 2).and_then(|two| two.parse::<u32>().ok());
@@ -88,7 +88,7 @@ fn of_six_digits(name: &str) -> Vec<String> {
     found
 }
 
-/// A name that looks like a date, and is none that can be read.
+/// A name that looks like a date but is not a readable one.
 fn date(reader: &mut Reader, name: &str) {
     let path = format!("survey.{name}");
     let bare = name.trim_start_matches(['\'', '’', '‘', '`', '´']);
@@ -104,7 +104,7 @@ fn date(reader: &mut Reader, name: &str) {
         (1..=most).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit())
     };
     let starts_with_day = |text: &str| text.starts_with(|sign: char| sign.is_ascii_digit());
-    // the winter of two years: 2022-23
+    // a winter, over two years: 2022-23
     let is_season = |one: &str, two: &str| {
         let numbers = one.parse::<u32>().ok().zip(two.parse::<u32>().ok());
         numbers.is_some_and(|(year, next)| (year + 1) % 100 == next)
@@ -198,10 +198,10 @@ fn sensors(reader: &mut Reader, source: &RecordSource, path: &str) {
     }
 }
 
-/// A frequency is known from another survey that has one so near, relative. Chosen here.
+/// Relative difference within which a frequency of another survey is the same mode. Our choice.
 const KNOWN_WITHIN: f64 = 0.1;
 
-/// The translations of a direction, in the order of their numbers.
+/// The translation modes of a direction, by number.
 fn sways<'a>(survey: &'a Survey, direction: &str) -> impl Iterator<Item = &'a SurveyMode> {
     let modes = survey.modes.get(direction).into_iter().flatten();
     modes.filter(|mode| mode.kind == ModeKind::Translation)
@@ -229,7 +229,7 @@ impl<'a> Numbered<'a> {
         Self(by_direction)
     }
 
-    /// The median of the other surveys, if enough have the mode.
+    /// The median of the other surveys, if enough of them have the mode.
     fn usual_hz(&self, direction: &str, number: usize, own_hz: f64) -> Option<f64> {
         let all = &self.0[direction][number];
         let others = all.len() - 1;
@@ -242,7 +242,7 @@ impl<'a> Numbered<'a> {
     }
 }
 
-/// Modes of a direction by their number against those of the other surveys.
+/// Compares the modes of a direction, by number, with those of the other surveys.
 fn modes(reader: &mut Reader, survey: &Survey, (surveys, by_number): (&[Survey], &Numbered<'_>)) {
     for direction in survey.modes.keys() {
         for (number, mode) in sways(survey, direction).enumerate() {
@@ -253,7 +253,7 @@ fn modes(reader: &mut Reader, survey: &Survey, (surveys, by_number): (&[Survey],
             if (1.0 / UNLIKE..=UNLIKE).contains(&(own_hz / usual)) {
                 continue;
             }
-            // a survey that misses a mode numbers those above it anew
+            // a survey that misses a mode gives other numbers to the modes above it
             let is_near = |mode: &SurveyMode| (mode.frequency.value / own_hz - 1.0).abs() <= KNOWN_WITHIN;
             let others = surveys.iter().filter(|other| other.name != survey.name);
             let known = others.filter(|other| sways(other, direction).any(is_near));

@@ -1,4 +1,4 @@
-//! Surveys and their records as they are written.
+//! The keys of surveys and their records.
 
 use crate::damage::InModelRaw;
 use crate::file_names::NamesRaw;

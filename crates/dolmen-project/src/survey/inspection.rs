@@ -1,4 +1,4 @@
-//! What an inspection found: damage of a part, how large, how bad, where.
+//! Findings of an inspection: damage of a part, its size, severity and place.
 
 use crate::damage::InModel;
 use crate::names::Names;
@@ -24,12 +24,12 @@ pub enum DamageKind {
     Loss,
     /// Lichen, moss, plants.
     Growth,
-    /// Another, in the engineer's words.
+    /// Another kind, in the engineer's words.
     Other(OtherDamage),
 }
 
 impl DamageKind {
-    /// The English word in a project file: "crack", "open joint"; the engineer's own where it is another.
+    /// The English word in a project file: "crack", "open joint"; for another kind the engineer's own word.
     pub fn word(&self) -> &str {
         match self {
             DamageKind::Crack => "crack",
@@ -45,7 +45,7 @@ impl DamageKind {
     }
 }
 
-/// Damage in the engineer's words.
+/// A kind of damage in the engineer's words.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct OtherDamage {
     /// English, or Korean where there is no other.
@@ -54,7 +54,7 @@ pub struct OtherDamage {
     pub korean: String,
 }
 
-/// How bad it is.
+/// Severity of a damage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
     /// To be noted.
@@ -76,28 +76,28 @@ impl Severity {
     }
 }
 
-/// One thing that an inspection found.
+/// One finding of an inspection.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inspection {
     /// The part, by its name.
     pub part: String,
-    /// What it is.
+    /// Its kind.
     pub what: DamageKind,
-    /// What tells it from others of its kind at this part, in every inspection alike: "C1".
+    /// Its name among others of its kind at this part, the same in every inspection: "C1".
     pub name: Option<String>,
     /// Its size: the width of a crack or gap, else the largest extent, m.
     pub size: Option<Quantity>,
-    /// The size that must not be reached, m.
+    /// The size that it must not reach, m.
     pub limit: Option<Quantity>,
-    /// How bad.
+    /// Its severity.
     pub severity: Option<Severity>,
-    /// Where: x right, y away, z up, m; the middle of the part if not given.
+    /// Its place: x right, y away, z up, m; the middle of the part if not given.
     pub at: Option<[f64; 3]>,
     /// A photograph of it.
     pub photo: Option<PhotoPart>,
     /// Anything to add.
     pub note: Option<Names>,
-    /// What it means for the model.
+    /// Its effect on the model.
     pub model: Option<InModel>,
 }
 
@@ -113,7 +113,7 @@ impl Inspection {
     }
 }
 
-/// What one step of the last digit of a written quantity is worth, SI: 0.0001 of "0.4 mm".
+/// The value of one unit of the last digit of a written quantity, SI: 0.0001 for "0.4 mm".
 fn last_digit(of: &Quantity) -> Option<f64> {
     let written = of.written.trim();
     let end = written
@@ -166,7 +166,7 @@ mod tests {
         close(written("0.45 mm", 4.5e-4, None), sd_of(1e-5));
         close(written("7 mm", 7e-3, None), sd_of(1e-3));
         close(written("0.0004 m", 4e-4, None), sd_of(1e-4));
-        // what is stated counts where it is more
+        // a stated cov counts where it is larger
         close(written("0.4 mm", 4e-4, Some(0.5)), 2e-4);
         close(written("4e-1 mm", 4e-4, None), 0.0);
     }

@@ -1,4 +1,4 @@
-//! Surveys: what was measured, and the records of it.
+//! Surveys: measurements and their records.
 
 mod as_surveyed;
 mod doubts;

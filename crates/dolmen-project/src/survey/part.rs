@@ -1,4 +1,4 @@
-//! What was measured on one occasion.
+//! Measurements of one occasion.
 
 use super::inspection::Inspection;
 use super::records::RecordSource;
@@ -21,11 +21,11 @@ pub struct Tilt {
 pub enum ModeKind {
     /// Every point of a level moves the same way.
     Translation,
-    /// The plan twists: reported, but kept out of fits of a frame or chain in one direction.
+    /// The plan twists: reported, but not used in fits of a frame or chain in one direction.
     Torsion,
 }
 
-/// One mode that the file states.
+/// One mode that the file gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurveyMode {
     /// Frequency, Hz.
@@ -43,7 +43,7 @@ pub struct SurveyMode {
 }
 
 impl SurveyMode {
-    /// As the identification of stiffness takes it.
+    /// The mode in the form for the identification of stiffness.
     pub fn measured(&self, pick: Pick<'_>) -> MeasuredMode {
         MeasuredMode {
             frequency_hz: pick(&self.frequency),
@@ -57,13 +57,13 @@ impl SurveyMode {
 /// How two surveys are compared: `[change]`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ChangePart {
-    /// What is known of temperature.
+    /// Effect of temperature.
     pub temperature: TemperaturePart,
-    /// Largest relative difference of two frequencies that are taken for one mode; `None` leaves the choice to the method.
+    /// Largest relative difference of two frequencies that count as one mode; `None` leaves the choice to the method.
     pub frequency_within: Option<f64>,
 }
 
-/// What the file says of the effect of temperature on frequencies.
+/// Effect of temperature on frequencies, by the file.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum TemperaturePart {
     /// Nothing.
@@ -87,9 +87,9 @@ pub struct Survey {
     pub name: String,
     /// Anything the author added.
     pub note: Option<String>,
-    /// Where it was published or filed.
+    /// Its publication or archive.
     pub source: Option<String>,
-    /// Whether nobody measured it: its frequencies count as assumed, and headlines say so.
+    /// Whether its values are made up: its frequencies count as assumed, and headlines say so.
     pub is_made_up: bool,
     /// Air temperature, °C.
     pub temperature_c: Option<f64>,
@@ -101,22 +101,22 @@ pub struct Survey {
     pub modes: BTreeMap<String, Vec<SurveyMode>>,
     /// Vibration records to identify modes from.
     pub records: Option<RecordSource>,
-    /// Several records with some sensors that stayed, to be put together; empty if there are none.
+    /// Several records with some common sensors, to be merged; empty if there are none.
     pub setups: Vec<RecordSource>,
-    /// How they are put together.
+    /// How to merge them.
     pub merge: Merge,
-    /// What an inspection found, in the order of the file.
+    /// Damage found by an inspection, in the order of the file.
     pub inspections: Vec<Inspection>,
     /// An earthquake that the structure felt.
     pub earthquake: Option<EarthquakePart>,
 }
 
-/// An earthquake as a survey states it.
+/// An earthquake as given in a survey.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EarthquakePart {
-    /// Largest acceleration that was measured, m/s².
+    /// Largest measured acceleration, m/s².
     pub peak_m_s2: Option<f64>,
-    /// Whether it may have been larger: a sensor reached the end of its range, or the record misses part of the earthquake.
+    /// Whether the true peak may be larger: a sensor reached the end of its range, or the record misses part of the earthquake.
     pub is_at_least: bool,
     /// Lasting change of a frequency, relative.
     pub changed: Option<f64>,
@@ -124,18 +124,18 @@ pub struct EarthquakePart {
     pub changed_sd: Option<f64>,
 }
 
-/// How several setups are put together.
+/// How to merge several setups.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Merge {
-    /// Each is identified by itself, then modes are paired and scaled.
+    /// Each is identified separately, then modes are paired and scaled.
     #[default]
     Poser,
-    /// All are identified as one as well, from correlations brought to one shaking.
+    /// Besides, all are identified together, from correlations scaled to a common shaking.
     Preger,
 }
 
 impl Survey {
-    /// Where it is filed; one that nobody measured says so wherever it is read again.
+    /// Its source; for made-up values it says so wherever it is quoted.
     pub fn filed_as(&self) -> Option<String> {
         match (self.is_made_up, &self.source) {
             (true, Some(source)) => Some(format!("made up, not measured: {source}")),
@@ -144,13 +144,13 @@ impl Survey {
         }
     }
 
-    /// Its tilt by all directions together, horizontal / vertical; 0 where it states none.
+    /// Its tilt from all directions, horizontal / vertical; 0 without a tilt.
     pub fn tilt_together(&self) -> f64 {
         let squares = self.tilt.values().map(|tilt| tilt.ratio * tilt.ratio);
         squares.sum::<f64>().sqrt()
     }
 
-    /// Translation modes of one direction, for the identification of stiffness; torsion is left out.
+    /// Translation modes of one direction, for the identification of stiffness; torsion is excluded.
     pub fn measured_modes(&self, direction: &str, pick: Pick<'_>) -> Vec<MeasuredMode> {
         let modes = self.modes.get(direction).into_iter().flatten();
         let translation = modes.filter(|mode| mode.kind == ModeKind::Translation);

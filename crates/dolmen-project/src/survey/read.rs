@@ -1,4 +1,4 @@
-//! Surveys from what is written.
+//! Reads surveys.
 
 use super::file::{
     ChangeRaw, ChannelRaw, EarthquakeRaw, MergeRaw, ModeKindRaw, ModeRaw, ShapeRaw, SurveyRaw,
@@ -20,15 +20,15 @@ use dolmen::structure::ShapePoint;
 use dolmen::structure::building::Twist;
 use std::collections::BTreeMap;
 
-/// Air temperatures of surveys, °C, our choice: wider than any place where heritage stands.
+/// Air temperatures of surveys, °C, our choice: a wider range than at any heritage.
 const TEMPERATURE_C: (f64, f64) = (-60.0, 60.0);
 
-/// Largest change of a frequency, relative, our choice: a structure that lost more stands no more.
+/// Largest relative change of a frequency, our choice: no structure stands with a larger loss.
 const CHANGED_MOST: f64 = 0.9;
 
-/// Steepest tilt that a survey of a standing monument can hold, our choice: Pisa before its repair had 1/10.
+/// Largest tilt of a standing monument in a survey, our choice: Pisa before its repair had 1/10.
 const TILT_MOST: f64 = 0.25;
-/// Largest twist of a mode along x or y: a floor that turns more than this beside its sway is in torsion. Our choice.
+/// Largest twist of a mode along x or y: a floor with more twist beside its sway is in torsion. Our choice.
 const TWIST_MOST: f64 = 2.0;
 
 /// All surveys, in the order of the file.
@@ -41,7 +41,7 @@ pub(crate) fn surveys(reader: &mut Reader, raw: Option<&BTreeMap<String, At<Surv
         .collect()
 }
 
-/// Adds what inspections found to surveys that were read: their parts are those of the structure.
+/// Adds the findings of inspections to surveys that were read: their parts are those of the structure.
 pub(crate) fn add_inspections(
     reader: &mut Reader,
     raw: Option<&BTreeMap<String, At<SurveyRaw>>>,
@@ -141,7 +141,7 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
     }
 }
 
-/// Nobody measured it.
+/// Marks a mode as not measured.
 fn assume(mode: &mut SurveyMode) {
     let frequency = &mut mode.frequency;
     frequency.source = Some(Evidence::Assumed);
@@ -197,7 +197,7 @@ fn merge(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Merge {
     }
 }
 
-/// Several records of one survey: two or more, each sensor with a name or a place that tells which stayed.
+/// Several records of one survey: two or more, each sensor with a name or a place that shows which ones stayed.
 fn setups(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Vec<RecordSource> {
     let path = format!("{path}.setups");
     let listed = raw.setups.as_deref().unwrap_or_default();
@@ -247,7 +247,7 @@ fn setups(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Vec<RecordSource>
         .collect()
 }
 
-/// How two surveys are compared.
+/// Settings for the comparison of two surveys.
 pub(crate) fn change(reader: &mut Reader, raw: Option<&At<ChangeRaw>>) -> ChangePart {
     const COEFFICIENT_MOST: f64 = 0.05; // relative per °C, as the comparison allows
     let Some(At { value: raw, .. }) = raw else {
@@ -298,7 +298,7 @@ pub(crate) fn change(reader: &mut Reader, raw: Option<&At<ChangeRaw>>) -> Change
     }
 }
 
-/// Translation modes of a direction are numbered by their place: each must lie above the one before it.
+/// Translation modes of a direction are numbered by their order: frequencies must rise.
 fn ascending(reader: &mut Reader, listed: &[SurveyMode]) {
     let translation: Vec<&SurveyMode> = listed
         .iter()
@@ -376,7 +376,7 @@ fn mode(reader: &mut Reader, raw: &At<ModeRaw>, path: &str) -> Option<SurveyMode
     })
 }
 
-/// How far the floor moves across the direction of the mode, over how far along it: of use beside a twist.
+/// Motion of the floor across the direction of the mode over that along it; useful together with a twist.
 fn sideways(reader: &mut Reader, raw: &ModeRaw, path: &str) -> Option<f64> {
     let path = format!("{path}.sideways");
     let given = raw.sideways.as_ref()?;
@@ -395,7 +395,7 @@ fn sideways(reader: &mut Reader, raw: &ModeRaw, path: &str) -> Option<f64> {
     reader.within(Some(given), &path, -TWIST_MOST, TWIST_MOST)
 }
 
-/// How much the floor turns, with its deviation.
+/// Rotation of the floor, with its deviation.
 fn twist(reader: &mut Reader, raw: &ModeRaw, path: &str) -> Option<Twist> {
     let (path, sd_path) = (format!("{path}.twist"), format!("{path}.twist_sd"));
     let Some(given) = &raw.twist else {

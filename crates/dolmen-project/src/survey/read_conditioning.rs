@@ -1,4 +1,4 @@
-//! What is done to a record before it is used, and how modes are found in it, from what is written.
+//! Reads the conditioning of a record, and the settings for its modes.
 
 use super::file::{ConditioningRaw, EarthquakeChoiceRaw, HarmonicsRaw, MethodRaw, ModalRaw};
 use super::records::{BandPass, Conditioning, Cut, LowPass, ModalChoice};
@@ -10,15 +10,15 @@ use crate::wrong::WrongRecords;
 use dolmen::modal::{Criteria, Harmonics, Method};
 use std::ops::Range;
 
-/// Order of one filter pass if none is given, as is usual.
+/// Default order of one filter pass.
 const FILTER_ORDER: usize = 4;
 /// Largest order of one filter pass.
 const FILTER_ORDER_MOST: usize = 10;
 /// Largest factor of one decimation.
 const DECIMATE_MOST: usize = 1000;
-/// Largest count that a project may ask of the identification.
+/// Largest count in the settings of the identification.
 const COUNT_MOST: usize = 10_000;
-/// Longest record and highest rate that a project may name, s and Hz.
+/// Longest record and highest rate in a project, s and Hz.
 const TIME_MOST_S: f64 = 1e8;
 const RATE_MOST_HZ: f64 = 1e6;
 
@@ -112,7 +112,7 @@ fn ordered(
     None
 }
 
-/// The range of damping in which a pole is a mode, for the methods that judge poles by it.
+/// The range of damping of accepted poles, for the methods that check it.
 fn damping_range(reader: &mut Reader, raw: &ModalRaw, path: &str) -> [Option<f64>; 2] {
     let (least, most) = (raw.damping_least.as_ref(), raw.damping_most.as_ref());
     if let (Some(MethodRaw::Fdd | MethodRaw::Efdd | MethodRaw::Fsdd | MethodRaw::Era), Some(given)) =
@@ -139,7 +139,7 @@ fn damping_range(reader: &mut Reader, raw: &ModalRaw, path: &str) -> [Option<f64
     range
 }
 
-/// The method that is written; that of a measured input where inputs are.
+/// The given method; with measured inputs the method for these.
 fn method_of(raw: &ModalRaw) -> Option<Method> {
     let has_inputs = raw.inputs.as_ref().is_some_and(|inputs| !inputs.is_empty());
     let written = raw.method.map(|method| match method {
@@ -156,7 +156,7 @@ fn method_of(raw: &ModalRaw) -> Option<Method> {
     written.or(has_inputs.then_some(Method::Okid))
 }
 
-/// Refuses inputs of another method than the one that takes them.
+/// Rejects inputs unless the method uses them.
 fn inputs_and_method(reader: &mut Reader, raw: &ModalRaw, path: &str) {
     let first = raw.inputs.as_ref().and_then(|inputs| inputs.first());
     if let (Some(method), Some(first)) = (raw.method, first)

@@ -1,4 +1,4 @@
-//! Reads what inspections found.
+//! Reads the findings of inspections.
 
 use super::file::{InspectionRaw, SeverityRaw};
 use super::inspection::{DamageKind, Inspection, OtherDamage, Severity};
@@ -11,7 +11,7 @@ use crate::reader::Reader;
 use crate::report::{PartNames, PhotoPart, a_part, words};
 use crate::wrong::WrongSurvey;
 
-/// The words by which a kind is known, lower case.
+/// The words for each kind, lower case.
 const KINDS: [(DamageKind, &[&str]); 8] = [
     (DamageKind::Crack, &["crack", "균열"]),
     (DamageKind::Spalling, &["spalling", "박락"]),
@@ -23,7 +23,7 @@ const KINDS: [(DamageKind, &[&str]); 8] = [
     (DamageKind::Growth, &["growth", "생물 피복", "식생"]),
 ];
 
-/// What was found, in the order of the file.
+/// The findings, in the order of the file.
 pub(super) fn inspections(
     reader: &mut Reader,
     raw: Option<&Vec<At<InspectionRaw>>>,
@@ -75,10 +75,10 @@ fn inspection(reader: &mut Reader, raw: &InspectionRaw, path: &str, parts: &Part
     })
 }
 
-/// Characters of a name, at most. Chosen here: a name tells one thing from another, and more belongs into a note.
+/// Most characters of a name. Our choice: longer text belongs into a note.
 const NAME_MOST: usize = 40;
 
-/// What tells an entry from others, not empty and short.
+/// The name of an entry among others, not empty and short.
 fn name(reader: &mut Reader, raw: Option<&At<String>>, path: &str) -> Option<String> {
     let raw = raw?;
     reader.mark(path, &raw.span);

@@ -13,15 +13,15 @@ use crate::wrong::WrongLog;
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
-/// Largest tilt that a zero may be, and a limit. Ours: nothing stands at 1/4.
+/// Largest tilt of a zero and of a limit. Our choice: no structure stands at 1/4.
 const TILT_MOST: f64 = 0.25;
-/// Largest width, m, of a crack that is watched, and the least limit of either. Ours.
+/// Largest width of a watched crack, m, and the least limit of a width or tilt. Our choice.
 const WIDTH_MOST_M: f64 = 1.0;
 const LIMIT_LEAST: f64 = 1e-5;
 /// Spellings of the one unit of temperature.
 const CELSIUS: [&str; 4] = ["°C", "C", "degC", "℃"];
 
-/// What loggers read, by name.
+/// The quantities of loggers, by name.
 pub(super) fn logs(reader: &mut Reader, raw: Option<&BTreeMap<String, At<LogRaw>>>) -> Vec<LogPart> {
     let each = raw.into_iter().flatten();
     let logs: Vec<LogPart> = each
@@ -121,7 +121,7 @@ fn log(reader: &mut Reader, name: &str, given: &At<LogRaw>) -> Option<LogPart> {
     })
 }
 
-/// Keys that stand at a kind of log to which they say nothing.
+/// Rejects keys that have no meaning for a kind of log.
 fn refuse_others(reader: &mut Reader, raw: &LogRaw, path: &str, kind: &LogKind) {
     let is_temperature = *kind == LogKind::Temperature;
     let is_tilt = matches!(kind, LogKind::Tilt { .. });
@@ -139,7 +139,7 @@ fn refuse_others(reader: &mut Reader, raw: &LogRaw, path: &str, kind: &LogKind) 
     }
 }
 
-/// The unit of readings, and how many SI units it is.
+/// The unit of readings, and its size in SI units.
 fn unit(reader: &mut Reader, given: &At<LogRaw>, path: &str, measure: Measure) -> Option<(String, f64)> {
     let allowed = match measure {
         Measure::Tilt => WrongLog::NeedsUnitOfTilt,
@@ -166,7 +166,7 @@ fn celsius(reader: &mut Reader, raw: &LogRaw, path: &str) -> Option<String> {
     None
 }
 
-/// A key that must be there.
+/// A required key.
 fn needed<'a, T>(
     reader: &mut Reader,
     given: &At<LogRaw>,
@@ -176,7 +176,7 @@ fn needed<'a, T>(
     allowed: impl Into<Both>,
 ) -> Option<&'a T> {
     let path = format!("{path}.{key}");
-    // one that was wrong has been reported
+    // a wrong one has been reported
     if value.is_none() && !reader.is_reported(&path) {
         let wrong = WrongLog::IsMissing { path: path.clone() };
         reader.fault(Fault::new(given.span.clone(), &path, wrong).allowed(allowed));

@@ -1,4 +1,4 @@
-//! Records of a survey from what is written.
+//! Reads records of a survey.
 
 use super::file::{ChannelRaw, ColumnRaw, RecordsRaw, StartsRaw, StationRaw};
 use super::read_conditioning::{conditioning, modal};
@@ -82,7 +82,7 @@ fn position(reader: &mut Reader, raw: &At<Vec<At<QuantityRaw>>>, path: &str) -> 
     Some(position_m)
 }
 
-/// The keys of one file, of a record or of a station.
+/// The keys of one file, for a record or a station.
 struct FileKeys<'a> {
     file: Option<&'a At<String>>,
     format: Option<&'a At<RecordFormat>>,
@@ -161,7 +161,7 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
     })
 }
 
-/// A record of one file names it, and has one start.
+/// A record of one file names the file, and has one start.
 fn judge_one_file(reader: &mut Reader, raw: &RecordsRaw, span: &Range<usize>, path: &str) {
     if raw.file.is_none() {
         let fault = Fault::new(
@@ -190,7 +190,7 @@ fn judge_one_file(reader: &mut Reader, raw: &RecordsRaw, span: &Range<usize>, pa
     }
 }
 
-/// Keys of a file that stand beside stations, each of which has its own.
+/// Rejects keys of a file beside stations, each of which has its own.
 fn refuse_beside_stations(reader: &mut Reader, keys: &FileKeys<'_>, path: &str) {
     let own = [
         ("file", keys.file.map(|k| &k.span)),
@@ -215,7 +215,7 @@ fn refuse_beside_stations(reader: &mut Reader, keys: &FileKeys<'_>, path: &str) 
     }
 }
 
-/// The unit, where all stations have one.
+/// The unit, if it is the same for all stations.
 fn shared_unit(stations: &[RecordSource]) -> Option<String> {
     let first = stations.first()?.unit.clone()?;
     let all = stations
@@ -333,10 +333,10 @@ fn one_file(reader: &mut Reader, raw: &FileKeys<'_>, path: &str) -> Option<Recor
     })
 }
 
-/// Endings of workbooks that no reader of records knows.
+/// Extensions of workbooks that no reader of records supports.
 const WORKBOOKS: [&str; 3] = ["xlsb", "xls", "ods"];
 
-/// The format that is written, or that the ending means: texts are looked into, as many formats end in .txt.
+/// The given format, or that of the extension; texts are inspected, because many formats end in .txt.
 fn format(
     reader: &mut Reader,
     raw: Option<&At<RecordFormat>>,
@@ -375,7 +375,7 @@ fn format(
     }
 }
 
-/// Whether a path may lead out of the folder of the project, where files are not read without leave.
+/// Whether a path may lead outside the project folder, where files are read only with permission.
 fn may_lie_outside(file: &str) -> bool {
     let path = std::path::Path::new(file);
     let mut parts = path.components();
@@ -388,7 +388,7 @@ fn may_lie_outside(file: &str) -> bool {
         })
 }
 
-/// The unit of samples must be one that the readers of records know.
+/// Checks that the readers of records know the unit of samples.
 fn sample_unit(reader: &mut Reader, unit: &At<String>, path: &str) {
     if let Err(why) = Unit::parse(&unit.value) {
         let message = WrongRecords::IsNoUnitOf {

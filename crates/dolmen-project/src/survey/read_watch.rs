@@ -11,12 +11,12 @@ use crate::report::is_day;
 use crate::units::tilt_ratio;
 use crate::wrong::WrongSurvey;
 
-/// Bounds of the mean time between false alarms, years. Ours: below a month everything alarms, beyond ten lives nothing does.
+/// Bounds of the mean time between false alarms, years. Our choice: below a month every survey raises an alarm, beyond ten lifetimes none does.
 const YEARS: (f64, f64) = (0.1, 1000.0);
-/// Tilts between which a limit lies; ours: none is set below 0.1 mm/m, and nothing stands at 1/4.
+/// Range of a limit of tilt, our choice: nobody sets one below 0.1 mm/m, and no structure stands at 1/4.
 const TILT: (f64, f64) = (1e-4, 0.25);
 
-/// How many surveys are watched.
+/// Settings for watching many surveys.
 pub(crate) fn watch(reader: &mut Reader, raw: Option<&At<WatchRaw>>) -> WatchPart {
     let Some(At { value: raw, .. }) = raw else {
         return WatchPart::default();
@@ -62,7 +62,7 @@ fn tilt_limit(reader: &mut Reader, given: &At<NumberRaw>) -> Option<f64> {
     None
 }
 
-/// A year, a month or a day of the calendar, and nothing behind it.
+/// Whether a text is only a year, a month or a day of the calendar.
 fn is_date(text: &str) -> bool {
     match text.len() {
         4 => is_day(&format!("{text}-01-01")),
@@ -75,7 +75,7 @@ fn work(reader: &mut Reader, given: &At<WorkRaw>, path: &str) -> Option<WorkPart
     let raw = &given.value;
     let mut needed = |key: &str, is_there: bool, allowed: WrongSurvey| {
         let path = format!("{path}.{key}");
-        // one that was wrong has been reported
+        // a wrong one has been reported
         if !is_there && !reader.is_reported(&path) {
             let fault = Fault::new(
                 given.span.clone(),

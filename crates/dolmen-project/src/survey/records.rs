@@ -1,4 +1,4 @@
-//! Where a survey's vibration records lie, and how they are to be read and used.
+//! Where the vibration records of a survey are, and how to read and use them.
 
 use dolmen::modal::{Harmonics, Method};
 use dolmen::signal::Starts;
@@ -25,7 +25,7 @@ pub struct ChannelSource {
     pub position_m: Option<[f64; 3]>,
     /// Unit vector of the positive direction.
     pub direction: Option<[f64; 3]>,
-    /// What its numbers are multiplied by to be in the unit; that of the record if not given.
+    /// Factor from its numbers to the unit; `None`: that of the record.
     pub scale: Option<f64>,
     /// Read, but leave it out (a dead or loose sensor).
     pub leave_out: bool,
@@ -60,7 +60,7 @@ pub struct LowPass {
     pub order: usize,
 }
 
-/// What is done to the record before it is used, in this order.
+/// Conditioning of a record before use, in this order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Conditioning {
     /// Keep only this time.
@@ -75,7 +75,7 @@ pub struct Conditioning {
     pub decimate_factor: Option<usize>,
 }
 
-/// What the file says about the identification of modes; `None` leaves the choice to the method.
+/// Settings of the file for the identification of modes; `None` leaves the choice to the method.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ModalChoice {
     /// Lowest frequency of interest, Hz.
@@ -102,9 +102,9 @@ pub struct ModalChoice {
     pub pick_hz: Vec<f64>,
     /// Frequencies of modes that the user insists on, Hz.
     pub accept_hz: Vec<f64>,
-    /// What becomes of modes that look like machines.
+    /// How to treat modes that look like machines.
     pub harmonics: Option<Harmonics>,
-    /// Whether the record is taken for ambient vibration without a look for an earthquake in it.
+    /// Whether the record counts as ambient vibration without a search for an earthquake in it.
     pub without_earthquake: bool,
     /// The channel whose spectrogram is drawn, by name; `None`: the one that moves most in the range.
     pub spectrogram: Option<String>,
@@ -115,29 +115,30 @@ pub struct ModalChoice {
 pub struct RecordSource {
     /// Path relative to the project file.
     pub file: String,
-    /// Files of a record that lies in several, instead of `file`, which then lists them; conditioning and modal are those of the whole.
+    /// Files of a record that is stored in several files, instead of `file`, which then lists them; conditioning and modal are those of
+    /// the whole record.
     pub stations: Vec<RecordSource>,
     /// What is known of the times at which stations begin.
     pub starts: Starts,
-    /// First sample of a station whose file does not say it, s in a clock that all share.
+    /// First sample of a station whose file does not state it, s in a common clock.
     pub begins_s: Option<f64>,
-    /// Format as the project says it or the file name's ending; `None`: found out from its content.
+    /// Format by the project file or the file's extension; `None`: detected from the content.
     pub format: Option<RecordFormat>,
-    /// Samples a second, Hz; `None` if the time column tells.
+    /// Samples a second, Hz; `None` if the time column gives it.
     pub sampling_rate_hz: Option<f64>,
     /// Unit of the samples as written: "m/s2", "g", "mm/s".
     pub unit: Option<String>,
-    /// What the numbers are multiplied by to be in the unit.
+    /// Factor from the numbers to the unit.
     pub scale: Option<f64>,
-    /// What separates columns.
+    /// Separator of columns.
     pub delimiter: Option<char>,
     /// The column of time stamps.
     pub time_column: Option<Column>,
-    /// What becomes of it if it lost samples.
+    /// How to treat a record that lost samples.
     pub lost_samples: LostSamples,
     /// The channels; empty takes every column but the time.
     pub channels: Vec<ChannelSource>,
-    /// What is done to the record first.
+    /// Conditioning before use.
     pub conditioning: Conditioning,
     /// How modes are identified.
     pub modal: ModalChoice,

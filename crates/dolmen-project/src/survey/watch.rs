@@ -1,18 +1,18 @@
-//! The record of a structure over the years: what was done to it, what loggers read, and how its surveys are watched.
+//! The history of a structure: works on it, readings of loggers, and settings for watching its surveys.
 
 use crate::names::Names;
 use crate::units::parse_unit;
 
-/// How many surveys are watched: `[watch]`.
+/// Settings for watching many surveys: `[watch]`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WatchPart {
     /// Mean time between false alarms, years; `None` leaves the choice to the method.
     pub years_between_false_alarms: Option<f64>,
-    /// Tilt that must not be reached.
+    /// Limit of the tilt.
     pub tilt_limit: Option<f64>,
-    /// What was done, in the order of the file.
+    /// Works, in the order of the file.
     pub works: Vec<WorkPart>,
-    /// What loggers read, by name.
+    /// Logs, by name.
     pub logs: Vec<LogPart>,
 }
 
@@ -21,28 +21,28 @@ pub struct WatchPart {
 pub struct LogPart {
     /// Its name in the project.
     pub name: String,
-    /// What it is called in tables and figures; its name where nothing else is given.
+    /// Its label in tables and figures; `None`: its name.
     pub label: Option<Names>,
     /// Path of the file, relative to the project.
     pub file: String,
-    /// The column; `None` where the file has one.
+    /// The column; `None` where the file has only one.
     pub column: Option<String>,
-    /// What it reads.
+    /// Its quantity.
     pub kind: LogKind,
     /// Unit of the readings as written.
     pub unit: String,
-    /// SI units a reading: rad of an angle, the ratio of another tilt, m, °C.
+    /// SI units per reading: rad of an angle, the ratio of another tilt, m, °C.
     pub factor: f64,
     /// Whether readings are angles, whose tangent is the tilt.
     pub is_angle: bool,
-    /// What the structure has when the sensor reads 0, SI; `None` where that is not known.
+    /// The value at a reading of 0, SI; `None` where it is unknown.
     pub zero: Option<f64>,
-    /// What must not be reached, SI.
+    /// The limit, SI.
     pub limit: Option<f64>,
 }
 
 impl LogPart {
-    /// A reading in SI units, as the sensor counts it.
+    /// A reading in SI units, by the zero of the sensor.
     pub fn si(&self, reading: f64) -> f64 {
         match self.is_angle {
             true => (reading * self.factor).tan(),
@@ -50,7 +50,7 @@ impl LogPart {
         }
     }
 
-    /// Whether the unit that a file states is known and another one than that of the project.
+    /// Whether the file states a known unit that differs from that of the project.
     pub fn contradicts(&self, stated: &str) -> bool {
         const OTHER_SCALES: [&str; 6] = ["f", "degf", "deg f", "°f", "k", "kelvin"];
         const CELSIUS: [&str; 8] = ["°c", "℃", "degc", "deg c", "deg_c", "celsius", "c", "도c"];
@@ -67,7 +67,7 @@ impl LogPart {
         }
         let stated = match stated.as_str() {
             "degree" | "degrees" | "°" => "deg",
-            // scales that no key of a project has
+            // units that no key of a project has
             "µm/m" | "μm/m" | "um/m" | "arcsec" | "arcmin" | "mv" | "v" | "volt" | "volts" | "counts" => {
                 return true;
             }
@@ -80,7 +80,7 @@ impl LogPart {
     }
 }
 
-/// What a logger reads.
+/// The quantity that a logger measures.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LogKind {
     /// A tilt, horizontal over vertical, in a direction.
@@ -94,21 +94,21 @@ pub enum LogKind {
     Temperature,
 }
 
-/// Something that was done to the structure, or befell it.
+/// A work on the structure, or an event.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorkPart {
-    /// When: "2018", "2018-05" or "2018-05-10".
+    /// Date: "2018", "2018-05" or "2018-05-10".
     pub date: String,
-    /// What.
+    /// Description.
     pub what: Option<String>,
-    /// Of what kind.
+    /// Its kind.
     pub kind: WorkKind,
 }
 
-/// Of what kind a work is.
+/// The kind of a work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WorkKind {
-    /// The structure was changed on purpose: its levels begin anew.
+    /// The structure was changed on purpose: its reference levels are determined anew.
     Repair,
     /// Somebody looked at it.
     Inspection,
@@ -119,7 +119,7 @@ pub enum WorkKind {
 }
 
 impl WorkKind {
-    /// As project files write it.
+    /// The word in project files.
     pub fn word(self) -> &'static str {
         match self {
             WorkKind::Repair => "repair",
@@ -130,7 +130,7 @@ impl WorkKind {
     }
 }
 
-/// The year, month and day that a text begins with, what is missing 0: "2019", "2019-04", "2019-04-02", "2019.04.02", "2019. 4. 2.",
+/// The year, month and day at the start of a text, 0 for missing ones: "2019", "2019-04", "2019-04-02", "2019.04.02", "2019. 4. 2.",
 /// "2019/4/2", "20190402", "2019년 4월 2일".
 pub fn date_of(text: &str) -> Option<[u32; 3]> {
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
@@ -145,7 +145,7 @@ pub fn date_of(text: &str) -> Option<[u32; 3]> {
         return None;
     }
     let year = number(&text[..4])?;
-    // what stands between two numbers, and how many digits the next one has at least: "2019-1" may be the first survey of a year
+    // separators between two numbers, and the least number of digits of the next: "2019-1" may be the first survey of a year
     let next = |rest: &str, marks: &[(char, usize)], most: u32| -> Option<(u32, usize)> {
         let rest_at = |at: usize| rest.get(at..);
         let (mark, least) = *marks.iter().find(|(mark, _)| rest.starts_with(*mark))?;

@@ -1,4 +1,4 @@
-//! The table `[watch]` as written.
+//! The keys of the table `[watch]`.
 
 use crate::file_names::NamesRaw;
 use crate::file_number::{At, NumberRaw};

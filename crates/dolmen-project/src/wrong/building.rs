@@ -1,10 +1,10 @@
-//! What is wrong with a building.
+//! Errors of a building.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a building.
+    /// Errors of a building.
     pub(crate) enum WrongBuilding in "project.error.building" {
         ButBuildingHasFloors { path: String, given: String, floors: String } => {
             en: "{path} = {given}, but the building has {floors} floors",

@@ -1,9 +1,9 @@
-//! What is wrong with a chain.
+//! Errors of a chain.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a chain.
+    /// Errors of a chain.
     pub(crate) enum WrongChain in "project.error.chain" {
         DampingRatioAndBoth { path: String } => {
             en: "damping_ratio and {path} both damp the joints",

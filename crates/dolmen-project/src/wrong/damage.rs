@@ -1,10 +1,10 @@
-//! Why a damage cannot be carried into the model.
+//! Why a damage cannot be included in the model.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// Why a damage cannot be carried into the model.
+    /// Why a damage cannot be included in the model.
     pub(crate) enum WrongDamage in "project.error.damage" {
         NotOne { path: String, count: usize } => {
             en: "{path} gives {count} of its keys",

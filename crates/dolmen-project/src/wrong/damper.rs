@@ -1,10 +1,10 @@
-//! What is wrong with a damper, or the damping of a building.
+//! Errors of a damper, or the damping of a building.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a damper, or the damping of a building.
+    /// Errors of a damper, or the damping of a building.
     pub(crate) enum WrongDamper in "project.error.damper" {
         DampingNeedsOneOf => {
             en: "damping needs one of ratio, ratios, rayleigh and caughey",

@@ -1,9 +1,9 @@
-//! What is wrong with a frame.
+//! Errors of a frame.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a frame.
+    /// Errors of a frame.
     pub(crate) enum WrongFrame in "project.error.frame" {
         HasLawJenkinsBut { path: String } => {
             en: "{path} has law = \"jenkins\", but no slipping_stiffness",

@@ -1,10 +1,10 @@
-//! The frame of an error: what stands around what is wrong.
+//! The frame of an error: the words around the problem.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What stands around a problem of a project file.
+    /// The words around a problem of a project file.
     pub(crate) enum Framed in "project.error" {
         Error { message: Both } => { en: "error: {message}", ko: "오류: {message}" },
         Help { help: Both } => { en: "help: {help}", ko: "도움말: {help}" },

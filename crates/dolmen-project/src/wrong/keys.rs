@@ -1,10 +1,10 @@
-//! What is wrong with a key or the type of its value.
+//! Errors of a key or the type of its value.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a key or the type of its value.
+    /// Errors of a key or the type of its value.
     pub(crate) enum WrongKey in "project.error.keys" {
         TopLevel => { en: "the top level", ko: "최상위" },
         HasNoKey { place: Both, name: String } => {

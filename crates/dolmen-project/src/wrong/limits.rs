@@ -1,9 +1,9 @@
-//! What is wrong with allowable drifts.
+//! Errors of allowable drifts.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with allowable drifts.
+    /// Errors of allowable drifts.
     pub(crate) enum WrongLimits in "project.error.limits" {
         LimitsHoldsAllowableDrifts => {
             en: "[limits] holds allowable drifts of storeys, which this kind does not have",

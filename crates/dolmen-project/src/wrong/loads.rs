@@ -1,10 +1,10 @@
-//! What is wrong with wind, loads and their combinations.
+//! Errors of wind, loads and their combinations.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with wind, loads and their combinations.
+    /// Errors of wind, loads and their combinations.
     pub(crate) enum WrongLoads in "project.error.loads" {
         ThereIsNoPart { path: String, written: String } => {
             en: "{path}: there is no part \"{written}\"",

@@ -1,9 +1,9 @@
-//! What is wrong with a log of a project.
+//! Errors of a log of a project.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a log of a project.
+    /// Errors of a log of a project.
     pub(crate) enum WrongLog in "project.error.log" {
         IsMissing { path: String } => { en: "{path} is missing", ko: "{path}이(가) 없다" },
         NeedsFile => {

@@ -1,4 +1,4 @@
-//! What is wrong with project files, in both languages: one file a chapter.
+//! Errors of project files, in both languages, one file per chapter.
 
 mod building;
 mod chain;
@@ -68,7 +68,7 @@ use crate::stack::StackFault;
 use dolmen_words::Template;
 use dolmen_words::message::Both;
 
-/// Words of the file, one of which is meant: "a or b".
+/// Words of the file, of which one is needed: "a or b".
 pub(crate) fn either<T: AsRef<str>>(words: &[T]) -> Both {
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
     Both {
@@ -77,7 +77,7 @@ pub(crate) fn either<T: AsRef<str>>(words: &[T]) -> Both {
     }
 }
 
-/// All sentences of errors of project files.
+/// All templates of errors of project files.
 pub const ERRORS: [&[Template]; 33] = [
     Framed::TEMPLATES,
     Common::TEMPLATES,

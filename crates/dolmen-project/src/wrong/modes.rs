@@ -1,9 +1,9 @@
-//! What is wrong with a file of modes beside the project.
+//! Errors of a file of modes beside the project.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a file of modes.
+    /// Errors of a file of modes.
     pub(crate) enum WrongModes in "project.error.modes" {
         MustBeFileSheetLength => {
             en: "must be file, with sheet (of a workbook) or length (of a universal file without units)",

@@ -1,10 +1,10 @@
-//! What is wrong with a number.
+//! Errors of a number.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a number.
+    /// Errors of a number.
     pub(crate) enum WrongNumber in "project.error.numbers" {
         WriteAsOr => { en: "write 2 % as 0.02 or \"2 %\"", ko: "2 %는 0.02 또는 \"2 %\"로 쓴다" },
         ZeroTo { most: String } => { en: "must be 0 to {most}", ko: "0~{most}이어야 한다" },

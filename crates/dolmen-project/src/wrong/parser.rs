@@ -1,10 +1,10 @@
-//! What the reader of TOML says, with its Korean.
+//! The messages of the TOML reader, in Korean too.
 
 use dolmen_words::message::Both;
 use dolmen_words::{Template, messages};
 
 messages! {
-    /// What is wrong with the syntax, as the reader of TOML says it.
+    /// Errors of the syntax, in the words of the TOML reader.
     #[allow(dead_code, reason = "they are looked up by their English")]
     pub(crate) enum OfParser in "project.error.parser" {
         DuplicateKey => { en: "duplicate key", ko: "키가 두 번 있다" },
@@ -97,7 +97,7 @@ messages! {
     }
 }
 
-/// What the reader of TOML says, in both languages; English alone where it has no Korean.
+/// A message of the TOML reader, in both languages; English only where there is no Korean.
 pub(crate) fn of_parser(english: &str) -> Both {
     let (said, wanted) = english.split_once(", expected ").unwrap_or((english, ""));
     let said = in_both(said, OfParser::TEMPLATES);

@@ -1,9 +1,9 @@
-//! What is wrong with the records of a survey.
+//! Errors of the records of a survey.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with the records of a survey.
+    /// Errors of the records of a survey.
     pub(crate) enum WrongRecords in "project.error.records" {
         SensorsAtOrigin { path: String, away: String, height: String } => {
             en: "{path}: all sensors stand within {away} of the origin of a structure {height} high",

@@ -1,10 +1,10 @@
-//! What is wrong with the report.
+//! Errors of the report.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with the report.
+    /// Errors of the report.
     pub(crate) enum WrongReport in "project.error.report" {
         NeedsTextOrEn => {
             en: "needs text, or {{ en = \"…\", ko = \"…\" }}",

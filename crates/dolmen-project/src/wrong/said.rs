@@ -1,4 +1,4 @@
-//! What an error of a reader or of the science says in a sentence about a project file.
+//! Errors of a reader or of the library, as sentences about a project file.
 
 use dolmen_words::Sentence;
 use dolmen_words::message::{Argument, Both};

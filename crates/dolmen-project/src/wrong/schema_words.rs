@@ -1,11 +1,11 @@
-//! What keys mean, and what values may be: the words of the schema, with their Korean.
+//! The meaning of keys and the allowed values: the words of the schema, in Korean too.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 use serde_json::{Map, Value};
 use std::sync::LazyLock;
 
-/// What each key means, by its English description in the schema: the file that [`korean`] looks into.
+/// Korean text of each key's English description in the schema: the file that [`korean`] searches.
 const KOREAN: &str = include_str!("../schema_ko.json");
 
 messages! {

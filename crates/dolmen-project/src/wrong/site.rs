@@ -1,10 +1,10 @@
-//! What is wrong with a site or a motion.
+//! Errors of a site or a motion.
 
 use dolmen_words::message::Both;
 use dolmen_words::{Quantity, messages};
 
 messages! {
-    /// What is wrong with a site or a motion.
+    /// Errors of a site or a motion.
     pub(crate) enum WrongSite in "project.error.site" {
         HasBothFilesAnd { path: String, first: String, second: String } => {
             en: "{path} has both {first} and {second}",

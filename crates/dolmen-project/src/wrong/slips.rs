@@ -1,10 +1,10 @@
-//! What looks like a slip, whatever the kind.
+//! Probable slips of every kind of structure.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What looks like a slip, whatever the kind.
+    /// Probable slips of every kind of structure.
     pub(crate) enum Slip in "project.error.slips" {
         NotYetCome { path: String, today: String } => {
             en: "{path} is of a day that has not come yet: it is {today} at the latest",

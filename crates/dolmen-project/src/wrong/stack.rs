@@ -1,10 +1,10 @@
-//! What is wrong with a stack.
+//! Errors of a stack.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a stack.
+    /// Errors of a stack.
     pub(crate) enum WrongStack in "project.error.stack" {
         SupportOfChain { path: String } => {
             en: "{path} is for a chain: a block meets its side support at a point",

@@ -1,9 +1,9 @@
-//! What looks like a slip in a stack.
+//! Probable slips in a stack.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What looks like a slip in a stack.
+    /// Probable slips in a stack.
     pub(crate) enum StackSlip in "project.error.stack-slips" {
         BlocksLastStoneStands { top: String, last_m: String, foot: String, first_m: String } => {
             en: "blocks: the last stone, '{top}', stands on top and is {last_m} m wide, the first, '{foot}', stands on the ground and is {first_m} m",

@@ -1,10 +1,10 @@
-//! What is wrong with a study.
+//! Errors of a study.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a study.
+    /// Errors of a study.
     pub(crate) enum WrongStudy in "project.error.study" {
         SetAndVary { path: String } => { en: "{path}: set and vary", ko: "{path}: set과 vary" },
         HasPeriods { path: String, count: String } => {

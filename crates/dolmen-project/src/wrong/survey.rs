@@ -1,9 +1,9 @@
-//! What is wrong with a survey, its modes or its watch.
+//! Errors of a survey, its modes or its watch.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a survey, its modes or its watch.
+    /// Errors of a survey, its modes or its watch.
     pub(crate) enum WrongSurvey in "project.error.survey" {
         AndFrequenciesAreBoth { path: String, direction: String } => {
             en: "{path} and frequencies.{direction} are both given",

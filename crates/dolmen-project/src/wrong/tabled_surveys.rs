@@ -1,9 +1,9 @@
-//! What is wrong with a table of surveys beside the file.
+//! Errors of a table of surveys beside the file.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a table of surveys.
+    /// Errors of a table of surveys.
     pub(crate) enum WrongSurveys in "project.error.surveys" {
         MustBeFileSheetIgnore => {
             en: "must be file, with sheet (of a workbook) and ignore (heads of columns to leave out)",

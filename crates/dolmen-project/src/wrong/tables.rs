@@ -1,10 +1,10 @@
-//! What is wrong with a table beside the file.
+//! Errors of a table beside the file.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a table beside the file.
+    /// Errors of a table beside the file.
     pub(crate) enum WrongTable in "project.error.tables" {
         HasKeyBesideFile { key: String, name: String } => {
             en: "{key} has the key \"{name}\" beside file",

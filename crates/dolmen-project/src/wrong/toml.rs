@@ -1,10 +1,10 @@
-//! What is wrong with the syntax of a file, or its version.
+//! Errors of the syntax of a file, or its version.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with the syntax of a file, or its version.
+    /// Errors of the syntax of a file, or its version.
     pub(crate) enum WrongToml in "project.error.toml" {
         ThisIsNotToml { first: Both } => { en: "this is not TOML: {first}", ko: "TOML 문법 오류: {first}" },
         NumberBeginsWithDigit => {

@@ -1,10 +1,10 @@
-//! What is wrong with a unit, and the words for what numbers measure.
+//! Errors of a unit, and the words for what numbers measure.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with a unit, and the words for what numbers measure.
+    /// Errors of a unit, and the words for what numbers measure.
     pub(crate) enum WrongUnit in "project.error.units" {
         MOrMm => { en: "m or mm", ko: "m 또는 mm" },
         TOrKg => { en: "t or kg", ko: "t 또는 kg" },

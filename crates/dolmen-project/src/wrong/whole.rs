@@ -1,10 +1,10 @@
-//! What is wrong with the parts of a file as a whole.
+//! Errors of the parts of a file as a whole.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong with the parts of a file as a whole.
+    /// Errors of the parts of a file as a whole.
     pub(crate) enum WrongFile in "project.error.whole" {
         ThereIsNoVariant { name: String } => {
             en: "there is no variant \"{name}\"",

@@ -11,7 +11,7 @@ use english::english_in;
 use std::fs;
 use std::path::Path;
 
-/// One mistake in a shipped example: the example, what stands there, what is written instead, and what the English says of it.
+/// One mistake in a shipped example: the example, the text, its wrong replacement, and the English message.
 struct Mistake {
     example: &'static str,
     written: &'static str,
@@ -229,7 +229,7 @@ fn holds_errors_of_project_files_are_korean_where_it_is_asked_for() {
         if !english.contains(mistake.said) || english != error.to_string() {
             wrong.push(format!("{:?} is not said:\n{english}", mistake.said));
         }
-        // a line of the file itself stands behind its number and a bar
+        // a line of the file itself is printed after its number and a bar
         let is_own = |line: &str| line.trim_start().starts_with(|sign: char| sign.is_ascii_digit());
         let said: Vec<&str> = korean.lines().filter(|line| !is_own(line)).collect();
         let said = said.join("\n").replace('|', "");

@@ -1,4 +1,4 @@
-//! What bytes become which values, and which are refused with which words.
+//! Project files that are read, with their values, and files that are rejected, with the messages.
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
 mod korean_errors;

@@ -1,4 +1,4 @@
-//! Project files that are read: the examples, every way to write a number, variants, what is let pass.
+//! Project files that are read: the examples, every form of a number, variants, allowed slips.
 
 use dolmen_project::{
     Axial, Cap, Column, Evidence, ModeKind, Project, Quantity, RecordFormat, Structure, WarningKind,
@@ -7,7 +7,7 @@ use dolmen_project::{
 use dolmen_words::Language;
 use std::path::Path;
 
-/// A chain that is right: each test breaks one thing.
+/// A correct chain: each test breaks one thing.
 pub(crate) const CHAIN: &str = r#"schema = 1
 kind = "chain"
 name = "Pole"
@@ -20,7 +20,7 @@ links = [
 joints = "unknown"
 "#;
 
-/// A frame that is right.
+/// A correct frame.
 pub(crate) const FRAME: &str = r#"schema = 1
 kind = "frame"
 name = "Gate"
@@ -48,7 +48,7 @@ pub(crate) fn frame_with(changes: &[(&str, &str)]) -> String {
     with(FRAME, changes)
 }
 
-/// The error of a file that is refused.
+/// The error of a rejected file.
 pub(crate) fn refused(text: &str) -> String {
     parse_project(text, "project.toml").unwrap_err().to_string()
 }
@@ -154,7 +154,7 @@ fn published_gate_is_that_of_park_and_min_2010() {
         .collect();
     let (translation, torsion) = (ModeKind::Translation, ModeKind::Torsion);
     assert_eq!(weak, [(1.1, translation), (1.3, torsion), (4.2, translation)]);
-    // The twisting mode is kept out of the fit.
+    // The twisting mode is not used in the fit.
     let fitted = survey.measured_modes("weak", &mut Quantity::nominal);
     assert_eq!(
         fitted.iter().map(|mode| mode.frequency_hz).collect::<Vec<_>>(),
@@ -358,7 +358,7 @@ fn holds_the_evidence_of_the_file_is_that_of_its_own_numbers_alone() {
     );
     let variant = &project.variants[0].project;
     assert_eq!(source(variant, "links[1].weight"), Some(Evidence::Literature));
-    // Whoever writes a new number says where it comes from.
+    // A variant with a new number must give its source.
     assert_eq!(source(variant, "links[1].centroid"), None);
     assert_eq!(source(variant, "links[1].length"), None);
 }
@@ -413,7 +413,7 @@ fn holds_real_structures_of_odd_proportions_pass() {
         "{ mass = 8e5, length = 2, centroid = 1 }, { mass = 7.5e6, length = 28, centroid = 13 }, \
           { mass = 6.2e6, length = 28, centroid = 13 }",
     );
-    // The largest ratio of the flagpole: its top link beside its bottom link, alone.
+    // The largest ratio of the flagpole: its top link with its bottom link only.
     pass(
         "{ weight = 38950, length = 3.68, centroid = 1.64 }, { weight = 2930, length = 1.37, centroid = 0.66 }",
     );

@@ -1,4 +1,4 @@
-//! Project files as they are printed and pointed at: listings of the book, carets, the fuzzer's inputs, and the time they take.
+//! Messages about project files: listings of the book, carets, inputs of the fuzzer, and run time.
 
 use super::project::{CHAIN, chain_with, read, refused};
 use dolmen_project::parse_project;
@@ -34,7 +34,7 @@ fn holds_the_listings_of_the_book_are_read_and_its_errors_are_what_is_said() {
     );
 }
 
-/// Columns that a text takes on a terminal, Hangul two each: counted here without the product's own code.
+/// Width of a text on a terminal, Hangul two columns each: counted here without the code under test.
 fn columns(text: &str) -> usize {
     text.chars()
         .map(|c| if ('가'..='힣').contains(&c) { 2 } else { 1 })

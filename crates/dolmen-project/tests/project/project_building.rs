@@ -1,4 +1,4 @@
-//! Buildings in the project file: what they become, and every refusal at its line.
+//! Buildings in the project file: their values, and every error at its line.
 
 use super::project::{example, read, refused};
 use dolmen::damper::{DamperKind, TuningRule, rule_tuning};
@@ -56,7 +56,7 @@ fn exact_floors_storeys_and_a_damper_in_si() {
     );
     assert!((building.floors()[1].gyration_m.powi(2) - 164.0 / 12.0).abs() < 1e-12);
     let lowest = building.storeys()[0].stiffness.matrix_about([0.0, 0.0]);
-    // rows by hand: 40 along x, 36 along y, coupling (−5·24 + 5·12), turning 40·16 + 36·25, in kN/mm
+    // rows by hand: 40 along x, 36 along y, coupling (−5·24 + 5·12), rotation 40·16 + 36·25, in kN/mm
     let by_hand = [[40.0, 0.0, 0.0], [0.0, 36.0, -60.0], [0.0, -60.0, 1540.0]];
     for i in 0..3 {
         for j in 0..3 {
@@ -329,7 +329,7 @@ fn refuses_what_cannot_be_with_its_line_and_what_to_do() {
     ] {
         let mut text = with(from, to);
         if said.contains("twisting") {
-            // all walls along x but one through the origin along y
+            // all walls along x except one, which runs through the origin along y
             text = text.replace(
                 "{ x = 5, y = 0, stiffness_y = 12 }",
                 "{ x = 0, y = 0, stiffness_y = 12 }",
@@ -342,7 +342,7 @@ fn refuses_what_cannot_be_with_its_line_and_what_to_do() {
         assert!(answer.contains(said), "{said}: {answer}");
         assert!(answer.contains("project.toml:"), "{answer}");
     }
-    // a mode that does not move where the damper is: x alone in mode 2 of the shipped floor
+    // a mode without motion at the damper: mode 2 of the shipped floor has none along x
     let floor = example("twisting_floor").replace(
         "direction = \"y\"\nmass = 5.125",
         "direction = \"y\"\nmode = 2\nmass = 5.125",
@@ -416,7 +416,7 @@ coefficient = "500 kN*s/m"
         1.0 / (moves * moves)
     };
     let y = PlanDirection::Y;
-    // the pair shares 4 % of the modal mass at its own place, one of them elsewhere
+    // the pair has 4 % of the modal mass at its own place; one mass is elsewhere
     let whole = 0.04 * modal_mass(&along(3, 4.0, 0.0, y));
     let tuned = rule_tuning(TuningRule::WarburtonBase, 0.04, 0.0).unwrap();
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");

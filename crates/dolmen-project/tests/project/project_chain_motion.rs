@@ -1,4 +1,4 @@
-//! What moves a chain in the project file: openings, friction, damping; what it becomes, and every refusal.
+//! Openings, friction and damping of chains in the project file: their values, and every error.
 
 use super::project::refused;
 use dolmen::dynamics::{ChainModel, ChainRotations, JointFriction, JointOpening};

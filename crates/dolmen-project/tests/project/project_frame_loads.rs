@@ -1,4 +1,4 @@
-//! Wind and static loads of frames in the project file, and storeys of nothing but columns: what they become, and every refusal with what to do.
+//! Wind and static loads of frames in the project file, and storeys on columns alone: their values, and every error with its remedy.
 
 use dolmen_project::{Quantity, Structure, WindPart, parse_project};
 

@@ -1,4 +1,4 @@
-//! Friction of a frame in the project file: what it becomes, and every refusal in full.
+//! Friction of a frame in the project file: its values, and the full text of every error.
 
 use super::project::refused;
 use dolmen::dynamics::{FrictionActsOn, StoreyFriction};
@@ -52,7 +52,7 @@ fn exact_forces_follow_from_coefficients_and_stiffness() {
         panic!("{friction:?}");
     };
     assert!((kinetic_force_n - 307.7e3).abs() < 1e-6 && (static_force_n - 615.4e3).abs() < 1e-6);
-    // Jenkins: what is lost when it slips is in series with the slider
+    // Jenkins: the stiffness lost by slipping is in series with the slider
     let (stiffness, friction, acts_on) = sliders(
         r#"law = "jenkins", force = [500, "0.3 MN"], slipping_stiffness = [85, 0], acts_on = "displacement""#,
     );

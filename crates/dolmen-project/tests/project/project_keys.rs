@@ -1,4 +1,4 @@
-//! Keys, tables and variants that a project file may not have: every message in full.
+//! Errors of keys, tables and variants: the full text of every message.
 
 use super::project::{CHAIN, chain_with, refused};
 
@@ -42,7 +42,7 @@ fn refuses_a_table_named_in_korean_and_names_the_key() {
         let help = format!("= help: keys are English words: is \"{given}\" {key}?");
         assert!(said.contains(&help), "{said}");
     }
-    // a word that stands for no key, or names a part, is quoted
+    // a word that is not a key, or that names a part, is quoted
     let said = refused(&format!("{CHAIN}\n[variant.부지]\n"));
     assert!(said.contains("stands in quotes: [variant.\"부지\"]"), "{said}");
 }

@@ -1,4 +1,4 @@
-//! Wind, static loads and combinations in the project file: what they become, and every refusal with what to do.
+//! Wind, static loads and combinations in the project file: their values, and every error with its remedy.
 
 use dolmen::structure::wind::Wind;
 use dolmen_project::{Quantity, Structure, WindPart, parse_project};
@@ -14,7 +14,7 @@ links = [
 joints = [{ stiffness = 2200 }, { stiffness = 630 }]
 "#;
 
-/// The pole with these lines below.
+/// The pole with these lines appended.
 fn with(lines: &str) -> String {
     format!("{POLE}{lines}\n")
 }
@@ -56,7 +56,7 @@ weight = 1.35"#,
     assert_eq!(factors(1), (Some("dead"), 1.35, 0.0, 0.0));
     let sheltered = parse_project(&with("wind = \"sheltered\""), "pole.toml").unwrap();
     assert_eq!(sheltered.loads.wind, WindPart::Sheltered);
-    // without combinations everything acts as it is
+    // without combinations every load has the factor 1
     let plain = parse_project(
         &with("wind = { pressure = \"0.6 kPa\", means = \"gust\", force_coefficient = 1.2 }"),
         "pole.toml",
@@ -212,7 +212,7 @@ fn exact_loads_on_stones_are_read_in_si_and_act_on_the_stack() {
     assert_eq!(loads[1].position_m, [0.1, -0.5, 0.4]);
     assert!((loads[2].position_m[2] - 0.1).abs() < 1e-15 && loads[2].block == 0);
     assert_eq!(project.loads.combinations[0].wind, 1.5);
-    // every component is an input of the file once
+    // every component is listed once among the inputs
     let paths: Vec<&str> = project.inputs().iter().map(|input| input.path.as_str()).collect();
     for path in [
         "loads[1].force[2]",

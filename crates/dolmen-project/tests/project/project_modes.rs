@@ -1,5 +1,5 @@
 // SOURCE     dolmen-records/tests/data/modes/modes_pyuff.uff: four modes written by pyuff 2.5.8, on nodes at 3, 6 and 9 m.
-// GOAL       Modes in a file beside the project are those of the survey as if they were written there; bad files are refused in both languages.
+// GOAL       Modes in a file beside the project are those of the survey as if they were written in the file; bad files are rejected in both languages.
 // TOLERANCE  2e-5: the six digits of a universal file.
 
 use dolmen_project::{MemoryFiles, ModeKind, Project, ProjectError, Quantity, parse_project_with};
@@ -38,7 +38,7 @@ fn agrees_modes_of_pyuff_by_direction() {
         .map(|point| [point.height_m, point.displacement])
         .collect();
     assert_eq!(shape, [[3.0, 0.4], [6.0, 0.75], [9.0, 1.0]]);
-    // the complex shape is turned to be as real as it can be
+    // the phase of the complex shape is chosen to make it as real as possible
     let shape: Vec<f64> = modes["x"][2]
         .shape
         .iter()
@@ -62,7 +62,7 @@ fn exact_lengths_twists_and_modes_without_places() {
         });
     let in_mm = parsed("modes.UNV", ", length = \"mm\"", &in_mm).unwrap();
     assert_eq!(in_mm.surveys[0].modes["x"][0].shape[2].height_m, 9.0);
-    // three nodes at one height that move differently
+    // three nodes at one height with different motions
     let level = ["3.00000E+00", "6.00000E+00"]
         .iter()
         .fold(pyuff(), |text, height| {

@@ -54,7 +54,7 @@ fn refuses_a_name_of_nothing_in_both_languages() {
         (
             Language::Korean,
             [
-                "names.ko의 \"shatf\"은 이 파일의 부재, 조사, 지반운동의 이름이 아니다",
+                "names.ko의 \"shatf\"는 이 파일의 부재, 조사, 지반운동의 이름이 아니다",
                 "\"shaft\"를 쓰려던 것인가?",
             ],
         ),

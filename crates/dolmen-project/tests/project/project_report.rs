@@ -1,4 +1,4 @@
-//! What an engineer gives for a report, and what inspections found: what is read, and the faults of what cannot be.
+//! Contents of a report from the engineer, and findings of inspections: values and errors.
 
 use super::project::{CHAIN, chain_with, example, read, refused};
 use dolmen_project::{DamageKind, GradeScale, MaterialMethod, PeriodicGrade, Severity, canonical_text};

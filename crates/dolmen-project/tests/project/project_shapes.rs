@@ -1,4 +1,4 @@
-//! Stones of points and of meshes, and pagodas from their factors: what is read, and every message in full.
+//! Stones from points and meshes, and pagodas from their factors: values, and the full text of every message.
 
 use super::project::refused;
 use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness, Stack, pagoda};
@@ -8,8 +8,8 @@ use dolmen_project::{
 
 const HEAD: &str = "schema = 1\nkind = \"stack\"\nname = \"S\"\ndensity = 2600\n";
 
-/// A cuboid of 0.8 × 0.6 × 1.0 m in mm, far from the origin, as a scanner writes it; `without` leaves a triangle out, `turned`
-/// turns all of them round.
+/// A cuboid of 0.8 × 0.6 × 1.0 m in mm, far from the origin, as from a scanner; `without` leaves out a triangle, `turned`
+/// reverses all of them.
 fn cuboid_obj(without: Option<usize>, turned: bool) -> String {
     let mut text = String::new();
     for corner in 0..8 {

@@ -1,4 +1,4 @@
-//! Sites and ground motions of a project file: what is read, and every message in full.
+//! Sites and ground motions of a project file: their values, and the full text of every message.
 
 use super::project::{refused, with};
 use dolmen::assess::demand::{EurocodeGround, EurocodeType, KoreanSite, Site, SiteParameters};
@@ -7,7 +7,7 @@ use dolmen_project::{
     MemoryFiles, MotionSize, MotionSource, Place, Project, SitePart, parse_project, parse_project_with,
 };
 
-/// A stack that is right, without a site.
+/// A correct stack without a site.
 const STONE: &str = r#"schema = 1
 kind = "stack"
 name = "Stone"

@@ -1,4 +1,4 @@
-//! Stacks: what is read, where the blocks go, and every message in full.
+//! Stacks: values, places of the blocks, and the full text of every message.
 
 use super::project::{example, refused, with};
 use dolmen::comparisons::p10;
@@ -6,7 +6,7 @@ use dolmen::structure::stack::{Body, JointMaterial, Stack};
 use dolmen_project::{Quantity, StackPart, Structure, WarningKind, parse_project};
 use dolmen_words::Language;
 
-/// A stack that is right: each test breaks one thing.
+/// A correct stack: each test breaks one thing.
 const STACK: &str = r#"schema = 1
 kind = "stack"
 name = "Pagoda"
@@ -286,12 +286,12 @@ fn exact_prisms_drums_and_openings_have_their_volumes() {
         "{}",
         volume(2)
     );
-    // what is taken out on the right leaves the centroid on the left of the axis, which stands 10 mm off the middle
+    // material removed on the right moves the centroid to the left of the axis, which is 10 mm from the middle
     let centroid = stack.blocks()[2].solid.centroid_m()[0] - 0.01;
     assert!((centroid + 0.008 * 0.5 / volume(2)).abs() < 1e-12, "{centroid}");
 }
 
-/// The whole message of each broken file.
+/// The full message of each broken file.
 #[test]
 fn refuses_bad_stacks_with_the_line_and_the_remedy() {
     let cases: [((&str, &str), &str); 16] = [
@@ -520,7 +520,7 @@ fn refuses_a_list_that_begins_with_the_top() {
     );
 }
 
-/// Two cubes of points where a site has them, the upper one listed first and no `on`: the joint is where they touch.
+/// Two cubes of points in coordinates of a site, the upper one listed first and no `on`: the joint is where they touch.
 #[test]
 fn holds_stones_of_a_site_stand_on_what_they_touch() {
     let cube = |low: f64| {

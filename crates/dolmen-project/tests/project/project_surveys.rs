@@ -1,4 +1,4 @@
-//! Surveys, records and setups that a project file may not have: what the error says.
+//! Errors of surveys, records and setups.
 
 use super::project::{CHAIN, refused};
 

@@ -1,4 +1,4 @@
-//! Values that a project file may not have, and probable slips of unit: every message in full.
+//! Errors of values and probable slips of unit: the full text of every message.
 
 use super::project::{CHAIN, chain_with, frame_with, refused};
 

@@ -8,7 +8,7 @@ use dolmen::signal::{Join, Record, Starts};
 use dolmen_project::parse_project;
 use dolmen_records::records::{Reading, RecordOptions, Station, join_stations, read_record};
 
-/// A CSV file of one channel, every second sample from `first` on, and its reading.
+/// A CSV file of one channel, every second sample from `first` on, with its record source.
 fn station(record: &Record, channel: usize, first: usize, begins_s: Option<f64>) -> Station {
     let name = &record.channels()[channel].name;
     let kept = record.samples(channel).iter().skip(first).step_by(2);
@@ -155,7 +155,7 @@ fn refuses_stations_that_contradict_the_record() {
 
 #[test]
 fn holds_a_start_that_is_given_is_that_of_the_file_whose_first_samples_were_cut() {
-    // both files hold the same motion from one start; one lost a second of it ten seconds on, and keeps what follows
+    // both files have the same motion and start; one lost a second after ten seconds, and continues
     let motion = ReferenceCase::ShearChain.made(7).unwrap().make().unwrap();
     let read = |lost: std::ops::Range<usize>| {
         let kept = (0..6000).filter(|i| !lost.contains(i));

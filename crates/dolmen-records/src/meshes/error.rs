@@ -8,14 +8,14 @@ use dolmen_words::message::Both;
 pub enum MeshError {
     /// None of the formats.
     Unknown,
-    /// A cloud of points, which bounds nothing.
+    /// A cloud of points, which has no surface.
     PointCloud {
         /// Its format.
         format: &'static str,
     },
     /// A mesh without faces.
     NoFaces {
-        /// How many vertices it holds.
+        /// Number of vertices.
         vertices: usize,
     },
     /// A word where a number should be.
@@ -36,30 +36,30 @@ pub enum MeshError {
     Vertex {
         /// The line, or the number of the face in a binary file.
         line: usize,
-        /// The vertex as the file counts it.
+        /// The vertex in the file's numbering.
         given: i64,
-        /// How many vertices there are.
+        /// Number of vertices.
         vertices: usize,
     },
-    /// A binary file that ends early, or is longer than it says.
+    /// A binary file that is shorter or longer than its header states.
     Length {
-        /// How long it should be.
+        /// Expected length.
         expected: u64,
-        /// How long it is.
+        /// Actual length.
         held: usize,
     },
     /// A binary file that ends within an element.
     CutShort {
-        /// Where the reader stood.
+        /// Position of the reader.
         offset: usize,
         /// The unsupported element.
         element: Both,
-        /// Which one, from 0.
+        /// Number of the element, from 0.
         number: usize,
     },
     /// An invalid value in a binary file.
     Byte {
-        /// Where it stands.
+        /// Position of the value.
         offset: usize,
         /// The fault.
         what: Both,

@@ -3,12 +3,12 @@
 use super::MeshError;
 use std::collections::BTreeMap;
 
-/// Largest number of corners of a face. Chosen here: a file with more is damaged.
+/// Largest number of corners of a face. Our choice: a file with more is damaged.
 pub(super) const CORNERS_MOST: usize = 65_536;
-/// Largest size of a mesh relative to its file, in bytes. Chosen here: a binary file of quadrilaterals or hexagons grows threefold, a text file
+/// Largest size of a mesh relative to its file, in bytes. Our choice: a binary file of quadrilaterals or hexagons grows threefold, a text file
 /// less.
 const EXPANSION_MOST: usize = 4;
-/// Size of a mesh that is always allowed, bytes. Chosen here: two million triangles and vertices fit in any memory.
+/// Size of a mesh that is always allowed, bytes. Our choice: two million triangles and vertices fit in any memory.
 const EXPANDED_FREE: usize = 64 << 20;
 
 /// Triangles and their vertices, in the unit of the file.

@@ -1,7 +1,7 @@
 //! PLY, the polygon file format of Stanford: text, binary little endian, binary big endian.
 //!
-//! The header names elements in the order of the body, each with its properties; what is neither place of a vertex nor list of
-//! a face is passed over.
+//! The header lists elements in the order of the body, each with its properties; everything except vertex positions and face
+//! lists is ignored.
 
 use super::mesh::{CORNERS_MOST, number, words};
 use super::{Mesh, MeshError};
@@ -15,7 +15,7 @@ enum Coding {
     Big,
 }
 
-/// A type of number: its size in bytes and what it holds.
+/// A type of number.
 #[derive(Clone, Copy)]
 enum Kind {
     Signed(usize),
@@ -65,7 +65,7 @@ struct Header {
     lines: usize,
 }
 
-/// Most lines of a header. Chosen here: a hundred elements of a hundred properties are fewer.
+/// Largest number of header lines. Our choice: a hundred elements of a hundred properties have fewer.
 const HEADER_LINES_MOST: usize = 16_384;
 
 /// A mesh from the bytes of a PLY file.
@@ -81,7 +81,7 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
         coding: header.coding,
     };
     let mut mesh = Mesh::default();
-    // faces may stand before the vertices
+    // faces may precede the vertices
     let of_vertices = header.elements.iter().filter(|element| element.name == b"vertex");
     let vertices = of_vertices.fold(0, |sum: usize, element| sum.saturating_add(element.count));
     for element in &header.elements {
@@ -137,7 +137,7 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
     mesh.checked()
 }
 
-/// The corners of a face, each of them a vertex.
+/// The corners of a face; each must be a vertex.
 fn corners(values: &[f64], vertices: usize, line: usize) -> Result<Vec<usize>, MeshError> {
     let corner = |&value: &f64| {
         let given = value as i64; // an integer by its type, or refused as text below

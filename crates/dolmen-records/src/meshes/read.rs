@@ -1,4 +1,4 @@
-//! A mesh in whatever format it comes.
+//! Reads a mesh in any supported format.
 
 use super::obj::is_vertex;
 use super::stl::binary_length;
@@ -18,7 +18,7 @@ pub enum MeshFormat {
 }
 
 impl MeshFormat {
-    /// The format that the first bytes, or the length, give away; OBJ if there is a line that only OBJ has.
+    /// The format from the first bytes or the length; OBJ if a line is specific to OBJ.
     pub fn of(bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(b"ply") {
             return Some(MeshFormat::Ply);
@@ -62,7 +62,7 @@ pub fn read_mesh(bytes: &[u8]) -> Result<Mesh, MeshError> {
     }
 }
 
-/// The format of a cloud of points that the first bytes give away.
+/// The format of a cloud of points, from the first bytes.
 fn cloud(bytes: &[u8]) -> Option<&'static str> {
     let known = [
         (&b"LASF"[..], "LAS, LAZ"),

@@ -11,7 +11,7 @@ use crate::wrong::OfMesh;
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
-/// Length of a binary file by its own count of triangles.
+/// Length of a binary file with its stated number of triangles.
 pub(super) fn binary_length(bytes: &[u8]) -> Option<u64> {
     let count = bytes.get(80..HEAD)?;
     let count = u32::from_le_bytes([count[0], count[1], count[2], count[3]]);
@@ -39,7 +39,7 @@ pub fn read_stl(bytes: &[u8]) -> Result<Mesh, MeshError> {
     binary(bytes, expected)?.checked()
 }
 
-/// The triangles of a binary file; corners in exactly the same place are one.
+/// The triangles of a binary file; corners with identical coordinates are merged.
 fn binary(bytes: &[u8], expected: u64) -> Result<Mesh, MeshError> {
     let mut merging = Merging::default();
     let end = usize::try_from(expected).unwrap_or(bytes.len());

@@ -1,6 +1,6 @@
 //! Stacks for other programs: OBJ, JSON of blocks, 3DEC, ParaView.
 //!
-//! Each block is written as the convex hull that carries contact. Where its own volume differs (drums, meshes, openings), the density is
+//! Each block is written as the convex hull that carries contact. If its own volume differs (drums, meshes, openings), the density is
 //! adjusted so that the hull has the block's mass; centroid and inertia are then those of the hull.
 
 use dolmen::structure::stack::{Block, Stack};
@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 pub struct BlockPose {
     /// Its centroid, m.
     pub centroid_m: [f64; 3],
-    /// Rows of its rotation since it was drawn: a point is at x = c + R (x₀ − c₀).
+    /// Rotation matrix relative to the drawn position, by rows: a point is at x = c + R (x₀ − c₀).
     pub rotation: [[f64; 3]; 3],
     /// Velocity of its centroid, m/s; written if all blocks have one.
     pub velocity_m_s: Option<[f64; 3]>,
@@ -54,7 +54,7 @@ pub fn poses_as_drawn(stack: &Stack) -> Vec<BlockPose> {
     stack.blocks().iter().map(pose).collect()
 }
 
-/// A stack as Wavefront OBJ, in metres, one object a block, faces counterclockwise seen from outside.
+/// A stack as Wavefront OBJ, in metres, one object per block, faces counterclockwise seen from outside.
 pub fn stack_obj(stack: &Stack) -> String {
     let mut text = String::from("# metres, z up\n");
     let mut first = 1;
@@ -72,7 +72,7 @@ pub fn stack_obj(stack: &Stack) -> String {
     text
 }
 
-/// A stack as JSON, as programs for assemblies of blocks read it: name, vertices (m), faces (counterclockwise seen from
+/// A stack as JSON, for programs for assemblies of blocks: name, vertices (m), faces (counterclockwise seen from
 /// outside, from 0) and density [kg/m³] of each block.
 pub fn stack_json(stack: &Stack) -> String {
     let block = |block: &Block| {
@@ -86,9 +86,9 @@ pub fn stack_json(stack: &Stack) -> String {
     json!({ "blocks": stack.blocks().iter().map(block).collect::<Vec<_>>() }).to_string()
 }
 
-/// A stack as commands of 3DEC (version 7): blocks with their groups and densities; joints and boundaries are the user's.
+/// A stack as commands of 3DEC (version 7): blocks with their groups and densities; the user adds joints and boundaries.
 ///
-/// Faces are clockwise seen from outside, as its manual asks. Written after the manual; not run in 3DEC.
+/// Faces are clockwise seen from outside, as its manual requires. Written from the manual; not tested in 3DEC.
 pub fn stack_3dec(stack: &Stack) -> String {
     let mut text = String::from("; metres, z up, kg/m3\n");
     for block in stack.blocks() {
@@ -285,7 +285,7 @@ mod tests {
     #[test]
     fn exact_3dec_faces_run_clockwise() {
         let text = stack_3dec(&stack());
-        // its base, which is seen from below: the manual's own cube has 0,0,0 1,0,0 1,1,0 0,1,0
+        // its base, seen from below: the manual's own cube has 0,0,0 1,0,0 1,1,0 0,1,0
         assert!(
             text.contains("block create group \"base\" polyhedron &\n  face "),
             "{text}"

@@ -8,10 +8,10 @@ use crate::workbook::{is_workbook, workbook_as_csv};
 use crate::wrong::OfStation;
 use dolmen::signal::Quantity;
 
-/// Largest relative difference between the peak of a channel and that in its header. Chosen here: headers print 3 digits or more.
+/// Largest relative difference between the peak of a channel and that in its header. Our choice: headers print 3 digits or more.
 const PEAK_TOLERANCE: f64 = 0.01;
 
-/// Relative difference below which two time steps count as equal. Chosen here: only for the rounding of printed digits.
+/// Relative difference below which two time steps count as equal. Our choice: only for the rounding of printed digits.
 const STEP_TOLERANCE: f64 = 1e-6;
 
 /// One channel of a motion file.

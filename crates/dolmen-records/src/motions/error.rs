@@ -13,7 +13,7 @@ pub enum MotionError {
     NoFile,
     /// One component is refused.
     Component {
-        /// Which: "x", "y", "z".
+        /// "x", "y" or "z".
         component: &'static str,
         /// Why.
         fault: Box<MotionError>,
@@ -27,14 +27,14 @@ pub enum MotionError {
     },
     /// The unit of the numbers is unknown.
     NoUnit,
-    /// No response is of the channel at its time.
+    /// No response covers the channel at its time.
     NoResponse {
         /// The channel.
         channel: String,
-        /// The channels that have one.
+        /// The channels with a response.
         known: Vec<String>,
     },
-    /// A response and a factor: both say what a count is worth.
+    /// A response and a factor, which both give the value of a count.
     ResponseAndFactor {
         /// The factor.
         factor: f64,
@@ -59,7 +59,7 @@ pub enum MotionError {
         least_g: f64,
         /// The largest allowed, g.
         most_g: f64,
-        /// The unit it was read in.
+        /// The unit that was used.
         unit: &'static str,
         /// Units in which it would be plausible.
         suggested: Vec<&'static str>,
@@ -116,7 +116,7 @@ pub enum MotionError {
         channel: String,
         /// As the header says.
         stated: f64,
-        /// As it is.
+        /// Peak of the samples.
         found: f64,
         /// The unit of both.
         unit: &'static str,
@@ -133,13 +133,13 @@ pub enum MotionError {
         /// The names there are.
         names: Vec<String>,
     },
-    /// Two components do not begin at one time.
+    /// Two components have different start times.
     Starts {
         /// One component.
         first: &'static str,
         /// Another.
         second: &'static str,
-        /// How much later it begins, s.
+        /// Delay of its start, s.
         later_s: f64,
     },
     /// The directions of the channels do not determine x, y and z.

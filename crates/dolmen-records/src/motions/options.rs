@@ -9,24 +9,24 @@ use std::ops::RangeInclusive;
 /// Properties of the files. Defaults are detected from the files, or the file is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionOptions {
-    /// Unit of the numbers, one of acceleration. `None`: as the file says; refused if it does not. A unit that contradicts the
+    /// Unit of the numbers, one of acceleration. `None`: that of the file; refused if it has none. A unit that contradicts the
     /// file is refused.
     pub unit: Option<Unit>,
-    /// Between samples, s. `None`: as the file says; refused if it does not.
+    /// Between samples, s. `None`: that of the file; refused if it has none.
     pub time_step_s: Option<f64>,
-    /// The column of accelerations in a text of several. `None`: the only one beside the time.
+    /// The column of accelerations in a text with several. `None`: the only one besides the time.
     pub column: Option<Column>,
-    /// The channel to read of a file of several, by its name or its number from 1; in a text also a column, by its name. `None`: the
-    /// only one.
+    /// The channel to read from a file with several, by its name or its number from 1; in a text also a column, by its name. `None`:
+    /// the only one.
     pub channel: Option<String>,
     /// Factor from the numbers to the unit: 1 (default), or the value of one count of a recorder.
     pub factor: f64,
     /// Instrument responses published by the network. They give unit and factor of a count for the channels that they name. If there are any, a
     /// channel in counts without a response is refused.
     pub responses: Vec<Response>,
-    /// Whether the peak in a header must be that of its samples. Default: yes.
+    /// Whether the peak in a header must equal that of its samples. Default: yes.
     pub stated_peak: StatedPeak,
-    /// Range of peaks of one component, m/s²; others are refused as a mistaken unit. Default 0.001 g to 5 g, chosen here: smaller ones are not
+    /// Range of peaks of one component, m/s²; others are refused as a mistaken unit. Default 0.001 g to 5 g, our choice: smaller ones are not
     /// felt, and larger ones were never recorded on the ground.
     pub plausible_peak_m_s2: RangeInclusive<f64>,
     /// What to do if the components differ in length. Default: refuse.
@@ -55,7 +55,7 @@ pub enum Lengths {
     /// Refuse them.
     #[default]
     Same,
-    /// Cut all to the length of the shortest, from the first sample; the history records it. All must begin at one time.
+    /// Cut all to the length of the shortest, from the first sample; the history records it. All must begin at the same time.
     Shortest,
 }
 

@@ -11,7 +11,7 @@ use super::{ComponentReading, MotionError, MotionOptions, Orientation, read_chan
 use crate::wrong::Turned;
 use dolmen::signal::{Component, GroundMotion, Processing};
 
-/// Smallest sine of the angle between two horizontal channels. Chosen here: below 30° the errors of both are doubled.
+/// Smallest sine of the angle between two horizontal channels. Our choice: below 30° the errors of both are doubled.
 const SINE_LEAST: f64 = 0.5;
 
 /// A motion from files whose channels state their directions, rotated so that x points to an azimuth.
@@ -99,7 +99,7 @@ fn turned(
     options: &MotionOptions,
 ) -> Result<[(Component, ComponentReading); 2], MotionError> {
     let pair = vec![(Component::X, first.clone()), (Component::Y, second.clone())];
-    let agreed = motion_of("", pair, options)?; // with equal step, start and length, or cut to it
+    let agreed = motion_of("", pair, options)?; // equal step, start and length
     let [(sin1, cos1), (sin2, cos2)] = [first_deg, second_deg].map(|deg| exact_sin_cos(*deg));
     let determinant = cos1 * sin2 - sin1 * cos2;
     if determinant.abs() < SINE_LEAST {
@@ -121,7 +121,7 @@ fn turned(
     Ok([(Component::X, x), (Component::Y, y)])
 }
 
-/// Sine and cosine, exact at quarter turns so that north and east stay what they are.
+/// Sine and cosine, exact at quarter turns so that north and east stay exact.
 fn exact_sin_cos(degrees: f64) -> (f64, f64) {
     match degrees.rem_euclid(360.0) {
         0.0 => (0.0, 1.0),

@@ -1,11 +1,11 @@
-//! Whether a peak can be that of an earthquake, and in which unit it would be.
+//! Whether a peak is possible for an earthquake, and in which unit it would be.
 
 use super::MotionError;
 use super::options::STANDARD_GRAVITY_M_S2;
 use crate::unit::Unit;
 use std::ops::RangeInclusive;
 
-/// Peaks, in g, for which a unit is suggested: those of most records in simulations. Chosen here.
+/// Peaks, in g, for which a unit is suggested: those of most records in simulations. Our choice.
 const USUAL_G: RangeInclusive<f64> = 0.02..=2.0;
 /// Common units of files of motions.
 const USUAL_UNITS: [Unit; 5] = [

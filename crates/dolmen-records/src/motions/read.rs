@@ -5,15 +5,15 @@ use super::{ComponentReading, Lengths, MotionError, MotionOptions, Orientation, 
 use crate::wrong::Turned;
 use dolmen::signal::{Component, GroundMotion, Processing};
 
-/// Relative difference between the starts of components, in time steps. Chosen here: half a step decides between two samples.
+/// Relative difference between the starts of components, in time steps. Our choice: half a step decides between two samples.
 const START_STEPS: f64 = 0.5;
 
 /// A component of a motion and its source.
 #[derive(Clone, Copy, Debug)]
 pub struct ComponentSource<'a> {
-    /// Which.
+    /// Its direction.
     pub component: Component,
-    /// The file; several components may stand in one.
+    /// The file, which may contain several components.
     pub bytes: &'a [u8],
     /// Its column or channel; `None` for that of [`MotionOptions::channel`].
     pub channel: Option<&'a str>,

@@ -72,7 +72,7 @@ pub(super) fn refuse_other_units(
     Ok(())
 }
 
-/// Whether it is a unit of recorders, not of motion; brackets also hold places and axes.
+/// Whether it is a unit of recorders, not of motion; brackets may also contain positions and axes.
 fn is_raw(label: &str) -> bool {
     ["V", "mV", "counts", "count"].contains(&label)
 }

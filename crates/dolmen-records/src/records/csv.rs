@@ -24,7 +24,7 @@ use std::ops::Range;
 const ROWS_AT_ONCE: usize = 64;
 /// Least similarity (Jaro–Winkler) for suggesting a name.
 const SIMILAR: f64 = 0.7;
-/// A channel is a counter or a time if all its steps agree with the first within this fraction. Chosen here.
+/// A channel is a counter or a time if all its steps agree with the first within this fraction. Our choice.
 const COUNT_TOLERANCE: f64 = 1e-3;
 
 /// Reads a record from the bytes of a CSV file.
@@ -217,7 +217,7 @@ fn find_column(start: &Start, column: &Column) -> Result<usize, RecordError> {
     }
 }
 
-/// How a cell of a line is used.
+/// Use of a cell of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Use {
     Nothing,

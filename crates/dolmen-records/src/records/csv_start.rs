@@ -127,7 +127,6 @@ impl Start {
     }
 }
 
-/// Names of the columns.
 struct ColumnNames {
     columns: Vec<String>,
     /// Whether some names are neither UTF-8 nor CP949.

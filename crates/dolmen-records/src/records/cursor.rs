@@ -40,12 +40,12 @@ impl<'a> Cursor<'a> {
         self.big
     }
 
-    /// Where it is, bytes from the start of the file.
+    /// Its position, bytes from the start of the file.
     pub(super) fn at(&self) -> usize {
         self.at
     }
 
-    /// Goes to another place, which may be the end.
+    /// Moves to another position, at most the end.
     pub(super) fn go(&mut self, at: usize) -> Result<(), RecordError> {
         if at > self.bytes.len() {
             return Err(self.cut(at));

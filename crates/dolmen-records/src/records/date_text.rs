@@ -6,7 +6,7 @@ use crate::start::time_of;
 
 /// Seconds in a day.
 pub(super) const DAY_S: f64 = 86_400.0;
-/// Days that a table counts from 30 December 1899: of the years 1954 to 2118.
+/// Range of days since 30 December 1899 that are dates: the years 1954 to 2118.
 pub(super) const SERIAL_DAYS: std::ops::Range<f64> = 20_000.0..80_000.0;
 
 /// A time and the value of its last digit, s.
@@ -38,7 +38,7 @@ pub(super) fn serial(text: &str) -> Option<At> {
     })
 }
 
-/// Words for the halves of a day and their hours, as loggers and spreadsheets write them; the longer before those that they hold.
+/// Words for the halves of a day and their first hours, in loggers and spreadsheets; longer ones precede their own parts.
 const HALF_DAYS: [(&str, f64); 6] = [
     ("오전", 0.0),
     ("오후", 12.0),
@@ -85,7 +85,7 @@ pub(crate) fn date_time(text: &str) -> Option<At> {
 /// Seconds in an hour.
 pub(super) const HOUR_S: f64 = 3600.0;
 
-/// Minutes and seconds of an hour that is not written, "59:30.0", as spreadsheets show times by "mm:ss.0"; s from the beginning of the hour.
+/// Minutes and seconds without the hour, "59:30.0", as spreadsheets show times in the format "mm:ss.0"; s from the beginning of the hour.
 pub(super) fn minute_of_hour(text: &str) -> Option<At> {
     let (minute, second) = text.trim().split_once(':')?;
     let second = second.replace(',', ".");
@@ -99,7 +99,7 @@ pub(super) fn minute_of_hour(text: &str) -> Option<At> {
     })
 }
 
-/// A time of the hour after another: an hour later where the hour passed between.
+/// A time of the hour after another: an hour later if a full hour passed between.
 pub(super) fn after_in_hours(before_s: f64, of_hour_s: f64) -> f64 {
     match before_s - of_hour_s > 0.5 * HOUR_S {
         true => of_hour_s + HOUR_S * ((before_s - of_hour_s) / HOUR_S).round(),
@@ -137,7 +137,7 @@ fn date_and_clock(text: &str) -> Option<(&str, &str)> {
     Some((date.trim_end_matches(['t', ' ']).trim(), clock))
 }
 
-/// The hour from midnight: 12 is the first of each half; some write 13 to 23 in the afternoon.
+/// The hour from midnight: 12 is the first of each half; some programs write 13 to 23 in the afternoon.
 fn hour_of_day(hour: f64, half_day_h: Option<f64>) -> Option<f64> {
     match half_day_h {
         None => Some(hour),
@@ -169,7 +169,7 @@ fn calendar(date: &str) -> Option<[f64; 6]> {
     let number = |text: &str| text.parse::<u32>().ok().map(f64::from);
     let (year, month, day) = match (a.len(), c.len()) {
         (4, _) => (number(a)?, number(b)?, number(c)?),
-        // months come first between slashes, unless that is impossible
+        // in dates with slashes the month comes first, unless that is impossible
         (_, 4) if date.contains('/') && number(a)? <= 12.0 => (number(c)?, number(a)?, number(b)?),
         (_, 4) => (number(c)?, number(b)?, number(a)?),
         _ => return None,

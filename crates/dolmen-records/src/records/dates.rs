@@ -106,11 +106,11 @@ fn time(text: &str, next: impl FnOnce() -> Option<String>) -> Option<At> {
         .or_else(|| date_time(&format!("{text} {}", next()?)))
 }
 
-/// Steps from which a time after the one before is a gap, as in seconds.
+/// A step of this many sampling intervals is a gap, as for stamps in seconds.
 const GAP_STEPS: f64 = 1.5;
 
-/// Refuses the largest step between two times of a column where samples are missing: a rate that agrees with the first and the last alone would
-/// move all frequencies.
+/// Refuses the largest step between two times of a column if samples are missing: a rate that agrees only with the first and the last time
+/// would shift all frequencies.
 fn refuse_gap(body: &[u8], (start, column): (&Start, usize), given_hz: f64) -> Result<(), RecordError> {
     let mut before: Option<(usize, String, At)> = None;
     let mut steps_s = Vec::new();
@@ -145,7 +145,7 @@ fn refuse_gap(body: &[u8], (start, column): (&Start, usize), given_hz: f64) -> R
     let Some((step_s, resolution_s, gap)) = widest else {
         return Ok(());
     };
-    // the rate may be wrong as well: the usual step is that of the dates, or of the rate where dates are too coarse for it
+    // the rate may be wrong as well: the usual step is that of the dates, or of the rate if dates are too coarse
     let middle = steps_s.len() / 2;
     let (_, usual_s, _) = steps_s.select_nth_unstable_by(middle, f64::total_cmp);
     match step_s > GAP_STEPS * usual_s.max(1.0 / given_hz) + resolution_s {

@@ -5,7 +5,7 @@ use super::date_text::is_date_cell;
 use super::dialect::{Delimiter, Line, unquoted};
 use crate::number::parse_cell;
 
-/// Refuses decimal commas between commas that separate: each number then fills two cells, and a date one or two.
+/// Refuses decimal commas in files with comma separators: each number then fills two cells, and a date one or two.
 pub(super) fn refuse_decimal_commas(lines: &[Line<'_>], delimiter: Delimiter) -> Result<(), RecordError> {
     let rows = lines.iter().map(|line| delimiter.cells(line.text));
     let rows: Vec<Vec<&[u8]>> = rows.collect();

@@ -12,7 +12,7 @@ const CELLS_MOST: usize = CHANNELS_MOST + 1;
 pub enum Delimiter {
     /// `;`
     Semicolon,
-    /// A tab; two of them hold an empty cell.
+    /// A tab; two tabs enclose an empty cell.
     Tab,
     /// `,`
     Comma,
@@ -49,7 +49,7 @@ impl Delimiter {
         self.parted(line).take(CELLS_MOST).collect()
     }
 
-    /// How many cells a line has.
+    /// Number of cells in a line.
     pub(super) fn count(self, line: &[u8]) -> usize {
         self.parted(line).count()
     }
@@ -90,9 +90,9 @@ pub(super) struct Line<'a> {
     /// Counted from 1.
     pub(super) number: usize,
     pub(super) text: &'a [u8],
-    /// Where it begins.
+    /// Its position in the file.
     pub(super) at: usize,
-    /// Where the next line begins.
+    /// Start of the next line.
     pub(super) next: usize,
     /// Whether it has a line end.
     pub(super) ended: bool,

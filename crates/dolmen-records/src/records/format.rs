@@ -10,7 +10,7 @@ pub enum RecordFormat {
     Npy,
     /// Universal file, datasets 58 and 58b.
     Uff,
-    /// Sound file; scale is what full scale is worth.
+    /// Sound file; the scale is the value of full scale.
     Wav,
     /// MATLAB, version 5 ("-v7") or 7.3.
     Mat,
@@ -36,7 +36,7 @@ pub enum RecordFormat {
 }
 
 impl RecordFormat {
-    /// All of them, as [`name`](Self::name) has them.
+    /// All formats.
     pub const ALL: [RecordFormat; 14] = [
         RecordFormat::Csv,
         RecordFormat::Npy,
@@ -74,7 +74,7 @@ impl RecordFormat {
         }
     }
 
-    /// Whether its times are universal, by the definition of the format; K-NET's are turned into it.
+    /// Whether its times are UTC by the definition of the format; those of K-NET are converted.
     pub fn clock_is_utc(self) -> bool {
         matches!(
             self,
@@ -87,7 +87,7 @@ impl RecordFormat {
         )
     }
 
-    /// The format that an ending of a file name means, if it means one.
+    /// The format for the ending of a file name, if any.
     pub fn of_ending(ending: &str) -> Option<Self> {
         Some(match ending.to_ascii_lowercase().as_str() {
             "csv" | "txt" | "tsv" | "dat" | "asc" => RecordFormat::Csv,

@@ -2,12 +2,12 @@
 //!
 //! | part | what |
 //! |:--|:--|
-//! | superblock | behind MATLAB's 512 bytes: where addresses count from, and the root group (hdf5_file.rs) |
+//! | superblock | after MATLAB's 512 bytes: origin of addresses, and the root group (hdf5_file.rs) |
 //! | object header | messages of a group or a variable (hdf5_objects.rs) |
-//! | symbol table | B-tree of nodes of names and addresses; the names stand in a heap |
-//! | link | the same of one member, in newer files |
+//! | symbol table | B-tree of nodes with names and addresses; the names are in a heap |
+//! | link | the same for one member, in newer files |
 //!
-//! MATLAB stores a matrix transposed, so that its numbers follow column by column.
+//! MATLAB stores matrices transposed, so that their numbers are in column order.
 //!
 //! Source: The HDF Group (2019) *HDF5 File Format Specification*, version 3.0.
 
@@ -24,7 +24,7 @@ use crate::wrong::{Damage, Unread};
 const SYMBOL_TABLE: u16 = 0x11;
 const LINK: u16 = 0x06;
 const LINK_INFO: u16 = 0x02;
-/// Most bytes of a name. Chosen here: MATLAB's have 63 letters.
+/// Longest name, bytes. Our choice: MATLAB's have 63 letters.
 const NAME_BYTES: usize = 4096;
 
 /// A variable whose numbers are not read yet.
@@ -36,7 +36,7 @@ struct Variable<'a> {
     object: Object<'a>,
 }
 
-/// The real numeric matrices of two dimensions, and the names of everything else. Only what a record needs is read.
+/// The real numeric matrices of two dimensions, and the names of everything else. Only the data of a record are read.
 pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), RecordError> {
     let (file, root) = superblock(bytes)?;
     let mut unvisited = Unvisited::new(&file);
@@ -123,7 +123,7 @@ fn members(file: &File, group: u64, unvisited: &mut Unvisited) -> Result<Vec<(St
     Ok(found)
 }
 
-/// Where the names of a group begin.
+/// Position of the names of a group.
 fn heap_data(file: &File, heap: u64) -> Result<u64, RecordError> {
     let mut cursor = file.at(heap)?;
     if cursor.take(4)? != b"HEAP" {
@@ -133,7 +133,7 @@ fn heap_data(file: &File, heap: u64) -> Result<u64, RecordError> {
     cursor.u64()
 }
 
-/// The members below a node of the B-tree of a group; `level` is what the node above says.
+/// The members below a node of the B-tree of a group; `level` is stated by the node above.
 fn symbols(
     file: &File,
     node: u64,
@@ -182,7 +182,7 @@ fn text(file: &File, address: u64) -> Result<String, RecordError> {
     Ok(shown(&String::from_utf8_lossy(&all[..end])))
 }
 
-/// The member that a link leads to; `None` if it lies in another file or behind a name.
+/// The target of a link; `None` if it is in another file, or is a symbolic link.
 fn link(cursor: &mut Cursor) -> Result<Option<(String, u64)>, RecordError> {
     cursor.take(1)?;
     let flags = cursor.u8()?;
@@ -199,7 +199,7 @@ fn link(cursor: &mut Cursor) -> Result<Option<(String, u64)>, RecordError> {
     Ok(if hard { Some((name, cursor.u64()?)) } else { None })
 }
 
-/// Rows, columns and how numbers are stored; or why a variable is no real numeric matrix.
+/// Rows, columns and encoding of numbers; or why a variable is not a real numeric matrix.
 fn shape(object: &Object) -> Result<(usize, usize, Stored), &'static str> {
     let (Some(sides), Some(number)) = (&object.sides, &object.number) else {
         return Err("struct or object");
@@ -263,7 +263,7 @@ mod tests {
         assert!(!trees.is_empty());
         let address = (bytes.len() - 512) as u64;
         for at in trees {
-            let entry = at + 24; // bytes, filters left out, where it begins, element, address
+            let entry = at + 24; // bytes, omitted filters, position, element, address
             bytes[entry..entry + 4].copy_from_slice(&(bomb.len() as u32).to_le_bytes());
             bytes[entry + 32..entry + 40].copy_from_slice(&address.to_le_bytes());
         }

@@ -1,9 +1,9 @@
-//! Numbers of an HDF5 variable: in one piece, or put together from chunks.
+//! Numbers of an HDF5 variable: stored in one piece, or joined from chunks.
 //!
 //! | part | what |
 //! |:--|:--|
-//! | node of chunks | a key and an address each: bytes of the chunk, filters left out, where it begins |
-//! | chunk | packed numbers of one part of the matrix; at its ends it stands over |
+//! | node of chunks | a key and an address for each: bytes of the chunk, omitted filters, position |
+//! | chunk | packed numbers of one part of the matrix; chunks at its ends exceed the matrix |
 
 use super::RecordError;
 use super::cursor::Cursor;
@@ -14,7 +14,7 @@ use crate::wrong::{Damage, Unread};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// Deflate packs no more into a byte: a larger claim is damage.
+/// Largest expansion by deflate: a larger claim is damage.
 const INFLATION_MOST: usize = 1032;
 
 /// Size of the numbers of a variable in bytes, as doubles or unpacked, whichever is larger.
@@ -43,7 +43,7 @@ pub(super) fn unpacked_bytes(object: &Object, stored: Stored, whole: [usize; 2])
     }
 }
 
-/// All numbers, the last side fastest.
+/// All numbers, with the last dimension fastest.
 pub(super) fn values(
     file: &File,
     object: &Object,
@@ -110,7 +110,7 @@ pub(super) fn values(
     }
 }
 
-/// Where a chunk stands, and how long.
+/// Position and length of a chunk.
 struct Place {
     address: u64,
     bytes: u32,
@@ -118,7 +118,7 @@ struct Place {
     left_out: u32,
 }
 
-/// The chunks below a node, by where they begin.
+/// The chunks below a node, by their positions.
 fn chunks_below(
     file: &File,
     node: u64,
@@ -128,7 +128,7 @@ fn chunks_below(
     found: &mut BTreeMap<[u64; 2], Place>,
 ) -> Result<(), RecordError> {
     if node == NOWHERE {
-        return Ok(()); // nothing was written
+        return Ok(()); // no data were written
     }
     let mut cursor = file.at(node)?;
     unvisited.node(&cursor)?;
@@ -166,7 +166,7 @@ fn chunks_below(
     Ok(())
 }
 
-/// A matrix in chunks; sides the slower first.
+/// A matrix in chunks; slower dimension first.
 struct Chunked<'a> {
     file: &'a File<'a>,
     filters: &'a [Filter],
@@ -236,7 +236,7 @@ impl Chunked<'_> {
             }
             data = match filter {
                 Filter::Checksum => {
-                    // the four bytes behind are a sum that nothing here needs
+                    // the last four bytes are a checksum that is not needed
                     let kept = data.len().saturating_sub(4);
                     match data {
                         Cow::Borrowed(data) => Cow::Borrowed(&data[..kept]),
@@ -266,7 +266,7 @@ impl Chunked<'_> {
     }
 }
 
-/// First all first bytes, then all second ones …: back to numbers.
+/// Restores numbers from bytes in the order: all first bytes, then all second ones …
 fn unshuffled(data: &[u8], size: usize) -> Vec<u8> {
     let count = data.len() / size;
     let mut out = data.to_vec();

@@ -1,4 +1,4 @@
-//! The bytes of an HDF5 file, and the places that its addresses name.
+//! The bytes of an HDF5 file, and its addresses.
 
 use super::RecordError;
 use super::cursor::Cursor;

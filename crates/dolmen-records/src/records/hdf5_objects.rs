@@ -4,8 +4,8 @@
 //! |:--|:--|
 //! | data space | the sides |
 //! | data type | class (integer, float, …), bytes, order |
-//! | layout | where the numbers stand: in the header, in one piece, or in chunks of equal size |
-//! | filters | what chunks went through: shuffled bytes, deflate, checksum |
+//! | layout | position of the numbers: in the header, in one piece, or in chunks of equal size |
+//! | filters | encoding of chunks: shuffled bytes, deflate, checksum |
 //! | attribute | MATLAB's class; whether it is empty |
 
 use super::RecordError;
@@ -93,7 +93,7 @@ fn continuation<'a>(file: &File<'a>, data: &[u8], newer: bool) -> Result<&'a [u8
     if !newer {
         return Ok(block);
     }
-    // a mark before, a checksum behind
+    // a mark before, a checksum after
     match block
         .strip_prefix(b"OCHK")
         .and_then(|b| b.get(..b.len().checked_sub(4)?))
@@ -129,7 +129,7 @@ pub(super) enum Filter {
     Unknown(u16),
 }
 
-/// A number, in which order of bytes.
+/// A number and its byte order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stored {
     pub(super) number: Number,
@@ -195,7 +195,7 @@ fn sides(cursor: &mut Cursor) -> Result<Vec<usize>, RecordError> {
     Ok(sides)
 }
 
-/// Integers of 1 to 8 bytes and floats of 4 and 8; or what it is instead.
+/// Integers of 1 to 8 bytes and floats of 4 and 8; or a description of another type.
 fn number(cursor: &mut Cursor) -> Result<Result<Stored, &'static str>, RecordError> {
     let class = cursor.u8()? & 0x0F;
     let bits = cursor.array::<3>()?;
@@ -221,7 +221,7 @@ fn number(cursor: &mut Cursor) -> Result<Result<Stored, &'static str>, RecordErr
             }
         }
         1 => {
-            let parts = cursor.array::<8>()?; // offset, precision, exponent at, bits, mantissa at, bits
+            let parts = cursor.array::<8>()?; // offset, precision, position and bits of exponent, position and bits of mantissa
             let bias = cursor.u32()?;
             match (bytes, parts, bias, bits[0] & 0x40) {
                 (4, [0, 0, 32, 0, 23, 8, 0, 23], 127, 0) => stored(Number::F32),
@@ -238,7 +238,7 @@ fn number(cursor: &mut Cursor) -> Result<Result<Stored, &'static str>, RecordErr
 
 fn layout<'a>(cursor: &mut Cursor<'a>) -> Result<Layout<'a>, RecordError> {
     let (version, class) = (cursor.u8()?, cursor.u8()?);
-    // version 4 has all but chunks as version 3
+    // version 4 equals version 3, except for chunks
     Ok(match (version, class) {
         (3 | 4, 0) => {
             let length = cursor.u16()?;

@@ -60,7 +60,7 @@ pub struct NpyLayout {
     pub value_type: String,
     /// Shape of the array.
     pub shape: Vec<usize>,
-    /// The axis taken as time: the longer one.
+    /// The axis used as time: the longer one.
     pub time_axis: Axis,
 }
 
@@ -80,9 +80,9 @@ pub struct ChannelsLayout {
 pub struct FoundChannel {
     /// Name in the file.
     pub name: String,
-    /// Its samples.
+    /// Number of samples.
     pub samples: usize,
-    /// Samples a second, Hz; `None` if the file does not say it.
+    /// Samples per second, Hz; `None` if the file does not state it.
     pub sampling_rate_hz: Option<f64>,
     /// The unit in the file.
     pub unit: FileUnit,

@@ -12,20 +12,20 @@ use crate::number::Number;
 use dolmen::signal::{LOST_RUN_MOST, LOST_SHARE_MOST, LostSpan, Processing, SignalError, fill_lost};
 use std::ops::Range;
 
-/// Shortest time between samples that is a gap, in steps. Chosen here: less is not a whole lost sample.
+/// Shortest time between samples that is a gap, in steps. Our choice: less is not a whole lost sample.
 const GAP_STEPS: f64 = 1.5;
 /// Number of last digits by which a step must exceed the one before, for coarse stamps: more than the one of rounding.
 const ROUNDED_DIGITS: f64 = 1.5;
-/// Smallest share of all samples in the longest span. Chosen here: below it the clock is uneven rather than the record broken.
+/// Smallest share of all samples in the longest span. Our choice: below it the clock is uneven rather than the record broken.
 const SHARE_LEAST: f64 = 0.1;
-/// Deviation of a gap from a whole number of steps up to which it can be filled, in steps. Chosen here: stamps of milliseconds at 250 Hz.
+/// Deviation of a gap from a whole number of steps up to which it can be filled, in steps. Our choice: stamps of milliseconds at 250 Hz.
 const WHOLE_STEPS: f64 = 0.25;
-/// Largest ratio of bridged time to recorded time. Chosen here: above it there are several records.
+/// Largest ratio of bridged time to recorded time. Our choice: above it there are several records.
 const BRIDGED_MOST: f64 = 1.0;
 /// Difference, in steps, up to which the ends of two channels count as the same time.
 const SAME_TIME_STEPS: f64 = 1e-3;
 
-/// Stamps line by line, span after span.
+/// Stamps line by line, in consecutive spans.
 #[derive(Debug)]
 pub(super) struct Spans {
     unit_s: f64,
@@ -39,7 +39,7 @@ pub(super) struct Spans {
     gaps: Vec<LostSpan>,
     /// The error for the first gap, if it is refused.
     fault: Option<RecordError>,
-    /// Whether stamps are minutes and seconds of an hour that is not written.
+    /// Whether stamps are minutes and seconds without the hour.
     is_of_hours: bool,
 }
 
@@ -70,7 +70,7 @@ impl Spans {
         }
     }
 
-    /// Of minutes and seconds: they begin again with every hour.
+    /// For minutes and seconds, which restart every hour.
     pub(super) fn of_hours(self) -> Self {
         Spans {
             is_of_hours: true,
@@ -78,7 +78,7 @@ impl Spans {
         }
     }
 
-    /// Takes the next stamp; refuses one that is neither even nor after a gap.
+    /// Reads the next stamp; refuses one that is neither even nor after a gap.
     #[inline]
     pub(super) fn push(&mut self, mut printed: Number, line: usize) -> Result<(), RecordError> {
         if let (true, Some((before, _))) = (self.is_of_hours, self.last) {
@@ -138,7 +138,7 @@ impl Spans {
         self.now.push(printed, line)
     }
 
-    /// The longest span, in which short gaps are to be filled; refuses if it is a small part.
+    /// The longest span with its short gaps to fill; refuses it if it is only a small part.
     pub(super) fn longest(mut self) -> Result<UsableRows, RecordError> {
         let now = std::mem::replace(&mut self.now, Stamps::new(self.unit_s, self.given_hz));
         self.done.push((self.now_from..self.rows, now));
@@ -211,7 +211,7 @@ impl Spans {
 }
 
 impl Spans {
-    /// All rows, with as many samples between two spans as were lost there.
+    /// All rows, with the lost samples inserted between spans.
     fn bridged(mut self, stamps: Stamps, first_s: f64) -> Result<UsableRows, RecordError> {
         let step_s = stamps.step_s();
         let missing = |gap: &LostSpan| ((gap.lost_s / step_s).round() as usize).max(1);
@@ -275,7 +275,7 @@ pub(super) fn fill(samples: &mut [f64], lost: &[Range<usize>]) -> Result<(), Sig
     }
 }
 
-/// Number of samples lost in a gap of so many steps, if the gap is short enough to fill and a whole number of steps.
+/// Number of samples lost in a gap of this many steps, if the gap is short enough to fill and a whole number of steps.
 fn short(lost_steps: f64) -> Option<usize> {
     let missing = lost_steps.round();
     let is_whole = (lost_steps - missing).abs() <= WHOLE_STEPS;
@@ -357,7 +357,7 @@ fn in_both(whole: &[[f64; 2]], spans: &[Span]) -> Vec<[f64; 2]> {
     both
 }
 
-/// Keeps of each channel the samples within the longest time that is whole in all.
+/// Keeps, for each channel, the samples within the longest time that is whole in all.
 pub(super) fn keep_longest(
     series: &mut [&mut Series],
     clocked: bool,
@@ -488,7 +488,7 @@ fn bridge(
     Ok(bridges(gaps, least_s, there))
 }
 
-/// Fills the short gaps of each channel, if they are few, and returns where.
+/// Fills the short gaps of each channel, if they are few, and returns their positions.
 fn fill_short(series: &mut [&mut Series]) -> Result<Option<Processing>, SignalError> {
     let (mut gaps, mut filled, mut whole) = (Vec::new(), 0, 0);
     for one in series.iter_mut() {

@@ -28,7 +28,7 @@ const RATES: [&str; 8] = [
 /// Names of a scalar that holds the time step, s.
 const STEPS: [&str; 3] = ["dt", "timestep", "ts"];
 const TIMES: [&str; 3] = ["t", "time", "times"];
-/// Largest deviation of time stamps from equal steps, in steps. Chosen here: double precision is more accurate.
+/// Largest deviation of time stamps from equal steps, in steps. Our choice: double precision is more accurate.
 const UNEVEN: f64 = 1e-3;
 
 pub(super) fn is_mat(bytes: &[u8]) -> bool {

@@ -22,7 +22,7 @@ const COMPRESSED: u32 = 15;
 /// Classes of numbers: double, single, integers of 8 to 64 bits.
 const NUMERIC: std::ops::RangeInclusive<u8> = 6..=15;
 const COMPLEX: u8 = 0x08;
-/// Number of bytes of a compressed matrix that are unpacked to identify it. Chosen here: a name in MATLAB has at most 63 letters, and all
+/// Number of bytes of a compressed matrix that are unpacked to identify it. Our choice: a name in MATLAB has at most 63 letters, and all
 /// fields before it take 40 bytes.
 const HEAD_BYTES: usize = 1024;
 

@@ -10,9 +10,9 @@ use dolmen::signal::{Channel, Processing, Record, SignalError};
 
 /// First bytes of each NPY file.
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
-/// Longest header. Chosen here: NumPy itself refuses more than 10 000 bytes unless told otherwise.
+/// Longest header, bytes. Our choice: NumPy itself refuses more than 10 000 bytes by default.
 const HEADER_BYTES_MOST: usize = 1 << 16;
-/// Rows turned from row order into channel order at a time: 512 rows of 32 doubles fit a second-level cache.
+/// Number of rows transposed to channel order at a time: 512 rows of 32 doubles fit a second-level cache.
 const ROWS_AT_ONCE: usize = 512;
 
 /// A record from the bytes of an NPY file: one array of one axis (one channel) or two, of which the longer is time.
@@ -20,8 +20,8 @@ const ROWS_AT_ONCE: usize = 512;
 /// Values may be `f4`, `f8`, `i2`, `i4`, `i8`, of either byte order, in C or Fortran order.
 ///
 /// # Errors
-/// [`RecordError`]: a file that is no NPY, cut short or too long; another type or shape; no sampling rate given; a sample
-/// that is not finite.
+/// [`RecordError`]: a file that is not NPY, is cut short or too long; another type or shape; no sampling rate; a sample that is not
+/// finite.
 ///
 /// # Example
 /// ```
@@ -80,7 +80,7 @@ pub fn read_npy(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
         channel.quantity = options.unit.quantity();
     }
 
-    // distance, in values, of neighbours in time and of neighbouring channels
+    // distance, in values, between neighbours in time and between neighbouring channels
     let time_runs_fastest = (time_axis == Axis::Second) != head.fortran;
     let (along, across) = if time_runs_fastest {
         (1, length)
@@ -114,7 +114,7 @@ pub fn read_npy(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     })
 }
 
-/// Which channels of the array are read (from 0), and what they are.
+/// The channels of the array to read (from 0), and their properties.
 fn pick(options: &RecordOptions, count: usize) -> Result<(Vec<usize>, Vec<Channel>), RecordError> {
     if options.picks.is_empty() {
         let channels = (1..=count).map(|n| Channel::named(format!("ch{n}")));
@@ -204,7 +204,7 @@ impl Kind {
                     word.cast_signed() as f64
                 }
             }
-            _ => f64::NAN, // no other size is made by `parse`
+            _ => f64::NAN, // `parse` gives no other size
         }
     }
 

@@ -83,15 +83,15 @@ pub struct Pick {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum LostSamples {
-    /// Fills runs of at most eight samples, if they are at most one in a hundred, by linear prediction; then as `longest`.
+    /// Fills runs of at most eight samples, if at most one in a hundred is lost, by linear prediction; then as `longest`.
     #[default]
     Fill,
     /// Uses the longest span that is whole in all channels, and reports the parts cut off.
     Longest,
     /// Refuses it.
     Refuse,
-    /// Uses all of it: runs of at most eight samples are filled, and longer ones hold the mean of their channel, for callers that know where
-    /// they are.
+    /// Uses all of it: runs of at most eight samples are filled, and longer ones are set to the mean of their channel, for callers that
+    /// know where they are.
     #[serde(skip)]
     Bridged,
 }

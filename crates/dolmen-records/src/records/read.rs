@@ -32,7 +32,7 @@ use dolmen_words::message::Both;
 /// ```
 pub fn read_record(bytes: &[u8], options: &RecordOptions) -> Result<Reading, RecordError> {
     let is_npy = bytes.starts_with(super::npy::MAGIC);
-    // the numbers of an array may look like the header of anything
+    // the numbers of an array may look like any header
     if !is_npy && let Some(found) = channels(bytes, options) {
         let found = found?;
         return match options.format {

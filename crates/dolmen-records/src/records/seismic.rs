@@ -1,11 +1,11 @@
-//! Files of seismic stations, which ground motions come in too: miniSEED, SAC, K-NET, ESM, COSMOS, CSMIP.
+//! Files of seismic stations, also used for ground motions: miniSEED, SAC, K-NET, ESM, COSMOS, CSMIP.
 
 use super::series::{FileSeries, Series, rate_of_step};
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::seismic::{MotionFormat, Raw, raw_channels};
 use crate::unit::Unit;
 
-/// The channels of such a file; `None` if it is none.
+/// The channels of such a file; `None` for other files.
 pub(super) fn read(bytes: &[u8]) -> Option<Result<FileSeries, RecordError>> {
     let read = raw_channels(bytes)?;
     Some(
@@ -47,7 +47,7 @@ fn series(channel: Raw, format: RecordFormat) -> Series {
     }
     let unit = match channel.unit {
         Some(unit) if unit != Unit::Unknown => FileUnit::Known(unit),
-        // whole numbers of a recorder: a unit without a scale would be a guess
+        // integers of a recorder: a unit without a scale would be a guess
         _ if format == RecordFormat::MiniSeed && samples.iter().all(|x| x.fract() == 0.0) => {
             FileUnit::Other("counts".to_owned())
         }

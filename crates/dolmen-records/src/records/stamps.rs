@@ -8,9 +8,9 @@
 use super::RecordError;
 use crate::number::Number;
 
-/// Largest clock error at a sample, as a fraction of a step. Chosen here: the resulting error is far below the noise of a sensor.
+/// Largest clock error at a sample, as a fraction of a step. Our choice: the resulting error is far below the noise of a sensor.
 const CLOCK_JITTER: f64 = 0.01;
-/// Coarsest resolution of stamps, as a fraction of a step, that shows a missing sample; coarser stamps need equal steps. Chosen here.
+/// Coarsest resolution of stamps, as a fraction of a step, that shows a missing sample; coarser stamps need equal steps. Our choice.
 const RESOLUTION_MOST: f64 = 0.25;
 /// Largest relative difference between a given rate and that of the stamps: an error of 1e-4 in every frequency, far below the scatter.
 const RATE_TOLERANCE: f64 = 1e-4;

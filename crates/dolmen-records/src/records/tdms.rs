@@ -3,8 +3,8 @@
 //! | part | what |
 //! |:--|:--|
 //! | lead-in, 28 bytes | `TDSm`, flags, version, length of the segment and of its description |
-//! | description | objects: path, where its samples lie (type, values a chunk), properties |
-//! | raw data | chunks; in each the values of every object after those of the one before, or interleaved |
+//! | description | objects: path, position of samples (type, values per chunk), properties |
+//! | raw data | chunks; in each, the values of one object after another, or interleaved |
 //!
 //! Only these properties are read: `wf_increment` (s), `wf_start_time`, `wf_start_offset`, `unit_string`.
 //!
@@ -29,7 +29,7 @@ const PROPERTIES: [&str; 5] = [
     "wf_start_offset",
     "wf_start_time",
 ];
-/// Longest path of a group or channel. Chosen here: two names that fill a screen each.
+/// Longest path of a group or channel. Our choice: two names that fill a screen each.
 const PATH_BYTES_MOST: usize = 4096;
 /// Flags of a segment.
 const NEW_DESCRIPTION: u32 = 1 << 1;
@@ -97,14 +97,14 @@ struct Object {
     properties: BTreeMap<String, Value>,
     raw: Option<Raw>,
     samples: Vec<f64>,
-    /// Its place among those with samples in the segment at hand.
+    /// Its position among the objects with samples in the current segment.
     turn: Option<u64>,
 }
 
 #[derive(Default)]
 struct File {
     objects: Vec<Object>,
-    /// Which object has a path.
+    /// Index of the object with a path.
     places: BTreeMap<String, usize>,
     /// Objects with samples in the current segment, in order. Those without values are left out: a chunk then has at least one byte for each,
     /// and reading it takes time in proportion to its length.
@@ -282,7 +282,7 @@ fn value(cursor: &mut Cursor) -> Result<Option<Value>, RecordError> {
     match code {
         TEXT => Ok(Some(Value::Text(text(cursor)?))),
         TIME => {
-            // in the other byte order seconds stand first
+            // in the other byte order, seconds come first
             let (parts, whole) = if cursor.is_big() {
                 let whole = cursor.i64()?;
                 (cursor.u64()?, whole)
@@ -337,7 +337,7 @@ fn samples(cursor: &mut Cursor, file: &mut File, bytes: usize, interleaved: bool
     Ok(())
 }
 
-/// "/'group'/'channel'" in its parts; a quote within is doubled.
+/// Splits "/'group'/'channel'" into its parts; quotes within are doubled.
 fn parts(path: &str) -> Vec<String> {
     let inner = path.trim_start_matches('/').trim_matches('\'');
     inner.split("'/'").map(|part| part.replace("''", "'")).collect()
@@ -419,7 +419,7 @@ mod tests {
         bytes
     }
 
-    /// An object of so many bytes a chunk.
+    /// An object with this many bytes per chunk.
     fn object(path: &str, values: u64) -> Vec<u8> {
         let mut bytes = (path.len() as u32).to_le_bytes().to_vec();
         bytes.extend(path.as_bytes());

@@ -10,9 +10,9 @@ use crate::number::parse_cell;
 const LINES: usize = 20;
 /// Fewest steps for a decision.
 const LINES_LEAST: usize = 5;
-/// Steps below this, read as seconds, are in days: no structure is recorded above 10 kHz. Chosen here.
+/// Steps below this, read as seconds, are in days: no structure is recorded above 10 kHz. Our choice.
 const DAYS_BELOW_S: f64 = 1e-4;
-/// Steps from this value on, read as seconds, are too long for vibration: such stamps are usually milliseconds. Chosen here.
+/// Steps from this value on, read as seconds, are too long for vibration: such stamps are usually milliseconds. Our choice.
 const SLOW_FROM_S: f64 = 1.0;
 /// Largest relative difference between the first steps and the given rate in some unit, for a gap or a coarse last digit.
 const NEAR: f64 = 0.05;

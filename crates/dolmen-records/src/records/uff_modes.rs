@@ -28,13 +28,13 @@ const NORMAL: i64 = 2;
 const COMPLEX_EIGENVALUES: [i64; 2] = [3, 7];
 const REAL: i64 = 2;
 const COMPLEX: i64 = 5;
-/// Values a node: displacements, or displacements and rotations.
+/// Values per node: displacements, or displacements and rotations.
 const VALUES: [i64; 2] = [3, 6];
 /// Columns of a real number.
 const WIDTH: usize = 13;
 /// Lines of text of a 55.
 const LINES: usize = 5;
-/// Before the standard deviations in the third line of text of a file that Dolmen wrote.
+/// Text before the standard deviations in the third line of text of a file from Dolmen.
 const DEVIATIONS: &str = "standard deviations ";
 
 /// A mode of a universal file.
@@ -42,11 +42,11 @@ const DEVIATIONS: &str = "standard deviations ";
 pub struct UffMode {
     /// Natural (undamped) frequency, Hz.
     pub frequency_hz: f64,
-    /// Standard deviation of it, Hz, where Dolmen wrote the file.
+    /// Its standard deviation, Hz, if Dolmen wrote the file.
     pub frequency_sd_hz: Option<f64>,
-    /// Damping ratio; `None` where the file has 0, which programs write for one that is not known.
+    /// Damping ratio; `None` where the file has 0, which programs write for unknown.
     pub damping_ratio: Option<f64>,
-    /// Standard deviation of it, as of the frequency.
+    /// Its standard deviation, if Dolmen wrote the file.
     pub damping_ratio_sd: Option<f64>,
     /// Displacement of each node along x, y and z: real and imaginary part.
     pub displacements: BTreeMap<i64, [[f64; 2]; 3]>,
@@ -59,9 +59,9 @@ pub struct UffMode {
 pub struct UffModes {
     /// In the order of the file.
     pub modes: Vec<UffMode>,
-    /// Places of nodes in lengths of the file.
+    /// Positions of nodes in the length unit of the file.
     pub places: BTreeMap<i64, [f64; 3]>,
-    /// Lengths of the file a metre; `None` where it has no dataset 164.
+    /// Length units of the file per metre; `None` without a dataset 164.
     pub lengths_a_metre: Option<f64>,
 }
 
@@ -113,7 +113,7 @@ fn refuse(beside: &OtherDatasets, is_empty: bool) -> Result<(), RecordError> {
     })
 }
 
-/// A dataset 55 up to its end, and whether it is the conjugate of a mode; `None` if it holds no mode.
+/// A dataset 55 up to its end, and whether it is the conjugate of a mode; `None` if it contains no mode.
 fn mode(lines: &mut Lines) -> Result<Option<(UffMode, bool)>, RecordError> {
     let mut text = Vec::with_capacity(LINES);
     for _ in 0..LINES {
@@ -190,7 +190,7 @@ fn displacements(
     Ok(all)
 }
 
-/// The numbers of a line, apart by blanks or in columns of fixed width.
+/// The numbers of a line, separated by blanks or in columns of fixed width.
 fn numbers(line: &str) -> Option<Vec<f64>> {
     let apart: Option<Vec<f64>> = line.split_whitespace().map(decimal).collect();
     let columns = || {
@@ -204,7 +204,7 @@ fn numbers(line: &str) -> Option<Vec<f64>> {
     all.filter(|all| all.iter().all(|x| x.is_finite()))
 }
 
-/// Standard deviations of frequency and damping ratio in the text of a file that Dolmen wrote.
+/// Standard deviations of frequency and damping ratio in the text of a file from Dolmen.
 fn deviations(text: &str) -> (Option<f64>, Option<f64>) {
     let Some((hz, ratio)) = text
         .strip_prefix(DEVIATIONS)

@@ -16,7 +16,7 @@ const A_LINE: usize = 4;
 /// Number of text lines in a dataset 58.
 const LINES: usize = 11;
 
-/// How samples are written.
+/// Format of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UffNumbers {
     /// As text, 13 significant digits (4E20.12).

@@ -4,7 +4,7 @@
 //! |:--|:--|
 //! | `RIFF` | length of the file − 8, `WAVE` |
 //! | `fmt ` | 1 = integers, 3 = floats, 0xFFFE = told by the first two bytes of the sub-format; channels, rate, –, bytes a frame, bits |
-//! | `data` | frames, channel after channel |
+//! | `data` | frames; within each, one sample per channel |
 //!
 //! Source: Microsoft and IBM (1991) *Multimedia Programming Interface and Data Specifications 1.0*, with the later
 //! WAVEFORMATEXTENSIBLE.
@@ -31,7 +31,7 @@ struct Frames {
     number: Number,
     channels: usize,
     rate_hz: f64,
-    /// One over full scale.
+    /// Reciprocal of full scale.
     unit: f64,
 }
 
@@ -110,11 +110,11 @@ fn frames(cursor: &mut Cursor) -> Result<Frames, RecordError> {
     let mut sort = cursor.u16()?;
     let channels = usize::from(cursor.u16()?);
     let rate_hz = f64::from(cursor.u32()?);
-    cursor.u32()?; // bytes a second
+    cursor.u32()?; // bytes per second
     let frame = usize::from(cursor.u16()?);
     let bits = cursor.u16()?;
     if sort == EXTENSIBLE {
-        cursor.take(8)?; // length of what follows, bits that count, places of loudspeakers
+        cursor.take(8)?; // length of the rest, valid bits, loudspeaker positions
         sort = cursor.u16()?;
     }
     let (number, unit) = match (sort, bits) {

@@ -19,14 +19,14 @@ use crate::limits::refuse_channels;
 use crate::unit::Unit;
 use crate::wrong::OfStation;
 
-/// How a value that is not known is written.
+/// Spelling of an unknown value.
 const UNKNOWN: f64 = -999.0;
 /// Values of the real header, from 0: time step, ms; peak in the unit of the samples.
 const TIME_STEP_MS: usize = 61;
 const PEAK: usize = 63;
 /// Value of the integer header, from 0: azimuth.
 const AZIMUTH: usize = 53;
-/// No header has more values or lines.
+/// Largest number of values or lines in a header.
 const HEADER_MOST: usize = 10_000;
 
 pub(super) fn is_cosmos(bytes: &[u8]) -> bool {
@@ -147,7 +147,7 @@ fn channel(lines: &mut Lines, index: usize) -> Result<Raw, SeismicError> {
     })
 }
 
-/// Velocities and displacements after the accelerations of a channel.
+/// Skips velocities and displacements after the accelerations of a channel.
 fn passed_over(lines: &mut Lines) -> Result<(), SeismicError> {
     while let Some(line) = lines.peek() {
         let told = text(line).to_lowercase();

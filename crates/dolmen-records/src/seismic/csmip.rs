@@ -1,4 +1,4 @@
-//! V1 and V2 of the California Strong Motion Instrumentation Program (CSMIP, CDMG), before and beside COSMOS: several channels.
+//! V1 and V2 of the California Strong Motion Instrumentation Program (CSMIP, CDMG), used before and beside COSMOS: several channels.
 //!
 //! ```text
 //! Uncorrected Accelerogram Data …                                                 V2: "Corrected accelerogram …" before it
@@ -6,7 +6,7 @@
 //!  31932 Accelerogram points at 100 pts/sec in units of g.       Format: (8f9.6)                 V1
 //!  12000 points of accel data equally spaced at  .005 sec, in cm/sec2. (8f10.6)                  V2
 //! ```
-//! V2 goes on with velocities and displacements, which are passed over.
+//! V2 continues with velocities and displacements, which are ignored.
 
 use super::lines::{Columns, Line, Lines, refused, text};
 use super::raw::{MotionFormat, Raw};
@@ -16,9 +16,9 @@ use crate::limits::refuse_channels;
 use crate::quoted::shown;
 use crate::wrong::OfStation;
 
-/// The shortest line that says something: "Chan 1:".
+/// Length of the shortest line with information: "Chan 1:".
 const LINE_LEAST: usize = 7;
-/// The first line begins with one of these, small or capital.
+/// The first line begins with one of these, in lower or upper case.
 const FIRST: [&str; 3] = [
     "uncorrected accelerogram",
     "corrected accelerogram",

@@ -35,7 +35,7 @@ pub enum SeismicError {
         /// The first 80 characters of the content found there.
         text: String,
     },
-    /// The number of samples is not that of the header.
+    /// The number of samples differs from that of the header.
     Count {
         /// As the header says.
         stated: u64,
@@ -62,7 +62,7 @@ pub enum SeismicError {
     Missing {
         /// What is missing.
         label: &'static str,
-        /// Lines that were looked through.
+        /// Number of lines searched.
         lines: usize,
     },
     /// The length of the file is not that of its headers.
@@ -83,14 +83,14 @@ pub enum SeismicError {
     },
     /// A record of a miniSEED file is damaged.
     Damaged {
-        /// Where the record begins, bytes from 0.
+        /// Position of the record, bytes from 0.
         at: u64,
         /// The fault.
         what: Both,
     },
     /// The samples of a miniSEED record have an encoding that Dolmen does not read.
     Encoding {
-        /// Where the record begins, bytes from 0.
+        /// Position of the record, bytes from 0.
         at: u64,
         /// The code.
         encoding: u8,
@@ -99,9 +99,9 @@ pub enum SeismicError {
     Gap {
         /// The channel.
         channel: String,
-        /// Where it should begin, s.
+        /// Expected start, s.
         expected_s: f64,
-        /// Where it begins, s.
+        /// Actual start, s.
         found_s: f64,
     },
     /// The file exceeds a limit of the reader.

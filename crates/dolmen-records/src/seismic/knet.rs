@@ -23,7 +23,7 @@ const HEADER_LINES: usize = 17;
 /// # Source
 /// National Research Institute for Earth Science and Disaster Resilience, *K-NET ASCII format*: the record time is late by 15 s; ObsPy 1.5.1 takes it off too.
 const RECORDED_LATE_S: f64 = 15.0;
-/// Japan standard time, in which headers are, before universal time, s.
+/// Japan standard time, used in headers, minus UTC, s.
 const JAPAN_S: f64 = 9.0 * 3600.0;
 /// Directions of KiK-net: in the borehole, then at the surface.
 const KIK_NET: [(&str, &str, &str); 6] = [

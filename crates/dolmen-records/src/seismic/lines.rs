@@ -19,7 +19,7 @@ impl<'a> Lines<'a> {
         Lines { rest: bytes, read: 0 }
     }
 
-    /// The next line, or a refusal that says what it should have been.
+    /// The next line, or an error that states the expected content.
     pub(super) fn want(&mut self, wanted: OfStation) -> Result<Line<'a>, SeismicError> {
         let line = self.read + 1;
         self.next().ok_or(SeismicError::EndsEarly {
@@ -28,7 +28,7 @@ impl<'a> Lines<'a> {
         })
     }
 
-    /// The next line, which stays.
+    /// The next line, without advancing.
     pub(super) fn peek(&self) -> Option<Line<'a>> {
         Lines {
             rest: self.rest,
@@ -62,7 +62,7 @@ pub(super) fn refuse_long_lines(bytes: &[u8]) -> Result<(), LimitError> {
     Ok(())
 }
 
-/// As much of a text of the file as fits into a message.
+/// The beginning of a text of the file, for a message.
 pub(super) fn excerpt(text: &[u8]) -> String {
     const CHARACTERS: usize = 80;
     String::from_utf8_lossy(text)
@@ -72,12 +72,12 @@ pub(super) fn excerpt(text: &[u8]) -> String {
         .collect()
 }
 
-/// A line as text; bytes that are no UTF-8 become marks.
+/// A line as text; invalid UTF-8 is replaced by marks.
 pub(super) fn text((_, line): Line) -> String {
     String::from_utf8_lossy(line).into_owned()
 }
 
-/// "the line is not what it should be".
+/// The error for a line that differs from the expected one.
 pub(super) fn refused((line, text): Line, wanted: OfStation) -> SeismicError {
     SeismicError::Line {
         line,
@@ -86,7 +86,7 @@ pub(super) fn refused((line, text): Line, wanted: OfStation) -> SeismicError {
     }
 }
 
-/// A finite number, white space around it allowed.
+/// A finite number, with optional white space around it.
 pub(super) fn number(line: usize, cell: &[u8]) -> Result<f64, SeismicError> {
     match parse_number(cell.trim_ascii()) {
         Some(value) if value.is_finite() => Ok(value),
@@ -97,7 +97,7 @@ pub(super) fn number(line: usize, cell: &[u8]) -> Result<f64, SeismicError> {
     }
 }
 
-/// Columns of a FORTRAN format such as "(8F10.5)" or "(10I8)": how many on a line, how wide each.
+/// Columns of a FORTRAN format such as "(8F10.5)" or "(10I8)": number per line and width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Columns {
     pub(super) on_a_line: usize,
@@ -105,7 +105,7 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// From a text that holds "Format=(8F10.5)" or "(8f9.6)": its last parenthesis.
+    /// From a text with "Format=(8F10.5)" or "(8f9.6)": its last parenthesis.
     pub(super) fn of_format(text: &str) -> Option<Columns> {
         let open = text.rfind('(')?;
         let inner = text[open + 1..].split(')').next()?.trim();
@@ -129,7 +129,7 @@ impl Columns {
         (readable.contains(&columns.on_a_line) && readable.contains(&columns.width)).then_some(columns)
     }
 
-    /// The numbers of one line, cut at the columns: numbers may touch.
+    /// The numbers of one line, split by column width: numbers may touch.
     pub(super) fn numbers(self, (number_of_line, line): Line) -> Result<Vec<f64>, SeismicError> {
         let line = line.trim_ascii_end();
         if line.len() > self.on_a_line * self.width {
@@ -140,7 +140,7 @@ impl Columns {
             .collect()
     }
 
-    /// So many numbers from the next lines.
+    /// This many numbers from the next lines.
     pub(super) fn read(self, lines: &mut Lines, count: usize) -> Result<Vec<f64>, SeismicError> {
         let mut values = Vec::new();
         while values.len() < count {
@@ -169,7 +169,7 @@ impl Columns {
     }
 }
 
-/// Numbers between white space on all lines that are left.
+/// Numbers separated by white space on all remaining lines.
 pub(super) fn all_numbers(lines: Lines) -> Result<Vec<f64>, SeismicError> {
     let mut values = Vec::new();
     for (line, bytes) in lines {

@@ -6,10 +6,10 @@
 //! | 20 | year, day of year, hour, minute, second, 1/10000 s |
 //! | 30, 32, 34 | samples, rate factor, rate multiplier |
 //! | 36, 40 | activity flags, time correction (1/10000 s) |
-//! | 44, 46 | where the samples begin, where the first blockette |
+//! | 44, 46 | positions of the samples and of the first blockette |
 //! | blockette 1000 | encoding, byte order, length of the record 2ⁿ |
 //!
-//! The numbers are counts of a recorder as a rule, so that the unit and a factor must be given.
+//! The numbers are usually counts of a recorder, so that the unit and a factor must be given.
 //!
 //! Source: FDSN (2012) *SEED Reference Manual*, version 2.4, chapters 8 and appendix B.
 
@@ -23,9 +23,9 @@ use crate::wrong::OfStation;
 use std::collections::BTreeMap;
 
 const HEADER_BYTES: usize = 48;
-/// Lengths of records, 2ⁿ, that SEED allows.
+/// Exponents n of allowed record lengths 2ⁿ.
 const RECORD_EXPONENTS: std::ops::RangeInclusive<u8> = 7..=20;
-/// Share of a sampling step by which records may be off the one before. Chosen here, as half a step decides.
+/// Largest deviation of a record's start from the end of the previous one, in sampling steps. Our choice: half a step decides.
 const GAP_STEPS: f64 = 0.5;
 
 /// Whether the file begins with the header of a record.
@@ -40,7 +40,7 @@ fn is_header(bytes: &[u8]) -> bool {
     numbered && matches!(bytes[6], b'D' | b'R' | b'Q' | b'M') && matches!(bytes[7], b' ' | 0)
 }
 
-/// Numbers of a record in its byte order. Every access says where it would end.
+/// Numbers of a record in its byte order. Every access checks its end.
 #[derive(Clone, Copy)]
 struct Bytes<'a> {
     record: &'a [u8],
@@ -135,12 +135,12 @@ fn record_of(record: &Record) -> Raw {
 #[derive(Default)]
 struct Channels {
     raw: Vec<Raw>,
-    /// Which is that of a name.
+    /// Index of the channel with a name.
     places: BTreeMap<String, usize>,
 }
 
 impl Channels {
-    /// Appends the samples of a record to its channel; says where there is a gap, and refuses an overlap.
+    /// Appends the samples of a record to its channel; reports a gap, and refuses an overlap.
     fn join(&mut self, mut record: Raw, samples: Vec<f64>) -> Result<(), SeismicError> {
         let next = self.raw.len();
         let place = match self.places.get(&record.name) {
@@ -205,7 +205,7 @@ fn header(record: &[u8], at: u64) -> Result<Record, SeismicError> {
         little: false,
         at,
     };
-    // a byte order that gives a year of instruments and a day of a year
+    // the byte order that gives a plausible year and day of the year
     let dated = |bytes: &Bytes| -> Result<bool, SeismicError> {
         Ok((1900..=2500).contains(&bytes.u16(20)?) && (1..=366).contains(&bytes.u16(22)?))
     };
@@ -287,7 +287,7 @@ fn header(record: &[u8], at: u64) -> Result<Record, SeismicError> {
     })
 }
 
-/// Hz from factor and multiplier: negative ones divide.
+/// Hz from factor and multiplier; negative values divide.
 fn rate(factor: i16, multiplier: i16) -> f64 {
     let part = |value: i16| {
         if value < 0 {

@@ -1,4 +1,4 @@
-//! Files of seismic stations, which vibration records and ground motions both come in: bytes to the numbers of each channel.
+//! Files of seismic stations, used for vibration records and ground motions: bytes to the numbers of each channel.
 
 mod at2;
 mod cosmos;

@@ -1,4 +1,4 @@
-//! Which way a channel of a motion points.
+//! Direction of a channel of a motion.
 
 /// Direction of the positive numbers of a channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,14 +18,14 @@ impl Orientation {
     pub(crate) const NORTH: Orientation = Orientation::Horizontal { azimuth_deg: 0.0 };
     pub(crate) const EAST: Orientation = Orientation::Horizontal { azimuth_deg: 90.0 };
 
-    /// Horizontal at this azimuth, taken to 0 … 360.
+    /// Horizontal at this azimuth, reduced to 0 … 360.
     pub(super) fn horizontal(azimuth_deg: f64) -> Option<Self> {
         azimuth_deg.is_finite().then(|| Orientation::Horizontal {
             azimuth_deg: azimuth_deg.rem_euclid(360.0),
         })
     }
 
-    /// From the word for a direction: "180", "N-S", "UP", "DWN", "Deg" after a number left out.
+    /// From the word for a direction: "180", "N-S", "UP", "DWN", "Deg" after an omitted number.
     pub(crate) fn of_word(word: &str) -> Option<Self> {
         match word.trim().to_uppercase().as_str() {
             "N-S" | "NS" | "N" | "NORTH" => Some(Self::NORTH),
@@ -39,7 +39,7 @@ impl Orientation {
         }
     }
 
-    /// From the last letter of a SEED channel code: N, E and Z point north, east and up to 5°; others do not say.
+    /// From the last letter of a SEED channel code: N, E and Z point north, east and up within 5°; other letters state no direction.
     pub(crate) fn of_channel_code(code: &str) -> Option<Self> {
         match code.trim().chars().last() {
             Some('N') => Some(Self::NORTH),

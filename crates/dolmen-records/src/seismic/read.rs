@@ -1,11 +1,11 @@
-//! Any seismic file: a mark at the beginning tells the format, rows tell alphanumeric SAC.
+//! Reads any seismic file; the first bytes identify the format, or the rows for alphanumeric SAC.
 
 use super::lines::refuse_long_lines;
 use super::{Raw, SeismicError, at2, cosmos, csmip, esm, knet, miniseed, sac};
 use crate::limits::head;
 use crate::quoted::shown;
 
-/// Told by the first bytes, and read.
+/// A format with its detector and its reader.
 type Text = (fn(&[u8]) -> bool, fn(&[u8]) -> Result<Vec<Raw>, SeismicError>);
 
 /// Formats of text.
@@ -16,7 +16,7 @@ const TEXTS: [Text; 4] = [
     (esm::is_esm, esm::read),
 ];
 
-/// The numbers of each channel of a file that vibration records and ground motions come in; `None` if it is none.
+/// The numbers of each channel, for formats that vibration records and ground motions share; `None` for other files.
 pub(crate) fn raw_channels(bytes: &[u8]) -> Option<Result<Vec<Raw>, SeismicError>> {
     let read = if miniseed::is_miniseed(bytes) {
         miniseed::read(bytes)
@@ -29,7 +29,7 @@ pub(crate) fn raw_channels(bytes: &[u8]) -> Option<Result<Vec<Raw>, SeismicError
     Some(read.and_then(printable))
 }
 
-/// The numbers of each channel of a file of a ground motion, whole; `None` if it is none, or text in columns.
+/// The numbers of each channel of a ground motion without gaps; `None` for other files and for text in columns.
 pub(crate) fn motion_channels(bytes: &[u8], unit_is_given: bool) -> Option<Result<Vec<Raw>, SeismicError>> {
     if let Some(read) = raw_channels(bytes) {
         return Some(read.and_then(miniseed::whole));
@@ -89,7 +89,7 @@ mod tests {
         }
     }
 
-    /// A title of a megabyte would stand in each of thousands of channels without samples.
+    /// A title of a megabyte would be repeated in thousands of channels without samples.
     #[test]
     fn refuses_more_channels_than_a_station_has() {
         let series = "0 Accelerogram points at 100 pts/sec in units of g. (8f9.6)\n";

@@ -1,14 +1,14 @@
 //! Steim 1 and 2: first differences of integers, packed into frames of 64 bytes.
 //!
-//! Word 0 of a frame holds a code of two bits for each of its 16 words; words 1 and 2 of the first frame are the first and the
-//! last sample, so that what is unpacked can be checked.
+//! Word 0 of a frame contains a 2-bit code for each of its 16 words; words 1 and 2 of the first frame are the first and the
+//! last sample, which verify the result.
 //!
 //! Source: FDSN (2012) *SEED Reference Manual*, version 2.4, appendix B.
 
 use super::SeismicError;
 use crate::wrong::OfStation;
 
-/// Which of the two.
+/// Version of the encoding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Steim {
     One,
@@ -18,7 +18,7 @@ pub(super) enum Steim {
 const FRAME_BYTES: usize = 64;
 const WORDS: usize = 16;
 
-/// The samples of a record, from its frames on.
+/// The samples of a record from its frames.
 pub(super) fn unpacked(
     data: &[u8],
     samples: usize,
@@ -99,7 +99,7 @@ pub(super) fn unpacked(
     Ok(values)
 }
 
-/// `count` signed numbers of `bits` bits, from the high end of what lies below the two bits of the code.
+/// `count` signed numbers of `bits` bits, from the highest of the bits below the 2-bit code.
 fn split(packed: u32, count: u32, bits: u32, differences: &mut Vec<i64>) {
     for k in (0..count).rev() {
         let raw = packed >> (k * bits) << (32 - bits);

@@ -1,4 +1,4 @@
-//! How headers of motion files spell units of acceleration.
+//! Spellings of units of acceleration in headers of motion files.
 
 use crate::unit::Unit;
 
@@ -24,7 +24,7 @@ const SPELLINGS: [(&str, Unit); 18] = [
     ("MG", Unit::MilliGravity),
 ];
 
-/// The unit of acceleration that a word of a header means; full stops and commas after it are passed over.
+/// The unit of acceleration for a word in a header; full stops and commas after it are ignored.
 pub(super) fn acceleration_unit(word: &str) -> Option<Unit> {
     let word = word.trim().trim_end_matches(['.', ',']).to_uppercase();
     let found = SPELLINGS.iter().find(|(spelling, _)| *spelling == word);

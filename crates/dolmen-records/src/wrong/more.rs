@@ -10,7 +10,7 @@ messages! {
     }
 }
 
-/// The first names of a list, and how many follow.
+/// The first names of a list, and the number of others.
 pub(crate) fn and_more(first: String, more: usize) -> Both {
     More::AndMore { first, more }.into()
 }

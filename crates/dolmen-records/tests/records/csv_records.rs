@@ -107,7 +107,7 @@ fn exact_the_same_record_in_every_dialect() {
         ),
     ] {
         let options = RecordOptions {
-            // a comma between decimals and between cells is never guessed
+            // a comma as both decimal sign and separator is never guessed
             decimal: (delimiter == Delimiter::Comma).then_some(decimal),
             ..Default::default()
         };
@@ -183,7 +183,7 @@ fn exact_columns_picked_by_name_and_number() {
     let record = read_csv(b"a,x,b\n1,text,2\n3,,4\n5,\"a,b\",7\n", &options)
         .unwrap()
         .record;
-    assert_eq!(record.samples(0), [2.0, 4.0, 7.0]); // a column that is not asked for may hold anything
+    assert_eq!(record.samples(0), [2.0, 4.0, 7.0]); // an unrequested column may contain anything
     assert_eq!(record.samples(1), [1.0, 3.0, 5.0]);
     assert_eq!(record.channels()[1].position_m, Some([1.0, 2.0, 3.0]));
     assert_eq!(record.channels()[0].name, "roof y");
@@ -252,7 +252,7 @@ fn refuses_cells_that_are_no_samples() {
     for text in ["inf", "-Infinity", "1e999"] {
         assert!(refusal(&with(text)).contains(&format!("holds {text}: a sample is missing")));
     }
-    // of the stamps as of the samples
+    // for stamps as for samples
     assert!(
         refusal("time,x\n0,1\nlater,2\n")
             .starts_with("line 3, column \"time\": the time stamp \"later\" is not")
@@ -281,7 +281,7 @@ fn refuses_dates_unless_rate_and_columns_are_told() {
 
 #[test]
 fn refuses_a_rate_that_dates_contradict() {
-    // ten minutes at 100 Hz, in the ways that loggers and tables print them
+    // ten minutes at 100 Hz, in the formats of loggers and tables
     let written = |stamp: &dyn Fn(u32) -> String, samples: u32| -> String {
         (0..samples).fold("Date/Time;roof\n".to_owned(), |text, i| {
             text + &format!("{};{}.5\n", stamp(i), i * i % 7)
@@ -311,7 +311,7 @@ fn refuses_a_rate_that_dates_contradict() {
             "{said}"
         );
     }
-    // where samples are missing the rate is not to be changed, even if the first and the last date agree with another
+    // with missing samples the rate must not change, even if the first and the last date agree with another one
     let cut = |i: u32| ways[0](i + if i < 30_000 { 0 } else { 140 });
     let lost = written(&cut, 59_860);
     for rate_hz in [100.0, 100.0 * 59_859.0 / 59_999.0] {
@@ -323,7 +323,7 @@ fn refuses_a_rate_that_dates_contradict() {
             "{said}"
         );
     }
-    // what cannot be read confirms nothing, and a note says so
+    // unreadable columns confirm nothing, and a note says so
     let reading = read_csv(written(&|i| format!("tick {i}"), 200).as_bytes(), &at(200.0)).unwrap();
     assert_eq!(
         said_of(&reading),
@@ -483,7 +483,7 @@ proptest! {
 /// That text as the first sample of a record.
 fn read_number_in_a_file(text: &str) -> Option<f64> {
     if text.len() > 60 {
-        return text.parse().ok(); // longer cells are no number anyone prints, and refused
+        return text.parse().ok(); // longer cells are not printed numbers, and are refused
     }
     let file = format!("{text},0\n1,2\n0,0\n");
     Some(read_csv(file.as_bytes(), &at_100_hz()).ok()?.record.samples(0)[0])
@@ -509,7 +509,7 @@ fn exact_columns_below_the_lines_of_a_recorder_and_of_names_in_another_code() {
     assert_eq!(reading.record.sampling_rate_hz(), 100.0);
     assert_eq!(reading.record.channels()[0].name, "가속도");
     assert!(said_of(&reading)[0].contains("CP949"), "{:?}", said_of(&reading));
-    // "Höhe" of Windows-1252 is neither
+    // "Höhe" in Windows-1252 is neither
     let reading = read_csv(
         b"time,H\xf6he\n0.00,1\n0.01,3\n0.02,2\n",
         &RecordOptions::default(),

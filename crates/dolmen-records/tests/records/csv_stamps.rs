@@ -1,4 +1,4 @@
-//! Time stamps of records from CSV: the rate behind them, samples lost, clocks that are uneven.
+//! Time stamps of records from CSV: the resulting rate, lost samples, uneven clocks.
 
 use super::csv_records::{at_100_hz, layout, read, refusal, refusal_with};
 use super::korean_logs::said_of;
@@ -6,7 +6,7 @@ use dolmen_records::records::{
     Column, LostSamples, RateSource, Reading, RecordOptions, TimeColumn, read_csv,
 };
 
-/// `steps` stamps at that rate, printed with that many decimals.
+/// `steps` stamps at this rate, printed with this many decimals.
 fn stamped(rate_hz: f64, steps: usize, decimals: usize) -> String {
     (0..steps).fold("t,x\n".to_string(), |text, i| {
         text + &format!("{:.decimals$},{}\n", i as f64 / rate_hz, (i * i) % 7)
@@ -37,7 +37,7 @@ fn exact_the_rate_behind_rounded_stamps() {
 
 #[test]
 fn exact_stamps_that_lose_decimals_as_they_grow() {
-    // seven digits, as a program that prints "%.7g": 0.005 … 1000.005 is 1000.005, 10000.01 is short of one
+    // seven digits, as printed by "%.7g": 0.005 … 1000.005 is 1000.005; 10000.01 loses a digit
     let mut text = "t,x\n".to_string();
     for i in 0..3000 {
         let stamp = 9990.0 + f64::from(i) * 0.02;
@@ -75,7 +75,7 @@ fn refuses_uneven_time_stamps_with_line_step_and_expectation() {
     assert!(refusal(&text).contains("samples are missing or the clock jumped"));
 }
 
-/// Rows that are used, the first sample of them, and the notes.
+/// The used rows, their first sample, and the notes.
 fn kept(rows: impl Iterator<Item = usize>) -> (usize, f64, String) {
     let text = rows.fold("t,x\n".to_string(), |text, i| {
         text + &format!("{:.3},{i}.{}\n", 7.0 + i as f64 / 100.0, 7 * i % 10)
@@ -102,7 +102,7 @@ fn exact_longest_whole_span_of_a_record_that_lost_samples() {
         "samples are lost: 0.090 s after 1.180 s, 0.100 s after 1.490 s; only the longest whole span is used, 0.000 to 1.180 s: 1.180 of \
          1.990 s"
     );
-    // a sample that stands alone, at the start and between two gaps, is a span of its own
+    // an isolated sample, at the start and between two gaps, is its own span
     let (length, first, said) = lost(&[1..4, 50..60, 61..70]);
     assert_eq!((length, first), (130, 70.0));
     assert!(
@@ -111,7 +111,7 @@ fn exact_longest_whole_span_of_a_record_that_lost_samples() {
         ),
         "{said}"
     );
-    // every eleventh is lost: what is left whole is no record
+    // every eleventh is lost: the remaining spans are no record
     let text = (0..200)
         .filter(|i| i % 11 > 0)
         .fold("t,x\n".to_string(), |text, i| {
@@ -120,7 +120,7 @@ fn exact_longest_whole_span_of_a_record_that_lost_samples() {
     assert!(refusal(&text).contains("samples are missing or the clock jumped"));
 }
 
-/// A swing of 1 Hz at 100 Hz, stamped to the millisecond, without some rows.
+/// A 1 Hz oscillation at 100 Hz, stamped to the millisecond, without some rows.
 fn swing(lost: &[std::ops::Range<usize>]) -> String {
     let rows = (0..2000).filter(|i| !lost.iter().any(|gap| gap.contains(i)));
     rows.fold("t,x,y\n".to_string(), |text, i| {
@@ -145,7 +145,7 @@ fn holds_single_lost_samples_are_filled_in_and_said() {
         said,
         "lost samples filled in by linear prediction: 5 (0.250 %), 0.010 s after 2.990 s, 0.030 s after 7.990 s, 0.010 s after 14.990 s"
     );
-    // nine at once are too many: the longer side is used, with what is filled in there
+    // nine at once are too many: the longer side is used, including its filled samples
     let found = read(&swing(&[300..309, 800..803])).record;
     assert_eq!((found.length(), found.history().len()), (1691, 3));
     let said: Vec<String> = found.history().iter().map(ToString::to_string).collect();
@@ -156,7 +156,7 @@ fn holds_single_lost_samples_are_filled_in_and_said() {
         "{said:?}"
     );
     assert!(said[2].contains("prediction: 3 (0.177 %)"), "{said:?}");
-    // as before, where that is asked
+    // as before, if requested
     let options = RecordOptions {
         lost_samples: LostSamples::Longest,
         ..Default::default()
@@ -175,7 +175,7 @@ fn refuses_a_missing_sample_hidden_in_coarse_stamps() {
                     to 0.01 s, this may be rounding or a missing sample: give sampling_rate if none is missing, or \
                     print more digits";
     assert_eq!(refusal(&lines.join("\n")), expected);
-    // a given rate of which the stamps need no rounding changes nothing; one of which they do is believed
+    // a given rate whose stamps need no rounding changes nothing; one whose stamps do is accepted
     assert_eq!(refusal_with(&lines.join("\n"), &at_100_hz()), expected);
     let options = RecordOptions {
         sampling_rate_hz: Some(128.0),
@@ -244,7 +244,7 @@ fn exact_rates_of_stamps_in_days_and_in_milliseconds() {
     let reading = read_csv(milliseconds("time").as_bytes(), &given).unwrap();
     assert_eq!(reading.record.sampling_rate_hz(), 200.0);
     assert_eq!(layout(&reading).time_unit_s, Some(1e-3));
-    // said by the name, or steps that are seconds: as they are
+    // stated by the name, or steps in seconds: unchanged
     assert_eq!(read(&milliseconds("time [ms]")).record.sampling_rate_hz(), 200.0);
     assert_eq!(read(&milliseconds("시간 [s]")).record.sampling_rate_hz(), 0.2);
     assert_eq!(
@@ -271,7 +271,7 @@ fn exact_stamps_in_minutes_and_hours_are_read_by_the_unit_of_their_head() {
         ("시간(밀리초)", 1e-3),
     ] {
         assert!(near(&read(&stamps(name, unit_s)), 100.0), "{name}");
-        // the same where the user names the column
+        // the same if the user names the column
         let named = RecordOptions {
             time: TimeColumn::At(Column::Number(1)),
             ..Default::default()
@@ -279,7 +279,7 @@ fn exact_stamps_in_minutes_and_hours_are_read_by_the_unit_of_their_head() {
         let reading = read_csv(stamps(name, unit_s).as_bytes(), &named).unwrap();
         assert!(near(&reading, 100.0), "{name}");
     }
-    // a head that may be two things, named or not: the rate tells the unit, and without one it is refused
+    // an ambiguous heading, named or not: the rate determines the unit, and without one it is refused
     for time in [TimeColumn::Detect, TimeColumn::At(Column::Number(1))] {
         let text = stamps("시간(시)", 60.0);
         let options = RecordOptions {
@@ -297,7 +297,7 @@ fn exact_stamps_in_minutes_and_hours_are_read_by_the_unit_of_their_head() {
         };
         assert!(near(&read_csv(text.as_bytes(), &rated).unwrap(), 100.0));
     }
-    // a rate that the unit of the head contradicts
+    // a rate that contradicts the unit in the heading
     let rated = RecordOptions {
         sampling_rate_hz: Some(100.0),
         ..Default::default()
@@ -317,7 +317,7 @@ fn refuses_a_second_stamp_that_is_not_after_the_first() {
     );
 }
 
-/// "mm:ss.00" of Excel across an hour, without a rate: the record, and faults by their line.
+/// "mm:ss.00" of Excel across an hour, without a rate: the record, and faults with their lines.
 #[test]
 fn exact_minutes_and_seconds_without_their_hour() {
     let of = |stamp: &dyn Fn(usize) -> String| -> String {
@@ -344,14 +344,14 @@ fn exact_minutes_and_seconds_without_their_hour() {
             .unwrap_err()
             .to_string()
     };
-    // a gap of a second behind the 251st: the longest span is left, as of stamps in seconds
+    // a gap of a second after the 251st: the longest span remains, as for stamps in seconds
     let gap = of(&|i| stamp(359_800 + i + if i > 250 { 100 } else { 0 }));
     let kept = read_csv(gap.as_bytes(), &RecordOptions::default()).unwrap();
     assert_eq!(
         (kept.record.sampling_rate_hz(), kept.record.length()),
         (100.0, 251)
     );
-    // "mm:ss.0" shows ten samples alike
+    // "mm:ss.0" shows ten samples with the same text
     let coarse = refused(of(&|i| stamp(10 * ((359_800 + i) / 10))[..7].to_owned()));
     assert!(coarse.contains("line 12"), "{coarse}");
     // hours and minutes, or minutes and seconds

@@ -1,4 +1,4 @@
-//! Logs as Korean spreadsheets save them: CP949, halves of the day, units in the names of columns.
+//! Logs saved by Korean spreadsheets: CP949, halves of the day, units in the names of columns.
 
 use super::csv_records::{layout, refusal_with};
 use dolmen::signal::Channel;
@@ -131,7 +131,7 @@ fn holds_times_that_cannot_be_read_are_told_of_every_file() {
     assert_eq!(unread, ["a time", "b time"]);
 }
 
-/// Three columns, the last of them in another unit by its name.
+/// Three columns, the last with another unit in its name.
 const MIXED: &str = "a1 [gal],a2 [gal],a3 [g]\n1,2,0.003\n4,1,0.001\n2,5,0.002\n";
 
 #[test]
@@ -170,7 +170,7 @@ fn exact_a_scale_of_the_channel_takes_a_column_to_the_unit() {
     let record = read_record(MIXED.as_bytes(), &at(100.0, picks)).unwrap().record;
     assert_eq!(record.samples(0)[0], 0.01);
     assert!((record.samples(1)[0] - 0.003 * 9.80665).abs() < 1e-15);
-    // what is not read contradicts nothing
+    // an unread column contradicts nothing
     let picks = vec![picked("a1 [gal]", None), picked("a2 [gal]", None)];
     assert!(read_record(MIXED.as_bytes(), &at(100.0, picks)).is_ok());
 }

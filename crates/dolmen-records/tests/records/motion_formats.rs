@@ -1,6 +1,6 @@
 // SOURCE     tests/data/motions: El Centro 1940 NS, its first 240 samples in millionths of g, written by ObsPy 1.5.1 in each encoding
 //            (bench/formats/make.py). tests/data/peers.csv: what ObsPy 1.5.1 and gmprocess 2.8.0 read from measured files.
-// GOAL       Dolmen tells every format of motions from its content and reads it to the bit; what is damaged is refused.
+// GOAL       Dolmen identifies every format of motions from its content and reads it to the bit; damaged files are refused.
 // TOLERANCE  none for integers; the last bits of a sum of doubles otherwise.
 
 use super::motion_networks::{KNET, cosmos, csmip, esm, knet, tiny, written_cosmos};
@@ -197,7 +197,7 @@ fn refuses_what_was_cut_at_any_byte() {
         for length in (0..whole.len()).step_by(step) {
             match read_channels(&whole[..length], &options) {
                 Err(_) => {}
-                // what is left is whole by itself: entire records, entire channels, the last line end, velocities after it
+                // the remaining part is valid by itself: entire records, entire channels, the last line end, velocities after it
                 Ok(part) => assert!(
                     is_beginning(&part, &all),
                     "{name} cut at {length} of {}",
@@ -246,8 +246,8 @@ fn refuses_damaged_miniseed_and_sac() {
     assert!(said(&velocity, &as_printed()).contains("the file holds velocities"));
 }
 
-// Measured files of other packages, which scripts/data --formats fetches (scripts/test does, if they are not there): none of them may
-// be given on with this repository. A test that compares nothing would hold nothing, so it fails without them.
+// Measured files of other packages, which scripts/data --formats downloads (scripts/test does so if they are missing): this
+// repository may not redistribute them. Without them the test would compare nothing, so it fails.
 #[test]
 fn agrees_with_obspy_and_gmprocess_on_measured_files() {
     let cache = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/cache/formats");
@@ -286,7 +286,7 @@ fn holds_numbers(read: &ComponentReading, cells: &[&str]) {
         read.time_step_s
     );
     let peak = a.iter().fold(0.0, |peak, a| f64::max(peak, a.abs()));
-    // ObsPy reads the text of SAC as 32-bit numbers, Dolmen as it is printed
+    // ObsPy reads SAC text as 32-bit numbers, Dolmen with all printed digits
     let within = if read.format == MotionFormat::SacText {
         1e-7
     } else {

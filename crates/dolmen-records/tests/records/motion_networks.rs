@@ -1,6 +1,6 @@
-// SOURCE     Files in the shapes of K-NET, COSMOS, CSMIP and ESM: headers of real files, numbers made; a COSMOS file that gmprocess 2.8.0
-//            wrote.
-// GOAL       Channels, units and offsets are read to the bit; what is damaged is refused.
+// SOURCE     Files in the formats of K-NET, COSMOS, CSMIP and ESM: headers of real files with made-up numbers; a COSMOS file from
+//            gmprocess 2.8.0.
+// GOAL       Channels, units and offsets are read to the bit; damaged files are refused.
 // TOLERANCE  none for integers; the last bits of a sum of doubles otherwise.
 
 use super::motion_formats::{millionths, said, written};
@@ -9,7 +9,7 @@ use dolmen_records::motions::{
 };
 use dolmen_records::records::Unit;
 
-/// The header is that of AKT013, 11 August 1996 03:12; the numbers are made.
+/// The header is that of AKT013, 11 August 1996 03:12; the numbers are made up.
 pub(super) fn knet(direction: &str, peak: &str, numbers: &str) -> String {
     format!(
         "Origin Time       1996/08/11 03:12:00\nLat.              38.920\nLong.             140.630\nDepth. (km)       7\n\
@@ -84,7 +84,7 @@ fn refuses_knet_that_is_not_whole() {
     );
 }
 
-/// The headers are those of AK.BMR, Point MacKenzie 2018, and of a demonstration file of USGS, shortened; the numbers are made.
+/// The headers are those of AK.BMR, Point MacKenzie 2018, and of a demonstration file of USGS, shortened; the numbers are made up.
 pub(super) fn cosmos(units: &str, azimuth: &str) -> String {
     let mut integers: Vec<String> = vec!["    -999".to_owned(); 100];
     integers[53] = format!("{azimuth:>8}");
@@ -147,7 +147,7 @@ fn exact_cosmos_of_several_channels() {
     );
 }
 
-/// The header is that of China Lake, 5 July 2019, and of Willow Creek, 13 February 2012; the numbers are made.
+/// The header is that of China Lake, 5 July 2019, and of Willow Creek, 13 February 2012; the numbers are made up.
 pub(super) fn csmip(version: u8) -> String {
     let head = "Uncorrected Accelerogram Data             Processed: 07/06/19, CGS  ciclc--f    \n\
                 Station Id. CLC     35.816N, 117.598W    Q330    s/n 4323  (3 Chns of  3 at Sta)\nChan  1:  90 Deg\n";
@@ -191,7 +191,7 @@ fn exact_csmip_of_both_versions() {
     );
 }
 
-/// COSMOS that another program wrote: its peak contradicts its samples, which are a hundred times too large.
+/// A COSMOS file from another program, whose peak contradicts its samples: they are a hundred times too large.
 pub(super) fn written_cosmos() -> MotionOptions {
     MotionOptions {
         stated_peak: StatedPeak::Ignore,
@@ -286,7 +286,7 @@ fn exact_esm() {
     );
     assert_eq!(read.begins_s, Some(1_564_330_159.870));
     let plain = MotionOptions::default();
-    // so AFAD's service writes it
+    // AFAD's service writes it so
     let small = esm("cm/s^2").replace("TYPE: ACCELERATION", "TYPE: Acceleration");
     assert_eq!(read_channels(small.as_bytes(), &plain).unwrap()[0], *read);
     assert!(said(esm("cm/s").as_bytes(), &plain).contains("the unit \"cm/s\" is not known"));

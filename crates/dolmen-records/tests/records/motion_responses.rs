@@ -1,6 +1,6 @@
-// SOURCE     Files in the shape in which the Korea Meteorological Administration publishes events (NECIS): miniSEED in counts, named
-//            NET.STA.CHA.YEAR.DAY.HH.MM.SS, and SEED RESP of each channel. Numbers made, files written by ObsPy 1.5.1 (Steim 2).
-// GOAL       Accelerations are counts over the sensitivity of the channel's own response at the time of the record.
+// SOURCE     Files in the form in which the Korea Meteorological Administration publishes events (NECIS): miniSEED in counts, named
+//            NET.STA.CHA.YEAR.DAY.HH.MM.SS, and SEED RESP of each channel. Made-up numbers, files written by ObsPy 1.5.1 (Steim 2).
+// GOAL       Accelerations are counts divided by the sensitivity in the channel's own response at the time of the record.
 // REFERENCE  ObsPy 1.5.1: read_inventory(RESP), Stream.remove_sensitivity().
 // TOLERANCE  1e-15 m/s²: one rounding of a quotient.
 

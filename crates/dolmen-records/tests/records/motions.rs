@@ -1,4 +1,4 @@
-//! Ground motions: AT2 in both headers, text in columns, and what is refused.
+//! Ground motions: AT2 with both headers, text in columns, and refusals.
 
 use dolmen::signal::{Component, Processing};
 use dolmen_records::motions::{
@@ -132,7 +132,7 @@ fn refuses_a_peak_that_no_earthquake_has() {
         "the peak is 3.380e1 g, but must be 0.001 to 5 g: is the unit cm/s2 or mg instead of g?; if the motion is truly \
          so, bring it into that range with --factor and back with --scale"
     );
-    // the dangerous way round: a strong motion that would shake nothing
+    // the dangerous case: a strong motion that would shake nothing
     let g = "0.00 0\n0.02 0.32\n0.04 -0.1\n";
     assert!(said(g, &in_unit(Unit::Gal)).contains("is the unit g or m/s2 instead of cm/s2?"));
     assert!(said("0.00 0\n0.02 0\n0.04 0\n", &in_unit(Unit::Gravity)).contains("check the unit g"));
@@ -204,7 +204,7 @@ fn refuses_what_is_not_known_or_contradicts() {
     assert!(said("0\n0.1\n-0.3\n", &in_unit(Unit::Gravity)).contains("time step is not known"));
 }
 
-/// As a Korean network gives a station: one file, columns in any order, the unit in the header.
+/// In the format of a Korean network: one file, columns in any order, the unit in the header.
 const STATION: &str = "UD(gal),time,NS (cm/s^2),EW[gal]\n0,0,0,0\n-5,0.01,20,30\n4,0.02,-10,-7\n";
 
 #[test]

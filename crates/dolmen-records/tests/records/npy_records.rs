@@ -3,7 +3,7 @@
 use dolmen::signal::Channel;
 use dolmen_records::records::{Axis, Column, Layout, Pick, RecordOptions, read_npy, read_record};
 
-/// An NPY file as numpy writes it: the header ends with a line end at a multiple of 64 bytes.
+/// An NPY file as from numpy: the header ends with a line end at a multiple of 64 bytes.
 fn npy(version: u8, literal: &str, values: &[u8]) -> Vec<u8> {
     let prefix = if version == 1 { 10 } else { 12 };
     let length = (prefix + literal.len() + 1).next_multiple_of(64) - prefix;

@@ -3,7 +3,7 @@
 //! ```text
 //! SOURCE     Aloisio et al. (2020) Eng. Struct. 213:110593, an eight-storey cross-laminated timber building; record shipped
 //!            with pyOMA-2 0.6.0 (MIT).
-//! GOAL       The first three modes, with no hand on a peak.
+//! GOAL       The first three modes, without manual peak picking.
 //! PARAMETERS 6 channels × 10 min × 100 Hz, defaults.
 //! PUBLISHED  1.882, 2.421, 2.687 Hz, from the whole 90 minutes.
 //! TOLERANCE  the 95 % interval that each mode states, ± 1.96 standard deviations.
@@ -37,7 +37,7 @@ fn published_first_three_modes_lie_in_the_stated_intervals() {
     }
 }
 
-/// TOLERANCE 1 %: what ten minutes of this building differ by from its 90; the second mode lies .7 % low by every method.
+/// TOLERANCE 1 %: the difference between ten minutes of this building and its 90; the second mode is 0.7 % low by every method.
 #[test]
 fn published_first_three_modes_by_lines_whose_references_and_degrees_are_chosen() {
     let options = RecordOptions {

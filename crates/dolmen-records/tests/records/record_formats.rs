@@ -1,7 +1,7 @@
 // SOURCE     Files of tests/data/records: the same 96 numbers of two channels, written by pyuff 2.5.8, scipy 1.17.1, h5py 3.16.0, wave of Python,
 //            ObsPy 1.5.1 and npTDMS 1.13.0 (bench/formats/records.py); a SAF file that hvsrpy 2.1.0 reads as we do.
-// GOAL       Every format gives those numbers, with names, rates, units and starts; what is cut or changed is refused.
-// TOLERANCE  none where the file holds whole numbers or doubles; what the file prints or rounds otherwise, said beside each.
+// GOAL       Every format gives those numbers, with names, rates, units and starts; truncated or changed files are refused.
+// TOLERANCE  none if the file contains integers or doubles; otherwise the file's own rounding, as stated for each.
 
 use super::korean_logs::said_of;
 use dolmen::signal::{Channel, Quantity};
@@ -18,7 +18,7 @@ fn bytes(name: &str) -> Vec<u8> {
     std::fs::read(folder().join(name)).unwrap()
 }
 
-/// The two channels as whole numbers.
+/// The two channels as integers.
 fn written() -> [Vec<f64>; 2] {
     let text = String::from_utf8(bytes("samples.csv")).unwrap();
     let column = |at: usize| -> Vec<f64> {
@@ -61,7 +61,7 @@ fn scaled(scale: f64) -> RecordOptions {
 
 #[test]
 fn agrees_uff_of_pyuff() {
-    // accelerations of a thousandth of the numbers in mm/s2; E13.5 prints 6 digits, single precision holds 7
+    // accelerations of a thousandth of the numbers in mm/s2; E13.5 prints 6 digits, single precision has 7
     for (name, share) in [
         ("text_single.uff", 2e-6),
         ("text_double.uff", 1e-11),
@@ -162,7 +162,7 @@ fn agrees_mat_7_3_of_h5py() {
             "{name}"
         );
     }
-    // headers and links of HDF5 1.8, chunks that stand over, whole numbers of 16 and 32 bits
+    // headers and links of HDF5 1.8, chunks beyond the matrix, integers of 16 and 32 bits
     let reading = read("hdf5_newer.mat", &RecordOptions::default());
     let mut names: Vec<&str> = reading
         .record
@@ -240,7 +240,7 @@ fn agrees_gcf_of_obspy() {
          is worth in m/s (1 if they are in m/s already), or leave unit out"
     );
     let mut changed = bytes("int16.gcf");
-    changed[40] ^= 1; // a difference: the last sample tells
+    changed[40] ^= 1; // a difference: the last sample reveals it
     assert!(
         refusal(
             &changed,
@@ -293,7 +293,7 @@ fn exact_gcf_blocks_follow_one_another() {
         "channel AB12Z0: a block begins 1 s after the first, but the samples before it end at 0.096 s: there is a gap or an \
          overlap; cut the file there"
     );
-    // one that begins a quarter of a second later leaves a gap of .154 s: the longest whole span is the first block, or the record is refused
+    // one that begins a quarter of a second later leaves a gap of 0.154 s: the longest whole span is the first block, or the record is refused
     let mut early = block.clone();
     early[14] &= 7;
     let broken = [early, block.clone()].concat();
@@ -471,13 +471,13 @@ fn refuses_a_ramp_and_looks_twice_at_texts() {
     assert_eq!(reading.record.samples(0), [-1.0, 5.0, 3.0]);
 }
 
-/// Every file of the folder but the table.
+/// Every file of the folder except the table.
 fn files() -> Vec<(String, Vec<u8>)> {
     let listed = std::fs::read_dir(folder()).unwrap();
     let mut names: Vec<String> = listed
         .map(|f| f.unwrap().file_name().into_string().unwrap())
         .collect();
-    // what is refused as a whole has nothing to compare
+    // files refused as a whole have nothing to compare
     names.retain(|name| !name.ends_with(".csv") && name != "hdf5_other.mat");
     names.sort();
     names
@@ -503,7 +503,7 @@ fn refuses_every_file_cut_at_every_byte() {
         for end in 0..bytes.len() {
             let cut = read_record(&bytes[..end], &options);
             if let Ok(cut) = cut {
-                // what was cut off held no sample; or nothing can tell: SAF cut within its last number, TDMS between two segments
+                // the cut part had no sample, or the cut is undetectable: SAF within its last number, TDMS between two segments
                 let same = cut.record.samples(0) == whole.samples(0);
                 let unseen = (name == "three.saf" && end + 8 > bytes.len())
                     || (name.ends_with(".tdms") && bytes[end..].starts_with(b"TDSm"));
@@ -523,7 +523,7 @@ fn holds_every_changed_byte_is_read_or_refused_without_more_memory() {
                 let mut changed = bytes.clone();
                 changed[at] ^= change;
                 if let Ok(reading) = read_record(&changed, &options) {
-                    // zlib sums over what it packs: behind its tag no change of samples goes unseen
+                    // zlib checks its packed contents: no change of samples is undetected
                     let packed = ["compressed.mat", "vectors.mat"].contains(&name.as_str()) && at >= 136;
                     assert!(
                         !packed || reading.record.samples(0) == whole.samples(0),

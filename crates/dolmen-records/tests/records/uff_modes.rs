@@ -39,7 +39,7 @@ fn exact_hysteretic_damping_conjugates_and_no_damping() {
         read_modes_uff(undamped.as_bytes()).unwrap().modes[0].damping_ratio,
         None
     );
-    // the mode below the real axis beside others, then alone
+    // the conjugate mode together with others, then alone
     let below = written().replace("  5.81129e+01", " -5.81129e+01");
     assert_eq!(read_modes_uff(below.as_bytes()).unwrap().modes.len(), 3);
     let alone = below[below.find("    -1\n    55").unwrap()..].replace(

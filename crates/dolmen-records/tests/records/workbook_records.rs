@@ -13,7 +13,7 @@ fn sample(row: u32, column: u32) -> f64 {
     f64::from((row * 7 + column * 3) % 13) / 8.0 - 0.75
 }
 
-/// 300 rows from 14:30, with seconds or dates as their times, below so many empty rows.
+/// 300 rows from 14:30, with seconds or dates as times, below this many empty rows.
 fn book(has_dates: bool, above: u32) -> Workbook {
     let mut book = Workbook::new();
     book.add_worksheet().set_name("empty").unwrap();
@@ -44,7 +44,7 @@ fn book(has_dates: bool, above: u32) -> Workbook {
     book
 }
 
-/// Columns are picked where dates stand beside them, as a project file does.
+/// Columns are picked if there are dates beside them, as in a project file.
 fn options(has_dates: bool) -> RecordOptions {
     let picks = ["top", "base"].map(|name| Pick {
         column: Column::Named(name.to_owned()),

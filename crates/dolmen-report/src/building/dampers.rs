@@ -1,4 +1,4 @@
-//! The dampers of a building, every number worked out.
+//! The dampers of a building, with all their numbers.
 
 use super::words::{direction_words, fixed, name, number, significant, tonnes};
 use crate::document::{Block, Cell, Column, Document, Table};
@@ -88,7 +88,7 @@ pub(super) fn section(document: &mut Document<'_>, dampers: &[BuiltDamper]) {
     }
 }
 
-/// By what it is tuned, and what does not fit a table.
+/// The tuning rule, and properties that do not fit a table.
 fn besides(damper: &BuiltDamper) -> impl Iterator<Item = Sentence> {
     let tuned = damper.tuning.map(|rule| Dampers::TunedBy {
         damper: damper.name.clone(),
@@ -121,7 +121,7 @@ fn row(damper: &BuiltDamper) -> Vec<Cell> {
     ]
 }
 
-/// What a damper is beyond mass, frequency and damping; nothing of a mass on a spring.
+/// Properties of a damper besides mass, frequency and damping; `None` for a mass on a spring.
 pub(crate) fn rest(damper: &BuiltDamper) -> Option<Sentence> {
     let as_given = |value: f64| Quantity::new(value, Unit::ratio(), Digits::Trimmed(6));
     let said = match damper.kind {

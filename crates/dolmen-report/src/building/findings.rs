@@ -1,4 +1,4 @@
-//! What a building's check says in plain words.
+//! Findings of a building's check.
 
 use super::wind_findings::{beyond_room as beyond_room_in_wind, wind_findings};
 use super::words::{floor_words, millimetres, of_both, significant, stroke_words};
@@ -11,7 +11,7 @@ use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{BuildingAnswer, BuildingSpectral, StandingBuilding};
 use dolmen_work::state::{Check, VariantAnswer};
 
-/// Share of the energy in rotation, in a mode that sways, from which a finding says that the building twists. Our choice.
+/// Share of the energy in rotation, in a sway mode, from which a finding reports torsion. Our choice.
 const TWISTS: f64 = 0.02;
 
 messages! {
@@ -90,7 +90,7 @@ pub(crate) fn findings(answer: &BuildingAnswer) -> Vec<Finding> {
     all
 }
 
-/// What must be known of the variants.
+/// Notes on the variants.
 pub(crate) fn variant_findings(variants: &[VariantAnswer]) -> Vec<Finding> {
     let states = variants.iter().map(|variant| &variant.state.check);
     let standing = states.filter_map(|check| match check {
@@ -151,10 +151,10 @@ fn drift(answer: &BuildingAnswer, standing: &StandingBuilding, spectral: &Buildi
     Finding::key(Tone::Plain, said)
 }
 
-/// Share of a modal mass below which no damper is built. Chosen here: they have half a per cent and more.
+/// Share of a modal mass below which dampers are not built. Our choice: they have half a per cent and more.
 const MASS_RATIO_LEAST: f64 = 2e-3;
 
-/// Dampers whose mode hardly moves their way.
+/// Dampers whose mode hardly moves in their direction.
 fn hardly_moves(standing: &StandingBuilding) -> Vec<Finding> {
     let each = standing.dampers.iter().filter_map(|of| {
         let tuned = of.tuned_to.filter(|tuned| tuned.mass_ratio < MASS_RATIO_LEAST)?;
@@ -168,7 +168,7 @@ fn hardly_moves(standing: &StandingBuilding) -> Vec<Finding> {
     each.collect()
 }
 
-/// What the dampers make more under the spectrum of the site.
+/// Responses that the dampers increase under the spectrum of the site.
 pub(super) fn more_with_dampers(standing: &StandingBuilding) -> Option<Found> {
     let against = standing.against_without();
     let more = against.iter().filter(|of| of.ratio > GROWN).map(|of| {
@@ -199,7 +199,7 @@ pub(super) fn beyond_room_said(standing: &StandingBuilding) -> Vec<Found> {
     .collect()
 }
 
-/// What could not be computed, and why: without the dampers, else with them.
+/// Results that could not be computed, and why: without the dampers, otherwise with them.
 pub(super) fn refused(standing: &StandingBuilding) -> Option<Found> {
     let without = standing.spectral_refused.clone();
     let with = standing.damped_refused.clone();

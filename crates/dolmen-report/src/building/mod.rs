@@ -1,4 +1,4 @@
-//! What an answer says of a building that twists: findings, and the sections of its check.
+//! Answers about a building with torsion: findings, and the sections of its check.
 
 mod dampers;
 mod findings;
@@ -24,13 +24,13 @@ use dolmen_words::{Template, messages};
 use dolmen_work::building::BuildingAnswer;
 
 messages! {
-    /// The head of the stability of a building.
+    /// The heading of the stability of a building.
     pub(crate) enum Stability in "building.stability" {
         Head => { en: "Stability", ko: "안정성" },
     }
 }
 
-/// The sentences on buildings as they are written.
+/// Templates of the sentences on buildings.
 pub(crate) const TEMPLATES: [&[Template]; 9] = [
     words::Words::TEMPLATES,
     findings::Found::TEMPLATES,

@@ -1,4 +1,4 @@
-//! The natural modes of a building: how much each sways and twists, and where it turns.
+//! The natural modes of a building: shares of sway and torsion, and centres of rotation.
 
 use super::words::{fixed, number, significant};
 use crate::document::{Block, Cell, Column, Document, Figure, Table, table_series};
@@ -48,7 +48,7 @@ messages! {
     }
 }
 
-/// Where the modes turn, and a table of them.
+/// The centres of rotation, and a table of the modes.
 pub(super) fn section<'a>(document: &mut Document<'a>, standing: &'a StandingBuilding) {
     document.heading(Modes::Head);
     let modes = &standing.modes;
@@ -135,7 +135,7 @@ fn shares(standing: &StandingBuilding) -> Table {
     }
 }
 
-/// Its number, marked where its shape is one choice of many.
+/// Its number, marked if its shape is not unique.
 fn mode_cell(standing: &StandingBuilding, j: usize) -> Cell {
     match standing.modes.modes[j].repeated {
         true => Cell::words(Modes::Repeated { number: j + 1 }),

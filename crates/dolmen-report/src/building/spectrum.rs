@@ -1,4 +1,4 @@
-//! The response of a building to the spectrum of its site, without its dampers and with them.
+//! The response of a building to the spectrum of its site, with and without its dampers.
 
 use super::findings::{beyond_room_said, more_with_dampers, refused};
 use super::words::{beside, kilonewtons, millimetres, name, scaled, significant, stroke_words};
@@ -85,7 +85,7 @@ struct SpectralDisplacements<'a> {
     captions: ([Spectrum; 2], Spectrum),
 }
 
-/// Without the dampers, with them, and what could not be computed.
+/// Without the dampers, with them, and results that could not be computed.
 pub(super) fn section(document: &mut Document<'_>, answer: &BuildingAnswer, standing: &StandingBuilding) {
     let refused = refused(standing);
     if standing.spectral.is_none() && refused.is_none() {

@@ -25,7 +25,7 @@ messages! {
     }
 }
 
-/// A row a floor, the highest first.
+/// One row per floor, the highest first.
 pub(super) fn section(document: &mut Document<'_>, answer: &BuildingAnswer) {
     let building = &answer.elastic;
     let storeys = building.storeys().iter();

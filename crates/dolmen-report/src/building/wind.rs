@@ -1,4 +1,4 @@
-//! A building in the wind of its file, in time.
+//! A building in the wind of its file, over time.
 
 use super::words::{axis_words, fixed, kilonewtons, millimetres, name, scaled, significant, stroke_words};
 use crate::document::{Block, Cell, Column, Document, Figure, Table};
@@ -85,7 +85,7 @@ messages! {
     }
 }
 
-/// What the wind does, if the file gives one.
+/// The effect of the wind, if the file gives one.
 pub(super) fn section<'a>(
     document: &mut Document<'a>,
     answer: &'a BuildingAnswer,

@@ -1,4 +1,4 @@
-//! What the wind makes of a building, in plain words.
+//! Findings on a building in the wind.
 
 use super::words::{axis_words, floor_words, millimetres, significant, stroke_words};
 use crate::document::{Finding, Tone};
@@ -7,8 +7,8 @@ use dolmen_words::message::Both;
 use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{BuildingAnswer, BuildingWind, StandingBuilding, WindAlong};
 
-/// Height over √(breadth × depth) from which gusts across the wind are expected to move a building more than those along it. Our choice,
-/// the bound from which codes ask for wind across.
+/// Height over √(breadth × depth) above which gusts across the wind are expected to move a building more than those along it. Chosen
+/// here, as the threshold from which codes require wind across.
 const SLENDER: f64 = 3.0;
 
 messages! {
@@ -57,7 +57,7 @@ messages! {
     }
 }
 
-/// What could not be computed, and why.
+/// Results that could not be computed, and why.
 pub(super) fn wind_refused(standing: &StandingBuilding) -> Option<Blown> {
     let why = standing.wind_refused.clone()?;
     Some(Blown::NotComputed { why })
@@ -155,7 +155,7 @@ fn with_dampers(standing: &StandingBuilding, wind: &BuildingWind) -> Option<Blow
     })
 }
 
-/// That it is slender; the breadths are those across the wind along x and along y, m.
+/// Finding that it is slender; the breadths are those across the wind along x and along y, m.
 pub(crate) fn slender(building: &Building, [across_x, across_y]: [f64; 2]) -> Option<Blown> {
     let height_m = building.floor_heights_m().last().copied()?;
     let slenderness = height_m / (across_x * across_y).sqrt();

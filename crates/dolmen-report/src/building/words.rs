@@ -3,7 +3,7 @@
 use dolmen_words::message::Run;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
-/// What is below this part of the largest of its kind is rounding. Chosen here: sums of some thousand products keep 12 digits.
+/// Values below this fraction of the largest of their kind are rounding. Our choice: sums of some thousand products keep 12 digits.
 const ROUNDING: f64 = 1e-9;
 
 messages! {
@@ -18,7 +18,7 @@ messages! {
     }
 }
 
-/// A name that the user gave.
+/// A name from the user.
 pub(crate) fn name(name: &str) -> Sentence {
     Words::Name {
         name: name.to_owned(),
@@ -40,7 +40,7 @@ pub(crate) fn floor_words(name: &str) -> Sentence {
     }
 }
 
-/// What moves in a damper, by the name that its stroke has: "tmd", or "tmd liquid".
+/// The moving part of a damper, from the name of its stroke: "tmd", or "tmd liquid".
 pub(crate) fn stroke_words(of: &str) -> Sentence {
     match of.strip_suffix(" liquid") {
         Some(damper) => Words::Liquid {
@@ -63,7 +63,7 @@ pub(crate) fn direction_words(degrees: f64) -> Sentence {
     }
 }
 
-/// What came in both languages.
+/// A text given in both languages.
 pub(crate) fn of_both([english, korean]: &[String; 2]) -> Sentence {
     let run = |text: &String| vec![Run::Text(text.clone())];
     Sentence {
@@ -79,22 +79,19 @@ pub(crate) fn axis_words(axis: usize) -> Sentence {
     Sentence::of_symbol(["x", "y"][axis])
 }
 
-/// Millimetres.
 pub(crate) fn millimetres() -> Unit {
     scaled("mm", 1e3)
 }
 
-/// Tonnes.
 pub(crate) fn tonnes() -> Unit {
     scaled("t", 1e-3)
 }
 
-/// Kilonewtons.
 pub(crate) fn kilonewtons() -> Unit {
     scaled("kN", 1e-3)
 }
 
-/// A unit that is so many of SI.
+/// A unit with this factor to the SI unit.
 pub(crate) fn scaled(symbol: &str, factor: f64) -> Unit {
     Unit {
         symbol: symbol.to_owned(),
@@ -102,17 +99,17 @@ pub(crate) fn scaled(symbol: &str, factor: f64) -> Unit {
     }
 }
 
-/// A value with so many significant digits.
+/// A value with this many significant digits.
 pub(crate) fn significant(value_si: f64, unit: Unit, digits: usize) -> Quantity {
     Quantity::new(value_si, unit, Digits::Significant(digits))
 }
 
-/// A value with so many digits behind the point.
+/// A value with this many digits after the point.
 pub(crate) fn fixed(value_si: f64, unit: Unit, decimals: usize) -> Quantity {
     Quantity::new(value_si, unit, Digits::Fixed(decimals))
 }
 
-/// Four significant digits, and 0 for what is rounding beside the largest of its kind.
+/// Four significant digits; 0 for values that are rounding compared with the largest of their kind.
 pub(crate) fn beside(value_si: f64, largest_si: f64, unit: Unit) -> Quantity {
     let rounding = value_si.abs() <= ROUNDING * largest_si.abs();
     significant(if rounding { 0.0 } else { value_si }, unit, 4)

@@ -1,4 +1,4 @@
-//! What an answer says of a building under a motion: how it moved, floors, dampers, points, in time.
+//! The answer for a building under a motion: peaks, floors, dampers, points, time histories.
 
 mod moved;
 mod shown;
@@ -10,7 +10,7 @@ pub(crate) use shown::sections;
 
 use dolmen_words::Template;
 
-/// The sentences on simulated buildings as they are written.
+/// Templates of the sentences on simulated buildings.
 pub(crate) const TEMPLATES: [&[Template]; 3] = [
     moved::Moved::TEMPLATES,
     shown::Shown::TEMPLATES,

@@ -1,4 +1,4 @@
-//! How a building moved under a motion, in sentences.
+//! Sentences on the motion of a building.
 
 use crate::building::{floor_words, millimetres, of_both, stroke_words};
 use crate::document::{Finding, Tone};
@@ -66,10 +66,10 @@ messages! {
     }
 }
 
-/// How many of what moves more than without dampers are written out, the worst first; JSON has all.
+/// Number of responses increased by dampers that are listed, the worst first; JSON has all.
 const GROWN_MOST: usize = 4;
 
-/// How each moved, what must be known first.
+/// The motion of each, the most important finding first.
 pub(crate) fn findings(simulations: &[&BuildingSimulation]) -> Vec<Finding> {
     simulations
         .iter()
@@ -77,7 +77,7 @@ pub(crate) fn findings(simulations: &[&BuildingSimulation]) -> Vec<Finding> {
         .collect()
 }
 
-/// How one moved.
+/// Motion of one building.
 pub(super) fn own(simulation: &BuildingSimulation) -> Vec<Finding> {
     let all = alarms(simulation).into_iter().chain([of_all(simulation)]);
     let mut all: Vec<Finding> = all
@@ -91,7 +91,7 @@ pub(super) fn own(simulation: &BuildingSimulation) -> Vec<Finding> {
     all
 }
 
-/// What must not be overlooked: each sentence begins with a small letter.
+/// The warnings, each beginning with a small letter.
 pub(super) fn alarms(simulation: &BuildingSimulation) -> Vec<(Tone, Sentence)> {
     let mut all = Vec::new();
     if let Some(end_s) = simulation.ended_before_the_motion_s() {
@@ -129,7 +129,7 @@ pub(super) fn alarms(simulation: &BuildingSimulation) -> Vec<(Tone, Sentence)> {
     all
 }
 
-/// The largest drift, and what dampers change.
+/// The largest drift, and the effect of dampers.
 pub(super) fn of_all(simulation: &BuildingSimulation) -> (Tone, Sentence) {
     let against = simulation.against_without();
     let is_top = |of: &&Against| of.what[0].starts_with("the top");
@@ -189,7 +189,7 @@ fn drift(simulation: &BuildingSimulation) -> Moved {
     }
 }
 
-/// With the motion, and the variant if it is one.
+/// The finding with the motion, and the variant if it is one.
 fn under(simulation: &BuildingSimulation, said: Sentence) -> Sentence {
     let motion = simulation.motion.motion.name().to_owned();
     match variant(simulation) {

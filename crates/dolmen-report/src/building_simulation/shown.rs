@@ -61,7 +61,7 @@ messages! {
     }
 }
 
-/// How it moved; in full the floors, dampers and points.
+/// The response; in full the floors, dampers and points.
 pub fn building_simulation_text(simulation: &BuildingSimulation, style: TextStyle) -> String {
     let found = findings_text(&own(simulation), style);
     if !style.is_full {
@@ -73,7 +73,7 @@ pub fn building_simulation_text(simulation: &BuildingSimulation, style: TextStyl
     found + &document_text(&document, style)
 }
 
-/// One section a simulation.
+/// One section per simulation.
 pub(crate) fn sections<'a>(simulations: &[&'a BuildingSimulation]) -> Document<'a> {
     let mut document = Document::default();
     for simulation in simulations {

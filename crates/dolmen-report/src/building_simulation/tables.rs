@@ -1,4 +1,4 @@
-//! What the dampers, floors and points of a building did.
+//! Response of the dampers, floors and points of a building.
 
 use crate::building::{beside, kilonewtons, millimetres, name, number, stroke_words};
 use crate::document::{Cell, Column, Table};

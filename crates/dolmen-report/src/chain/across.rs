@@ -1,4 +1,4 @@
-//! A chain of two directions: what its check says of each.
+//! A chain with two directions: findings of its check for each.
 
 use super::{margins, modes};
 use crate::document::{Document, Finding, Tone};
@@ -9,7 +9,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 /// Digits of stiffness and shares.
 const DIGITS: usize = 3;
-/// Shares that differ by less, relative, are printed alike.
+/// Shares with a smaller relative difference are printed as equal.
 const ALIKE: f64 = 5e-4;
 
 messages! {
@@ -58,7 +58,7 @@ messages! {
     }
 }
 
-/// The load factor of both directions, the worse first, and what is of across alone; `None` in place of a chain of one direction.
+/// The load factor of both directions, the worse first, and findings only for across; `None` for a chain with one direction.
 pub(super) fn findings(check: &ChainCheck) -> Vec<Finding> {
     let Some(across) = &check.across else {
         return Vec::new();
@@ -75,7 +75,7 @@ pub(super) fn findings(check: &ChainCheck) -> Vec<Finding> {
     all
 }
 
-/// That it is of across.
+/// Marks a finding as across.
 pub(super) fn of_across(finding: Finding) -> Finding {
     Finding {
         sentence: Across::TowardsY {
@@ -86,7 +86,7 @@ pub(super) fn of_across(finding: Finding) -> Finding {
     }
 }
 
-/// That it is of the direction of motion, of a chain of two.
+/// Marks a finding as along, for a chain with two directions.
 pub(super) fn of_along(check: &ChainCheck, finding: Finding) -> Finding {
     match check.across {
         None => finding,

@@ -1,4 +1,4 @@
-//! What lowering a centre of mass does, by the published criterion and in truth.
+//! Effect of a lower centre of mass, by the published criterion and by the exact one.
 
 use super::findings::RISE_LEAST;
 use crate::document::{Block, Cell, Column, Document, Figure, Series, Table};
@@ -7,7 +7,7 @@ use dolmen::assess::{CentroidEffect, ChainCheck};
 use dolmen::stability::ChainLimits;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
-/// Effects of a lower centre of mass are drawn for at most so many links; the table has them all.
+/// Largest number of links whose effects are drawn; the table has all.
 const EFFECTS_DRAWN: usize = 4;
 
 messages! {
@@ -59,7 +59,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, check: &'a ChainCheck) {
     document.put(Block::Table(table(check)));
 }
 
-/// By how much the limits of each joint change.
+/// Changes of the limits of each joint.
 fn effect_series(limits: &ChainLimits, effect: &CentroidEffect) -> Vec<Series> {
     let change = |new: &[f64], old: &[f64]| -> Vec<f64> {
         let pairs = new.iter().zip(old);
@@ -137,7 +137,7 @@ fn table(check: &ChainCheck) -> Table {
     }
 }
 
-/// Those whose published limits rise most, in the order of the links.
+/// The links whose published limits rise most, in order.
 fn drawn_effects(check: &ChainCheck) -> Vec<&CentroidEffect> {
     let rise = |effect: &CentroidEffect| {
         let pairs = effect

@@ -1,4 +1,4 @@
-//! What a chain's check says in plain words.
+//! Findings of a chain's check.
 
 use super::across::{of_across, of_along};
 use crate::document::{Finding, Tone};
@@ -92,7 +92,7 @@ pub(crate) fn findings(part: &ChainPart, check: &ChainCheck) -> Vec<Finding> {
     all.extend(check.on_soil.as_ref().map(super::soil::finding));
     all.extend(super::side_supports::findings(check));
     all.extend(super::one_stone::finding(check));
-    // criteria of others decide nothing: they are said where one may reach for them in place of the stiffness
+    // published criteria decide nothing: they are mentioned only where a user might use them instead of the stiffness
     if check.stability.is_none() {
         all.push(published(&check.limits));
         all.push(buckling(&check.limits));
@@ -101,7 +101,7 @@ pub(crate) fn findings(part: &ChainPart, check: &ChainCheck) -> Vec<Finding> {
     all
 }
 
-/// Verdict and load factor; what is needed if the joints are unknown.
+/// Verdict and load factor; the required stiffness if the joints are unknown.
 fn stands(check: &ChainCheck) -> Finding {
     match &check.stability {
         None => Finding::key(
@@ -141,7 +141,7 @@ fn published(limits: &ChainLimits) -> Finding {
     }
 }
 
-/// The sentence that says why the published criterion and the right one differ.
+/// The sentence on why the published criterion and the exact one differ.
 pub(super) fn why_unsafe(limits: &ChainLimits) -> Sentence {
     let need = match limits.published_critical_factor {
         Some(factor) => Found::NeedTimes {
@@ -160,7 +160,7 @@ fn buckling(limits: &ChainLimits) -> Finding {
     }
 }
 
-/// A chain that the published criterion lets pass and that falls all the same.
+/// A chain that satisfies the published criterion but falls.
 fn passes_published(check: &ChainCheck) -> Option<Finding> {
     let stability = check.stability.as_ref()?;
     let limits = &check.limits.published_critical_n_m_rad;
@@ -183,7 +183,7 @@ fn lowest_mode(check: &ChainCheck) -> Finding {
     }
 }
 
-/// Where the published criterion says that a lower centre of mass asks for more stiffness.
+/// Cases in which the published criterion requires more stiffness for a lower centre of mass.
 fn centroids(check: &ChainCheck) -> Option<Finding> {
     let limits = &check.limits;
     let largest = |effect: &CentroidEffect| -> Option<(usize, usize, f64, f64)> {

@@ -1,4 +1,4 @@
-//! What the weights ask of the joints of a chain, beside what was published.
+//! Required stiffness of the joints of a chain under its weights, compared with published criteria.
 
 use super::findings::why_unsafe;
 use crate::document::{Block, Cell, Column, Document, Series, Table, table_series};
@@ -139,7 +139,7 @@ fn table(limits: &ChainLimits) -> Table {
     }
 }
 
-/// By what the published and the exact limits must be multiplied.
+/// Factors on the published and the exact limits.
 fn factors(limits: &ChainLimits) -> Table {
     let factor = |value: f64| Quantity::beside_one(value, 4);
     let published = match limits.published_critical_factor {

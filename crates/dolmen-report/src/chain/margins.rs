@@ -1,4 +1,4 @@
-//! The margins of the joints of a chain whose stiffness is known.
+//! The margins of the joints of a chain with known stiffness.
 
 use crate::document::{Block, Cell, Column, Document, Series, Table, table_series};
 use dolmen::stability::{ChainStability, JointStability};
@@ -44,7 +44,7 @@ messages! {
     }
 }
 
-/// Margins, what a common factor would do, and what they do not say.
+/// Margins, the effect of a common factor, and their limits.
 pub(super) fn section(document: &mut Document<'_>, stability: &ChainStability) {
     let beds = stability
         .joints
@@ -68,7 +68,7 @@ pub(super) fn section(document: &mut Document<'_>, stability: &ChainStability) {
     ));
 }
 
-/// The stiffness of each joint, given and least, as numbers of the figure.
+/// The stiffness of each joint, given and required, as data of the figure.
 pub(super) fn series(stability: &ChainStability) -> Vec<Series> {
     let columns = table_series(&table(stability, false));
     columns.into_iter().skip(1).take(2).collect()
@@ -76,7 +76,7 @@ pub(super) fn series(stability: &ChainStability) -> Vec<Series> {
 
 fn table(stability: &ChainStability, beds: bool) -> Table {
     let joints = &stability.joints;
-    // the softest joint keeps its digits
+    // the digits suit the softest joint
     let all = joints.iter().map(|joint| joint.stiffness_n_m_rad);
     let softest = all.fold(f64::INFINITY, f64::min);
     let moments: Vec<f64> = joints
@@ -130,7 +130,7 @@ fn significant(value_si: f64, unit: &Unit, digits: usize) -> Quantity {
     Quantity::new(value_si, unit.clone(), Digits::Significant(digits))
 }
 
-/// The least stiffness and the margin; words where it falls whatever that joint is.
+/// The required stiffness and the margin; words if it falls whatever that joint is.
 fn margin(joint: &JointStability, unit: &Unit) -> [Cell; 2] {
     let falls = || Cell::BadWords(Margins::Falls.into());
     let least = joint.stiffness_least_n_m_rad;

@@ -1,4 +1,4 @@
-//! What an answer says of a chain of links: findings, and the sections of its check.
+//! Answers about a chain of links: findings, and the sections of its check.
 
 mod across;
 mod centroids;
@@ -53,7 +53,7 @@ messages! {
     }
 }
 
-/// The sentences on chains as they are written.
+/// Templates of the sentences on chains.
 pub(crate) const TEMPLATES: [&[Template]; 14] = [
     across::Across::TEMPLATES,
     findings::Found::TEMPLATES,
@@ -71,7 +71,7 @@ pub(crate) const TEMPLATES: [&[Template]; 14] = [
     simulation_run::Run::TEMPLATES,
 ];
 
-/// What its stiffness alone decides: for a version with the limits of another.
+/// Results that depend on its stiffness only, for a version with the limits of another.
 pub(crate) fn stiffness_sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<'a> {
     let mut document = Document::default();
     if let Some(stability) = &check.stability {
@@ -131,7 +131,7 @@ pub(crate) fn sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<
     document
 }
 
-/// What the published criterion says of lower centres of mass: nothing rests on it.
+/// The published criterion for lower centres of mass; no result depends on it.
 pub(crate) fn appendix(check: &ChainCheck) -> Document<'_> {
     let mut document = Document::default();
     centroids::section(&mut document, check);

@@ -41,7 +41,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, chain: Option<Chain>, che
     document.heading(Modes::Head);
     let Some(chain) = chain else { return };
     let thin = chain.links().iter().any(|link| link.inertia == Inertia::ThinRod);
-    // the shape of one link is no finding
+    // the shape of a single link is trivial
     if chain.links().len() > 1 {
         let caption = vec![Modes::Caption.into(), Modes::CaptionMeaning.into()];
         let shapes = Figure::drawn(caption, move |language| drawn(&chain, check, language));
@@ -53,7 +53,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, chain: Option<Chain>, che
     }
 }
 
-/// The table without shapes drawn.
+/// The table without drawn shapes.
 pub(super) fn table_alone(document: &mut Document<'_>, modes: &[NaturalMode]) {
     if !modes.is_empty() {
         document.put(Block::Table(table(modes)));

@@ -1,4 +1,4 @@
-//! The chain beside the pole that it would be as one stone.
+//! The chain compared with a pole of a single stone.
 
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
 use dolmen::assess::{ChainCheck, OneStoneCheck};
@@ -47,7 +47,7 @@ messages! {
     }
 }
 
-/// What its joints leave of the frequency of one stone.
+/// Frequency of the chain relative to that of a single stone.
 pub(super) fn finding(check: &ChainCheck) -> Option<Finding> {
     let one = check.one_stone.as_ref()?;
     let Some(whole) = one.timoshenko_hz.first() else {
@@ -63,7 +63,7 @@ pub(super) fn finding(check: &ChainCheck) -> Option<Finding> {
     })
 }
 
-/// Both theories beside the joints, and the shafts they rest on.
+/// Both theories compared with the joints, and their shafts.
 pub(super) fn section(document: &mut Document<'_>, check: &ChainCheck) {
     let Some(one) = &check.one_stone else { return };
     document.heading(OneStone::Head);

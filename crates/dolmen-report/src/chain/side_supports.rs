@@ -1,4 +1,4 @@
-//! Side supports of a chain: what the check counts of them, and what a motion does to them.
+//! Side supports of a chain: their role in the check, and in a motion.
 
 use crate::document::{Cell, Column, Finding, Table, Tone};
 use crate::simulated::{kilo, milli, seconds};
@@ -70,7 +70,7 @@ fn kilonewtons(value_n: f64) -> Quantity {
     Quantity::new(value_n, kilo("N"), Digits::Significant(3))
 }
 
-/// What the check counts.
+/// Their role in the check.
 pub(super) fn findings(check: &ChainCheck) -> Vec<Finding> {
     let mut all = Vec::new();
     let (tight, loose): (Vec<&SideSupport>, Vec<&SideSupport>) =
@@ -101,7 +101,7 @@ pub(super) fn findings(check: &ChainCheck) -> Vec<Finding> {
     all
 }
 
-/// What a motion did to each.
+/// The response at each in a motion.
 pub(super) fn met(simulation: &ChainSimulation) -> Vec<Finding> {
     let each = simulation.supports_met().into_iter();
     each.map(|met| Finding::key(Tone::Plain, said(&met))).collect()

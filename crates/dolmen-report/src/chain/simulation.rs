@@ -1,4 +1,4 @@
-//! Simulated motions of a chain: how they ended, link by link, in time; versions side by side.
+//! Simulated motions of a chain: their outcome, link by link, over time; versions side by side.
 
 use super::side_supports::{in_time, table};
 use super::simulation_ending::{
@@ -44,7 +44,7 @@ messages! {
     }
 }
 
-/// How it ended; in full each link and joint and the balance of energy.
+/// The outcome; in full each link and joint and the energy balance.
 pub fn chain_simulation_text(simulation: &ChainSimulation, style: TextStyle) -> String {
     let found = findings_text(&simulation_findings(&[simulation]), style);
     if !style.is_full {
@@ -56,7 +56,7 @@ pub fn chain_simulation_text(simulation: &ChainSimulation, style: TextStyle) -> 
     found + &document_text(&document, style)
 }
 
-/// One section a simulation, and a comparison of several.
+/// One section per simulation, and a comparison of several.
 pub(crate) fn simulation_sections<'a>(simulations: &[&'a ChainSimulation]) -> Document<'a> {
     let mut document = Document::default();
     for simulation in simulations {
@@ -123,7 +123,7 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a ChainSimulation) {
     run(document, simulation);
 }
 
-/// Whether a figure tells something: the loop of a joint that only springs is a straight line.
+/// Whether a figure is informative: the loop of a linear joint is a straight line.
 fn tells(plot: ChainPlot, simulation: &ChainSimulation) -> bool {
     let history = &simulation.history;
     match plot {

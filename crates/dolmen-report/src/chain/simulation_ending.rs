@@ -116,7 +116,7 @@ pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Findi
     .collect()
 }
 
-/// The joint whose spring and friction pass the most beyond what its bed can.
+/// The joint whose moment from spring and friction exceeds its bed's limit most.
 pub(super) fn beyond_bed(simulation: &ChainSimulation) -> Option<Finding> {
     let beyond = simulation.parts().into_iter().filter(|part| {
         let ratio = part.ratio().unwrap_or(f64::INFINITY);
@@ -132,7 +132,7 @@ pub(super) fn beyond_bed(simulation: &ChainSimulation) -> Option<Finding> {
     Some(Finding::key(Tone::Bad, said))
 }
 
-/// What both directions do together, said once.
+/// The combined response of both directions, given once.
 pub(super) fn together(simulation: &ChainSimulation) -> Option<Finding> {
     let of = simulation.together?;
     let said = Ending::Together {
@@ -144,7 +144,7 @@ pub(super) fn together(simulation: &ChainSimulation) -> Option<Finding> {
     (simulation.direction == Some(ChainAxis::Across)).then(|| Finding::key(Tone::Plain, said))
 }
 
-/// Rotations that the linear equations cannot tell of.
+/// Rotations beyond the linear equations.
 pub(super) fn beyond_small(simulation: &ChainSimulation) -> Option<Finding> {
     let (link, rotation_rad) = simulation.beyond_small_rotations()?;
     let said = Ending::BeyondSmall {
@@ -155,7 +155,7 @@ pub(super) fn beyond_small(simulation: &ChainSimulation) -> Option<Finding> {
     Some(Finding::key(Tone::Bad, said))
 }
 
-/// That it leans, and by whose measurement.
+/// The lean and its survey.
 pub(super) fn leans(simulation: &ChainSimulation) -> Option<Finding> {
     let lean = simulation.lean.as_ref()?;
     let (survey, tilt) = (lean.survey.clone(), lean.written.clone());
@@ -175,7 +175,7 @@ pub(super) fn leans(simulation: &ChainSimulation) -> Option<Finding> {
     Some(Finding::key(Tone::Plain, said))
 }
 
-/// What of the static loads and the wind is in the run, and what is not.
+/// Static loads and wind that are in the run, and those that are not.
 pub(super) fn loads(simulation: &ChainSimulation) -> Vec<Finding> {
     let carries = (simulation.carried_n != 0.0).then(|| Ending::Carries {
         weight: Quantity::new(simulation.carried_n, kilo("N"), Digits::Significant(3)),
@@ -196,7 +196,7 @@ pub(super) fn tilt_left_out(simulation: &ChainSimulation) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, Ending::TiltLeftOut { survey, tilt }))
 }
 
-/// How it ended, and of which version under which motion.
+/// The outcome, with the version and the motion.
 pub(super) fn finding(simulation: &ChainSimulation) -> Finding {
     let (of, ended) = (title(simulation), ending(simulation));
     let said = match &simulation.motion {
@@ -228,7 +228,7 @@ fn tone(simulation: &ChainSimulation) -> Tone {
     }
 }
 
-/// The variant, or that it is the structure as it is.
+/// The variant, or the structure as it is.
 pub(super) fn title(simulation: &ChainSimulation) -> Sentence {
     let of = version_name(simulation.variant.as_deref(), simulation.variant_title.as_ref())
         .unwrap_or_else(|| Simulated::AsItIs.into());

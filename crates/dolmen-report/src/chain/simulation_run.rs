@@ -1,4 +1,4 @@
-//! The run of a simulated chain: how it began, where it was at its end, what a second engineer needs to repeat and to doubt it.
+//! The run of a simulated chain: its start, its end, and data for a second engineer to repeat and check it.
 
 use super::simulation_ending::push;
 use crate::document::{Block, Cell, Column, Document, Table};
@@ -90,7 +90,7 @@ messages! {
     }
 }
 
-/// How it stands upright, how a push grew, where it was at the end.
+/// Its stability upright, the growth of a push, its position at the end.
 pub(super) fn course(simulation: &ChainSimulation) -> Vec<Sentence> {
     let mut said: Vec<Run> = Vec::new();
     if simulation.push_rad != 0.0 {
@@ -155,7 +155,7 @@ fn state(simulation: &ChainSimulation) -> Option<Run> {
     })
 }
 
-/// What beds did that this run does not follow.
+/// Behaviour of beds that this run does not model.
 pub(super) fn bed_notes(document: &mut Document<'_>, simulation: &ChainSimulation) {
     let bed = |(joint, bed_m): &(usize, f64)| -> Sentence {
         Run::Bed {
@@ -183,7 +183,7 @@ pub(super) fn bed_notes(document: &mut Document<'_>, simulation: &ChainSimulatio
     }
 }
 
-/// The joints that were taken as rigid, and what that changes.
+/// The joints modelled as rigid, and the effect.
 fn rigid(simulation: &ChainSimulation) -> Option<Run> {
     let rigid = &simulation.history.rigid_joints;
     let change_ratio = rigid.first()?.frequency_change_ratio;
@@ -197,7 +197,7 @@ fn rigid(simulation: &ChainSimulation) -> Option<Run> {
     })
 }
 
-/// The balance of energy, the steps, what is assumed.
+/// The energy balance, the steps, the assumptions.
 pub(super) fn run(document: &mut Document<'_>, simulation: &ChainSimulation) {
     let history = &simulation.history;
     document.put(Block::Table(energy(simulation)));

@@ -1,4 +1,4 @@
-//! Tables of simulated chains: the joints, what each link did, versions side by side.
+//! Tables of simulated chains: the joints, the response of each link, versions side by side.
 
 use super::simulation_ending::{Ending, ending_word, lean, title};
 use crate::document::{Cell, Column, Table};
@@ -124,7 +124,7 @@ fn friction(of: JointFriction, unit: &Unit) -> Cell {
     }
 }
 
-/// Peaks and what is left, a row each link.
+/// Peaks and residuals, one row per link.
 pub(super) fn links(simulation: &ChainSimulation) -> Table {
     let history = &simulation.history;
     let (angle, moment, time) = (milli("rad"), kilo("N·m"), Unit::si("s"));

@@ -5,7 +5,7 @@ use dolmen::assess::JointOnSoil;
 use dolmen::structure::Soil;
 use dolmen_words::{Quantity, messages};
 
-/// Share of the rotation from which the soil is what must be known first. Chosen here.
+/// Share of the rotation from which the soil governs. Our choice.
 const SOIL_GOVERNS: f64 = 0.5;
 /// Digits of stiffness and shares.
 const DIGITS: usize = 3;
@@ -36,7 +36,7 @@ fn spring(n_m_rad: f64) -> Quantity {
     Quantity::engineering(n_m_rad, "N·m/rad", DIGITS)
 }
 
-/// What the soil takes.
+/// The share of the soil.
 pub(super) fn finding(of: &JointOnSoil) -> Finding {
     let soil = spring(of.soil_n_m_rad);
     match (of.joint_n_m_rad, of.together_n_m_rad, of.soil_share()) {

@@ -1,4 +1,4 @@
-//! How the damping ratios of two surveys differ.
+//! Differences of the damping ratios of two surveys.
 
 use super::frequencies::Frequencies;
 use super::quantities::difference;
@@ -18,7 +18,7 @@ messages! {
     }
 }
 
-/// The table; nothing where no damping is known in both.
+/// The table; empty if no damping is known in both.
 pub(super) fn section(document: &mut Document<'_>, change: &SurveyChange) {
     let modes = change.modes.iter().enumerate();
     let known = modes.filter_map(|(i, mode)| Some(row(i, mode, mode.damping.as_ref()?)));

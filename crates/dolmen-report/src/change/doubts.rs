@@ -1,4 +1,4 @@
-//! What was not compared at all, and how else modes may be paired.
+//! Data that were not compared, and other possible pairs of modes.
 
 use super::notes::note;
 use super::quantities::{hertz, percent};
@@ -55,7 +55,7 @@ pub(super) fn doubts(change: &SurveyChange) -> Vec<Finding> {
     };
     let pairs: Vec<Sentence> = change.other_pairing_hz.iter().map(pair).collect();
     let other = (!pairs.is_empty()).then_some(Doubted::OtherPairing { pairs });
-    // a sensor turned or exchanged explains what looks like lost modes: it comes first, and no other mode is offered in their place
+    // a rotated or exchanged sensor explains apparently lost modes: it comes first, and no other mode is offered in their place
     let sensors: Vec<Finding> = change
         .notes
         .iter()
@@ -68,7 +68,7 @@ pub(super) fn doubts(change: &SurveyChange) -> Vec<Finding> {
     sensors.into_iter().chain(all).collect()
 }
 
-/// Whether a note says that a sensor, a direction or a sampling rate is not as it was.
+/// Whether a note says that a sensor, a direction or a sampling rate changed.
 pub(super) fn is_of_sensors(note: &ChangeNote) -> bool {
     matches!(
         note,

@@ -1,4 +1,4 @@
-//! What befell the structure between two surveys, and what a line over temperature that was fitted through them hides.
+//! Events between two surveys, and changes that a fitted temperature line hides.
 
 use super::notes::note;
 use crate::document::{Finding, Tone};
@@ -55,7 +55,7 @@ fn said(of: EventBetween) -> Sentence {
     .into()
 }
 
-/// That a line over temperature runs through what may have changed, and where it does not fit.
+/// Finding that a temperature line was fitted through possible changes, and where it does not fit.
 pub(super) fn fitted_through(change: &SurveyChange) -> Vec<Finding> {
     let surveys = change
         .modes
@@ -70,7 +70,7 @@ pub(super) fn fitted_through(change: &SurveyChange) -> Vec<Finding> {
     scatters.chain([said]).collect()
 }
 
-/// Whether a note says that the earlier surveys do not lie on their line.
+/// Whether a note says that the earlier surveys are off their line.
 pub(super) fn is_of_line(note: &ChangeNote) -> bool {
     matches!(note, ChangeNote::LineScatters { .. })
 }

@@ -1,4 +1,4 @@
-//! What a comparison of two surveys says in plain words.
+//! Findings of a comparison of two surveys.
 
 use super::doubts::doubts;
 use super::events_between::{between, fitted_through};
@@ -68,9 +68,9 @@ messages! {
     }
 }
 
-/// How many of the frequencies that changed stand in the sentence.
+/// Number of changed frequencies in the sentence.
 const LISTED: usize = 3;
-/// Which of both surveys hold an earthquake.
+/// Which of both surveys contain an earthquake.
 fn shaken(surveys: &[(String, ModesOf)]) -> Vec<Finding> {
     let each = surveys.iter().map(|(survey, of)| {
         let survey = survey.clone();
@@ -85,7 +85,7 @@ fn shaken(surveys: &[(String, ModesOf)]) -> Vec<Finding> {
     each.collect()
 }
 
-/// Surveys that were left out for want of a date.
+/// Surveys left out because they have no date.
 pub(crate) fn undated(answer: &CompareAnswer) -> Option<Finding> {
     let is_usable = |survey: &&Survey| {
         survey.records.is_some()
@@ -99,7 +99,7 @@ pub(crate) fn undated(answer: &CompareAnswer) -> Option<Finding> {
     (!surveys.is_empty()).then(|| Finding::key(Tone::Warn, Found::Undated { surveys }))
 }
 
-/// The findings, the doubts first: what follows them rests on the pairs that were made.
+/// The findings, doubts first, because the others depend on the pairs of modes.
 pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
     let mut all = shaken(&answer.shaken);
     all.extend(readings::findings(answer));
@@ -181,7 +181,7 @@ fn counted(frequencies: usize) -> Sentence {
     }
 }
 
-/// Which damping ratios changed beyond chance.
+/// Damping ratios that changed beyond chance.
 fn damping(change: &SurveyChange) -> Option<Finding> {
     let one = |(mode, damping): (&ModeChange, &Difference)| {
         let half = damping.evidence.as_ref().map_or(f64::NAN, |e| e.half_width_95);

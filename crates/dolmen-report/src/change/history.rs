@@ -1,4 +1,4 @@
-//! What all surveys of a structure say beside the two that are compared.
+//! Findings from all surveys of a structure, added to the comparison of two.
 
 use super::quantities::{bare_percent, hertz, percent, plus};
 use crate::document::{Block, Document, Finding, Tone};
@@ -35,7 +35,7 @@ messages! {
             ko: "기록을 쓸 수 없어 기온의 영향과 흩어짐의 추정에서 뺀 다른 조사: {each}.",
         },
         UnreadOne { survey: String, why: Both } => { en: "{survey} ({why})", ko: "{survey}({why})" },
-        UnreadMore { count: usize } => { en: "and {count} more", ko: "그 밖 {count}회" },
+        UnreadMore { count: usize } => { en: "{count} more", ko: "그 밖 {count}회" },
         Step { frequency: Quantity, sign: String, change: Quantity, half: Quantity, after: String, before: String } => {
             en: "{frequency} {sign}{change} ± {half} between {after} and {before}",
             ko: "{frequency} {sign}{change} ± {half}({after}~{before})",
@@ -60,14 +60,14 @@ messages! {
     }
 }
 
-/// How many lasting changes stand in the sentence.
+/// Number of lasting changes in the sentence.
 const LISTED: usize = 4;
 /// How many surveys that cannot be read stand in the sentence.
 const UNREAD_LISTED: usize = 3;
 /// Half of a 95 % interval, of a standard deviation.
 const HALF_95: f64 = 1.959963984540054;
 
-/// Whose weather and scatter are taken, and what lasts between both surveys.
+/// The source of weather and scatter, and the lasting changes between both surveys.
 pub(super) fn finding(of: &ComparedHistory, change: &SurveyChange) -> Finding {
     let [first, last] = of.span.clone();
     let (surveys, all) = (of.surveys, change.modes.len());

@@ -1,4 +1,4 @@
-//! What changed between two surveys: findings, and the sections of the comparison.
+//! Changes between two surveys: findings, and the sections of the comparison.
 
 mod dampings;
 mod doubts;
@@ -43,7 +43,7 @@ messages! {
     }
 }
 
-/// The sentences on two surveys as they are written.
+/// Templates of the sentences on two surveys.
 pub(crate) const TEMPLATES: [&[Template]; 12] = [
     findings::Found::TEMPLATES,
     history::Behind::TEMPLATES,

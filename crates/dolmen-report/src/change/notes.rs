@@ -1,4 +1,4 @@
-//! What must be known beside the numbers of a change.
+//! Notes on the numbers of a change.
 
 use super::quantities::{hertz, percent, temperature};
 use dolmen::assess::ChangeNote;

@@ -1,4 +1,4 @@
-//! Which joint or storey explains the changes, in plain words.
+//! The joint or storey that explains the changes.
 
 use super::quantities::hertz;
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
@@ -64,14 +64,14 @@ messages! {
     }
 }
 
-/// Parts of a list beyond which the others are left to the table.
+/// Number of parts in a list; the table has the others.
 const LISTED: usize = 4;
 
 fn share(of: f64) -> Quantity {
     Quantity::new(of, Unit::percent(), Digits::Fixed(0))
 }
 
-/// Chances below this are given as less than it: the tail of a fit says no more. Chosen here.
+/// Smaller probabilities are given as below this: the tail of a fit is not accurate. Our choice.
 const CHANCE_LEAST: f64 = 1e-3;
 
 fn chance(of: f64) -> Sentence {
@@ -110,7 +110,7 @@ pub(crate) fn off(of: &ModelOff, project: &Project) -> Finding {
     Finding::key(Tone::Unknown, said)
 }
 
-/// What explains the changes, a finding a direction.
+/// The explanation of the changes, one finding per direction.
 pub(crate) fn findings(parts: &[ChangedPart]) -> Vec<Finding> {
     let each = parts.iter().flat_map(|of| {
         let candidates = of.found.candidates();
@@ -177,7 +177,7 @@ fn along(of: &ChangedPart, said: Parted) -> Sentence {
     }
 }
 
-/// The table of all parts, a direction.
+/// The table of all parts, one per direction.
 pub(crate) fn section(document: &mut Document<'_>, parts: &[ChangedPart]) {
     for of in parts {
         let pairs = of.modes_hz.iter().map(|[measured, model]| {

@@ -1,11 +1,11 @@
-//! Numbers of a comparison, with the digits that they deserve.
+//! Numbers of a comparison, with suitable digits.
 
 use crate::document::Cell;
 use dolmen::assess::Evidence;
 use dolmen::modal::ObservedMode;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values};
 
-/// Of a smaller probability the answer says that it is below this.
+/// Smaller probabilities are given as below this.
 const PROBABILITY_LEAST: f64 = 1e-4;
 
 pub(super) fn hertz(frequency_hz: f64) -> Quantity {
@@ -16,7 +16,7 @@ pub(super) fn frequencies(modes: &[ObservedMode]) -> Values {
     Values(modes.iter().map(|mode| hertz(mode.frequency_hz)).collect())
 }
 
-/// A share as per cent, with so many digits behind the point.
+/// A share as per cent, with this many digits after the point.
 pub(super) fn percent(share: f64, decimals: usize) -> Quantity {
     Quantity::new(share, Unit::percent(), Digits::Fixed(decimals))
 }
@@ -28,7 +28,7 @@ pub(super) fn bare_percent(share: f64, decimals: usize) -> Quantity {
     bare
 }
 
-/// The sign of a change that grew, which numbers do not write.
+/// The plus sign of an increase, which numbers omit.
 pub(super) fn plus(change: f64) -> String {
     if change > 0.0 { "+" } else { "" }.to_owned()
 }
@@ -37,7 +37,7 @@ pub(super) fn temperature(temperature_c: f64) -> Quantity {
     Quantity::new(temperature_c, Unit::si("°C"), Digits::Trimmed(3))
 }
 
-/// Change, half its interval, p, p of all, least that is seen.
+/// Change, half its interval, p, p of all, smallest detectable change.
 pub(super) fn difference(relative: f64, evidence: Option<&Evidence>, decimals: usize) -> Vec<Cell> {
     let share = |share: f64| percent(share, decimals);
     let Some(evidence) = evidence else {

@@ -173,7 +173,7 @@ fn grew(answer: &CompareAnswer, each: Vec<Sentence>) -> Readings {
     }
 }
 
-/// Sizes of two tilts of opposite signs that are one with a sign turned, larger over smaller. Chosen here.
+/// Sizes of two tilts of opposite signs that are one with a sign turned, larger over smaller. Our choice.
 const ONE_SIZE: f64 = 1.5;
 
 /// Whether a tilt has another sign at about the same size.

@@ -1,4 +1,4 @@
-//! Which modes have no partner, and which pairs may be wrong.
+//! Modes without a partner, and doubtful pairs.
 
 use super::quantities::frequencies;
 use dolmen::assess::{ModeChange, SurveyChange};
@@ -48,7 +48,7 @@ pub(super) fn remarks(change: &SurveyChange) -> Vec<Remarks> {
     if untested > 0 && untested < all {
         said.push(Remarks::Untested { untested, all });
     }
-    // what the findings name stands here no second time
+    // not repeated if the findings mention it
     let said_first = |mode: &ObservedMode| change.not_compared.iter().any(|lost| lost.from == *mode);
     let others: Vec<ObservedMode> = change.lost.iter().filter(|m| !said_first(m)).cloned().collect();
     match (others.is_empty(), change.lost.is_empty()) {
@@ -74,13 +74,13 @@ pub(super) fn remarks(change: &SurveyChange) -> Vec<Remarks> {
     said
 }
 
-/// Frequencies of those that the user insists on; `None` if there are none.
+/// Frequencies of accepted modes; `None` if there are none.
 fn accepted<'a>(modes: impl Iterator<Item = &'a ObservedMode>) -> Option<Values> {
     let all: Vec<ObservedMode> = modes.filter(|mode| mode.accepted).cloned().collect();
     (!all.is_empty()).then(|| frequencies(&all))
 }
 
-/// Frequencies before of the pairs of a kind; `None` if there are none.
+/// Earlier frequencies of the pairs of a kind; `None` if there are none.
 fn paired(change: &SurveyChange, is_of_kind: impl Fn(&ModeChange) -> bool) -> Option<Values> {
     let modes = change.modes.iter().filter(|mode| is_of_kind(mode));
     let modes: Vec<ObservedMode> = modes.map(|mode| mode.from.clone()).collect();

@@ -1,4 +1,4 @@
-//! What is known of the temperatures of two surveys, and what they explain.
+//! Known temperatures of two surveys, and their effect.
 
 use super::quantities::temperature;
 use crate::document::{Block, Document};
@@ -49,7 +49,7 @@ messages! {
     }
 }
 
-/// What is known, by how far the temperatures lie apart.
+/// The knowledge, by the difference of the temperatures.
 pub(super) fn known(change: &SurveyChange) -> Sentence {
     match &change.temperature {
         TemperatureKnowledge::NotMeasured => Weather::NotMeasured.into(),
@@ -97,7 +97,7 @@ fn differing(change: &SurveyChange, difference: Weather) -> Sentence {
     }
 }
 
-/// The lines over temperature, where they were fitted.
+/// The temperature lines, if fitted.
 pub(super) fn fitted(document: &mut Document<'_>, change: &SurveyChange) {
     let modes = change.modes.iter().enumerate();
     let lines = modes.filter_map(|(i, mode)| {

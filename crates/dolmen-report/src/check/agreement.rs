@@ -1,4 +1,4 @@
-//! Measured frequencies that are near those of the model: how near, and where scatter alone does not explain the difference.
+//! Measured frequencies near those of the model: how near, and whether scatter alone explains the difference.
 
 use crate::document::{Finding, Tone};
 use crate::stack::beside;
@@ -10,7 +10,8 @@ use dolmen_work::state::{Check, State};
 
 /// Standard deviations beyond which scatter does not explain a difference. As for evidence.
 const DEVIATIONS_MOST: f64 = 3.0;
-/// Part of a frequency below which a difference is not worth a word, however small the scatter: masses and lengths are not known better. Ours.
+/// Relative difference of a frequency below which there is no finding, however small the scatter: masses and lengths are unknown better.
+/// Our choice.
 const WORTH: f64 = 0.02;
 
 messages! {
@@ -39,7 +40,7 @@ messages! {
     }
 }
 
-/// Of each direction what its latest survey measured, where the model is not contradicted there.
+/// For each direction, the measurement of its latest survey, if it does not contradict the model.
 pub(super) fn agreement(project: &Project, state: &State) -> Vec<Finding> {
     let near = latest_frequencies(project, &state.check)
         .into_iter()
@@ -55,7 +56,7 @@ pub(super) fn agreement(project: &Project, state: &State) -> Vec<Finding> {
     all
 }
 
-/// What the frequencies of the model count beside its own stiffness, where a survey is held against them.
+/// Properties other than its own stiffness that the model's frequencies include, if a survey is compared with them.
 fn held_against(project: &Project, state: &State) -> Vec<Finding> {
     let compared = latest_frequencies(project, &state.check);
     if compared.is_empty() {
@@ -83,7 +84,7 @@ fn held_against(project: &Project, state: &State) -> Vec<Finding> {
     }
 }
 
-/// By how many standard deviations it is off, where that is worth a word.
+/// Difference in standard deviations, if it is reported.
 fn deviations(of: &MeasuredFrequency) -> Option<f64> {
     let apart = (of.measured_hz - of.computed_hz).abs();
     let deviations = apart / of.sd_hz?;
@@ -114,7 +115,7 @@ fn one(of: &MeasuredFrequency) -> Sentence {
     .into()
 }
 
-/// "x", "x 방향"; torsion is none in Korean.
+/// "x", "x 방향"; torsion has no direction word in Korean.
 pub(super) fn direction_words(direction: &str) -> Both {
     let korean = match direction {
         "torsion" => "비틀림".to_owned(),

@@ -1,4 +1,4 @@
-//! What rests on assumed values.
+//! Results that depend on assumed values.
 
 use super::variants::title;
 use crate::document::{Finding, Tone};
@@ -120,7 +120,7 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     all
 }
 
-/// What Dolmen takes for joints of stones where the file gives nothing.
+/// Values that Dolmen assumes for joints of stones if the file gives none.
 fn defaults(taken: &JointDefaults) -> Option<Sentence> {
     let bare = |value: f64| Quantity::new(value, Unit::ratio(), Digits::Trimmed(3));
     let stiffness = |value: f64| Quantity::new(value, Unit::si("Pa/m"), Digits::Significant(2));
@@ -142,7 +142,7 @@ fn defaults(taken: &JointDefaults) -> Option<Sentence> {
     (!values.is_empty()).then(|| Assumed::Defaults { values }.into())
 }
 
-/// Of the project as it is; `None` if nothing is assumed.
+/// For the project as it is; `None` if nothing is assumed.
 pub(crate) fn of_project(project: &Project) -> Option<Finding> {
     let structure = &project.structure;
     let assumed: Vec<&Input> = project.inputs().into_iter().filter(|q| q.is_assumed()).collect();
@@ -172,7 +172,7 @@ pub(crate) fn of_project(project: &Project) -> Option<Finding> {
     let parts = parts.into_iter().flatten().map(Sentence::from);
     let parts: Vec<Sentence> = parts.chain(taken.as_ref().and_then(defaults)).collect();
     let AssumedInputs { assumed, all } = AssumedInputs::of(project);
-    // limits rest on friction, an earthquake on stiffness
+    // limits depend on friction, the response to an earthquake on stiffness
     let is_key = taken.is_some_and(|of| of.friction.is_some() || of.normal_stiffness_pa_m.is_some());
     (!parts.is_empty()).then(|| {
         let said = Assumed::All { assumed, all, parts };
@@ -181,7 +181,7 @@ pub(crate) fn of_project(project: &Project) -> Option<Finding> {
     })
 }
 
-/// "friction of the joints, width of body 1, width of roof 1 and 4 more"; `None` of no input.
+/// "friction of the joints, width of body 1, width of roof 1 and 4 more"; `None` without an input.
 fn named(structure: &Structure, inputs: &[&Input]) -> Option<Sentence> {
     let (some, rest) = inputs.split_at(inputs.len().min(NAMED_MOST));
     let names = Both::of(|language| {
@@ -222,7 +222,7 @@ fn damping_words(structure: &Structure, inputs: Sentence) -> Assumed {
     }
 }
 
-/// What a variant adds: every result of it rests on them.
+/// Assumptions that a variant adds, which affect all its results.
 fn of_variant(variant: &VariantAnswer, structure: &Structure) -> Option<Finding> {
     let assumed = variant.own_inputs.iter().filter(|input| input.is_assumed());
     let said = |input: &Input| {

@@ -1,4 +1,4 @@
-//! What a check found, whatever the kind.
+//! Findings of a check, for all kinds.
 
 use super::agreement::agreement;
 use super::{assumed, from_surveys, measured, sampled, variants};
@@ -54,9 +54,9 @@ messages! {
     }
 }
 
-/// Of one version: its kind's own, what its site asks, what surveys say, its scatter.
+/// Findings for one version: those of its kind, its site, its surveys, and its scatter.
 pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
-    // samples that fall come first; that none does stands behind what it was sought for
+    // falling samples come first; "none falls" comes last
     let (mut all, none): (Vec<Finding>, Vec<Finding>) = state
         .sampled
         .iter()
@@ -71,7 +71,7 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
     let is_contradicted = Evidence::of(project, &state.check).is_contradicted();
     let of_model = of_kind(project, &state.check).into_iter();
     all.extend(of_model.map(|found| match found.tone {
-        // good news of a model that is not the structure is none; a stack rests on shapes and friction
+        // a contradicted model gives no good news; a stack depends on shapes and friction
         Tone::Good if is_contradicted && !matches!(state.check, Check::Stack(_)) => Finding {
             tone: Tone::Unknown,
             ..found
@@ -118,7 +118,7 @@ fn unusual(state: &State) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said).with_code("unit-slip"))
 }
 
-/// Higher modes of a survey that are not those of the model.
+/// Higher modes of a survey that differ from those of the model.
 fn in_doubt(project: &Project, state: &State) -> Option<Finding> {
     let evidence = Evidence::of(project, &state.check);
     let is_doubt = matches!(evidence, Evidence::InDoubt(_));
@@ -165,14 +165,14 @@ fn marked_assumed(project: &Project, state: &State) -> Option<Finding> {
     })
 }
 
-/// A sentence begins with a large letter.
+/// The text with a capital first letter.
 fn first_large(words: String) -> String {
     let mut signs = words.chars();
     let first = signs.next().map(|sign| sign.to_uppercase().to_string());
     first.unwrap_or_default() + signs.as_str()
 }
 
-/// What makes an unknown verdict known.
+/// What to do to make an unknown verdict known.
 fn next(project: &Project, state: &State) -> Option<Finding> {
     let unknown = match &state.check {
         Check::Chain(check) => check.stability.is_none(),
@@ -190,7 +190,7 @@ fn next(project: &Project, state: &State) -> Option<Finding> {
     unknown.then(|| Finding::key(Tone::Plain, what))
 }
 
-/// That a survey has records that a check does not read; `None` where none has, or the file writes their modes.
+/// Finding that a survey has records that a check does not read; `None` if none has, or if the file states their modes.
 pub(super) fn unread(answer: &CheckAnswer) -> Option<Finding> {
     let state = answer.state.as_ref()?;
     let compared = match Evidence::of(&answer.project, &state.check) {
@@ -215,7 +215,7 @@ pub(super) fn unread(answer: &CheckAnswer) -> Option<Finding> {
     })
 }
 
-/// All of a check, what is worst first.
+/// All findings of a check, the worst first.
 pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     let mut all = measured::severe_damage(&answer.project);
     all.extend(assumed::cap_left_out(&answer.project));

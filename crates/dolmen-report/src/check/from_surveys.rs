@@ -1,4 +1,4 @@
-//! Stiffness that the file leaves to its surveys: what came of it, before any answer rests on it.
+//! Stiffness that the file takes from its surveys: the result, before any answer that depends on it.
 
 use crate::document::{Finding, TextStyle, Tone, wrapped};
 use dolmen_project::{FromSurvey, FromSurveys, Project, Quantity as Input, WhyNotIdentified};
@@ -63,7 +63,7 @@ messages! {
     }
 }
 
-/// What came of the stiffness that a project leaves to its surveys.
+/// The result for the stiffness that a project takes from its surveys.
 pub(super) fn findings(project: &Project) -> Vec<Finding> {
     let Some(told) = &project.from_surveys else {
         return Vec::new();
@@ -142,7 +142,7 @@ fn not_known(why: WhyNotIdentified, survey: String) -> Identified {
     }
 }
 
-/// The values that stand below a path, lowest first, with their deviations.
+/// The values below a path, lowest first, with their deviations.
 fn values(project: &Project, path: &str) -> Values {
     let all = project.structure.inputs();
     let own: Vec<&&Input> = all

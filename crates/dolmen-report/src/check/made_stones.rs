@@ -1,4 +1,4 @@
-//! The stones that a pagoda's factors make, as text to copy into the file.
+//! The stones made from a pagoda's factors, as text to copy into the file.
 
 use crate::document::{TextStyle, wrapped};
 use dolmen_project::{Project, Quantity as Input, Structure};
@@ -15,7 +15,7 @@ messages! {
     }
 }
 
-/// The stones that a pagoda's factors make, as blocks to copy; nothing for other structures.
+/// The stones made from a pagoda's factors, as blocks to copy; empty for other structures.
 pub(super) fn made_stones_text(project: &Project, style: TextStyle) -> String {
     let Structure::Stack(part) = &project.structure else {
         return String::new();

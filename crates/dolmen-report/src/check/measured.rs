@@ -1,4 +1,4 @@
-//! What surveys say against the model: a tilt that overturns, a frequency that the model does not have.
+//! Evidence of surveys against the model: a tilt that overturns, a frequency that the model does not have.
 
 use super::agreement::direction_words;
 use crate::document::{Finding, Tone};
@@ -15,7 +15,7 @@ use dolmen_work::watch::can_watch;
 
 /// Digits of a tilt in a sentence.
 const DIGITS: usize = 3;
-/// Shares of a tilt that differ by less are the same.
+/// Tilts with a smaller relative difference are the same.
 const ROUNDING: f64 = 1e-9;
 
 messages! {
@@ -141,7 +141,7 @@ messages! {
     }
 }
 
-/// Of all surveys that speak of the model.
+/// Findings from all surveys about the model.
 pub(super) fn measured(project: &Project, state: &State) -> Vec<Finding> {
     let leans = matches!(&project.structure, Structure::Frame(part) if part.lean.is_some());
     let contradictions = state.contradictions.iter().map(contradiction);
@@ -150,12 +150,12 @@ pub(super) fn measured(project: &Project, state: &State) -> Vec<Finding> {
     contradictions.chain(tilts).chain(unchecked(state)).collect()
 }
 
-/// Whether a chain or stack says nothing of how far it may lean.
+/// Whether the limit of the lean of a chain or stack is unknown.
 fn is_unchecked(of: &TiltCheck, check: &Check) -> bool {
     of.uplift_tilt.is_none() && matches!(check, Check::Chain(_) | Check::Stack(_))
 }
 
-/// The tilts of each survey that are held against nothing, all directions in one.
+/// The unchecked tilts of each survey, all directions in one finding.
 fn unchecked(state: &State) -> Vec<Finding> {
     let of_all = state.tilts.iter().filter(|of| is_unchecked(of, &state.check));
     let mut by_survey: Vec<(String, Vec<Sentence>)> = Vec::new();
@@ -173,7 +173,7 @@ fn unchecked(state: &State) -> Vec<Finding> {
     by_survey.into_iter().map(said).collect()
 }
 
-/// A measured tilt against the limit that the file sets.
+/// A measured tilt compared with the limit in the file.
 pub(super) fn against_its_limit(project: &Project) -> Option<Finding> {
     let found = tilt_against_limit(project)?;
     let (tilt, limit) = (one_in(found.tilt), one_in(found.limit));
@@ -185,7 +185,7 @@ pub(super) fn against_its_limit(project: &Project) -> Option<Finding> {
     })
 }
 
-/// Surveys without a date beside some that have one, if they hold anything that the last survey decides.
+/// Surveys without a date beside dated ones, if they contain data that the last survey decides.
 pub(super) fn undated(project: &Project) -> Option<Finding> {
     let (dated, undated): (Vec<&Survey>, Vec<&Survey>) = project
         .surveys
@@ -193,7 +193,7 @@ pub(super) fn undated(project: &Project) -> Option<Finding> {
         .partition(|survey| date_of(&survey.name).is_some());
     let counts = |survey: &&&Survey| {
         let has_records = survey.records.is_some() || !survey.setups.is_empty();
-        // frequencies that were assumed are no measurement
+        // assumed frequencies are not measured
         let mut modes = survey.modes.values().flatten();
         let has_modes = modes.any(|mode| !mode.frequency.is_assumed());
         has_records || has_modes || !survey.tilt.is_empty() || !survey.inspections.is_empty()
@@ -210,7 +210,7 @@ pub(super) fn undated(project: &Project) -> Option<Finding> {
 /// A measured tilt beyond the drift at which storeys are judged, or at which free-standing columns fall in a model that starts plumb.
 pub(super) fn against_drift(project: &Project) -> Vec<Finding> {
     let columns = match &project.structure {
-        // what it leans by is in its check
+        // its lean is in its check
         Structure::Frame(part) if part.lean.is_some() => None,
         Structure::Frame(part) => {
             let storeys = part.storeys.iter();
@@ -252,7 +252,7 @@ pub(crate) fn tilt_beyond(project: &Project) -> Vec<Finding> {
     all.filter(|finding| finding.tone == Tone::Bad).collect()
 }
 
-/// Severe damage that the model does not have: of each part what the last survey says that lists it.
+/// Severe damage that is not in the model: for each part, from the last survey that lists it.
 pub(super) fn severe_damage(project: &Project) -> Vec<Finding> {
     let left_out = SevereDamage::left_out(project);
     let each = left_out.chunk_by(|a, b| a.survey == b.survey).map(|of_survey| {
@@ -270,7 +270,7 @@ pub(super) fn severe_damage(project: &Project) -> Vec<Finding> {
     each.collect()
 }
 
-/// What the years say that this answer does not.
+/// Findings over the years that this answer does not contain.
 pub(crate) fn over_the_years(project: &Project) -> Vec<Finding> {
     let logs = project.watch.logs.iter();
     let logs = logs.filter(|log| log.kind != LogKind::Temperature);
@@ -289,7 +289,7 @@ pub(crate) fn over_the_years(project: &Project) -> Vec<Finding> {
     all
 }
 
-/// Earthquakes that surveys state and after which nobody looked; those in records are found by the verbs that read them.
+/// Earthquakes stated in surveys without a later inspection; the verbs that read records find those in them.
 pub(super) fn felt_since(project: &Project) -> Vec<Finding> {
     let open = felt(project, |_| None).into_iter().filter(|of| !of.is_answered);
     let said = open.map(|of| {
@@ -309,7 +309,7 @@ pub(super) fn felt_since(project: &Project) -> Vec<Finding> {
 pub(super) fn other_directions(project: &Project, check: &Check) -> Vec<Finding> {
     let known: Vec<String> = match check {
         Check::Chain(chain) if chain.across.is_some() => ["x", "y"].map(str::to_owned).to_vec(),
-        // it is the same in all
+        // it is the same in all directions
         Check::Chain(_) => return Vec::new(),
         Check::Frame(all) => all.iter().map(|of| of.direction.clone()).collect(),
         Check::Stack(_) | Check::Building(_) => ["x", "y", "torsion"].map(str::to_owned).to_vec(),
@@ -372,7 +372,7 @@ fn tilt(of: &TiltCheck, check: &Check, leans: bool) -> Finding {
                 limit,
             },
         ),
-        // a date alone does not bring it into a model that takes no lean, as one on several stones
+        // a date alone does not bring it into a model without a lean, such as one on several stones
         _ if matches!(check, Check::Stack(_)) && date_of(&survey).is_some() => Finding::key(
             Tone::Warn,
             Measured::TiltNotTaken {
@@ -391,7 +391,7 @@ fn tilt(of: &TiltCheck, check: &Check, leans: bool) -> Finding {
                 limit,
             },
         ),
-        // towards a corner a bed opens sooner than at a third
+        // towards a corner a bed opens earlier than at a third
         verdict if (opens / (TiltCheck::OPENS * uplift) - 1.0).abs() > ROUNDING => {
             let opened = of.tilt.abs() >= opens;
             let opens = one_in(opens);
@@ -434,7 +434,7 @@ fn tilt(of: &TiltCheck, check: &Check, leans: bool) -> Finding {
     }
 }
 
-/// The tilt of a frame beside that at which it falls.
+/// The tilt of a frame compared with that at which it falls.
 fn frame_tilt(of: &TiltCheck, limit: Sentence) -> Finding {
     let (tilt, direction, survey) = (one_in(of.tilt), of.direction.clone(), of.survey.clone());
     let verdict = of.verdict();
@@ -521,7 +521,7 @@ mod tests {
             "{said}"
         );
         assert_eq!(of(0.2, None).tone, Tone::Warn);
-        // a tilt that leans the model is not one that is left out of it
+        // a tilt in the model is not left out
         for (leans, said) in [(true, "leans the model"), (false, "is not used")] {
             let words = found(0.01, None, leans).sentence.text(Language::English);
             assert!(words.contains(said), "{words}");

@@ -1,4 +1,4 @@
-//! What an answer says of a check, whatever the kind: findings, versions side by side, scatter, assumptions.
+//! Common parts of the answers on a check: findings, comparison of versions, scatter, assumptions.
 
 mod agreement;
 mod assumed;
@@ -22,7 +22,7 @@ pub(crate) use variants::{section as variants_section, title};
 
 use dolmen_words::Template;
 
-/// The sentences of every check as they are written.
+/// Templates of the sentences of every check.
 pub(crate) const TEMPLATES: [&[Template]; 10] = [
     agreement::Agreement::TEMPLATES,
     assumed::Assumed::TEMPLATES,

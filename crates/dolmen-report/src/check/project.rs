@@ -1,4 +1,4 @@
-//! What was read: said before any result.
+//! Description of the input, printed before any result.
 
 use super::from_surveys::from_surveys_text;
 use crate::damaged::damaged;
@@ -65,7 +65,7 @@ messages! {
     }
 }
 
-/// Name, file, kind and size of what was read.
+/// Name, file, kind and size of the project.
 pub(crate) fn project_text(project: &Project, file: &str, style: TextStyle) -> String {
     let language = style.language;
     let (own, other) = language.pick(
@@ -98,7 +98,7 @@ pub(crate) fn project_text(project: &Project, file: &str, style: TextStyle) -> S
     out + &doubtful_text(project, style)
 }
 
-/// The damage of inspections that the model has; nothing where it has none.
+/// The damage of inspections in the model; empty without any.
 fn damage_text(project: &Project, style: TextStyle) -> String {
     if project.damage.is_empty() {
         return String::new();
@@ -108,7 +108,7 @@ fn damage_text(project: &Project, style: TextStyle) -> String {
     wrapped(&said, "  ", "    ", style.columns())
 }
 
-/// That surveys of the file were not measured; nothing where all were. A check says it in its verdict.
+/// Note that surveys of the file were not measured; empty if all were. A check has it in its verdict.
 pub(crate) fn made_up_text(project: &Project, style: TextStyle) -> String {
     let made_up = project.surveys.iter().filter(|survey| survey.is_made_up);
     let surveys: Vec<String> = made_up.map(|survey| survey.name.clone()).collect();
@@ -126,14 +126,14 @@ pub(crate) fn made_up_text(project: &Project, style: TextStyle) -> String {
     wrapped(&said, "  ", "    ", style.columns())
 }
 
-/// What is probably a slip in the file, for a document: to be read before any answer.
+/// Probable mistakes in the file, for a document, before any answer.
 pub(crate) fn doubtful(project: &Project) -> Vec<Sentence> {
     let warnings = project.warnings.iter();
     let doubtful = warnings.filter(|warning| warning.kind == WarningKind::Doubtful);
     doubtful.map(|warning| slip(project, warning)).collect()
 }
 
-/// The same for who has the text of the file before him.
+/// The same for readers of the file.
 fn doubtful_lines(project: &Project) -> Vec<Sentence> {
     let warnings = project.warnings.iter();
     let doubtful = warnings.filter(|warning| warning.kind == WarningKind::Doubtful);
@@ -144,8 +144,8 @@ fn doubtful_lines(project: &Project) -> Vec<Sentence> {
     each.map(Sentence::from).collect()
 }
 
-/// What is to be known of an answer before it is read, for a terminal: damage in the model, a slip in the file, a survey that contradicts its model.
-/// Nothing where there is nothing.
+/// Notes that must precede an answer, for a terminal: damage in the model, a mistake in the file, a survey that contradicts its model.
+/// Empty without any.
 pub fn against_text(project: &Project, evidence: &Evidence, style: TextStyle) -> String {
     let contradicted = match evidence {
         Evidence::Contradicted(of) => Some(Sentence::from(Size::Contradicted {

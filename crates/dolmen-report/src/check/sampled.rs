@@ -1,4 +1,4 @@
-//! The load factor under uncertain inputs, and which input it answers to.
+//! The load factor under uncertain inputs, and its most important inputs.
 
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Series, Table, Tone};
 use crate::figures::load_factor_distribution;
@@ -80,7 +80,7 @@ pub(super) fn findings(sampled: &Sampled) -> Vec<Finding> {
     all
 }
 
-/// How often something happens, as `said` puts it.
+/// How often an event happens, in the words of `said`.
 fn happens(of: &Probability, said: fn(Share) -> Scatter) -> Finding {
     let tone = match of.count {
         0 => Tone::Plain,
@@ -145,7 +145,7 @@ fn overloaded(of: Share) -> Scatter {
     }
 }
 
-/// Which inputs the result answers to most, where that was asked.
+/// The most important inputs of the result, if requested.
 pub(super) fn sensitive(answer: &CheckAnswer) -> Option<Finding> {
     const NAMED: usize = 3;
     let shown = answer.sensitivities.iter();
@@ -177,7 +177,7 @@ fn signed(change: f64, digits: Digits) -> Scatter {
     }
 }
 
-/// What sensitivities are of.
+/// The result whose sensitivities are given.
 fn result(answer: &CheckAnswer) -> Sentence {
     match answer.sensitivity_of {
         SensitivityOf::LoadFactor => Scatter::LoadFactor.into(),
@@ -198,7 +198,7 @@ pub(crate) fn sections(answer: &CheckAnswer) -> Document<'_> {
         .blocks
         .extend(answer.state.iter().flat_map(|state| of_state(state).blocks));
     if !answer.sensitivities.is_empty() {
-        // without scatter given, two columns are empty
+        // without scatter, two columns are empty
         document.put(Block::Table(table(answer).without_empty_columns()));
     }
     document

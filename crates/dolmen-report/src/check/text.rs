@@ -1,4 +1,4 @@
-//! `dolmen check` on a terminal: the verdict and what decides it, or all of it.
+//! `dolmen check` on a terminal: the verdict and the decisive findings, or everything.
 
 use super::findings::{findings, of_state, unread};
 use super::made_stones::made_stones_text;
@@ -68,7 +68,7 @@ fn said(message: Said, language: Language) -> String {
     Sentence::from(message).text(language)
 }
 
-/// The findings, with what a check by itself does not read; a report reads it.
+/// The findings, with a note on records that a check does not read; a report reads them.
 fn with_unread(answer: &CheckAnswer) -> Vec<Finding> {
     let mut all = findings(answer);
     let bad = all.iter().take_while(|finding| finding.tone == Tone::Bad).count();

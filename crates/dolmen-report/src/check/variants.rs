@@ -1,4 +1,4 @@
-//! The project as given beside its variants, before and after a repair.
+//! The project as given compared with its variants, before and after a repair.
 
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone, table_series};
 use crate::figures::{VariantDot, variants_compared};
@@ -11,7 +11,7 @@ use dolmen_work::answer::CheckAnswer;
 use dolmen_work::judgement::{Earthquake, VersionJudgement, WindFinding, judge_check};
 use dolmen_work::state::{Check, State, VariantAnswer};
 
-/// Differences of λ below this share are called none.
+/// Relative differences of λ below this count as none.
 const SAME_SHARE: f64 = 1e-6;
 
 messages! {
@@ -82,7 +82,7 @@ struct Row {
     borne: Option<f64>,
     /// With wind and static loads.
     verdict: Verdict,
-    /// Of its weight alone.
+    /// Verdict on its weight alone.
     own_verdict: Verdict,
     margins: Vec<Option<f64>>,
     frequency_hz: Option<f64>,
@@ -90,7 +90,7 @@ struct Row {
     falls: Option<f64>,
     /// Share of samples that wind and static loads bring to a limit.
     overloaded: Option<f64>,
-    /// What the site asks of the version, in a word and as capacity over demand; `None` where nothing is asked.
+    /// The demand of the site on the version, as a word and as capacity over demand; `None` without a demand.
     earthquake: Option<(Earthquake, Option<f64>)>,
 }
 
@@ -102,7 +102,7 @@ pub(crate) fn title(variant: &VariantAnswer) -> Both {
     }
 }
 
-/// What each variant does to the load factor.
+/// The effect of each variant on the load factor.
 pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     let Some(state) = &answer.state else {
         return Vec::new();
@@ -132,7 +132,7 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     all
 }
 
-/// What the site asks of a version, and how much of it there is, the least of all parts.
+/// The demand of the site on a version, with the smallest capacity over demand of all parts.
 fn asked(version: &VersionJudgement) -> Option<(Earthquake, Option<f64>)> {
     let found = &version.earthquake;
     let ratios = found.iter().filter_map(|finding| finding.ratio);
@@ -223,7 +223,7 @@ fn worse_in_earthquakes(answer: &CheckAnswer) -> Vec<Finding> {
     each.collect()
 }
 
-/// What becomes of wind and static loads.
+/// The effect on wind and static loads.
 fn loaded(after: &Row, before: &Row) -> Option<Finding> {
     let new = after.borne?;
     let factor = |factor: f64| Quantity::beside_one(factor, 3);
@@ -259,10 +259,10 @@ fn changed(after: Row, before: &Row) -> Option<Finding> {
         true => Tone::Warn,
         false => Tone::Plain,
     };
-    // a finding of its own has the number of wind, so this word is that of weight
+    // a separate finding gives the wind factor, so this word is about weight
     let is_same = (new / old - 1.0).abs() < SAME_SHARE;
     if is_same && after.borne.is_some() {
-        return None; // said with its loads
+        return None; // reported with its loads
     }
     let said = match (is_same, after.direction) {
         (true, None) => Variants::Same {
@@ -293,7 +293,7 @@ fn changed(after: Row, before: &Row) -> Option<Finding> {
     Some(Finding::key(tone, said))
 }
 
-/// All versions side by side; a stack compares its own way.
+/// All versions side by side; stacks have their own comparison.
 pub(crate) fn section(answer: &CheckAnswer) -> Document<'_> {
     let mut document = Document::default();
     let Some(state) = answer.state.as_ref().filter(|_| !answer.variants.is_empty()) else {
@@ -314,7 +314,7 @@ pub(crate) fn section(answer: &CheckAnswer) -> Document<'_> {
         rows.iter_mut().for_each(|row| row.earthquake = own);
     };
     put(&mut basis, 0);
-    // what a survey contradicts is not stable
+    // a version contradicted by a survey is not stable
     if judged.headline().is_some_and(|of| of.evidence.is_contradicted()) {
         let doubted = basis.iter_mut().filter(|row| row.verdict != Verdict::Unstable);
         doubted.for_each(|row| row.verdict = Verdict::Unknown);

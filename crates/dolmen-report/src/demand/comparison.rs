@@ -1,4 +1,4 @@
-//! A stack against the demand of its site, direction by direction.
+//! A stack compared with the demand of its site, direction by direction.
 
 use super::first::first;
 use super::words::{gravities, in_g, verdict_words};
@@ -9,7 +9,6 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 /// Digits of accelerations and periods.
 const DIGITS: Digits = Digits::Significant(4);
-/// Digits of ratios.
 const RATIO_DIGITS: usize = 3;
 
 messages! {
@@ -61,7 +60,7 @@ messages! {
     }
 }
 
-/// The table of all directions, and how it is read.
+/// The table of all directions, and how to read it.
 pub(super) fn section(document: &mut Document<'_>, stack: &StackDemandCheck) {
     document.paragraph(Compared::Verdict {
         verdict: verdict_words(stack.verdict),

@@ -1,4 +1,4 @@
-//! What the demand of a site says in plain words.
+//! Findings on the demand of a site.
 
 use super::first::first;
 use super::local_mechanisms;
@@ -87,9 +87,9 @@ messages! {
     }
 }
 
-/// The comparison, and what of the code is not verified.
+/// The comparison, and unverified parts of the code.
 ///
-/// `has_moved`: the supports of the structure moved, and the comparison is of its shape before.
+/// `has_moved`: the supports of the structure moved, and the comparison is for its shape before.
 pub(crate) fn findings(answer: Option<&DemandAnswer>, has_moved: bool) -> Vec<Finding> {
     let Some(answer) = answer else {
         return Vec::new();

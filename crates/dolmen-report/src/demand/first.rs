@@ -1,4 +1,4 @@
-//! What of a stack on elastic joints gives way first.
+//! First failure of a stack on elastic joints.
 
 use dolmen::assess::demand::ModalRatio;
 use dolmen::stability::stack::LimitKind;
@@ -24,7 +24,7 @@ messages! {
     }
 }
 
-/// What gives way first.
+/// The first failure.
 pub(super) fn first(by_modes: &ModalRatio) -> Sentence {
     let Some((kind, above)) = &by_modes.first else {
         return First::Shared.into();

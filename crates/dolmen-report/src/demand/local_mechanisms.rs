@@ -1,4 +1,4 @@
-//! Local mechanisms of a stack by Circolare 7/2019 against the site.
+//! Local mechanisms of a stack by Circolare 7/2019, compared with the site.
 
 use super::words::{gravities, in_g};
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
@@ -38,7 +38,7 @@ messages! {
     }
 }
 
-/// The least of all directions, in one line; `None` where no direction has a check.
+/// The smallest of all directions, in one line; `None` if no direction has a check.
 pub(super) fn finding(all: &[LocalMechanismAgainstSite]) -> Option<Finding> {
     let least = |of: &dyn Fn(&LocalMechanismAgainstSite) -> Option<f64>| {
         let least = all.iter().filter_map(of).min_by(f64::total_cmp)?;
@@ -55,7 +55,7 @@ pub(super) fn finding(all: &[LocalMechanismAgainstSite]) -> Option<Finding> {
     Some(Finding::new(Tone::Plain, said))
 }
 
-/// Each direction against the site.
+/// Each direction compared with the site.
 pub(super) fn section(document: &mut Document<'_>, answer: &DemandAnswer) {
     let all = &answer.local_mechanisms;
     let has_check =

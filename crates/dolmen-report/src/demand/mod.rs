@@ -1,4 +1,4 @@
-//! What an earthquake asks for at a site: findings, and the section of its numbers, its spectrum and the comparison.
+//! The seismic demand at a site: findings, and the section of its numbers, its spectrum and the comparison.
 
 mod comparison;
 mod findings;
@@ -46,7 +46,7 @@ messages! {
     }
 }
 
-/// The sentences on the demand of a site as they are written.
+/// Templates of the sentences on the demand of a site.
 pub(crate) const TEMPLATES: [&[Template]; 10] = [
     findings::Found::TEMPLATES,
     first::First::TEMPLATES,

@@ -1,4 +1,4 @@
-//! What the spectrum asks of a structure whose capacity against shaking is not computed.
+//! The spectral demand on a structure without a computed capacity.
 
 use super::words::{gravities, in_g};
 use crate::document::{Block, Cell, Column, Document, Table};
@@ -23,7 +23,7 @@ messages! {
     }
 }
 
-/// A row a direction whose period is known.
+/// One row per direction with a known period.
 pub(super) fn section(document: &mut Document<'_>, spectral: &[SpectralAt]) {
     if spectral.is_empty() {
         return;

@@ -82,7 +82,7 @@ messages! {
 
 type Row = (Sentence, Cell);
 
-/// The numbers of the code or table, and what the ground does.
+/// The numbers of the code or table, and the ground motion.
 pub(super) fn section(document: &mut Document<'_>, site: &SiteDemand) {
     document.paragraph(Numbers::Site);
     let mut rows = parameters(&site.parameters);
@@ -167,7 +167,7 @@ fn soil_rows(soil: KoreanSite, amplification: &SoilAmplification) -> [Row; 3] {
     ]
 }
 
-/// Ends of the branches, named as the code has them.
+/// Ends of the branches, with their names in the code.
 fn branch_rows(branches: &SpectrumBranches, symbols: [&str; 3]) -> [Row; 3] {
     let [rise, plateau, long] = symbols.map(Sentence::of_symbol);
     [
@@ -200,7 +200,7 @@ fn plateau(branches: &SpectrumBranches) -> Row {
     )
 }
 
-/// The peak of the ground, its vertical part, and the damping at which the spectrum is read.
+/// The peak of the ground, its vertical part, and the damping ratio of the spectrum.
 fn shaking(site: &SiteDemand) -> [Row; 3] {
     let peak = site.peak_ground_acceleration_m_s2;
     let vertical = match &site.vertical {

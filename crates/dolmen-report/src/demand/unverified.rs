@@ -1,4 +1,4 @@
-//! What of a code is not held against its text.
+//! Parts of a code that were not checked against its text.
 
 use dolmen::assess::demand::{SiteDemand, Unverified};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -7,7 +7,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 const DIGITS: usize = 6;
 
 messages! {
-    /// What is not held against the text of a code.
+    /// What is not compared with the text of a code.
     pub(crate) enum NotHeld in "demand.unverified" {
         All { all: Vec<Sentence> } => {
             en: "Of the code these are not held against its text: {all}.",
@@ -35,7 +35,7 @@ messages! {
     }
 }
 
-/// The sentence that names all of it; `None` where there is none.
+/// The sentence that names all of them; `None` if there are none.
 pub(super) fn unverified(site: &SiteDemand) -> Option<Sentence> {
     let all: Vec<Sentence> = site.spectrum.unverified.iter().map(one).collect();
     (!all.is_empty()).then(|| NotHeld::All { all }.into())

@@ -1,4 +1,4 @@
-//! The part of a stack that lifts first against the spectral velocity of the site.
+//! The part of a stack that lifts first, compared with the spectral velocity of the site.
 
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -25,7 +25,7 @@ messages! {
     }
 }
 
-/// What S_v asks, beside the published forms.
+/// The demand by S_v, and the published forms.
 pub(super) fn section(document: &mut Document<'_>, of: &VelocityDemand) {
     let radians = |angle: f64| Quantity::new(angle, Unit::si("rad"), Digits::Significant(3));
     document.put(Block::Paragraph(vec![Sentence::from(ByVelocity::Said {

@@ -1,4 +1,4 @@
-//! The words of capacity against demand, and its values.
+//! Words and values for capacity against demand.
 
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::stability::stack::DemandVerdict;
@@ -14,7 +14,6 @@ messages! {
     }
 }
 
-/// The words of a verdict.
 pub(super) fn verdict_words(verdict: DemandVerdict) -> Sentence {
     match verdict {
         DemandVerdict::Above => Words::Above,

@@ -5,7 +5,7 @@ use super::photos::{Answered, Photo, Signatory};
 use super::series::Series;
 use dolmen_words::{Language, Quantity, Sentence, Unit};
 
-/// Blocks in the order in which they are read.
+/// Blocks in reading order.
 #[derive(Debug, Default)]
 pub(crate) struct Document<'a> {
     pub(crate) blocks: Vec<Block<'a>>,
@@ -16,45 +16,44 @@ pub(crate) struct Document<'a> {
 pub(crate) enum Block<'a> {
     /// The head of a section.
     Heading(Sentence),
-    /// The head of a part of a section.
+    /// The heading of a part of a section.
     Subheading(Sentence),
     /// Plain sentences.
     Paragraph(Vec<Sentence>),
-    /// What must not be overlooked.
+    /// A warning.
     Warning(Sentence),
-    /// A remark on what stands above.
+    /// A note on the blocks above.
     Note(Sentence),
     /// Points of a kind.
     List(Vec<Sentence>),
-    /// A value for each of a few things, a row each; the cells name their units.
+    /// A few values, one row each; the cells give their units.
     KeyValues(Vec<(Sentence, Cell)>),
     /// A table.
     Table(Table),
     /// A formula on a line of its own.
     Equation(Equation),
-    /// Figures, side by side where there are several.
+    /// Figures; several stand side by side.
     Figures(Vec<Figure<'a>>),
-    /// Photographs, side by side where there are several.
+    /// Photographs; several stand side by side.
     Photos(Vec<Photo<'a>>),
     /// Rows to sign in.
     Signatures(Vec<Signatory>),
-    /// The three questions, each with its word.
+    /// The three questions with their answers.
     Answers(Vec<Answered>),
 }
 
-/// A table; each row is as long as `columns`.
+/// A table; each row has as many cells as `columns`.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
-    /// What it shows; its first sentence stands out.
+    /// Caption; its first sentence is emphasised.
     pub(crate) caption: Vec<Sentence>,
-    /// The columns: those of words first, then those of numbers.
+    /// The columns: words first, then numbers.
     pub(crate) columns: Vec<Column>,
-    /// The rows.
     pub(crate) rows: Vec<Vec<Cell>>,
 }
 
 impl Table {
-    /// Without the columns in which nothing stands.
+    /// Removes empty columns.
     pub(crate) fn without_empty_columns(self) -> Self {
         let is_empty = |row: &Vec<Cell>, column: usize| {
             let text = row.get(column).map(|cell| cell.text(Language::English));
@@ -105,11 +104,10 @@ impl Table {
 /// A column: what it is, and the unit of its numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
-    /// What stands in it.
     pub(crate) head: Sentence,
-    /// The unit; empty where it has none or the caption names it.
+    /// The unit; empty if there is none, or if the caption gives it.
     pub(crate) unit: Unit,
-    /// Whether it holds words.
+    /// Whether it contains words.
     pub(crate) is_words: bool,
 }
 
@@ -118,23 +116,23 @@ pub(crate) struct Column {
 pub(crate) enum Cell {
     /// Words.
     Words(Sentence),
-    /// A number in the unit of the column; without a value for what has none.
+    /// A number in the unit of the column; `None` shows a dash.
     Number(Option<Quantity>),
-    /// A number that says it falls or must not be used, and what stands beside it.
+    /// A number that indicates a fall or must not be used.
     Bad(Quantity),
     /// As [`Cell::Bad`], marked as rising.
     Rises(Quantity),
-    /// Words that say it falls or must not be used.
+    /// Words that indicate a fall or that a value must not be used.
     BadWords(Sentence),
 }
 
-/// A figure: what it shows, and how it is drawn with words of a language.
+/// A figure: its caption, and how to draw it in a language.
 pub(crate) struct Figure<'a> {
-    /// What it shows; its first sentence stands out.
+    /// Caption; its first sentence is emphasised.
     pub(crate) caption: Vec<Sentence>,
-    /// Its SVG.
+    /// Draws its SVG.
     pub(crate) draw: Box<dyn Fn(Language) -> String + 'a>,
-    /// Its numbers.
+    /// Its data.
     pub(crate) series: Box<dyn Fn() -> Vec<Series> + 'a>,
 }
 
@@ -156,7 +154,7 @@ impl<'a> Document<'a> {
         self.blocks.push(block);
     }
 
-    /// Adds the blocks of another behind these.
+    /// Appends the blocks of another document.
     pub(crate) fn append(&mut self, other: Document<'a>) {
         self.blocks.extend(other.blocks);
     }
@@ -166,7 +164,7 @@ impl<'a> Document<'a> {
         self.put(Block::Heading(head.into()));
     }
 
-    /// Adds the head of a part of a section.
+    /// Adds the heading of a part of a section.
     pub(crate) fn subheading(&mut self, head: impl Into<Sentence>) {
         self.put(Block::Subheading(head.into()));
     }
@@ -188,7 +186,7 @@ impl<'a> Document<'a> {
 }
 
 impl<'a> Figure<'a> {
-    /// A figure under a caption, as it is drawn; it is none before it has its numbers.
+    /// A figure with a caption; it becomes a [`Figure`] with its data.
     pub(crate) fn drawn(caption: Vec<Sentence>, draw: impl Fn(Language) -> String + 'a) -> Unnumbered<'a> {
         Unnumbered {
             caption,
@@ -197,14 +195,14 @@ impl<'a> Figure<'a> {
     }
 }
 
-/// A figure that has no numbers yet: nobody can put it into a document.
+/// A figure without data yet, which cannot be put into a document.
 pub(crate) struct Unnumbered<'a> {
     caption: Vec<Sentence>,
     draw: Box<dyn Fn(Language) -> String + 'a>,
 }
 
 impl<'a> Unnumbered<'a> {
-    /// The figure with its numbers.
+    /// The figure with its data.
     pub(crate) fn with_series(self, series: impl Fn() -> Vec<Series> + 'a) -> Figure<'a> {
         Figure {
             caption: self.caption,
@@ -233,7 +231,7 @@ impl Column {
         }
     }
 
-    /// Its head with its unit: "k (kN·m/rad)".
+    /// Its heading with the unit: "k (kN·m/rad)".
     pub(crate) fn text(&self, language: Language) -> String {
         match self.unit.symbol.as_str() {
             "" => self.head.text(language),
@@ -243,17 +241,15 @@ impl Column {
 }
 
 impl Cell {
-    /// Words.
     pub(crate) fn words(words: impl Into<Sentence>) -> Self {
         Cell::Words(words.into())
     }
 
-    /// A number.
     pub(crate) fn number(quantity: Quantity) -> Self {
         Cell::Number(Some(quantity))
     }
 
-    /// What stands in it: the column names the unit.
+    /// Its text without a unit, which the column gives.
     pub(crate) fn text(&self, language: Language) -> String {
         match self {
             Cell::Words(words) | Cell::BadWords(words) => words.text(language),
@@ -263,7 +259,7 @@ impl Cell {
         }
     }
 
-    /// What stands in it where no column names the unit.
+    /// Its text with a unit, for places without a column.
     pub(crate) fn whole(&self, language: Language) -> String {
         match self {
             Cell::Number(Some(quantity)) | Cell::Bad(quantity) => quantity.text(),
@@ -272,7 +268,7 @@ impl Cell {
         }
     }
 
-    /// Whether it says that something falls or must not be used.
+    /// Whether it indicates a fall, or a value that must not be used.
     pub(crate) fn is_bad(&self) -> bool {
         matches!(self, Cell::Bad(_) | Cell::Rises(_) | Cell::BadWords(_))
     }

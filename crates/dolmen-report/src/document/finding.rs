@@ -1,9 +1,9 @@
-//! One finding, and how it is marked.
+//! A finding and its tone.
 
 use dolmen::stability::Verdict;
 use dolmen_words::Sentence;
 
-/// How a finding is marked.
+/// Tone of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Tone {
     Good,
@@ -14,7 +14,7 @@ pub(crate) enum Tone {
 }
 
 impl Tone {
-    /// The sign that stands before it, for those who see no colours.
+    /// The sign before it, for readers who cannot see colours.
     pub(crate) fn sign(self) -> char {
         match self {
             Tone::Good => '●',
@@ -39,13 +39,12 @@ impl Tone {
 /// One finding.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Finding {
-    /// How it is marked.
     pub(crate) tone: Tone,
-    /// Whether a brief answer holds it: what decides, how sure it is, what to do next.
+    /// Whether it is part of a short answer: what decides, how certain it is, what to do next.
     pub(crate) is_key: bool,
-    /// The code that `dolmen explain` knows, if there is a longer answer.
+    /// The code for `dolmen explain`, if there is a longer explanation.
     pub(crate) code: Option<&'static str>,
-    /// What the finding says.
+    /// Its text.
     pub(crate) sentence: Sentence,
 }
 
@@ -60,7 +59,7 @@ impl Finding {
         }
     }
 
-    /// A finding that a brief answer holds too.
+    /// A finding that is part of a short answer too.
     pub(crate) fn key(tone: Tone, sentence: impl Into<Sentence>) -> Self {
         Finding {
             is_key: true,
@@ -68,7 +67,7 @@ impl Finding {
         }
     }
 
-    /// The same with the code of a longer answer.
+    /// The same with the code of a longer explanation.
     pub(crate) fn with_code(self, code: &'static str) -> Self {
         Finding {
             code: Some(code),

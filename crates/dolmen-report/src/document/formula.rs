@@ -2,7 +2,7 @@
 
 use dolmen_words::Sentence;
 
-/// A formula on a line of its own, and what its letters mean.
+/// A formula on its own line, and the meaning of its symbols.
 #[derive(Clone, Debug)]
 pub(crate) struct Equation {
     pub(crate) formula: Vec<Math>,
@@ -12,21 +12,21 @@ pub(crate) struct Equation {
 /// A piece of a formula.
 #[derive(Clone, Debug)]
 pub(crate) enum Math {
-    /// A number that has a value: "λ".
+    /// A symbol with a value: "λ".
     Symbol(&'static str),
     /// A matrix or vector: "K".
     Matrix(&'static str),
     /// A name or a number: "det", "0".
     Word(&'static str),
-    /// A sign between two pieces: "=", "−".
+    /// An operator between two terms: "=", "−".
     Sign(&'static str),
-    /// A piece with an index at its foot.
+    /// A term with a subscript.
     Index(Box<Math>, Box<Math>),
-    /// A piece with a power at its head.
+    /// A term with an exponent.
     Power(Box<Math>, Box<Math>),
     /// A numerator over a denominator.
     Fraction(Vec<Math>, Vec<Math>),
-    /// Pieces between a left and a right fence.
+    /// Terms between a left and a right bracket.
     Fenced([&'static str; 2], Vec<Math>),
 }
 

@@ -10,15 +10,15 @@ use base64::Engine as _;
 use dolmen_words::{Language, Sentence};
 use maud::{Markup, PreEscaped, html};
 
-/// Tables of so many rows stay on one page in print.
+/// Tables of at most this many rows stay on one page in print.
 const WHOLE_ROWS: usize = 8;
 
-/// The blocks, in a language, counted on from `numbers`.
+/// The blocks, in a language, numbered from `numbers`.
 pub(crate) fn document_html(document: &Document<'_>, language: Language, numbers: &mut Numbers) -> Markup {
     html! { @for block in &document.blocks { (block_html(block, language, numbers)) } }
 }
 
-/// A number before the head of a section.
+/// A number before the heading of a section.
 pub(crate) fn numbered(number: &str, head: &str) -> Markup {
     html! { span.no { (number) } " " (head) }
 }
@@ -99,7 +99,7 @@ fn piece_html(piece: &Math) -> Markup {
     } }
 }
 
-/// The image stands in the page itself; its name where it was not read.
+/// The image is embedded in the page; its name if it was not read.
 fn photo_html(photo: &Photo<'_>, language: Language, numbers: &mut Numbers) -> Markup {
     let label = photo.image.map(|_| figure_label(&numbers.figure(), language));
     html! { figure.photo {
@@ -130,7 +130,7 @@ fn joined(sentences: &[Sentence], language: Language) -> String {
     each.join(" ")
 }
 
-/// The first sentence stands out: it says what is to be seen.
+/// Emphasises the first sentence, which gives the main point.
 fn caption_html(label: &str, sentences: &[Sentence], language: Language) -> Markup {
     html! {
         span.no { (label) }
@@ -143,7 +143,7 @@ fn caption_html(label: &str, sentences: &[Sentence], language: Language) -> Mark
 
 fn figure_html(figure: &Figure<'_>, language: Language, numbers: &mut Numbers) -> Markup {
     let label = figure_label(&numbers.figure(), language);
-    // the texts of a figure are escaped where it is drawn
+    // the texts of a figure are escaped when drawn
     let svg = PreEscaped((figure.draw)(language));
     html! { figure { (svg) figcaption { (caption_html(&label, &figure.caption, language)) } } }
 }

@@ -1,4 +1,4 @@
-//! What a report says, as blocks that know neither language nor format. Sections make them, one folder a kind; renderers show them.
+//! The content of a report as blocks without language or format. Sections create them, one folder per kind; renderers show them.
 
 mod blocks;
 mod finding;

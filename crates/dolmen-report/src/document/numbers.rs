@@ -1,4 +1,4 @@
-//! Numbers of sections, tables and figures: one count for the page, the document and print.
+//! Numbers of sections, tables and figures: the same on the page, in documents and in print.
 
 use dolmen_words::{Language, Sentence, messages};
 
@@ -10,10 +10,10 @@ messages! {
     }
 }
 
-/// Counts while a document is read: sections 1, 2 …, their parts 1.1, 1.2 …, tables and figures apart 1.1, 1.2 … by section.
+/// Numbers while a document is read: sections 1, 2 …, their parts 1.1, 1.2 …; tables and figures separately 1.1, 1.2 … by section.
 ///
-/// Where a report is on several projects each is a section, and everything stands one level deeper; its tables and figures count through the
-/// whole project.
+/// In a report on several projects each project is a section, and everything is one level deeper; its tables and figures are numbered
+/// through the whole project.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Numbers {
     project: Option<usize>,
@@ -24,12 +24,12 @@ pub(crate) struct Numbers {
 }
 
 impl Numbers {
-    /// Of a report on one project.
+    /// Numbers of a report on one project.
     pub(crate) fn alone() -> Self {
         Numbers::default()
     }
 
-    /// Of the project with this number, from 1, in a report on several.
+    /// Numbers of the project with this index, from 1, in a report on several.
     pub(crate) fn of_project(number: usize) -> Self {
         Numbers {
             project: Some(number),
@@ -65,7 +65,7 @@ impl Numbers {
         dotted(&[self.chapter(), Some(self.figures)])
     }
 
-    /// What the numbers of tables and figures begin with; nothing before the first section.
+    /// Prefix of the numbers of tables and figures; `None` before the first section.
     fn chapter(&self) -> Option<usize> {
         self.project.or(Some(self.section).filter(|section| *section > 0))
     }

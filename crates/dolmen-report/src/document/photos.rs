@@ -1,4 +1,4 @@
-//! Blocks of what an engineer hands over: photographs, rows to sign in, and what the answers come to.
+//! Blocks for photographs, signatures, and the three answers of a report.
 
 use super::finding::Tone;
 use dolmen_words::{Language, Sentence};
@@ -6,20 +6,19 @@ use dolmen_words::{Language, Sentence};
 /// A photograph or drawing.
 #[derive(Clone, Debug)]
 pub(crate) struct Photo<'a> {
-    /// What it shows; its first sentence stands out.
+    /// Caption; its first sentence is emphasised.
     pub(crate) caption: Vec<Sentence>,
-    /// The file, as the project names it.
+    /// File name in the project.
     pub(crate) file: &'a str,
-    /// Its bytes; `None` where only text is wanted.
+    /// Its bytes; `None` if only text is needed.
     pub(crate) image: Option<&'a dolmen_records::Photo>,
 }
 
-/// A row to sign in; what is not given is empty.
+/// A row for a signature; missing data are empty.
 #[derive(Clone, Debug)]
 pub(crate) struct Signatory {
-    /// What for.
     pub(crate) role: Sentence,
-    /// Who.
+    /// Name of the person.
     pub(crate) name: Sentence,
     /// Qualification and number of the licence.
     pub(crate) licence: Sentence,
@@ -28,16 +27,13 @@ pub(crate) struct Signatory {
 /// One of the three questions, with its word.
 #[derive(Clone, Debug)]
 pub(crate) struct Answered {
-    /// The question.
     pub(crate) question: Sentence,
-    /// How it is marked.
     pub(crate) tone: Tone,
-    /// The word.
     pub(crate) word: Sentence,
 }
 
 impl Photo<'_> {
-    /// What it shows, in one line.
+    /// Its caption in one line.
     pub(crate) fn text(&self, language: Language) -> String {
         let each: Vec<String> = self.caption.iter().map(|one| one.text(language)).collect();
         each.join(" ")

@@ -1,24 +1,23 @@
-//! The numbers of a figure: columns with their names and units.
+//! The data of a figure: columns with names and units.
 
 use dolmen_words::{Language, Sentence};
 
-/// A column of what a figure shows.
+/// A data column of a figure.
 #[derive(Clone, Debug)]
 pub(crate) struct Series {
     /// What it is.
     pub(crate) name: Sentence,
     /// The unit of its numbers; empty for words and ratios.
     pub(crate) unit: String,
-    /// What stands in it.
     pub(crate) entries: Entries,
 }
 
-/// What stands in a column.
+/// Contents of a column.
 #[derive(Clone, Debug)]
 pub(crate) enum Entries {
     /// Names.
     Words(Vec<Sentence>),
-    /// Numbers in the unit of the column; without a value for what has none.
+    /// Numbers in the unit of the column; `None` if missing.
     Numbers(Vec<Option<f64>>),
 }
 
@@ -71,7 +70,7 @@ impl Series {
     }
 }
 
-/// Columns as CSV; it begins with the mark by which Excel knows UTF-8. Short columns end in empty cells.
+/// Columns as CSV, with the byte order mark by which Excel recognises UTF-8. Short columns end in empty cells.
 pub(crate) fn series_csv(series: &[Series], language: Language) -> String {
     let rows = series.iter().map(Series::len).max().unwrap_or(0);
     let heads = series.iter().map(|one| one.head(language));
@@ -82,7 +81,6 @@ pub(crate) fn series_csv(series: &[Series], language: Language) -> String {
     csv
 }
 
-/// A row of CSV.
 pub(crate) fn csv_row(cells: impl Iterator<Item = String>) -> String {
     let quoted = |text: String| match text.contains([',', '"', '\n', '\r']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),

@@ -4,7 +4,7 @@ use super::blocks::{Cell, Column, Table};
 use super::series::{Entries, Series};
 use dolmen_words::{Language, Quantity, Sentence};
 
-/// The columns of a table, its numbers at full precision in the units in which they are shown.
+/// The columns of a table, with numbers at full precision in the displayed units.
 pub(crate) fn table_series(table: &Table) -> Vec<Series> {
     let columns = table.columns.iter().enumerate();
     let of_column = |(at, column): (usize, &Column)| {
@@ -20,7 +20,7 @@ pub(crate) fn table_series(table: &Table) -> Vec<Series> {
         };
         Series {
             name: column.head.clone(),
-            // captions may name the unit of all columns
+            // captions may give the unit of all columns
             unit: Some(column.unit.symbol.as_str())
                 .filter(|symbol| !symbol.is_empty())
                 .or_else(|| units().next())

@@ -10,24 +10,24 @@ use dolmen_words::number::NARROW_SPACE;
 use dolmen_words::{Language, Sentence};
 use unicode_width::UnicodeWidthStr as _;
 
-/// Lines of text end here at the latest, however wide the terminal is: longer ones are hard to read.
+/// Largest line width, however wide the terminal is: longer lines are hard to read.
 const WIDTH_MOST: usize = 100;
-/// No line is made shorter than this.
+/// Smallest line width.
 const WIDTH_LEAST: usize = 40;
 
-/// How a document is shown on a terminal.
+/// Style of a document on a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TextStyle {
     /// The language.
     pub language: Language,
     /// Columns of the terminal.
     pub width: usize,
-    /// Whether all is shown, and not what decides alone.
+    /// Whether to show everything, not only what decides.
     pub is_full: bool,
 }
 
 impl TextStyle {
-    /// All of it in English, for wide terminals.
+    /// Everything in English, for wide terminals.
     pub fn plain() -> Self {
         TextStyle {
             language: Language::English,
@@ -36,19 +36,19 @@ impl TextStyle {
         }
     }
 
-    /// Columns in which sentences are set.
+    /// Width of sentences.
     pub(crate) fn columns(self) -> usize {
         self.width.clamp(WIDTH_LEAST, WIDTH_MOST)
     }
 }
 
-/// A sentence set in lines, the first begun with `first` and the others with `other`.
+/// A wrapped sentence; the first line begins with `first`, the others with `other`.
 pub(crate) fn wrapped(text: &str, first: &str, other: &str, columns: usize) -> String {
     let options = textwrap::Options::new(columns)
         .initial_indent(first)
         .subsequent_indent(other)
         .break_words(false)
-        // a code is typed as it stands
+        // codes are not hyphenated, so that they can be copied
         .word_splitter(textwrap::WordSplitter::NoHyphenation)
         .word_separator(textwrap::WordSeparator::AsciiSpace)
         .wrap_algorithm(textwrap::WrapAlgorithm::FirstFit);
@@ -81,7 +81,7 @@ pub(crate) fn tied(text: &str) -> String {
     said
 }
 
-/// The blocks; figures are left to pages.
+/// The blocks, without figures.
 pub(crate) fn document_text(document: &Document<'_>, style: TextStyle) -> String {
     document
         .blocks
@@ -124,7 +124,7 @@ fn block_text(block: &Block<'_>, style: TextStyle) -> String {
     }
 }
 
-/// The head of a section, underlined.
+/// The heading of a section, underlined.
 pub(crate) fn heading_text(head: &str) -> String {
     format!("\n{head}\n{}\n", "-".repeat(head.width()))
 }
@@ -149,7 +149,7 @@ fn joined(sentences: &[Sentence], language: Language) -> String {
     each.join(" ")
 }
 
-/// "- photograph: what it shows (its file)".
+/// "- photograph: its caption (its file)".
 fn photo_text(photo: &Photo<'_>, style: TextStyle) -> String {
     let head = Sentence::from(Framed::Photo).text(style.language);
     let shows = photo.text(style.language);

@@ -1,21 +1,21 @@
-//! A table for a terminal: columns that line up, heads in lines, and parts one below the other where it is too wide.
+//! A table for a terminal: aligned columns, wrapped headings, and parts one below the other if it is too wide.
 
 use super::blocks::{Cell, Table};
 use dolmen_words::Language;
 use dolmen_words::number::NARROW_SPACE;
 use unicode_width::UnicodeWidthStr as _;
 
-/// Columns before the first and between two.
+/// Space before the first column and between columns.
 const MARGIN: usize = 2;
 const GAP: usize = 2;
-/// How wide heads may make their columns, the widest tried first.
+/// Candidate widths of columns due to their headings, the widest first.
 const HEAD_WIDTHS: [usize; 5] = [24, 16, 12, 9, 1];
-/// And where it takes several parts all the same.
+/// The width if the table needs several parts anyway.
 const PART_HEAD_WIDTH: usize = 12;
-/// Words of a cell are set in lines of this width at most.
+/// Largest width of words in a cell.
 const WORDS_MOST: usize = 30;
 
-/// A column with its cells set in lines.
+/// A column with its wrapped cells.
 struct Set {
     head: Vec<String>,
     cells: Vec<Vec<String>>,
@@ -23,7 +23,7 @@ struct Set {
     is_words: bool,
 }
 
-/// The table under its caption; `columns` are those of the terminal.
+/// The table under its caption; `columns` is the terminal width.
 pub(super) fn table_text(table: &Table, language: Language, columns: usize) -> String {
     let set = |head_width: usize| -> Vec<Set> {
         (0..table.columns.len())
@@ -42,7 +42,7 @@ pub(super) fn table_text(table: &Table, language: Language, columns: usize) -> S
     }
 }
 
-/// Columns that fit side by side, the first of all in each.
+/// Columns that fit side by side, with the first column repeated in each part.
 fn parts(all: &[Set], columns: usize) -> Vec<Vec<&Set>> {
     let Some((first, rest)) = all.split_first() else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Words that stand round blocks.
+//! Words around blocks.
 
 use dolmen_words::messages;
 

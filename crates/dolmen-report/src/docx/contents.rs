@@ -1,16 +1,16 @@
-//! The contents: a field with its entries as they are now.
+//! The contents: a field with its present entries.
 
 use super::inline::{instruct, paragraph, said, tab, words};
 use crate::paper::xml::Xml;
 use crate::paper::{Heading, Ink, Paper};
 use dolmen_words::Language;
 
-/// The mark of the head with this number in the document.
+/// The bookmark of the heading with this number.
 pub(super) fn mark(number: usize) -> String {
     format!("_Toc{number:06}")
 }
 
-/// Contents of two levels. Page numbers are fields without a value: they are known when the document is laid out.
+/// Contents of two levels. Page numbers are fields without a value until the document is laid out.
 pub(super) fn contents(xml: &mut Xml, paper: &Paper, language: Language) {
     let entries: Vec<&Heading> = paper.entries().collect();
     xml.element("w:sdt", &[], |xml| {

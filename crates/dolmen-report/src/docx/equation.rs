@@ -1,4 +1,4 @@
-//! Formulas as Office MathML, which word processors edit.
+//! Formulas as Office MathML, which word processors can edit.
 
 use super::inline::paragraph;
 use crate::document::Math;
@@ -54,7 +54,7 @@ fn piece(xml: &mut Xml, of: &Math) {
     }
 }
 
-/// A stretch of letters: slanted, bold or upright.
+/// A span of letters: slanted, bold or upright.
 fn run(xml: &mut Xml, style: &str, text: &str) {
     xml.element("m:r", &[], |xml| {
         xml.element("m:rPr", &[], |xml| xml.leaf("m:sty", &[("m:val", style)]));

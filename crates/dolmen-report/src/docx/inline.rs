@@ -3,7 +3,7 @@
 use crate::paper::xml::Xml;
 use crate::paper::{Ink, Stretch, stretches_of};
 
-/// How a run stands out; `lowered` stands below the line.
+/// Emphasis of a run; `lowered` is a subscript.
 fn look(ink: Ink, xml: &mut Xml, lowered: bool) {
     if !ink.bold && ink.colour.is_none() && !lowered {
         return;
@@ -43,7 +43,7 @@ pub(super) fn tab(xml: &mut Xml) {
     xml.element("w:r", &[], |xml| xml.leaf("w:tab", &[]));
 }
 
-/// A field that the reader's program computes anew, and what it comes to now.
+/// A field that the reader's program updates, with its present value.
 pub(super) fn field(xml: &mut Xml, instruction: &str, now: &str, ink: Ink) {
     let part = |xml: &mut Xml, what: &str| {
         xml.element("w:r", &[], |xml| {
@@ -58,7 +58,7 @@ pub(super) fn field(xml: &mut Xml, instruction: &str, now: &str, ink: Ink) {
     part(xml, "end");
 }
 
-/// What a field is to compute.
+/// The instruction of a field.
 pub(super) fn instruct(xml: &mut Xml, instruction: &str) {
     xml.element("w:r", &[], |xml| {
         xml.words(

@@ -1,4 +1,4 @@
-//! A report as a document for Word, Hangul and LibreOffice (DOCX): to be edited and used again.
+//! A report as a document for Word, Hangul and LibreOffice (DOCX), for editing and reuse.
 
 mod contents;
 mod equation;
@@ -26,9 +26,9 @@ pub use crate::paper::PaperFault;
 
 /// The report on one or more projects as the bytes of a DOCX file; `paint` makes a PNG of a figure's SVG.
 ///
-/// Heads, captions, tables and body have styles of their own; heads number themselves, captions count by fields, contents are a field with its
-/// entries. Each project begins with a cover; contents follow where there is one project. Figures are PNG with the SVG beside. The same input
-/// gives the same bytes.
+/// Headings, captions, tables and body have their own styles. Headings are numbered automatically, captions by fields, and the contents are a
+/// field with its entries. Each project begins with a cover; a report on one project has contents. Figures are PNG together with the SVG. The
+/// same input gives the same bytes.
 ///
 /// # Errors
 /// [`PaperFault`].

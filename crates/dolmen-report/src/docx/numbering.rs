@@ -1,9 +1,9 @@
-//! The numbers of heads, bullets, and settings.
+//! The numbers of headings, bullets, and settings.
 
 use super::look::W;
 use crate::paper::xml::Xml;
 
-/// Heads numbered 1, 1.1, 1.1.1, and bullets.
+/// Headings numbered 1, 1.1, 1.1.1, and bullets.
 pub(super) fn numbering() -> String {
     let mut xml = Xml::document();
     xml.element("w:numbering", &[("xmlns:w", W)], |xml| {
@@ -49,7 +49,7 @@ pub(super) fn numbering() -> String {
     xml.finish()
 }
 
-/// Settings: Word counts the page numbers of the contents when it opens the document.
+/// Settings: Word computes the page numbers of the contents when it opens the document.
 pub(super) fn settings(with_contents: bool) -> String {
     let mut xml = Xml::document();
     xml.element("w:settings", &[("xmlns:w", W)], |xml| {

@@ -12,7 +12,7 @@ const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relation
 const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
 const WORDS: &str = "application/vnd.openxmlformats-officedocument.wordprocessingml";
 
-/// What a document is made of.
+/// Content of a document.
 pub(super) struct Package {
     pub(super) paper: Paper,
     pub(super) body: Xml,
@@ -149,7 +149,7 @@ fn content_types() -> String {
     xml.finish()
 }
 
-/// The line over each page, or below it: words left, `right` at the right.
+/// The running header or footer: words left, `right` at the right.
 pub(super) fn running(tag: &str, style: &str, left: &str, right: impl FnOnce(&mut Xml)) -> Xml {
     use super::inline::{paragraph, tab, words};
     use super::look::border;

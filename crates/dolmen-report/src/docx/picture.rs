@@ -1,9 +1,9 @@
-//! Pictures: a PNG for every program, the SVG beside it for those that draw it sharp, and words for those who do not see it.
+//! Pictures: a PNG for every program, an SVG for those that support it, and a description for readers who cannot see it.
 
 use crate::paper::Picture;
 use crate::paper::xml::Xml;
 
-/// English Metric Units of a point.
+/// English Metric Units per point.
 const EMU: f64 = 12_700.0;
 /// A quarter of a turn, in 60 000ths of a degree.
 const QUARTER_TURN: u32 = 5_400_000;
@@ -19,7 +19,7 @@ pub(super) fn relation(file: &str) -> String {
     file.replace('.', "-")
 }
 
-/// How a photograph is turned as the camera noted, and what it then takes beyond its own box.
+/// Rotation of a photograph from the camera, and how far the result exceeds its box.
 struct Turn {
     angle: String,
     beside: String,
@@ -30,7 +30,7 @@ struct Turn {
 pub(super) fn drawing(picture: &Picture) -> Xml {
     let emu = |side: f64| format!("{:.0}", side * EMU);
     let [width, height] = picture.size_pt;
-    // as it lies on the page
+    // after rotation
     let [across, down] = match picture.quarters % 2 {
         1 => [height, width],
         _ => [width, height],

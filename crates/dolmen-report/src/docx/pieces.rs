@@ -1,4 +1,4 @@
-//! What stands on the pages, as WordprocessingML.
+//! Pieces of the pages, as WordprocessingML.
 
 use super::contents::{contents, mark};
 use super::equation::equation;
@@ -74,7 +74,7 @@ fn line(xml: &mut Xml, of: &Paragraph) {
     });
 }
 
-/// A ground of its own, with a bar at its left.
+/// A background, with a bar at its left.
 fn shaded(xml: &mut Xml, [colour, wash]: Shade) {
     xml.element("w:pBdr", &[], |xml| {
         for (side, eighths, colour) in [
@@ -99,7 +99,7 @@ fn shaded(xml: &mut Xml, [colour, wash]: Shade) {
     );
 }
 
-/// A head, numbered by its style.
+/// A heading, numbered by its style.
 fn heading(xml: &mut Xml, of: &Heading) {
     let (id, mark) = (of.place.to_string(), mark(of.place));
     let style = format!("Heading{}", of.level);
@@ -115,7 +115,7 @@ fn heading(xml: &mut Xml, of: &Heading) {
     );
 }
 
-/// A picture with its caption on the same page, or free of what follows.
+/// A picture with its caption on the same page.
 fn shown(xml: &mut Xml, picture: &Picture, with_next: bool, room_above: Option<&str>) {
     let properties = |xml: &mut Xml| {
         if !with_next {
@@ -149,7 +149,7 @@ fn beside(xml: &mut Xml, pictures: &[(Picture, Caption)]) {
                         });
                         match one {
                             Some((picture, of)) => {
-                                // a row is whole by itself, and does not keep the next
+                                // a row does not keep with the next one
                                 shown(xml, picture, false, None);
                                 caption(xml, of);
                             }
@@ -162,7 +162,7 @@ fn beside(xml: &mut Xml, pictures: &[(Picture, Caption)]) {
     });
 }
 
-/// A caption: its number counts itself anew where figures or tables are added; the first sentence stands out.
+/// A caption: its number updates when figures or tables are added; the first sentence is emphasised.
 fn caption(xml: &mut Xml, of: &Caption) {
     let keep = |xml: &mut Xml| {
         if of.is_above {
@@ -176,7 +176,7 @@ fn caption(xml: &mut Xml, of: &Caption) {
             Some((chapter, number)) => {
                 field(xml, "STYLEREF 1 \\s", chapter, Ink::BOLD);
                 words(xml, ".", Ink::BOLD);
-                // LibreOffice begins anew only where the file says so, Word with each head as well
+                // LibreOffice restarts numbering only if the file says so; Word also with each heading
                 let anew = if number == "1" { " \\r 1" } else { "" };
                 field(xml, &format!("{counted} \\s 1{anew}"), number, Ink::BOLD);
             }

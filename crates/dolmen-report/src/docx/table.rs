@@ -1,13 +1,12 @@
-//! Tables: heads that repeat on the next page, words left, numbers right.
+//! Tables: headings repeat on the next page, words left, numbers right.
 
 use super::inline::{paragraph, words};
 use crate::paper::xml::Xml;
 use crate::paper::{BAD, Grid, Ink, WHOLE_ROWS, text_size, widths};
 
-/// The height of a row to write in, twentieths of a point: 13 mm.
+/// The height of a row for handwriting, twentieths of a point: 13 mm.
 const FORM_ROW: &str = "737";
 
-/// The table.
 pub(super) fn table(xml: &mut Xml, grid: &Grid) {
     let half_points = text_size(grid.is_words.len());
     let style = match half_points {

@@ -1,4 +1,4 @@
-//! The cover: what the report is, for whom, by whom, when.
+//! The cover: title, client, author, date.
 
 use super::photos::Pictures;
 use super::words::{both, said, verbatim};
@@ -20,7 +20,7 @@ messages! {
     }
 }
 
-/// The day of the report: that of the command before that of the file.
+/// The date of the report: from the command, otherwise from the file.
 pub(crate) fn date_of<'a>(answer: &'a ProjectReport, imprint: &'a Imprint) -> Option<&'a str> {
     let own = answer
         .project
@@ -30,12 +30,12 @@ pub(crate) fn date_of<'a>(answer: &'a ProjectReport, imprint: &'a Imprint) -> Op
     imprint.date.as_deref().or(own)
 }
 
-/// The title that the engineer gives.
+/// The engineer's title.
 pub(crate) fn report_title(answer: &ProjectReport) -> Option<dolmen_words::message::Both> {
     answer.project.report.as_ref()?.title.as_ref().map(both)
 }
 
-/// What stands on the cover below the name, in its order.
+/// Rows of the cover below the name, in order.
 pub(crate) fn cover_rows(answer: &ProjectReport, imprint: &Imprint) -> Vec<(Sentence, Sentence)> {
     let report = answer.project.report.clone().unwrap_or_default();
     let address = report.location.and_then(|location| location.address);
@@ -55,7 +55,7 @@ pub(crate) fn cover_rows(answer: &ProjectReport, imprint: &Imprint) -> Vec<(Sent
         .collect()
 }
 
-/// The photograph of the cover: the first of all.
+/// The photograph of the cover: the first one.
 pub(crate) fn cover_photo(answer: &ProjectReport) -> Option<Photo<'_>> {
     let first = answer.project.report.as_ref()?.photos.first()?;
     Some(Pictures::of(answer).photo(first))

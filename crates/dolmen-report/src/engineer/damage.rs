@@ -1,10 +1,10 @@
-//! What inspections found: the damage map, a list, and counts.
+//! Results of inspections: the damage map, a list, and counts.
 
 use super::photos::Pictures;
 use super::words::{cell, verbatim};
 use crate::document::{Block, Cell, Column, Document, Figure, Photo, Table, table_series};
 use crate::figures::{DamageMark, damage_map};
-use dolmen_project::{DamageKind, Inspection, Project, Severity, Survey};
+use dolmen_project::{DamageKind, Inspection, Project, Severity, Survey, date_of};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use std::collections::BTreeMap;
@@ -19,6 +19,12 @@ messages! {
             ko: "번호는 아래 표와 같다. 표지의 색이 짙을수록 손상이 심하며, 옅은 것은 경미하거나 등급이 없는 것이다.",
         },
         List { survey: String } => { en: "What the inspection of {survey} found.", ko: "{survey} 점검 결과." },
+        EarlierHead => { en: "Earlier inspections", ko: "이전 점검" },
+        Earlier { inspections: usize, first: String, last: String } => {
+            en: "What {inspections} inspections from {first} to {last} found.",
+            ko: "{first}부터 {last}까지 점검 {inspections}회의 결과.",
+        },
+        Inspection => { en: "Inspection", ko: "점검" },
         Counts => { en: "How many of each kind, by severity.", ko: "손상 종류와 정도별 수." },
         Number => { en: "No.", ko: "번호" },
         Part => { en: "Part", ko: "부재" },
@@ -45,15 +51,40 @@ messages! {
     }
 }
 
-/// A section for each survey that holds an inspection.
+/// Number of inspections above which only the last has a section of its own: their maps would fill a page each.
+const DETAILED_MOST: usize = 3;
+
+/// A section for each survey with an inspection; of many one for the last, and one table of those before.
 pub(crate) fn damage<'a>(project: &'a Project, pictures: Pictures<'a>) -> Document<'a> {
     let mut document = Document::default();
-    let inspected = project
-        .surveys
-        .iter()
-        .filter(|survey| !survey.inspections.is_empty());
-    for survey in inspected {
+    let surveys = project.surveys.iter();
+    let mut inspected: Vec<&Survey> = surveys.filter(|survey| !survey.inspections.is_empty()).collect();
+    inspected.sort_by_key(|survey| date_of(&survey.name).unwrap_or_default());
+    let (earlier, detailed) = match inspected.len() {
+        all if all > DETAILED_MOST => inspected.split_at(all - 1),
+        _ => inspected.split_at(0),
+    };
+    for survey in detailed {
         of_survey(&mut document, project, survey, pictures);
+    }
+    if let ([first, ..], Some(last)) = (earlier, earlier.last()) {
+        document.heading(Damage::EarlierHead);
+        let (inspections, first, last) = (earlier.len(), first.name.clone(), last.name.clone());
+        document.put(Block::Table(list(
+            Damage::Earlier {
+                inspections,
+                first,
+                last,
+            },
+            earlier,
+        )));
+        let photos: Vec<Photo<'a>> = earlier
+            .iter()
+            .flat_map(|survey| photos(survey, pictures))
+            .collect();
+        if !photos.is_empty() {
+            document.put(Block::Photos(photos));
+        }
     }
     document
 }
@@ -73,12 +104,26 @@ fn of_survey<'a>(
             vec![Damage::Map.into(), Damage::MapMeaning.into()],
             move |language| damage_map(&project.structure, &marks, language).unwrap_or_default(),
         );
-        document.charted(map.with_series(move || table_series(&list(survey))));
+        document.charted(map.with_series(move || table_series(&list_of(survey))));
     }
-    document.put(Block::Table(list(survey)));
+    document.put(Block::Table(list_of(survey)));
     document.put(Block::Table(counts(&survey.inspections)));
+    let photos = photos(survey, pictures);
+    if !photos.is_empty() {
+        document.put(Block::Photos(photos));
+    }
+}
+
+fn list_of(survey: &Survey) -> Table {
+    let caption = Damage::List {
+        survey: survey.name.clone(),
+    };
+    list(caption, &[survey])
+}
+
+fn photos<'a>(survey: &'a Survey, pictures: Pictures<'a>) -> Vec<Photo<'a>> {
     let numbered = (1..).zip(&survey.inspections);
-    let photos: Vec<Photo<'a>> = numbered
+    numbered
         .filter_map(|(number, found)| {
             let caption = Damage::Photo {
                 number,
@@ -91,10 +136,7 @@ fn of_survey<'a>(
                 ..photo
             })
         })
-        .collect();
-    if !photos.is_empty() {
-        document.put(Block::Photos(photos));
-    }
+        .collect()
 }
 
 fn mark(found: &Inspection) -> DamageMark {
@@ -138,7 +180,6 @@ pub(crate) fn named(kind: &DamageKind, name: Option<&str>) -> Sentence {
     }
 }
 
-/// The severity in words.
 pub(crate) fn severity_words(of: Option<Severity>) -> Sentence {
     severity(of).into()
 }
@@ -152,17 +193,22 @@ fn severity(of: Option<Severity>) -> Damage {
     }
 }
 
-fn list(survey: &Survey) -> Table {
+/// The entries of inspections; of several with the inspection of each.
+fn list(caption: Damage, surveys: &[&Survey]) -> Table {
     let millimetres = Unit {
         symbol: "mm".to_owned(),
         factor: 1e3,
     };
-    let found = &survey.inspections;
+    let found = || {
+        surveys
+            .iter()
+            .flat_map(|survey| survey.inspections.iter().enumerate())
+    };
     let words = |head: Damage, cell: &dyn Fn(usize, &Inspection) -> Cell| {
-        let cells = found.iter().enumerate().map(|(at, one)| cell(at, one));
+        let cells = found().map(|(at, one)| cell(at, one));
         (Column::words(head), cells.collect::<Vec<Cell>>())
     };
-    let sizes = found.iter().map(|one| {
+    let sizes = found().map(|(_, one)| {
         let size = one.size.as_ref().map(|size| size.value);
         Cell::Number(size.map(|size| Quantity::new(size, millimetres.clone(), Digits::Trimmed(3))))
     });
@@ -170,30 +216,32 @@ fn list(survey: &Survey) -> Table {
         Some(Severity::Severe) => Cell::BadWords(severity(one.severity).into()),
         _ => Cell::words(severity(one.severity)),
     };
-    let caption = Damage::List {
-        survey: survey.name.clone(),
-    };
-    super::words::table_of(
-        caption,
-        vec![
-            words(Damage::Number, &|at, _| {
-                Cell::words(verbatim(&(at + 1).to_string()))
-            }),
-            words(Damage::Part, &|_, one| Cell::words(verbatim(&one.part))),
-            words(Damage::What, &|_, one| {
-                Cell::words(named(&one.what, one.name.as_deref()))
-            }),
-            words(Damage::SeverityHead, &|_, one| rated(one)),
-            words(Damage::Note, &|_, one| cell(one.note.as_ref())),
-            (
-                Column::numbers(Damage::Size, millimetres.clone()),
-                sizes.collect(),
-            ),
-        ],
-    )
+    let dates = surveys.iter().flat_map(|survey| {
+        survey
+            .inspections
+            .iter()
+            .map(|_| Cell::words(verbatim(&survey.name)))
+    });
+    let dates = (surveys.len() > 1).then(|| (Column::words(Damage::Inspection), dates.collect()));
+    let columns = [
+        words(Damage::Number, &|at, _| {
+            Cell::words(verbatim(&(at + 1).to_string()))
+        }),
+        words(Damage::Part, &|_, one| Cell::words(verbatim(&one.part))),
+        words(Damage::What, &|_, one| {
+            Cell::words(named(&one.what, one.name.as_deref()))
+        }),
+        words(Damage::SeverityHead, &|_, one| rated(one)),
+        words(Damage::Note, &|_, one| cell(one.note.as_ref())),
+        (
+            Column::numbers(Damage::Size, millimetres.clone()),
+            sizes.collect(),
+        ),
+    ];
+    super::words::table_of(caption, dates.into_iter().chain(columns).collect())
 }
 
-/// A row a kind, a column a severity; those that nothing has are left out.
+/// One row per kind, one column per severity, without empty ones.
 fn counts(found: &[Inspection]) -> Table {
     const SEVERITIES: [Option<Severity>; 4] = [
         Some(Severity::Severe),

@@ -1,4 +1,4 @@
-//! What stands before the sections: who took part, the three answers, what to do.
+//! The part before the sections: participants, the three answers, recommendations.
 
 use super::words::{said, verbatim};
 use crate::document::{Answered, Block, Signatory, Tone};
@@ -22,17 +22,17 @@ messages! {
     }
 }
 
-/// Blocks that stand before the sections, under heads without numbers.
+/// Blocks before the sections, under headings without numbers.
 pub(crate) struct FrontMatter {
-    /// Who took part, under its head.
+    /// Participants, under their heading.
     pub(crate) signatures: Option<(Sentence, Block<'static>)>,
-    /// The three questions with the fixed words; `None` where no model was judged.
+    /// The three questions with the fixed words; `None` if no model was judged.
     pub(crate) answers: Option<Block<'static>>,
-    /// What the engineer recommends, under its head.
+    /// The engineer's recommendations, under their heading.
     pub(crate) to_do: Option<(Sentence, Block<'static>)>,
 }
 
-/// What stands before the sections.
+/// The part before the sections.
 pub(crate) fn front(answer: &ProjectReport) -> FrontMatter {
     let report = answer.project.report.iter();
     let authors = report.clone().flat_map(|report| &report.authors);
@@ -74,7 +74,7 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
         tone,
         word: Front::Word { word }.into(),
     };
-    // what was not asked or not measured is not good
+    // not requested or not measured is not good
     let of_earthquake = match earthquake {
         Earthquake::NotAsked => Tone::Unknown,
         asked => tone(asked.colour()),

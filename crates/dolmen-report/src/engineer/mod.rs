@@ -1,5 +1,5 @@
-//! What the engineer gives for a report, and what the answers come to: cover, signatures, place, photographs, tests, opinion. Nothing of it is
-//! computed; what is not given is left out.
+//! The engineer's own contribution to a report, and its answers: cover, signatures, place, photographs, tests, opinion. None of it is
+//! computed, and missing data are left out.
 
 mod cover;
 mod damage;
@@ -23,7 +23,7 @@ pub(crate) use words::Given;
 
 use dolmen_words::Template;
 
-/// The sentences as they are written.
+/// Templates of the sentences.
 pub(crate) const TEMPLATES: [&[Template]; 8] = [
     words::Given::TEMPLATES,
     cover::Cover::TEMPLATES,

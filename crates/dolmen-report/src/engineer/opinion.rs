@@ -1,4 +1,4 @@
-//! What the engineer holds of it: grade, opinion, recommendations, maintenance.
+//! The engineer's opinion: grade, opinion, recommendations, maintenance.
 
 use super::words::said;
 use crate::document::{Block, Cell, Document};
@@ -31,7 +31,7 @@ messages! {
     }
 }
 
-/// The section; empty where nothing of it is given.
+/// The section; empty if no data are given.
 pub(crate) fn opinion(report: &ReportPart) -> Document<'static> {
     let mut document = Document::default();
     let lists = [&report.opinion, &report.recommendations, &report.maintenance];

@@ -1,4 +1,4 @@
-//! Photographs of the project as they are shown.
+//! Photographs of the project in a report.
 
 use super::words::{said, verbatim};
 use crate::document::Photo;
@@ -7,12 +7,12 @@ use dolmen_words::Sentence;
 use dolmen_work::Photos;
 use dolmen_work::answer::ProjectReport;
 
-/// Where the photographs of a report are taken from; none were read where only text is wanted.
+/// Source of the photographs; `None` if only text is needed.
 #[derive(Clone, Copy)]
 pub(crate) struct Pictures<'a>(Option<&'a Photos>);
 
 impl<'a> Pictures<'a> {
-    /// Those of a report.
+    /// The photographs of a report.
     pub(crate) fn of(answer: &'a ProjectReport) -> Self {
         Pictures(Some(&answer.photos))
     }
@@ -22,7 +22,7 @@ impl<'a> Pictures<'a> {
         Pictures(None)
     }
 
-    /// One with its caption: what it shows, and of which part.
+    /// A photograph with its caption and its part.
     pub(super) fn photo(self, part: &'a PhotoPart) -> Photo<'a> {
         let caption: Vec<Sentence> = match (&part.caption, &part.of) {
             (Some(caption), Some(of)) => vec![said(caption), verbatim(&format!("({of})"))],

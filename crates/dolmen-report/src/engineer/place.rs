@@ -1,4 +1,4 @@
-//! Where the structure stands, what the report is for, photographs and drawings.
+//! Location of the structure, purpose of the report, photographs and drawings.
 
 use super::photos::Pictures;
 use super::words::said;
@@ -27,7 +27,7 @@ messages! {
     }
 }
 
-/// The section; empty where nothing of it is given.
+/// The section; empty if no data are given.
 pub(crate) fn place<'a>(report: &'a ReportPart, pictures: Pictures<'a>) -> Document<'a> {
     let mut document = Document::default();
     let location = report.location.iter();

@@ -1,4 +1,4 @@
-//! The structure as it is entered.
+//! The structure as entered.
 
 use crate::document::{Document, Figure};
 use crate::figures::{drawing, drawing_series};
@@ -17,7 +17,7 @@ messages! {
     }
 }
 
-/// The section; empty of a survey alone, and of what cannot be built.
+/// The section; empty for a survey alone, and if the structure cannot be built.
 pub(crate) fn structure(project: &Project) -> Document<'_> {
     let mut document = Document::default();
     if drawing(project, Language::English).is_some() {

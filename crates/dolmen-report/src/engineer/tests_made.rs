@@ -30,7 +30,7 @@ messages! {
     }
 }
 
-/// The section; empty where nothing of it is given.
+/// The section; empty if it has no content.
 pub(crate) fn tests_made(report: &ReportPart) -> Document<'static> {
     let mut document = Document::default();
     document.heading(

@@ -16,7 +16,7 @@ messages! {
     }
 }
 
-/// In both languages, or in the one that is given.
+/// A text in both languages; a missing language takes the other's text.
 pub(super) fn both(names: &Names) -> Both {
     Both::of(|language| language.pick(names.english(), names.korean()))
 }
@@ -34,17 +34,17 @@ pub(super) fn verbatim(text: &str) -> Sentence {
     .into()
 }
 
-/// Words of the file, or an empty cell.
+/// Text of the file, or an empty cell.
 pub(super) fn cell(names: Option<&Names>) -> Cell {
     names.map_or_else(|| Cell::words(verbatim("")), |names| Cell::words(said(names)))
 }
 
-/// The same of words in one language.
+/// The same for a text in one language.
 pub(super) fn text_cell(text: Option<&str>) -> Cell {
     Cell::words(verbatim(text.unwrap_or_default()))
 }
 
-/// A table of the columns in which something stands, each with its cells.
+/// A table of the non-empty columns, each with its cells.
 pub(super) fn table_of(caption: impl Into<Sentence>, columns: Vec<(Column, Vec<Cell>)>) -> Table {
     let is_empty = |cell: &Cell| match cell {
         Cell::Words(words) => words.english.iter().all(|run| run.text().is_empty()),

@@ -14,11 +14,11 @@ use dolmen_words::number;
 /// Bars of the histogram at most.
 const BARS_MOST: usize = 40;
 
-/// Bars of the histogram at least.
+/// Fewest bars of the histogram.
 const BARS_LEAST: usize = 8;
 
 /// Histogram of the load factor λ over samples, with the limits 1 (falls) and 1.5 (marginal), the nominal value, and the
-/// share that falls with its interval.
+/// share of falls with its interval.
 pub fn load_factor_distribution(
     samples: &[f64],
     falls: &Probability,
@@ -53,7 +53,7 @@ pub fn load_factor_distribution(
     }
     for (i, count) in counts.iter().enumerate() {
         let from = least + i as f64 * width;
-        // A gap between the bars, so that they also part in print.
+        // a gap between bars keeps them separate in print
         plot.block(
             [from + 0.06 * width, 0.0],
             [from + 0.94 * width, *count as f64],
@@ -119,7 +119,7 @@ pub struct VariantDot {
     pub load_factor: Option<f64>,
     /// The verdict on it, with wind and static loads.
     pub verdict: Verdict,
-    /// Margin of each joint or storey, lowest first; `None` for one that no stiffness can save.
+    /// Margin of each joint or storey, lowest first; `None` if no stiffness is sufficient.
     pub margins: Vec<Option<f64>>,
 }
 

@@ -3,13 +3,13 @@
 use super::words::{Axes, say};
 use dolmen_words::{Language, number};
 
-/// Powers of ten shown with all their multiples when the axis holds no more than this many of them.
+/// Largest number of decades for which an axis shows all multiples of powers of ten.
 const DECADES_WITH_FIVES: f64 = 3.2;
 
-/// An axis has so many ticks at least, where that many are wanted: one alone gives no scale.
+/// Fewest ticks, if at least that many are wanted: a single tick shows no scale.
 const TICKS_LEAST: i64 = 2;
 
-/// Shares of the span kept free at both ends of an axis.
+/// Fractions of the span kept free at both ends of an axis.
 const FREE_SHARE: f64 = 0.04;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,7 +18,7 @@ pub(crate) enum Scale {
     Logarithmic,
 }
 
-/// A place on an axis; without a text it is only a grid line.
+/// A tick; without a text it is only a grid line.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tick {
     pub(crate) at: f64,
@@ -47,7 +47,7 @@ impl Axis {
             let first = (from / step - 1e-9).ceil() as i64;
             (first, (to / step + 1e-9).floor() as i64)
         };
-        // the finest step of about as many ticks as are wanted, or the next one if that has hardly any
+        // the finest step with about the wanted number of ticks, or the next finer one if that gives hardly any
         let coarse = steps.iter().rposition(|s| *s >= rough * 0.999).unwrap_or(0);
         let finer = (coarse..steps.len()).find(|i| {
             let (first, last) = ends(steps[*i]);
@@ -70,14 +70,14 @@ impl Axis {
         }
     }
 
-    /// A linear axis around these values, with some room at both ends.
+    /// A linear axis around these values, with some space at both ends.
     pub(crate) fn around(name: impl Into<String>, values: &[f64], wanted: usize) -> Self {
         let (least, most) = bounds(values);
         let room = FREE_SHARE * (most - least).max(1e-9 * most.abs()).max(f64::MIN_POSITIVE);
         Self::linear(name, least - room, most + room, wanted)
     }
 
-    /// A logarithmic axis around these values, named as one; those that are not positive are left out.
+    /// A logarithmic axis around these values; those that are not positive are left out.
     pub(crate) fn logarithmic(name: impl Into<String>, values: &[f64], language: Language) -> Self {
         let positive: Vec<f64> = values.iter().copied().filter(|v| *v > 0.0).collect();
         let (least, most) = bounds(&positive);
@@ -118,7 +118,7 @@ impl Axis {
         }
     }
 
-    /// One row a name, at 0, 1, 2 … upwards.
+    /// One row per name, at 0, 1, 2 … upwards.
     pub(crate) fn rows(names: &[String]) -> Self {
         let tick = |(i, text): (usize, &String)| Tick {
             at: i as f64,
@@ -134,7 +134,7 @@ impl Axis {
         }
     }
 
-    /// Share of the axis at which a value stands, 0 to 1 within its range.
+    /// Position of a value on the axis, 0 to 1 within its range.
     fn share(&self, value: f64) -> f64 {
         let share = match self.scale {
             Scale::Linear => (value - self.from) / (self.to - self.from),
@@ -147,13 +147,13 @@ impl Axis {
         }
     }
 
-    /// Where a value stands between two ends, px; one beyond the axis stands at its end.
+    /// Position of a value between two ends, px; a value beyond the axis is at its end.
     pub(crate) fn px(&self, value: f64, [start, end]: [f64; 2]) -> f64 {
         start + (end - start) * self.share(value)
     }
 }
 
-/// Least and most of what is finite; 0 and 0 if nothing is.
+/// Smallest and largest finite value; 0 and 0 if there is none.
 fn bounds(values: &[f64]) -> (f64, f64) {
     let finite = values.iter().copied().filter(|v| v.is_finite());
     let (least, most) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
@@ -162,7 +162,7 @@ fn bounds(values: &[f64]) -> (f64, f64) {
     if least <= most { (least, most) } else { (0.0, 0.0) }
 }
 
-/// A range that has a length.
+/// A range of nonzero length.
 fn proper(from: f64, to: f64) -> (f64, f64) {
     if from.is_finite() && to.is_finite() && to > from {
         return (from, to);

@@ -9,15 +9,15 @@ use dolmen_work::building::StandingBuilding;
 
 /// Largest width and height of the drawn floor, px.
 const FLOOR_PX: [f64; 2] = [380.0, 300.0];
-/// Room around it, px: mode centres beside the floor.
+/// Space around it, px, for mode centres beside the floor.
 const ROOM_PX: f64 = 90.0;
-/// Width of the words beside it, px.
+/// Width of the text beside it, px.
 const WORDS_PX: f64 = 270.0;
-/// Mode centres drawn. Chosen here: the modes that sway both ways and twist.
+/// Number of mode centres drawn. Our choice: the modes that sway both ways and twist.
 const MODES_DRAWN: usize = 3;
 /// Colours of the modes.
 const MODE_COLOURS: [&str; MODES_DRAWN] = [BLUE, VERMILLION, GREEN];
-/// Length of the longest wall as it is drawn, of the smaller side of the floor.
+/// Drawn length of the longest wall, as a fraction of the smaller side of the floor.
 const WALL_LONGEST: f64 = 0.28;
 
 /// From plan coordinates to px.
@@ -26,7 +26,7 @@ struct View {
     left_m: f64,
     top_m: f64,
     size_px: [f64; 2],
-    /// Half way between the left and the right edge of the floor.
+    /// Middle of the left and the right edge of the floor.
     middle_m: f64,
 }
 
@@ -38,7 +38,7 @@ impl View {
         ]
     }
 
-    /// A point drawn at the edge of the picture if it lies beyond.
+    /// A point, moved to the edge of the picture if it is beyond.
     fn clamped(&self, at: [f64; 2]) -> Clamped {
         let px = self.px(at);
         let most = self.size_px;
@@ -53,7 +53,7 @@ impl View {
 /// A point within the picture.
 struct Clamped {
     px: [f64; 2],
-    /// Whether what it stands for lies beyond.
+    /// Whether the original point is beyond.
     is_beyond: bool,
 }
 
@@ -134,7 +134,7 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
     scene.svg(say(Titles::PlanWithTheCentresOfTheModes, language))
 }
 
-/// The centres about which the top floor turns in the lowest modes; an arrow towards one beyond the picture.
+/// The centres of rotation of the top floor in the lowest modes; an arrow towards one beyond the picture.
 fn mode_centres(
     (scene, words): (&mut Scene, &mut Words),
     view: &View,
@@ -172,7 +172,7 @@ fn mode_centres(
     }
 }
 
-/// Dampers with their directions, and their names inward, so that none lies on a wall.
+/// Dampers with their directions, with names on the inner side, away from the walls.
 fn dampers(
     (scene, words): (&mut Scene, &mut Words),
     view: &View,
@@ -229,7 +229,7 @@ fn number(mode: usize, colour: &'static str) -> Label {
         .coloured(colour)
 }
 
-/// A point so many px from one toward another.
+/// A point at a distance in px from one towards another.
 fn toward(from: [f64; 2], to: [f64; 2], px: f64) -> [f64; 2] {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length = dx.hypot(dy).max(1e-9);
@@ -264,7 +264,7 @@ fn axes(scene: &mut Scene, height: f64) {
     }
 }
 
-/// Each wall as a bar along each axis in which it is stiff, as long as its share of the stiffest.
+/// Each wall as a bar along each axis in which it is stiff, with length in proportion to its stiffness.
 fn walls(scene: &mut Scene, view: &View, elements: &[dolmen::structure::building::Element], side_m: f64) {
     let stiffest = elements
         .iter()

@@ -1,4 +1,4 @@
-//! How a building moved in time.
+//! Motion of a building over time.
 
 use super::Figure;
 use super::frame_histories::ground;
@@ -22,12 +22,12 @@ pub(crate) enum BuildingPlot {
     Strokes,
     /// Displacement of a point of the file, 0 the first.
     Point(usize),
-    /// Acceleration of a point with that of the ground.
+    /// Acceleration of a point, and of the ground.
     Acceleration(usize),
 }
 
 impl BuildingPlot {
-    /// Those of a simulation in which something moves, in the order in which they are shown; none where only peaks were kept.
+    /// The figures of a simulation with motion, in order; none if only peaks were kept.
     pub(crate) fn all(simulation: &BuildingSimulation) -> Vec<Self> {
         if simulation.history.coordinates.columns() == 0 {
             return Vec::new();
@@ -63,7 +63,6 @@ impl BuildingPlot {
         self.lines(simulation, language).draw(language)
     }
 
-    /// Its numbers.
     pub(crate) fn numbers(self, simulation: &BuildingSimulation) -> Vec<crate::document::Series> {
         history_series(|language| Some(self.lines(simulation, language)))
     }
@@ -159,7 +158,7 @@ impl BuildingPlot {
 
 const AXES: [&str; 2] = ["x", "y"];
 
-/// The ground along each axis in which it moves.
+/// The ground along each axis with motion.
 fn acting(simulation: &BuildingSimulation) -> Vec<Series> {
     let motion = &simulation.motion.motion;
     let given = [Component::X, Component::Y].into_iter();

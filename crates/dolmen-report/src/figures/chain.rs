@@ -1,4 +1,4 @@
-//! Figures of a chain: elevation to scale, limits of its joints, what lowering a centroid does.
+//! Figures of a chain: elevation to scale, limits of its joints, effect of a lower centroid.
 
 use super::axis::Axis;
 use super::ink::{
@@ -18,17 +18,17 @@ use dolmen_words::number::{self, subscript};
 /// Height of the drawn chain, px.
 const ELEVATION_PX: f64 = 420.0;
 
-/// Links are drawn at least this wide, px, so that a slender pole can still be seen.
+/// Smallest drawn width of links, px, so that a slender pole is visible.
 const WIDTH_LEAST_PX: f64 = 18.0;
 
-/// Where neither breadth nor bed is given, width of the widest link as a share of the height.
+/// Width of the widest link as a fraction of the height, if neither breadth nor bed is given.
 const WIDTH_SHARE: f64 = 0.07;
 
 /// The chain in elevation, heights to scale: links with lengths and centres of mass, and a mark at each joint whose
-/// colour and shape tell the verdict on its margin.
+/// colour and shape show the verdict on its margin.
 ///
 /// `names` are those of the links, lowest first; missing ones are numbered. Without `stability` the joints are unknown.
-/// Widths are to scale where the links' breadth or bed is given; else only their proportion √(mass/length) is.
+/// Widths are to scale if the links' breadth or bed is given; otherwise only their proportion √(mass/length) is.
 pub fn chain_elevation(
     chain: &Chain,
     names: &[Option<String>],
@@ -127,7 +127,7 @@ pub fn chain_elevation(
     scene.svg(say(Titles::ElevationOfTheChainWithItsJoints, language))
 }
 
-/// Where a joint is drawn, px: the axis of the chain, half the width of the link on it, its level.
+/// Position of a joint, px: the axis of the chain, half the width of the link above it, its level.
 struct JointLevel {
     axis: f64,
     half: f64,
@@ -156,7 +156,7 @@ fn ground_and_heights(scene: &mut Scene, (total, scale): (f64, f64), bottom: f64
     );
 }
 
-/// The mark of a joint and the words on its margin.
+/// The mark of a joint and the text of its margin.
 fn joint_margin(
     scene: &mut Scene,
     i: usize,
@@ -185,7 +185,7 @@ fn joint_margin(
 
 /// Stiffness limits of every joint on a logarithmic axis: the published critical stiffness k_cr, the published P·H, the
 /// exact limit M with all other joints rigid, and the given stiffness. Below M the chain falls whatever the other joints
-/// are: that side is tinted, so that one sees k_cr in it.
+/// are; that side is tinted, and the figure shows that k_cr lies in it.
 pub fn stiffness_limits(
     limits: &ChainLimits,
     stability: Option<&ChainStability>,
@@ -271,8 +271,8 @@ pub fn stiffness_limits(
     plot.svg(say(Titles::StiffnessLimitsOfEachJoint, language))
 }
 
-/// What lowering one centroid does to each joint: change of the published k_cr beside that of the exact limit M, per
-/// cent. A published limit that rises is an artefact of its criterion.
+/// Effect of lowering one centroid on each joint: change of the published k_cr compared with that of the exact limit
+/// M, per cent. A published limit that rises is an artefact of its criterion.
 pub fn centroid_effect(limits: &ChainLimits, effect: &CentroidEffect, language: Language) -> String {
     let change = |new: &[f64], old: &[f64]| -> Vec<f64> {
         new.iter()

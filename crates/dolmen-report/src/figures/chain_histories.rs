@@ -1,4 +1,4 @@
-//! A simulated motion of a chain: what the ground did, how the links leaned, loops of moment and rotation, openings, slips, energy.
+//! A simulated motion of a chain: ground motion, rotations of links, loops of moment and rotation, openings, slips, energy.
 
 use super::Figure;
 use super::frame_histories::{ground, loops, rows_of_bands};
@@ -26,7 +26,7 @@ pub(crate) enum ChainPlot {
 }
 
 impl ChainPlot {
-    /// Those of a simulation, in the order in which they are shown.
+    /// The figures of a simulation, in order.
     pub(crate) fn all(simulation: &ChainSimulation) -> Vec<Self> {
         let history = &simulation.history;
         let mut all = Vec::new();
@@ -76,7 +76,7 @@ impl ChainPlot {
         }
     }
 
-    /// Those that are lines over time.
+    /// The figures with lines over time.
     fn lines(self, simulation: &ChainSimulation, language: Language) -> Option<Lines> {
         match self {
             Self::Ground => {
@@ -95,7 +95,7 @@ impl ChainPlot {
     }
 }
 
-/// The figures of a simulation: ground, rotations, one loop a joint, bands of opening and slipping, energy.
+/// The figures of a simulation: ground, rotations, one loop per joint, bands of opening and slipping, energy.
 pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<Figure> {
     let all = ChainPlot::all(simulation).into_iter();
     all.filter_map(|plot| {
@@ -176,7 +176,7 @@ fn opened(simulation: &ChainSimulation) -> Vec<(usize, [f64; 2])> {
     each.map(|u| (u.joint, [u.from_s, u.to_s])).collect()
 }
 
-/// When each joint turned against its friction, s.
+/// Times in which each joint slipped against its friction, s.
 fn slipped(simulation: &ChainSimulation) -> Vec<(usize, [f64; 2])> {
     let each = simulation.history.slips.iter();
     each.map(|s| (s.joint, [s.from_s, s.to_s])).collect()

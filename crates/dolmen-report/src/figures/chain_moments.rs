@@ -1,4 +1,4 @@
-//! Moments in the joints of a chain under loads, against what its beds pass.
+//! Moments in the joints of a chain under loads, compared with the limits of its beds.
 
 use super::axis::Axis;
 use super::ink::{BLACK, BLUE, Line, ORANGE, Shape, VERMILLION};

@@ -1,4 +1,4 @@
-//! What changed between two surveys: each frequency with its interval, and what could not have been seen.
+//! Change between two surveys: each frequency with its interval, and changes that could have been missed.
 
 use super::axis::Axis;
 use super::ink::{BLUE, GREY, LIGHT, Line, Shape, VERMILLION};

@@ -1,4 +1,4 @@
-//! The channels of a record over time, each the envelope of its samples, with what of the file was not used.
+//! The channels of a record over time, each as the envelope of its samples, with the unused parts of the file.
 
 use super::axis::{Axis, Scale, Tick};
 use super::ink::{Anchor, BLUE, GREY, Label, Line, ORANGE, VERMILLION};
@@ -10,17 +10,17 @@ use dolmen_words::Language;
 use dolmen_words::number::prefix;
 use dolmen_work::record_seen::{ChannelSeen, RecordSeen, RecordTime};
 
-/// Channels drawn; the numbers of all stand in the CSV beside the figure.
+/// Number of channels drawn; the CSV beside the figure has all.
 pub(crate) const CHANNELS_DRAWN: usize = 8;
-/// Height of a panel, px, and the gap between two as a share of it.
+/// Height of a panel, px, and the gap between two as a fraction of it.
 const PANEL_PX: f64 = 74.0;
 const GAP: f64 = 0.3;
-/// Of what was not used, so much of the time used is drawn on either side.
+/// Width of the drawn unused parts on either side, relative to the time used.
 const MARGIN: f64 = 0.25;
-/// What is shorter than this share of the axis is drawn as a line.
+/// Parts shorter than this fraction of the axis are drawn as a line.
 const SEEN_SHARE: f64 = 0.003;
 
-/// The symbol of the unit that a quantity is measured in; empty where it is not known.
+/// The symbol of the unit of a quantity; empty if unknown.
 pub(crate) fn unit_of(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Acceleration => "m/s²",
@@ -64,7 +64,7 @@ pub(crate) fn channels_over_time(seen: &RecordSeen, language: Language) -> Strin
     plot.svg(say(Titles::ChannelsOverTime, language))
 }
 
-/// What is drawn of the time of the file: the part used, and a quarter of it on either side.
+/// The drawn time of the file: the part used, and a quarter of it on either side.
 fn drawn_s(time: &RecordTime) -> [f64; 2] {
     let margin = MARGIN * (time.to_s - time.from_s);
     [
@@ -117,7 +117,7 @@ impl<'a> Panel<'a> {
         each.collect()
     }
 
-    /// From the least to the largest of a part, then from the largest to the least of the next.
+    /// The outline: from the smallest to the largest of a part, then from the largest to the smallest of the next.
     fn outline(&self, time: &RecordTime) -> Vec<[f64; 2]> {
         let envelope = &self.channel.envelope;
         let parts = envelope
@@ -139,7 +139,7 @@ impl<'a> Panel<'a> {
     }
 }
 
-/// What was not used, lost and filled in, over one panel.
+/// Unused, lost and filled times, over one panel.
 fn shade(plot: &mut Plot, time: &RecordTime, panel: &Panel<'_>) {
     let top = panel.base + 1.0;
     let ends = [plot.x.from, plot.x.to];

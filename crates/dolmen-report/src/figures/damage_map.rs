@@ -20,16 +20,16 @@ messages! {
     }
 }
 
-/// One mark, numbered by its place in the list from 1.
+/// One mark, numbered by its position in the list from 1.
 #[derive(Clone, Debug)]
 pub(crate) struct DamageMark {
     pub(crate) part: String,
-    /// x, y, z, m; the middle of the part if not known.
+    /// x, y, z, m; the middle of the part if unknown.
     pub(crate) at_m: Option<[f64; 3]>,
     pub(crate) severity: Option<Severity>,
 }
 
-/// The elevations with the marks; `None` of a structure that cannot be drawn.
+/// The elevations with the marks; `None` if the structure cannot be drawn.
 pub(crate) fn damage_map(structure: &Structure, marks: &[DamageMark], language: Language) -> Option<String> {
     let sheet = sheet(elevations(structure, false))?;
     let mut scene = Scene::new(sheet.width_px, sheet.ground_px + 34.0);
@@ -47,7 +47,7 @@ pub(crate) fn damage_map(structure: &Structure, marks: &[DamageMark], language: 
     Some(scene.svg(say(Mapped::Title, language)))
 }
 
-/// Which way a view looks, below it.
+/// The direction of a view, below it.
 pub(super) fn put_view_name(scene: &mut Scene, view: &View, y: f64, language: Language) {
     let name = match view.elevation.axis {
         0 => Mapped::Front,
@@ -69,7 +69,7 @@ fn put_marks(scene: &mut Scene, view: &View, marks: &[DamageMark]) {
             continue;
         };
         let mut place = view.px(at);
-        // beside those that stand there already
+        // beside existing marks
         while taken
             .iter()
             .any(|other| (other[0] - place[0]).hypot(other[1] - place[1]) < 2.0 * MARK_PX)

@@ -12,14 +12,13 @@ use dolmen_work::state::DemandAnswer;
 
 /// Points of the curve.
 const POINTS: usize = 240;
-/// Damping ratios that differ by less, relatively, share a curve.
+/// Damping ratios whose relative difference is smaller share a curve.
 const SAME_DAMPING: f64 = 1e-9;
 /// Shortest axis of periods, s.
 const PERIOD_LEAST_S: f64 = 1.5;
 
-/// A design spectrum as it is drawn.
+/// A design spectrum for drawing.
 pub(crate) struct SpectrumCurve {
-    /// Its damping ratio.
     pub(crate) damping_ratio: f64,
     /// Periods, s, with spectral accelerations, g.
     pub(crate) points: Vec<[f64; 2]>,
@@ -108,7 +107,7 @@ pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
             Line::new(GREEN, 1.6).dashed(),
         );
     }
-    // where both periods are one, the circle shows around the diamond
+    // for equal periods the circle is visible around the diamond
     let marks = [(Shape::Circle, 7.0, ORANGE), (Shape::Diamond, 4.5, VERMILLION)];
     for (at, (shape, size, colour)) in answer.spectral.iter().zip(marks.into_iter().cycle()) {
         let place = [at.period_s, at.acceleration_m_s2 / STANDARD_GRAVITY_M_S2];

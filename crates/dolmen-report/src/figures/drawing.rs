@@ -1,4 +1,4 @@
-//! A structure as it is entered, before anything is computed: names, dimensions, offsets and tilts, sensors.
+//! A structure as entered, before any computation: names, dimensions, offsets and tilts, sensors.
 
 use super::damage_map::put_view_name;
 use super::elevation::{SLOPE_DRAWN, elevations, times};
@@ -14,7 +14,7 @@ use dolmen_words::{Language, Sentence, messages};
 use dolmen_work::sensors::{Axis, SensorsAnswer};
 use std::collections::BTreeMap;
 
-/// Levels nearer than this are one dimension, px.
+/// Levels closer than this have one dimension, px.
 const LEVELS_PX: f64 = 11.0;
 /// Lines below the drawing, px.
 const FOOT_PX: f64 = 16.0;
@@ -40,13 +40,13 @@ messages! {
     }
 }
 
-/// The drawing; `None` of a survey alone, and of a stack that cannot be built.
+/// The drawing; `None` for a survey alone, and for a stack that cannot be built.
 pub(crate) fn drawing(project: &Project, language: Language) -> Option<String> {
     let leaning = project.surveys.iter().rfind(|survey| !survey.tilt.is_empty());
     drawn(project, leaning, sensors(project), language)
 }
 
-/// The structure with sensors that are planned, by their numbers, instead of those of surveys.
+/// The structure with numbered planned sensors instead of those of surveys.
 pub(crate) fn planned_drawing(answer: &SensorsAnswer, language: Language) -> Option<String> {
     let numbered = answer.sensors.iter().enumerate().map(|(at, sensor)| {
         let axes: Vec<&str> = sensor.site.axes.iter().filter_map(Axis::key).collect();
@@ -99,7 +99,7 @@ fn drawn(
     Some(scene.svg(say(title, language)))
 }
 
-/// What must be known to read it.
+/// Notes for reading it.
 fn notes(sheet: &Sheet, leaning: Option<&Survey>, has_sensors: bool) -> Vec<Sentence> {
     let mut all: Vec<Sentence> = vec![Drawn::Heights.into()];
     if sheet.views.iter().any(|view| !view.elevation.has_widths) {
@@ -147,7 +147,7 @@ fn lean_times(survey: &Survey) -> f64 {
     times(steepest, SLOPE_DRAWN)
 }
 
-/// Heights between levels at the left, and that of the whole.
+/// Heights between levels at the left, and the total height.
 fn put_heights(scene: &mut Scene, view: &View) {
     let bounds = view.elevation.parts.iter().map(|part| part.bounds());
     let mut levels: Vec<f64> = bounds.flat_map(|[least, most]| [least[1], most[1]]).collect();
@@ -155,9 +155,9 @@ fn put_heights(scene: &mut Scene, view: &View) {
     let (Some(&bottom), Some(&top)) = (levels.first(), levels.last()) else {
         return;
     };
-    // levels that would stand on each other are left out: the top stays
+    // overlapping levels are left out, except the top
     let mut shown = vec![bottom];
-    // heights of parts that lean against each other, as in an arch, are in no file
+    // the file has no heights of parts that lean against each other, as in an arch
     let is_stacked = view.elevation.is_stacked();
     for level in levels.into_iter().filter(|level| is_stacked || *level == top) {
         if (level - shown[shown.len() - 1]) * view.scale >= LEVELS_PX {
@@ -190,15 +190,15 @@ fn put_height(scene: &mut Scene, view: &View, x: f64, [low, high]: [f64; 2]) {
     scene.text([x - 5.0, 0.5 * (below + above)], &label);
 }
 
-/// Three digits behind the point at most: millimetres.
+/// At most three digits after the point: millimetres.
 fn metres(length_m: f64) -> String {
     trimmed((length_m * 1e3).round() / 1e3, 6)
 }
 
-/// A part nearly as wide as all: a pagoda's widest roof, whose neighbours stand off it. Chosen here.
+/// A part is nearly as wide as all from this fraction: a pagoda's widest roof has free neighbours. Our choice.
 const NEARLY: f64 = 0.9;
 
-/// The width of the widest part, below the ground, or of all where no part is nearly as wide; none where it is not in the file.
+/// The width of the widest part, below the ground, or the total width if no part is nearly as wide; none if it is not in the file.
 fn put_width(scene: &mut Scene, view: &View, y: f64) {
     if !view.elevation.has_widths {
         return;
@@ -231,7 +231,7 @@ fn put_width(scene: &mut Scene, view: &View, y: f64) {
     );
 }
 
-/// Across which of the two views a direction runs.
+/// The view in which a direction runs across.
 fn axis_of(structure: &Structure, direction: &str) -> usize {
     let own = match structure {
         Structure::Frame(frame) => frame.directions.iter().find(|own| own.name == direction),
@@ -265,7 +265,7 @@ fn put_lean(scene: &mut Scene, view: &View, survey: &Survey, (structure, several
     }
 }
 
-/// Where sensors stand, m, each with the names of its channels.
+/// Positions of sensors, m, each with the names of its channels.
 fn sensors(project: &Project) -> Vec<([f64; 3], String)> {
     fn channels<'a>(source: &'a RecordSource, all: &mut Vec<(&'a str, [f64; 3])>) {
         for channel in source.channels.iter().filter(|channel| !channel.leave_out) {
@@ -282,7 +282,7 @@ fn sensors(project: &Project) -> Vec<([f64; 3], String)> {
     by_place(all.into_iter().map(|(name, place)| (place, name.to_owned())))
 }
 
-/// Those within a millimetre are one place.
+/// Sensors within a millimetre share a position.
 fn by_place(all: impl IntoIterator<Item = ([f64; 3], String)>) -> Vec<([f64; 3], String)> {
     let mut places: BTreeMap<[i64; 3], ([f64; 3], Vec<String>)> = BTreeMap::new();
     for (place, name) in all {
@@ -307,7 +307,7 @@ fn put_sensors(scene: &mut Scene, view: &View, sensors: &[([f64; 3], String)]) {
         let free = |other: &[f64; 2]| {
             (other[0] - at[0]).abs() > text_width(names, 11.0) || (other[1] - at[1]).abs() > 11.0
         };
-        // one name for those that hide behind each other in this view
+        // one name for sensors that hide each other in this view
         if labelled.iter().all(free) {
             scene.text([at[0] + 8.0, at[1]], &label);
             labelled.push(at);

@@ -1,4 +1,4 @@
-//! Figures of a record that holds an earthquake: response spectra of its channels, and the lowest frequency through it.
+//! Figures of a record with an earthquake: response spectra of its channels, and the lowest frequency over time.
 
 use super::axis::Axis;
 use super::ink::{BLACK, BLUE, GREY, Line, ORANGE, PURPLE, SKY, Shape, VERMILLION};
@@ -9,7 +9,7 @@ use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::modal::{During, Mode, Part, Shaking, StrongChannel, StrongMotion};
 use dolmen_words::Language;
 
-/// Channels drawn; the numbers of all stand in the CSV beside the figure.
+/// Number of channels drawn; the CSV beside the figure has all.
 const CHANNELS_DRAWN: usize = 6;
 const COLOURS: [&str; CHANNELS_DRAWN] = [BLUE, VERMILLION, PURPLE, ORANGE, SKY, BLACK];
 /// Half of the width of an interval that holds 95 %, in standard deviations.
@@ -47,8 +47,8 @@ pub(crate) fn spectra_of_channels(channels: &[StrongChannel], language: Language
     plot.svg(say(Titles::ResponseSpectrum { percent }, language))
 }
 
-/// The lowest frequency of each part of a record, and its deviation: of one earthquake that of the lowest mode found both before and after it, of several
-/// the mode of each part that is nearest to that.
+/// The lowest frequency of each part of a record, and its deviation: for one earthquake that of the lowest mode found both before and after
+/// it; for several, in each part the mode nearest to that.
 pub(crate) fn lowest_of_parts(found: &StrongMotion) -> Vec<Option<(f64, Option<f64>)>> {
     let shown = found.shown().first();
     let nearest = |part: &Part| {
@@ -65,7 +65,7 @@ pub(crate) fn lowest_of_parts(found: &StrongMotion) -> Vec<Option<(f64, Option<f
     all
 }
 
-/// The lowest frequency before, in and after, with 95 % intervals.
+/// The lowest frequency before, during and after, with 95 % intervals.
 pub(crate) fn frequency_through(found: &StrongMotion, language: Language) -> String {
     let half = |sd: Option<f64>| HALF_95 * sd.unwrap_or(0.0);
     let lowest = lowest_of_parts(found);

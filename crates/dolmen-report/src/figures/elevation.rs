@@ -1,4 +1,4 @@
-//! A structure as it is entered, in a vertical plane: the outline of each part in metres, and where it stands on the sheet.
+//! A structure as entered, in a vertical plane: the outline of each part in metres, and its position on the sheet.
 
 use super::side_posts::{DrawnSupport, SidePosts, side_posts};
 use dolmen::signal::Component;
@@ -7,16 +7,17 @@ use dolmen_project::{
     BuildingPart, ChainAxis, ChainPart, ColumnsPart, FramePart, Quantity, StackPart, Structure,
 };
 
-/// Widths that are not in the file, as shares of the height. Chosen here: they only carry names.
+/// Widths that are not in the file, as fractions of the height. Our choice: they only support names.
 const CHAIN_WIDTH: f64 = 0.07;
 const FRAME_WIDTH: f64 = 0.7;
 const FLOOR_WIDTH: f64 = 0.5;
-/// A column and the beam on it, as shares of a storey's width and height. Chosen here: seen as a frame.
+/// A column and its beam, as fractions of a storey's width and height. Our choice: recognisable as a frame.
 const COLUMN_WIDTH: f64 = 0.08;
 const BEAM_HEIGHT: f64 = 0.12;
-/// By how much of its width an upper storey of a frame stands back, as in its sketch.
+/// Set-back of an upper storey of a frame as a fraction of its width, as in its sketch.
 const SET_BACK: f64 = 0.06;
-/// Exaggerated offsets reach this share of the widest part, exaggerated tilts this slope. Chosen here: seen, and not taken for the shape.
+/// Exaggerated offsets reach this fraction of the widest part, exaggerated tilts this slope. Our choice: visible, but not mistaken for
+/// the shape.
 const OFFSET_SHARE: f64 = 0.12;
 pub(super) const SLOPE_DRAWN: f64 = 0.12;
 
@@ -31,7 +32,7 @@ pub(super) struct PartOutline {
 }
 
 impl PartOutline {
-    /// Least and most across and up, m.
+    /// Smallest and largest coordinates across and up, m.
     pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
         super::stack_view::bounds(self.corners_m.iter().copied())
     }
@@ -42,7 +43,7 @@ impl PartOutline {
     }
 }
 
-/// All parts seen along one axis, those farther away first.
+/// All parts seen along one axis, the farthest first.
 #[derive(Clone, Debug)]
 pub(super) struct Elevation {
     /// 0: x is across; 1: y is.
@@ -52,18 +53,18 @@ pub(super) struct Elevation {
     pub(super) posts: SidePosts,
     /// Whether the file gives the widths.
     pub(super) has_widths: bool,
-    /// Whether columns and beams are drawn that the file does not place.
+    /// Whether the drawn columns and beams have no positions in the file.
     pub(super) is_frame: bool,
-    /// How many times larger than they are the offsets and tilts of stones are drawn; 1 where there are none.
+    /// Exaggeration of the offsets and tilts of stones; 1 if there are none.
     pub(super) offsets_times: f64,
     pub(super) tilts_times: f64,
 }
 
-/// Levels nearer than this are one, m.
+/// Levels closer than this are one, m.
 const LEVEL_M: f64 = 1e-3;
 
 impl Elevation {
-    /// Whether every part stands at the top of another or at the bottom.
+    /// Whether every part stands on top of another or on the ground.
     pub(super) fn is_stacked(&self) -> bool {
         let bounds: Vec<[[f64; 2]; 2]> = self.parts.iter().map(PartOutline::bounds).collect();
         let bottom = bounds
@@ -84,7 +85,7 @@ impl Elevation {
     }
 }
 
-/// One view of what moves in a plane, two of what has a plan; none of a survey alone, nor of a stack that cannot be built.
+/// One view for motion in a plane, two for a structure with a plan; none for a survey alone, or a stack that cannot be built.
 pub(super) fn elevations(structure: &Structure, exaggerate: bool) -> Vec<Elevation> {
     match structure {
         Structure::Chain(part) => part.axes().iter().map(|axis| of_chain(part, *axis)).collect(),
@@ -94,7 +95,7 @@ pub(super) fn elevations(structure: &Structure, exaggerate: bool) -> Vec<Elevati
             .collect(),
         Structure::Building(part) => (0..2).map(|axis| of_building(part, axis)).collect(),
         Structure::Stack(part) => {
-            // as entered: upright, the lean of a survey is drawn beside it
+            // as entered: upright; the surveyed lean is drawn beside it
             let part = &StackPart {
                 lean: None,
                 ..(**part).clone()
@@ -122,7 +123,7 @@ fn plain(axis: usize, parts: Vec<PartOutline>, has_widths: bool) -> Elevation {
     }
 }
 
-/// A box from `low` up, about the middle.
+/// A box from `low` upwards, about the middle.
 fn a_box(name: String, [left, right]: [f64; 2], low: f64, height: f64) -> PartOutline {
     let high = low + height;
     PartOutline {
@@ -142,7 +143,7 @@ fn of_chain(part: &ChainPart, axis: ChainAxis) -> Elevation {
     let mut has_widths = true;
     let mut parts = Vec::new();
     for (index, link) in part.links.iter().enumerate() {
-        // a wind from the other side meets what is seen from this one
+        // wind from the opposite side acts on the face seen from here
         let seen_by = match axis {
             ChainAxis::Along => ChainAxis::Across,
             ChainAxis::Across => ChainAxis::Along,
@@ -181,7 +182,7 @@ fn of_chain(part: &ChainPart, axis: ChainAxis) -> Elevation {
     }
 }
 
-/// Both sides of a frame whose directions say which is x and which is y.
+/// Both views of a frame whose directions are known as x and y.
 fn frame_axes(part: &FramePart) -> Vec<usize> {
     let is_known = |of| part.along(of).is_some();
     match is_known(Component::X) && is_known(Component::Y) {
@@ -190,7 +191,7 @@ fn frame_axes(part: &FramePart) -> Vec<usize> {
     }
 }
 
-/// Columns that are seen from a side: those of the file, if they stand in one row; else two at the ends, for a number that no row tells.
+/// Columns visible from a side: those of the file, if they are in one row; otherwise two at the ends, if the number per row is unknown.
 pub(crate) fn columns_seen(columns: Option<&ColumnsPart>) -> usize {
     match columns.map(|columns| columns.count) {
         Some(count @ 1..=3) => count,
@@ -299,7 +300,7 @@ fn of_stack(part: &StackPart, stack: &Stack, axis: usize, exaggerate: bool) -> E
         false => (1.0, 1.0),
     };
     let (offset, tilt) = (|index| offset_along(index, axis), |index| tilt_along(index, axis));
-    // what a stone is moved beyond its place carries those on it along
+    // the offset of a stone also displaces the stones on it
     let mut moved = vec![0.0; blocks.len()];
     for index in 0..blocks.len() {
         let below = own(index).and_then(|block| match block.on.first() {
@@ -318,7 +319,7 @@ fn of_stack(part: &StackPart, stack: &Stack, axis: usize, exaggerate: bool) -> E
         let lean = (tilts_times - 1.0) * tilt(index);
         let place = |corner: &[f64; 3]| [corner[axis] + moved[index] + lean * (corner[2] - foot), corner[2]];
         let corners: Vec<[f64; 2]> = block.solid.vertices_m().iter().map(place).collect();
-        // the eye stands before y in the first view, at the right of x in the second
+        // the eye is before y in the first view, and to the right of x in the second
         let depth = [-block.solid.centroid_m()[1], block.solid.centroid_m()[0]][axis];
         let outline = PartOutline {
             name: block.name.clone(),
@@ -339,7 +340,7 @@ fn of_stack(part: &StackPart, stack: &Stack, axis: usize, exaggerate: bool) -> E
     }
 }
 
-/// The factor 1, 2, 5, 10, … by which a value is drawn, so that it does not go beyond `drawn`.
+/// The exaggeration 1, 2, 5, 10, … for which a value does not exceed `drawn`.
 pub(super) fn times(value: f64, drawn: f64) -> f64 {
     const NICE: [f64; 9] = [500.0, 200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0];
     let fits = |factor: &f64| value > 0.0 && value * factor <= drawn;

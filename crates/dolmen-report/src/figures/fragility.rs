@@ -1,4 +1,4 @@
-//! Fragility curves with their bands, and what was seen.
+//! Fragility curves with their bands, and the observations.
 
 use super::axis::Axis;
 use super::ink::{BLUE, GREEN, Line, ORANGE, Shape, VERMILLION};
@@ -11,13 +11,13 @@ use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer};
 
 /// Points of a curve.
 const POINTS: usize = 240;
-/// Figures of combinations; curves of more are in fragility.csv.
+/// Number of combinations drawn; fragility.csv has all curves.
 const DRAWN_MOST: usize = 4;
 /// Colours of the states, the mildest first.
 const COLOURS: [&str; 4] = [GREEN, BLUE, ORANGE, VERMILLION];
 const SHAPES: [Shape; 4] = [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle];
 
-/// One figure a combination of inputs, of the first ones of many.
+/// One figure per combination of inputs, for the first ones.
 pub(super) fn fragility_figures(answer: &StudyAnswer, language: Language) -> Vec<StudyDrawing> {
     let drawn = answer
         .fragilities()
@@ -99,7 +99,7 @@ fn ends(seen: Observation) -> [f64; 2] {
     }
 }
 
-/// Peaks at which scans reached the state, each with the share of all scans that had by then.
+/// Peaks at which scans reached the state, each with the share of all scans that had reached it.
 fn seen(state: &StateFragility) -> Vec<[f64; 2]> {
     let reached = state.observations.iter();
     let reached = reached.filter(|seen| !matches!(seen, Observation::Above(_)));

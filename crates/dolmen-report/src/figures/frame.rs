@@ -12,7 +12,7 @@ use dolmen_words::number::{self, subscript};
 /// Height of the drawn frame, px.
 const SKETCH_PX: f64 = 250.0;
 
-/// The frame's storeys to scale in height, on as many columns as are seen of each, with what each carries, and the verdict on each storey's margin.
+/// The frame's storeys with heights to scale, on the visible columns, with their loads, and the verdict on each storey's margin.
 pub fn frame_sketch(
     frame: &Frame,
     (names, columns): (&[Option<String>], &[usize]),
@@ -44,7 +44,7 @@ pub fn frame_sketch(
             bottom - base_m * scale,
             bottom - (base_m + storey.height_m) * scale,
         );
-        // Upper storeys of gates and pagodas stand back.
+        // upper storeys of gates and pagodas are set back
         let inset = 14.0 * i as f64;
         let (first, last) = (left + inset + 8.0, right - inset - 8.0);
         let number = columns.get(i).copied().unwrap_or(2);

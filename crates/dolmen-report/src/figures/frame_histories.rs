@@ -1,4 +1,4 @@
-//! A simulated motion of a frame: what the ground did, where the levels went, loops of force and drift, sticking and slipping.
+//! A simulated motion of a frame: ground motion, displacements of levels, loops of force and drift, sticking and slipping.
 
 use super::Figure;
 use super::axis::Axis;
@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 
 /// Width and height of a loop, px: nearly square.
 const LOOP_PX: [f64; 2] = [420.0, 340.0];
-/// Width and height of a drift in plan, px: a circle is round.
+/// Width and height of a drift in plan, px: equal scales.
 const PLAN_PX: [f64; 2] = [420.0, 400.0];
 /// Corners of a circle.
 const CIRCLE: usize = 120;
@@ -53,7 +53,7 @@ pub(crate) enum FramePlot {
 }
 
 impl FramePlot {
-    /// Those of a simulation, in the order in which they are shown.
+    /// The figures of a simulation, in order.
     pub(crate) fn all(simulation: &FrameSimulation) -> Vec<Self> {
         let mut all = vec![Self::Ground, Self::Levels];
         all.extend((0..simulation.storeys.len()).map(Self::Loop));
@@ -106,7 +106,7 @@ impl FramePlot {
         }
     }
 
-    /// Those that are lines over time.
+    /// The figures with lines over time.
     fn lines(self, simulation: &FrameSimulation, language: Language) -> Option<Lines> {
         match self {
             Self::Ground => Some(Lines {
@@ -123,7 +123,7 @@ impl FramePlot {
     }
 }
 
-/// The figures of a simulation: ground, levels, one loop a storey, bands of slipping, energy.
+/// The figures of a simulation: ground, levels, one loop per storey, bands of slipping, energy.
 pub fn frame_histories(simulation: &FrameSimulation, language: Language) -> Vec<Figure> {
     let all = FramePlot::all(simulation).into_iter();
     all.filter_map(|plot| {
@@ -241,7 +241,7 @@ fn hysteresis(simulation: &FrameSimulation, storey: usize, language: Language) -
     )
 }
 
-/// Values against each other, as one line; its number among others and its name.
+/// One line of values against each other, with its number and name.
 pub(super) fn loops(
     names: [Axes; 2],
     [x_values, y_values]: [&[f64]; 2],
@@ -323,7 +323,7 @@ fn slipped(simulation: &FrameSimulation) -> Vec<(usize, [f64; 2])> {
     each.map(|s| (s.storey, [s.from_s, s.to_s])).collect()
 }
 
-/// When each storey slipped: a band a storey.
+/// Slipping times of each storey, one band per storey.
 fn bands(simulation: &FrameSimulation, language: Language) -> String {
     let history = &simulation.history;
     let end = history.time_s.last().copied().unwrap_or(1.0);
@@ -332,7 +332,7 @@ fn bands(simulation: &FrameSimulation, language: Language) -> String {
     rows_of_bands(&simulation.storeys, &each, end, words, language)
 }
 
-/// A row of bands a part: its number, from when to when; the word for a band, and the title.
+/// A row of bands per part: its number and intervals; the word for a band, and the title.
 pub(super) fn rows_of_bands(
     names: &[String],
     bands: &[(usize, [f64; 2])],

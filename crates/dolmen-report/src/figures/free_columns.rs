@@ -11,10 +11,10 @@ use dolmen_work::frame::{Springs, StoreyColumns};
 /// Millimetres in a metre; newtons in a kilonewton.
 const MILLI: f64 = 1e3;
 const KILO: f64 = 1e3;
-/// How much higher than the columns the springs may reach: beyond it the curve of the columns would lie flat. Chosen here.
+/// Largest force of the springs in the figure relative to the columns: beyond it the curve of the columns would be flat. Our choice.
 const SPRINGS_MOST: f64 = 3.0;
 
-/// Columns, springs and both, from upright to where the columns fall; the springs as far as the page goes.
+/// Columns, springs and both, from upright to the fall of the columns; the springs up to the edge of the figure.
 pub fn free_columns(columns: &StoreyColumns, language: Language) -> String {
     let Some(standing) = &columns.standing else {
         return String::new();
@@ -57,7 +57,7 @@ pub fn free_columns(columns: &StoreyColumns, language: Language) -> String {
         (standing.falls, Shape::Ring, Signs::ColumnsFall),
     ] {
         let at = [MILLI * point.drift_m, point.force_n.max(0.0) / KILO];
-        // on a rigid bed they lift off where they hold most
+        // on a rigid bed the columns lift off at their largest force
         if shape == Shape::Square && point == standing.greatest {
             continue;
         }
@@ -67,7 +67,7 @@ pub fn free_columns(columns: &StoreyColumns, language: Language) -> String {
     plot.svg(say(Titles::ForceOfColumns, language))
 }
 
-/// A rising line as far as a height, its last point on it.
+/// A rising line up to a height, ending exactly there.
 pub(super) fn cut_above(points: &[[f64; 2]], most: f64) -> Vec<[f64; 2]> {
     let mut all: Vec<[f64; 2]> = Vec::with_capacity(points.len());
     for point in points {

@@ -10,7 +10,7 @@ use dolmen_work::stack::FrequencyByHeight;
 /// Width and height, px.
 const SIZE_PX: [f64; 2] = [560.0, 340.0];
 
-/// A line a number of storeys, and what eq. 1 of Kim, Koo and Hong (2018) gives of the height alone; nothing without a point.
+/// One line per number of storeys, and eq. 1 of Kim, Koo and Hong (2018) from the height alone; `None` without a point.
 pub(crate) fn frequency_by_height(
     grid: &[FrequencyByHeight],
     of_thumb: &[[f64; 2]],

@@ -1,4 +1,4 @@
-//! A building in the wind: what its floors do, by height.
+//! A building in the wind: response of its floors, by height.
 
 use super::axis::Axis;
 use super::ink::{BLUE, Line, VERMILLION};
@@ -7,7 +7,7 @@ use super::words::{Axes, Signs, Titles, say};
 use dolmen_words::Language;
 use dolmen_work::building::{BuildingWind, FloorInWind, WindMotion};
 
-/// What is drawn over the height.
+/// The quantity over the height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum GustPlot {
     /// Peak acceleration at the worst corner, m/s².

@@ -1,4 +1,4 @@
-//! The numbers of figures over time, as columns.
+//! The data of figures over time, as columns.
 
 use super::lines::Lines;
 use super::words::{Axes, Columns, say};
@@ -6,7 +6,7 @@ use crate::document::{Entries, Series};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence};
 
-/// The name of an axis and its unit: "Displacement (mm)" has both.
+/// Name and unit of an axis: "Displacement (mm)" contains both.
 fn name_and_unit(axis: &Axes, language: Language) -> (String, String) {
     let text = say(axis.clone(), language);
     match text

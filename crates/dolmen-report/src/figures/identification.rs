@@ -12,10 +12,10 @@ use dolmen_work::answer::IdentifyAnswer;
 use dolmen_work::mode_heights::mode_heights_m;
 use dolmen_work::surveyed::StiffnessAnswer;
 
-/// Solutions whose shapes are drawn.
+/// Number of solutions whose shapes are drawn.
 const SOLUTIONS_DRAWN: usize = 4;
 
-/// A figure and what to call its file.
+/// A figure and its file name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figure {
     /// Name without an ending: "2009-singular-values".
@@ -24,8 +24,8 @@ pub struct Figure {
     pub svg: String,
 }
 
-/// Every figure of what was identified, survey by survey: spectrum, stabilisation and shapes of each record, and the mode
-/// shapes of each set of solutions. Empty if nothing was identified.
+/// Every figure of an identification, survey by survey: spectrum, stabilisation and shapes of each record, and the mode
+/// shapes of each solution. Empty if nothing was identified.
 pub fn identification(answer: &IdentifyAnswer, language: Language) -> Vec<Figure> {
     let mut all = Vec::new();
     for survey in &answer.surveys {
@@ -105,7 +105,7 @@ pub fn identification(answer: &IdentifyAnswer, language: Language) -> Vec<Figure
     all
 }
 
-/// The modes that went in as the project states them; those from records are known by frequency alone.
+/// The input modes as the project states them; those from records have only a frequency.
 pub(crate) fn measured_modes(project: &Project, survey: &str, answer: &StiffnessAnswer) -> Vec<MeasuredMode> {
     let stated = project.surveys.iter().find(|s| s.name == survey);
     let stated = stated
@@ -130,7 +130,7 @@ pub(crate) fn letter(index: usize) -> String {
         .unwrap_or_default()
 }
 
-/// Mode shapes of the first solutions side by side, measured points over them; `None` without a solution or a model.
+/// Mode shapes of the first solutions side by side, with measured points; `None` without a solution or a model.
 pub(crate) fn solution_shapes(
     structure: &Structure,
     answer: &StiffnessAnswer,
@@ -147,7 +147,7 @@ pub(crate) fn solution_shapes(
         .enumerate()
     {
         for (j, mode) in solution.modes.iter().enumerate() {
-            // A measured mode is drawn over the computed one nearest to it.
+            // a measured mode is drawn over the nearest computed one
             let nearest = measured.iter().find(|m| {
                 let apart = |f: f64| (f - m.frequency_hz).abs();
                 let others = solution.modes.iter();

@@ -1,4 +1,4 @@
-//! Colours, fonts and strokes of all figures: told apart by the colour-blind, and by shape in grey print.
+//! Colours, fonts and strokes of all figures: distinguishable for colour-blind readers, and by shape in grey print.
 //!
 //! # Source
 //! The palette of Okabe and Ito (2008), *Color Universal Design*.
@@ -21,10 +21,10 @@ pub(crate) const VERMILLION: &str = "#d55e00";
 /// A series of its own colour each, in the order in which they differ most.
 pub(crate) const SERIES: [&str; 6] = [BLUE, VERMILLION, GREEN, PURPLE, SKY, ORANGE];
 
-/// Fonts with Hangul on every system, first those that an engineer's machine has.
+/// Fonts with Hangul on every system, the most common first.
 pub(crate) const FONTS: &str = "'Noto Sans CJK KR','Noto Sans KR','Malgun Gothic','Apple SD Gothic Neo','Helvetica Neue',Arial,sans-serif";
 
-/// Size of the text in figures, px at the width they are made for.
+/// Text size in figures, px at the design width.
 pub(crate) const TEXT_PX: f64 = 12.5;
 
 pub(crate) fn verdict_colour(verdict: Verdict) -> &'static str {
@@ -36,7 +36,7 @@ pub(crate) fn verdict_colour(verdict: Verdict) -> &'static str {
     }
 }
 
-/// The shape that tells the verdict where colours are lost.
+/// The shape that shows the verdict without colours.
 pub(crate) fn verdict_shape(verdict: Verdict) -> Shape {
     match verdict {
         Verdict::Stable => Shape::Circle,
@@ -59,7 +59,7 @@ pub(crate) enum Shape {
     Bar,
 }
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Line {
     pub(crate) colour: &'static str,
@@ -87,7 +87,7 @@ impl Line {
     }
 }
 
-/// Which end of a text stands at its point.
+/// Alignment of a text at its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Anchor {
     Start,
@@ -95,7 +95,7 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// A text and how it stands.
+/// A text and its alignment.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Label {
     pub(crate) text: String,
@@ -131,13 +131,13 @@ impl Label {
         }
     }
 
-    /// Width, px, estimated: no font is read. Hangul and other wide letters fill a square.
+    /// Estimated width, px, without reading a font. Hangul and other wide letters fill a square.
     pub(crate) fn width(&self) -> f64 {
         text_width(&self.text, self.size)
     }
 }
 
-/// Width of a text, px, estimated from its letters.
+/// Estimated width of a text, px, from its letters.
 pub(crate) fn text_width(text: &str, size: f64) -> f64 {
     let ems: f64 = text
         .chars()

@@ -1,4 +1,4 @@
-//! Where the factor on the springs of each joint of a stack can lie.
+//! Range of the factor on the springs of each joint of a stack.
 
 use super::axis::Axis;
 use super::ink::{BLUE, GREEN, GREY, Line, ORANGE, Shape};
@@ -10,7 +10,7 @@ use dolmen_work::stack::FactorsAnswer;
 /// Characters of a name.
 const NAME_MOST: usize = 34;
 
-/// Range, best and least factor, a row a joint, the lowest at the bottom.
+/// Range, best and smallest factor, one row per joint, the lowest at the bottom.
 pub(crate) fn joint_factors(answer: &FactorsAnswer, language: Language) -> String {
     let found = &answer.found;
     let names: Vec<String> = (0..found.factors.len())
@@ -31,7 +31,7 @@ pub(crate) fn joint_factors(answer: &FactorsAnswer, language: Language) -> Strin
     for (row, factor) in found.factors.iter().enumerate() {
         let row = row as f64;
         if let Some(range) = factor.range {
-            // what only the band ends is no bound
+            // the end of the search band is no bound
             let line = match range.is_band() {
                 true => Line::new(GREY, 2.0).dashed(),
                 false => Line::new(BLUE, 4.0),

@@ -1,4 +1,4 @@
-//! How alike the shapes of the modes are, and how real: the matrix of assurance (MAC), and the components in the complex plane.
+//! Similarity of mode shapes (MAC matrix), and their complexity: the components in the complex plane.
 
 use super::ink::{Anchor, BLACK, BLUE, GREY, LIGHT, Label, Line, TEXT};
 use super::scene::Scene;
@@ -7,25 +7,25 @@ use dolmen::modal::{Mode, Modes, assurance};
 use dolmen_words::Language;
 use dolmen_words::number;
 
-/// Modes drawn at most: those lowest in frequency.
+/// Largest number of modes: the lowest in frequency.
 const MODES_MOST: usize = 12;
 /// Width of the figure and of the matrix with its labels, px.
 const WIDTH_PX: f64 = 680.0;
 const MATRIX_PX: f64 = 300.0;
-/// What stands left of the matrix and above it, px.
+/// Space to the left of the matrix and above it, px.
 const LABELS_PX: f64 = 74.0;
 const ABOVE_PX: f64 = 44.0;
 /// Side of a cell at most, px.
 const CELL_MOST_PX: f64 = 44.0;
-/// Panels of components in a row, and the height of what stands above each circle, px.
+/// Panels of components per row, and the height of the text above each circle, px.
 const ACROSS: usize = 4;
 const TITLE_PX: f64 = 34.0;
-/// Cells from this value on are printed; below they are nearly white.
+/// Smallest printed value; smaller cells are nearly white.
 pub(super) const PRINTED: f64 = 0.05;
-/// Cells from this value on are dark: their number is white.
+/// From this value on cells are dark, with a white number.
 pub(super) const DARK: f64 = 0.55;
 
-/// The matrix and the components; `None` of fewer than two modes or two channels.
+/// The matrix and the components; `None` for fewer than two modes or two channels.
 pub fn likeness(modes: &Modes, language: Language) -> Option<String> {
     let shown = &modes.modes[..modes.modes.len().min(MODES_MOST)];
     if shown.len() < 2 || modes.channels.len() < 2 {
@@ -90,7 +90,7 @@ pub(super) fn shade(value: f64) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
-/// Each channel's component as a line from the middle, the largest 1.
+/// Each channel's component as a line from the centre, the largest with length 1.
 fn components(scene: &mut Scene, (number, mode): (usize, &Mode), ([left, top], side): ([f64; 2], f64)) {
     let middle = [left + 0.5 * side, top + TITLE_PX + 0.5 * side];
     let radius = 0.5 * side - 8.0;

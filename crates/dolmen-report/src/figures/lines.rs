@@ -8,10 +8,10 @@ use dolmen_words::Language;
 
 /// Width and height of one plot, px.
 const SIZE_PX: [f64; 2] = [760.0, 210.0];
-/// A line is drawn through the least and the most of each of so many stretches of time: about one a px.
+/// Number of time intervals of a line, about one per px; it is drawn through the smallest and largest value of each.
 const STRETCHES: usize = 700;
 
-/// Lines over time: what their axis is, the title, and the lines.
+/// Lines over time: their axis, the title, and the lines.
 pub(super) struct Lines {
     pub(super) axis: Axes,
     pub(super) title: Titles,
@@ -19,7 +19,7 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    /// Their plot; nothing if there is no line.
+    /// Their plot; `None` without a line.
     pub(super) fn draw(self, language: Language) -> Option<String> {
         plot(&self.lines, self.axis, language, self.title)
     }
@@ -31,7 +31,7 @@ pub(super) struct Series {
     pub(super) points: Vec<[f64; 2]>,
 }
 
-/// A line with no more points than can be seen: of each stretch the least and the most, in their order. Peaks stay.
+/// A line with no more points than are visible: the smallest and largest of each interval, in order. Peaks stay.
 fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     if points.len() <= 2 * STRETCHES {
         return points.to_vec();
@@ -56,7 +56,7 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     kept
 }
 
-/// A plot of some lines over time; nothing if there is no line.
+/// A plot of lines over time; `None` without a line.
 pub(super) fn plot(series: &[Series], axis: Axes, language: Language, title: Titles) -> Option<String> {
     let name = say(axis, language);
     let end = series.first()?.points.last()?[0];
@@ -68,7 +68,7 @@ pub(super) fn plot(series: &[Series], axis: Axes, language: Language, title: Tit
     let x = Axis::linear(say(Axes::Time, language), 0.0, end, 10);
     let mut y = Axis::around(name.as_str(), &values, 4);
     if y.to - y.from < 1e-6 {
-        y = Axis::linear(name, -1.0, 1.0, 4); // nothing moved: a flat line on a scale that says so
+        y = Axis::linear(name, -1.0, 1.0, 4); // no motion: a flat line on a suitable scale
     }
     let mut plot = Plot::new(SIZE_PX, x, y);
     plot.line(vec![[0.0, 0.0], [end, 0.0]], Line::new(GREY, 0.8));

@@ -1,4 +1,4 @@
-//! Figures as SVG: text stays text, units on every axis, readable by the colour-blind and in grey print.
+//! Figures as SVG: text stays text, units on every axis, readable for colour-blind readers and in grey print.
 
 mod assess;
 mod axis;
@@ -127,7 +127,7 @@ pub(crate) use wires::Wires;
 pub(crate) use words::TEMPLATES;
 pub use years::years;
 
-/// The words of single figures as they are written.
+/// Templates of the words in single figures.
 pub(crate) const OF_SINGLE_FIGURES: [&[Template]; 6] = [
     damage_map::Mapped::TEMPLATES,
     drawing::Drawn::TEMPLATES,

@@ -11,28 +11,28 @@ use dolmen::modal::{ModalAnalysis, Modes, Stability};
 use dolmen_words::Language;
 use dolmen_words::number;
 
-/// Singular values drawn; the rest is noise.
+/// Number of singular values drawn; the rest is noise.
 const VALUES_DRAWN: usize = 4;
 
-/// Points of a spectrum drawn: more than one a px shows nothing.
+/// Largest number of points of a spectrum; more than one per px is not visible.
 const POINTS_MOST: usize = 640;
 
-/// The frequency axis ends this much above the range in which modes were looked for.
+/// The frequency axis extends beyond the search range by this factor.
 const BEYOND_RANGE: f64 = 1.08;
 
 /// Singular values more than this below the largest are cut off, dB.
 const DEPTH_DB: f64 = 90.0;
 
-/// Numbers of modes closer than this stand above each other, px.
+/// Mode numbers closer than this are stacked, px.
 const NUMBER_PX: f64 = 18.0;
 
 /// Height of a row of numbers, px.
 const NUMBER_ROW_PX: f64 = 14.0;
 
-/// Rows in which they stand.
+/// Number of rows for stacked mode numbers.
 const NUMBER_STEPS: f64 = 4.0;
 
-/// The stabilisation diagram ends this much above the highest pole that may be a mode.
+/// The stabilisation diagram extends beyond the highest possible mode by this factor.
 const BEYOND_POLES: f64 = 1.12;
 
 /// Width of plots, px.
@@ -52,7 +52,7 @@ pub fn singular_values(analysis: &ModalAnalysis, language: Language) -> String {
         })
         .filter(|points| !points.is_empty())
         .collect();
-    // Drift near 0 Hz would press everything else flat.
+    // drift near 0 Hz would compress everything else
     let low = 0.5 * analysis.settings.range_hz[0];
     let within = lines.iter().flatten().filter(|p| p[0] >= low).map(|p| p[1]);
     let most = within.clone().fold(f64::NEG_INFINITY, f64::max);
@@ -85,8 +85,8 @@ pub fn singular_values(analysis: &ModalAnalysis, language: Language) -> String {
     plot.svg(say(Titles::SingularValues, language))
 }
 
-/// The stabilisation diagram: poles of every order by what became of them, over the first singular value, with the chosen
-/// modes as lines and ± their standard deviation as bands.
+/// The stabilisation diagram: poles of every order by class, over the first singular value, with the chosen modes as
+/// lines and ± their standard deviation as bands.
 pub fn stabilization(analysis: &ModalAnalysis, language: Language) -> String {
     let possible = analysis
         .stabilization
@@ -133,7 +133,7 @@ pub fn stabilization(analysis: &ModalAnalysis, language: Language) -> String {
     plot.line(lifted.collect(), Line::new(GREY, 1.1).faint(0.55));
     mark_modes(&mut plot, &analysis.modes);
 
-    // What stands for more stands above what stands for less.
+    // better classes are drawn over worse ones
     let classes = [
         (Class::Hard, Shape::Cross, 1.6, LIGHT),
         (Class::Moved, Shape::Cross, 2.0, GREY),
@@ -167,11 +167,11 @@ pub fn stabilization(analysis: &ModalAnalysis, language: Language) -> String {
     plot.svg(say(Titles::StabilisationDiagram, language))
 }
 
-/// What became of a pole, as drawn.
+/// Class of a pole.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Class {
     Stable,
-    /// Frequency came back, damping or shape did not.
+    /// The frequency recurred, damping or shape did not.
     Half,
     Moved,
     /// Cannot be a mode by itself.
@@ -190,8 +190,8 @@ impl Class {
     }
 }
 
-/// Shapes of the modes at the sensors. In plan, an arrow a place: the sum of what its channels measured along their
-/// directions. Without places and directions, a bar a channel.
+/// Shapes of the modes at the sensors. In plan, one arrow per position: the sum of the components that its channels
+/// measured. Without positions and directions, one bar per channel.
 pub fn sensor_shapes(modes: &Modes, language: Language) -> String {
     match Plan::of(modes) {
         Some(plan) => plan.draw(modes, language),
@@ -203,7 +203,7 @@ pub fn sensor_shapes(modes: &Modes, language: Language) -> String {
 struct Plan {
     /// x, y, z of each place, m.
     places: Vec<[f64; 3]>,
-    /// Place and horizontal direction of each channel.
+    /// Position and horizontal direction of each channel.
     channels: Vec<(usize, [f64; 2])>,
     /// Heights, ascending, m.
     levels: Vec<f64>,
@@ -231,14 +231,14 @@ impl Plan {
             }
         }
         plan.levels.sort_by(f64::total_cmp);
-        // From one place nothing can be seen in plan but directions: still worth drawing.
+        // a single position shows only directions, which is still useful
         (!plan.places.is_empty()).then_some(plan)
     }
 
     fn draw(&self, modes: &Modes, language: Language) -> String {
         /// Panels in one row.
         const ACROSS: usize = 3;
-        /// Side of a panel, and of the part that the places fill, px.
+        /// Side of a panel, and of the area for the positions, px.
         const PANEL: f64 = 226.0;
         const FILLED: f64 = 104.0;
         /// Longest arrow, px.
@@ -328,7 +328,7 @@ impl Plan {
     }
 }
 
-/// Places in plan ordered around their middle, each once: the outline of a convex house.
+/// Positions in plan ordered around their middle, without duplicates: the outline of a convex house.
 fn around(places: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let count = places.len().max(1) as f64;
     let sum = places.iter().fold([0.0; 2], |s, p| [s[0] + p[0], s[1] + p[1]]);
@@ -344,7 +344,7 @@ fn around(places: &[[f64; 3]]) -> Vec<[f64; 3]> {
     outline
 }
 
-/// One row a channel, one colour a mode: for records without places.
+/// One row per channel, one colour per mode: for records without positions.
 fn bars(modes: &Modes, language: Language) -> String {
     let names: Vec<String> = modes.channels.iter().rev().map(|c| c.name.clone()).collect();
     let x = Axis::linear(say(Axes::ShapeComponent, language), -1.1, 1.1, 5);
@@ -382,7 +382,7 @@ fn bars(modes: &Modes, language: Language) -> String {
     plot.svg(say(Titles::ModeShapesByChannel, language))
 }
 
-/// Where the frequency axis ends: a little above the highest mode looked for, never above the spectrum.
+/// End of the frequency axis: a little above the highest mode of the search, within the spectrum.
 pub(super) fn end_hz(analysis: &ModalAnalysis) -> f64 {
     let most = analysis.spectrum.frequency_hz.last().copied().unwrap_or(1.0);
     let range = analysis.settings.range_hz[1];
@@ -397,7 +397,7 @@ pub(super) fn end_hz(analysis: &ModalAnalysis) -> f64 {
 pub(super) fn mark_modes(plot: &mut Plot, modes: &Modes) {
     let (low, high) = (plot.y.from, plot.y.to);
     let px = |hz: f64| (hz - plot.x.from) / (plot.x.to - plot.x.from) * (plot.width - plot.left - plot.right);
-    // Numbers of neighbours would cover each other: they step up.
+    // stacked so that neighbouring numbers do not overlap
     let mut steps: Vec<f64> = Vec::new();
     for (m, mode) in modes.modes.iter().enumerate() {
         let near = m > 0 && px(mode.frequency_hz) - px(modes.modes[m - 1].frequency_hz) < NUMBER_PX;
@@ -416,7 +416,7 @@ pub(super) fn mark_modes(plot: &mut Plot, modes: &Modes) {
             plot.block([frequency - sd, low], [frequency + sd, high], GREEN, 0.25);
         }
         let line = Line::new(GREEN, 1.1);
-        // what the user insists on and no test found
+        // a mode accepted by the user that no test found
         let line = if mode.is_found() { line } else { line.dashed() };
         plot.upright(frequency, line);
         let label = Label::new((m + 1).to_string(), Anchor::Middle)
@@ -434,7 +434,7 @@ pub(super) fn mode_key(plot: &mut Plot, modes: &Modes, language: Language) {
     }
 }
 
-/// Points of one line in dB up to `end_hz`, thinned so that each peak stays: the largest of every few.
+/// Points of one line in dB up to `end_hz`, thinned so that peaks stay: the largest of every few.
 fn thinned(frequency_hz: &[f64], value: impl Fn(usize) -> Option<f64>, end_hz: f64) -> Vec<[f64; 2]> {
     let count = frequency_hz.iter().take_while(|f| **f <= end_hz).count();
     let few = count.div_ceil(POINTS_MOST).max(1);

@@ -1,4 +1,4 @@
-//! Measured modes against those of the model: the matrix of assurance (MAC) of their shapes at the sensors.
+//! Measured modes compared with those of the model: MAC matrix of their shapes at the sensors.
 
 use super::ink::{Anchor, LIGHT, Label, Line, TEXT, VERMILLION};
 use super::likeness::{DARK, PRINTED, shade};
@@ -8,15 +8,15 @@ use dolmen_words::Language;
 use dolmen_words::number::{NARROW_SPACE, fixed, significant};
 use dolmen_work::model_modes::{ModelModes, WhichMode};
 
-/// Largest width of the figure, and what its title needs, px.
+/// Largest width of the figure, and width of its title, px.
 const WIDTH_PX: f64 = 680.0;
 const TITLE_PX: f64 = 340.0;
-/// What stands left of the matrix and above it, and the largest side of a cell, px.
+/// Space to the left of the matrix and above it, and the largest side of a cell, px.
 const LEFT_PX: f64 = 120.0;
 const ABOVE_PX: f64 = 66.0;
 const CELL_MOST_PX: f64 = 46.0;
 
-/// A row a measured mode, a column a mode of the model; a pair taken for one mode has a frame.
+/// One row per measured mode, one column per mode of the model; a frame marks a pair.
 pub(crate) fn model_likeness(model: &ModelModes, language: Language) -> String {
     let columns = model.of_model.len().max(1) as f64;
     let cell = ((WIDTH_PX - LEFT_PX - 8.0) / columns).min(CELL_MOST_PX);

@@ -1,4 +1,4 @@
-//! The numbers of figures of dampers, wind, columns, directions and years.
+//! The data of figures of dampers, wind, columns, directions and years.
 
 use super::gusts::GustPlot;
 use super::study_drawing::StudyFigure;
@@ -13,7 +13,7 @@ use dolmen_work::frame::StoreyColumns;
 use dolmen_work::loads::LoadedStorey;
 use dolmen_work::watched::WatchAnswer;
 
-/// What a damper does at places along a line: the motion of each point over that without it.
+/// Effect of a damper at places along a line: the motion of each point relative to that without it.
 fn position_series(answer: &TuneAnswer) -> Vec<Series> {
     let comparison = &answer.comparison;
     let place = |axis: usize| {
@@ -53,7 +53,7 @@ fn plan_series(answer: &TuneAnswer) -> Vec<Series> {
     ]
 }
 
-/// The goal with frequency or damping off, of the damper given and of the best.
+/// The goal with detuned frequency or damping, for the given damper and the optimum.
 fn robustness_series(answer: &TuneAnswer) -> Vec<Series> {
     let comparison = &answer.comparison;
     let mut all = Vec::new();
@@ -85,7 +85,7 @@ pub(crate) fn tune_series(answer: &TuneAnswer, figure: TuneFigure) -> Vec<Series
     }
 }
 
-/// What the wind does to each floor.
+/// Effect of the wind on each floor.
 pub(crate) fn gust_series(plot: GustPlot, wind: &BuildingWind, heights_m: &[f64]) -> Vec<Series> {
     let mut all = vec![Series::numbers(Columns::Height, "m", heights_m.iter().copied())];
     let of_floors = |motion: &WindMotion, of: &dyn Fn(&FloorInWind) -> f64| -> Vec<f64> {
@@ -115,7 +115,7 @@ pub(crate) fn gust_series(plot: GustPlot, wind: &BuildingWind, heights_m: &[f64]
     all
 }
 
-/// What free columns hold against drift.
+/// Resistance of free-standing columns against drift.
 pub(crate) fn columns_series(columns: &StoreyColumns) -> Vec<Series> {
     let drift = columns.curve.iter().map(|point| 1e3 * point.drift_m);
     let force = columns.curve.iter().map(|point| 1e-3 * point.force_n);
@@ -125,7 +125,7 @@ pub(crate) fn columns_series(columns: &StoreyColumns) -> Vec<Series> {
     )
 }
 
-/// What a storey resists with against its drift.
+/// Resistance of a storey against its drift.
 pub(crate) fn pushed_series(storey: &LoadedStorey) -> Vec<Series> {
     let drift = storey.under.curve.iter().map(|point| 1e3 * point.drift_m);
     let force = storey.under.curve.iter().map(|point| 1e-3 * point.force_n);
@@ -135,7 +135,7 @@ pub(crate) fn pushed_series(storey: &LoadedStorey) -> Vec<Series> {
     )
 }
 
-/// First uplift in each direction of the plan, and the least first sliding.
+/// First uplift in each direction of the plan, and the smallest first sliding.
 pub(crate) fn direction_series(limits: &StackLimitStates, gravity_m_s2: f64) -> Vec<Series> {
     let Some(uplift) = super::stack_directions::uplift_g(limits, gravity_m_s2) else {
         return Vec::new();
@@ -155,7 +155,7 @@ pub(crate) fn direction_series(limits: &StackLimitStates, gravity_m_s2: f64) -> 
     all
 }
 
-/// Frequencies of the surveys, and those that the explanation gives.
+/// Frequencies of the surveys, and those of the explanation.
 pub(crate) fn years_series(answer: &WatchAnswer) -> Vec<Series> {
     let surveys = || answer.surveys.iter();
     let mut all = vec![Series::words(
@@ -176,7 +176,7 @@ pub(crate) fn years_series(answer: &WatchAnswer) -> Vec<Series> {
     all
 }
 
-/// The columns of a study as those of its figures; their names are keys and have no language.
+/// Columns of a study for its figures; their names are keys without a language.
 pub(crate) fn study_series(answer: &dolmen_work::study::StudyAnswer, figure: StudyFigure) -> Vec<Series> {
     use dolmen_work::study::{
         ColumnValues, capacity_columns, fragility_columns, harmonic_columns, release_columns, run_columns,

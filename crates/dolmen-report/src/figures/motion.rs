@@ -40,7 +40,7 @@ pub fn motion_figures(report: &MotionReport, language: Language) -> Vec<Figure> 
     figures
 }
 
-/// A series integrated so many times, exactly for the straight lines between its samples.
+/// A series integrated `order` times, exactly for linear interpolation between its samples.
 fn line(series: &MotionSeries, order: usize) -> Series {
     let a = series.motion.acceleration_m_s2(series.component);
     let h = series.motion.time_step_s();

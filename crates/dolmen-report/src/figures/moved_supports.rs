@@ -1,4 +1,4 @@
-//! A stack whose supports have moved: its stones where they are, over their outlines as drawn.
+//! A stack with moved supports: its displaced stones over their original outlines.
 
 use super::elevation::hull;
 use super::ink::{Anchor, GREY, Label, Line, STONE, TEXT, VERMILLION};
@@ -13,7 +13,7 @@ use dolmen_words::{Language, messages, number};
 const ROOM_PX: [f64; 2] = [520.0, 380.0];
 /// Margin around it, px.
 const MARGIN_PX: f64 = 26.0;
-/// Room below it for bar and words, px.
+/// Space below it for the scale bar and text, px.
 const FOOT_PX: f64 = 46.0;
 /// Radius of a hinge, px.
 const HINGE_PX: f64 = 4.0;
@@ -27,7 +27,7 @@ messages! {
     }
 }
 
-/// The stones of a moved state at true scale, seen along y, or along x if the supports move across more than along.
+/// The stones of a displaced state at true scale, seen along y, or along x if the supports move more across than along.
 pub(crate) fn moved_supports(stack: &Stack, moved: &MovedStack, language: Language) -> String {
     let along = |axis: usize| -> f64 {
         let each = stack.support_movements().iter();
@@ -81,7 +81,7 @@ pub(crate) fn moved_supports(stack: &Stack, moved: &MovedStack, language: Langua
     scene.svg(say(Shown::Title, language))
 }
 
-/// A bar of a round length with its length; where it ends, px.
+/// A scale bar of a round length with its label; returns its end, px.
 fn bar(scene: &mut Scene, at: [f64; 2], scale: f64) -> f64 {
     let rough = 90.0 / scale;
     let power = 10f64.powf(rough.log10().floor());

@@ -1,4 +1,4 @@
-//! Mode shapes that move: sensors with places, seen from above at a slant. Moved by the drawing itself (SMIL), without scripts.
+//! Animated mode shapes: sensors with positions in an oblique view from above. The animation is part of the drawing (SMIL), without scripts.
 
 use super::ink::{Anchor, BLUE, GREY, LIGHT, Label, Line};
 use super::scene::Scene;
@@ -12,21 +12,21 @@ use std::f64::consts::TAU;
 /// Panels in one row, and the largest width and height of the structure in each, px.
 const ACROSS: usize = 4;
 const FILLED: [f64; 2] = [118.0, 190.0];
-/// Width of a panel, and height of what stands above the structure, px.
+/// Width of a panel, and height of the text above the structure, px.
 const PANEL_PX: f64 = 178.0;
 const TITLE_PX: f64 = 44.0;
-/// Modes drawn at most: the file grows with each.
+/// Largest number of modes: the file grows with each.
 const MODES_MOST: usize = 12;
-/// Pictures of one period, and how long it lasts, s: every mode moves at the same pace.
+/// Number of pictures per period, and its duration, s: every mode moves at the same pace.
 const PICTURES: usize = 16;
 const PERIOD_S: f64 = 2.0;
-/// Largest displacement over the diagonal of the drawing.
+/// Largest displacement relative to the diagonal of the drawing.
 const SWING: f64 = 0.13;
-/// x and y on paper, as parts of their lengths; z is upright.
+/// Projections of x and y on paper, per unit length; z is vertical.
 const X: [f64; 2] = [0.90, -0.22];
 const Y: [f64; 2] = [0.48, 0.34];
 
-/// Each mode over one period; `None` where fewer than two sensors have a place and a direction.
+/// Each mode over one period; `None` if fewer than two sensors have a position and a direction.
 pub fn moving_shapes(modes: &Modes, language: Language) -> Option<String> {
     let frame = Wires::of(modes)?;
     let shown = &modes.modes[..modes.modes.len().min(MODES_MOST)];
@@ -86,7 +86,7 @@ pub fn moving_shapes(modes: &Modes, language: Language) -> Option<String> {
     Some(scene.svg(say(Titles::ModeShapesMoving, language)))
 }
 
-/// Which way x, y and z run on paper.
+/// Directions of x, y and z on paper.
 fn axes(scene: &mut Scene, at: [f64; 2]) {
     for (name, way) in [
         ("x", [1.0, 0.0, 0.0]),
@@ -107,11 +107,11 @@ fn paper([x, y, z]: [f64; 3]) -> [f64; 2] {
     [X[0] * x + Y[0] * y, z + X[1] * x + Y[1] * y]
 }
 
-/// How the structure fits its panel.
+/// Scale and position of the structure in its panel.
 struct Fit {
     /// px a metre.
     scale: f64,
-    /// The middle of what is drawn on paper, m.
+    /// The centre of the drawing on paper, m.
     middle: [f64; 2],
     /// Its width and height, px.
     size_px: [f64; 2],
@@ -137,7 +137,7 @@ impl Wires {
         }
     }
 
-    /// Where every place is over one period, the largest displacement being `most_m`: Re(φ e^{iωt}), the last picture the first.
+    /// Positions over one period, with a largest displacement of `most_m`: Re(φ e^{iωt}); the last picture equals the first.
     fn pictures(&self, shape: &[[f64; 2]], most_m: f64) -> Vec<Vec<[f64; 3]>> {
         let parts = self.moved(shape, most_m);
         let picture = |n: usize| {

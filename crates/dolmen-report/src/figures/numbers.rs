@@ -1,4 +1,4 @@
-//! The numbers of figures that no table beside them holds.
+//! The data of figures without a table beside them.
 
 use super::elevation::elevations;
 use super::history_series::{column, loop_series};
@@ -18,7 +18,7 @@ fn symbol(text: &str) -> Sentence {
     Sentence::of_symbol(text)
 }
 
-/// Corners of every part, a view after the other, at true scale.
+/// Corners of every part, view by view, at true scale.
 pub(crate) fn outline_series(structure: &Structure) -> Vec<Series> {
     let views = elevations(structure, false);
     let mut rows: Vec<(usize, String, [f64; 2])> = Vec::new();
@@ -71,7 +71,7 @@ fn centres(stack: &Stack) -> impl Iterator<Item = Series> {
     })
 }
 
-/// The same, and where the stones are on supports that moved.
+/// The same, and the positions of the stones on moved supports.
 pub(crate) fn moved_series(stack: &Stack, moved: &[Solid]) -> Vec<Series> {
     let mut all = stone_series(stack);
     let heads = [Columns::CentreX, Columns::CentreY, Columns::CentreZ];
@@ -212,7 +212,7 @@ pub(crate) fn through_series(found: &StrongMotion) -> Vec<Series> {
     ]
 }
 
-/// Two columns of one line.
+/// Two columns for one line.
 pub(crate) fn line_series(names: [Axes; 2], values: [Vec<f64>; 2]) -> Vec<Series> {
     loop_series(names, values)
 }

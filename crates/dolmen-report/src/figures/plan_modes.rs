@@ -1,4 +1,4 @@
-//! How a floor moves in plan in the modes of a stiffness from vibration.
+//! Motion of a floor in plan in the modes of a stiffness from vibration.
 
 use super::ink::{Anchor, BLACK, BLUE, GREEN, GREY, Label, Line, PURPLE, STONE, Shape, VERMILLION};
 use super::scene::Scene;
@@ -10,16 +10,16 @@ use dolmen_work::building::PlanAnswer;
 
 /// Largest width and height of a drawn floor, px.
 const FLOOR_PX: [f64; 2] = [150.0, 130.0];
-/// Room around it, px, for the floor as it moves.
+/// Space around it, px, for the displaced floor.
 const ROOM_PX: f64 = 40.0;
-/// Height of the words above each, px.
+/// Height of the text above each, px.
 const WORDS_PX: f64 = 24.0;
-/// √(u² + v² + (ρθ)²) as it is drawn, of the smaller side of the floor. Chosen here.
+/// √(u² + v² + (ρθ)²) in the drawing, as a fraction of the smaller side of the floor. Our choice.
 const MOVES: f64 = 0.2;
 /// Colours of the modes.
 const COLOURS: [&str; 3] = [BLUE, VERMILLION, GREEN];
 
-/// The floor at rest and moved in each of its three modes, side by side.
+/// The floor at rest and displaced in each of its three modes, side by side.
 pub(crate) fn plan_modes(answer: &PlanAnswer, one: &PlanSolution, language: Language) -> String {
     let (centre, radius) = (answer.centre_of_mass_m, answer.storey.gyration_m);
     let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];

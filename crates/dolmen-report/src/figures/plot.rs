@@ -13,13 +13,13 @@ const NOTE_PX: f64 = 16.0;
 /// Height of one line of the legend, px.
 const LEGEND_PX: f64 = 20.0;
 
-/// Half the outline of a marker, px: plots draw it within its size.
+/// Half the outline of a marker, px; plots draw it within the marker's size.
 const OUTLINE_PX: f64 = 0.9;
 
 /// A point in px from the upper left corner.
 type Px = [f64; 2];
 
-/// One thing in the plot, in the units of its axes; `shift` is in px, right and down.
+/// A mark in the plot, in the units of its axes; `shift` is in px, right and down.
 pub(crate) enum Mark {
     Line {
         points: Vec<[f64; 2]>,
@@ -44,7 +44,7 @@ pub(crate) enum Mark {
     },
 }
 
-/// How an entry of the legend is drawn.
+/// Symbol of a legend entry.
 pub(crate) enum Key {
     Dot(Shape, &'static str),
     Line(Line),
@@ -55,7 +55,7 @@ pub(crate) enum Key {
 pub(crate) struct Plot {
     pub(crate) width: f64,
     pub(crate) height: f64,
-    /// Room left of the plotting area for tick texts and the axis' name, px.
+    /// Space left of the plotting area for tick labels and the axis name, px.
     pub(crate) left: f64,
     /// Room above it, px.
     pub(crate) head: f64,
@@ -69,7 +69,7 @@ pub(crate) struct Plot {
     notes: Vec<String>,
 }
 
-/// Where the axes lie, px: from left to right, from top to bottom, and where notes begin.
+/// Position of the axes, px: left to right, top to bottom, and the start of the notes.
 struct Field {
     x: [f64; 2],
     y: [f64; 2],
@@ -95,7 +95,7 @@ impl Plot {
         }
     }
 
-    /// Words below the plot, in as many lines as they need; it grows by them.
+    /// Text below the plot, wrapped; the figure grows with it.
     pub(crate) fn note(&mut self, words: impl AsRef<str>) {
         let mut lines: Vec<String> = Vec::new();
         for word in words.as_ref().split_inclusive(' ') {
@@ -116,7 +116,7 @@ impl Plot {
         self.marks.push(Mark::Line { points, line });
     }
 
-    /// A line across the whole plot at x.
+    /// A vertical line across the whole plot at x.
     pub(crate) fn upright(&mut self, x: f64, line: Line) {
         let (from, to) = (self.y.from, self.y.to);
         self.line(vec![[x, from], [x, to]], line);
@@ -173,7 +173,7 @@ impl Plot {
         scene.svg(title)
     }
 
-    /// Where a point of the axes stands, to a tenth of a px.
+    /// Position of a point, to a tenth of a px.
     fn px(&self, [x, y]: [f64; 2], field: &Field) -> Px {
         let [top, bottom] = field.y;
         [self.x.px(x, field.x), self.y.px(y, [bottom, top])].map(tenth)
@@ -270,7 +270,7 @@ impl Plot {
         }
     }
 
-    /// Entries of the legend, row by row, each with where it begins, px.
+    /// Legend entries row by row, each with its left edge, px.
     fn legend_rows(&self) -> Vec<Vec<(usize, f64)>> {
         let mut rows: Vec<Vec<(usize, f64)>> = Vec::new();
         let mut x = f64::INFINITY;
@@ -289,12 +289,12 @@ impl Plot {
     }
 }
 
-/// To a tenth of a px: finer than is seen, and long lines stay short files.
+/// To a tenth of a px: sufficient, and it keeps files small.
 fn tenth(px: f64) -> f64 {
     (px * 10.0).round() / 10.0
 }
 
-/// A marker whose outline lies within its size.
+/// A marker with its outline within its size.
 fn dot(scene: &mut Scene, at: Px, shape: Shape, size: f64, colour: &'static str) {
     let size = match shape {
         Shape::Ring | Shape::Cross | Shape::Bar => size,

@@ -8,14 +8,14 @@ use dolmen::assess::{Known, KnownCapacity, Place};
 use dolmen_words::Language;
 use dolmen_work::portfolio::{Basis, PortfolioAnswer, PortfolioEntry, state_words};
 
-/// Structures that are drawn.
+/// Number of structures drawn.
 const DRAWN_MOST: usize = 30;
 /// Characters of a name.
 const NAME_MOST: usize = 34;
 /// 90 % of a normal variable lie within this many standard deviations.
 const NORMAL_90: f64 = 1.6448536269514722;
 
-/// Median capacities in the state ranked by, and of falls, with 90 % of what is not known.
+/// Median capacities in the state of the ranking, and of falls, with 90 % intervals.
 pub fn ranking(answer: &PortfolioAnswer, language: Language) -> String {
     let drawn: Vec<(&Place, &PortfolioEntry, &KnownCapacity)> = answer.rows().take(DRAWN_MOST).collect();
     let ends = |known: &KnownCapacity| {

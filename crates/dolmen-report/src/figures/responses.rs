@@ -1,4 +1,4 @@
-//! Figures of a record with measured inputs: how each channel follows them, and how much of its motion does.
+//! Figures of a record with measured inputs: the response of each channel, and its coherence with the inputs.
 
 use super::axis::Axis;
 use super::ink::{BLACK, BLUE, Line, ORANGE, PURPLE, SKY, VERMILLION};
@@ -8,19 +8,19 @@ use super::words::{Axes, Titles, say};
 use dolmen::modal::{FrequencyResponse, FrequencyResponses, ModalAnalysis};
 use dolmen_words::Language;
 
-/// Channels drawn; the numbers of all stand in the CSV beside the figure.
+/// Number of channels drawn; the CSV beside the figure has all of them.
 const CHANNELS_DRAWN: usize = 6;
 
-/// Lines at 0 Hz that the mean of a record fills under Hann's window.
+/// Spectral lines at 0 Hz that contain the mean of a record under Hann's window.
 const LINES_OF_MEAN: usize = 2;
 
-/// The figures end so far above the highest mode: beyond, an input that is weak there answers with noise.
+/// The figures extend beyond the highest mode by this factor: above it, a weak input gives only noise.
 const BEYOND_MODES: f64 = 1.5;
 
 /// Colours of the channels: modes are green.
 const COLOURS: [&str; CHANNELS_DRAWN] = [BLUE, VERMILLION, PURPLE, ORANGE, SKY, BLACK];
 
-/// Modulus of the response of each channel to an input over frequency, the modes of the held base marked.
+/// Modulus of the response of each channel to an input over frequency, with the modes of the fixed base.
 pub(crate) fn response_magnitudes(
     analysis: &ModalAnalysis,
     (responses, input): (&FrequencyResponses, usize),
@@ -56,7 +56,7 @@ pub(crate) fn response_coherence(
 
 type Points = Vec<[f64; 2]>;
 
-/// What is drawn of each channel, from the first line that the mean does not fill to somewhat above the highest mode.
+/// The range drawn for each channel: from the first line without the mean to somewhat above the highest mode.
 fn drawn(
     analysis: &ModalAnalysis,
     responses: &FrequencyResponses,

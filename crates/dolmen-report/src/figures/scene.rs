@@ -1,4 +1,4 @@
-//! A small SVG drawing: figures with and without axes are drawn on it. Coordinates in px, y down.
+//! A small SVG drawing for figures with and without axes. Coordinates in px, y down.
 
 use super::ink::{Anchor, FONTS, Label, Line, Shape, TEXT};
 use dolmen_words::printed_label;
@@ -73,7 +73,7 @@ impl Scene {
         );
     }
 
-    /// A line that goes through `pictures` and round again, `period_s` each time; where nothing moves, the first stands.
+    /// An animated line that goes through `pictures` repeatedly, `period_s` each time; without animation the first one is shown.
     pub(crate) fn moving_path(&mut self, pictures: &[Vec<[f64; 2]>], period_s: f64, line: Line) {
         let all: Vec<String> = pictures.iter().map(|points| joined(points)).collect();
         let style = stroke(line);
@@ -152,8 +152,8 @@ impl Scene {
         }
     }
 
-    /// Bars of one colour without outlines, each `[column, row, columns]` on a grid whose cells are `cell` large and whose row 0 ends at
-    /// `corner`, its lower left: rows count upwards.
+    /// Bars of one colour without outlines, each `[column, row, columns]` on a grid with cells of size `cell`; row 0 ends at `corner`,
+    /// its lower left, and rows count upwards.
     pub(crate) fn bars(&mut self, (corner, cell): ([f64; 2], [f64; 2]), bars: &[[usize; 3]], colour: &str) {
         let mut path = String::new();
         for [column, row, columns] in bars {
@@ -172,7 +172,7 @@ impl Scene {
         );
     }
 
-    /// A text whose baseline's middle height stands at `at`.
+    /// A text, vertically centred at `at`.
     pub(crate) fn text(&mut self, at: [f64; 2], label: &Label) {
         let anchor = match label.anchor {
             Anchor::Start => "start",
@@ -229,7 +229,7 @@ fn wrapped(width: f64, height: f64, title: &str, body: &str) -> String {
     )
 }
 
-/// Outline of a marker around its point: two points are a line, more a filled polygon.
+/// Outline of a marker around its point: two points are a line, more are a filled polygon.
 fn marker_strokes(shape: Shape, size: f64) -> Vec<Vec<[f64; 2]>> {
     let s = size;
     match shape {
@@ -251,7 +251,7 @@ fn marker_strokes(shape: Shape, size: f64) -> Vec<Vec<[f64; 2]>> {
     }
 }
 
-/// Subscripts set as such: of k_cr and k_min, and of numbers, whose letters of Unicode are specks in Korean fonts.
+/// Sets subscripts: of k_cr and k_min, and of numbers, because Unicode subscripts are too small in Korean fonts.
 fn with_subscripts(body: &str) -> String {
     let set = |below: &str| {
         format!(
@@ -279,7 +279,7 @@ fn with_subscripts(body: &str) -> String {
     written
 }
 
-/// Text made safe between tags and in attributes.
+/// Escapes text for use between tags and in attributes.
 pub(crate) fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for c in text.chars() {
@@ -289,7 +289,7 @@ pub(crate) fn escaped(text: &str) -> String {
             '>' => safe.push_str("&gt;"),
             '"' => safe.push_str("&quot;"),
             '\'' => safe.push_str("&#39;"),
-            // Letters that XML forbids even when escaped.
+            // characters that XML forbids even when escaped
             c if c.is_control() && !matches!(c, '\n' | '\t') => {}
             c => safe.push(c),
         }
@@ -331,7 +331,7 @@ fn fine(value: f64) -> String {
     format!("{:.6}", if value.is_finite() { value } else { 0.0 })
 }
 
-/// A coordinate with two digits after the point and no zeros behind them; what is not a number stands at 0.
+/// A coordinate with at most two digits after the point; 0 if it is not a number.
 fn short(value: f64) -> String {
     let value = if value.is_finite() { value } else { 0.0 };
     let text = format!("{value:.2}");

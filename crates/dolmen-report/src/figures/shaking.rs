@@ -1,4 +1,4 @@
-//! What the ground does, as named lines in the figures of a stack.
+//! The ground motion as named lines in the figures of a stack.
 
 use super::ink::{BLACK, Line, PURPLE, VERMILLION};
 use super::plot::{Key, Plot};
@@ -7,21 +7,21 @@ use dolmen::assess::demand::SiteDemand;
 use dolmen::assess::demand::{ShakenDirection, StackDemandCheck};
 use dolmen_words::{Language, number};
 
-/// What the ground does, over gravity; what is not known is not drawn.
+/// Levels of ground motion, in units of gravity; unknown ones are not drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shaking {
-    /// Horizontal peak that the site demands.
+    /// Horizontal peak of the site demand.
     pub site: Option<f64>,
-    /// The horizontal peak that would be as hard to bear without vertical shaking as the site's is with it: times the
-    /// capacity without over that with it. `None` where the site has no vertical shaking.
+    /// Horizontal peak without vertical shaking that is equivalent to that of the site with it: multiplied by the
+    /// capacity without over the capacity with vertical shaking. `None` if the site has no vertical shaking.
     pub site_with_vertical: Option<f64>,
-    /// What all modes ask of the weakest joint, as a peak of the ground: the capacity over the ratio by modes.
+    /// Demand of all modes on the weakest joint, as a ground peak: the capacity divided by the ratio of the modal check.
     pub site_by_modes: Option<f64>,
-    /// Horizontal peak of the motion that was run.
+    /// Horizontal peak of the simulated motion.
     pub motion: Option<f64>,
 }
 
-/// A level of shaking, over gravity, with its line and its name.
+/// A level of shaking, in units of gravity, with its line and its name.
 pub(super) struct Level {
     pub(super) peak_g: f64,
     pub(super) line: Line,
@@ -29,7 +29,7 @@ pub(super) struct Level {
 }
 
 impl Level {
-    /// Its name in the legend; below the plot where it lies beyond the end of the axis.
+    /// Its name in the legend; below the plot if it is beyond the end of the axis.
     pub(super) fn named(self, plot: &mut Plot, end_g: f64, language: Language) {
         let words = say(self.words, language);
         match self.peak_g <= end_g {
@@ -40,7 +40,7 @@ impl Level {
 }
 
 impl Shaking {
-    /// Of a site, with a stack against it where that is known.
+    /// The levels of a site, and of the stack's comparison if known.
     pub fn of_site(site: &SiteDemand, stack: Option<&StackDemandCheck>, gravity_m_s2: f64) -> Self {
         let site_g = site.peak_ground_acceleration_m_s2.map(|peak| peak / gravity_m_s2);
         let row = stack.and_then(|stack| {
@@ -68,7 +68,7 @@ impl Shaking {
         }
     }
 
-    /// The peak up to which the ground alone moves a joint, over gravity: the largest of the site's and the motion's.
+    /// The largest known peak of the ground, in units of gravity: of the site or the motion.
     pub(super) fn ground_g(&self) -> Option<f64> {
         let known = [self.site, self.site_with_vertical, self.motion];
         known
@@ -78,7 +78,7 @@ impl Shaking {
             .reduce(f64::max)
     }
 
-    /// Each level that is known, with its line.
+    /// Each known level with its line.
     pub(super) fn levels(&self) -> Vec<Level> {
         let red = Line::new(VERMILLION, 1.8);
         let said = |peak: f64| format!("{}{}g", number::significant(peak, 3), number::NARROW_SPACE);

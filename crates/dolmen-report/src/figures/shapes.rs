@@ -15,18 +15,18 @@ const SWING_PX: f64 = 42.0;
 
 /// One mode to draw.
 pub struct ShapePanel<'a> {
-    /// What stands above the panel: "mode 1".
+    /// The text above the panel: "mode 1".
     pub title: String,
     /// The mode; its displacements belong to `heights_m` of the figure.
     pub mode: &'a NaturalMode,
-    /// Measured points to draw over it, scaled to the computed shape; empty if none were measured.
+    /// Measured points, scaled to the computed shape; empty if none were measured.
     pub measured: &'a [ShapePoint],
 }
 
-/// One panel a mode: the displaced line over the still one, with the frequency. `heights_m` are those of the
-/// displacements, lowest first, m above the ground.
+/// One panel per mode: the displaced line over the line at rest, with the frequency. `heights_m` are the
+/// heights of the displacements, lowest first, m above the ground.
 pub fn mode_shapes(heights_m: &[f64], panels: &[ShapePanel], language: Language) -> String {
-    /// Panels in one row, at most: no row has one alone where they can be shared.
+    /// Largest number of panels in a row; panels are distributed so that no row has only one.
     const ACROSS_MOST: usize = 6;
     let rows = panels.len().div_ceil(ACROSS_MOST).max(1);
     let across = panels.len().div_ceil(rows).max(1);
@@ -109,7 +109,7 @@ pub fn mode_shapes(heights_m: &[f64], panels: &[ShapePanel], language: Language)
     scene.svg(say(Titles::ModeShapesWithFrequencies, language))
 }
 
-/// The factor under which measured points lie closest to the computed shape.
+/// The factor with which measured points are closest to the computed shape.
 fn measured_scale(heights_m: &[f64], panel: &ShapePanel) -> f64 {
     let (mut over, mut under) = (0.0, 0.0);
     for point in panel.measured {
@@ -120,7 +120,7 @@ fn measured_scale(heights_m: &[f64], panel: &ShapePanel) -> f64 {
     if under > 0.0 { over / under } else { 0.0 }
 }
 
-/// Displacement at a height, straight between the levels and 0 at the ground.
+/// Displacement at a height, linear between the levels and 0 at the ground.
 fn interpolated(heights_m: &[f64], displacement: &[f64], at_m: f64) -> f64 {
     let (mut low, mut from) = (0.0, 0.0);
     for (&high, &to) in heights_m.iter().zip(displacement) {

@@ -1,13 +1,13 @@
-//! Elevations beside each other on one sheet: scale, ground, outlines, names.
+//! Elevations side by side on one sheet: scale, ground, outlines, names.
 
 use super::elevation::{Elevation, PartOutline};
 use super::ink::{Anchor, BLACK, GREY, LIGHT, Label, Line, STONE, WHITE, text_width};
 use super::scene::Scene;
 
-/// Size of a drawn structure at most, px.
+/// Largest size of a drawn structure, px.
 const HEIGHT_PX: f64 = 430.0;
 const WIDTH_PX: f64 = 260.0;
-/// Above it, for heads and what leans out.
+/// Space above it, for headings and leaning parts.
 const TOP_PX: f64 = 46.0;
 /// Left of the first view, for dimensions.
 pub(super) const LEFT_PX: f64 = 124.0;
@@ -27,7 +27,7 @@ pub(super) struct View {
 }
 
 impl View {
-    /// A place across and up on the sheet.
+    /// Converts a position across and up to the sheet.
     pub(super) fn px(&self, at: [f64; 2]) -> [f64; 2] {
         [
             self.origin_px[0] + (at[0] - self.origin_m[0]) * self.scale,
@@ -44,11 +44,10 @@ impl View {
 pub(super) struct Sheet {
     pub(super) views: Vec<View>,
     pub(super) width_px: f64,
-    /// The ground, px.
     pub(super) ground_px: f64,
 }
 
-/// The views with room for names behind the first; `None` where there is nothing to draw.
+/// The views with space for names after the first; `None` if there is nothing to draw.
 pub(super) fn sheet(elevations: Vec<Elevation>) -> Option<Sheet> {
     let bounds: Vec<[[f64; 2]; 2]> = elevations.iter().map(Elevation::bounds).collect();
     let height = bounds
@@ -113,7 +112,7 @@ pub(super) fn put_outlines(scene: &mut Scene, view: &View, ground_px: f64) {
     }
 }
 
-/// The names of all parts at the right of a view, each with a line to its part; where they do not all fit, every second, third…
+/// The names of all parts to the right of a view, each with a line to its part; if they do not all fit, every second, third…
 pub(super) fn put_names(scene: &mut Scene, view: &View, ground_px: f64) {
     let mut parts: Vec<&PartOutline> = view.elevation.parts.iter().collect();
     parts.sort_by(|a, b| b.middle()[1].total_cmp(&a.middle()[1]));
@@ -130,7 +129,7 @@ pub(super) fn put_names(scene: &mut Scene, view: &View, ground_px: f64) {
     }
 }
 
-/// Places from the top down that keep their distance and end above `bottom`, near those wanted.
+/// Positions from the top down with a minimum distance, ending above `bottom`, near the wanted ones.
 fn spread(wanted: &[f64], distance: f64, bottom: f64) -> Vec<f64> {
     let mut places = wanted.to_vec();
     for at in 1..places.len() {

@@ -1,14 +1,14 @@
-//! Posts beside a pole, as its elevations draw them.
+//! Posts beside a pole in its elevations.
 
-/// Thickness of a post, least clearance beside the pole, and how far it stands above the highest support, as shares of the height of the whole.
-/// Chosen here: the file gives none of them.
+/// Thickness of a post, smallest clearance beside the pole, and height of the post above the highest support, as fractions of the total
+/// height. Our choice: the file gives none of them.
 const THICKNESS: f64 = 0.035;
 const CLEARANCE: f64 = 0.012;
 const HEAD: f64 = 0.02;
-/// A gap is drawn as this share of the clearance. Chosen here: true gaps are too small to be seen.
+/// A gap is drawn as this fraction of the clearance. Our choice: true gaps are too small to see.
 const GAP_SHARE: f64 = 0.5;
 
-/// A side support as it is drawn.
+/// A side support for drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct DrawnSupport {
     /// Above the ground, m.
@@ -17,16 +17,16 @@ pub(super) struct DrawnSupport {
     pub(super) is_tight: bool,
 }
 
-/// Posts and what holds the pole, m: across, up.
+/// Posts and supports of the pole, m: across, up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct SidePosts {
-    /// Left and right, corners in order.
+    /// Left and right post, corners in order.
     pub(super) posts: Vec<Vec<[f64; 2]>>,
-    /// From the post towards the pole: up to it where it is tight.
+    /// From the post towards the pole, reaching it if tight.
     pub(super) wedges: Vec<[[f64; 2]; 2]>,
 }
 
-/// Posts on both sides of a pole up to its highest support; `half_width_m` is that of the pole at a height.
+/// Posts on both sides of a pole up to its highest support; `half_width_m` gives that of the pole at a height.
 pub(super) fn side_posts(
     supports: &[DrawnSupport],
     half_width_m: &dyn Fn(f64) -> f64,
@@ -40,7 +40,7 @@ pub(super) fn side_posts(
         return SidePosts::default();
     }
     let top = top + HEAD * height_m;
-    const STEPS: u32 = 64; // along the pole: links step back
+    const STEPS: u32 = 64; // points along the pole, whose links have steps
     let widest = (0..=STEPS).map(|step| half_width_m(top * f64::from(step) / f64::from(STEPS)));
     let inner = widest.fold(0.0, f64::max) + CLEARANCE * height_m;
     let outer = inner + THICKNESS * height_m;

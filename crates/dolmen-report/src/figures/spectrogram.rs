@@ -1,4 +1,4 @@
-//! The spectrogram of a channel as cells of colour, the modes found as lines across it.
+//! The spectrogram of a channel as coloured cells, with the identified modes as lines.
 
 use super::axis::Axis;
 use super::channels::unit_of;
@@ -11,22 +11,22 @@ use dolmen::signal::SpectrumAt;
 use dolmen_words::Language;
 use dolmen_work::record_seen::{RecordSeen, SpectrogramSeen};
 
-/// The plotting area and what stands around it, px.
+/// The plotting area and the space around it, px.
 const LEFT_PX: f64 = 64.0;
 const RIGHT_PX: f64 = 112.0;
 const TOP_PX: f64 = 14.0;
 const HEIGHT_PX: f64 = 290.0;
 const BELOW_PX: f64 = 48.0;
-/// Colours over the range of densities.
+/// Number of colours for the range of densities.
 const LEVELS: usize = 16;
-/// Densities this far below the largest and less have one colour, dB.
+/// Densities at least this far below the largest have the same colour, dB.
 const DEPTH_DB: f64 = 60.0;
-/// Of all densities, this share may lie below the first colour.
+/// Share of all densities that may be below the first colour.
 const BELOW_SHARE: f64 = 0.02;
-/// Numbers of neighbouring modes stand side by side where they are closer than this, px.
+/// Numbers of neighbouring modes closer than this stand side by side, px.
 const NUMBER_PX: f64 = 11.0;
 
-/// From light to dark in even steps of lightness, so that grey print keeps their order: YlGnBu of Brewer (2003).
+/// From light to dark in even steps of lightness, so that grey print keeps the order: YlGnBu of Brewer (2003).
 const COLOURS: [[f64; 3]; 9] = [
     [255.0, 255.0, 217.0],
     [237.0, 248.0, 177.0],
@@ -48,7 +48,7 @@ fn colour(level: usize) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
-/// Densities as drawn: what is drawn is [`LEVELS`] steps from `low_db` to `high_db`.
+/// Range of drawn densities: [`LEVELS`] steps from `low_db` to `high_db`.
 struct Range {
     low_db: f64,
     high_db: f64,
@@ -85,7 +85,7 @@ fn decibels(density: f64) -> f64 {
     10.0 * density.log10()
 }
 
-/// Cells of colour over time and frequency, and the modes found.
+/// Coloured cells over time and frequency, and the identified modes.
 pub(crate) fn spectrogram(
     seen: &RecordSeen,
     drawn: &SpectrogramSeen,
@@ -109,7 +109,7 @@ pub(crate) fn spectrogram(
         .take_while(|hz| **hz <= drawn.end_hz)
         .count();
     let range = Range::of(&of.columns, lines);
-    // the cells of line 0 reach half a line below 0 Hz and begin half a hop before the middle of the first segment
+    // the cells of line 0 extend half a line below 0 Hz, and begin half a hop before the middle of the first segment
     let corner = [
         x(from_s + of.first_s - 0.5 * of.hop_s),
         y(-0.5 * of.resolution_hz),
@@ -123,7 +123,7 @@ pub(crate) fn spectrogram(
             scene.bars((corner, cell), bars, &colour(level));
         }
     }
-    // what reaches beyond the frame
+    // covers cells beyond the frame
     let white = |scene: &mut Scene, top: f64, end: f64| {
         let corners = [[0.0, top], [WIDTH_PX, top], [WIDTH_PX, end], [0.0, end]];
         scene.polygon(&corners, "#ffffff", Line::new("#ffffff", 0.0));
@@ -173,7 +173,7 @@ pub(crate) fn spectrogram(
     scene.svg(say(Titles::SpectrogramOf { channel }, language))
 }
 
-/// Cells of each level, those of one colour beside each other in one bar: first segment, line, segments.
+/// Cells of each level, with adjacent cells of one colour joined to bars: first segment, line, segments.
 fn bars(columns: &[SpectrumAt], lines: usize, range: &Range) -> Vec<Vec<[usize; 3]>> {
     let mut all = vec![Vec::new(); LEVELS];
     for line in 0..lines {

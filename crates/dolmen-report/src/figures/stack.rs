@@ -1,4 +1,4 @@
-//! The stack as a picture: as drawn, and after a simulated motion with its joints coloured by what they did.
+//! The stack as a picture: as drawn, and after a simulated motion with its joints coloured by their motion.
 
 use super::ink::{Anchor, BLUE, GREY, Label, Line, ORANGE, TEXT, VERMILLION};
 use super::scene::Scene;
@@ -10,24 +10,24 @@ use dolmen_words::Language;
 use dolmen_words::number;
 use dolmen_work::stack::StackSimulation;
 
-/// Width and height of the room for one view of a stack, px.
+/// Width and height of the area for one view of a stack, px.
 const VIEW_PX: [f64; 2] = [270.0, 420.0];
 /// Room for the heads above the views, px.
 const TOP_PX: f64 = 34.0;
 /// Width of a column of names, px.
 const NAMES_PX: f64 = 128.0;
-/// Rows of names are at least so far apart, px.
+/// Smallest distance between rows of names, px.
 const ROW_PX: f64 = 16.5;
-/// Where the first names, and the first numbers of joints may stand, px.
+/// First position of names, and of joint numbers, px.
 const FIRST_NAME_PX: f64 = 16.0;
 const FIRST_JOINT_PX: f64 = 34.0;
-/// Stacks of more blocks or joints are drawn without names: they would not be read.
+/// Stacks with more blocks or joints are drawn without names, which would be illegible.
 const NAMED_MOST: usize = 25;
-/// Residual displacements are drawn so many times larger that the largest is this part of the height. Chosen here.
+/// Residual displacements are enlarged so that the largest is this fraction of the height. Our choice.
 const SHOWN_SHARE: f64 = 0.06;
-/// Below this nothing is enlarged: the rounding of the run. m.
+/// Displacements below this are not enlarged: rounding of the run. m.
 const MOVED_LEAST_M: f64 = 1e-7;
-/// Slip or opening from which a joint has the second, third, fourth colour, m. Chosen here: what survey methods see.
+/// Slip or opening from which a joint has the second, third, fourth colour, m. Our choice: the resolution of survey methods.
 const CLASSES_M: [f64; 3] = [1e-4, 1e-3, 1e-2];
 /// And their colours.
 const COLOURS: [&str; 4] = ["#9aa0a6", BLUE, ORANGE, VERMILLION];
@@ -37,7 +37,7 @@ const COLOURS: [&str; 4] = ["#9aa0a6", BLUE, ORANGE, VERMILLION];
 struct Frame {
     camera: Camera,
     scale: f64,
-    /// Where the middle of the bottom of what is drawn stands, px and m.
+    /// Position of the bottom centre of the drawing, px and m.
     foot: [f64; 2],
     middle_m: [f64; 2],
 }
@@ -55,7 +55,7 @@ impl Frame {
     }
 }
 
-/// A patch of ground around what stands on it.
+/// A patch of ground around the stack.
 fn ground(stack: &Stack) -> [[f64; 3]; 4] {
     let feet = stack.joints().iter().filter(|joint| joint.lower == Body::Ground);
     let [low, high] = bounds(feet.flat_map(corners).map(|at| [at[0], at[1]]));
@@ -76,7 +76,7 @@ fn corners(joint: &Joint) -> Vec<[f64; 3]> {
     joint.patch.corners_m.iter().map(at).collect()
 }
 
-/// Corners of a joint's patch where the body below it is now.
+/// Corners of a joint's patch with the body below it at its present position.
 fn corners_now(joint: &Joint, blocks: &[Placed]) -> Vec<[f64; 3]> {
     let drawn = corners(joint);
     match joint.lower {
@@ -85,7 +85,7 @@ fn corners_now(joint: &Joint, blocks: &[Placed]) -> Vec<[f64; 3]> {
     }
 }
 
-/// One view: ground, blocks from far to near, joints along the edges that face the eye.
+/// One view: ground, blocks from far to near, joints along the edges towards the eye.
 fn view(scene: &mut Scene, stack: &Stack, blocks: &[Placed], colours: &[&'static str], frame: &Frame) {
     let patch = ground(stack).map(|at| frame.of(at));
     scene.polygon(&patch, "#e9ece4", Line::new("#b9c0b0", 0.8));
@@ -124,7 +124,7 @@ fn stone(light: f64) -> String {
     format!("#{:02x}{:02x}{:02x}", part(0), part(1), part(2))
 }
 
-/// Bounds of all that is drawn, m in the picture.
+/// Bounds of the drawing, m in the picture.
 fn extent(stack: &Stack, all: &[&[Placed]], camera: &Camera) -> [[f64; 2]; 2] {
     let corners = all
         .iter()
@@ -133,7 +133,7 @@ fn extent(stack: &Stack, all: &[&[Placed]], camera: &Camera) -> [[f64; 2]; 2] {
     bounds(corners.copied().chain(ground(stack)).map(|at| camera.flat(at)))
 }
 
-/// The frame that fits these bounds into the view whose upper left corner is at `corner`.
+/// The frame that fits these bounds into the view with its upper left corner at `corner`.
 fn frame(extent: [[f64; 2]; 2], corner: [f64; 2], camera: Camera) -> Frame {
     let [low, high] = extent;
     let size = [high[0] - low[0], high[1] - low[1]];
@@ -146,7 +146,7 @@ fn frame(extent: [[f64; 2]; 2], corner: [f64; 2], camera: Camera) -> Frame {
     }
 }
 
-/// Heights for rows that want to be at these heights, in their order from above, no two closer than a row.
+/// Heights for rows near the wanted heights, in order from above, no two closer than a row.
 fn spread(wanted: &[f64], least: f64, most: f64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..wanted.len()).collect();
     order.sort_by(|&a, &b| wanted[a].total_cmp(&wanted[b]));
@@ -164,12 +164,12 @@ fn spread(wanted: &[f64], least: f64, most: f64) -> Vec<f64> {
     places
 }
 
-/// How many of so many the figure names.
+/// Number of names in the figure.
 fn named(count: usize) -> usize {
     if count > NAMED_MOST { 0 } else { count }
 }
 
-/// Where the last of so many rows may stand: beside the foot of the view, or below it if they need more room.
+/// Position of the last row: beside the foot of the view, or below it if needed.
 fn last_row(rows: usize, first: f64, foot: f64) -> f64 {
     (foot + 10.0).max(first + ROW_PX * rows.saturating_sub(1) as f64)
 }
@@ -243,7 +243,7 @@ fn axes(scene: &mut Scene, at: [f64; 2], camera: &Camera) {
     }
 }
 
-/// A stack as it stands in its file, seen from the right, the front and above, with the names of its blocks.
+/// A stack as in its file, seen from the right, the front and above, with the names of its blocks.
 pub fn stack_view(stack: &Stack, language: Language) -> String {
     let camera = Camera::new();
     let blocks = placed(stack, None);
@@ -269,7 +269,7 @@ pub fn stack_view(stack: &Stack, language: Language) -> String {
     scene.svg(say(Titles::TheStack, language))
 }
 
-/// A round factor by which to enlarge residual displacements; `None` where there are none, or they are large as they are.
+/// A round factor to enlarge residual displacements; `None` if there are none, or if they are already large.
 fn enlarged(simulation: &StackSimulation, rest: &[Placed], end: &[Placed]) -> Option<f64> {
     let pairs = rest
         .iter()
@@ -295,8 +295,8 @@ fn class(joint: &JointHistory) -> usize {
     CLASSES_M.iter().filter(|least| most >= **least).count()
 }
 
-/// A stack at the end of a simulation, at true scale and beside it with its displacements enlarged so many times as the figure says;
-/// joints coloured by the larger of their peak opening and slip, which stand beside them.
+/// A stack at the end of a simulation, at true scale and beside it with its displacements enlarged by a stated factor; joints
+/// coloured by the larger of their peak opening and slip, which are listed beside them.
 pub fn stack_after(simulation: &StackSimulation, language: Language) -> String {
     let (stack, history) = (&simulation.stack, &simulation.history);
     let camera = Camera::new();
@@ -422,7 +422,7 @@ fn millimetres(value_m: f64) -> String {
     }
 }
 
-/// What the colours of joints mean.
+/// The meaning of the joint colours.
 fn legend(scene: &mut Scene, at: [f64; 2], language: Language) {
     let head = say(Signs::LargerOfBoth, language);
     let label = Label::new(head, Anchor::Start).small();

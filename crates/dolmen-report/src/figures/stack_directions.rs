@@ -1,4 +1,4 @@
-//! At what acceleration a stack begins to move, by direction.
+//! Acceleration at which a stack begins to move, by direction.
 
 use super::axis::Axis;
 use super::ink::{BLUE, GREEN, Line, ORANGE, Shape};
@@ -17,7 +17,7 @@ fn unit(k: usize) -> [f64; 2] {
     [angle.cos(), angle.sin()]
 }
 
-/// First uplift in each direction of the plan, g; none where some direction has none.
+/// First uplift in each direction of the plan, g; empty if some direction has none.
 pub(super) fn uplift_g(limits: &StackLimitStates, gravity_m_s2: f64) -> Option<Vec<f64>> {
     let least = |k: usize| {
         let each = limits
@@ -30,9 +30,8 @@ pub(super) fn uplift_g(limits: &StackLimitStates, gravity_m_s2: f64) -> Option<V
     (0..DIRECTIONS).map(least).collect()
 }
 
-/// Limits by direction: the acceleration of the part's inertia at which some joint opens, in every direction of the plan, and at
-/// which one slides where that is soonest. `shaking` is what the ground does. Nothing where equilibrium alone does not
-/// give the forces, or it does not stand.
+/// Limits by direction: the acceleration at which some joint opens, in every direction of the plan, and the lowest one at which a joint slides.
+/// `shaking` is the ground motion. `None` if equilibrium alone does not determine the forces, or if the stack does not stand.
 ///
 /// # Limits
 /// Sliding is drawn as a circle of its least acceleration: on level joints it is the same in all directions.

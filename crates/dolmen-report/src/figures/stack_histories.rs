@@ -1,4 +1,4 @@
-//! Histories of a simulated motion: what the ground did, where the top went, what each joint did.
+//! Histories of a simulated motion: the ground, the top, and each joint.
 
 use super::Figure;
 use super::history_series::history_series;
@@ -9,7 +9,7 @@ use dolmen::signal::Component;
 use dolmen_words::Language;
 use dolmen_work::stack::StackSimulation;
 
-/// Joints drawn in one plot: those that did most. More lines are not told apart.
+/// Largest number of joints in one plot: those with the largest values. More lines cannot be distinguished.
 const JOINTS_MOST: usize = 5;
 
 /// A figure of a simulated stack over time.
@@ -23,7 +23,7 @@ pub(crate) enum StackPlot {
 }
 
 impl StackPlot {
-    /// All, in the order in which they are shown.
+    /// All figures, in order.
     pub(crate) const ALL: [Self; 5] = [Self::Ground, Self::Top, Self::Opening, Self::Slip, Self::Yaw];
 
     fn name(self) -> &'static str {
@@ -129,7 +129,7 @@ fn top_series(simulation: &StackSimulation) -> Vec<Series> {
     .collect()
 }
 
-/// The joints of which a value was largest, largest first.
+/// The joints with the largest values, largest first.
 fn joint_series(
     simulation: &StackSimulation,
     language: Language,

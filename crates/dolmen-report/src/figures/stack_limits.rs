@@ -1,4 +1,4 @@
-//! Limits of the joints of a stack: which governs, and capacity against what the ground does.
+//! Limits of the joints of a stack: which one governs, and capacity compared with the ground motion.
 
 use super::axis::Axis;
 use super::ink::{Anchor, BLUE, GREEN, GREY, Label, Line, ORANGE, Shape, VERMILLION};
@@ -8,9 +8,9 @@ use super::words::{Axes, Signs, Titles, say};
 use dolmen::stability::stack::{CutLimits, StackLimitStates, Threshold};
 use dolmen_words::Language;
 
-/// Width and height of the plotting area, px, about: for names that would lie on each other.
+/// Approximate width and height of the plotting area, px, to keep names apart.
 const AREA_PX: f64 = 550.0;
-/// What is free beside the plot on its right.
+/// Space to the right of the plot.
 const RIGHT_PX: f64 = 12.0;
 const TALL_PX: f64 = 285.0;
 /// As many names and more are one name and a number.
@@ -22,7 +22,7 @@ fn finite(threshold: Option<Threshold>) -> Option<f64> {
     threshold.map(|t| t.acceleration_g).filter(|g| g.is_finite())
 }
 
-/// What a joint is called: by what is below it.
+/// Name of a joint: that of the part below it.
 pub(crate) fn above_words(above: &str, language: Language) -> String {
     let name = above.replace('\'', "");
     let all: Vec<&str> = name.split(", ").collect();
@@ -36,9 +36,9 @@ pub(crate) fn above_words(above: &str, language: Language) -> String {
     }
 }
 
-/// Which acceleration moves what stands on each joint, after Fig. 10 of the paper: on the slope a/g = B/H it rocks, on the
-/// level a/g = μ it slides. B/H is tan α: from the centroid of what stands on the joint the way to the nearer edge over the
-/// height. `shaking` is what the ground does.
+/// Acceleration that moves the part above each joint, after Fig. 10 of the paper: on the slope a/g = B/H it rocks, on the horizontal line a/g = μ
+/// it slides. B/H is tan α: the distance from the centroid of the part to the nearer edge, divided by its height above the joint.
+/// `shaking` is the ground motion.
 ///
 /// # Source
 /// Kim, N., Koo, I. Y. & Hong, S. G. (2018), Fig. 10.
@@ -76,7 +76,7 @@ pub fn stack_governing(limits: &StackLimitStates, shaking: &Shaking, language: L
         let (at, shape, colour, shift) = if rock <= slide {
             ([*rock, *rock], Shape::Circle, BLUE, 12.0 + 0.5 * label.width())
         } else {
-            // at the right end the name keeps inside
+            // at the right end the name stays inside
             let room = (most - rock.min(most)) * AREA_PX / most;
             let shift = (room + RIGHT_PX - 0.5 * label.width()).min(0.0);
             ([rock.min(most), *slide], Shape::Diamond, ORANGE, shift)

@@ -1,4 +1,4 @@
-//! A stack in the plane of what pushes it: its stones, the forces on them, and where its joints turn.
+//! A stack in the plane of its loads: its stones, the forces on them, and the pivots of its joints.
 
 use super::elevation::hull;
 use super::ink::{Anchor, BLUE, Label, Line, STONE, TEXT, VERMILLION};
@@ -13,7 +13,7 @@ use dolmen_words::{Language, messages, number};
 const ROOM_PX: [f64; 2] = [420.0, 420.0];
 /// Margin around it, px.
 const MARGIN_PX: f64 = 26.0;
-/// Room beside it for arrows, px; the longest is as long.
+/// Space beside it for arrows, px; the longest has this length.
 const ARROWS_PX: f64 = 90.0;
 /// Room below it for words, px.
 const FOOT_PX: f64 = 60.0;
@@ -34,7 +34,7 @@ messages! {
     }
 }
 
-/// An arrow: where it acts, its force in the plane of the figure, its colour.
+/// An arrow: its point of action, its force in the plane of the figure, its colour.
 struct Arrow {
     at: [f64; 2],
     force: [f64; 2],
@@ -91,7 +91,7 @@ pub(crate) fn stack_pushed(stack: &Stack, under: &StackUnderLoads, language: Lan
     scene.svg(say(Shown::Title, language))
 }
 
-/// A unit vector in plan along the largest horizontal load; along x where all are vertical.
+/// A unit vector in plan along the largest horizontal load; along x if all are vertical.
 fn plane_of_loads(stack: &Stack) -> [f64; 2] {
     let horizontal = |force: [f64; 3]| force[0].hypot(force[1]);
     let loads = stack.static_loads().iter().map(|load| load.force_n);
@@ -102,7 +102,7 @@ fn plane_of_loads(stack: &Stack) -> [f64; 2] {
     }
 }
 
-/// An arrow that ends where its force acts.
+/// An arrow that ends at the point of action.
 fn arrow(scene: &mut Scene, end: [f64; 2], of: &Arrow, px_per_n: f64) {
     let along = [of.force[0] * px_per_n, -of.force[1] * px_per_n];
     let length = along[0].hypot(along[1]);

@@ -1,4 +1,4 @@
-//! A stack seen from the side and above: blocks in painter's order, shaded, joints coloured by what they did.
+//! A stack seen from the side and above: blocks in painter's order, shaded, joints coloured by their motion.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -10,11 +10,11 @@ use dolmen::structure::stack::Stack;
 
 type Vec3 = [f64; 3];
 
-/// The eye stands to the right of the y axis by this, rad: both faces of a square stone show, the front more. Chosen here.
+/// Azimuth of the eye to the right of the y axis, rad: both faces of a square stone are visible, the front more. Our choice.
 const AZIMUTH_RAD: f64 = 0.60;
-/// And above the horizon by this, rad: tops show, and roofs hide little of the joints below them. Chosen here.
+/// Elevation of the eye above the horizon, rad: tops are visible, and roofs hide little of the joints below them. Our choice.
 const ELEVATION_RAD: f64 = 0.30;
-/// Light comes from the upper left, from behind the eye: tops are brightest. Chosen here.
+/// Light comes from the upper left, from behind the eye: tops are brightest. Our choice.
 const LIGHT: Vec3 = [-0.42, -0.45, 0.80];
 
 fn dot(a: Vec3, b: Vec3) -> f64 {
@@ -33,7 +33,7 @@ fn cross(a: Vec3, b: Vec3) -> Vec3 {
     ]
 }
 
-/// An orthogonal projection: parallel lines stay parallel, lengths along the picture keep one scale.
+/// An orthogonal projection.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Camera {
     toward: Vec3,
@@ -57,7 +57,7 @@ impl Camera {
     }
 }
 
-/// A block where it is to be drawn.
+/// A block at its drawn position.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
     pub(super) corners: Vec<Vec3>,
@@ -68,7 +68,7 @@ pub(super) struct Placed {
     turn: Vec3,
 }
 
-/// A displacement to be drawn: how far a block went from one pose to another, so many times.
+/// A displacement to draw: from one pose of a block to another, times a factor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DrawnDisplacement<'a> {
     pub(super) rest: &'a [Pose],
@@ -76,7 +76,7 @@ pub(super) struct DrawnDisplacement<'a> {
     pub(super) times: f64,
 }
 
-/// The blocks of a stack as drawn, or moved.
+/// The blocks of a stack as drawn, or displaced.
 pub(super) fn placed(stack: &Stack, moved: Option<DrawnDisplacement<'_>>) -> Vec<Placed> {
     let each = stack.blocks().iter().enumerate();
     each.map(|(number, block)| {
@@ -127,7 +127,7 @@ fn normal(corners: &[Vec3], face: &[usize]) -> Vec3 {
     sum.map(|part| part / length)
 }
 
-/// The turn from one rotation to another as axis × angle, rad; quaternions with the scalar first.
+/// The rotation between two orientations as axis × angle, rad; quaternions with the scalar first.
 fn rotation_vector(from: [f64; 4], to: [f64; 4]) -> Vec3 {
     // q = to · from⁻¹
     let [a, b, c, d] = to;
@@ -147,7 +147,7 @@ fn rotation_vector(from: [f64; 4], to: [f64; 4]) -> Vec3 {
     vector.map(|part| sign * part * angle / sine)
 }
 
-/// Rodrigues: a vector turned by axis × angle.
+/// Rodrigues' formula: a vector rotated by axis × angle.
 fn turned(v: Vec3, turn: Vec3) -> Vec3 {
     let angle = dot(turn, turn).sqrt();
     if angle < 1e-300 {
@@ -160,13 +160,13 @@ fn turned(v: Vec3, turn: Vec3) -> Vec3 {
 }
 
 impl Placed {
-    /// Where a point of the block as drawn is now, m.
+    /// Present position of a point of the block as drawn, m.
     pub(super) fn now(&self, drawn: Vec3) -> Vec3 {
         let arm = turned(minus(drawn, self.drawn_centre), self.turn);
         std::array::from_fn(|axis| self.centre[axis] + arm[axis])
     }
 
-    /// Faces that look at the eye: outlines in the picture, m, each with its brightness 0 to 1.
+    /// Faces towards the eye: outlines in the picture, m, each with its brightness 0 to 1.
     pub(super) fn seen(&self, camera: &Camera) -> Vec<(Vec<[f64; 2]>, f64)> {
         let faces = self.faces.iter().zip(&self.normals);
         let seen = faces.filter(|(_, normal)| dot(**normal, camera.toward) > 1e-9);
@@ -185,7 +185,7 @@ impl Placed {
     }
 }
 
-/// Least and most of points of the plane.
+/// Smallest and largest coordinates of points in the plane.
 pub(super) fn bounds(points: impl Iterator<Item = [f64; 2]>) -> [[f64; 2]; 2] {
     let mut found = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
     for point in points {
@@ -197,7 +197,7 @@ pub(super) fn bounds(points: impl Iterator<Item = [f64; 2]>) -> [[f64; 2]; 2] {
     found
 }
 
-/// Which of two convex bodies hides the other: the face of either that parts them best decides. `Less` if `a` is behind.
+/// Which of two convex bodies hides the other, decided by the face of either that separates them best. `Less` if `a` is behind.
 fn behind(a: &Placed, b: &Placed, camera: &Camera) -> std::cmp::Ordering {
     let gap = |of: &Placed, other: &Placed| -> Option<(f64, Vec3)> {
         let each = of.faces.iter().zip(&of.normals).map(|(face, normal)| {
@@ -226,8 +226,7 @@ fn behind(a: &Placed, b: &Placed, camera: &Camera) -> std::cmp::Ordering {
     }
 }
 
-/// Order in which to paint the blocks, farthest first. Where three hide each other in a ring, the one whose centre is farthest
-/// begins.
+/// Painting order of the blocks, farthest first. If blocks hide each other in a cycle, the one with the farthest centre begins.
 pub(super) fn painted(blocks: &[Placed], camera: &Camera) -> Vec<usize> {
     let boxes: Vec<[[f64; 2]; 2]> = blocks.iter().map(|block| block.bounds(camera)).collect();
     let count = blocks.len();

@@ -1,4 +1,4 @@
-//! What a storey of a frame resists with against its drift, and what pushes it.
+//! Resistance of a storey against its drift, and its load.
 
 use super::axis::Axis;
 use super::free_columns::cut_above;
@@ -11,10 +11,10 @@ use dolmen_work::loads::LoadedStorey;
 /// Millimetres in a metre; newtons in a kilonewton.
 const MILLI: f64 = 1e3;
 const KILO: f64 = 1e3;
-/// How many times what pushes the storey the page reaches: beyond it the curve would leave the load flat on the axis. Chosen here.
+/// Largest force in the figure relative to the load: beyond it the load would lie flat on the axis. Our choice.
 const PUSH_MOST: f64 = 4.0;
 
-/// Its curve, the level of what pushes it, and where they meet.
+/// Its curve, the level of the load, and their intersection.
 pub fn storey_pushed(storey: &LoadedStorey, language: Language) -> String {
     let under = &storey.under;
     let lean_kn = under.lean_at_rest.map_or(0.0, |_| leaning_n(storey) / KILO);
@@ -62,7 +62,7 @@ pub fn storey_pushed(storey: &LoadedStorey, language: Language) -> String {
     plot.svg(say(Titles::ForceOfStorey, language))
 }
 
-/// What the weight pushes with by the lean, N.
+/// Force of the weight due to the lean, N.
 fn leaning_n(storey: &LoadedStorey) -> f64 {
     storey.under.axial_n * storey.tilt
 }

@@ -1,4 +1,4 @@
-//! Figures of a study: capacity against each input, and what fell and what survived at which shaking.
+//! Figures of a study: capacity against each input, and falls and survivals against shaking.
 
 use super::Figure;
 use super::axis::Axis;
@@ -13,9 +13,9 @@ use dolmen_words::Language;
 use dolmen_work::study::{LevelRow, RunOutcome, StudyAnswer, StudyKind, input_words};
 use std::collections::BTreeMap;
 
-/// Room left for the texts of a level on its axis, px.
+/// Space for the texts of a level on its axis, px.
 const LEVEL_PX: f64 = 110.0;
-/// Part of the way to the next level that dots of one level spread over.
+/// Spread of the dots of one level, as a fraction of the distance to the next.
 const SPREAD: f64 = 0.24;
 
 /// The figures of a study.
@@ -24,7 +24,7 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
     drawings.map(|drawing| drawing.figure).collect()
 }
 
-/// The same with what each shows.
+/// The same with the content of each.
 pub(crate) fn study_drawings(answer: &StudyAnswer, language: Language) -> Vec<StudyDrawing> {
     let mut figures = Vec::new();
     let mut add = |shows, name: String, svg: String| figures.push(StudyDrawing::new(shows, name, svg));
@@ -64,7 +64,7 @@ pub(crate) fn study_drawings(answer: &StudyAnswer, language: Language) -> Vec<St
     figures
 }
 
-/// Says below the plot how it was computed.
+/// Adds the method below the plot.
 fn explain(plot: &mut Plot, answer: &StudyAnswer, language: Language) {
     plot.note(answer.method(language));
     for note in &answer.notes {
@@ -86,11 +86,11 @@ fn largest_g(answer: &StudyAnswer) -> f64 {
     peaks.filter(|peak| peak.is_finite()).fold(0.0, f64::max) / answer.gravity_m_s2
 }
 
-/// Where the levels of an input stand: numbers at their values, words side by side.
+/// Positions of the levels of an input: numbers at their values, words evenly spaced.
 struct Levels {
     axis: Axis,
     places: Vec<f64>,
-    /// Room of one level along the axis.
+    /// Space of one level along the axis.
     step: f64,
 }
 
@@ -104,7 +104,7 @@ impl Levels {
     }
 
     fn at_values(values: Vec<f64>, label: &str) -> Self {
-        /// Levels that lie closer than this part of the span would be too thin to see.
+        /// Levels closer than this fraction of the span would be too thin.
         const STEP_LEAST: f64 = 0.04;
         let mut sorted = values.clone();
         sorted.sort_by(f64::total_cmp);
@@ -129,7 +129,7 @@ impl Levels {
     }
 
     fn side_by_side(rows: &[LevelRow], label: &str, language: Language) -> Self {
-        /// Characters of a level on its axis.
+        /// Largest number of characters of a level on its axis.
         const SHOWN_MOST: usize = 16;
         let shown = |text: &str| {
             let text = text.trim_matches('"');
@@ -156,7 +156,7 @@ fn wide(rows: &[LevelRow]) -> [f64; 2] {
     [SIZE_PX[0].max(LEVEL_PX * rows.len() as f64), SIZE_PX[1]]
 }
 
-/// First falls at each level: every scan a dot, median and 5 to 95 %.
+/// First falls at each level: one dot per scan, median and 5 to 95 %.
 fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Language) -> String {
     let largest = largest_g(answer);
     let y_name = match answer.kind {
@@ -197,7 +197,7 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
                 }
             }
         }
-        // what is known of a scan that cannot be used: that its capacity lies somewhere here
+        // an unusable scan: its capacity is somewhere in this range
         for (k, scan) in row.left_out().enumerate() {
             let x = place + spread(usable.len() + k);
             let high = scan.fell_m_s2().map_or(1.06 * largest, |fell| fell / g);
@@ -241,7 +241,7 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
     plot.svg(say(Titles::CapacityAgainstAnInput, language))
 }
 
-/// Every run: what fell and what survived, at which peak, by level.
+/// Falls and survivals of all runs, by peak and level.
 fn survived(
     answer: &StudyAnswer,
     input: Option<usize>,
@@ -303,7 +303,7 @@ fn survived(
     plot.svg(say(Titles::WhatFellAndWhatSurvived, language))
 }
 
-/// What the colours of runs stand for, by the kind of structure.
+/// The meaning of the run colours, by kind of structure.
 fn key_of_states(plot: &mut Plot, kind: StudyKind, language: Language) {
     match kind {
         StudyKind::Stack => {
@@ -362,7 +362,7 @@ mod tests {
         assert_eq!(levels.places, [0.7, 0.3, 0.4]);
         assert!((levels.step - 0.1).abs() < 1e-12);
         assert!((levels.axis.from - 0.24).abs() < 1e-12 && (levels.axis.to - 0.76).abs() < 1e-12);
-        // a step of nothing would hide the levels: 4 % of the span
+        // a step of 0 would hide the levels: 4 % of the span
         let close = Levels::at_values(vec![0.0, 0.001, 1.0], "friction");
         assert!((close.step - 0.04).abs() < 1e-12);
     }

@@ -1,20 +1,20 @@
-//! What figures of studies show, and how large they are.
+//! Kinds and sizes of figures of studies.
 
 use super::Figure;
 
 /// Size of a figure, px.
 pub(super) const SIZE_PX: [f64; 2] = [640.0, 380.0];
 
-/// What a figure of a study shows.
+/// Content of a figure of a study.
 #[derive(Clone, Copy)]
 pub(crate) enum StudyFigure {
     /// Capacity against an input.
     Capacity,
-    /// What fell and what survived.
+    /// Falls and survivals.
     Survived,
     /// Probabilities of states.
     Fragility,
-    /// What the runs reach as the shaking grows.
+    /// Response of the runs as the shaking increases.
     Growth,
     /// Shares of slipping under a harmonic ground.
     Harmonic,

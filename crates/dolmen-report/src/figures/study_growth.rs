@@ -1,4 +1,4 @@
-//! Figures of a study: what its runs reach as the shaking grows (incremental dynamic analysis), maps of slipping, releases.
+//! Figures of a study: response of its runs as the shaking increases (incremental dynamic analysis), maps of slipping, releases.
 
 use super::axis::Axis;
 use super::ink::{Anchor, BLUE, GREY, Label, Line, SERIES, SKY, Shape, VERMILLION};
@@ -8,7 +8,7 @@ use super::words::{Axes, Growth, Studied, Titles, say};
 use dolmen_words::Language;
 use dolmen_work::study::{ResponseMaps, Run, RunOutcome, StudyAnswer, StudyKind, input_words};
 
-/// Colours of a share, the least first: from nothing to all of the time.
+/// Colours of a share, the smallest first: from nothing to all of the time.
 const SHARES: [(f64, &str, f64); 5] = [
     (0.0, SKY, 0.12),
     (0.05, SKY, 0.45),
@@ -17,7 +17,7 @@ const SHARES: [(f64, &str, f64); 5] = [
     (0.6, BLUE, 1.0),
 ];
 
-/// Figures of growing shaking, of maps and of releases.
+/// Figures of increasing shaking, of maps and of releases.
 pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<StudyDrawing> {
     let mut figures = Vec::new();
     let mut add = |shows, name: String, svg: String| figures.push(StudyDrawing::new(shows, name, svg));
@@ -65,7 +65,7 @@ pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<St
     figures
 }
 
-/// Whether a number is anything but 0 in some run.
+/// Whether a number is nonzero in some run.
 fn is_reached(answer: &StudyAnswer, measure: &str) -> bool {
     const NOTHING: f64 = 1e-6;
     let of = |run: &Run| run.measures.named(measure);
@@ -75,7 +75,7 @@ fn is_reached(answer: &StudyAnswer, measure: &str) -> bool {
         .any(|run| of(run).is_some_and(|value| value > NOTHING))
 }
 
-/// A number of the runs that is drawn as the shaking grows.
+/// A number of the runs that is drawn against the shaking.
 struct GrowthMeasure {
     /// Its name among the measures of a run.
     measure: &'static str,
@@ -84,7 +84,7 @@ struct GrowthMeasure {
     factor: f64,
 }
 
-/// The numbers of a run that are drawn as the shaking grows.
+/// The numbers of a run that are drawn against the shaking.
 fn grown(kind: StudyKind) -> Vec<GrowthMeasure> {
     let all = match kind {
         StudyKind::Stack => vec![
@@ -209,7 +209,7 @@ fn harmonic(answer: &StudyAnswer, map: &ResponseMaps, part: usize, language: Lan
     plot.svg(say(title, language))
 }
 
-/// One number of the runs that did not end in a fall against the peak of the ground, a line a scan; falls stand on the upper edge.
+/// One number of the runs without a fall against the peak of the ground, one line per scan; falls are on the upper edge.
 fn growth(answer: &StudyAnswer, grown: GrowthMeasure, language: Language) -> String {
     let GrowthMeasure {
         measure,
@@ -286,7 +286,7 @@ fn growth(answer: &StudyAnswer, grown: GrowthMeasure, language: Language) -> Str
     plot.svg(label)
 }
 
-/// Half of the scans, and the middle two thirds, at the peaks at which every scan was run; a fall is larger than any number.
+/// The median and the middle two thirds of the scans, at the peaks common to all scans; a fall is larger than any number.
 fn fractiles(
     plot: &mut Plot,
     answer: &StudyAnswer,
@@ -331,12 +331,12 @@ fn fractiles(
     );
 }
 
-/// Whether a run ended in a fall, at whatever angle a fall is counted: what it reached by then tells nothing.
+/// Whether a run ended in a fall: its values until then mean nothing.
 fn falls(kind: StudyKind, run: &Run) -> bool {
     !matches!(kind, StudyKind::Frame | StudyKind::Building) && run.outcome == RunOutcome::Fell
 }
 
-/// Half way between values, and as far beyond the ends.
+/// Midpoints between values, extended beyond the ends.
 fn edges(values: &[f64]) -> Vec<f64> {
     let (Some(first), Some(last)) = (values.first(), values.last()) else {
         return vec![0.0, 1.0];
@@ -352,7 +352,7 @@ fn edges(values: &[f64]) -> Vec<f64> {
     edges
 }
 
-/// One number of the swings of releases against their amplitude.
+/// One number of the cycles of releases against their amplitude.
 fn release(
     maps: &[&ResponseMaps],
     (axis, factor): (Axes, f64),

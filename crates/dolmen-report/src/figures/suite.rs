@@ -21,7 +21,7 @@ messages! {
 /// Width and height, px.
 const PX: [f64; 2] = [760.0, 420.0];
 
-/// Each member, the mean, the demand and the least share of it.
+/// Each member, the mean, the demand and its required share.
 pub fn suite_figure(answer: &SuiteAnswer, language: Language) -> Figure {
     let points = |values: &[f64], factor: f64| -> Vec<[f64; 2]> {
         let both = answer.periods_s.iter().zip(values);

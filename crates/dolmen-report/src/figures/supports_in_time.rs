@@ -1,4 +1,4 @@
-//! A stack whose supports move slowly: how far a stone has moved, over how far the supports have.
+//! A stack with slowly moving supports: displacement of a stone against that of the supports.
 
 use super::axis::Axis;
 use super::ink::{GREY, Line, SERIES};
@@ -11,9 +11,9 @@ use dolmen_work::stack::{SupportsRun, SupportsSimulation};
 
 /// Width and height, px.
 const SIZE_PX: [f64; 2] = [760.0, 300.0];
-/// Displacements are drawn up to so many times that at which the stones began to move by themselves. Chosen here.
+/// Displacements are drawn up to this multiple of that at which the stones began to move by themselves. Our choice.
 const DRAWN: f64 = 1.6;
-/// About so many points a line.
+/// Approximate number of points of a line.
 const POINTS: usize = 700;
 
 /// A line of the figure.
@@ -42,7 +42,7 @@ fn lines(of: &SupportsSimulation) -> Vec<LawLine<'_>> {
     of.runs.iter().map(|run| line(of, run)).collect()
 }
 
-/// The stone that had moved farthest when stones began to move by themselves, or at the end.
+/// The stone with the largest displacement when stones began to move by themselves, or at the end.
 fn farthest(run: &SupportsRun) -> usize {
     let history = &run.moved.history;
     let sample = last_slow(run);
@@ -82,7 +82,7 @@ pub(crate) fn supports_series(of: &SupportsSimulation) -> Vec<Series> {
     columns.collect()
 }
 
-/// The figure; what falls leaves it at the top.
+/// The figure; falling stones leave it at the top.
 pub(crate) fn supports_in_time(of: &SupportsSimulation, language: Language) -> String {
     let at = |run: &SupportsRun| moved_m(&run.moved.history, last_slow(run), farthest(run));
     let most_mm = 1e3 * DRAWN * of.runs.iter().map(at).fold(1e-6, f64::max);

@@ -1,4 +1,4 @@
-//! A damper beside the rule and the best: motion against its place, the floor in plan, and what being out of tune costs.
+//! A damper compared with the rule and the optimum: motion against its place, the floor in plan, and the loss by detuning.
 
 use super::Figure;
 use super::axis::Axis;
@@ -11,10 +11,10 @@ use dolmen_words::{Language, number};
 use dolmen_work::building::TuneAnswer;
 
 const SIZE_PX: [f64; 2] = [680.0, 400.0];
-/// Longer side of the floor in plan, px, and the room around it.
+/// Longer side of the floor in plan, px, and the space around it.
 const PLAN_PX: f64 = 460.0;
 const AROUND_PX: f64 = 84.0;
-/// Steps of the shading of the plan, light (small) to dark (large): one hue, so that grey print keeps the order.
+/// Shades of the plan, light (small) to dark (large), in one hue, so that grey print keeps the order.
 const SHADES: [&str; 8] = [
     "#f7fbff", "#deebf7", "#c6dbef", "#9ecae1", "#6baed6", "#4292c6", "#2171b5", "#084594",
 ];
@@ -35,7 +35,7 @@ pub(crate) enum TuneFigure {
     Position,
     /// The floor in plan.
     Plan,
-    /// What being out of tune costs.
+    /// The loss by detuning.
     Robustness,
 }
 
@@ -70,7 +70,7 @@ impl TuneFigure {
     }
 }
 
-/// How far along the line a place lies, m: x or y where the line runs along an axis.
+/// Distance of a place along the line, m: x or y if the line is parallel to an axis.
 fn along(answer: &TuneAnswer, language: Language) -> (String, impl Fn(&MapCell) -> f64) {
     let degrees = answer.direction_degrees.rem_euclid(180.0);
     let (sin, cos) = degrees.to_radians().sin_cos();
@@ -86,7 +86,7 @@ fn along(answer: &TuneAnswer, language: Language) -> (String, impl Fn(&MapCell) 
     })
 }
 
-/// Motion of each point against the place of the damper, as Figure 5 of Hwang, Min & Hong; and tuned at each place.
+/// Motion of each point against the place of the damper, as Figure 5 of Hwang, Min & Hong; and with optimum tuning at each place.
 fn position(answer: &TuneAnswer, language: Language) -> String {
     let comparison = &answer.comparison;
     let (name, at) = along(answer, language);
@@ -129,13 +129,13 @@ fn position(answer: &TuneAnswer, language: Language) -> String {
     plot.svg(say(Titles::MotionByPlace, language))
 }
 
-/// A floor on the paper, and the goal there.
+/// A floor on paper, and the goal there.
 struct FloorView<'a> {
     answer: &'a TuneAnswer,
     x: [f64; 2],
     y: [f64; 2],
     scale: f64,
-    /// Least goal of the map, and the span to the greatest, of that without a damper.
+    /// Smallest goal of the map, and the span to the largest, relative to that without a damper.
     low: f64,
     span: f64,
 }
@@ -190,7 +190,7 @@ impl<'a> FloorView<'a> {
         })
     }
 
-    /// The goal for each place; runs of equal shade in a row are one rectangle.
+    /// The goal for each place; equal shades in a row form one rectangle.
     fn map(&self, scene: &mut Scene) {
         let map = &self.answer.comparison.map;
         let step = |list: &[f64], whole: f64| whole / list.len().max(1) as f64;
@@ -219,7 +219,7 @@ impl<'a> FloorView<'a> {
         }
     }
 
-    /// The outline of the floor and the points that are looked at.
+    /// The outline of the floor and the points of the goal.
     fn floor(&self, scene: &mut Scene) {
         let answer = self.answer;
         let outline: Vec<[f64; 2]> = answer.corners_m.iter().map(|corner| self.px(*corner)).collect();
@@ -227,7 +227,7 @@ impl<'a> FloorView<'a> {
         for point in answer.points.iter().filter(|point| point.floor == answer.floor) {
             let at = self.px(point.place_m);
             scene.marker(at, Shape::Cross, 5.0, BLACK);
-            // names stand outside the floor, on the side that is nearer
+            // names stand outside the floor, on the nearer side
             let right = point.place_m[0] > 0.5 * (self.x[0] + self.x[1]);
             let anchor = if right { Anchor::Start } else { Anchor::End };
             let beside = [at[0] + if right { 9.0 } else { -9.0 }, at[1] - 12.0];
@@ -235,7 +235,7 @@ impl<'a> FloorView<'a> {
         }
     }
 
-    /// The centre of the mode, where it has one, drawn if it lies on the floor.
+    /// The centre of the mode, if it has one and it is on the floor.
     fn mode_centre(&self, scene: &mut Scene, language: Language) -> Option<LegendKey> {
         let centre = self.answer.mode_centre_m?;
         let number = self.answer.mode;
@@ -258,7 +258,7 @@ impl<'a> FloorView<'a> {
         })
     }
 
-    /// The damper of the file, by the rule and at its best; the smaller ones lie on the larger: none hides where all are at one place.
+    /// The damper of the file, by the rule, and optimised; smaller symbols are drawn over larger ones, so that none is hidden at a common place.
     fn choices(&self, scene: &mut Scene, language: Language) -> Vec<LegendKey> {
         let choices = [
             (Choice::Given, Shape::Square, 8.0, BLACK, Studied::AsInTheFile),
@@ -334,7 +334,7 @@ impl<'a> FloorView<'a> {
     }
 }
 
-/// The floor: the goal for each place of the damper, tuned best there; the damper, the rule, the best; centre of the mode.
+/// The floor: the goal for each place of the damper with optimum tuning; the damper, the rule, the optimum; centre of the mode.
 fn plan(answer: &TuneAnswer, language: Language) -> String {
     let view = FloorView::new(answer);
     let (width, height) = (
@@ -353,7 +353,7 @@ fn plan(answer: &TuneAnswer, language: Language) -> String {
     scene.svg(say(Titles::DamperByPlace, language))
 }
 
-/// The goal with the frequency and the damping off.
+/// The goal with detuned frequency and damping.
 fn robustness(answer: &TuneAnswer, language: Language) -> String {
     let comparison = &answer.comparison;
     let curves = [

@@ -22,7 +22,7 @@ pub(crate) enum WindPlot {
 const AXES: [&str; 2] = ["x", "y"];
 
 impl WindPlot {
-    /// Those of a simulation, in the order in which they are shown.
+    /// The figures of a simulation, in order.
     pub(crate) fn all(run: &WindSimulation) -> Vec<Self> {
         let mut all = vec![Self::Top(0), Self::Top(1), Self::Corner(0), Self::Corner(1)];
         if !run.dampers.is_empty() {
@@ -44,7 +44,6 @@ impl WindPlot {
         self.lines(run, language).draw(language)
     }
 
-    /// Its numbers.
     pub(crate) fn numbers(self, run: &WindSimulation) -> Vec<crate::document::Series> {
         history_series(|language| Some(self.lines(run, language)))
     }
@@ -117,7 +116,7 @@ fn over_time(run: &WindSimulation, name: String, of: &InTime, factor: f64) -> Se
     }
 }
 
-/// The figures of a simulation: top, corner and strokes of the first history, each wind.
+/// The figures of a simulation: top, corner and strokes of the first history, for each wind.
 pub fn wind_histories(run: &WindSimulation, language: Language) -> Vec<Figure> {
     let all = WindPlot::all(run).into_iter();
     all.filter_map(|plot| {

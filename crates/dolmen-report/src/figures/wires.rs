@@ -1,24 +1,24 @@
-//! Sensors with places, and the lines that are drawn between them.
+//! Sensors with positions, and the lines drawn between them.
 
 use dolmen::modal::Modes;
 
-/// Sensors closer than this in plan stand above one another, m, as sensors of setups are one place.
+/// Sensors closer than this in plan are above one another, m; so are sensors of setups at one position.
 const ABOVE_M: f64 = 0.1;
 
-/// Sensors, and what is drawn between them.
+/// Sensors and the lines between them.
 pub(crate) struct Wires {
-    /// Places of the sensors, m, then those of feet on the ground, which stand still.
+    /// Positions of the sensors, m, followed by those of their feet on the ground, which do not move.
     pub(crate) places: Vec<[f64; 3]>,
-    /// How many of the places have sensors: the first.
+    /// Number of positions with sensors, which come first.
     pub(crate) sensors: usize,
-    /// Place and direction of each channel.
+    /// Position and direction of each channel.
     pub(crate) channels: Vec<(usize, [f64; 3])>,
     /// Places joined by lines.
     pub(crate) wires: Vec<Vec<usize>>,
 }
 
 impl Wires {
-    /// `None` where fewer than two sensors have a place and a direction, or a channel lacks them.
+    /// `None` if fewer than two sensors have a position and a direction, or if a channel lacks them.
     pub(crate) fn of(modes: &Modes) -> Option<Wires> {
         let mut places: Vec<[f64; 3]> = Vec::new();
         let mut channels = Vec::new();
@@ -53,7 +53,7 @@ impl Wires {
         })
     }
 
-    /// How every place moves, real and imaginary part of each component, the largest displacement being `most_m`.
+    /// Motion of every position, real and imaginary part of each component, scaled to a largest displacement of `most_m`.
     pub(crate) fn moved(&self, shape: &[[f64; 2]], most_m: f64) -> Vec<[[f64; 3]; 2]> {
         let mut parts = vec![[[0.0; 3]; 2]; self.places.len()];
         for ((place, direction), [re, im]) in self.channels.iter().zip(shape) {
@@ -74,7 +74,7 @@ impl Wires {
     }
 }
 
-/// Places of each level, in turn around their middle and closed.
+/// Positions of each level, as a closed loop around their middle.
 fn levels(places: &[[f64; 3]]) -> Vec<Vec<usize>> {
     let mut heights: Vec<f64> = places.iter().map(|p| p[2]).collect();
     heights.sort_by(f64::total_cmp);
@@ -98,7 +98,7 @@ fn levels(places: &[[f64; 3]]) -> Vec<Vec<usize>> {
     wires
 }
 
-/// Places above one another, lowest first.
+/// Positions above one another, lowest first.
 fn columns(places: &[[f64; 3]]) -> Vec<Vec<usize>> {
     let mut columns: Vec<Vec<usize>> = Vec::new();
     for (at, place) in places.iter().enumerate() {

@@ -8,7 +8,7 @@ pub(crate) fn say(words: impl Into<Sentence>, language: Language) -> String {
     words.into().text(language)
 }
 
-/// A stone as the file names it, or the ground.
+/// The name of a stone in the file, or the ground.
 pub(super) fn body_words(name: &str, language: Language) -> String {
     match name {
         "ground" => language.pick("ground", "지반").to_owned(),
@@ -431,7 +431,7 @@ messages! {
     }
 }
 
-/// The words of figures as they are written.
+/// Templates of the words in figures.
 pub(crate) const TEMPLATES: [&[Template]; 9] = [
     Factors::TEMPLATES,
     Columns::TEMPLATES,

@@ -1,4 +1,4 @@
-//! A structure over the years on one axis of time: frequencies with what explains them, each survey against those before it, T², tilt.
+//! A structure over the years on one time axis: frequencies with their explanation, each survey compared with earlier ones, T², tilt.
 
 use super::axis::{Axis, Scale, Tick};
 use super::ink::{Anchor, BLACK, GREY, Label, Line, SERIES, Shape, VERMILLION};
@@ -38,12 +38,12 @@ messages! {
     }
 }
 
-/// What is drawn in one panel.
+/// Contents of one panel.
 struct Panel {
     name: String,
     lines: Vec<(Vec<[f64; 2]>, Line)>,
     dots: Vec<([f64; 2], Shape, f64, &'static str)>,
-    /// Values that must lie in it.
+    /// Values that the range must contain.
     within: Vec<f64>,
 }
 
@@ -182,7 +182,7 @@ fn colour(i: usize) -> &'static str {
     SERIES[i % SERIES.len()]
 }
 
-/// Whole years, or months where all surveys lie within two years.
+/// Whole years, or months if all surveys lie within two years.
 fn time_axis(when: &[f64]) -> Axis {
     let (first, last) = (
         when.first().copied().unwrap_or(0.0),
@@ -283,7 +283,7 @@ fn averages(answer: &WatchAnswer, when: &[f64], language: Language) -> Panel {
     panel
 }
 
-/// Runs of surveys that were judged.
+/// Consecutive surveys with a verdict.
 fn average(mode: &WatchedMode, when: &[f64]) -> Vec<Vec<[f64; 2]>> {
     let mut runs: Vec<Vec<[f64; 2]>> = vec![Vec::new()];
     for judged in &mode.judged.judged {
@@ -314,7 +314,7 @@ fn t_squared(answer: &WatchAnswer, when: &[f64], language: Language) -> Option<P
         vec![[ends[0], 1.0], [ends[1], 1.0]],
         Line::new(VERMILLION, 1.0).dashed(),
     ));
-    // far beyond the limit is beyond the limit
+    // values far beyond the limit are drawn just beyond it
     const SHOWN_MOST: f64 = 3.0;
     let dots = all.iter().map(|found| {
         let ratio = (found.value / found.limit).min(SHOWN_MOST);
@@ -331,7 +331,7 @@ fn t_squared(answer: &WatchAnswer, when: &[f64], language: Language) -> Option<P
     Some(panel)
 }
 
-/// The first and the last moment of surveys, logs and inspections.
+/// The first and the last time of surveys, logs and inspections.
 fn all_times(answer: &WatchAnswer, when: &[f64]) -> Vec<f64> {
     let spans = answer.logs.iter().filter_map(|log| log.span()).flatten();
     let mut all: Vec<f64> = spans.map(|day| 1970.0 + day / YEAR_DAYS).collect();
@@ -343,11 +343,11 @@ fn all_times(answer: &WatchAnswer, when: &[f64]) -> Vec<f64> {
     all
 }
 
-/// Most points of a log that are drawn, and the gap at which its line breaks, days.
+/// Largest number of drawn points of a log, and the gap at which its line breaks, days.
 const LOGGED_MOST: usize = 1500;
 const GAP_DAYS: f64 = 15.0;
 
-/// Daily readings, the trend through them, and the limit where it is near.
+/// Daily readings, the trend through them, and the limit if it is near.
 fn logged(log: &WatchedLog, colour: &'static str, language: Language) -> Option<Panel> {
     let [first, last] = log.span()?;
     let daily = &log.trend.daily;
@@ -439,7 +439,7 @@ fn tilts(answer: &WatchAnswer, when: &[f64], language: Language) -> Option<Panel
                 .ratios
                 .iter()
                 .fold(0.0_f64, |most, ratio| most.max(1000.0 * ratio.abs()));
-            // a limit far away would flatten what is measured
+            // a distant limit would flatten the measurements
             if limit.abs() < 3.0 * nearest {
                 let ends = [
                     when.first().copied().unwrap_or(0.0),
@@ -455,12 +455,12 @@ fn tilts(answer: &WatchAnswer, when: &[f64], language: Language) -> Option<Panel
     Some(panel)
 }
 
-/// Damages that the panel of inspections shows: the worst ones.
+/// Number of damages in the panel of inspections: the worst ones.
 const DAMAGES_MOST: usize = 5;
-/// Their mark: modes and tilts, of the same colours, are circles.
+/// Their marker; modes and tilts with the same colours have circles.
 const DAMAGE: Shape = Shape::Square;
 
-/// Damages that inspections read more than once.
+/// Damages with more than one reading.
 fn shown_damages(answer: &WatchAnswer) -> Vec<&WatchedDamage> {
     let all = answer.inspected.damages.iter();
     all.filter(|of| of.readings.len() > 1)
@@ -468,7 +468,7 @@ fn shown_damages(answer: &WatchAnswer) -> Vec<&WatchedDamage> {
         .collect()
 }
 
-/// Sizes of damage as inspections read them, and their limits where they are near.
+/// Sizes of damage from inspections, and their limits if near.
 fn damages(answer: &WatchAnswer, language: Language) -> Option<Panel> {
     let shown = shown_damages(answer);
     if shown.is_empty() {
@@ -489,7 +489,7 @@ fn damages(answer: &WatchAnswer, language: Language) -> Option<Panel> {
         panel.dots.extend(dots);
         panel.lines.push((points, Line::new(colour(i), 1.0)));
         let limit = of.limit_m.map(|limit| 1000.0 * limit);
-        // a limit far away would flatten what is measured
+        // a distant limit would flatten the measurements
         if let Some(limit) = limit.filter(|limit| *limit < 3.0 * largest) {
             let line = Line::new(colour(i), 1.0).dashed();
             panel.lines.push((vec![[ends[0], limit], [ends[1], limit]], line));

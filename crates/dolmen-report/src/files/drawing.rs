@@ -5,7 +5,7 @@ use crate::figures::drawing;
 use dolmen_project::Project;
 use dolmen_words::Language;
 
-/// The structure as entered, as a marked SVG; `None` of a survey alone.
+/// The structure as entered, as an SVG with the mark; `None` for a survey alone.
 pub fn drawing_file(project: &Project, language: Language) -> Option<NamedFile> {
     Some(NamedFile::svg("drawing", &drawing(project, language)?))
 }

@@ -17,8 +17,8 @@ pub struct NotDrawn {
     pub why: String,
 }
 
-/// Every figure of the reports, named by its number in them: SVG, PNG as `paint` makes it, and its numbers as CSV; and the list
-/// of all with their captions. Where there are several projects, each has a folder.
+/// Every figure of the reports, named by its number: SVG, PNG by `paint`, and its data as CSV; and the list of all with their captions. With several
+/// projects, each has a folder.
 ///
 /// # Errors
 /// [`NotDrawn`].
@@ -71,7 +71,7 @@ fn of_project(
                     files.extend(own);
                 }
             }
-            // photographs are files of their own, and have numbers among the figures
+            // photographs are separate files, and are numbered with the figures
             Block::Photos(photos) => {
                 for _ in photos.iter().filter(|photo| photo.image.is_some()) {
                     numbers.figure();

@@ -1,4 +1,4 @@
-//! Everything that a verb writes into a folder, as names and bytes.
+//! Output files of the verbs, as names and bytes.
 
 mod drawing;
 mod figures;

@@ -1,4 +1,4 @@
-//! Modes for other programs: universal file (UFF 15 and 55), CSV, and moving shapes (glTF).
+//! Modes for other programs: universal file (UFF 15 and 55), CSV, and animated shapes (glTF).
 //!
 //! | dataset | what | per |
 //! |:--|:--|:--|
@@ -15,14 +15,14 @@ use dolmen_records::records::exponential;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-/// Modes that move, at most: those lowest in frequency, as in the figure.
+/// Largest number of animated modes: the lowest in frequency, as in the figure.
 const FILMS_MOST: usize = 12;
 /// Begins and ends a dataset.
 const DELIMITER: &str = "    -1\n";
-/// Two directions at one place are at right angles within this cosine.
+/// Two directions at one position are perpendicular within this cosine.
 const RIGHT_ANGLE: f64 = 0.02;
 
-/// The modes of a survey as CSV and, where its sensors have places and directions, as a universal file.
+/// The modes of a survey as CSV and, if its sensors have positions and directions, as a universal file.
 pub(super) fn mode_files(survey: &str, modes: &Modes) -> Vec<NamedFile> {
     if modes.modes.is_empty() {
         return Vec::new();
@@ -37,7 +37,7 @@ pub(super) fn mode_files(survey: &str, modes: &Modes) -> Vec<NamedFile> {
         .collect()
 }
 
-/// The lowest modes moving, one glTF each, where two sensors or more have places and directions.
+/// The lowest modes animated, one glTF each, if at least two sensors have positions and directions.
 fn films(survey: &str, modes: &Modes) -> Vec<NamedFile> {
     let Some(wires) = Wires::of(modes) else {
         return Vec::new();
@@ -51,8 +51,8 @@ fn films(survey: &str, modes: &Modes) -> Vec<NamedFile> {
     each.map(film).collect()
 }
 
-/// One row a mode: frequency and damping ratio with standard deviations, whether the user insists on it though no test found it, the
-/// direction in which its sensors move ("x", "y", "torsion", else "other"), then real and imaginary part of each channel.
+/// One row per mode: frequency and damping ratio with standard deviations, whether the user accepted it although no test found it,
+/// the direction of its motion ("x", "y", "torsion", otherwise "other"), then real and imaginary part of each channel.
 fn csv(modes: &Modes) -> String {
     let mut text = String::from(
         "mode,frequency_hz,frequency_sd_hz,damping_ratio,damping_ratio_sd,phase_collinearity,accepted,direction",
@@ -84,22 +84,22 @@ fn csv(modes: &Modes) -> String {
     text
 }
 
-/// The direction of a mode as surveys name it.
+/// The direction of a mode in the words of surveys.
 fn direction(modes: &Modes, mode: &Mode) -> &'static str {
     let shape: Vec<[f64; 2]> = mode.shape.iter().map(|z| [z.re, z.im]).collect();
     let motion = ShapeMotion::of(&modes.channels, &shape);
     motion.direction().unwrap_or("other")
 }
 
-/// Places of the sensors, and of each channel its place and direction.
+/// Positions of the sensors; position and direction of each channel.
 struct Nodes {
     places: Vec<[f64; 3]>,
     channels: Vec<(usize, [f64; 3])>,
 }
 
 impl Nodes {
-    /// `None` where a channel lacks place or direction, or where two directions at one place are neither one nor at right angles: the vector of
-    /// the motion there is not the sum of what they measured.
+    /// `None` if a channel lacks position or direction, or if two directions at one position are neither equal nor perpendicular: the
+    /// motion there is then not the sum of the measured components.
     fn of(modes: &Modes) -> Option<Nodes> {
         let mut nodes = Nodes {
             places: Vec::new(),
@@ -122,7 +122,7 @@ impl Nodes {
         Some(nodes)
     }
 
-    /// The vectors of a mode, one a place: real and imaginary part of each component.
+    /// The vectors of a mode, one per position: real and imaginary part of each component.
     fn vectors(&self, mode: &Mode) -> Vec<[[f64; 2]; 3]> {
         let mut vectors = vec![[[0.0; 2]; 3]; self.places.len()];
         for ((place, direction), z) in self.channels.iter().zip(&mode.shape) {
@@ -135,7 +135,7 @@ impl Nodes {
     }
 }
 
-/// The universal file: nodes, then a dataset 55 a mode, each with its complex eigenvalue.
+/// The universal file: nodes, then one dataset 55 per mode, each with its complex eigenvalue.
 fn universal(survey: &str, modes: &Modes) -> Option<String> {
     let nodes = Nodes::of(modes)?;
     let mut text = String::from(DELIMITER);
@@ -202,7 +202,7 @@ fn universal(survey: &str, modes: &Modes) -> Option<String> {
     Some(text)
 }
 
-/// Numbers as FORTRAN writes them by E13.5.
+/// Numbers in FORTRAN format E13.5.
 fn numbers(values: &[f64]) -> String {
     values
         .iter()
@@ -234,7 +234,7 @@ mod tests {
         assert_eq!(exponential(1e-120, 5), "1.00000E-120");
     }
 
-    /// Read as the format is described, with a reader that shares no code with the writer.
+    /// Read by the format description, with a reader that shares no code with the writer.
     #[test]
     fn holds_eigenvalues_and_shapes_come_back_from_the_universal_file() {
         let modes = modes();

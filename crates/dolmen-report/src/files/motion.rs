@@ -6,7 +6,7 @@ use crate::json::motion_report_json;
 use dolmen_words::{Language, keeping_names};
 use dolmen_work::motion::MotionReport;
 
-/// Figures, JSON and, where spectra were computed, their table.
+/// Figures, JSON and, if spectra were computed, their table.
 pub fn motion_files(report: &MotionReport, language: Language) -> Vec<NamedFile> {
     let figures = motion_figures(report, language).into_iter();
     let mut files: Vec<NamedFile> = figures.map(NamedFile::figure).collect();

@@ -1,11 +1,11 @@
-//! A file that is to be written.
+//! A file to be written.
 
 use crate::figures::Figure;
 use crate::mark::FIGURE_MARK;
 use dolmen_words::file_name;
 use serde_json::Value;
 
-/// A file: its path below the folder that it goes into, with slashes, and its bytes.
+/// A file: its relative path with slashes, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedFile {
     /// Its path: "histories.csv", "weak/slips.csv".
@@ -15,7 +15,7 @@ pub struct NamedFile {
 }
 
 impl NamedFile {
-    /// A file of these bytes; whatever its name is, it is one name in one folder.
+    /// A file with these bytes; any name becomes a single name in one folder.
     pub fn new(name: &str, bytes: impl Into<Vec<u8>>) -> Self {
         NamedFile {
             name: file_name(name),
@@ -28,7 +28,7 @@ impl NamedFile {
         NamedFile::new(name, format!("{value:#}\n"))
     }
 
-    /// An SVG, marked; its name without the ending.
+    /// An SVG with the mark; `name` has no ending.
     pub(crate) fn svg(name: &str, svg: &str) -> Self {
         let marked = svg.replacen('>', &format!(">{FIGURE_MARK}"), 1);
         NamedFile::new(&format!("{name}.svg"), marked)
@@ -39,7 +39,7 @@ impl NamedFile {
         NamedFile::svg(&figure.name, &figure.svg)
     }
 
-    /// The same one folder deeper.
+    /// The same file in a subfolder.
     pub(crate) fn within(self, folder: &str) -> Self {
         NamedFile {
             name: format!("{}/{}", file_name(folder), self.name),

@@ -1,4 +1,4 @@
-//! Fragility curves as OpenQuake reads them: NRML 0.5, continuous, lognormal.
+//! Fragility curves for OpenQuake: NRML 0.5, continuous, lognormal.
 //!
 //! ```text
 //! mean = θ exp(β²/2)        stddev = mean √(exp(β²) − 1)        of the capacity, not of its logarithm
@@ -14,11 +14,11 @@ use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_work::study::{CombinationFragility, ShakingMeasure, StateFragility, StudyAnswer};
 use std::fmt::Write as _;
 
-/// Share of the capacities beyond the ends of the range of a curve, of the weakest state below and of the strongest above. OpenQuake holds a curve at
-/// its ends; below the lower one NRML takes it for undamaged, or frequent small shaking would count with this share. Chosen here.
+/// Share of the capacities beyond the ends of a curve's range: of the weakest state below, and of the strongest above. OpenQuake extends a curve
+/// with its end values; below the lower end NRML assumes no damage, otherwise frequent weak shaking would count with this share. Our choice.
 const END: f64 = 1e-6;
 
-/// What OpenQuake calls a measure, and how many of its unit are one of SI; `None` for measures that it does not know.
+/// OpenQuake's name of a measure, and its unit relative to SI; `None` for unknown measures.
 fn imt(measure: Option<ShakingMeasure>) -> Option<(String, f64)> {
     match measure {
         None => Some(("PGA".to_owned(), 1.0 / STANDARD_GRAVITY_M_S2)),
@@ -30,7 +30,7 @@ fn imt(measure: Option<ShakingMeasure>) -> Option<(String, f64)> {
     }
 }
 
-/// One model for each measure that OpenQuake knows and by which all combinations have a curve of a state: `fragility_PGA.xml` and the like.
+/// One model for each measure that OpenQuake knows and for which all combinations have a curve of a state: `fragility_PGA.xml` and similar.
 pub(super) fn nrml_files(answer: &StudyAnswer) -> Vec<NamedFile> {
     let measures = std::iter::once(None).chain(answer.measures().into_iter().map(Some));
     let each = measures.filter_map(|measure| {
@@ -56,7 +56,7 @@ fn fit(state: &StateFragility, measure: Option<ShakingMeasure>) -> Option<&Fragi
     }
 }
 
-/// The states of which every combination has a curve: OpenQuake wants the same limit states of every function.
+/// The states with a curve in every combination: OpenQuake requires the same limit states in all functions.
 fn common_states(found: &[CombinationFragility], measure: Option<ShakingMeasure>) -> Vec<usize> {
     let has = |one: &CombinationFragility, state: usize| {
         let own = one.states.iter().find(|own| own.state == state);
@@ -73,7 +73,7 @@ fn model(
 ) -> Option<String> {
     let found = answer.fragilities();
     let states = common_states(found, measure);
-    // the curves of OpenQuake begin at 0, those of what may fall by itself above it
+    // OpenQuake's curves begin at 0; those of structures that may fall by themselves begin higher
     let mut own = found.iter().flat_map(|one| &one.states);
     if states.is_empty() || own.any(|own| own.fell_alone > 0) {
         return None;

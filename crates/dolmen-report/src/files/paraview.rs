@@ -5,7 +5,7 @@ use dolmen::blocks::Pose;
 use dolmen_records::meshes::{BlockPose, PoseError, SeriesFile, series_pvd, stack_vtu};
 use dolmen_work::stack::StackSimulation;
 
-/// Time between the files of a series, s: 20 a second. Chosen here.
+/// Time between the files of a series, s: 20 per second. Our choice.
 const PARAVIEW_STEP_S: f64 = 0.05;
 
 /// A series for ParaView, each [`PARAVIEW_STEP_S`].

@@ -1,4 +1,4 @@
-//! A simulation as files: histories, figures, films, and what other programs read.
+//! A simulation as files: histories, figures, animations, and formats of other programs.
 
 use super::named::NamedFile;
 use super::paraview::paraview;
@@ -21,7 +21,7 @@ use dolmen_work::simulation::{SimulateAnswer, Simulation};
 use dolmen_work::stack::{StackRuns, StackSimulation, SupportsSimulation};
 use serde_json::{Value, json};
 
-/// What came of `dolmen simulate` as JSON: of a frame each direction, and one judgement of all.
+/// The result of `dolmen simulate` as JSON: each direction of a frame, and one judgement of all.
 pub fn simulate_answer_value(answer: &SimulateAnswer) -> Value {
     if let Some(why) = &answer.does_not_stand {
         let outcome = json!({ "kind": "does_not_stand", "why": why.to_string() });
@@ -39,7 +39,7 @@ pub fn simulate_answer_value(answer: &SimulateAnswer) -> Value {
     }
 }
 
-/// A simulation of any kind as JSON, judged with what its answer says of the model.
+/// A simulation of any kind as JSON, judged with the answer's evidence for the model.
 pub(crate) fn simulation_value(simulation: &Simulation, of: &SimulateAnswer) -> Value {
     let mut value = match simulation {
         Simulation::Chain(run) => chain_simulation_json(run),
@@ -54,10 +54,10 @@ pub(crate) fn simulation_value(simulation: &Simulation, of: &SimulateAnswer) -> 
     value
 }
 
-/// Everything of a simulation as files; each direction of a frame in a folder of its own.
+/// All files of a simulation; each direction of a frame has its own folder.
 ///
 /// # Errors
-/// [`PoseError`], where a history has no pose for each block.
+/// [`PoseError`] if a history lacks the pose of a block.
 pub fn simulation_files(
     simulation: &Simulation,
     of: &SimulateAnswer,
@@ -116,7 +116,7 @@ pub fn simulation_files(
     })
 }
 
-/// Supports that move: the figure, and each run in a folder of its law.
+/// Moving supports: the figure, and each run in a folder of its law.
 fn supports(of: &SupportsSimulation, language: Language) -> Vec<NamedFile> {
     let mut files = vec![NamedFile::svg(
         "supports",

@@ -25,7 +25,7 @@ pub enum StudyFilesError {
     Assess(#[from] AssessError),
 }
 
-/// Tables (CSV, and Parquet where it is built in), figures and JSON of a study.
+/// Tables (CSV, and Parquet if built in), figures and JSON of a study.
 ///
 /// # Errors
 /// [`StudyFilesError`].

@@ -1,4 +1,4 @@
-//! A suite of motions as files: what a project file is given of them, the motions, a table and a figure.
+//! A suite of motions as files: lines for a project file, the motions, a table and a figure.
 
 use super::named::NamedFile;
 use crate::figures::suite_figure;
@@ -7,7 +7,7 @@ use dolmen_records::motions::motion_csv;
 use dolmen_words::{Language, keeping_names};
 use dolmen_work::motion::{SuiteAnswer, SuiteMember};
 
-/// The project's lines (`suite.toml`), which name the motions in `folder` as it stands beside the project file; the motions, the spectra
+/// Lines for a project (`suite.toml`), which name the motions in `folder` relative to the project file; the motions, the spectra
 /// (`suite.csv`), the figure and the JSON.
 pub fn suite_files(answer: &SuiteAnswer, folder: &str, language: Language) -> Vec<NamedFile> {
     let mut files: Vec<NamedFile> = answer
@@ -25,7 +25,7 @@ pub fn suite_files(answer: &SuiteAnswer, folder: &str, language: Language) -> Ve
     files
 }
 
-/// A text as TOML writes it.
+/// A text in TOML notation.
 fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {

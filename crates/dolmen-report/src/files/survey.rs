@@ -1,4 +1,4 @@
-//! Surveys as files: what was identified, what changed.
+//! Surveys as files: identification and change.
 
 use super::figures::NotDrawn;
 use super::modes::mode_files;
@@ -10,7 +10,7 @@ use dolmen_work::answer::{CompareAnswer, IdentifyAnswer};
 use dolmen_work::surveyed::SetupsAnswer;
 use dolmen_work::watched::WatchAnswer;
 
-/// Figures, PNG as `paint` makes them, and JSON of what was identified, and the modes of each survey for other programs.
+/// Figures (PNG by `paint`) and JSON of an identification, and the modes of each survey for other programs.
 ///
 /// # Errors
 /// [`NotDrawn`].

@@ -1,4 +1,4 @@
-//! Tuned dampers as files: one folder a damper.
+//! Tuned dampers as files: one folder per damper.
 
 use super::named::NamedFile;
 use crate::figures::tune_figures;

@@ -1,4 +1,4 @@
-//! What the free-standing columns of a frame hold.
+//! Resistance of the free-standing columns of a frame.
 
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone};
 use crate::figures::{columns_series, free_columns};
@@ -93,7 +93,7 @@ const DIGITS: usize = 4;
 /// Digits in findings.
 const FEW: usize = 3;
 
-/// What the columns of a direction say.
+/// Findings on the columns of a direction.
 pub(super) fn findings(columns: &StoreyColumns) -> Vec<Finding> {
     let (storey, count) = (columns.storey, columns.count);
     let mut all = vec![match &columns.standing {
@@ -152,10 +152,10 @@ fn stand(columns: &StoreyColumns, standing: &ColumnStanding) -> Found {
     }
 }
 
-/// Tables, figure and what is in them, a storey.
+/// Tables, figure and notes, one set per storey.
 pub(super) fn section<'a>(document: &mut Document<'a>, columns: &'a StoreyColumns) {
     let Some(standing) = &columns.standing else {
-        return; // the finding has said it
+        return; // the finding reports it
     };
     document.put(Block::Table(states(columns, standing)));
     document.put(Block::Table(swings(columns)));

@@ -1,4 +1,4 @@
-//! What a frame's check says in plain words.
+//! Findings of a frame's check.
 
 use super::columns;
 use super::notes::load_note;
@@ -60,7 +60,7 @@ pub(crate) fn findings(directions: &[DirectionCheck]) -> Vec<Finding> {
             });
         all.extend(own);
         for finding in direction.check.notes.iter().map(load_finding) {
-            // a slip in the loads is the same in every direction
+            // a mistake in the loads is the same in every direction
             if !all.contains(&finding) {
                 all.push(finding);
             }
@@ -84,7 +84,7 @@ fn of_direction(check: &FrameCheck) -> Vec<Finding> {
     all
 }
 
-/// The load factor while every joint slips, where that is what the verdict is taken from.
+/// The load factor while every joint slips, if it determines the verdict.
 fn slipping(direction: &DirectionCheck) -> Option<Finding> {
     let stuck = direction.check.stability.as_ref()?;
     let slipping = direction.slipping.as_ref()?.stability.as_ref()?;
@@ -93,7 +93,7 @@ fn slipping(direction: &DirectionCheck) -> Option<Finding> {
     decides.then(|| Finding::key(Tone::of(slipping.verdict), Found::Slipping { factor }))
 }
 
-/// That it rests on the stiffness within the slack of its tenons.
+/// Finding that it depends on the stiffness within the slack of its tenons.
 fn tenons(direction: &DirectionCheck) -> Option<Finding> {
     let lowest = direction
         .check
@@ -112,7 +112,7 @@ fn needs(geometric_n_m: &[f64]) -> Values {
 fn weakest(stability: &FrameStability) -> Option<Finding> {
     let storeys = stability.storeys.iter().enumerate();
     let margins = storeys.filter_map(|(i, storey)| Some((i + 1, storey.margin?)));
-    // a storey without a load has an infinite one
+    // a storey without a load has an infinite margin
     let finite = margins.filter(|(_, margin)| margin.is_finite());
     let (storey, margin) = finite.min_by(|a, b| a.1.total_cmp(&b.1))?;
     let found = Found::Weakest {
@@ -135,7 +135,7 @@ fn lowest_mode(check: &FrameCheck) -> Option<Finding> {
 
 fn load_finding(note: &FrameNote) -> Finding {
     match note {
-        // it is why nothing is known
+        // this is the reason why nothing is known
         FrameNote::NoAxialForce => Finding::key(Tone::Warn, load_note(note)),
         FrameNote::LevelLoad { .. } => Finding::new(Tone::Warn, load_note(note)),
     }

@@ -1,4 +1,4 @@
-//! What an answer says of a frame of rigid storeys: findings, and the sections of its check.
+//! Answers about a frame of rigid storeys: findings, and the sections of its check.
 
 mod columns;
 mod findings;
@@ -39,7 +39,7 @@ messages! {
     }
 }
 
-/// The sentences on frames as they are written.
+/// Templates of the sentences on frames.
 pub(crate) const TEMPLATES: [&[Template]; 9] = [
     findings::Found::TEMPLATES,
     notes::Loads::TEMPLATES,
@@ -78,7 +78,7 @@ pub(crate) fn sections<'a>(part: &FramePart, directions: &'a [DirectionCheck]) -
             tenons::section(&mut document, tenons);
         }
         for columns in &direction.columns {
-            // round columns on rigid stones hold as much in every direction
+            // round columns on rigid stones have the same resistance in every direction
             let mut before = directions[..at].iter();
             match before.find(|other| other.columns.contains(columns)) {
                 Some(other) => document.note(Stability::SameColumns {
@@ -107,7 +107,7 @@ fn sketch<'a>(
         Stability::Sketch.into(),
         Stability::SketchMeaning { springs }.into(),
     ];
-    // margins of several directions do not fit on one sketch
+    // one sketch cannot show margins of several directions
     let known = match directions {
         [one] => one.check.stability.as_ref(),
         _ => None,

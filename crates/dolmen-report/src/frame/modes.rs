@@ -36,7 +36,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, frame: Option<Frame>, che
     if check.modes.is_empty() {
         return;
     }
-    // the shape of one storey is no finding
+    // the shape of a single storey is trivial
     if let Some(frame) = frame.filter(|frame| frame.storeys().len() > 1) {
         let caption = vec![Modes::Caption.into(), Modes::Drawn.into()];
         let shapes = Figure::drawn(caption, move |language| drawn(&frame, &check.modes, language));

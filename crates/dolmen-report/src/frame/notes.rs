@@ -1,4 +1,4 @@
-//! What looks like a slip in the loads of a frame.
+//! Probable mistakes in the loads of a frame.
 
 use dolmen::assess::FrameNote;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};

@@ -1,4 +1,4 @@
-//! The storeys of a frame: what the loads take, and the margins of the stiffness given.
+//! The storeys of a frame: the effect of loads, and the margins of the given stiffness.
 
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen::assess::FrameCheck;
@@ -37,7 +37,7 @@ messages! {
     }
 }
 
-/// The table of the storeys, and what to do where their stiffness is not known.
+/// The table of the storeys, and what to do if their stiffness is unknown.
 pub(super) fn section(document: &mut Document<'_>, check: &FrameCheck) {
     document.put(Block::Table(table(check)));
     if check.stability.is_none() {
@@ -100,7 +100,7 @@ pub(super) fn significant(value_si: f64, unit: &Unit, digits: usize) -> Quantity
     Quantity::new(value_si, unit.clone(), Digits::Significant(digits))
 }
 
-/// Stiffness, the least one and the margin; words where it falls whatever that storey is.
+/// Stiffness, required stiffness and margin; words if it falls whatever that storey is.
 fn margin(storey: &StoreyStability, unit: &Unit) -> [Cell; 3] {
     let falls = || Cell::BadWords(Storeys::Falls.into());
     let least = storey.stiffness_least_n_m;

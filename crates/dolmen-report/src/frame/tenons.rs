@@ -41,7 +41,7 @@ fn hertz(frequency_hz: f64) -> Quantity {
     Quantity::new(frequency_hz, Unit::si("Hz"), Digits::Significant(4))
 }
 
-/// On which stiffness the check of a direction rests.
+/// Which stiffness the check of a direction uses.
 pub(super) fn finding(check: &TenonsCheck, lowest_hz: Option<f64>) -> Option<Finding> {
     let share = |of: &StoreyTenons| of.tenon.slack_m / of.height_m;
     let most = check
@@ -69,7 +69,7 @@ pub(super) fn finding(check: &TenonsCheck, lowest_hz: Option<f64>) -> Option<Fin
     })
 }
 
-/// The table of the storeys that have tenons, and the frequencies with all of them bearing.
+/// The table of the storeys with tenons, and the frequencies with all of them bearing.
 pub(super) fn section(document: &mut Document<'_>, check: &TenonsCheck) {
     let all = check.storeys.iter().map(StoreyTenons::bearing_n_m);
     let unit = Unit::of(&all.collect::<Vec<f64>>(), "N/m");

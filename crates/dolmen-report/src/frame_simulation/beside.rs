@@ -1,4 +1,4 @@
-//! A simulated frame beside what was measured.
+//! A simulated frame compared with measurements.
 
 use crate::document::{Cell, Column, Finding, Table, Tone};
 use dolmen::signal::Component;
@@ -83,7 +83,7 @@ fn ratio(value: f64) -> Quantity {
     Quantity::new(value, Unit::ratio(), Digits::Fixed(2))
 }
 
-/// Whether the model moved as the structure did, and which sensors say nothing of it or may be turned; `title` is of the run.
+/// Whether the model moved as the structure did, and which sensors are not comparable or may be reversed; `title` is of the run.
 pub(super) fn findings(simulation: &FrameSimulation, title: Sentence) -> Vec<Finding> {
     let Some(of) = simulation.beside.as_ref() else {
         return ground_of_another(simulation, title).into_iter().collect();
@@ -108,7 +108,7 @@ pub(super) fn findings(simulation: &FrameSimulation, title: Sentence) -> Vec<Fin
     all
 }
 
-/// A direction moved by the ground that a survey recorded along the other axis.
+/// A direction excited by the recorded ground motion along the other axis.
 fn ground_of_another(simulation: &FrameSimulation, of: Sentence) -> Option<Finding> {
     let survey = simulation.motion.measured.as_ref()?.survey.clone();
     let is_axis = [Component::X, Component::Y]
@@ -173,7 +173,7 @@ fn moves(of: &FrameBeside, title: Sentence) -> Finding {
     }
 }
 
-/// The highest sensor; where the model does not follow at it, or at another, the one with the least correlation of those.
+/// The highest sensor; if the model does not agree there or elsewhere, the one with the smallest correlation among those.
 fn worst(of: &FrameBeside) -> Option<&SensorBeside> {
     let off = of.sensors.iter().filter(|sensor| !sensor.follows());
     let least = off.min_by(|a, b| a.beside.correlation.total_cmp(&b.beside.correlation));

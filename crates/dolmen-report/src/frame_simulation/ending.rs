@@ -105,7 +105,7 @@ pub(crate) fn findings(simulations: &[&FrameSimulation]) -> Vec<Finding> {
         .collect()
 }
 
-/// How one ended, and its storeys against their limit.
+/// How one ended, and its storeys compared with their limit.
 pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
     let mut all = vec![finding(simulation)];
     all.extend(beside::findings(simulation, title(simulation)));
@@ -116,14 +116,14 @@ pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
     all.extend(loads(simulation));
     all.extend(together(simulation));
     all.extend(tenons::findings(simulation));
-    // what fell has said so
+    // a fall was already reported
     if !simulation.falls() {
         all.extend(limits(simulation));
     }
     all
 }
 
-/// How the frame moves on its columns alone, and that they are not in its own motion; nothing where the file has none.
+/// The motion of the frame on its columns alone, and that its own motion does not include them; empty if the file has none.
 pub(super) fn columns(simulation: &FrameSimulation) -> Vec<Finding> {
     let of_columns = match &simulation.columns {
         ColumnsInMotion::Absent => return Vec::new(),
@@ -189,7 +189,7 @@ fn columns_alone(simulation: &FrameSimulation, alone: &ColumnsAlone) -> Finding 
     }
 }
 
-/// What both directions do together, and what couples them; nothing of one component.
+/// The combined response of both directions, and their coupling; empty for one component.
 pub(super) fn together(simulation: &FrameSimulation) -> Vec<Finding> {
     let Some(together) = simulation.together_once() else {
         return Vec::new();
@@ -216,7 +216,7 @@ pub(super) fn together(simulation: &FrameSimulation) -> Vec<Finding> {
         .collect()
 }
 
-/// That it leans, and by whose measurement.
+/// The lean and its survey.
 pub(super) fn leans(simulation: &FrameSimulation) -> Option<Finding> {
     let lean = simulation.lean.as_ref()?;
     let tilt = simulation.tilt;
@@ -235,7 +235,7 @@ pub(super) fn leans(simulation: &FrameSimulation) -> Option<Finding> {
     Some(Finding::key(Tone::Plain, said))
 }
 
-/// That a surveyed tilt is not in the motion; nothing where none was surveyed.
+/// Finding that a surveyed tilt is not in the motion; empty if none was surveyed.
 pub(super) fn tilt_left_out(simulation: &FrameSimulation) -> Option<Finding> {
     let TiltLeftOut { survey, written } = simulation.tilt_left_out.clone()?;
     let said = Ending::TiltLeftOut {
@@ -245,7 +245,7 @@ pub(super) fn tilt_left_out(simulation: &FrameSimulation) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said))
 }
 
-/// What of the static loads and the wind is in the run, and what is not.
+/// Static loads and wind that are in the run, and those that are not.
 pub(super) fn loads(simulation: &FrameSimulation) -> Vec<Finding> {
     let carries = (simulation.carried_n != 0.0).then(|| Ending::Carries {
         weight: Quantity::new(simulation.carried_n, kilo("N"), Digits::Significant(3)),
@@ -264,7 +264,7 @@ fn limits(simulation: &FrameSimulation) -> Vec<Finding> {
     )
 }
 
-/// How it ended, and of which direction under which motion.
+/// The outcome, with the direction and the motion.
 pub(super) fn finding(simulation: &FrameSimulation) -> Finding {
     let tone = match simulation.history.outcome {
         FrameOutcome::DriftLimit { .. } => Tone::Bad,
@@ -281,7 +281,7 @@ pub(super) fn finding(simulation: &FrameSimulation) -> Finding {
     Finding::key(tone, capitalised(said))
 }
 
-/// How it ended, in a sentence that begins with a small letter.
+/// The outcome, in a sentence that begins with a small letter.
 pub(super) fn ending(simulation: &FrameSimulation) -> Sentence {
     match simulation.ended_before_the_motion_s() {
         Some(end_s) => cut(&simulation.motion, end_s, until_the_end(simulation)),
@@ -321,7 +321,7 @@ fn until_the_end(simulation: &FrameSimulation) -> Sentence {
     }
 }
 
-/// The largest lean of a storey of which small drifts can tell.
+/// The largest lean of a storey for which small drifts are valid.
 fn drift_most() -> Quantity {
     Quantity::new(DRIFT_RATIO_MOST, Unit::percent(), Digits::Trimmed(3))
 }

@@ -5,7 +5,7 @@ use crate::simulated::kilo;
 use dolmen::dynamics::{FrictionActsOn, FrictionFrame, Sliders, StoreyFriction};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
-/// Dashpots whose ratios differ by less are the same, stuck or slipping.
+/// Dashpots whose ratios differ by less are the same while sticking and slipping.
 const SAME_RATIO: f64 = 1e-6;
 
 messages! {
@@ -45,7 +45,7 @@ pub(super) fn kilonewtons_a_millimetre() -> Unit {
     }
 }
 
-/// What a storey's slider is.
+/// The slider of a storey.
 pub(super) fn friction(of: &StoreyFriction) -> Friction {
     match *of {
         StoreyFriction::None => Friction::None,
@@ -83,7 +83,7 @@ fn force(static_n: f64, kinetic_n: f64) -> Sentence {
     }
 }
 
-/// What the dashpots are of the first mode, while the joints stick and while they slip; `None` without any.
+/// The damping of the first mode by the dashpots, while the joints stick and while they slip; `None` without any.
 fn dashpots(frame: &FrictionFrame) -> Option<Friction> {
     let first = |sliders| frame.damping_ratios(sliders).ok()?.first().copied()?;
     let stuck: f64 = first(Sliders::Stuck).filter(|ratio| *ratio > 0.0)?;
@@ -98,7 +98,7 @@ fn dashpots(frame: &FrictionFrame) -> Option<Friction> {
     })
 }
 
-/// What the dashpots are, and what the friction acts on if that is not the drift.
+/// The dashpots, and what the friction acts on if that is not the drift.
 pub(super) fn notes(document: &mut Document<'_>, frame: &FrictionFrame) {
     if let Some(said) = dashpots(frame) {
         document.note(said);

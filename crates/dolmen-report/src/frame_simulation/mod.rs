@@ -1,4 +1,4 @@
-//! Simulated motions of a frame: how they ended, storey by storey, in time.
+//! Simulated motions of a frame: their outcome, storey by storey, over time.
 
 mod beside;
 mod ending;
@@ -49,7 +49,7 @@ messages! {
     }
 }
 
-/// The sentences on simulated frames as they are written.
+/// Templates of the sentences on simulated frames.
 pub(crate) const TEMPLATES: [&[Template]; 8] = [
     beside::Beside::TEMPLATES,
     ending::Ending::TEMPLATES,
@@ -61,7 +61,7 @@ pub(crate) const TEMPLATES: [&[Template]; 8] = [
     title::Title::TEMPLATES,
 ];
 
-/// How it ended; in full each storey and the balance of energy.
+/// The outcome; in full each storey and the energy balance.
 pub fn frame_simulation_text(simulation: &FrameSimulation, style: TextStyle) -> String {
     let found = findings_text(&ending::own(simulation), style);
     if !style.is_full {
@@ -73,7 +73,7 @@ pub fn frame_simulation_text(simulation: &FrameSimulation, style: TextStyle) -> 
     found + &document_text(&document, style)
 }
 
-/// One section a simulation.
+/// One section per simulation.
 pub(crate) fn sections<'a>(simulations: &[&'a FrameSimulation]) -> Document<'a> {
     let mut document = Document::default();
     for simulation in simulations {
@@ -133,7 +133,7 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a FrameSimulation) {
     run::run(document, simulation);
 }
 
-/// The storey whose resultant drift is the largest of its height.
+/// The storey with the largest resultant drift ratio.
 fn worst(simulation: &FrameSimulation) -> String {
     let together = simulation.together_once();
     let storey = together.and_then(|of| simulation.storeys.get(of.worst));

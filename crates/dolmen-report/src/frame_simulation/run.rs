@@ -1,4 +1,4 @@
-//! The run of a simulated frame: what a second engineer needs to repeat and to doubt it.
+//! The run of a simulated frame: data for a second engineer to repeat and check it.
 
 use crate::document::{Block, Cell, Column, Document, Table};
 use crate::simulated::{energy_unit, seconds};
@@ -42,7 +42,7 @@ messages! {
     }
 }
 
-/// The balance of energy, the events, what is assumed.
+/// The energy balance, the events, the assumptions.
 pub(super) fn run(document: &mut Document<'_>, simulation: &FrameSimulation) {
     let history = &simulation.history;
     document.put(Block::Table(energy(simulation)));

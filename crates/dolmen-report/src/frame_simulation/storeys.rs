@@ -1,4 +1,4 @@
-//! What the storeys of a simulated frame are, and what each did.
+//! The storeys of a simulated frame and their response.
 
 use super::friction::{friction, kilonewtons_a_millimetre};
 use crate::document::{Cell, Column, Table};
@@ -75,7 +75,7 @@ pub(super) fn model(simulation: &FrameSimulation) -> Table {
     }
 }
 
-/// The largest resultant drifts, a row each storey; nothing of one component.
+/// The largest resultant drifts, one row per storey; empty for one component.
 pub(super) fn together(simulation: &FrameSimulation) -> Option<Table> {
     let together = simulation.together_once()?;
     let heights = simulation.frame.frame().storeys().iter();
@@ -108,7 +108,7 @@ pub(super) fn together(simulation: &FrameSimulation) -> Option<Table> {
     })
 }
 
-/// Peaks, and what is left, a row each storey.
+/// Peaks and residuals, one row per storey.
 pub(super) fn response(simulation: &FrameSimulation) -> Table {
     let history = &simulation.history;
     let heights = simulation.frame.frame().storeys();

@@ -1,4 +1,4 @@
-//! What the tenons of a simulated frame went through.
+//! Response of the tenons of a simulated frame.
 
 use super::friction::kilonewtons_a_millimetre;
 use super::title::title;
@@ -35,12 +35,12 @@ messages! {
     }
 }
 
-/// Share of the stiffness that the worse face has left.
+/// Fraction of the stiffness that remains at the worse face.
 fn left(tenon: &Tenon, faces: &[TenonFace; 2]) -> f64 {
     faces[0].stiffness_n_m.min(faces[1].stiffness_n_m) / tenon.stiffness_n_m
 }
 
-/// Storeys that have tenons: their names, the tenons as built and the faces at the end.
+/// Storeys with tenons: their names, the tenons as built and the faces at the end.
 fn each(simulation: &FrameSimulation) -> impl Iterator<Item = (&String, &Tenon, &[TenonFace; 2])> {
     let built = simulation.frame.tenons().iter().zip(&simulation.history.tenons);
     let named = simulation.storeys.iter().zip(built);
@@ -76,7 +76,7 @@ pub(super) fn findings(simulation: &FrameSimulation) -> Vec<Finding> {
     said.collect()
 }
 
-/// The tenons, a row a storey; nothing without any.
+/// The tenons, one row per storey; `None` without any.
 pub(super) fn table(simulation: &FrameSimulation) -> Option<Table> {
     let stiffness = kilonewtons_a_millimetre();
     let force = kilo("N");

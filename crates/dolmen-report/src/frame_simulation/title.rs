@@ -1,4 +1,4 @@
-//! Which simulation of a frame it is.
+//! Titles of simulations of a frame.
 
 use crate::simulated::version_name;
 use dolmen_words::{Sentence, messages};

@@ -1,4 +1,4 @@
-//! What stands before and behind the sections of a report, in a language: its kind and name, what the answers come to, method and sources.
+//! The parts before and after the sections of a report, in a language: its kind and name, the answers, method and sources.
 
 use super::imprint::Imprint;
 use super::words::{judgement_sign, thresholds};
@@ -10,31 +10,31 @@ use dolmen::stability::Verdict;
 use dolmen_project::Structure;
 use dolmen_words::message::Both;
 use dolmen_words::number::beside_one;
-use dolmen_words::{Language, Sentence};
+use dolmen_words::{Language, Sentence, printed_name};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{
     AssumedInputs, Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
 };
 use dolmen_work::state::{Check, State};
 
-/// What the answers on a project come to.
+/// The answers on a project.
 pub(crate) struct Banner {
     pub(crate) colour: Colour,
-    /// For those who see no colours.
+    /// A sign for readers who cannot see colours.
     pub(crate) sign: &'static str,
     /// The words of the headline.
     pub(crate) words: String,
-    /// What must be read with the words: variants that are worse, what an earthquake does, contradictions.
+    /// Statements that belong with the words: worse variants, the effect of an earthquake, contradictions.
     pub(crate) first: Vec<String>,
-    /// The number that decides.
+    /// The decisive number.
     pub(crate) sentence: String,
-    /// How many values are assumed, if any are.
+    /// Number of assumed values, if there are any.
     pub(crate) assumed: Option<String>,
-    /// What the words mean, with their thresholds.
+    /// The meaning of the words, with their thresholds.
     pub(crate) scale: String,
 }
 
-/// What a report on a structure is about.
+/// The subject of a report on a structure.
 pub(crate) fn kind_words(structure: &Structure, language: Language) -> &'static str {
     match structure {
         Structure::Chain(_) => language.pick(
@@ -59,12 +59,12 @@ pub(crate) fn project_name(answer: &ProjectReport, language: Language) -> &str {
     language.pick(answer.project.name.english(), answer.project.name.korean())
 }
 
-/// Whether something was judged: a model, or surveys over the years that leave an alarm open.
+/// Whether there is a verdict: on a model, or on surveys over the years with an open alarm.
 pub(crate) fn has_headline(answer: &ProjectReport) -> bool {
     answer.state().is_some() || judge(&answer.answers).alarming.is_any()
 }
 
-/// A project in the list: the sign of the worst colour, the words of its headline, why, and variants that are worse.
+/// A project in the list: the sign of the worst colour, its headline, the reason, and worse variants.
 pub(crate) fn headline_line(answer: &ProjectReport, language: Language) -> String {
     let judgement = judge(&answer.answers);
     let mut all = Vec::new();
@@ -74,7 +74,7 @@ pub(crate) fn headline_line(answer: &ProjectReport, language: Language) -> Strin
     format!("{} {}", judgement_sign(&judgement), all.join("; "))
 }
 
-/// What an earthquake does to a version that is not above demand, a word each.
+/// The effect of an earthquake on a version that is not above demand, one word each.
 fn shaken(judged: &VersionJudgement, structure: &Structure, language: Language) -> Vec<String> {
     let findings = judged.earthquake.iter();
     let worse = findings.filter(|of| of.word.colour() != Colour::Green);
@@ -128,7 +128,7 @@ fn worse(answer: &ProjectReport, judgement: &Judgement, language: Language) -> V
     each.collect()
 }
 
-/// What the answers on a project come to, in a language.
+/// The answers on a project, in a language.
 pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) -> Banner {
     let verdict = state.verdict();
     let judgement = judge(&answer.answers);
@@ -174,14 +174,15 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
         .iter()
         .filter(|of| !of.is_too_rough && of.superseded_by.is_none());
     first.extend(deciding.map(|c| {
+        let survey = printed_name(&c.survey, language);
         language.pick(
             format!(
                 "A survey contradicts this model: {} measured {:.3} Hz, the model has {:.3} Hz.",
-                c.survey, c.measured_hz, c.computed_hz
+                survey, c.measured_hz, c.computed_hz
             ),
             format!(
                 "조사 결과가 이 모델과 일치하지 않는다. {} 조사의 실측 {:.3} Hz, 모델 {:.3} Hz.",
-                c.survey, c.measured_hz, c.computed_hz
+                survey, c.measured_hz, c.computed_hz
             ),
         )
     }));
@@ -206,7 +207,7 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
     }
 }
 
-/// The program, the seed, the input and the papers that a report rests on.
+/// The program, the seed, the input and the papers behind a report.
 pub(crate) fn sources(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Vec<String> {
     let mut all = vec![format!(
         "{}{}",
@@ -238,7 +239,7 @@ fn papers(structure: &Structure, language: Language) -> Vec<String> {
     }
 }
 
-/// What stands at the end of every report.
+/// The closing text of every report.
 pub(crate) fn closing(language: Language) -> &'static str {
     language.pick(
             "The same input gives the same numbers. This page supports the judgement of an engineer; it does not replace it.",

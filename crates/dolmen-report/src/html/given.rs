@@ -8,7 +8,7 @@ use crate::surveys_given::{Given, inputs_listed, surveys_table};
 use crate::warned::warned;
 use dolmen_project::{Quantity, Structure, Survey};
 use dolmen_words::number;
-use dolmen_words::{Language, Sentence};
+use dolmen_words::{Language, Sentence, printed_name};
 use dolmen_work::answer::ProjectReport;
 use maud::{Markup, html};
 
@@ -134,7 +134,7 @@ fn surveys(answer: &ProjectReport, language: Language, numbers: &mut Numbers) ->
 
 /// The head over what was given with a survey.
 pub(crate) fn survey_head(survey: &Survey, language: Language) -> String {
-    let name = &survey.name;
+    let name = printed_name(&survey.name, language);
     language.pick(format!("Survey {name}"), format!("{name} 조사"))
 }
 

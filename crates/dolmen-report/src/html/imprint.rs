@@ -1,6 +1,6 @@
 //! The imprint of a report, and projects that it could not include.
 
-/// Who made the page, and when.
+/// The program and the date.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Imprint {
     /// Name and version of the program: "dolmen 0.1.0".

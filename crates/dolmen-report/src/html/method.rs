@@ -1,4 +1,4 @@
-//! What the numbers rest on, and what they leave out.
+//! Basis and limits of the numbers.
 
 use crate::document::{Block, Document, Equation, Math};
 use dolmen_project::{Project, Structure, Survey};
@@ -92,7 +92,7 @@ messages! {
     }
 }
 
-/// The section on what the numbers of a project rest on, and what they leave out.
+/// The section on the basis and limits of a project's numbers.
 pub(crate) fn method(project: &Project) -> Document<'static> {
     let mut document = Document::default();
     document.heading(Method::Head);

@@ -13,10 +13,10 @@ use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
-/// The report on one or more projects as a page that needs nothing else: no script, no font, no picture from outside.
+/// The report on one or more projects as a self-contained page: no external script, font or picture.
 ///
-/// Several projects begin on a page of their own in print, and a list of them stands at the top. What an answer does
-/// not hold is left out or called unknown. The page names projects that could not be reported on before all others.
+/// In print each project begins on a new page, and a list of them stands at the top. Missing data are left out or
+/// called unknown. Projects that could not be reported on are listed first.
 pub fn html(
     answers: &[ProjectReport],
     others: &[NotReported],
@@ -44,12 +44,12 @@ pub fn html(
     format!("{head}{body}")
 }
 
-/// What a page may load and do: its own style sheet and the styles in its figures. No script, nothing from outside, no form; images stand
-/// in the page itself.
+/// What a page may load and do: its own style sheet and the styles in its figures. No script, nothing external, no form; images are
+/// embedded.
 const POLICY: &str =
     "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 
-/// A page that needs nothing else.
+/// A self-contained page.
 pub(super) fn whole(title: &str, language: Language, body: &Markup) -> String {
     markup! {
         (DOCTYPE)
@@ -88,7 +88,7 @@ fn contents(answers: &[ProjectReport], others: &[NotReported], language: Languag
     }
 }
 
-/// The report on a project; its number where there are several.
+/// The report on a project, with its number if there are several.
 fn article(answer: &ProjectReport, language: Language, imprint: &Imprint, number: Option<usize>) -> Markup {
     let project = &answer.project;
     let mut numbers = number.map_or(Numbers::alone(), Numbers::of_project);

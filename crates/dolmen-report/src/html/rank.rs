@@ -8,7 +8,7 @@ use dolmen_words::Language;
 use dolmen_work::portfolio::PortfolioAnswer;
 use maud::html;
 
-/// The ranking as a page that needs nothing else.
+/// The ranking as a self-contained page.
 pub fn ranking_html(answer: &PortfolioAnswer, language: Language, imprint: &Imprint) -> String {
     let title = language.pick("Which structure first", "우선순위 평가");
     let body = html! {

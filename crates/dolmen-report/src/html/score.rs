@@ -7,7 +7,7 @@ use crate::score::{Form, form};
 use dolmen_words::{Language, Sentence};
 use maud::html;
 
-/// The form as a page that needs nothing else, to be printed.
+/// The form as a self-contained page, for printing.
 pub fn score_form_html(language: Language, imprint: &Imprint) -> String {
     let title = Sentence::from(Form::Title).text(language);
     let body = html! {

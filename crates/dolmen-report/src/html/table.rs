@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-/// Tables of so many rows stay on one page in print.
+/// Tables of at most this many rows stay on one page in print.
 const WHOLE_ROWS: usize = 8;
 
 /// One cell.
@@ -39,7 +39,7 @@ impl<T: Into<String>> From<T> for Cell {
     }
 }
 
-/// A table whose first `words` columns hold words and the others numbers.
+/// A table whose first `words` columns contain words, the others numbers.
 pub(super) fn table(label: &str, caption: &str, words: usize, head: &[String], rows: &[Vec<Cell>]) -> Markup {
     let side = |column: usize| if column < words { "t" } else { "" };
     html! {
@@ -56,7 +56,7 @@ pub(super) fn table(label: &str, caption: &str, words: usize, head: &[String], r
     }
 }
 
-/// The first sentence stands out: it says what is to be seen.
+/// Emphasises the first sentence, which gives the main point.
 fn strong_lead(text: &str) -> Markup {
     match text.split_once(". ") {
         Some((lead, rest)) => html! { b { (lead) "." } " " (rest) },

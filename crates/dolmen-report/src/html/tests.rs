@@ -1,4 +1,4 @@
-//! Whole pages: escaping, language, self-containment, and that what they say follows from the values.
+//! Whole pages: escaping, language, self-containment, and that their statements follow from the values.
 
 use super::{Imprint, html};
 use dolmen::assess::{check_chain, check_frame};
@@ -52,7 +52,7 @@ pub(crate) fn pole(joints: &str) -> ProjectReport {
     answer(project, Check::Chain(Box::new(check)))
 }
 
-/// Two roots of the gate's inverse; nothing chooses between them.
+/// Two solutions of the gate's inverse problem, without a choice.
 pub(crate) fn gate() -> ProjectReport {
     let project = parse_project(GATE, "dolmen.toml").unwrap();
     let Structure::Frame(part) = &project.structure else {
@@ -166,7 +166,7 @@ fn equal(k: f64) -> String {
     format!("[{}]", joints.join(", "))
 }
 
-/// Every number of a page that a reader sees, sorted.
+/// Every visible number of a page, sorted.
 fn numbers(page: &str) -> Vec<String> {
     let body = page.split_once("<body>").map_or(page, |(_, body)| body);
     let mut text = String::new();
@@ -187,14 +187,14 @@ fn numbers(page: &str) -> Vec<String> {
     let mut all: Vec<String> = text
         .split(|c: char| !c.is_ascii_digit() && c != '.' && c != '\u{202f}')
         .map(|n| n.trim_matches(|c| c == '.' || c == '\u{202f}').to_string())
-        // "zero" is a word in English, a numeral in Korean.
+        // "zero" is a word in English, a numeral in Korean
         .filter(|n| n.starts_with(|c: char| c.is_ascii_digit()) && n != "0")
         .collect();
     all.sort();
     all
 }
 
-/// Tags of well-formed XML nest, and its attributes are quoted.
+/// Checks that tags are nested and attributes quoted.
 fn assert_nests(svg: &str) {
     let mut open: Vec<&str> = Vec::new();
     for piece in svg.split('<').skip(1) {
@@ -263,26 +263,26 @@ fn published_sentence_stands_beside_the_factor_of_the_values() {
             "indefinite, so a pole with those stiffnesses falls; the joints need 4.74 times as much"
         )
     );
-    for exact in [
-        "4.735605", "2.476536", "1.026526", "291.9841", "128.64", "253.83", "739.69",
-    ] {
+    for exact in ["4.736", "2.477", "1.027", "292.0", "128.64", "253.83", "739.69"] {
         assert!(page.contains(exact), "{exact}");
     }
 }
 
 #[test]
 fn holds_verdict_words_follow_the_load_factor() {
-    // 291.9841 kN·m/rad is where equal joints just stand.
+    // Equal joints of 291.9841 kN·m/rad are just stable
     for (k, class, english, korean) in [
         (280.0, "verdict unstable", "unstable", "불안정"),
         (400.0, "verdict marginal", "marginal", "여유 부족"),
-        (500.0, "verdict stable", "stable", "안정"),
+        // stable, and amber all the same: the cap stone is not in the model
+        (500.0, "verdict marginal", "stable", "안정"),
     ] {
         let answer = pole(&equal(k));
         for (language, word) in [(Language::English, english), (Language::Korean, korean)] {
             let page = page(std::slice::from_ref(&answer), language);
             let banner = page.split(class).nth(1).unwrap_or_else(|| panic!("{k}: {class}"));
             let said = banner.split("</div>").next().unwrap_or_default();
+            let said = said.split(" · ").next().unwrap_or_default();
             assert!(said.ends_with(&format!(" {word}")), "{k}: {said}");
         }
     }
@@ -406,7 +406,7 @@ fn holds_one_fault_is_one_and_notes_of_a_record_are_in_the_language_of_the_page(
     }];
     let english = page(std::slice::from_ref(&answer), Language::English);
     assert!(
-        english.contains("1 fault was seen in its channels; it is named"),
+        english.contains("made 1") && english.contains("drifts by"),
         "{english}"
     );
     assert!(

@@ -1,4 +1,4 @@
-//! The fixed words: verdicts with their thresholds, where numbers come from, what parts are called.
+//! The fixed words: verdicts with their thresholds, sources of numbers, names of parts.
 
 use dolmen::stability::Verdict;
 use dolmen::structure::Convention;
@@ -7,7 +7,6 @@ use dolmen_words::number;
 use dolmen_words::{Language, printed_name};
 use dolmen_work::judgement::{Colour, Judgement, Weight};
 
-/// The word of a verdict.
 pub(crate) fn verdict_word(verdict: Verdict, language: Language) -> &'static str {
     match verdict {
         Verdict::Stable => language.pick("stable", "안정"),
@@ -17,7 +16,7 @@ pub(crate) fn verdict_word(verdict: Verdict, language: Language) -> &'static str
     }
 }
 
-/// The class of the style sheet that has a colour.
+/// The style class of a colour.
 pub(crate) fn colour_class(colour: Colour) -> &'static str {
     match colour {
         Colour::Green => "stable",
@@ -26,7 +25,7 @@ pub(crate) fn colour_class(colour: Colour) -> &'static str {
     }
 }
 
-/// The sign that stands before a judgement, for those who see no colours.
+/// The sign before a judgement, for readers who cannot see colours.
 pub(crate) fn judgement_sign(judgement: &Judgement) -> &'static str {
     let weight = judgement.headline().and_then(|of| of.weight);
     match (judgement.colour(), weight) {
@@ -37,7 +36,7 @@ pub(crate) fn judgement_sign(judgement: &Judgement) -> &'static str {
     }
 }
 
-/// What the words mean, with their thresholds.
+/// The meaning of the words, with their thresholds.
 pub(crate) fn thresholds(language: Language) -> String {
     let limit = number::significant(Verdict::MARGINAL_BELOW, 2);
     language.pick(
@@ -51,7 +50,7 @@ pub(crate) fn thresholds(language: Language) -> String {
     )
 }
 
-/// Where a number comes from.
+/// Source of a number.
 pub(crate) fn evidence_word(evidence: Option<Evidence>, language: Language) -> &'static str {
     match evidence {
         Some(Evidence::Measured) => language.pick("measured", "실측"),
@@ -63,7 +62,7 @@ pub(crate) fn evidence_word(evidence: Option<Evidence>, language: Language) -> &
     }
 }
 
-/// What the springs of a frame act on.
+/// The convention of the springs of a frame.
 pub(crate) fn convention_word(convention: Convention, language: Language) -> &'static str {
     match convention {
         Convention::Drift => language.pick("spring on storey drift", "층간변위에 작용하는 스프링"),
@@ -88,7 +87,7 @@ pub(crate) fn set(written: &str) -> String {
         .replace("/s2", "/s²")
 }
 
-/// `links[1].weight` in words, "link 1, weight"; a path that is not known stays as it is.
+/// `links[1].weight` in words, "link 1, weight"; an unknown path stays as it is.
 pub(crate) fn path_words(path: &str, language: Language) -> String {
     if let Some(words) = survey_words(path, language) {
         return words;
@@ -113,7 +112,7 @@ pub(crate) fn path_words(path: &str, language: Language) -> String {
     }
 }
 
-/// The same with stones, links and storeys called by their names: `blocks[4].width` is "1층탑신 폭".
+/// The same with the names of stones, links and storeys: `blocks[4].width` is "1층탑신 폭".
 pub(crate) fn input_words(structure: &Structure, path: &str, language: Language) -> String {
     let words = path_words(path, language);
     let numbered = path
@@ -125,7 +124,7 @@ pub(crate) fn input_words(structure: &Structure, path: &str, language: Language)
     }
 }
 
-/// The name that the file gives to the part of a path: of `blocks[4].width`, `links[2].length` or `storeys[1].mass`.
+/// The name in the file of the part of a path: of `blocks[4].width`, `links[2].length` or `storeys[1].mass`.
 fn named<'a>(structure: &'a Structure, path: &str) -> Option<&'a str> {
     let (kind, rest) = path.split_once('[')?;
     let number: usize = rest.split_once(']')?.0.parse().ok()?;
@@ -138,7 +137,7 @@ fn named<'a>(structure: &'a Structure, path: &str) -> Option<&'a str> {
     }
 }
 
-/// "1층탑신" and "폭" of `blocks[4].width`; `None` of what is of no numbered part.
+/// "1층탑신" and "폭" for `blocks[4].width`; `None` for paths without a numbered part.
 pub(crate) fn part_and_quantity(
     structure: &Structure,
     path: &str,

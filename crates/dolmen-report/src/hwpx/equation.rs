@@ -6,14 +6,14 @@ use crate::paper::xml::Xml;
 
 /// Size of the letters, hundredths of a point.
 const LETTERS: f64 = 1100.0;
-/// Widths and heights in sizes of the letters: the box that holds the formula until the editor sets it anew. Chosen here, on the large side.
+/// Widths and heights relative to the letter size: the box for the formula until the editor recomputes it. Our choice, on the large side.
 const LETTER_WIDE: f64 = 0.65;
 const SIGN_WIDE: f64 = 1.1;
 const LINE_HIGH: f64 = 1.25;
 /// Of an index or power.
 const SMALL: f64 = 0.7;
 
-/// A formula in its line, like a letter.
+/// A formula within a line, like a letter.
 pub(super) fn equation(xml: &mut Xml, formula: &[Math], number: usize) {
     let id = (3_000_000 + number).to_string();
     let [width, height] = room(formula).map(|side| format!("{:.0}", side * LETTERS));
@@ -42,7 +42,7 @@ pub(super) fn equation(xml: &mut Xml, formula: &[Math], number: usize) {
     });
 }
 
-/// The formula in the words of the editor.
+/// The formula in the editor's script.
 fn script(formula: &[Math]) -> String {
     formula.iter().map(word).collect::<Vec<_>>().join(" ")
 }
@@ -51,7 +51,7 @@ fn word(of: &Math) -> String {
     match of {
         Math::Symbol(text) => name(text).to_owned(),
         Math::Matrix(text) => format!("{{rm {{bold {{{}}}}} it}}", name(text)),
-        // functions are upright by themselves
+        // the editor sets functions upright
         Math::Word(text @ ("det" | "min")) => (*text).to_owned(),
         Math::Word(text) if text.bytes().all(|sign| sign.is_ascii_digit()) => (*text).to_owned(),
         Math::Word(text) => format!("{{rm \"{text}\" it}}"),
@@ -64,7 +64,7 @@ fn word(of: &Math) -> String {
     }
 }
 
-/// A letter as the editor names it.
+/// The editor's name of a letter.
 fn name(text: &str) -> &str {
     match text {
         "λ" => "lambda",

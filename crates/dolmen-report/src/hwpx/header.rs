@@ -1,16 +1,16 @@
-//! The head of a document: fonts, grounds, letters, tabs, numbers, paragraphs and styles.
+//! The header of a document: fonts, fills, letters, tabs, numbers, paragraphs and styles.
 
 use super::looks::{Count, Ground, Letters, Lie, Looks, Style, Tab};
 use super::spaces::SPACES;
 use crate::paper::xml::Xml;
 
-/// Windows has it, and so every computer with Hangul on it.
+/// Part of Windows, and so of every computer with Hangul.
 const FONT: &str = "맑은 고딕";
 const SCRIPTS: [&str; 7] = ["HANGUL", "LATIN", "HANJA", "JAPANESE", "OTHER", "SYMBOL", "USER"];
-/// No letters of its own.
+/// No separate letter format.
 const NO_LETTERS: &str = "4294967295";
 
-/// The head of a document of so many sections.
+/// The header of a document with this many sections.
 pub(super) fn header(looks: &Looks, sections: usize) -> String {
     let mut xml = Xml::document();
     let mut attributes = SPACES.to_vec();
@@ -55,7 +55,7 @@ pub(super) fn header(looks: &Looks, sections: usize) -> String {
                 &[("path", ""), ("pageInherit", "0"), ("footnoteInherit", "0")],
             );
         });
-        xml.leaf("hh:trackchageConfig", &[("flags", "56")]); // so the format spells it
+        xml.leaf("hh:trackchageConfig", &[("flags", "56")]); // spelt as in the format
     });
     xml.finish()
 }
@@ -170,7 +170,7 @@ fn character(xml: &mut Xml, id: usize, letters: &Letters) {
     });
 }
 
-/// Heads numbered 1, 1.1, 1.1.1, and the bullet.
+/// Headings numbered 1, 1.1, 1.1.1, and the bullet.
 fn numbers(xml: &mut Xml) {
     let head = |xml: &mut Xml, level: &str, text: &str, distance: &str| {
         let attributes = [

@@ -1,4 +1,4 @@
-//! Paragraphs and their stretches.
+//! Paragraphs and their spans.
 
 use super::looks::{Letters, Lie, Looks, Style};
 use crate::paper::xml::Xml;
@@ -6,14 +6,14 @@ use crate::paper::{Caption, Ink, Run, Stretch, stretches_of};
 
 /// Hundredths of a point in a twentieth of one.
 pub(super) const HUNDREDTHS_OF_TWIP: usize = 5;
-/// What paragraphs need beside their words.
+/// State of the paragraphs.
 pub(super) struct Lines<'a> {
     pub(super) looks: &'a mut Looks,
     pub(super) tables: usize,
     pub(super) paragraphs: u32,
     /// The next paragraph begins a page.
     pub(super) breaks: bool,
-    /// What the first paragraph of a section holds: the paper and the running lines.
+    /// Content of the first paragraph of a section: the paper and the running lines.
     pub(super) opening: Option<Xml>,
 }
 
@@ -61,7 +61,7 @@ impl Lines<'_> {
         });
     }
 
-    /// A caption: its first sentence stands out.
+    /// A caption; its first sentence is emphasised.
     pub(super) fn caption(&mut self, xml: &mut Xml, of: &Caption) {
         let mut runs = vec![Run::Words(format!("{}{}", of.word, of.number), Ink::BOLD)];
         if let Some(lead) = &of.lead {
@@ -81,7 +81,7 @@ impl Lines<'_> {
     }
 }
 
-/// Runs of a paragraph whose letters are those of its style where they do not stand out.
+/// Runs of a paragraph, with the letters of its style unless emphasised.
 pub(super) fn stretches(xml: &mut Xml, looks: &mut Looks, runs: &[Run], letters: Letters) {
     for run in runs {
         match run {
@@ -111,7 +111,7 @@ pub(super) fn written(xml: &mut Xml, looks: &mut Looks, letters: Letters, inside
     xml.element("hp:run", &[("charPrIDRef", &letters)], inside);
 }
 
-/// Paragraphs of a cell, or of a running line that has this width and height.
+/// Paragraphs of a cell, or of a running line of this width and height.
 pub(super) fn sub_list(xml: &mut Xml, side: &str, sides: [usize; 2], inside: impl FnOnce(&mut Xml)) {
     let [width, height] = sides.map(|side| side.to_string());
     let attributes = [

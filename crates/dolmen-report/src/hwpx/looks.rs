@@ -1,9 +1,9 @@
-//! How letters and paragraphs of a document look: what the styles say, and each look that a piece asks for beyond them. Lengths are hundredths
-//! of a point.
+//! Formats of letters and paragraphs in a document: those of the styles, and further ones that pieces need. Lengths are hundredths of a
+//! point.
 
 use crate::paper::{HAIR, INK, QUIET, Role, Shade};
 
-/// How letters look.
+/// Format of letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Letters {
     pub(super) size: u32,
@@ -12,7 +12,7 @@ pub(super) struct Letters {
     pub(super) low: bool,
 }
 
-/// Where a paragraph lies on its lines.
+/// Alignment of a paragraph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Align {
     Left,
@@ -30,11 +30,11 @@ impl Align {
     }
 }
 
-/// How a tab ends.
+/// Kind of a tab stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Tab {
     Usual,
-    /// Where lines after the first begin.
+    /// The indent of lines after the first.
     Hanging,
     /// At the right end of the line.
     Right,
@@ -44,7 +44,7 @@ impl Tab {
     pub(super) const ALL: [Tab; 3] = [Tab::Usual, Tab::Hanging, Tab::Right];
 }
 
-/// What numbers a paragraph.
+/// Numbering of a paragraph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Count {
     None,
@@ -53,12 +53,12 @@ pub(super) enum Count {
     Bullet,
 }
 
-/// How a paragraph lies.
+/// Layout of a paragraph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Lie {
     pub(super) align: Align,
     pub(super) left: u32,
-    /// By how much the first line begins before the others.
+    /// Hanging indent of the first line.
     pub(super) hanging: u32,
     pub(super) above: u32,
     pub(super) below: u32,
@@ -70,11 +70,11 @@ pub(super) struct Lie {
     pub(super) ground: Ground,
 }
 
-/// What lies behind a paragraph or a cell, and its lines.
+/// Background and borders of a paragraph or a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ground {
     None,
-    /// A wash with a bar at its left.
+    /// A fill with a bar at its left.
     Shade(Shade),
     /// A hairline below.
     Row,
@@ -82,7 +82,7 @@ pub(super) enum Ground {
     RowEnd,
 }
 
-/// A line: its width as the format spells it, and its colour.
+/// A line: its width in the notation of the format, and its colour.
 pub(super) type Rule = (&'static str, &'static str);
 
 impl Ground {
@@ -175,7 +175,7 @@ impl Style {
         }
     }
 
-    /// The style of a head of this level, from 1.
+    /// The style of a heading of this level, from 1.
     pub(super) fn heading(level: usize) -> Self {
         match level {
             1 => Style::Outline1,
@@ -184,7 +184,7 @@ impl Style {
         }
     }
 
-    /// Korean and English; Hangul knows its own styles by these.
+    /// Korean and English names; Hangul recognises its own styles by these.
     pub(super) fn names(self) -> [&'static str; 2] {
         match self {
             Style::Normal => ["바탕글", "Normal"],
@@ -326,7 +326,7 @@ impl Style {
     }
 }
 
-/// Every look that the document uses, in the order of their numbers.
+/// Every format in the document, in the order of their numbers.
 #[derive(Debug)]
 pub(super) struct Looks {
     pub(super) letters: Vec<Letters>,
@@ -335,7 +335,7 @@ pub(super) struct Looks {
 }
 
 impl Looks {
-    /// Those of the styles.
+    /// The formats of the styles.
     pub(super) fn new() -> Self {
         let mut looks = Looks {
             letters: Vec::new(),

@@ -1,4 +1,4 @@
-//! A report as a document of Hangul (HWPX, KS X 6101): what Korean authorities file, to be edited and used again.
+//! A report as a Hangul document (HWPX, KS X 6101), the format that Korean authorities file, for editing and reuse.
 
 mod equation;
 mod header;
@@ -21,9 +21,9 @@ use section::Writer;
 
 /// The report on one or more projects as the bytes of an HWPX file; `paint` makes a PNG of a figure's SVG.
 ///
-/// Heads are the outline of Hangul and number themselves; body, captions and tables have styles of their own, heads of tables repeat on the
-/// next page. Numbers of captions are words; the contents name heads without pages (Hangul makes its own from the outline). Photographs lie as
-/// their files do. The same input gives the same bytes.
+/// Headings are the outline of Hangul and are numbered automatically; body, captions and tables have their own styles, and table heads repeat on
+/// the next page. Caption numbers are plain text. The contents list headings without pages (Hangul makes its own from the outline). Photographs
+/// keep the bytes of their files. The same input gives the same bytes.
 ///
 /// # Errors
 /// [`PaperFault`].

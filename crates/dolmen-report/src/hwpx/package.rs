@@ -1,4 +1,4 @@
-//! The parts of an HWPX file: what it is, its head, its sections, its pictures, and its words for those who only look in.
+//! The parts of an HWPX file: its type, header, sections, pictures, and preview text.
 
 use super::header::header;
 use super::looks::Looks;
@@ -8,10 +8,10 @@ use crate::paper::{self, Paper, PaperFault, Part};
 use dolmen_words::Language;
 use std::borrow::Cow;
 
-/// Signs of the words that a preview shows.
+/// Number of characters in the preview.
 const PREVIEW_MOST: usize = 1000;
 
-/// Pictures that Hangul shows: SVG is none.
+/// Pictures that Hangul supports, which excludes SVG.
 fn shown(paper: &Paper) -> impl Iterator<Item = &(String, Vec<u8>)> {
     paper.files.iter().filter(|(name, _)| !name.ends_with(".svg"))
 }
@@ -25,7 +25,7 @@ pub(super) fn pack(
     text: String,
 ) -> Result<Vec<u8>, PaperFault> {
     let owned = |name: &str, text: String| -> Part<'_> { (name.to_owned(), Cow::Owned(text.into_bytes())) };
-    // readers look for the kind of the file in its first part
+    // readers look for the file type in the first part
     let mut parts = vec![
         owned("mimetype", "application/hwp+zip".to_owned()),
         owned("version.xml", version()),
@@ -56,7 +56,7 @@ fn document(tag: &str, attributes: Attributes<'_>, inside: impl FnOnce(&mut Xml)
 fn version() -> String {
     let attributes = [
         ("xmlns:hv", "http://www.hancom.co.kr/hwpml/2011/version"),
-        ("tagetApplication", "WORDPROCESSOR"), // so the format spells it
+        ("tagetApplication", "WORDPROCESSOR"), // spelt as in the format
         ("major", "5"),
         ("minor", "1"),
         ("micro", "1"),
@@ -101,7 +101,7 @@ fn manifest() -> String {
     document("odf:manifest", &[("xmlns:odf", space)], |_| ())
 }
 
-/// What the document is called, and its parts in their order.
+/// The title of the document, and its parts in order.
 fn content(paper: &Paper, language: Language, sections: usize) -> String {
     let mut attributes = SPACES.to_vec();
     attributes.extend(["version", "unique-identifier", "id"].map(|name| (name, "")));
@@ -139,7 +139,7 @@ fn content(paper: &Paper, language: Language, sections: usize) -> String {
                 } else {
                     "image/jpeg"
                 };
-                let embedded = [("isEmbeded", "1")]; // so the format spells it
+                let embedded = [("isEmbeded", "1")]; // spelt as in the format
                 one(item(name), &format!("BinData/{name}"), of, &embedded);
             }
         });

@@ -7,7 +7,6 @@ use crate::paper::xml::Xml;
 /// Hundredths of a point in a point.
 const HUNDREDTHS: f64 = 100.0;
 
-/// A picture.
 pub(super) fn picture(xml: &mut Xml, of: &Picture) {
     let [width, height] = of.size_pt.map(|side| (side * HUNDREDTHS).round().max(1.0));
     let [middle_x, middle_y] = [width, height].map(|side| format!("{:.0}", 0.5 * side));

@@ -1,4 +1,4 @@
-//! What stands on the pages, as paragraphs of sections.
+//! Pieces of the pages, as paragraphs of sections.
 
 use super::equation::equation;
 use super::lines::{HUNDREDTHS_OF_TWIP, Lines, stretches, sub_list, written};
@@ -25,7 +25,7 @@ pub(super) struct Writer<'a> {
     opening: Option<Xml>,
     xml: Xml,
     sections: Vec<Xml>,
-    /// The words, for those who only look in.
+    /// The preview text.
     text: String,
 }
 
@@ -88,7 +88,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The sections, the looks that they use, and their words.
+    /// The sections, their formats, and their preview text.
     pub(super) fn finish(mut self) -> (Vec<String>, Looks, String) {
         self.sections.push(self.xml);
         let section = |body: Xml| {
@@ -157,7 +157,7 @@ impl<'a> Writer<'a> {
         });
     }
 
-    /// An empty line as high as the room.
+    /// An empty line of this height.
     fn gap(&mut self, room: Option<u32>) {
         let lie = Lie {
             above: room.map_or(0, hundredths),
@@ -176,7 +176,7 @@ impl<'a> Writer<'a> {
         });
     }
 
-    /// The heads of two levels. Their pages are known when the document is laid out: Hangul makes contents with pages from the outline.
+    /// The headings of two levels, without pages: Hangul makes contents with pages from the outline.
     fn contents(&mut self) {
         let head = self.language.pick("Contents", "목차");
         let style = Style::ContentsHeading;

@@ -1,6 +1,6 @@
-//! What the parts of a document have in common: name spaces, and what pictures are called.
+//! Common to the parts of a document: name spaces, and names of pictures.
 
-/// The name spaces of heads and sections: Hangul wants all of them declared, used or not.
+/// The name spaces of headers and sections: Hangul requires all of them, used or not.
 pub(super) const SPACES: [(&str, &str); 15] = [
     ("xmlns:ha", "http://www.hancom.co.kr/hwpml/2011/app"),
     ("xmlns:hp", "http://www.hancom.co.kr/hwpml/2011/paragraph"),
@@ -25,7 +25,7 @@ pub(super) const SPACES: [(&str, &str); 15] = [
     ("xmlns:config", "urn:oasis:names:tc:opendocument:xmlns:config:1.0"),
 ];
 
-/// What a picture is called in the document: "image3".
+/// Name of a picture in the document: "image3".
 pub(super) fn item(file: &str) -> &str {
     file.rsplit_once('.').map_or(file, |(stem, _)| stem)
 }

@@ -1,4 +1,4 @@
-//! Tables: heads that repeat on the next page, words left, numbers right.
+//! Tables: headings repeat on the next page, words left, numbers right.
 
 use super::lines::{HUNDREDTHS_OF_TWIP, Lines, stretches, sub_list};
 use super::looks::{Align, Ground, Letters, Lie, Style};
@@ -10,11 +10,11 @@ use crate::paper::{
 
 /// Hundredths of a point in a half-point.
 const HALF_POINT: u32 = 50;
-/// Room above and below the words of a cell.
+/// Space above and below the text of a cell.
 const ROOM_ABOVE: usize = 170;
-/// Room left and right of them: the widths count on it.
+/// Space left and right of it; the column widths include it.
 const ROOM_BESIDE: &str = "400";
-/// Room for a caption of three lines below a picture, and above it.
+/// Space for a caption of three lines below a picture, and above it.
 const CAPTION: usize = 6500;
 
 /// A row of a table.
@@ -23,7 +23,6 @@ struct Row<'a> {
     is_head: bool,
 }
 
-/// A table.
 pub(super) fn table(xml: &mut Xml, lines: &mut Lines<'_>, grid: &Grid) {
     let half_points = text_size(grid.is_words.len());
     let twips = widths(grid, half_points);
@@ -53,7 +52,7 @@ pub(super) fn table(xml: &mut Xml, lines: &mut Lines<'_>, grid: &Grid) {
         });
     }
     let last = rows.len().saturating_sub(1);
-    // programs that lay the page out anew take these as the least
+    // programs that recompute the layout take these as minimum
     let line = usize::try_from(letters.size * Style::TableText.lie().line / 100).unwrap_or(0);
     let height = |row: &Row<'_>| {
         let each = row.cells.iter().zip(&twips);
@@ -100,7 +99,7 @@ pub(super) fn table(xml: &mut Xml, lines: &mut Lines<'_>, grid: &Grid) {
     });
 }
 
-/// Pictures with their captions, two beside each other.
+/// Pictures with their captions, two side by side.
 pub(super) fn beside(xml: &mut Xml, lines: &mut Lines<'_>, pictures: &[(Picture, Caption)]) {
     let half = TEXT_WIDTH / 2 * HUNDREDTHS_OF_TWIP;
     let rows: Vec<&[(Picture, Caption)]> = pictures.chunks(2).collect();
@@ -141,7 +140,7 @@ pub(super) fn beside(xml: &mut Xml, lines: &mut Lines<'_>, pictures: &[(Picture,
     );
 }
 
-/// A table of rows of these heights and columns of these widths, its rows put in by `row`.
+/// A table with these row heights and column widths; `row` writes its rows.
 fn framed(
     xml: &mut Xml,
     lines: &mut Lines<'_>,

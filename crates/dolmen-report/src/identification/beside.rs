@@ -1,4 +1,4 @@
-//! The stiffness that a survey leads to beside that of the file, in plain words.
+//! Findings on the stiffness from a survey, compared with that of the file.
 
 use super::place::place;
 use crate::document::{Finding, Tone};
@@ -32,7 +32,7 @@ messages! {
     }
 }
 
-/// Where a survey differs from the file.
+/// Differences between a survey and the file.
 pub(super) fn findings(survey: &SurveyAnswer) -> Vec<Finding> {
     let name = || survey.name.clone();
     let exchanged = survey.exchanged_directions.as_ref().map(|[first, second]| {
@@ -82,7 +82,7 @@ pub(super) fn findings(survey: &SurveyAnswer) -> Vec<Finding> {
         .collect()
 }
 
-/// What the file only assumes is there to be found.
+/// A difference from an assumed value is no alarm.
 fn tone(beside: &BesideFile) -> Tone {
     match beside.is_assumed {
         true => Tone::Plain,

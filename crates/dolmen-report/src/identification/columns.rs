@@ -1,4 +1,4 @@
-//! Whether the columns of a frame move as one in its modes, in plain words.
+//! Findings on whether the columns of a frame move as one in its modes.
 
 use crate::document::{Cell, Column, Document, Finding, Table, Tone};
 use dolmen::structure::{ColumnOrdinate, ColumnsMove, ColumnsOfLevel};
@@ -51,7 +51,7 @@ messages! {
     }
 }
 
-/// Columns that move apart: of each direction and level the mode in which they do most clearly.
+/// Columns that move differently: for each direction and level, the mode in which this is clearest.
 pub(super) fn findings(survey: &SurveyAnswer) -> Vec<Finding> {
     let mut found: Vec<(&'static str, &ColumnsOfLevel)> = Vec::new();
     for (direction, level) in levels(survey) {
@@ -150,7 +150,7 @@ fn levels(survey: &SurveyAnswer) -> impl Iterator<Item = (&'static str, &Columns
     each.flat_map(|of| of.levels.iter().map(move |level| (of.direction, level)))
 }
 
-/// The largest distance from the others, in its standard deviations.
+/// The largest difference from the others, in its standard deviations.
 fn clearness(level: &ColumnsOfLevel) -> f64 {
     let each = level.columns.iter();
     each.map(|of| (of.of_others - 1.0).norm() / of.of_others_sd)

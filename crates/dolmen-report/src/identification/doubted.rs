@@ -1,4 +1,4 @@
-//! Records whose shapes contradict a chain or frame, in plain words.
+//! Findings on records whose shapes contradict a chain or frame.
 
 use crate::document::{Finding, Tone};
 use dolmen::structure::ChannelChange;
@@ -45,7 +45,7 @@ messages! {
     }
 }
 
-/// What the shapes of a record say against the model.
+/// Evidence of the shapes of a record against the model.
 pub(super) fn finding(survey: &SurveyAnswer) -> Option<Finding> {
     let doubt = survey.shape_doubt.as_ref()?;
     let name = survey.name.clone();
@@ -71,7 +71,7 @@ pub(super) fn finding(survey: &SurveyAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said).with_code("sensor-slip"))
 }
 
-/// Why a solution is not chosen; `said` is what it would be.
+/// Why a solution is not chosen; `said` is its text.
 pub(super) fn not_chosen(doubt: StiffnessDoubt, values: Option<Values>) -> Doubted {
     let said: Sentence = match values {
         Some(values) => Doubted::Would { values }.into(),

@@ -1,4 +1,4 @@
-//! What stiffness from vibration says in plain words.
+//! Findings on stiffness from vibration.
 
 use super::beside;
 use super::columns;
@@ -92,9 +92,9 @@ messages! {
     }
 }
 
-/// What each survey chooses, and why some seek no stiffness.
+/// The choice of each survey, and why some seek no stiffness.
 ///
-/// Springs that act on what those of the file do not are compared behind, and alarm nobody.
+/// Springs of the other convention are compared in the appendix, without alarm.
 pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
     let every: Vec<&SurveyAnswer> = all.iter().collect();
     let mut found = found(project, all, &every);
@@ -102,7 +102,7 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
     found
 }
 
-/// The same for the summary of a report: of the stiffness that vibration gives, that of the latest survey that gives one.
+/// The same for the summary of a report: only the latest survey that gives a stiffness.
 pub(crate) fn findings_of_latest(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
     let gives = |of: &&SurveyAnswer| !of.stiffness.is_empty() || of.plan.is_some() || of.factors.is_some();
     let giving: Vec<&SurveyAnswer> = all.iter().filter(gives).collect();
@@ -157,7 +157,7 @@ fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Ve
         let weight = Quantity::new(hangs, kilo("N"), Digits::Significant(3));
         Finding::key(Tone::Plain, Found::WithLoads { weight })
     });
-    // what is wrong with the sensors comes before what they lead to
+    // faults of the sensors come before the resulting stiffness
     let sensors = all.iter().filter_map(doubted::finding);
     let beside = shown.iter().flat_map(|survey| beside::findings(survey));
     let apart = all.iter().flat_map(columns::findings);
@@ -173,7 +173,7 @@ fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Ve
         .collect()
 }
 
-/// The stiffness of springs that act on what those of the file do not.
+/// The stiffness of the other convention.
 fn of_other_springs(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
     let each = all
         .iter()
@@ -187,7 +187,7 @@ fn of_other_springs(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
     others.collect()
 }
 
-/// Why surveys seek no stiffness: once for all that have the same reason.
+/// Why surveys seek no stiffness, once for all with the same reason.
 fn unsought(all: &[SurveyAnswer]) -> Vec<Finding> {
     let mut reasons: Vec<(&WithoutStiffness, Vec<String>)> = Vec::new();
     for survey in all {
@@ -356,7 +356,7 @@ fn measured_words(answer: &StiffnessAnswer) -> Sentence {
     }
 }
 
-/// The notes, one after the other: that no stiffness explains the modes tells to look for one left out, which another note need not say again.
+/// The notes in order. If no stiffness explains the modes, that note already advises to look for a wrong mode, so another note need not.
 fn all_notes(notes: &[StiffnessNote]) -> Option<Sentence> {
     let none_explains = notes
         .iter()

@@ -1,4 +1,4 @@
-//! Measured modes of a stack beside those computed, and why some are not used.
+//! Measured and computed modes of a stack, and why some are not used.
 
 use crate::document::{Cell, Column, Table};
 use dolmen::blocks::{PairedBy, PairedMode, StackMotion, UnusedMode, WhyUnused};
@@ -103,7 +103,7 @@ pub(super) fn hertz(frequency_hz: f64, sd_hz: f64) -> Quantity {
     }
 }
 
-/// Every mode that went in, and what it is taken for.
+/// Every input mode, and the computed mode it is paired with.
 pub(super) fn table(answer: &FactorsAnswer) -> Table {
     let computed = |hz: f64| Cell::number(hertz(hz, 0.0));
     let row = |mode: &PairedMode| {
@@ -141,7 +141,7 @@ pub(super) fn table(answer: &FactorsAnswer) -> Table {
     }
 }
 
-/// What the pairing rests on.
+/// The basis of the pairing.
 pub(super) fn notes(answer: &FactorsAnswer) -> Vec<Modes> {
     let modes = &answer.found.modes;
     let mut all = Vec::new();

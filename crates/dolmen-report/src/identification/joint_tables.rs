@@ -1,4 +1,4 @@
-//! Tables of the joints of a stack: factors, the springs that follow, and the strain energy of each mode.
+//! Tables of the joints of a stack: factors, the resulting springs, and the strain energy of each mode.
 
 use super::joint_modes::Modes;
 use crate::document::{Cell, Column, Table};
@@ -60,7 +60,7 @@ pub(super) fn factor(value: f64, relative_sd: Option<f64>) -> Quantity {
     }
 }
 
-/// What lies on what.
+/// Upper and lower stone.
 pub(super) fn name(answer: &FactorsAnswer, at: usize) -> Sentence {
     let [upper, lower] = answer.names(at);
     let first = |names: &[&str]| names.first().map_or_else(String::new, |name| (*name).to_owned());
@@ -124,7 +124,7 @@ fn range_words(one: &JointFactor, times: f64, unit: &Unit) -> Tables {
     }
 }
 
-/// Least factor, range, best, and the springs that follow, a joint a row.
+/// Smallest factor, range, best, and the resulting springs, one row per joint.
 pub(super) fn factors(answer: &FactorsAnswer) -> Table {
     let drawn: Vec<Option<[f64; 2]>> = (0..answer.found.factors.len())
         .map(|at| answer.drawn_stiffness_pa_m(at))
@@ -177,7 +177,7 @@ pub(super) fn factors(answer: &FactorsAnswer) -> Table {
     }
 }
 
-/// Share of the strain energy of each mode, a joint a row.
+/// Share of the strain energy of each mode, one row per joint.
 pub(super) fn energy(answer: &FactorsAnswer) -> Table {
     let modes = &answer.found.modes;
     let row = |at: usize| {

@@ -12,8 +12,8 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::FactorsAnswer;
 use dolmen_work::told_both;
 
-/// How much a frequency may differ as the stack settles anew on the springs found, relative, before that is a finding. Our choice: what a good
-/// survey scatters by.
+/// Relative change of a frequency as the stack settles again on the identified springs, from which it is a finding. Our choice: the
+/// scatter of a good survey.
 const RESETTLED_MOST: f64 = 0.01;
 
 messages! {
@@ -26,6 +26,10 @@ messages! {
         Common { factor: Quantity, modes: Sentence } => {
             en: "all springs of the file times {factor} fit {modes} best.",
             ko: "파일의 모든 접합부 강성을 {factor}배로 하면 {modes}에 가장 잘 맞는다.",
+        },
+        CommonOfOne { factor: Quantity, modes: Sentence } => {
+            en: "all springs of the file times {factor} fit {modes}. One factor fits one mode in any case: this is no evidence that the model is right.",
+            ko: "파일의 모든 접합부 강성을 {factor}배로 하면 {modes}에 맞는다. 배율 하나는 모드 하나에 항상 맞출 수 있으므로 모델이 옳다는 근거는 아니다.",
         },
         CommonMisses { factor: Quantity, modes: Sentence, misfit: Quantity } => {
             en: "no one factor for all springs of the file explains {modes}. The best, {factor}, is off by {misfit} standard deviations (root mean square): it is no answer.",
@@ -118,7 +122,7 @@ messages! {
     }
 }
 
-/// Why the modes of a stack lead to no factors.
+/// Why the modes of a stack give no factors.
 pub(super) fn refused(why: &JointFactorsError) -> Joints {
     match why {
         JointFactorsError::NoModes => Joints::NoModes,
@@ -140,7 +144,7 @@ pub(super) fn refused(why: &JointFactorsError) -> Joints {
     }
 }
 
-/// Factors that are determined, bounded, and not seen.
+/// Numbers of determined, bounded and undetermined factors.
 fn counts(factors: &[JointFactor]) -> [usize; 3] {
     let mut counts = [0; 3];
     for factor in factors {
@@ -154,7 +158,7 @@ fn counts(factors: &[JointFactor]) -> [usize; 3] {
     counts
 }
 
-/// What a survey says of the joints of a stack.
+/// Findings of a survey on the joints of a stack.
 pub(super) fn findings(survey: &str, answer: &FactorsAnswer) -> Vec<Finding> {
     let of = |said: Sentence| Joints::Of {
         survey: survey.to_owned(),
@@ -164,6 +168,7 @@ pub(super) fn findings(survey: &str, answer: &FactorsAnswer) -> Vec<Finding> {
     let factor = joint_tables::factor(found.common.factor, Some(found.common.relative_sd));
     let modes = Modes::counted(found.modes.len());
     let (common_tone, common) = match answer.common_misses() {
+        false if found.modes.len() == 1 => (Tone::Plain, Joints::CommonOfOne { factor, modes }),
         false => (Tone::Good, Joints::Common { factor, modes }),
         true => {
             let misfit = Quantity::ratio(found.common.misfit, 2);
@@ -275,7 +280,7 @@ fn band(answer: &FactorsAnswer) -> [Quantity; 2] {
         .map(|end| Quantity::new(end, Unit::ratio(), Digits::Significant(3)))
 }
 
-/// The modes that went in, every joint, and what the numbers rest on.
+/// The input modes, every joint, and the basis of the numbers.
 pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a FactorsAnswer) {
     let found = &answer.found;
     document.subheading(Joints::Head {

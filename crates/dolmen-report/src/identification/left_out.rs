@@ -1,4 +1,4 @@
-//! Why a mode of a record is kept out of the stiffness.
+//! Why a mode of a record is not used for the stiffness.
 
 use dolmen::structure::LeftOut;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};

@@ -1,4 +1,4 @@
-//! What vibration says of the stiffness of a structure: findings, and the section of every solution.
+//! Stiffness of a structure from vibration: findings, and the section of every solution.
 
 mod beside;
 mod columns;
@@ -52,7 +52,7 @@ messages! {
     }
 }
 
-/// The sentences on stiffness from vibration as they are written.
+/// Templates of the sentences on stiffness from vibration.
 pub(crate) const TEMPLATES: [&[Template]; 17] = [
     beside::Beside::TEMPLATES,
     columns::Columns::TEMPLATES,
@@ -73,7 +73,7 @@ pub(crate) const TEMPLATES: [&[Template]; 17] = [
     Written::TEMPLATES,
 ];
 
-/// The stiffness of springs that act on what those of the file do not.
+/// The stiffness for the convention that the file does not use.
 pub(crate) fn appendix<'a>(project: &'a Project, all: &[&'a SurveyAnswer]) -> Document<'a> {
     let mut document = Document::default();
     let each = all
@@ -89,7 +89,7 @@ pub(crate) fn appendix<'a>(project: &'a Project, all: &[&'a SurveyAnswer]) -> Do
     document
 }
 
-/// The section of all surveys that lead to a stiffness.
+/// The section of all surveys that give a stiffness.
 pub(crate) fn sections<'a>(project: &'a Project, all: &[&'a SurveyAnswer]) -> Document<'a> {
     let mut document = Document::default();
     if all.iter().all(|survey| {
@@ -147,7 +147,7 @@ fn of_answer<'a>(
     }
 }
 
-/// A frequency that went in, and whether its shape did.
+/// An input frequency, and whether its shape was used.
 fn mode_words(mode: &MeasuredMode, with_shapes: bool) -> Sentence {
     let frequency = Quantity {
         sd_si: Some(mode.frequency_sd_hz).filter(|sd| *sd > 0.0),

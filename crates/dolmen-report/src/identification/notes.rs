@@ -1,4 +1,4 @@
-//! What must be known beside a stiffness from vibration.
+//! Notes on a stiffness from vibration.
 
 use super::left_out::left_out;
 use super::words::{

@@ -1,4 +1,4 @@
-//! What a stiffness from vibration is of.
+//! The stiffness that vibration determines.
 
 use crate::html::words::convention_word;
 use dolmen_project::{Project, Structure};
@@ -30,7 +30,7 @@ pub(super) fn place(answer: &StiffnessAnswer) -> Sentence {
     .into()
 }
 
-/// Whether the springs of an answer act on what those of the file do.
+/// Whether the springs of an answer have the convention of the file.
 pub(super) fn is_asked(project: &Project, answer: &StiffnessAnswer) -> bool {
     match &project.structure {
         Structure::Frame(part) => answer.convention.is_none_or(|own| own == part.convention),

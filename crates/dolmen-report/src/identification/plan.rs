@@ -13,7 +13,7 @@ use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::building::PlanAnswer;
 
-/// Times that a stiffness is off more than a frequency above which that is a finding. Our choice: 2 without coupling.
+/// Amplification of frequency errors in the stiffness above which it is a finding. Our choice: 2 without coupling.
 const AMPLIFIED: f64 = 10.0;
 
 messages! {
@@ -159,14 +159,14 @@ pub(super) fn refused(why: &PlanStiffnessError) -> Plan {
     }
 }
 
-/// What a survey says of the storey in plan.
+/// Findings of a survey on the storey in plan.
 pub(super) fn findings(survey: &str, answer: &PlanAnswer) -> Vec<Finding> {
     let (tone, said, code) = chosen(answer);
     let found = Plan::Of {
         survey: survey.to_owned(),
         said,
     };
-    // what explains a refusal stands before it
+    // the reason for a refusal comes before it
     let mut all = Vec::from_iter(plan_centre::off_floor(survey, answer));
     all.push(Finding {
         code,
@@ -190,7 +190,7 @@ pub(super) fn findings(survey: &str, answer: &PlanAnswer) -> Vec<Finding> {
     all
 }
 
-/// The solution, where one alone is accepted.
+/// The solution, if only one is accepted.
 fn the_one(answer: &PlanAnswer) -> Option<&PlanSolution> {
     let mut accepted = answer.found.accepted();
     accepted.next().filter(|_| accepted.next().is_none())
@@ -272,7 +272,7 @@ fn free(answer: &PlanAnswer) -> Plan {
     }
 }
 
-/// Every solution, why some are not accepted, and the modes of those that are.
+/// Every solution, why some are not accepted, and the modes of accepted ones.
 pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a PlanAnswer) {
     document.subheading(Plan::Head {
         survey: survey.to_owned(),
@@ -459,7 +459,7 @@ fn unit_si(motion: PlanMotion) -> &'static str {
     }
 }
 
-/// By how much a stiffness is off where the frequencies are off by 1 %.
+/// Error of a stiffness for an error of 1 % in the frequencies.
 fn per_one(one: &PlanSolution) -> Quantity {
     Quantity::new(0.01 * one.amplification, Unit::percent(), Digits::Significant(2))
 }

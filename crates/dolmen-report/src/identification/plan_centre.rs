@@ -1,4 +1,4 @@
-//! Where the centre of rigidity of a building's storey is known from, and what follows where it is not.
+//! The source of a storey's centre of rigidity, and the consequences if it is unknown.
 
 use super::plan_values::{Units, eccentricity};
 use crate::document::{Finding, Tone};
@@ -70,7 +70,7 @@ messages! {
     }
 }
 
-/// One solution with the centre of rigidity of the file: no answer.
+/// One solution with the centre of rigidity of the file: not an answer.
 pub(super) fn stated(answer: &PlanAnswer, one: &PlanSolution) -> Sentence {
     let units = Units::of(std::iter::once(one.stiffness));
     let [k_x, k_y, k_theta] = [0, 1, 2].map(|at| units.stiffness(one, at));
@@ -103,7 +103,7 @@ fn range(bounds: &PlanBounds, units: &Units, at: usize) -> Sentence {
     Centre::Range { least, most }.into()
 }
 
-/// That sensors stand outside the sides of the floor.
+/// Finding that sensors stand outside the sides of the floor.
 pub(super) fn off_floor(survey: &str, answer: &PlanAnswer) -> Option<Finding> {
     let sides = answer.sides_m().filter(|_| !answer.off_floor.is_empty())?;
     let [x, y] = sides.map(|[least, most]| {
@@ -119,7 +119,7 @@ pub(super) fn off_floor(survey: &str, answer: &PlanAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said))
 }
 
-/// Where twists are from, and what is to be known of it.
+/// The source of the twists, and notes on it.
 pub(super) fn findings(survey: &str, answer: &PlanAnswer) -> Vec<Finding> {
     let survey = survey.to_owned();
     let mut all = Vec::new();
@@ -148,7 +148,7 @@ pub(super) fn findings(survey: &str, answer: &PlanAnswer) -> Vec<Finding> {
     all
 }
 
-/// Whether what was found rests on the centre of rigidity of the file.
+/// Whether the result depends on the centre of rigidity of the file.
 pub(super) fn is_stated(answer: &PlanAnswer) -> bool {
     answer.found.eccentricity_from == EccentricityFrom::Stated
 }

@@ -3,7 +3,7 @@
 use dolmen::structure::building::PlanSolution;
 use dolmen_words::{Digits, Quantity, Unit};
 
-/// Units that read best for k_x, k_y, k_θ.
+/// Suitable units for k_x, k_y, k_θ.
 pub(super) struct Units {
     all: [Unit; 3],
 }

@@ -1,4 +1,4 @@
-//! What the data determine of a stiffness, and what masses add to its intervals.
+//! How well the data determine a stiffness, and the contribution of masses to its intervals.
 
 use dolmen::structure::Visibility;
 use dolmen_project::{Project, Quantity as Input, Structure};
@@ -6,7 +6,7 @@ use dolmen_words::number::subscript;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::surveyed::SurveyAnswer;
 
-/// A stiffness of which the data determine less than this share is called unseen.
+/// A stiffness is called not determined if the data determine less than this share.
 const SEEN_LEAST: f64 = 0.5;
 
 messages! {
@@ -36,7 +36,7 @@ fn symbol(at: usize) -> Sentence {
     Sentence::of_symbol(&format!("k{}", subscript(at + 1)))
 }
 
-/// How much of each stiffness the data see.
+/// How well the data determine each stiffness.
 pub(super) fn seen(visibility: &Visibility) -> Vec<Sentence> {
     let each = || visibility.seen.iter().enumerate();
     let share = |(at, share): (usize, &f64)| {
@@ -61,7 +61,7 @@ pub(super) fn seen(visibility: &Visibility) -> Vec<Sentence> {
     said
 }
 
-/// What the masses add to deviations of stiffness, where a survey has any.
+/// Contribution of the masses to deviations of stiffness, if a survey has any.
 pub(super) fn masses(survey: &SurveyAnswer, project: &Project) -> Option<Sentence> {
     let mut solutions = survey
         .stiffness

@@ -1,4 +1,4 @@
-//! The solutions of a stiffness from vibration: their values, what tells them apart.
+//! Solutions of a stiffness from vibration: their values and differences.
 
 use super::words::spring_word;
 use crate::document::{Block, Cell, Column, Document, Figure, Table, table_series};
@@ -14,9 +14,9 @@ use dolmen_words::number::subscript;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::StiffnessAnswer;
 
-/// Solutions listed; the rest are counted.
+/// Number of solutions listed; the rest are counted.
 const SOLUTIONS_SHOWN: usize = 24;
-/// A misfit below this is rounding. Chosen here: sums of some thousand products keep 12 digits.
+/// A misfit below this is rounding. Our choice: sums of some thousand products keep 12 digits.
 const ROUNDING: f64 = 1e-9;
 
 messages! {
@@ -80,7 +80,7 @@ pub(super) fn section<'a>(
     }
     document.put(Block::Table(table(answer)));
     let has_shapes = match &project.structure {
-        // the shape of one link or storey is no finding
+        // the shape of a single link or storey is trivial
         Structure::Chain(chain) => chain.links.len() > 1,
         Structure::Frame(frame) => frame.storeys.len() > 1,
         Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
@@ -94,7 +94,7 @@ pub(super) fn section<'a>(
     document.put(Block::Table(modes_table(answer)));
 }
 
-/// The values of a solution, under the prefix that reads best.
+/// The values of a solution, under a suitable prefix.
 pub(super) fn stiffness_quantities(answer: &StiffnessAnswer, solution: &StiffnessSolution) -> Vec<Quantity> {
     let unit = Unit::of(&solution.stiffness, unit_si(answer));
     (0..solution.stiffness.len())
@@ -102,7 +102,7 @@ pub(super) fn stiffness_quantities(answer: &StiffnessAnswer, solution: &Stiffnes
         .collect()
 }
 
-/// What has the stiffness: only frames have conventions.
+/// The spring of the stiffness: only frames have conventions.
 fn spring(answer: &StiffnessAnswer) -> Spring {
     match answer.convention {
         None => Spring::Joint,
@@ -122,7 +122,7 @@ fn shown(answer: &StiffnessAnswer) -> &[StiffnessSolution] {
     &all[..all.len().min(SOLUTIONS_SHOWN)]
 }
 
-/// One prefix for stiffnesses that may lie decades apart: that of their geometric mean.
+/// One prefix for stiffnesses that may differ by decades: that of their geometric mean.
 fn unit(answer: &StiffnessAnswer) -> Unit {
     let least = |one: &StiffnessSolution| one.stiffness_least().unwrap_or_else(|| one.stiffness.clone());
     let all = shown(answer).iter().flat_map(least).filter(|k| *k > 0.0);
@@ -198,7 +198,7 @@ fn rows_of(at: usize, solution: &StiffnessSolution, answer: &StiffnessAnswer, un
         load_factor(solution, factor),
     ];
     row.extend((0..solution.stiffness.len()).map(|spring| stiffness(answer, solution, spring, unit)));
-    // what is below rounding is none
+    // a misfit below rounding is shown as none
     let misfit = Some(solution.misfit).filter(|misfit| *misfit > ROUNDING);
     row.push(Cell::number(
         misfit.map_or(Quantity::new(0.0, Unit::ratio(), Digits::Fixed(0)), |of| {
@@ -245,7 +245,7 @@ fn stiffness(answer: &StiffnessAnswer, solution: &StiffnessSolution, at: usize, 
 }
 
 fn value(answer: &StiffnessAnswer, solution: &StiffnessSolution, at: usize, unit: &Unit) -> Quantity {
-    // one of a family has fewer digits that mean something
+    // a member of a family has fewer significant digits
     let digits = match answer.solutions.choice {
         Choice::Underdetermined => 3,
         Choice::One | Choice::Bounded | Choice::Indistinguishable | Choice::Impossible => 4,
@@ -256,7 +256,7 @@ fn value(answer: &StiffnessAnswer, solution: &StiffnessSolution, at: usize, unit
     }
 }
 
-/// A stiffness that the data only bound; the column names the unit.
+/// A stiffness that the data only bound; the column gives the unit.
 fn bounds_words(bound: &StiffnessBounds, unit: &Unit) -> Solutions {
     let bare = Unit {
         symbol: String::new(),
@@ -283,7 +283,7 @@ fn verdict(choice: Choice, solution: &StiffnessSolution, factor: Option<f64>) ->
     }
 }
 
-/// What the shapes show: only where the frequencies are the same does a shape choose.
+/// The effect of shapes: a shape chooses between solutions only if their frequencies are equal.
 fn shapes_caption(answer: &StiffnessAnswer) -> Vec<Sentence> {
     let mut caption = vec![Solutions::Shapes.into()];
     if answer.solutions.choice == Choice::Indistinguishable {
@@ -295,7 +295,7 @@ fn shapes_caption(answer: &StiffnessAnswer) -> Vec<Sentence> {
     caption
 }
 
-/// Modes that were not measured hang on every stiffness: they are shown where the data give each a value.
+/// Modes that were not measured depend on every stiffness: they are shown if the data determine each.
 fn modes_shown(solution: &StiffnessSolution, measured: usize) -> &[NaturalMode] {
     let most = match solution.stiffness_bounds {
         Some(_) => measured.min(solution.modes.len()),

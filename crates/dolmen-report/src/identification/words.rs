@@ -1,4 +1,4 @@
-//! Parts of sentences on stiffness: what is sought, how many, how far off.
+//! Parts of sentences on stiffness: the quantity, the number of solutions, the misfit.
 
 use dolmen::structure::{Misfit, OfSpring, Proportion, Spring};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -55,7 +55,7 @@ messages! {
     }
 }
 
-/// One message for a single thing, another for several.
+/// One message for one, another for several.
 pub(super) fn counted(count: usize, one: Words, several: Words) -> Sentence {
     match count {
         1 => one,
@@ -112,7 +112,7 @@ pub(super) fn of_each(spring: Spring, values: &[OfSpring], unit: &Unit, digits: 
     values.iter().map(one).collect()
 }
 
-/// What stiffness is taken in proportion to.
+/// The quantities that stiffness is proportional to.
 pub(super) fn proportion_words(proportion: Proportion) -> Sentence {
     match proportion {
         Proportion::WeightMoment => Words::WeightMoment,
@@ -122,7 +122,7 @@ pub(super) fn proportion_words(proportion: Proportion) -> Sentence {
     .into()
 }
 
-/// How far a set is from the data.
+/// Distance of a set from the data.
 pub(super) fn misfit_words(misfit: Misfit) -> Sentence {
     match misfit {
         Misfit::Relative(share) => Words::Relative {

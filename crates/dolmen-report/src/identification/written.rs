@@ -1,4 +1,4 @@
-//! What was written into the project file.
+//! Text on values written into the project file.
 
 use crate::document::{Block, Document, TextStyle, document_text};
 use dolmen_project::IdentifiedNumber;
@@ -28,7 +28,7 @@ messages! {
     }
 }
 
-/// What was written into the project file, for the terminal.
+/// The written values, for the terminal.
 pub fn written_back_text(file: &str, written: &WrittenBack, style: TextStyle) -> String {
     let mut document = Document::default();
     document.paragraph(Written::Into {

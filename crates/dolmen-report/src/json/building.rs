@@ -119,7 +119,7 @@ fn damped(damped: &DampedSpectral) -> Value {
     })
 }
 
-/// Everything of a simulation but its histories.
+/// A simulation without its histories.
 pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
     let history = &simulation.history;
     let points = simulation.points.iter().map(|point| {

@@ -6,7 +6,7 @@ use dolmen::dynamics::{ChainOutcome, ChainRotations, JointFriction};
 use dolmen_work::chain::ChainSimulation;
 use serde_json::{Value, json};
 
-/// Everything of a simulation but its histories.
+/// A simulation without its histories.
 pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
     let (history, model) = (&simulation.history, &simulation.model);
     let end = history.energy.last().copied().unwrap_or_default();

@@ -13,7 +13,7 @@ use dolmen_work::compared_readings::{ComparedItem, ComparedReadings, ItemCourse}
 use dolmen_work::events_between::EventBetween;
 use serde_json::{Value, json};
 
-/// What changed from one survey to another; without modes in one of the two, nothing of frequencies stands in it.
+/// The change between two surveys; without modes in one of them, it contains no frequencies.
 pub fn change_json(answer: &CompareAnswer) -> Value {
     let mut all = json!({
         "project": project(&answer.project, &answer.file),

@@ -1,4 +1,4 @@
-//! The form of a change, as JSON says it.
+//! The form of a change, as JSON.
 
 use dolmen::monitoring::ChangeForm;
 

@@ -4,7 +4,7 @@ use dolmen::assess::PartFit;
 use dolmen_work::changed_part::{ChangedPart, ModelOff};
 use serde_json::{Value, json};
 
-/// Every part with what its stiffness would have to be, one direction.
+/// Every part with the stiffness that it would need, in one direction.
 pub(super) fn changed_part(of: &ChangedPart) -> Value {
     let fit = |fit: &PartFit| {
         json!({

@@ -38,7 +38,7 @@ pub fn check_json(answer: &CheckAnswer) -> Value {
     })
 }
 
-/// What was read, with the warnings that every result carries.
+/// The input, with the warnings that every result carries.
 pub(super) fn project(project: &Project, file: &str) -> Value {
     let inputs = project.inputs();
     let inputs = inputs.iter().map(|q| {

@@ -1,9 +1,9 @@
-//! Damage of inspections that a model has, as JSON.
+//! Damage of inspections in a model, as JSON.
 
 use dolmen_project::{InModel, ModelDamage};
 use serde_json::{Value, json};
 
-/// What a damage does to the model.
+/// The effect of a damage on the model.
 pub(super) fn damage(of: &ModelDamage) -> Value {
     let (bed_lost, side, stiffness_left) = match of.effect {
         InModel::BedLost { share, side } => (Some(share), side.map(|side| side.word()), None),

@@ -1,4 +1,4 @@
-//! What an earthquake asks for, as JSON.
+//! The seismic demand, as JSON.
 
 use super::local_mechanisms::local_mechanisms_demand;
 use crate::demand::{ground_word, type_word};
@@ -9,7 +9,7 @@ use dolmen_work::part_limit::{NotCompared, WhyNotCompared};
 use dolmen_work::state::DemandAnswer;
 use serde_json::{Value, json};
 
-/// The site, its numbers, and what they ask of the structure.
+/// The site, its numbers, and the demand on the structure.
 pub(super) fn demand(answer: &DemandAnswer) -> Value {
     let site = &answer.site;
     let spectrum = &site.spectrum;

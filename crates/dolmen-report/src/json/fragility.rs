@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 /// Confidence of intervals.
 const CONFIDENCE: f64 = 0.95;
 
-/// One object a combination of inputs, with one a state.
+/// One object for each combination of inputs, each with one for each state.
 ///
 /// # Errors
 /// None for curves as they are fitted.
@@ -59,14 +59,14 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
     each.collect()
 }
 
-/// An object a measure of the shaking, by the name of its column.
+/// One object for each measure of shaking, by the name of its column.
 fn by_measure(state: &StateFragility) -> Result<Value, AssessError> {
     let each = state.by_measure.iter();
     let each = each.map(|by| Ok((by.measure.column(), fit_json(&by.fit)?)));
     Ok(Value::Object(each.collect::<Result<Map<_, _>, AssessError>>()?))
 }
 
-/// β by each measure of the shaking, within combinations and of all as one.
+/// β by each measure of the shaking, within combinations and for all together.
 pub(super) fn measures_json(answer: &StudyAnswer) -> Vec<Value> {
     let mut names = vec!["peak_acceleration_m_s2".to_owned()];
     names.extend(answer.measures().iter().map(|measure| measure.column()));
@@ -87,7 +87,7 @@ pub(super) fn measures_json(answer: &StudyAnswer) -> Vec<Value> {
     each.collect()
 }
 
-/// Whether capacities by each measure depend on the earthquake besides.
+/// Whether capacities by each measure also depend on the earthquake.
 pub(super) fn sufficiency_json(answer: &StudyAnswer) -> Vec<Value> {
     let mut names = vec!["peak_acceleration_m_s2".to_owned()];
     names.extend(answer.measures().iter().map(|measure| measure.column()));

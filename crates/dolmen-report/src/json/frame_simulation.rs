@@ -6,7 +6,7 @@ use dolmen::dynamics::{FrameOutcome, FrictionActsOn, RockingOutcome, StoreyFrict
 use dolmen_work::frame::{ColumnsInMotion, FrameBeside, FrameSimulation, FrameTogether, SensorBeside};
 use serde_json::{Value, json};
 
-/// Everything of a simulation but its histories.
+/// A simulation without its histories.
 pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
     let (history, options) = (&simulation.history, &simulation.options);
     let end = history.energy.last().copied().unwrap_or_default();
@@ -82,7 +82,7 @@ fn tenons(simulation: &FrameSimulation, storey: usize) -> Value {
     })
 }
 
-/// The run beside what a survey measured.
+/// The run compared with the measurement of a survey.
 fn beside(of: &FrameBeside) -> Value {
     let sensor = |sensor: &SensorBeside| {
         let beside = &sensor.beside;

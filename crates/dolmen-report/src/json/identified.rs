@@ -4,7 +4,7 @@ use dolmen::modal::{Accepted, Method, Mode, Modes, RefusedPeak};
 use dolmen::signal::Channel;
 use serde_json::{Value, json};
 
-/// Why a mode is one that the user insists on.
+/// Why a mode was accepted by the user.
 fn accepted(frequency_hz: f64, of: &Accepted) -> Value {
     let refused = RefusedPeak {
         frequency_hz,
@@ -13,10 +13,10 @@ fn accepted(frequency_hz: f64, of: &Accepted) -> Value {
     json!({ "asked_hz": of.asked_hz, "refused": refused.to_string() })
 }
 
-/// Identified modes; shapes as [re, im] a channel.
+/// Identified modes; shapes as one [re, im] per channel.
 pub(super) fn identified(modes: &Modes) -> Value {
     let finite = |x: f64| x.is_finite().then_some(x);
-    // the floor is that of ambient vibration
+    // the noise floor is that of ambient vibration
     let has_floor = !matches!(modes.method, Method::Era | Method::Okid);
     let mode = |mode: &Mode| {
         json!({

@@ -24,7 +24,7 @@ use dolmen_work::surveyed::{
 };
 use serde_json::{Value, json};
 
-/// What was identified from every survey.
+/// The identification of every survey.
 pub fn identification_json(answer: &IdentifyAnswer) -> Value {
     json!({
         "project": project(&answer.project, &answer.file),
@@ -33,7 +33,7 @@ pub fn identification_json(answer: &IdentifyAnswer) -> Value {
     })
 }
 
-/// What was written into the project file, by its place.
+/// The values written into the project file, by path.
 pub fn written_back_json(written: &WrittenBack) -> Value {
     let each = written.numbers.iter().map(|(path, number)| {
         json!({ "path": path, "value": number.value, "sd": number.sd, "unit": number.unit, "before": number.before })
@@ -57,7 +57,7 @@ fn survey(survey: &SurveyAnswer) -> Value {
     })
 }
 
-/// Sensors side by side on each level, beside the mean of the others, mode by mode.
+/// Sensors on each level, compared with the mean of the others, mode by mode.
 fn columns(of: &SurveyColumns) -> Value {
     let level = |level: &ColumnsOfLevel| {
         let (moves, any_of) = match &level.moves {
@@ -85,7 +85,7 @@ fn columns(of: &SurveyColumns) -> Value {
     json!({ "direction": of.direction, "levels": of.levels.iter().map(level).collect::<Vec<_>>() })
 }
 
-/// Shapes of a record that the model does not have, and the changes of sensors that would make them agree.
+/// Shapes of a record that the model does not have, and changes of sensors that would make them agree.
 fn shape_doubt(doubt: &ShapeDoubt) -> Value {
     let change = |of: &ChannelChange| match of {
         ChannelChange::Turned { channel } => {
@@ -106,7 +106,7 @@ fn shape_doubt(doubt: &ShapeDoubt) -> Value {
     })
 }
 
-/// Measured modes beside those of the model; modes of the model by their number, from 1.
+/// Measured modes compared with those of the model; modes of the model by their number, from 1.
 fn model(model: &ModelModes) -> Value {
     let number = |place: &usize| model.of_model[*place].first + 1;
     let of_model = |of: &ModelMode| json!({ "number": of.first + 1, "count": of.count, "frequency_hz": of.frequency_hz });
@@ -198,7 +198,7 @@ fn record(record: &RecordAnswer) -> Value {
     })
 }
 
-/// The record as it was used.
+/// The record as used.
 fn seen(seen: &RecordSeen) -> Value {
     let channel = |of: &ChannelSeen| json!({ "name": of.name, "mean": of.mean, "deviation": of.deviation, "largest": of.largest, "largest_at_s": of.largest_at_s });
     let spectrogram = |drawn: &SpectrogramSeen| {
@@ -237,7 +237,7 @@ fn settings(settings: &Settings, modes: &Modes) -> Value {
     })
 }
 
-/// What a measured input shows beside the modes.
+/// Further results from a measured input.
 fn driven(driven: &Driven) -> Value {
     let mode = |m: &DrivenMode| json!({ "frequency_hz": m.frequency_hz, "explained": m.explained, "with_base_hz": m.with_base_hz.map(|of| of.0), "with_base_sd_hz": m.with_base_hz.and_then(|of| of.1) });
     json!({

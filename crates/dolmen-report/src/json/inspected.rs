@@ -1,4 +1,4 @@
-//! What inspections found over the years, as JSON.
+//! Results of inspections over the years, as JSON.
 
 use super::change_form::form;
 use crate::engineer::damage_words;

@@ -1,12 +1,12 @@
-//! The judgement as JSON: words, colours and what decided them.
+//! The judgement as JSON: words, colours and the quantities that decided.
 
 use super::damage::damage;
 use crate::engineer::damage_words;
 use crate::headline::headline;
 use dolmen_words::Language;
 use dolmen_work::judgement::{
-    DecidedBy, EarthquakeFinding, Evidence, Judgement, MissedMode, MovedBy, SevereDamage, VersionJudgement, Weight,
-    WindFinding, WindLimit,
+    DecidedBy, EarthquakeFinding, Evidence, Judgement, MissedMode, MovedBy, SevereDamage, VersionJudgement,
+    Weight, WindFinding, WindLimit,
 };
 use serde_json::{Value, json};
 
@@ -21,7 +21,7 @@ pub(crate) fn judgement(judgement: &Judgement) -> Value {
     })
 }
 
-/// Those of the headline, then those of each worse variant.
+/// Words of the headline, then those of each worse variant.
 fn words(judgement: &Judgement) -> Option<Vec<String>> {
     let mut words = judgement.headline()?.words(Language::English);
     words.extend(judgement.worse().map(|of| {

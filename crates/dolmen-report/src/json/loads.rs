@@ -3,7 +3,7 @@
 use dolmen_work::loads::{CombinationAnswer, Combined, LoadsAnswer};
 use serde_json::{Value, json};
 
-/// What wind and static loads do.
+/// The effect of wind and static loads.
 pub(super) fn loads(answer: &LoadsAnswer) -> Value {
     let (wind, refused) = match &answer.wind {
         None => (None, None),

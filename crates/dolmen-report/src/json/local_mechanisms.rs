@@ -1,13 +1,13 @@
-//! Local mechanisms of a stack as codes want them, as JSON.
+//! Local mechanisms of a stack as codes require, as JSON.
 
 use dolmen::stability::stack::RigidPart;
 use dolmen_work::state::{LocalMechanismAgainstSite, StackAnswer};
 use serde_json::{Value, json};
 
-/// The code whose formulas these are.
+/// The code of the formulas.
 const CODE: &str = "Circolare 7/2019 to NTC 2018, C8.7.1.2.1";
 
-/// What moves each way, and what it bears.
+/// The moving part in each direction, and its capacity.
 pub(super) fn local_mechanisms(answer: &StackAnswer) -> Value {
     let found = answer.local_mechanisms.iter().flatten();
     let rows = found.map(|row| {

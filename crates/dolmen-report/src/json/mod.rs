@@ -1,4 +1,4 @@
-//! Answers as JSON: keys are the fields' names with the unit last, values in SI, `null` for what is not known.
+//! Answers as JSON: keys are names of fields with the unit last, values in SI, `null` for unknown.
 
 mod building;
 mod building_wind;

@@ -1,10 +1,10 @@
-//! What `dolmen motion` found, as JSON.
+//! Results of `dolmen motion`, as JSON.
 
 use dolmen_records::motions::{ComponentReading, Orientation};
 use dolmen_work::motion::{MotionReport, MotionSeries};
 use serde_json::{Value, json};
 
-/// Everything but the samples: files and channels, measures, spectra, the match.
+/// Everything except the samples: files and channels, measures, spectra, the match.
 pub fn motion_report_json(report: &MotionReport) -> Value {
     let files = report.files.iter().map(|(file, channels)| {
         json!({ "file": file, "channels": channels.iter().map(channel).collect::<Vec<_>>() })

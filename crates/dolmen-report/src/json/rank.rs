@@ -7,7 +7,7 @@ use dolmen_work::portfolio::{Basis, PortfolioAnswer, known_word, probability_in_
 use dolmen_work::score::SCORE_STATES;
 use serde_json::{Map, Value, json};
 
-/// Everything that was found.
+/// The whole ranking.
 pub fn rank_json(answer: &PortfolioAnswer) -> Value {
     let rows = answer.rows().map(|(place, entry, _)| {
         let states: Map<String, Value> = entry

@@ -3,7 +3,7 @@
 use dolmen_work::scanned::ScanAnswer;
 use serde_json::{Value, json};
 
-/// The cuts and the stones; the meshes are in their files.
+/// The cuts and the stones; the meshes are separate files.
 pub fn scan_json(answer: &ScanAnswer) -> Value {
     let sliced = &answer.sliced;
     let stones = answer.stones.iter().zip(&sliced.stones);

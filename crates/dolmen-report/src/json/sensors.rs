@@ -3,7 +3,7 @@
 use dolmen_work::sensors::{Axis, SensorsAnswer, SensorsOf, Side};
 use serde_json::{Value, json};
 
-/// Everything that was planned.
+/// The whole plan.
 pub fn sensors_json(answer: &SensorsAnswer) -> Value {
     let sensors = answer.sensors.iter().map(|sensor| {
         let axes = sensor.site.axes.iter().map(|axis| match axis {

@@ -12,7 +12,7 @@ use dolmen_work::motion::MotionAnswer;
 use dolmen_work::stack::{LeftOut, Repeat, Repeats, SlidingMode, SlidingRun, StackRuns, StackSimulation};
 use serde_json::{Value, json};
 
-/// The run that decides, as [`simulation_json`], with that of the other law of contact.
+/// The decisive run, as [`simulation_json`], with that of the other contact law.
 pub fn stack_runs_json(runs: &StackRuns) -> Value {
     let left_out = runs.left_out.as_ref().map(|why| match why {
         LeftOut::TooLong { updates, most } => {
@@ -97,7 +97,7 @@ fn repeats(of: &Repeats) -> Value {
     })
 }
 
-/// Everything of a simulation but its histories: what went in, how it ended, peaks and residuals, the balance of energy.
+/// A simulation without its histories: inputs, outcome, peaks and residuals, the energy balance.
 pub fn simulation_json(simulation: &StackSimulation) -> Value {
     let (history, law) = (&simulation.history, &simulation.law);
     json!({
@@ -135,7 +135,7 @@ pub fn simulation_json(simulation: &StackSimulation) -> Value {
     })
 }
 
-/// The motion of the base, and what was done to it.
+/// The motion of the base and its processing.
 pub(super) fn motion_json(answer: &MotionAnswer) -> Value {
     let motion = &answer.motion;
     let file = |component: &Component| {
@@ -174,7 +174,7 @@ fn ending(simulation: &StackSimulation) -> Value {
     outcome_of(&simulation.stack, &simulation.history)
 }
 
-/// How a run ended.
+/// The outcome of a run.
 pub(super) fn outcome_of(stack: &Stack, history: &StackHistory) -> Value {
     let name = |block: usize| stack.blocks().get(block).map(|b| b.name.as_str());
     let joint_names = |joint: usize| match stack.joints().get(joint) {

@@ -53,12 +53,12 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
     })
 }
 
-/// The survey and the slope that the model takes from it.
+/// The survey, and the slope that the model takes from it.
 pub(super) fn lean(of: &SurveyedLean) -> Value {
     json!({ "survey": of.survey, "slope": of.slope })
 }
 
-/// What it would bear if no edge crushed.
+/// The capacity without crushing edges.
 fn crushing(of: &Crushing) -> Value {
     json!({
         "strength_pa": of.strength_pa,
@@ -88,7 +88,7 @@ fn settle_run(of: &SettleRun) -> Value {
     }
 }
 
-/// What becomes of it while its supports move.
+/// Its behaviour while its supports move.
 pub(super) fn supports(stack: &Stack, supports: &MovedSupports) -> Value {
     let (kind, falls_by_factor) = match supports.ending {
         MovementEnding::Falls { by_factor } => ("falls", Some(by_factor)),

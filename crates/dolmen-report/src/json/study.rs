@@ -7,7 +7,7 @@ use dolmen_work::simulation::SPEED_AT_REST_M_S;
 use dolmen_work::study::{RunMeasures, StudyAnswer};
 use serde_json::{Map, Value, json};
 
-/// Everything of a study but its single runs.
+/// A study without its single runs.
 ///
 /// # Errors
 /// As [`StudyAnswer::trends`].
@@ -73,14 +73,14 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
     }))
 }
 
-/// The hazard at the site; `None` where it is not known.
+/// The hazard at the site; `None` if unknown.
 fn hazard(answer: &StudyAnswer) -> Option<Vec<Value>> {
     let points = answer.hazard.as_ref()?.curve.points().iter();
     let point = |[peak, rate]: &[f64; 2]| json!({ "peak_acceleration_m_s2": peak, "annual_rate": rate });
     Some(points.map(point).collect())
 }
 
-/// The motion before the runs, and the state in which it leaves each case; `null` without one.
+/// The earlier motion, and the state of each case after it; `null` without one.
 fn after(answer: &StudyAnswer) -> Value {
     let Some(after) = &answer.study.after else {
         return Value::Null;
@@ -109,7 +109,7 @@ fn after(answer: &StudyAnswer) -> Value {
     })
 }
 
-/// Scans that are in no quantile and no trend.
+/// Scans left out of quantiles and trends.
 fn left_out(answer: &StudyAnswer) -> Vec<Value> {
     let scans = answer.capacities().into_iter();
     let each = scans.filter(|scan| !scan.verdict.is_usable()).map(|scan| {
@@ -125,7 +125,7 @@ fn left_out(answer: &StudyAnswer) -> Vec<Value> {
 
 fn levels(answer: &StudyAnswer) -> Vec<Value> {
     let each = answer.levels().into_iter().map(|row| {
-        // where it is only known to lie above, `null`, with how far it was tried under the second name
+        // `null` if only known to be larger; the second key gives the largest tried value
         let mut object = json!({
             "input": row.input.map(|input| answer.inputs[input].path.clone()),
             "text": row.text,

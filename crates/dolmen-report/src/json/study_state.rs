@@ -1,9 +1,9 @@
-//! How far a study is, as JSON.
+//! Progress of a study, as JSON.
 
 use dolmen_work::study::Plan;
 use serde_json::{Value, json};
 
-/// A shard that ended: its journal is its result.
+/// A finished shard: its result is the journal.
 pub fn shard_json(
     plan: &Plan<'_>,
     shard: (usize, usize),
@@ -16,7 +16,7 @@ pub fn shard_json(
     })
 }
 
-/// Which scans are not done yet, each with its inputs.
+/// The scans that are not done yet, each with its inputs.
 pub fn missing_json(plan: &Plan<'_>, runs: usize, missing: &[usize]) -> Value {
     let scans = missing
         .iter()

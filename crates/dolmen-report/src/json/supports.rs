@@ -1,11 +1,11 @@
-//! A stack whose supports move slowly, in time, as JSON.
+//! A stack with slowly moving supports, over time, as JSON.
 
 use super::simulation::outcome_of;
 use super::stack::{lean, supports};
 use dolmen_work::stack::{SupportsRun, SupportsSimulation};
 use serde_json::{Value, json};
 
-/// How the supports moved, what each run found, and what the check found without time.
+/// The movement of the supports, the result of each run, and that of the static check.
 pub(crate) fn supports_json(of: &SupportsSimulation) -> Value {
     json!({
         "file": of.file,

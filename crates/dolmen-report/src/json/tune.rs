@@ -1,10 +1,10 @@
-//! A damper beside the rule and the best, as JSON.
+//! A damper compared with the rule and the optimum, as JSON.
 
 use dolmen::damper::{Compared, Goal, MapCell, RobustnessPoint};
 use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
 use serde_json::{Value, json};
 
-/// Everything that was found.
+/// The whole result.
 pub fn tune_json(answer: &TuneAnswer) -> Value {
     let comparison = &answer.comparison;
     let tunings = comparison.tunings.iter().map(|row| {

@@ -11,7 +11,7 @@ use dolmen_work::watched::WatchAnswer;
 use dolmen_work::watched_log::WatchedLog;
 use serde_json::{Value, json};
 
-/// What a history says.
+/// The result of a history.
 pub fn watch_json(answer: &WatchAnswer) -> Value {
     let watched = &answer.watched;
     let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.clone());
@@ -113,7 +113,7 @@ fn changes(answer: &WatchAnswer) -> Vec<Value> {
     changes
 }
 
-/// Alarms of the modes, alone and together, by survey, and after them those of sensors.
+/// Alarms of the modes, single and combined, by survey, then those of sensors.
 fn alarms(answer: &WatchAnswer) -> Vec<Value> {
     let watched = &answer.watched;
     let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.clone());

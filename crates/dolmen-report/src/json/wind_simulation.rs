@@ -3,7 +3,7 @@
 use dolmen_work::building::{InTime, MotionInTime, WindSimulation};
 use serde_json::{Value, json};
 
-/// Everything of a simulation in the wind but its histories.
+/// A simulation in the wind without its histories.
 pub fn wind_simulation_json(run: &WindSimulation) -> Value {
     let along = |axis: usize| {
         let of = &run.along[axis];

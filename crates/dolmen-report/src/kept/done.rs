@@ -1,4 +1,4 @@
-//! What was done to a store, once it is on disk.
+//! Completed changes of a store.
 
 use crate::document::{Block, Document, TextStyle, document_text};
 use dolmen::modal::LastingChange;
@@ -96,7 +96,7 @@ fn count(value: i64) -> usize {
     usize::try_from(value).unwrap_or(0)
 }
 
-/// What `add` did.
+/// The result of `add`.
 pub fn added_text(added: &Added, style: TextStyle) -> String {
     let structure = added.structure.clone();
     let surveys = added.surveys;
@@ -148,7 +148,7 @@ pub fn added_text(added: &Added, style: TextStyle) -> String {
     document_text(&document, style)
 }
 
-/// An earthquake after which nobody looked.
+/// An earthquake without a later inspection.
 fn shaken(one: &AddedEarthquake) -> Done {
     let of = &one.of;
     let percent = |by: f64| Quantity::new(by, Unit::percent(), Digits::Significant(2));
@@ -167,14 +167,14 @@ fn shaken(one: &AddedEarthquake) -> Done {
     }
 }
 
-/// Names that stand in a sentence; of more the first ones.
+/// Names in a sentence; only the first ones of many.
 fn some(names: &[String]) -> String {
     const MOST: usize = 6;
     let more = if names.len() > MOST { " …" } else { "" };
     names[..names.len().min(MOST)].join(", ") + more
 }
 
-/// What `export` of one structure wrote.
+/// The result of exporting one structure.
 pub fn exported_text(structure: &str, folder: &str, files: usize, style: TextStyle) -> String {
     let done = Done::Exported {
         structure: structure.to_owned(),
@@ -184,7 +184,7 @@ pub fn exported_text(structure: &str, folder: &str, files: usize, style: TextSty
     sentences([done.into()], style)
 }
 
-/// What `import` did.
+/// The result of `import`.
 pub fn imported_text(imported: &Imported, style: TextStyle) -> String {
     let done = Done::Imported {
         structures: imported.structures,
@@ -194,7 +194,7 @@ pub fn imported_text(imported: &Imported, style: TextStyle) -> String {
     sentences([done.into()], style)
 }
 
-/// What `remove` did.
+/// The result of `remove`.
 pub fn marked_text(structure: &str, is_removed: bool, style: TextStyle) -> String {
     let structure = structure.to_owned();
     let done = match is_removed {
@@ -204,7 +204,7 @@ pub fn marked_text(structure: &str, is_removed: bool, style: TextStyle) -> Strin
     sentences([done.into()], style)
 }
 
-/// What `verify` found.
+/// The result of `verify`.
 pub fn verified_text(verified: &Verified, style: TextStyle) -> String {
     let mut document = Document::default();
     if verified.faults.is_empty() {

@@ -1,4 +1,4 @@
-//! Records as they come, a line each, and metrics for other programs.
+//! Records of a watched folder, one line each, and metrics for other programs.
 
 use crate::modal::fault_words;
 use dolmen::modal::LastingChange;
@@ -11,7 +11,7 @@ use dolmen_work::watched::WatchAnswer;
 use serde_json::{Value, json};
 
 messages! {
-    /// A record that came, and what became of it.
+    /// A new record in a watched folder, and its result.
     pub(crate) enum Followed in "store.followed" {
         Stored { survey: String, source: Sentence, file: String, frequencies: Values, verdict: Sentence, open: Sentence } => {
             en: "{survey} ({source}), {file}: {frequencies}; {verdict}{open}.",
@@ -132,7 +132,7 @@ fn verdict_words(verdict: &Verdict) -> Sentence {
         Verdict::NotJudged(NotJudged::NewLevel) => Followed::NewLevel,
         Verdict::NotJudged(NotJudged::Temperature) => Followed::Temperature,
         Verdict::NotJudged(NotJudged::NoTemperature) => Followed::NoTemperature,
-        // said by the head of its line
+        // stated at the start of its line
         Verdict::Earthquake | Verdict::NoMode => Followed::NoMode,
         Verdict::TooFew { given, least } => Followed::TooFew {
             given: *given,
@@ -174,14 +174,14 @@ fn change_of(of: &Earthquake) -> Sentence {
     .into()
 }
 
-/// What a history says of a record.
+/// The verdict of a history on a record.
 #[derive(Clone, Copy, Debug)]
 pub struct JudgedRecord<'a> {
-    /// Of its modes.
+    /// Verdict on its modes.
     pub verdict: &'a Verdict,
-    /// Alarms that are open on its day.
+    /// Number of open alarms on its day.
     pub open_alarms: usize,
-    /// Of its sensors, by their shapes.
+    /// Change of its sensors, from the shapes.
     pub sensors: Option<&'a SensorChange>,
 }
 
@@ -196,7 +196,7 @@ fn jumped(of: &SensorChange) -> Followed {
     }
 }
 
-/// A record that was stored, in a line, and a line for each sensor that is in doubt.
+/// A stored record in one line, and a line for each doubtful sensor.
 pub fn followed_text(
     survey: &str,
     file: &str,
@@ -327,7 +327,7 @@ pub fn followed_json(survey: &str, file: &str, taken: &Taken, judged: &JudgedRec
     })
 }
 
-/// A file that could not be read, and where it lies now.
+/// A file that could not be read, and its new path.
 pub fn quarantined_text(file: &str, place: &str, why: &Both, language: Language) -> String {
     let said: Sentence = Followed::Quarantined {
         file: file.to_owned(),
@@ -343,7 +343,7 @@ pub fn quarantined_json(file: &str, place: &str, why: &Both) -> Value {
     json!({ "file": file, "quarantined": place, "why": why.english })
 }
 
-/// The state of a structure for Prometheus, as the text file of its node exporter.
+/// The state of a structure for Prometheus, as a text file of its node exporter.
 pub fn metrics_text(
     structure: &str,
     answer: Option<&WatchAnswer>,

@@ -1,4 +1,4 @@
-//! Lists for other programs, a row at a time: however many there are, none is kept.
+//! Lists for other programs, written row by row without storing them.
 
 use dolmen_records::time_text;
 use dolmen_work::kept::{ListedStructure, ListedSurvey};
@@ -9,13 +9,13 @@ use serde_json::{Value, json};
 pub enum ListFormat {
     /// One object with a list.
     Json,
-    /// A table, with the mark by which Excel knows UTF-8.
+    /// A table, with the byte order mark by which Excel recognises UTF-8.
     Csv,
-    /// Points of a map; what has no place is left out.
+    /// Points of a map; structures without coordinates are left out.
     GeoJson,
 }
 
-/// What is listed.
+/// Kind of list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Listing {
     /// Structures.
@@ -29,7 +29,7 @@ const SURVEY_COLUMNS: &str =
     "structure,survey,date,temperature_c,records,lowest_frequency_hz,has_earthquake,earthquake_peak_m_s2";
 
 impl ListFormat {
-    /// What stands before the first row.
+    /// Text before the first row.
     pub fn head(self, of: Listing) -> String {
         match (self, of) {
             (ListFormat::Json, Listing::Structures) => "{\n\"structures\": [\n".to_owned(),
@@ -40,7 +40,7 @@ impl ListFormat {
         }
     }
 
-    /// What stands behind the last row.
+    /// Text after the last row.
     pub fn tail(self) -> &'static str {
         match self {
             ListFormat::Json | ListFormat::GeoJson => "\n]\n}\n",
@@ -48,7 +48,7 @@ impl ListFormat {
         }
     }
 
-    /// A structure; `None` where the format has nothing for it.
+    /// A structure; `None` if the format has nothing for it.
     pub fn structure(self, row: &ListedStructure, is_first: bool) -> Option<String> {
         match self {
             ListFormat::Json => Some(object(&json!(row), is_first)),
@@ -78,7 +78,7 @@ impl ListFormat {
         }
     }
 
-    /// A survey; `None` where the format has nothing for it.
+    /// A survey; `None` if the format has nothing for it.
     pub fn survey(self, row: &ListedSurvey, is_first: bool) -> Option<String> {
         match self {
             ListFormat::Json => Some(object(&json!(row), is_first)),
@@ -106,7 +106,7 @@ pub(super) fn line(cells: &[String]) -> String {
     cells.join(",") + "\r\n"
 }
 
-/// A cell: quoted, and never a formula where a table is opened in a spreadsheet.
+/// A quoted cell, which a spreadsheet never takes for a formula.
 pub(super) fn quoted(text: &str) -> String {
     let is_formula = text.starts_with(['=', '+', '-', '@', '\t']);
     let mark = if is_formula { "'" } else { "" };

@@ -1,4 +1,4 @@
-//! Many structures over the years, a line each.
+//! Many structures over the years, one line each.
 
 use super::formats::{line, number, quoted, text as text_cell};
 use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_text};
@@ -115,10 +115,10 @@ fn columns(is_full: bool) -> Vec<Column> {
     columns
 }
 
-/// Parts of a list beyond which the others are counted.
+/// Number of parts listed; others are counted.
 const PARTS_LISTED: usize = 4;
 
-/// Which part explains the strongest change, in one direction.
+/// The part that explains the strongest change, in one direction.
 fn explained(structure: &str, parts: &[ExplainingPart]) -> Watched {
     let structure = structure.to_owned();
     let named = |of: &ExplainingPart| -> Sentence {
@@ -153,7 +153,7 @@ fn explained(structure: &str, parts: &[ExplainingPart]) -> Watched {
     }
 }
 
-/// The structures for people, in the order given: those that were watched as a table, the others with the reason.
+/// The structures as text, in the given order: watched ones as a table, the others with the reason.
 pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
     let mut document = Document::default();
     if lines.is_empty() {
@@ -221,7 +221,7 @@ pub fn inventory_json(lines: &[InventoryLine]) -> Value {
     json!({ "structures": lines, "alarming": alarming, "to_watch": to_watch })
 }
 
-/// The structures as a table (CSV), with the mark by which Excel knows UTF-8.
+/// The structures as a table (CSV), with the byte order mark by which Excel recognises UTF-8.
 pub fn inventory_csv(lines: &[InventoryLine]) -> String {
     let head = "\u{feff}structure,open_alarms,is_tilt_beyond,change_ratio,change_sd,frequency_hz,change_after,change_before,\
                 tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched,open_sensor_alarms,cracks_beyond,is_change_open,last_off_ratio,last_off_score,\

@@ -5,7 +5,7 @@ use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_
 use dolmen_words::{Digits, Quantity, Unit, messages};
 use dolmen_work::kept::{ListedStructure, ListedSurvey};
 
-/// Rows that are shown; other formats give all.
+/// Number of rows shown; other formats give all.
 const ROWS_MOST: usize = 500;
 
 messages! {
@@ -49,7 +49,7 @@ fn count(value: i64) -> Cell {
     Cell::number(Quantity::new(value as f64, Unit::ratio(), Digits::Fixed(0)))
 }
 
-/// What is known of an earthquake.
+/// Known data of an earthquake.
 pub(super) fn earthquake(is_there: bool, peak_m_s2: Option<f64>) -> Cell {
     match (is_there, peak_m_s2) {
         (false, _) => text("–"),
@@ -79,7 +79,7 @@ fn shown(table: Table, left_out: usize, style: TextStyle) -> String {
     document_text(&document, style)
 }
 
-/// Structures for people: however many come, few are kept.
+/// A list of structures that stores only a limited number of rows.
 #[derive(Debug, Default)]
 pub struct StructureList {
     rows: Vec<ListedStructure>,
@@ -127,7 +127,7 @@ impl StructureList {
     }
 }
 
-/// Surveys for people: however many come, few are kept.
+/// A list of surveys that stores only a limited number of rows.
 #[derive(Debug, Default)]
 pub struct SurveyList {
     rows: Vec<ListedSurvey>,

@@ -21,7 +21,7 @@ pub use show::structure_text;
 
 use dolmen_words::Template;
 
-/// The sentences on stores as they are written.
+/// Templates of the sentences on stores.
 pub(crate) const TEMPLATES: [&[Template]; 6] = [
     fault::Faults::TEMPLATES,
     list::Listed::TEMPLATES,

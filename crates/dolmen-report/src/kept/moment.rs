@@ -1,4 +1,4 @@
-//! When something was done, for people.
+//! Times of actions, as text.
 
 use dolmen_records::time_text;
 

@@ -231,7 +231,7 @@ fn surveys(kept: &[KeptSurvey]) -> Table {
     }
 }
 
-/// How many entries its inspection has.
+/// Number of entries in its inspection.
 fn inspection(survey: &KeptSurvey) -> Shown {
     let of = &survey.inspections;
     let severe = of

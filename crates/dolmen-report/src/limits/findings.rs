@@ -1,4 +1,4 @@
-//! The worst storey and the worst joint against their limits, in plain words.
+//! Findings on the worst storey and the worst joint compared with their limits.
 
 use super::words::where_words;
 use crate::document::{Finding, Tone};
@@ -50,7 +50,7 @@ messages! {
     }
 }
 
-/// The worst storey and the worst joint, under what `of` says.
+/// The worst storey and the worst joint, under the load that `of` names.
 pub(crate) fn findings(
     parts: &[PartLimit],
     limit: Option<&DriftLimit>,

@@ -1,4 +1,4 @@
-//! Parts against their limits as JSON.
+//! Parts compared with their limits, as JSON.
 
 use dolmen::assess::demand::DriftLimit;
 use dolmen_work::part_limit::{Limited, Part, PartLimit};

@@ -1,4 +1,4 @@
-//! Parts of a structure against what limits them: findings, tables, JSON.
+//! Parts of a structure compared with their limits: findings, tables, JSON.
 
 mod findings;
 mod json;
@@ -12,7 +12,7 @@ pub(crate) use words::part_words;
 
 use dolmen_words::Template;
 
-/// The sentences on limits as they are written.
+/// Templates of the sentences on limits.
 pub(crate) const TEMPLATES: [&[Template]; 3] = [
     words::Parts::TEMPLATES,
     findings::Found::TEMPLATES,

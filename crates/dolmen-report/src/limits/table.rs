@@ -1,4 +1,4 @@
-//! Every storey and every joint against its limit.
+//! Every storey and every joint compared with its limit.
 
 use super::words::part_words;
 use crate::document::{Block, Cell, Column, Document, Table};
@@ -57,7 +57,7 @@ messages! {
     }
 }
 
-/// The tables, one a kind of limit.
+/// The tables, one per kind of limit.
 pub(crate) fn section(document: &mut Document<'_>, parts: &[PartLimit], limit: Option<&DriftLimit>) {
     let of = |limited: Limited| -> Vec<&PartLimit> {
         parts.iter().filter(|part| part.limited == limited).collect()

@@ -28,7 +28,7 @@ pub(crate) fn part_words(part: &Part) -> Sentence {
     }
 }
 
-/// The part and the direction in which it is asked.
+/// The part and its direction.
 pub(super) fn where_words(of: &PartLimit) -> Sentence {
     let part = part_words(&of.part);
     match &of.direction {

@@ -1,4 +1,4 @@
-//! What wind and static loads do, in plain words.
+//! Findings on wind and static loads.
 
 use super::on_frames;
 use super::words::{DIGITS, Found, what};
@@ -15,7 +15,7 @@ use dolmen_work::loads::{AcrossCombination, ChainCombination, CombinationAnswer,
 use dolmen_work::state::{Check, State};
 
 messages! {
-    /// Why a wind is not known.
+    /// Why a wind is unknown.
     pub(crate) enum WhyNot in "loads.why-not" {
         Frequency => {
             en: "its code asks for the lowest natural frequency, which needs the stiffness of the joints",
@@ -61,7 +61,7 @@ fn hertz(frequency_hz: f64) -> Quantity {
     Quantity::new(frequency_hz, Unit::si("Hz"), Digits::Significant(DIGITS))
 }
 
-/// Why a wind is not known.
+/// Why a wind is unknown.
 pub(super) fn why_not(error: &WindError, is_stack: bool) -> Sentence {
     match error {
         WindError::FrequencyUnknown if is_stack => WhyNot::StackFrequency,
@@ -92,7 +92,7 @@ pub(super) fn why_not(error: &WindError, is_stack: bool) -> Sentence {
     .into()
 }
 
-/// That a pole or a frame has no wind; of others nothing.
+/// Finding that a pole or a frame has no wind; none for other kinds.
 fn no_wind(project: &Project, state: &State) -> Option<Finding> {
     let said = match &project.structure {
         Structure::Chain(_) => Found::NoWind,
@@ -103,7 +103,7 @@ fn no_wind(project: &Project, state: &State) -> Option<Finding> {
     is_silent.then(|| Finding::key(Tone::Warn, said).with_code("no-wind"))
 }
 
-/// The findings, the worst combination alone.
+/// The findings, only for the worst combination.
 pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     let Some(answer) = &state.loads else {
         return no_wind(project, state).into_iter().collect();
@@ -206,7 +206,7 @@ fn of_combination(
     }
 }
 
-/// What a stack bears of a combination.
+/// The capacity of a stack under a combination.
 fn of_stack(what: Sentence, under: &StackUnderLoads, stack: &Stack) -> Finding {
     let verdict = under.verdict();
     let tone = Tone::of(verdict);
@@ -295,7 +295,7 @@ fn of_chain(what: Sentence, chain: &ChainCombination) -> Option<Finding> {
     Some(Finding::key(tone, said))
 }
 
-/// A joint of a chain of two directions; `None` where a limit is not known.
+/// A joint of a chain with two directions; `None` if a limit is unknown.
 fn of_both(what: Sentence, chain: &ChainCombination, across: &AcrossCombination) -> Option<Sentence> {
     let joint = chain.under.governing_joint?;
     let of_limit = |under: &ChainUnderLoads| -> Option<Sentence> {

@@ -11,7 +11,7 @@ pub(crate) use section::{Loaded, as_given, sections};
 
 use dolmen_words::Template;
 
-/// The sentences on wind and static loads as they are written.
+/// Templates of the sentences on wind and static loads.
 pub(crate) const TEMPLATES: [&[Template]; 5] = [
     words::Found::TEMPLATES,
     findings::WhyNot::TEMPLATES,

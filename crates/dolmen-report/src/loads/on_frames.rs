@@ -56,7 +56,7 @@ messages! {
     }
 }
 
-/// Names of the storeys of a frame, where the file gives them.
+/// Names of the storeys of a frame, if the file gives them.
 fn names_of(project: &Project) -> Vec<Option<String>> {
     match &project.structure {
         Structure::Frame(part) => part.storeys.iter().map(|storey| storey.name.clone()).collect(),
@@ -73,7 +73,7 @@ fn storey_words(names: &[Option<String>], storey: usize) -> Sentence {
     .into()
 }
 
-/// What a frame bears of a combination.
+/// The capacity of a frame under a combination.
 pub(super) fn borne(project: &Project, what: Sentence, frame: &FrameCombination) -> Option<Finding> {
     let verdict = frame.verdict();
     let tone = Tone::of(verdict);
@@ -142,7 +142,7 @@ fn unknown(what: Sentence, frame: &FrameCombination) -> Finding {
     Finding::key(Tone::Unknown, Found::FrameUnknown { what, directions })
 }
 
-/// The largest lean of all combinations against the drift that the file allows as a number.
+/// The largest lean of all combinations, compared with a drift limit that the file gives as a number.
 pub(super) fn drifts(project: &Project, answer: &LoadsAnswer) -> Option<Finding> {
     let Some(limit @ DriftLimit::Given { .. }) = &project.drift_limit else {
         return None;
@@ -189,7 +189,7 @@ pub(super) fn drifts(project: &Project, answer: &LoadsAnswer) -> Option<Finding>
     })
 }
 
-/// The wind along each direction, and the storeys of each under the worst combination; the curve of the storey that governs.
+/// The wind along each direction, and the storeys of each under the worst combination; the curve of the governing storey.
 pub(super) fn section<'a>(
     document: &mut Document<'a>,
     what: &Sentence,
@@ -239,7 +239,7 @@ pub(super) fn wind(of: &FrameWind) -> OnFrames {
     }
 }
 
-/// The storey that governs a combination, in a table.
+/// The governing storey of a combination, in a table.
 pub(super) fn governs(frame: &FrameCombination) -> Cell {
     let number = frame.governing().map(|(_, storey, _)| storey + 1);
     Cell::Number(number.map(|storey| Quantity::new(storey as f64, Unit::ratio(), Digits::Fixed(0))))

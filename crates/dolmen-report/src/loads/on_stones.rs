@@ -1,4 +1,4 @@
-//! What the worst combination does to a stack: what the wind meets, and how the stones begin to move.
+//! Effect of the worst combination on a stack: the wind on it, and how the stones begin to move.
 
 use crate::document::{Block, Cell, Column, Document, Figure, Table, table_series};
 use crate::figures::{stack_pushed, stone_series};
@@ -11,7 +11,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 /// Digits in the table.
 const DIGITS: usize = 3;
-/// Most stones of the table of the wind. Chosen here: a page of a report.
+/// Largest number of stones in the table of the wind. Our choice: a page of a report.
 const STONES_MOST: usize = 40;
 
 messages! {

@@ -143,7 +143,7 @@ messages! {
 /// Digits in tables.
 const DIGITS: usize = 4;
 
-/// What is loaded.
+/// The loaded structure.
 pub(crate) enum Loaded<'a> {
     /// A chain, with the heights of its joints, m.
     Chain(Vec<f64>),
@@ -154,7 +154,6 @@ pub(crate) enum Loaded<'a> {
 }
 
 impl<'a> Loaded<'a> {
-    /// A frame.
     pub(crate) fn of_frame(part: &FramePart) -> Self {
         Loaded::Frame(part.storeys.iter().map(|storey| storey.name.clone()).collect())
     }
@@ -167,7 +166,7 @@ impl<'a> Loaded<'a> {
     }
 }
 
-/// The section; nothing where nothing acts beside the weight.
+/// The section; empty without loads besides the weight.
 pub(crate) fn sections<'a>(
     given: &LoadsPart,
     answer: Option<&'a LoadsAnswer>,
@@ -284,7 +283,7 @@ fn chain_section<'a>(
     }
 }
 
-/// What the file says of the wind, and what its code makes of it.
+/// The wind in the file, and the result of its code.
 pub(crate) fn as_given(wind: &WindGiven) -> Shown {
     let coefficient = wind.force_coefficient.written.clone();
     match &wind.speed {

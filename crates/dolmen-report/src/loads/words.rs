@@ -161,7 +161,7 @@ messages! {
     }
 }
 
-/// A combination by its name, or what acts.
+/// A combination by its name, or the kinds of load.
 pub(super) fn what(answer: &LoadsAnswer, combination: &CombinationAnswer) -> Sentence {
     match (&combination.name, answer.has_wind, answer.has_loads) {
         (Some(name), _, _) => Found::Combination { name: name.clone() },

@@ -1,4 +1,4 @@
-//! Measured modes beside those of the model, told apart by their shapes at the sensors.
+//! Measured modes compared with those of the model, by their shapes at the sensors.
 
 use super::values::{fixed, percent};
 use crate::document::{Block, Cell, Column, Document, Figure, Series, Table};

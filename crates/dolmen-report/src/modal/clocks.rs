@@ -1,4 +1,4 @@
-//! Channels whose clocks run apart or late.
+//! Channels whose clocks drift or are late.
 
 use super::values::fixed;
 use dolmen::modal::LateClock;

@@ -1,4 +1,4 @@
-//! What follows the amplitude of a free decay.
+//! Dependence of a free decay on amplitude.
 
 use super::decay_remarks::decay_remarks;
 use super::values::percent;
@@ -31,7 +31,7 @@ messages! {
     }
 }
 
-/// How well the decay is one of linear modes, and each mode at its largest, middle and smallest swings.
+/// How well linear modes explain the decay, and each mode at its largest, middle and smallest amplitudes.
 pub(super) fn section(document: &mut Document<'_>, decay: &Decay) {
     document.paragraph(Decays::Explained {
         explained: percent(decay.explained, 2),

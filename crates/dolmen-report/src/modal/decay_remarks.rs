@@ -1,14 +1,14 @@
-//! What must be known beside the modes of a free decay.
+//! Notes on the modes of a free decay.
 
 use super::values::{all_hertz, fixed, hertz, percent};
 use dolmen::modal::{Decay, ModeDecay};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 
-/// Share of the motion that the poles explain below which it is warned. Chosen here.
+/// Share of the motion explained by the poles below which there is a warning. Our choice.
 const EXPLAINED_LEAST: f64 = 0.8;
-/// Deviations over those in white noise that are worth a word. Chosen here: above 2 one record of white noise in 20 is.
+/// Deviations, relative to white noise, from which there is a note. Our choice: one record of white noise in 20 exceeds 2.
 const FAR: f64 = 3.0;
-/// Of a frequency: a peak of the mode's own. Chosen here.
+/// Relative distance within which a peak belongs to a mode's frequency. Our choice.
 const NEAR: f64 = 0.05;
 
 messages! {
@@ -85,9 +85,9 @@ fn bent_words(mode: &ModeDecay, channels: usize) -> Remarks {
     }
 }
 
-/// That what is left has peaks, or the modes' own frequencies: something goes on.
+/// Finding that the residual has peaks, or the modes' own frequencies: the excitation continues.
 fn still_shaken(decay: &Decay) -> Option<Remarks> {
-    // what a mode that is no exponential leaves is its own
+    // the residual of a mode that is no exponential belongs to that mode
     let is_one = |mode: &&ModeDecay| mode.poles_hz.len() == 1 && !mode.damping_follows;
     let over = decay.modes.iter().filter(is_one).map(|mode| mode.over_white);
     let most = over.filter(|times| *times > FAR).fold(0.0, f64::max);
@@ -122,7 +122,7 @@ fn still_shaken(decay: &Decay) -> Option<Remarks> {
     Some(said)
 }
 
-/// Peaks are known no better than a line of the spectrum.
+/// Peaks are known only to a line of the spectrum.
 fn coarse(frequency_hz: &[f64]) -> Values {
     let one = |hz: &f64| Quantity::new(*hz, Unit::si("Hz"), Digits::Fixed(2));
     Values(frequency_hz.iter().map(one).collect())

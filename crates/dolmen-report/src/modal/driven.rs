@@ -1,4 +1,4 @@
-//! What a measured input shows beside the modes: the same modes with the ground as it gives way, and what follows the input.
+//! Further results from a measured input: the same modes with compliant ground, and the coherence with the input.
 
 use super::tables::nth_of;
 use super::values::{fixed, percent, plain};
@@ -47,7 +47,7 @@ messages! {
     }
 }
 
-/// What is held, and each mode beside that of structure and ground together.
+/// The fixed parts, and each mode compared with that of structure and ground together.
 pub(super) fn section<'a>(document: &mut Document<'a>, driven: &'a Driven, analysis: &'a ModalAnalysis) {
     let modes = &analysis.modes.modes;
     document.paragraph(Drivens::Taken {

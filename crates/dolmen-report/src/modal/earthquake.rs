@@ -1,4 +1,4 @@
-//! What leads of a record that holds earthquakes: when, how strong, and what they left.
+//! Main findings of a record with earthquakes: when, how strong, and their effect.
 
 use super::earthquake_words::{ChangeWords, Quake, acceleration, time, with_sd};
 use crate::document::{Finding, Tone};
@@ -7,10 +7,10 @@ use dolmen::modal::{AtLeast, During, Part, ShakingKind, StrongEvent, StrongMotio
 use dolmen_words::{Quantity, Sentence};
 use dolmen_work::surveyed::{Earthquake, ModesOf};
 
-/// Number of earthquakes of one record in a short answer; the full one has them all.
+/// Number of earthquakes of one record in a short answer; the full one has all.
 const LISTED: usize = 4;
 
-/// What leads: that there is one, the lowest frequency through it, what lasts, and of which part the modes are.
+/// Main findings: the earthquake, the lowest frequency before and after, lasting changes, and the part that the modes come from.
 pub(super) fn findings(of: &Earthquake) -> Vec<Finding> {
     let found = &of.found;
     let mut all = vec![Finding::key(Tone::Warn, holds(found)).with_code("earthquake")];
@@ -63,7 +63,7 @@ fn holds(found: &StrongMotion) -> Quake {
     }
 }
 
-/// The largest acceleration of one earthquake, and why it may have been larger.
+/// The largest acceleration of one earthquake, and why the true value may be larger.
 fn peak(event: &StrongEvent) -> Quake {
     let found = event
         .strongest()
@@ -140,7 +140,7 @@ fn short(part: &Part) -> Sentence {
     Quake::TooShort { time }.into()
 }
 
-/// The lowest mode that was found before, in it and after: of those found both before and after the lowest.
+/// The lowest mode found before, during and after it: the lowest of those found both before and after.
 fn three(found: &StrongMotion, event: &StrongEvent) -> Quake {
     let mut parts = found
         .quiet
@@ -224,7 +224,7 @@ fn lasting(found: &StrongMotion) -> Finding {
     }
 }
 
-/// Of which part the modes are.
+/// The part that the modes come from.
 fn modes_of(of: &Earthquake) -> Finding {
     let span = |part: &Part| part.span_s.map(time);
     let found = &of.found;

@@ -1,4 +1,4 @@
-//! The section of a record that holds earthquakes: what was measured, and the structure before, in and after them.
+//! The section of a record with earthquakes: measurements, and the structure before, during and after them.
 
 use super::earthquake::findings;
 use super::earthquake_words::{HALF_95, Quake, share, time};
@@ -9,7 +9,7 @@ use dolmen::modal::{AtLeast, During, LastingChange, StrongChannel};
 use dolmen_words::{Digits, Quantity, Sentence, Unit};
 use dolmen_work::surveyed::RecordAnswer;
 
-/// The section of a record that holds one.
+/// The section of a record with an earthquake.
 pub(super) fn section<'a>(document: &mut Document<'a>, record: &'a RecordAnswer) {
     let Some(of) = &record.earthquake else { return };
     let found = &of.found;
@@ -140,7 +140,7 @@ fn changes(caption: Quake, all: &[LastingChange]) -> Table {
     }
 }
 
-/// Response spectra over period, a column a channel.
+/// Response spectra over period, one column per channel.
 fn spectra(channels: &[StrongChannel]) -> Vec<Series> {
     let with = || channels.iter().filter(|of| !of.spectrum.is_empty());
     let periods = with().next().map(|of| &of.spectrum);

@@ -1,4 +1,4 @@
-//! The words of a record that holds earthquakes.
+//! Words for a record with earthquakes.
 
 use super::values::seconds;
 use dolmen::modal::LastingChange;
@@ -181,7 +181,7 @@ messages! {
 /// Half of the width of an interval that holds 95 %, in standard deviations.
 pub(super) const HALF_95: f64 = 1.96;
 
-/// A change, in the words of a frequency, what it changed by and half of its interval.
+/// A change in words: the frequency, its change and half of the interval.
 pub(super) struct ChangeWords {
     pub(super) frequency: Quantity,
     pub(super) by: Quantity,
@@ -190,10 +190,18 @@ pub(super) struct ChangeWords {
 
 impl ChangeWords {
     pub(super) fn of(change: &LastingChange) -> Self {
+        let half = change.ratio_sd.map_or(f64::NAN, |sd| HALF_95 * sd);
+        // both to the first digit of the interval
+        let decimals = (-(100.0 * half).abs().log10().floor()).clamp(1.0, 4.0);
+        let digits = Digits::Fixed(if decimals.is_nan() { 1 } else { decimals as usize });
+        let bare = Unit {
+            symbol: String::new(),
+            ..Unit::percent()
+        };
         ChangeWords {
             frequency: Quantity::new(change.before_hz, Unit::si("Hz"), Digits::Significant(4)),
-            by: share(change.ratio),
-            half: share(change.ratio_sd.map_or(f64::NAN, |sd| HALF_95 * sd)),
+            by: Quantity::new(change.ratio, bare, digits),
+            half: Quantity::new(half, Unit::percent(), digits),
         }
     }
 }

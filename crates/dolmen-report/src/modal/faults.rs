@@ -1,4 +1,4 @@
-//! What looks wrong with a channel.
+//! Apparent faults of a channel.
 
 use super::values::{fixed, plain, seconds};
 use dolmen::signal::ChannelFault;

@@ -1,6 +1,7 @@
-//! What records say of modes in plain words.
+//! Findings on records and modes.
 
 use super::earthquake;
+use super::faults::fault_words;
 use super::notes::note_words;
 use super::setup_remarks::setup_faults;
 use super::steps::step_words;
@@ -11,8 +12,8 @@ use dolmen::signal::Processing;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, SurveyAnswer};
 
-/// Largest share in all modes below which a channel is probably in another unit: that of g among gal, 1/981, up to three times as large. Chosen here:
-/// sensors on the ground, which some surveys have, move by more than the noise of those above.
+/// Largest share in all modes below which a channel probably has another unit: that of g among gal, 1/981, up to three times as large.
+/// Our choice: sensors on the ground, which some surveys have, move by more than the noise of those above.
 const OTHER_UNIT: f64 = 0.003;
 
 messages! {
@@ -82,10 +83,6 @@ messages! {
             en: "Below the lowest mode found, {lowest}, the spectrum has peaks that a test refused: {peaks}. The first mode may be among them; the section of the record says which test, and what admits it.",
             ko: "찾은 최저차 모드 {lowest} 아래에 판정 기준에서 제외된 피크가 있다: {peaks}. 1차 모드일 수 있다. 제외 사유와 채택 방법은 기록 항목에 있다.",
         },
-        OneFault => {
-            en: "1 fault was seen in its channels; it is named with the record.",
-            ko: "채널에서 이상 1건이 발견되었다(기록 항목 참조).",
-        },
         Faults { count: usize } => {
             en: "{count} faults were seen in its channels; they are named with the record.",
             ko: "채널에서 이상 {count}건이 발견되었다(기록 항목 참조).",
@@ -110,7 +107,7 @@ messages! {
     }
 }
 
-/// Of the records of all surveys, by their names where several have records.
+/// Findings on the records of all surveys, with their names if several have records.
 pub(crate) fn findings(surveys: &[SurveyAnswer]) -> Vec<Finding> {
     let are_several = surveys.iter().filter(|survey| survey.modes().is_some()).count() > 1;
     let each = surveys.iter().flat_map(|survey| {
@@ -240,7 +237,7 @@ fn frequencies(modes: &[&Mode]) -> Values {
     Values(modes.iter().map(|mode| frequency(mode)).collect())
 }
 
-/// The modes that the user insists on.
+/// The modes that the user accepted.
 fn accepted(modes: &[Mode]) -> Option<Finding> {
     let all: Vec<&Mode> = modes.iter().filter(|mode| !mode.is_found()).collect();
     let values = frequencies(&all);
@@ -251,7 +248,7 @@ fn accepted(modes: &[Mode]) -> Option<Finding> {
     }
 }
 
-/// What sensors say against each other, and the likely fix.
+/// Contradictions between sensors, and the likely fix.
 fn sensor(doubt: &SensorDoubt) -> Found {
     let share = |of: f64| Quantity::ratio(100.0 * of, 2);
     match doubt {
@@ -304,7 +301,7 @@ fn sensor(doubt: &SensorDoubt) -> Found {
     }
 }
 
-/// A mode of which less than this follows the measured input. Chosen here.
+/// Coherence with the measured input below which a mode follows it little. Our choice.
 const FOLLOWS_LITTLE: f64 = 0.3;
 
 fn follows_little(mode: &DrivenMode) -> Option<Finding> {
@@ -316,7 +313,7 @@ fn follows_little(mode: &DrivenMode) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, found))
 }
 
-/// A channel whose numbers are so small beside the others that the unit is probably another one.
+/// A channel whose values are so small compared with the others that its unit is probably wrong.
 fn still(note: &Note) -> Option<Finding> {
     match note {
         Note::StandsStill { channel, share } if *share < OTHER_UNIT => {
@@ -330,8 +327,8 @@ fn still(note: &Note) -> Option<Finding> {
     }
 }
 
-/// Whether a channel that stands still in the modes moved in an earthquake of the record as one of its unit does: then it is connected, and stands on the
-/// ground.
+/// Whether a channel that is at rest in the modes moved in an earthquake of the record as its unit implies: then it is connected, and
+/// stands on the ground.
 fn has_felt(record: &RecordAnswer, note: &Note) -> bool {
     let Note::StandsStill { channel, .. } = note else {
         return false;
@@ -365,10 +362,13 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
         };
         Finding::key(Tone::Warn, found)
     }));
-    let faults = match record.faults.len() {
-        0 => None,
-        1 => Some(Found::OneFault),
-        count => Some(Found::Faults { count }),
+    let faults = match record.faults.as_slice() {
+        [] => None,
+        [one] => Some(fault_words(one)),
+        several => {
+            let count = several.len();
+            Some(Found::Faults { count }.into())
+        }
     };
     all.extend(faults.map(|found| Finding::key(Tone::Warn, found).with_code("channel-fault")));
     all.extend(
@@ -385,7 +385,7 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
     all.extend(still.filter_map(self::still));
     let driven = record.analysis.driven.iter().flat_map(|of| &of.modes);
     all.extend(driven.filter_map(follows_little));
-    // channels that were left out: what is found is of the others alone; and modes that are a machine's
+    // omitted channels, because results depend only on the others; and modes due to machines
     let weighs = |note: &&Note| {
         matches!(
             note,

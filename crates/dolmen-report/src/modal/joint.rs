@@ -31,7 +31,7 @@ messages! {
     }
 }
 
-/// What the identification of all setups as one rests on, and its modes.
+/// The basis of the joint identification of all setups, and its modes.
 pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, joint: &'a JointSetups) {
     document.heading(Joint::Head {
         survey: survey.to_owned(),

@@ -1,4 +1,4 @@
-//! What records say of modes: findings, and the sections of records, setups and free decays.
+//! Answers about records and modes: findings, and the sections of records, setups and free decays.
 
 mod beside_model;
 mod clocks;
@@ -44,7 +44,7 @@ messages! {
     }
 }
 
-/// The sentences on records as they are written.
+/// Templates of the sentences on records.
 pub(crate) const TEMPLATES: [&[Template]; 21] = [
     findings::Found::TEMPLATES,
     Of::TEMPLATES,

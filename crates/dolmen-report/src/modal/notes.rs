@@ -1,4 +1,4 @@
-//! What must be known beside the modes of a record.
+//! Notes on the modes of a record.
 
 use super::clocks::{Clocks, drifting, late};
 use super::faults::fault_words;
@@ -8,7 +8,7 @@ use super::values::{all_hertz, fixed, hertz, percent, plain};
 use dolmen::modal::{Note, ShapeQuantity};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 
-/// So many lines of footsteps an answer lists; one walk leaves twenty.
+/// Largest number of footstep lines that an answer lists; one walk gives twenty.
 const SPELLS_SHOWN: usize = 5;
 
 messages! {
@@ -240,7 +240,7 @@ pub(super) fn note_words(note: &Note) -> Sentence {
         Note::HiddenPairs { frequency_hz } => Notes::HiddenPairs {
             at: all_hertz(frequency_hz),
         },
-        // peaks of setups identified as one have no whole shape that could be a mode's
+        // peaks of jointly identified setups have no complete shape
         Note::PeaksWithoutMode { peaks } if peaks.iter().all(|of| of.refusal.is_none()) => {
             Notes::PeaksUnsaid {
                 peaks: peaks.iter().map(refused_words).collect(),

@@ -1,4 +1,4 @@
-//! The section of one record: what was read and done, figures, modes, what to doubt.
+//! The section of one record: input and processing, figures, modes, doubts.
 
 use super::decay;
 use super::driven;
@@ -76,7 +76,7 @@ messages! {
     }
 }
 
-/// The section of a record; `survey` names what it is of.
+/// The section of a record; `survey` is the name of its survey.
 pub(super) fn section<'a>(document: &mut Document<'a>, survey: Sentence, record: &'a RecordAnswer) {
     let analysis = &record.analysis;
     let is_decay = analysis.modes.method == Method::Era;
@@ -118,7 +118,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: Sentence, record:
     });
 }
 
-/// What was read, what looks wrong with it, and what was done to it.
+/// The input, its apparent faults, and its processing.
 fn read(document: &mut Document<'_>, record: &RecordAnswer) {
     let used = record.analysis.modes.channels.iter();
     document.paragraph(Record::Read {

@@ -1,4 +1,4 @@
-//! Why a peak of the spectrum is no mode, with the key of the project file that would admit it.
+//! Why a peak of the spectrum is not a mode, with the key of the project file that would accept it.
 
 use super::values::{fixed, hertz, percent};
 use dolmen::modal::{Refusal, RefusedPeak};

@@ -1,4 +1,4 @@
-//! The record as it was used: its channels over time, and the spectrogram of one.
+//! The record as used: its channels over time, and the spectrogram of one.
 
 use super::values::seconds;
 use crate::document::{Document, Figure, Series};
@@ -68,7 +68,7 @@ pub(super) fn time_figure<'a>(document: &mut Document<'a>, seen: &'a RecordSeen)
     document.charted(figure.with_series(move || envelopes(seen)));
 }
 
-/// The spectrogram, where the record is long enough for one.
+/// The spectrogram, if the record is long enough.
 pub(super) fn spectrogram_figure<'a>(document: &mut Document<'a>, seen: &'a RecordSeen, modes: &'a Modes) {
     let Some(drawn) = &seen.spectrogram else { return };
     let of = &drawn.of;
@@ -94,7 +94,7 @@ pub(super) fn spectrogram_figure<'a>(document: &mut Document<'a>, seen: &'a Reco
     document.charted(figure.with_series(move || densities(seen, drawn)));
 }
 
-/// Least and largest sample of every channel in each part of the time.
+/// Smallest and largest sample of every channel in each part of the time.
 fn envelopes(seen: &RecordSeen) -> Vec<Series> {
     let time = &seen.time;
     let parts = seen.channels.first().map_or(&[][..], |one| &one.envelope.starts);
@@ -115,7 +115,7 @@ fn envelopes(seen: &RecordSeen) -> Vec<Series> {
     all
 }
 
-/// The lines drawn, a column of density a column of the figure.
+/// The drawn lines, one column of density per column of the figure.
 fn densities(seen: &RecordSeen, drawn: &SpectrogramSeen) -> Vec<Series> {
     let of = &drawn.of;
     let lines = of

@@ -1,4 +1,4 @@
-//! What an analysis chose from the data.
+//! Settings that an analysis chose from the data.
 
 use super::tables::of_peaks;
 use super::values::{hertz, percent};
@@ -35,7 +35,7 @@ messages! {
     }
 }
 
-/// What was chosen from the data.
+/// Settings chosen from the data.
 pub(super) fn settings(analysis: &ModalAnalysis) -> Chosen {
     let chosen = &analysis.settings;
     let method = analysis.modes.method;

@@ -1,4 +1,4 @@
-//! What must be known beside the modes of several setups.
+//! Notes on the modes of several setups.
 
 use super::values::{all_hertz, fixed, hertz};
 use dolmen::modal::{Agreement, MergedMode, PartialMode, ReferenceFault};
@@ -61,7 +61,7 @@ messages! {
     }
 }
 
-/// The sensor that holds the setups together, if it is one alone.
+/// The only reference sensor of the setups, if there is just one.
 fn only_reference(setups: &SetupsAnswer) -> Option<String> {
     let (references, channels) = match &setups.joint {
         Some(joint) => (&joint.references, &joint.modes.channels),
@@ -73,7 +73,7 @@ fn only_reference(setups: &SetupsAnswer) -> Option<String> {
     }
 }
 
-/// Frequencies of the modes of which something is so; `None` if of none.
+/// Frequencies of the modes with a property; `None` if there are none.
 fn modes_at(setups: &SetupsAnswer, which: impl Fn(&MergedMode) -> bool) -> Option<Values> {
     let merged = &setups.merged;
     let both = merged.modes.modes.iter().zip(&merged.merged);
@@ -111,7 +111,7 @@ pub(crate) fn setup_remarks(setups: &SetupsAnswer) -> Vec<Sentence> {
     said.into_iter().map(Sentence::from).collect()
 }
 
-/// What makes shapes that are put together wrong: references of another gain, and modes that look otherwise in other setups.
+/// Reasons why joined shapes are wrong: references with another gain, and modes that differ between setups.
 pub(super) fn setup_faults(setups: &SetupsAnswer) -> Vec<Sentence> {
     let merged = &setups.merged;
     let faults = merged.reference_faults.iter().map(fault_words);
@@ -124,7 +124,7 @@ fn counted_from_one(setups: &[usize]) -> Vec<usize> {
     setups.iter().map(|setup| setup + 1).collect()
 }
 
-/// Modes that not every setup shows, and those that look otherwise in others.
+/// Modes that not every setup shows, and those that differ between setups.
 fn left_out(partial: &[PartialMode]) -> Vec<Remarks> {
     let (missing, unlike): (Vec<&PartialMode>, Vec<&PartialMode>) =
         partial.iter().partition(|mode| mode.unlike_in.is_empty());

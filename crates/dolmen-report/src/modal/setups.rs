@@ -1,4 +1,4 @@
-//! Setups of one survey put together.
+//! Joined setups of one survey.
 
 use super::joint;
 use super::setup_remarks::setup_remarks;
@@ -37,7 +37,7 @@ messages! {
     }
 }
 
-/// What all setups give together; each by itself stands before.
+/// The result of all setups together; the single ones come before.
 pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, setups: &'a SetupsAnswer) {
     let modes = &setups.merged.modes;
     document.heading(Setups::Head {

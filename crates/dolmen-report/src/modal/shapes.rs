@@ -56,7 +56,7 @@ pub(super) enum ShapeFigures {
     Joint,
 }
 
-/// The shapes, and the same moving where the sensors have places.
+/// The shapes, and animated shapes if the sensors have positions.
 pub(super) fn shape_figures<'a>(document: &mut Document<'a>, modes: &'a Modes, of: ShapeFigures) {
     let caption: Vec<Sentence> = match of {
         ShapeFigures::Record => vec![Shapes::AtSensors.into(), Shapes::AtSensorsMeaning.into()],

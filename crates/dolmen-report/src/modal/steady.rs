@@ -1,4 +1,4 @@
-//! Motion that is too steady for random forces.
+//! Motion too steady for random forces.
 
 use super::values::{fixed, hertz, percent};
 use dolmen::modal::{InSpells, Kurtosis, Tone, ToneOnMode, Wander};
@@ -51,7 +51,7 @@ fn kurtosis_words(of: &Kurtosis) -> Sentence {
     .into()
 }
 
-/// What is there in spells alone.
+/// Motion present only in intervals.
 pub(super) fn in_spells_words(of: &InSpells) -> Sentence {
     Steady::InSpells {
         frequency: hertz(of.frequency_hz),
@@ -75,7 +75,7 @@ pub(super) fn tone_words(tone: &Tone) -> Sentence {
     .into()
 }
 
-/// A mode that is a machine's.
+/// A mode due to a machine.
 pub(super) fn steady_words(of: &Kurtosis) -> Sentence {
     Steady::Mode {
         frequency: hertz(of.frequency_hz),
@@ -84,7 +84,7 @@ pub(super) fn steady_words(of: &Kurtosis) -> Sentence {
     .into()
 }
 
-/// A mode that wanders as a machine does.
+/// A mode whose frequency wanders like that of a machine.
 pub(super) fn wander_words(of: &Wander) -> Sentence {
     Steady::Wanders {
         frequency: hertz(of.frequency_hz),
@@ -96,7 +96,7 @@ pub(super) fn wander_words(of: &Wander) -> Sentence {
     .into()
 }
 
-/// A machine that runs on a mode.
+/// A machine that runs at the frequency of a mode.
 pub(super) fn on_mode_words(tone: &ToneOnMode) -> Sentence {
     Steady::OnMode {
         frequency: hertz(tone.frequency_hz),

@@ -1,4 +1,4 @@
-//! What was done to a record before its analysis.
+//! Processing of a record before its analysis.
 
 use super::values::{plain, seconds};
 use dolmen::signal::{LostSpan, Processing};
@@ -95,7 +95,6 @@ messages! {
     }
 }
 
-/// The words of a step.
 pub(super) fn step_words(step: &Processing) -> Sentence {
     let hertz = |hz: f64| Quantity::new(hz, Unit::si("Hz"), Digits::Trimmed(6));
     match step.clone() {

@@ -115,7 +115,7 @@ pub(super) fn nth(index: usize) -> Cell {
     Cell::words(Tables::Nth { number: index + 1 })
 }
 
-/// "3", or "3 (accepted)" of a mode that the user insists on.
+/// "3", or "3 (accepted)" for a mode that the user accepted.
 pub(super) fn nth_of(index: usize, mode: &Mode) -> Cell {
     match mode.is_found() {
         true => nth(index),
@@ -123,7 +123,7 @@ pub(super) fn nth_of(index: usize, mode: &Mode) -> Cell {
     }
 }
 
-/// Frequency and damping ratio of a mode; a damping ratio that is not known has no number.
+/// Frequency and damping ratio of a mode; an unknown damping ratio has no number.
 pub(super) fn frequency_and_damping(mode: &Mode) -> [Cell; 2] {
     let unknown = || Cell::words(Tables::Unknown);
     let ratio = damping(mode).map_or_else(unknown, Cell::number);
@@ -148,7 +148,7 @@ pub(super) fn modes_table(modes: &Modes, mut caption: Vec<Sentence>) -> Table {
     let mut rows: Vec<Vec<Cell>> = modes.modes.iter().enumerate().map(first_cells).collect();
     for (head, unit, cell) in own_columns(modes.method) {
         let cells: Vec<Cell> = modes.modes.iter().map(cell).collect();
-        // a free decay and a measured input have neither floor nor kurtosis
+        // a free decay and a measured input have neither noise floor nor kurtosis
         if cells.iter().all(|cell| matches!(cell, Cell::Number(None))) {
             continue;
         }
@@ -169,12 +169,12 @@ fn first_cells((at, mode): (usize, &Mode)) -> Vec<Cell> {
     vec![nth_of(at, mode), frequency, damping]
 }
 
-/// A column: its head, its unit, and what stands in it of each mode.
+/// A column: its heading, its unit, and its cell for each mode.
 type ModeColumn = (Tables, Unit, fn(&Mode) -> Cell);
 
 fn own_columns(method: Method) -> Vec<ModeColumn> {
     let floor: fn(&Mode) -> Cell = match method {
-        // the floor is that of ambient vibration
+        // the noise floor is that of ambient vibration
         Method::Era | Method::Okid => |_| Cell::Number(None),
         Method::Fdd
         | Method::Efdd
@@ -214,7 +214,7 @@ fn own_columns(method: Method) -> Vec<ModeColumn> {
     ]
 }
 
-/// What stands over the modes of a record.
+/// The caption of the modes of a record.
 pub(super) fn caption(method: Method) -> Vec<Sentence> {
     let caption = Tables::Caption {
         method: method_words(method),

@@ -1,4 +1,4 @@
-//! Values of records and modes with the digits that they deserve.
+//! Values of records and modes with suitable digits.
 
 use dolmen::modal::Mode;
 use dolmen_words::{Digits, Quantity, Unit, Values};
@@ -23,12 +23,12 @@ pub(super) fn seconds(time_s: f64) -> Quantity {
     Quantity::new(time_s, Unit::si("s"), Digits::Trimmed(6))
 }
 
-/// A number without a unit, zeros behind the point left out.
+/// A number without a unit and without trailing zeros.
 pub(super) fn plain(value: f64) -> Quantity {
     Quantity::new(value, Unit::ratio(), Digits::Trimmed(6))
 }
 
-/// A number without a unit and with so many decimals.
+/// A number without a unit, with this many decimals.
 pub(super) fn fixed(value: f64, decimals: usize) -> Quantity {
     Quantity::new(value, Unit::ratio(), Digits::Fixed(decimals))
 }

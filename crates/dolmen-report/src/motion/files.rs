@@ -36,10 +36,10 @@ messages! {
     }
 }
 
-/// Digits of what files state.
+/// Digits of values stated in files.
 const DIGITS: Digits = Digits::Trimmed(6);
 
-/// What a file is.
+/// Description of a file.
 pub(super) fn file_words(file: &str, channels: &[ComponentReading]) -> Sentence {
     let (file, format) = (file.to_owned(), channels.first().map(|first| first.format.name()));
     let format = format.unwrap_or_default().to_owned();

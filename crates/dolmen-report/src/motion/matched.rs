@@ -1,4 +1,4 @@
-//! How near a matched motion is to its demand.
+//! Accuracy of a matched motion.
 
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen::signal::SpectrumMisfit;
@@ -39,7 +39,7 @@ messages! {
     }
 }
 
-/// What it was matched to and how.
+/// The target and the method.
 pub(super) fn lead(answer: &MatchAnswer) -> Sentence {
     let demand = answer.demand.clone();
     let factor = Quantity::new(answer.matched.factor, Unit::ratio(), Digits::Fixed(3));
@@ -54,7 +54,7 @@ pub(super) fn lead(answer: &MatchAnswer) -> Sentence {
     .into()
 }
 
-/// How near it came.
+/// The accuracy.
 pub(super) fn nearness(answer: &MatchAnswer) -> Sentence {
     let after = &answer.matched.after;
     Matched::Misfit {
@@ -65,7 +65,7 @@ pub(super) fn nearness(answer: &MatchAnswer) -> Sentence {
     .into()
 }
 
-/// Said if it is not near enough.
+/// A warning if it is not accurate enough.
 pub(super) fn fault(answer: &MatchAnswer) -> Option<Sentence> {
     let said = || Matched::Fails {
         most: Quantity::percent(MatchAnswer::MISFIT_MOST, 2),
@@ -74,7 +74,7 @@ pub(super) fn fault(answer: &MatchAnswer) -> Option<Sentence> {
     (!answer.is_close()).then(|| said().into())
 }
 
-/// The match, the misfit before and after, and that outside of it.
+/// The match, the misfit before and after, and that outside the matched range.
 pub(super) fn section(document: &mut Document<'_>, answer: &MatchAnswer) {
     document.paragraph(lead(answer));
     if let Some(fault) = fault(answer) {

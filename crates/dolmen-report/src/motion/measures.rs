@@ -33,7 +33,7 @@ messages! {
 
 type Value = fn(&IntensityMeasures) -> Option<f64>;
 
-/// A row a measure, a column a series.
+/// One row per measure, one column per series.
 pub(super) fn table(series: &[MotionSeries]) -> Table {
     let rows: [(Measured, &str, Value); 11] = [
         (Measured::PeakAcceleration, "g", |of| {
@@ -76,7 +76,7 @@ fn number(value: Option<f64>) -> Cell {
     Cell::Number(value.map(|value| Quantity::new(value, Unit::ratio(), Digits::Fixed(4))))
 }
 
-/// What to know of series whose base line drifts.
+/// Notes on series with a drifting baseline.
 pub(super) fn drifts(series: &[MotionSeries]) -> Vec<Sentence> {
     let drifting = series.iter().filter(|one| {
         let of = &one.measures;

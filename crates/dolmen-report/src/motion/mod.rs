@@ -1,4 +1,4 @@
-//! What an answer says of a ground motion: its files, measures, match and spectra.
+//! Answers about a ground motion: its files, measures, match and spectra.
 
 mod files;
 mod matched;
@@ -12,7 +12,7 @@ pub use text::motion_report_text;
 
 use dolmen_words::Template;
 
-/// The sentences on ground motions as they are written.
+/// Templates of the sentences on ground motions.
 pub(crate) const TEMPLATES: [&[Template]; 6] = [
     files::Files::TEMPLATES,
     matched::Matched::TEMPLATES,

@@ -22,7 +22,7 @@ messages! {
     }
 }
 
-/// A row for every `step`-th period; `None` without spectra.
+/// One row for every `step`-th period; `None` without spectra.
 pub(super) fn table(all: &[MotionSeries], step: usize) -> Option<Table> {
     let first = &all.first()?.spectrum;
     let caption = Spectra::Caption {

@@ -7,7 +7,7 @@ use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::motion::{NotTaken, SuiteAnswer, SuiteMember};
 
-/// The answer names a mean that lies further above the demand. Chosen here.
+/// Excess of the mean over the demand that is reported. Our choice.
 const ABOVE_SAID: f64 = 0.3;
 
 messages! {
@@ -105,7 +105,7 @@ fn tenths(share: f64) -> Quantity {
     Quantity::new(share, Unit::percent(), Digits::Fixed(1))
 }
 
-/// What was taken of how many, for which demand.
+/// Number of chosen records, and the demand.
 pub(super) fn lead(answer: &SuiteAnswer) -> Sentence {
     let end = |at: Option<&f64>| seconds(at.copied().unwrap_or(0.0));
     Suite::Follows {
@@ -146,7 +146,7 @@ fn short(answer: &SuiteAnswer) -> Option<Sentence> {
     (!answer.is_kept()).then(|| Suite::Short { share: share() }.into())
 }
 
-/// Said where the mean lies far above the demand.
+/// A note if the mean is far above the demand.
 fn above(answer: &SuiteAnswer) -> Option<Sentence> {
     let over = |k: &usize| answer.mean_m_s2[*k] / answer.target_m_s2[*k];
     let at = (0..answer.periods_s.len()).max_by(|a, b| over(a).total_cmp(&over(b)))?;

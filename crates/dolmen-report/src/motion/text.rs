@@ -7,10 +7,10 @@ use crate::simulated::steps_of;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::motion::{MotionReport, MotionSeries};
 
-/// Of so many periods of a spectrum one is printed, and in a brief answer.
+/// In a short answer, one of this many periods of a spectrum is printed.
 const STEP: usize = 10;
 const STEP_BRIEF: usize = 50;
-/// PGA, PGV and PGD: measures in a brief answer where spectra are asked for.
+/// PGA, PGV and PGD: the measures in a short answer with spectra.
 const MEASURES_BESIDE_SPECTRA: usize = 3;
 
 messages! {
@@ -22,7 +22,7 @@ messages! {
     }
 }
 
-/// The history, the measures, the match and the spectra of a motion, and the files it came in.
+/// The history, the measures, the match and the spectra of a motion, and its files.
 pub fn motion_report_text(report: &MotionReport, style: TextStyle) -> String {
     let Some(first) = report.series.first() else {
         return document_text(&sections(report), style);
@@ -63,7 +63,7 @@ fn sections(report: &MotionReport) -> Document<'static> {
     document
 }
 
-/// Files, match and what is wrong, and the first measures.
+/// Files, match and problems, and the first measures.
 fn brief(report: &MotionReport, style: TextStyle) -> String {
     let mut brief = BriefText::new(style);
     brief.blocks(report.series.first().map(lead));
@@ -77,7 +77,7 @@ fn brief(report: &MotionReport, style: TextStyle) -> String {
     }
     brief.blocks(measures::drifts(&report.series).into_iter().map(Block::Note));
     let measures = measures::table(&report.series);
-    // the lines above say how near a matched motion is to its spectrum
+    // the lines above give the accuracy of a matched motion
     let spectra = match report.matched {
         Some(_) => None,
         None => spectra::table(&report.series, STEP_BRIEF),

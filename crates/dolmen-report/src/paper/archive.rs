@@ -1,4 +1,4 @@
-//! The parts of a document, packed.
+//! Packs the parts of a document.
 
 use super::PaperFault;
 use std::borrow::Cow;
@@ -6,19 +6,19 @@ use std::io::{Cursor, Write as _};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
-/// A part of the archive: its name, and what it holds.
+/// A part of the archive: its name and content.
 pub(crate) type Part<'a> = (String, Cow<'a, [u8]>);
 
-/// The archive of these parts, in this order; the same parts give the same bytes.
+/// Packs these parts in this order; the same parts give the same bytes.
 pub(crate) fn pack(parts: &[Part<'_>]) -> Result<Vec<u8>, PaperFault> {
     let fault = |fault: &dyn std::fmt::Display| PaperFault::Archive(fault.to_string());
-    // the archive's own date is 1980 throughout
+    // fixed date: the archive format begins in 1980
     let packed = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Deflated)
         .last_modified_time(DateTime::default());
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, bytes) in parts {
-        // pictures are packed already; the kind of a file is read where it lies
+        // pictures are compressed already; the type entry must be readable in place
         let is_plain = [".png", ".jpg"].iter().any(|end| name.ends_with(end)) || name == "mimetype";
         let options = match is_plain {
             true => packed.compression_method(CompressionMethod::Stored),

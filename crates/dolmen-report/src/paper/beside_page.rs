@@ -1,4 +1,4 @@
-//! Paragraphs of a document beside the page of the same answer: tests of every format hold them so.
+//! Compares the paragraphs of a document with the page of the same answer, for tests of every format.
 
 use super::ink::LOWERED;
 use crate::document::{Numbers, document_html};
@@ -7,7 +7,7 @@ use crate::whole::whole_document;
 use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;
 
-/// Every heading, paragraph, cell and caption of the page stands among the paragraphs.
+/// Checks that every heading, paragraph, cell and caption of the page is among the paragraphs.
 pub(crate) fn holds_the_page(there: &[String], answer: &ProjectReport, language: Language) {
     let page = document_html(&whole_document(answer), language, &mut Numbers::alone()).into_string();
     let said = ["td", "th", "h2", "h3", "p", "li"]

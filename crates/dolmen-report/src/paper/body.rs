@@ -19,7 +19,7 @@ pub(super) struct Body<'a> {
     pub(super) pieces: Vec<Piece>,
     pub(super) media: Media<'a>,
     pub(super) numbers: Numbers,
-    /// By how much heads stand below those of a report on one project.
+    /// Additional heading depth, relative to a report on one project.
     pub(super) deeper: usize,
     pub(super) heads: usize,
 }
@@ -93,7 +93,7 @@ impl Body<'_> {
         Ok(())
     }
 
-    /// A head; `number` is what it comes to.
+    /// A heading with its number.
     pub(super) fn heading(&mut self, level: usize, number: &str, head: &str) {
         self.heads += 1;
         self.pieces.push(Piece::Heading(Heading {
@@ -125,7 +125,7 @@ impl Body<'_> {
         });
     }
 
-    /// A table below its caption; none where it has no column.
+    /// A table below its caption; nothing without a column.
     fn table(&mut self, of: &Table) {
         let language = self.language;
         if of.columns.is_empty() {
@@ -156,7 +156,7 @@ impl Body<'_> {
         });
     }
 
-    /// A table, and what keeps it from the next.
+    /// A table, and a gap before the next one.
     fn grid(&mut self, grid: Grid) {
         if grid.rows.is_empty() && grid.heads.is_empty() {
             return;
@@ -165,7 +165,7 @@ impl Body<'_> {
         self.pieces.push(Piece::Gap(None));
     }
 
-    /// Pictures above their captions, two beside each other where there are several.
+    /// Pictures above their captions; several stand two side by side.
     fn pictures(&mut self, mut shown: Vec<(Picture, Caption)>) {
         match shown.len() {
             0 => {}
@@ -182,7 +182,7 @@ impl Body<'_> {
         }
     }
 
-    /// Photographs; those that were not read are left out, as in print.
+    /// Photographs; unread ones are left out, as in print.
     fn photos(&mut self, photos: &[Photo<'_>]) {
         let language = self.language;
         let read: Vec<_> = photos
@@ -203,7 +203,7 @@ impl Body<'_> {
         self.pictures(shown);
     }
 
-    /// Rows to sign in, with room at the right.
+    /// Rows for signatures, with space at the right.
     fn signatures(&mut self, rows: &[Signatory]) {
         let language = self.language;
         let shown = |words: &Sentence| Shown {
@@ -225,7 +225,7 @@ impl Body<'_> {
         });
     }
 
-    /// Figures above their captions, two beside each other where there are several.
+    /// Figures above their captions; several stand two side by side.
     fn figures(&mut self, figures: &[Figure<'_>]) -> Result<(), PaperFault> {
         let width = match figures.len() {
             1 => WIDTH,
@@ -254,7 +254,7 @@ impl Body<'_> {
     }
 }
 
-/// A caption; its first sentence stands out.
+/// A caption; its first sentence is emphasised.
 fn caption(label: &str, number: &str, sentences: &[Sentence], language: Language, is_above: bool) -> Caption {
     let (lead, rest) = match sentences {
         [lead, rest @ ..] => (Some(lead.text(language)), rest),

@@ -1,19 +1,19 @@
-//! Tables: what their cells show, and how wide their columns are.
+//! Tables: the text of their cells, and the width of their columns.
 
 use super::ink::TEXT_WIDTH;
 use unicode_width::UnicodeWidthStr as _;
 
-/// A cell as it is shown.
+/// A cell as shown.
 #[derive(Clone, Debug)]
 pub(crate) struct Shown {
     pub(crate) text: String,
     pub(crate) is_bad: bool,
 }
 
-/// Columns of a table: heads, and which hold words.
+/// Columns of a table: headings, and which contain words.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
-    /// None where the rows have no head.
+    /// Empty if the rows have no heading.
     pub(crate) heads: Vec<String>,
     pub(crate) is_words: Vec<bool>,
     /// Rows have room to write in.
@@ -21,16 +21,16 @@ pub(crate) struct Grid {
     pub(crate) rows: Vec<Vec<Shown>>,
 }
 
-/// From so many columns on the text is smaller.
+/// Tables with at least this many columns have smaller text.
 const SMALL_FROM: usize = 7;
 const FINE_FROM: usize = 10;
-/// Room at both sides of a cell, twentieths of a point.
+/// Space on both sides of a cell, twentieths of a point.
 const ROOM: usize = 160;
 
-/// Tables of so many rows stay on one page.
+/// Tables of at most this many rows stay on one page.
 pub(crate) const WHOLE_ROWS: usize = 12;
 
-/// The size of the text of a table with so many columns, half-points.
+/// Text size of a table with this many columns, half-points.
 pub(crate) fn text_size(columns: usize) -> usize {
     match columns {
         FINE_FROM.. => 13,
@@ -39,9 +39,9 @@ pub(crate) fn text_size(columns: usize) -> usize {
     }
 }
 
-/// How wide a text is on one line with the room of its cell, twentieths of a point.
+/// Width of a text on one line with the space of its cell, twentieths of a point.
 fn wide(text: &str, half_points: usize) -> usize {
-    // a letter is at most about 0.64 of its size wide, a Korean one twice that, and these up to 1.05
+    // a letter is at most about 0.64 times its size wide, a Korean one twice that, and these up to 1.05
     let broad = text
         .chars()
         .filter(|sign| matches!(sign, 'm' | 'M' | 'w' | 'W' | '%'))
@@ -49,13 +49,13 @@ fn wide(text: &str, half_points: usize) -> usize {
     ((text.width_cjk() * 64 + broad * 41) * half_points).div_ceil(10) + ROOM
 }
 
-/// How many lines the text of a cell takes in a column of this width, about.
+/// Approximate number of lines of a cell's text in a column of this width.
 pub(crate) fn line_count(text: &str, half_points: usize, width: usize) -> usize {
     let words = wide(text, half_points) - ROOM;
     words.div_ceil(width.saturating_sub(ROOM).max(1)).max(1)
 }
 
-/// Widths of the columns, twentieths of a point: as their cells want them, or as the page has room.
+/// Widths of the columns, twentieths of a point: as their cells need, limited by the page.
 pub(crate) fn widths(grid: &Grid, half_points: usize) -> Vec<usize> {
     let wide = |text: &str| wide(text, half_points);
     let longest = |text: &str| text.split_whitespace().map(wide).max().unwrap_or(ROOM);
@@ -69,7 +69,7 @@ pub(crate) fn widths(grid: &Grid, half_points: usize) -> Vec<usize> {
                 .filter_map(|row| Some(row.get(at)?.text.as_str()))
         };
         let whole = cells().map(wide).max().unwrap_or(ROOM);
-        // heads take two lines, and so may words; numbers never break
+        // headings and words may take two lines; numbers never break
         let longest_of_head = bold(longest(head));
         let wanted = whole.max(longest_of_head).max(wide(head) / 2 + ROOM);
         let least = match grid.is_words[at] {
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn holds_a_unit_of_broad_letters_fits_into_its_column() {
-        // each m is 1.04 of its size wide in DejaVu Sans Bold, which stands in where the font is not there
+        // each m is 1.04 of its size wide in DejaVu Sans Bold, the fallback font
         let [column] = widths(
             &Grid {
                 heads: vec!["change (mm/m)".to_owned()],

@@ -1,4 +1,4 @@
-//! Sizes, colours and stretches of words.
+//! Sizes, colours and spans of text.
 
 use crate::document::Tone;
 
@@ -13,12 +13,12 @@ pub(crate) const HAIR: &str = "D5DBE1";
 pub(crate) const BAD: &str = "B3261E";
 pub(crate) const BAD_WASH: &str = "FCEEED";
 
-/// The colour of a tone, its wash, and its sign.
+/// The colour of a tone, its fill, and its sign.
 pub(crate) fn tone(tone: Tone) -> [&'static str; 3] {
     match tone {
         Tone::Good => ["0B6E4F", "EAF5F0", "●"],
         Tone::Warn => ["A15C00", "FDF3E3", "◆"],
-        // Korean fonts have no cross that is a mark
+        // Korean fonts lack this cross
         Tone::Bad => [BAD, BAD_WASH, "×"],
         Tone::Plain => ["8A96A3", "F4F6F8", "–"],
         Tone::Unknown => [QUIET, "F4F6F8", "○"],
@@ -28,7 +28,7 @@ pub(crate) fn tone(tone: Tone) -> [&'static str; 3] {
 /// Symbols whose second part stands lower, as on the page.
 pub(super) const LOWERED: [&str; 8] = ["k_cr", "k_min", "K_n", "K_s", "a_z", "I_u", "d_SLV", "T_SLV"];
 
-/// How words stand out.
+/// Emphasis of text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Ink {
     pub(crate) bold: bool,
@@ -56,11 +56,11 @@ impl Ink {
 /// A stretch of words.
 pub(crate) struct Stretch {
     pub(crate) words: String,
-    /// Whether it stands lower, as the second part of a symbol does.
+    /// Whether it is a subscript.
     pub(crate) is_lowered: bool,
 }
 
-/// Words in stretches as they stand on the line.
+/// Text as spans on the line.
 pub(crate) fn stretches_of(text: &str) -> Vec<Stretch> {
     let mut stretches = Vec::new();
     let mut add = |words: String, is_lowered| {

@@ -1,29 +1,29 @@
-//! Figures: a PNG for every program, the SVG beside it for those that draw it sharp, and words for those who do not see it.
+//! Figures: a PNG for every program, an SVG for those that support it, and a description for readers who cannot see it.
 
 use super::PaperFault;
 
-/// A figure is drawn this much smaller than its units say, as on paper.
+/// Scale from the units of a figure to points on paper.
 const SCALE: f64 = 0.62;
-/// No figure is higher, pt: 170 mm.
+/// Largest height of a figure, pt: 170 mm.
 const HEIGHT_MOST: f64 = 482.0;
 
 /// Width and height of a photograph, pt: 125 × 85 mm.
 const PHOTO_MOST: [f64; 2] = [354.0, 241.0];
-/// Height of one beside another, narrower than this, pt: 70 mm, 100 mm.
+/// Height of photographs side by side, and their largest width, pt: 70 mm, 100 mm.
 const PHOTO_BESIDE: [f64; 2] = [283.0, 198.0];
 
-/// A picture where it stands.
+/// A picture in the text.
 #[derive(Clone, Debug)]
 pub(crate) struct Picture {
-    /// Its place among the pictures of the document, from 1.
+    /// Number of the picture in the document, from 1.
     pub(crate) place: usize,
     /// "image1.png", "photo3.jpg".
     pub(crate) file: String,
     /// The same as SVG, of a figure.
     pub(crate) svg: Option<String>,
-    /// Width and height before it is turned, pt.
+    /// Width and height before rotation, pt.
     pub(crate) size_pt: [f64; 2],
-    /// Quarter turns clockwise that the camera noted.
+    /// Quarter turns clockwise from the camera.
     pub(crate) quarters: u8,
     pub(crate) alt: String,
 }
@@ -33,13 +33,13 @@ pub(crate) struct Media<'a> {
     paint: &'a dyn Fn(&str) -> Result<Vec<u8>, String>,
     /// Names with their bytes: "image1.png", "image1.svg".
     pub(crate) files: Vec<(String, Vec<u8>)>,
-    /// Pictures of figures, each with its SVG.
+    /// Number of pictures that are figures with an SVG.
     drawn: usize,
     placed: usize,
 }
 
 impl Picture {
-    /// The same, at most so high.
+    /// The same with at most this height.
     pub(crate) fn within(self, height_most: f64) -> Self {
         let [width, height] = self.size_pt;
         let scale = (height_most / height).min(1.0);
@@ -60,10 +60,10 @@ impl<'a> Media<'a> {
         }
     }
 
-    /// Keeps a figure, and gives it as it is shown, at most so many points wide.
+    /// Stores a figure, and returns it as shown with at most this width in points.
     pub(crate) fn picture(&mut self, svg: &str, alt: &str, width_most: f64) -> Result<Picture, PaperFault> {
         let bytes = svg.as_bytes();
-        // the cover shows a figure of the text
+        // the cover repeats a figure of the text
         let there = self
             .files
             .iter()
@@ -92,7 +92,7 @@ impl<'a> Media<'a> {
         })
     }
 
-    /// Keeps a photograph, and gives it as it is shown.
+    /// Stores a photograph, and returns it as shown.
     pub(crate) fn photo(&mut self, photo: &dolmen_records::Photo, alt: &str, width_most: f64) -> Picture {
         let there = self.files.iter().find(|(_, of)| *of == photo.bytes);
         let name = there.map_or_else(
@@ -105,7 +105,7 @@ impl<'a> Media<'a> {
         self.placed += 1;
         let [width, height] = [photo.width, photo.height].map(|side| f64::from(side.max(1)));
         let quarters = photo.quarter_turns();
-        // as it lies on the page
+        // after rotation
         let [across, down] = match quarters % 2 {
             1 => [height, width],
             _ => [width, height],
@@ -126,7 +126,7 @@ impl<'a> Media<'a> {
     }
 }
 
-/// Width and height of a figure, by its own head.
+/// Width and height of a figure, from its SVG header.
 fn sides(svg: &str) -> Option<[f64; 2]> {
     let head = svg.split_once("<svg")?.1.split_once('>')?.0;
     let number = |name: &str| -> Option<f64> {

@@ -1,4 +1,4 @@
-//! A report as a word processor holds it: paragraphs, heads, tables, pictures, captions, one after another. DOCX and HWPX both write this.
+//! A report for word processors: paragraphs, headings, tables, pictures and captions in order. DOCX and HWPX are both written from this.
 
 mod archive;
 #[cfg(test)]
@@ -32,10 +32,10 @@ pub(crate) use piece::{Caption, Heading, Paragraph, Piece, Role, Run, Shade};
 #[derive(Clone, Debug)]
 pub(crate) struct Paper {
     pub(crate) title: String,
-    /// What kind of structure it is on; empty where it is on several.
+    /// Kind of the structure; empty for several projects.
     pub(crate) kind: &'static str,
     pub(crate) program: String,
-    /// "2026-05-12", if it is a day.
+    /// "2026-05-12", if it is a date.
     pub(crate) date: Option<String>,
     pub(crate) pieces: Vec<Piece>,
     pub(crate) files: Vec<(String, Vec<u8>)>,
@@ -111,7 +111,7 @@ fn keep_leads(pieces: &mut [Piece]) {
 }
 
 impl Paper {
-    /// The heads that the contents name: those of two levels.
+    /// The headings in the contents: two levels.
     pub(crate) fn entries(&self) -> impl Iterator<Item = &Heading> {
         self.pieces.iter().filter_map(|piece| match piece {
             Piece::Heading(head) if head.level <= 2 => Some(head),

@@ -1,4 +1,4 @@
-//! The parts of a report: cover, what the answers come to, findings, contents, sections.
+//! The parts of a report: cover, answers, findings, contents, sections.
 
 use super::body::{Body, WIDTH};
 use super::{Grid, Ink, PaperFault, Paragraph, Piece, QUIET, Role, Run, Shown, tone};
@@ -13,11 +13,11 @@ use dolmen_words::Sentence;
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::Colour;
 
-/// Height of the picture on a cover, points: the rows below it have room on the same page.
+/// Largest height of the picture on a cover, points, so that the rows below fit on the same page.
 const COVER_HEIGHT_MOST: f64 = 270.0;
 
 impl Body<'_> {
-    /// The whole report on one project; its number where there are several.
+    /// The whole report on one project, with its number if there are several.
     pub(super) fn project(
         &mut self,
         answer: &ProjectReport,
@@ -98,7 +98,7 @@ impl Body<'_> {
         Ok(())
     }
 
-    /// The first photograph for the cover, else a stack as it stands; none of other kinds, which begin with graphs.
+    /// The first photograph for the cover, otherwise a stack as drawn; none for other kinds, which begin with graphs.
     fn picture(&mut self, answer: &ProjectReport, whole: &Document<'_>) -> Result<(), PaperFault> {
         let photo = cover_photo(answer).and_then(|photo| Some((photo.image?, photo.text(self.language))));
         if let Some((image, alt)) = photo {
@@ -122,7 +122,7 @@ impl Body<'_> {
         Ok(())
     }
 
-    /// What the answers come to: the words first, then what must be read with them.
+    /// The answers: the words first, then their context.
     fn banner(&mut self, answer: &ProjectReport) {
         let Some(state) = answer.state() else { return };
         let banner = banner(answer, state, self.language);

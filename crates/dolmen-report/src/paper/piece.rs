@@ -1,21 +1,21 @@
-//! What stands on the pages.
+//! Pieces of a page.
 
 use super::grid::Grid;
 use super::ink::Ink;
 use super::media::Picture;
 use crate::document::Math;
 
-/// What a paragraph is for; each has a look of its own.
+/// Role of a paragraph; each has its own style.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
     Body,
     Remark,
     Bullet,
-    /// What the answers come to.
+    /// The answers to the three questions.
     Judgement,
     Finding,
     Warning,
-    /// A head that is not numbered and stands in no contents.
+    /// A heading without a number, left out of the contents.
     FrontHeading,
     Title,
     Subtitle,
@@ -28,7 +28,7 @@ pub(crate) enum Run {
     Tab,
 }
 
-/// The ground of a paragraph: the colour of its bar at the left, and its wash.
+/// Background of a paragraph: the colour of the bar at its left, and its fill.
 pub(crate) type Shade = [&'static str; 2];
 
 #[derive(Clone, Debug)]
@@ -59,14 +59,14 @@ impl Paragraph {
 pub(crate) struct Heading {
     /// 1, 2 or 3.
     pub(crate) level: usize,
-    /// "2.1": the program that shows the document counts to the same.
+    /// "2.1"; the program that shows the document computes the same number.
     pub(crate) number: String,
     pub(crate) head: String,
-    /// Its place among the heads, from 1.
+    /// Number of the heading in the document, from 1.
     pub(crate) place: usize,
 }
 
-/// A caption: its label and number, a lead that stands out, and the rest.
+/// A caption: its label and number, an emphasised lead, and the rest.
 #[derive(Clone, Debug)]
 pub(crate) struct Caption {
     /// "Table ", "그림 ".
@@ -75,11 +75,11 @@ pub(crate) struct Caption {
     pub(crate) number: String,
     pub(crate) lead: Option<String>,
     pub(crate) rest: Option<String>,
-    /// It stands above what it is of.
+    /// Whether it stands above its object.
     pub(crate) is_above: bool,
 }
 
-/// What stands on the pages, from the first to the last.
+/// Pieces of the pages, in order.
 #[derive(Clone, Debug)]
 pub(crate) enum Piece {
     Paragraph(Paragraph),
@@ -88,15 +88,15 @@ pub(crate) enum Piece {
     /// A formula on a line of its own.
     Equation(Vec<Math>),
     Table(Grid),
-    /// A picture; that of a cover stands farther down.
+    /// A picture, and whether it is on the cover, where it stands lower.
     Picture(Picture, bool),
-    /// Pictures with their captions, two beside each other.
+    /// Pictures with their captions, two side by side.
     Beside(Vec<(Picture, Caption)>),
-    /// Room between what would touch, twentieths of a point; that of a table where nothing is stated.
+    /// Space between two pieces, twentieths of a point; by default that of a table.
     Gap(Option<u32>),
     PageBreak,
     /// The contents stand here.
     Contents,
-    /// The next project begins on a cover, which has no running lines.
+    /// The next project begins, with a cover that has no running lines.
     NextProject,
 }

@@ -1,4 +1,4 @@
-//! XML as it is written: every element that is opened is closed, and words stay words.
+//! Writes XML: every element is closed, and text is escaped.
 
 /// A piece of XML in the making.
 #[derive(Debug, Default)]
@@ -10,7 +10,7 @@ pub(crate) struct Xml {
 pub(crate) type Attributes<'a> = &'a [(&'a str, &'a str)];
 
 impl Xml {
-    /// A document: its declaration, and nothing yet.
+    /// An empty document with its declaration.
     pub(crate) fn document() -> Self {
         Xml {
             text: "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"yes\"?>\n".to_owned(),
@@ -23,7 +23,7 @@ impl Xml {
         self.text.push_str("/>");
     }
 
-    /// An element, and what `inside` puts into it.
+    /// An element with the content that `inside` writes.
     pub(crate) fn element(&mut self, tag: &str, attributes: Attributes<'_>, inside: impl FnOnce(&mut Xml)) {
         self.start(tag, attributes);
         self.text.push('>');
@@ -33,12 +33,12 @@ impl Xml {
         self.text.push('>');
     }
 
-    /// An element that holds words.
+    /// An element with text.
     pub(crate) fn words(&mut self, tag: &str, attributes: Attributes<'_>, words: &str) {
         self.element(tag, attributes, |xml| xml.escaped(words));
     }
 
-    /// Adds what was written apart.
+    /// Appends XML that was written separately.
     pub(crate) fn append(&mut self, other: Xml) {
         self.text.push_str(&other.text);
     }
@@ -59,7 +59,7 @@ impl Xml {
         }
     }
 
-    /// Words; what XML has no sign for, such as control characters, becomes a space.
+    /// Text; characters that XML forbids, such as control characters, become spaces.
     fn escaped(&mut self, words: &str) {
         for character in words.chars() {
             match character {

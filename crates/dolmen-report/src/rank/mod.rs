@@ -1,4 +1,4 @@
-//! What an answer says of a ranked portfolio.
+//! Answers about a ranked portfolio.
 
 mod remarks;
 mod sections;
@@ -11,7 +11,7 @@ pub use text::rank_text;
 
 use dolmen_words::Template;
 
-/// The sentences on rankings as they are written.
+/// Templates of the sentences on rankings.
 pub(crate) const TEMPLATES: [&[Template]; 4] = [
     sections::Rank::TEMPLATES,
     remarks::Remarks::TEMPLATES,

@@ -1,4 +1,4 @@
-//! By what a portfolio is ordered, and what must not be overlooked.
+//! The criterion of a ranking, and its warnings.
 
 use crate::document::{Block, Document};
 use crate::score::state_name;
@@ -9,11 +9,11 @@ use dolmen_work::portfolio::{
     FallsApart, LeftOut, PortfolioAnswer, falls_first, hazards_replaced, misjudged, without_hazard,
 };
 
-/// Most structures without a hazard that a remark names.
+/// Largest number of structures without a hazard that a remark names.
 const NAMED: usize = 5;
-/// Most structures without a place that the head names.
+/// Largest number of unranked structures that the heading names.
 const LEFT_OUT_NAMED: usize = 12;
-/// Most structures that a remark names because falls alone give them another place.
+/// Largest number of structures with another rank by falls alone that a remark names.
 const APART_SHOWN: usize = 10;
 
 messages! {
@@ -82,7 +82,7 @@ messages! {
     }
 }
 
-/// By what they are ordered, and of which state.
+/// The criterion of the ranking, and its state.
 pub(super) fn lead(answer: &PortfolioAnswer) -> Block<'static> {
     let (count, without) = (answer.ranked.places.len(), answer.left_out.len());
     let structures = match (count, without) {
@@ -148,7 +148,7 @@ pub(super) fn fall_alone(answer: &PortfolioAnswer) -> Vec<Sentence> {
     said.map(Sentence::from).collect()
 }
 
-/// Structures that falls alone would put elsewhere, those far further back first.
+/// Structures with another rank by falls alone, those far lower first.
 pub(super) fn apart(answer: &PortfolioAnswer) -> Vec<Sentence> {
     let later = |of: &FallsApart<'_>| Remarks::Misjudged {
         name: of.name.to_owned(),
@@ -180,7 +180,7 @@ fn first(
     shown.chain(more).map(Sentence::from).collect()
 }
 
-/// What is read before the table.
+/// The text before the table.
 pub(super) fn before(document: &mut Document<'_>, answer: &PortfolioAnswer) {
     document.put(lead(answer));
     document.blocks.extend(rate_warning(answer));
@@ -212,7 +212,7 @@ pub(super) fn columns_left_out(answer: &PortfolioAnswer) -> Option<Sentence> {
     (!columns.is_empty()).then(|| Remarks::ColumnsLeftOut { columns }.into())
 }
 
-/// How many have no place.
+/// Number of unranked structures.
 pub(super) fn left_out_head(answer: &PortfolioAnswer) -> Sentence {
     let count = answer.left_out.len();
     let shown = answer.left_out.iter().take(LEFT_OUT_NAMED);
@@ -228,7 +228,7 @@ pub(super) fn left_out_head(answer: &PortfolioAnswer) -> Sentence {
     .into()
 }
 
-/// A structure without a place, and why.
+/// An unranked structure and the reason.
 pub(super) fn left_out_words(one: &LeftOut) -> Sentence {
     Remarks::LeftOut {
         name: one.name.clone(),

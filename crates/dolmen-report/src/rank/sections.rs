@@ -33,7 +33,7 @@ messages! {
     }
 }
 
-/// The order, what must not be overlooked, and what it rests on.
+/// The ranking, its warnings, and its basis.
 pub(crate) fn sections(answer: &PortfolioAnswer) -> Document<'_> {
     let mut document = Document::default();
     remarks::before(&mut document, answer);

@@ -9,7 +9,7 @@ use dolmen_work::portfolio::{
     PortfolioAnswer, PortfolioEntry, basis_words, capacity_words, probability_in_years, reason_words,
 };
 
-/// Rows that are shown; all of them are in ranking.csv.
+/// Number of rows shown; ranking.csv has all.
 const ROWS_MOST: usize = 200;
 
 messages! {
@@ -44,12 +44,12 @@ type Row<'a> = (&'a Place, &'a PortfolioEntry, &'a KnownCapacity);
 /// A column of the ranking.
 struct Shown {
     column: Column,
-    /// Whether a brief answer holds it.
+    /// Whether it is part of a short answer.
     is_key: bool,
     cell: fn(&PortfolioAnswer, &Row<'_>) -> Cell,
 }
 
-/// The table, and what to know of it.
+/// The table and its notes.
 pub(super) fn section(document: &mut Document<'_>, answer: &PortfolioAnswer) {
     document.put(Block::Table(table(answer, false)));
     let more = answer.ranked.places.len().saturating_sub(ROWS_MOST);
@@ -59,7 +59,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &PortfolioAnswer) {
     document.note(Ranking::WorstTenthMeaning);
 }
 
-/// Places with their structures; brief, what tells them apart alone.
+/// Ranks with their structures; in a short answer only the distinguishing columns.
 pub(super) fn table(answer: &PortfolioAnswer, is_brief: bool) -> Table {
     let mut all = columns(answer);
     all.retain(|shown| shown.is_key || !is_brief);

@@ -6,7 +6,7 @@ use crate::document::{Block, TextStyle, document_text, heading_text};
 use dolmen_words::{Sentence, messages};
 use dolmen_work::portfolio::PortfolioAnswer;
 
-/// Lines of a brief answer above which a remark waits: below them the head of the table and some rows have room.
+/// Largest number of lines of a short answer after which a remark is still shown, so that the head of the table and some rows have room.
 const REMARKS_MOST: usize = 6;
 /// Rows of the table of a brief answer.
 const ROWS_MOST: usize = 5;
@@ -18,7 +18,7 @@ messages! {
     }
 }
 
-/// The order with its intervals, what it rests on, and what has no place.
+/// The ranking with its intervals, its basis, and unranked structures.
 pub fn rank_text(answer: &PortfolioAnswer, style: TextStyle) -> String {
     let head = heading_text(&Sentence::from(Title::Title).text(style.language));
     match style.is_full {
@@ -27,7 +27,7 @@ pub fn rank_text(answer: &PortfolioAnswer, style: TextStyle) -> String {
     }
 }
 
-/// What must not be overlooked, and the first places.
+/// The warnings and the first ranks.
 fn brief(answer: &PortfolioAnswer, style: TextStyle) -> String {
     let mut brief = BriefText::new(style);
     brief.block(remarks::lead(answer));
@@ -42,7 +42,7 @@ fn brief(answer: &PortfolioAnswer, style: TextStyle) -> String {
     {
         brief.block_within(Block::List(vec![remark]), REMARKS_MOST);
     }
-    // the first places stand whatever there is to say of those without
+    // the first ranks are shown however long the remarks on unranked structures are
     brief.table(&table::table(answer, true), ROWS_MOST);
     for one in &answer.left_out {
         brief.block(Block::List(vec![remarks::left_out_words(one)]));

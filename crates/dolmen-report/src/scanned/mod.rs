@@ -8,10 +8,10 @@ use dolmen_words::{Digits, Quantity, Sentence, Template, Unit};
 use dolmen_work::scanned::ScanAnswer;
 use words::Scanned;
 
-/// The sentences on scans as they are written.
+/// Templates of the sentences on scans.
 pub(crate) const TEMPLATES: [&[Template]; 1] = [Scanned::TEMPLATES];
 
-/// A bed nearer than this to the height given is at it, m: noise moves it by less.
+/// A bed within this distance of the given height is at that height, m: noise moves it by less.
 const ONE_HEIGHT_M: f64 = 1e-3;
 
 /// The beds and the stones.

@@ -1,4 +1,4 @@
-//! What each factor alone does to the capacity, beside the published direction.
+//! Effect of each factor alone on the capacity, and the published direction.
 
 use super::words::{Words, factor_cell, factor_value, state_column};
 use crate::document::{Block, Cell, Column, Document, Table};
@@ -27,7 +27,7 @@ messages! {
     }
 }
 
-/// A row a factor, a column a state.
+/// One row per factor, one column per state.
 pub(super) fn section(document: &mut Document<'_>, qualities: &[ScoreQuality]) {
     let Some(first) = qualities.first() else {
         return;

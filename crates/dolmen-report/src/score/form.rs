@@ -1,4 +1,4 @@
-//! The form that is filled at a pagoda: its name and the six factors, a row each.
+//! The form to fill in at a pagoda: its name and the six factors, one row each.
 
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen_words::{Sentence, Unit, messages};
@@ -40,7 +40,7 @@ messages! {
     }
 }
 
-/// The rows of the form: the key, what is measured, the unit.
+/// The rows of the form: the key, the measured quantity, the unit.
 fn rows() -> [(&'static str, Form, Form); 7] {
     [
         ("name", Form::Name, Form::None),

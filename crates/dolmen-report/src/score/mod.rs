@@ -1,4 +1,4 @@
-//! What an answer says of the six-factor score: of one pagoda, and what the score is worth.
+//! Answers about the six-factor score: of one pagoda, and the accuracy of the score.
 
 mod effects;
 mod form;

@@ -54,7 +54,7 @@ messages! {
     }
 }
 
-/// The score of one pagoda: factors with what they add, capacities with intervals.
+/// The score of one pagoda: factors with their contributions, capacities with intervals.
 pub fn score_text(answer: &ScoreAnswer, style: TextStyle) -> String {
     let head = Pagoda::Head {
         name: Both {
@@ -82,7 +82,7 @@ fn sections(answer: &ScoreAnswer) -> Document<'static> {
     document
 }
 
-/// Where it is unlike the designs, the capacities, and as many factors as have room.
+/// Differences from the designs, the capacities, and as many factors as fit.
 fn brief(answer: &ScoreAnswer, style: TextStyle) -> String {
     let mut brief = BriefText::new(style);
     let how = extrapolated(answer);
@@ -97,7 +97,7 @@ fn brief(answer: &ScoreAnswer, style: TextStyle) -> String {
     brief.finish()
 }
 
-/// What the designs of the score that comes with Dolmen share, and what another law of joints did to one of them.
+/// Common properties of the built-in designs, and the effect of another joint law on one of them.
 pub(super) fn conditions() -> Pagoda {
     let trimmed = |value| Quantity::new(value, Unit::ratio(), Digits::Trimmed(3));
     Pagoda::Conditions {

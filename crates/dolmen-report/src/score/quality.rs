@@ -1,4 +1,4 @@
-//! What the score is worth: weights, directions, and the order of designs that it has not seen.
+//! Accuracy of the score: weights, directions, and the order of designs that it was not trained on.
 
 use super::words::{Words, state_cell, state_name};
 use super::{effects, weights};
@@ -30,7 +30,7 @@ messages! {
     }
 }
 
-/// Weights of the factors, and how well the score orders designs that it has not seen.
+/// Weights of the factors, and how well the score orders designs that it was not trained on.
 pub fn score_quality_text(qualities: &[ScoreQuality], designs: usize, style: TextStyle) -> String {
     let head = heading_text(&Sentence::from(Quality::Head).text(style.language));
     match style.is_full {

@@ -31,7 +31,7 @@ messages! {
     }
 }
 
-/// The weights with their intervals, and what to know of them.
+/// The weights with their intervals and notes.
 pub(super) fn section(document: &mut Document<'_>, qualities: &[ScoreQuality], designs: usize) {
     document.put(Block::Table(table(qualities, designs, true)));
     let count = |one: &ScoreQuality| Weights::Count {
@@ -46,7 +46,7 @@ pub(super) fn section(document: &mut Document<'_>, qualities: &[ScoreQuality], d
     }
 }
 
-/// A row a factor, a column a state.
+/// One row per factor, one column per state.
 pub(super) fn table(qualities: &[ScoreQuality], designs: usize, has_intervals: bool) -> Table {
     let mut columns = vec![Column::words(Words::FactorHead)];
     columns.extend(

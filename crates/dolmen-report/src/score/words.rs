@@ -23,37 +23,34 @@ messages! {
     }
 }
 
-/// What a factor is called, with its unit.
+/// Name of a factor, with its unit.
 pub(super) fn factor_name(factor: Factor) -> Both {
     Both::of(|language| factor_words(factor, language))
 }
 
-/// A factor as a cell.
 pub(super) fn factor_cell(factor: Factor) -> Cell {
     Cell::words(Words::Factor {
         factor: factor_name(factor),
     })
 }
 
-/// What a damage state is called.
+/// Name of a damage state.
 pub(crate) fn state_name(state: usize) -> Both {
     Both::of(|language| state_words(state, language))
 }
 
-/// A state as a cell.
 pub(super) fn state_cell(state: usize) -> Cell {
     Cell::words(Words::State {
         state: state_name(state),
     })
 }
 
-/// A column of a state.
 pub(super) fn state_column(state: usize, unit: Unit) -> Column {
     let state = state_name(state);
     Column::numbers(Words::State { state }, unit)
 }
 
-/// A value of a factor, in the unit that its name says.
+/// A value of a factor, in the unit of its name.
 pub(super) fn factor_value(factor: Factor, value: f64) -> Quantity {
     let shown = match factor {
         Factor::Taper => value.to_degrees(),

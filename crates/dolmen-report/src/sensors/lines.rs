@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 const WAYS: [&str; 3] = ["x", "y", "z"];
 
-/// The direction of a channel: of a frame whose directions have other names the first is x, the second y.
+/// The direction of a channel; in a frame with other names, the first direction is x, the second y.
 fn way(axis: &Axis, named: &[&str]) -> &'static str {
     let key = axis.key().unwrap_or("x");
     let own = WAYS.into_iter().find(|way| *way == key);
@@ -14,7 +14,8 @@ fn way(axis: &Axis, named: &[&str]) -> &'static str {
     own.or_else(|| WAYS.get(place?).copied()).unwrap_or("x")
 }
 
-/// `channels = [ … ]`, setup by setup, for the table of a survey's records; the columns are counted on, and to be changed to those of the record.
+/// `channels = [ … ]`, setup by setup, for the table of a survey's records; the user must replace the consecutive column numbers by those
+/// of the record.
 pub(crate) fn channel_lines(answer: &SensorsAnswer) -> String {
     let named: Vec<&str> = match &answer.project.structure {
         Structure::Frame(part) => part
@@ -63,7 +64,7 @@ pub(crate) fn channel_lines(answer: &SensorsAnswer) -> String {
     text
 }
 
-/// A length that is the same whatever unit of length a project has.
+/// A length with its unit, independent of the unit of a project.
 fn metres(length: f64) -> String {
     match length.abs() < 5e-4 {
         true => "0".to_owned(),
@@ -79,7 +80,7 @@ mod tests {
     use dolmen_work::Opened;
     use dolmen_work::sensors::{SensorsOptions, sensors};
 
-    /// The lines, put into a project, are read as sensors at the planned places.
+    /// The lines in a project give sensors at the planned positions.
     #[test]
     fn holds_the_lines_are_read_as_the_sensors_that_were_planned() {
         let text = include_str!("../../../../examples/three_storey_pagoda/project.toml");

@@ -13,10 +13,10 @@ use dolmen_words::{Digits, Quantity, Sentence, Template, Unit};
 use dolmen_work::sensors::{PlannedMode, SensorsAnswer, SensorsOf};
 use words::{axes_words, side_words};
 
-/// The sentences on sensors as they are written.
+/// Templates of the sentences on sensors.
 pub(crate) const TEMPLATES: [&[Template]; 1] = [Planned::TEMPLATES];
 
-/// The plan: the sensors, then what they see of each mode.
+/// The plan: the sensors, then how well they measure each mode.
 pub fn sensors_text(answer: &SensorsAnswer, style: TextStyle) -> String {
     let head = heading_text(&Sentence::from(head(answer)).text(style.language));
     match style.is_full {
@@ -56,7 +56,7 @@ fn brief(answer: &SensorsAnswer, style: TextStyle) -> String {
     brief.finish()
 }
 
-/// Whether the modes are seen and told apart.
+/// Whether the modes are measured and distinguished.
 fn findings(answer: &SensorsAnswer) -> Vec<Block<'static>> {
     let mut all = Vec::new();
     for (at, mode) in answer
@@ -113,7 +113,7 @@ fn findings(answer: &SensorsAnswer) -> Vec<Block<'static>> {
     all
 }
 
-/// MAC of two modes above which records hardly tell their shapes apart, as findings on modes have it.
+/// MAC of two modes above which records hardly distinguish their shapes, as in findings on modes.
 const ALIKE: f64 = 0.5;
 
 fn takes_back(answer: &SensorsAnswer, other: usize, at: usize) -> bool {

@@ -92,7 +92,7 @@ messages! {
     }
 }
 
-/// Where on a part.
+/// Place on a part.
 pub(super) fn side_words(side: Side) -> Planned {
     match side {
         Side::Top => Planned::Top,
@@ -104,7 +104,7 @@ pub(super) fn side_words(side: Side) -> Planned {
     }
 }
 
-/// What a sensor reads.
+/// The axes of a sensor.
 pub(super) fn axes_words(axes: &[Axis]) -> Planned {
     let keys: Vec<&str> = axes.iter().filter_map(Axis::key).collect();
     match keys.is_empty() {
@@ -115,7 +115,7 @@ pub(super) fn axes_words(axes: &[Axis]) -> Planned {
     }
 }
 
-/// How a mode moves: along the direction with at least half of its energy.
+/// The motion of a mode: along the direction with at least half of its energy.
 pub(super) fn moves(mode: &PlannedMode) -> Sentence {
     if let Some(direction) = &mode.direction {
         let axis = direction.clone();

@@ -1,4 +1,4 @@
-//! What answers say alike of all simulations: names, the motion, units.
+//! Common text of all simulations: names, the motion, units.
 
 mod motion;
 mod names;
@@ -12,7 +12,7 @@ pub(crate) use units::{energy_unit, kilo, left, milli, millimetres, milliradians
 
 use dolmen_words::Template;
 
-/// The sentences that simulations share as they are written.
+/// Templates of the sentences for all simulations.
 pub(crate) const TEMPLATES: [&[Template]; 3] = [
     Simulated::TEMPLATES,
     motion::Motion::TEMPLATES,

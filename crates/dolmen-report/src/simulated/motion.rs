@@ -55,7 +55,7 @@ messages! {
     }
 }
 
-/// The motion, and what to know of its base line.
+/// The motion and notes on its baseline.
 pub(crate) fn motion_section(document: &mut Document<'_>, answer: &MotionAnswer) {
     document.put(Block::Table(motion_table(answer)));
     for doubt in answer.doubts() {
@@ -66,7 +66,7 @@ pub(crate) fn motion_section(document: &mut Document<'_>, answer: &MotionAnswer)
     }
 }
 
-/// What looks wrong with a motion, and the likely fix.
+/// A probable mistake in a motion, and the likely fix.
 pub(crate) fn doubted(doubt: &MotionDoubt) -> Motion {
     let in_g = |peak_g: f64| {
         let unit = Unit {
@@ -107,7 +107,7 @@ pub(crate) fn doubted(doubt: &MotionDoubt) -> Motion {
     }
 }
 
-/// What to know of a component whose base line drifts.
+/// Note on a component with a drifting baseline.
 pub(crate) fn drift(component: &str, away_m: f64) -> Motion {
     Motion::Drifts {
         component: component.to_owned(),
@@ -115,7 +115,7 @@ pub(crate) fn drift(component: &str, away_m: f64) -> Motion {
     }
 }
 
-/// The components, their files and peaks, and what was done to them.
+/// The components, their files and peaks, and their processing.
 pub(crate) fn motion_table(answer: &MotionAnswer) -> Table {
     let motion = &answer.motion;
     let in_g = Unit {
@@ -185,7 +185,7 @@ fn caption(motion: &GroundMotion) -> Vec<Sentence> {
     caption
 }
 
-/// The largest horizontal acceleration where both components are given.
+/// The largest horizontal acceleration if both components are given.
 fn together_m_s2(motion: &GroundMotion) -> Option<f64> {
     let both = [Component::X, Component::Y];
     if !both.iter().all(|component| motion.has(*component)) {
@@ -202,7 +202,7 @@ fn named(name: &str) -> Cell {
     })
 }
 
-/// What was done to it, step after step; `None` if nothing was. What was done to each component stands once.
+/// The processing, step by step; `None` if there was none. Identical steps of the components appear once.
 pub(crate) fn steps_of(history: &[Processing]) -> Option<Sentence> {
     let mut steps: Vec<Sentence> = history.iter().map(step).collect();
     steps.dedup();

@@ -1,4 +1,4 @@
-//! Names of simulations, and what heads them.
+//! Names and titles of simulations.
 
 use super::units::seconds;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
@@ -63,7 +63,7 @@ pub(crate) fn under(of: Sentence, motion: &MotionAnswer, peak_m_s2: f64, ending:
     .into()
 }
 
-/// What a run showed until its end, which was before that of the motion.
+/// The result of a run up to its end, which was before that of the motion.
 pub(crate) fn cut(motion: &MotionAnswer, end_s: f64, ending: Sentence) -> Sentence {
     Simulated::Cut {
         end: seconds(end_s),
@@ -73,7 +73,7 @@ pub(crate) fn cut(motion: &MotionAnswer, end_s: f64, ending: Sentence) -> Senten
     .into()
 }
 
-/// With a capital at its beginning; names stay as they are.
+/// The sentence with a capital first letter; names stay unchanged.
 pub(crate) fn capitalised(mut sentence: Sentence) -> Sentence {
     if let Some(Run::Text(text)) = sentence.english.first_mut() {
         let mut letters = text.chars();

@@ -1,4 +1,4 @@
-//! That a history ran without damping.
+//! Finding on a history without damping.
 
 use crate::document::{Finding, Tone};
 use dolmen_words::{Quantity, messages};
@@ -18,7 +18,7 @@ messages! {
     }
 }
 
-/// The finding; nothing where it was damped.
+/// The finding; `None` if it was damped.
 pub(crate) fn undamped(of: Option<&Undamped>) -> Option<Finding> {
     let said = match &of?.identified {
         None => NoDamping::Zero,

@@ -2,9 +2,9 @@
 
 use dolmen_words::{Digits, Quantity, Unit};
 
-/// From so many joules on answers give energies in kJ.
+/// Energies from this value on are given in kJ.
 const KILOJOULES_FROM_J: f64 = 1e3;
-/// What is left below this part of the largest is rounding.
+/// Residuals below this fraction of the largest are rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Seconds to the hundredth.
@@ -12,12 +12,12 @@ pub(crate) fn seconds(at_s: f64) -> Quantity {
     Quantity::new(at_s, Unit::si("s"), Digits::Fixed(2))
 }
 
-/// Seconds without needless digits: "600 s".
+/// Seconds without trailing zeros: "600 s".
 pub(crate) fn seconds_whole(length_s: f64) -> Quantity {
     Quantity::new(length_s, Unit::si("s"), Digits::Trimmed(6))
 }
 
-/// A thousandth of a unit of SI: "mm", "mrad".
+/// A thousandth of an SI unit: "mm", "mrad".
 pub(crate) fn milli(symbol: &str) -> Unit {
     Unit {
         symbol: format!("m{symbol}"),
@@ -25,7 +25,7 @@ pub(crate) fn milli(symbol: &str) -> Unit {
     }
 }
 
-/// A thousand of a unit of SI: "kN·m".
+/// A thousand SI units: "kN·m".
 pub(crate) fn kilo(symbol: &str) -> Unit {
     Unit {
         symbol: format!("k{symbol}"),
@@ -43,7 +43,7 @@ pub(crate) fn milliradians(angle_rad: f64) -> Quantity {
     Quantity::new(angle_rad.abs(), milli("rad"), Digits::Significant(4))
 }
 
-/// What is left at the end; 0 where it is rounding beside the largest of its kind.
+/// A residual value; 0 if it is rounding compared with the largest of its kind.
 pub(crate) fn left(value_si: f64, largest_si: f64, unit: Unit) -> Quantity {
     let value_si = match value_si.abs() <= ROUNDING * largest_si.abs() {
         true => 0.0,

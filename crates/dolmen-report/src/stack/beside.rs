@@ -1,4 +1,4 @@
-//! How the side supports of a stack take part in its natural frequencies.
+//! Role of a stack's side supports in its natural frequencies.
 
 use dolmen::blocks::BesideInSmallMotion;
 use dolmen_words::messages;
@@ -21,7 +21,7 @@ messages! {
     }
 }
 
-/// Each kind that there is, springs first.
+/// Each kind present, springs first.
 pub(crate) fn beside(all: &[BesideInSmallMotion]) -> Vec<Beside> {
     let count = |which: &dyn Fn(BesideInSmallMotion) -> bool| all.iter().filter(|of| which(**of)).count();
     let springs = count(&BesideInSmallMotion::is_spring);

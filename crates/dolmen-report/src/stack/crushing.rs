@@ -1,4 +1,4 @@
-//! What edges that crush cost a stack.
+//! Effect of crushing edges on a stack.
 
 use super::words::{in_g, megapascals};
 use crate::document::{Finding, Tone};
@@ -33,7 +33,7 @@ messages! {
     }
 }
 
-/// What crushing costs, where a strength is given.
+/// The effect of crushing, if a strength is given.
 pub(super) fn findings(answer: &StackAnswer) -> Vec<Finding> {
     let check = &answer.check;
     let Some(crushing) = &check.crushing else {

@@ -1,4 +1,4 @@
-//! What a stack's check says in plain words.
+//! Findings of a stack's check.
 
 use super::crushing;
 use super::lean::lean;

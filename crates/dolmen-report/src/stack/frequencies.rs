@@ -1,4 +1,4 @@
-//! The natural frequencies of a stack on the springs of its joints, and what surveys say of those springs.
+//! The natural frequencies of a stack on the springs of its joints, and the springs that surveys imply.
 
 use super::beside::beside;
 use crate::document::{Block, Cell, Column, Document, Table};
@@ -61,7 +61,7 @@ messages! {
     }
 }
 
-/// Frequencies, the one that height alone gives, and the springs that surveys ask for.
+/// Frequencies, the one from the height alone, and the springs that surveys imply.
 pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer, fits: &[SpringFit]) {
     match &answer.frequencies {
         Some(StackFrequencies::Known { modes, .. }) => {
@@ -128,7 +128,7 @@ fn table(modes: &[StackMode]) -> Table {
     }
 }
 
-/// What the springs must be to have the frequencies measured.
+/// The springs that give the measured frequencies.
 fn fitted(fit: &SpringFit) -> Option<Frequencies> {
     let hertz = |value| Quantity::new(value, Unit::si("Hz"), Digits::Significant(4));
     let each = fit.frequencies.iter().map(|(direction, found)| {

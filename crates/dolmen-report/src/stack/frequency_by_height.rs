@@ -24,7 +24,7 @@ messages! {
     }
 }
 
-/// Body height and frequency that the height of the whole alone gives.
+/// Body height and the frequency from the total height alone.
 fn of_thumb(grid: &[FrequencyByHeight]) -> Vec<[f64; 2]> {
     let longest = grid.iter().max_by_key(|of| of.points.len());
     let points = longest.into_iter().flat_map(|of| &of.points);
@@ -35,7 +35,7 @@ fn of_thumb(grid: &[FrequencyByHeight]) -> Vec<[f64; 2]> {
     each.collect()
 }
 
-/// The table and the figure; nothing of a stack that no factors make.
+/// The table and the figure; empty for a stack without factors.
 pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a StackAnswer) {
     let grid = &answer.frequency_by_height;
     let thumb = of_thumb(grid);

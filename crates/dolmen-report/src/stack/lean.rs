@@ -1,4 +1,4 @@
-//! How the model leans.
+//! The lean of the model.
 
 use crate::document::{Finding, Tone};
 use dolmen_project::SurveyedLean;
@@ -14,7 +14,7 @@ messages! {
     }
 }
 
-/// That it leans, and by whose measurement.
+/// The lean of the model and its survey.
 pub(crate) fn lean(of: &SurveyedLean) -> Finding {
     let (survey, tilt) = (of.survey.clone(), of.written.clone());
     Finding::key(Tone::Plain, Leaning::AsSurveyed { survey, tilt })

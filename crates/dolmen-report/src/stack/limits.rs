@@ -44,7 +44,7 @@ messages! {
     }
 }
 
-/// The limits of each joint, and of several stones together where that is less.
+/// The limits of each joint, and of several stones together if lower.
 pub(super) fn section(document: &mut Document<'_>, check: &StackCheck) {
     document.put(Block::Table(table(check)));
     document.note(Limits::Meaning);
@@ -116,7 +116,7 @@ fn row(cut: &CutLimits) -> Vec<Cell> {
     ]
 }
 
-/// The way a part moves; a dash where it never does.
+/// The direction in which a part moves; a dash if it never does.
 fn towards(threshold: Option<&Threshold>) -> Cell {
     let finite = threshold.filter(|threshold| threshold.acceleration_g.is_finite());
     let none = || Sentence::of_symbol("–");

@@ -1,4 +1,4 @@
-//! Local mechanisms of a stack by Circolare 7/2019: what moves as one, and what it bears.
+//! Local mechanisms of a stack by Circolare 7/2019: the moving part and its capacity.
 
 use super::words::{DIGITS, direction, in_g};
 use crate::document::{Block, Cell, Column, Document, Table};
@@ -39,7 +39,7 @@ messages! {
     }
 }
 
-/// The mechanism each way, as the code wants it.
+/// The mechanism in each direction, as the code requires.
 pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
     let found = answer.local_mechanisms.as_deref().unwrap_or_default();
     if found.is_empty() {
@@ -72,7 +72,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
     document.note(Local::LeftOut);
 }
 
-/// What moves: a part by its lowest stone, or how many parts.
+/// The moving part: its lowest stone, or the number of parts.
 fn what_moves(stack: &Stack, capacity: &LocalMechanismCapacity) -> Sentence {
     match &capacity.mechanism.parts[..] {
         [part] => {

@@ -1,4 +1,4 @@
-//! How several stones begin to move: the joints that open and slide.
+//! Mechanism by which several stones begin to move: opening and sliding joints.
 
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen::stability::stack::{JointMotion, LimitAnalysisStatus, Mechanism, MovingJoint};
@@ -7,7 +7,7 @@ use dolmen_words::message::Run;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::state::StackAnswer;
 
-/// Joints that one sentence names; the table has all.
+/// Largest number of joints named in a sentence; the table has all.
 const NAMED_MOST: usize = 8;
 
 messages! {
@@ -49,7 +49,7 @@ messages! {
     }
 }
 
-/// Which joints open and which slide; no full stop. `None` without a mechanism.
+/// Opening and sliding joints, without a full stop. `None` without a mechanism.
 pub(super) fn moving(answer: &StackAnswer) -> Option<Sentence> {
     joints_moving(&answer.stack, mechanism(answer))
 }
@@ -97,7 +97,7 @@ fn mechanism(answer: &StackAnswer) -> Option<&Mechanism> {
     answer.check.analysis.as_ref()?.mechanism.as_ref()
 }
 
-/// Every joint of the mechanism, where stones share their load.
+/// Every joint of the mechanism, if stones share their load.
 pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
     let Some(found) = mechanism(answer).filter(|_| !answer.check.limits.statically_determinate) else {
         return;
@@ -125,7 +125,6 @@ pub(crate) fn moving_columns() -> Vec<Column> {
     ]
 }
 
-/// Its rows.
 pub(crate) fn joint_rows(stack: &Stack, mechanism: &Mechanism) -> Vec<Vec<Cell>> {
     let joints = mechanism.joints.iter();
     joints.map(|moving| row(stack, moving)).collect()
@@ -139,7 +138,7 @@ fn row(stack: &Stack, moving: &MovingJoint) -> Vec<Cell> {
         JointMotion::Crushes => Moving::Crushes,
     };
     let mut cells = vec![Cell::words(between(stack, moving)), Cell::words(motion)];
-    // what differs from 0 by rounding is 0
+    // values that differ from 0 only by rounding are 0
     let place =
         |value: f64| Quantity::new((value * 1e6).round() / 1e6 + 0.0, Unit::si("m"), Digits::Fixed(3));
     cells.extend((0..3).map(|axis| Cell::Number(moving.closed_at_m.map(|at| place(at[axis])))));

@@ -1,4 +1,4 @@
-//! What an answer says of a stack of stones: findings, and the sections of its check.
+//! Answers about a stack of stones: findings, and the sections of its check.
 
 mod beside;
 mod crushing;
@@ -70,7 +70,7 @@ messages! {
     }
 }
 
-/// The sentences on stacks as they are written.
+/// Templates of the sentences on stacks.
 pub(crate) const TEMPLATES: [&[Template]; 17] = [
     verdict::Judged::TEMPLATES,
     findings::Found::TEMPLATES,
@@ -91,7 +91,7 @@ pub(crate) const TEMPLATES: [&[Template]; 17] = [
     variants::Variants::TEMPLATES,
 ];
 
-/// What the ground does in the figures: what the site demands, and the peak of the motion that was run.
+/// The ground motion in the figures: the site demand, and the peak of the simulated motion.
 pub(crate) fn peak_g(whole: &ProjectReport, answer: &StackAnswer) -> Shaking {
     let demand = whole.state().and_then(|state| state.demand.as_ref());
     let gravity_m_s2 = answer.stack.gravity_m_s2();
@@ -102,7 +102,7 @@ pub(crate) fn peak_g(whole: &ProjectReport, answer: &StackAnswer) -> Shaking {
     }
 }
 
-/// The sections of a stack; `shaking` is what the ground does.
+/// The sections of a stack; `shaking` is the ground motion.
 pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking: Shaking) -> Document<'a> {
     let check = &answer.check;
     let mut document = Document::default();
@@ -124,14 +124,14 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
     document
 }
 
-/// Whether at least half of the joints lie in cuts through the whole: of an arch hardly any does, and the cuts there are say nothing of how it moves.
+/// Whether at least half of the joints lie in cuts through the whole stack. In an arch hardly any do, and its cuts say nothing about its motion.
 fn is_cut_through(answer: &StackAnswer) -> bool {
     let cuts = answer.check.limits.cuts.iter();
     let joints: BTreeSet<usize> = cuts.flat_map(|of| of.cut.joints.iter().copied()).collect();
     2 * joints.len() >= answer.stack.joints().len()
 }
 
-/// What each joint resists.
+/// The resistance of each joint.
 fn by_joints<'a>(document: &mut Document<'a>, answer: &'a StackAnswer, shaking: Shaking) {
     let check = &answer.check;
     let caption = vec![Drawn::Governing.into(), Drawn::GoverningMeaning.into()];

@@ -1,4 +1,4 @@
-//! What to know of the numbers of a stack.
+//! Notes on the numbers of a stack.
 
 use super::words::{in_g, place, value};
 use dolmen::assess::{Gaps, StackNote};

@@ -1,12 +1,12 @@
-//! What the soil under a stack takes.
+//! Effect of the soil under a stack.
 
 use crate::document::{Finding, Tone};
 use dolmen_words::{Quantity, messages};
 use dolmen_work::state::StackAnswer;
 
-/// Part of the rocking stiffness that gravity takes, from which it is a warning. Chosen here.
+/// Fraction of the rocking stiffness lost to gravity from which it is a warning. Our choice.
 const TAKES_MUCH: f64 = 0.1;
-/// Digits of the stiffness and of the part.
+/// Digits of the stiffness and of the fraction.
 const DIGITS: usize = 3;
 
 messages! {
@@ -19,7 +19,7 @@ messages! {
     }
 }
 
-/// What the soil takes from every threshold, if there is soil.
+/// The reduction of every threshold by the soil, if there is soil.
 pub(super) fn finding(answer: &StackAnswer) -> Option<Finding> {
     let below = answer.stack.soil()?;
     let takes = 1.0 - answer.check.limits.soil_factor;

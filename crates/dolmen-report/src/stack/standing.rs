@@ -1,4 +1,4 @@
-//! Whether a stack stands without shaking, and why it does not.
+//! Whether a stack stands without shaking, and if not, why.
 
 use super::words::{DIGITS, megapascals, place};
 use dolmen::stability::stack::Standing;
@@ -39,7 +39,7 @@ messages! {
     }
 }
 
-/// Whether it stands without shaking; no full stop.
+/// Whether it stands without shaking, without a full stop.
 pub(super) fn standing(of: &Standing) -> Sentence {
     let metres = |value| Quantity::new(value, Unit::si("m"), Digits::Significant(DIGITS));
     let engineering = |value, symbol| Quantity::engineering(value, symbol, DIGITS);

@@ -1,4 +1,4 @@
-//! What becomes of a stack while its supports move.
+//! A stack with moving supports.
 
 use super::mechanism::{joint_rows, joints_moving, moving_columns};
 use super::words::DIGITS;
@@ -85,7 +85,7 @@ messages! {
     }
 }
 
-/// What the check says of supports that move.
+/// Findings of the check on moving supports.
 pub(super) fn findings(answer: &StackAnswer) -> Vec<Finding> {
     let Some(supports) = &answer.check.supports else {
         return Vec::new();
@@ -103,7 +103,7 @@ pub(super) fn findings(answer: &StackAnswer) -> Vec<Finding> {
     all
 }
 
-/// Whether slips on the way are large enough to decide when it falls.
+/// Whether slips before the fall are large enough to affect it.
 fn slips(stack: &Stack, supports: &MovedSupports) -> bool {
     supports.last.slip_m > MovedSupports::SLIP_TELLS * stack.height_m()
 }
@@ -194,7 +194,7 @@ fn joined(sentences: impl Iterator<Item = Sentence>, between: &str) -> Sentence 
     all
 }
 
-/// The section on supports that move.
+/// The section on moving supports.
 pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a StackAnswer) {
     let (stack, check) = (&answer.stack, &answer.check);
     let Some(supports) = &check.supports else { return };
@@ -246,7 +246,7 @@ fn reactions(stack: &Stack, supports: &MovedSupports) -> Table {
                 Cell::words(word.clone()),
                 Cell::number(times(state.factor)),
             ];
-            // what is rounding beside the weight is 0
+            // rounding relative to the weight is shown as 0
             let least = 1e-6 * stack.mass_kg() * stack.gravity_m_s2();
             row.extend(reaction.force_n.map(|force| {
                 let force = if force.abs() < least { 0.0 } else { force };

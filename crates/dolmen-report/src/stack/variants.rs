@@ -1,4 +1,4 @@
-//! A stack as it is beside its variants.
+//! A stack as it is compared with its variants.
 
 use super::words::{DIGITS, in_g, moves_together, place, title, verdict_word};
 use crate::document::{Block, Cell, Column, Document, Table};
@@ -32,7 +32,7 @@ messages! {
     }
 }
 
-/// The stack as given beside its variants; nothing where it has none or is no stack.
+/// The stack as given compared with its variants; empty without variants, or for other kinds.
 pub(crate) fn comparison<'a>(state: &State, variants: &[VariantAnswer]) -> Document<'a> {
     let mut document = Document::default();
     if variants.is_empty() || !matches!(state.check, Check::Stack(_)) {

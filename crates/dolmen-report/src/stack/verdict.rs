@@ -1,4 +1,4 @@
-//! The verdict on a stack, and what it means.
+//! The verdict on a stack, and its meaning.
 
 use super::mechanism::moving;
 use super::standing::standing;
@@ -90,7 +90,7 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
     said.into()
 }
 
-/// What the verdicts on a stack mean.
+/// The meaning of the verdicts on a stack.
 pub(crate) fn thresholds() -> Sentence {
     let limit = Quantity::ratio(Verdict::MARGINAL_BELOW_MARGIN, DIGITS);
     Judged::Thresholds {

@@ -1,4 +1,4 @@
-//! The words of stacks: what a joint is called, which way a part moves, what moves first.
+//! Words for stacks: names of joints, directions of motion, the first motion.
 
 use dolmen::assess::{StackCheck, StackNote};
 use dolmen::stability::Verdict;
@@ -9,7 +9,7 @@ use dolmen_work::state::VariantAnswer;
 
 /// Digits of an acceleration, a margin or a distance.
 pub(super) const DIGITS: usize = 3;
-/// Directions nearer to an axis than this are that axis, rad.
+/// Directions closer to an axis than this are that axis, rad.
 const ON_AXIS: f64 = 1e-6;
 
 messages! {
@@ -57,7 +57,7 @@ pub(super) fn value(value: Quantity) -> Sentence {
     Words::Value { value }.into()
 }
 
-/// An acceleration over gravity, with ∞ for what no acceleration reaches.
+/// An acceleration in units of gravity; ∞ if no acceleration reaches it.
 pub(super) fn at(threshold: &Threshold) -> Sentence {
     match threshold.acceleration_g.is_finite() {
         true => Words::Value {
@@ -68,7 +68,7 @@ pub(super) fn at(threshold: &Threshold) -> Sentence {
     }
 }
 
-/// A margin, or a dash where there is none.
+/// A margin, or a dash if there is none.
 pub(super) fn margin(margin: Option<f64>) -> Sentence {
     let value = |margin| Words::Value {
         value: Quantity::ratio(margin, DIGITS),
@@ -76,7 +76,7 @@ pub(super) fn margin(margin: Option<f64>) -> Sentence {
     margin.map_or_else(|| Sentence::of_symbol("–"), |margin| value(margin).into())
 }
 
-/// What a joint is called: by what is below it.
+/// Name of a joint: that of the part below it.
 pub(super) fn place(above: &str) -> Sentence {
     let name = above.replace('\'', "");
     match name.strip_prefix("the ground") {
@@ -101,7 +101,7 @@ pub(crate) fn direction(of: [f64; 2]) -> Sentence {
     }
 }
 
-/// The acceleration at which several stones move together, where that is before any joint alone.
+/// The acceleration at which several stones move together, if that is lower than for any single joint.
 pub(super) fn moves_together(check: &StackCheck) -> Option<Threshold> {
     let lower = |note: &StackNote| matches!(note, StackNote::AnalysisLower { .. });
     check.capacity.filter(|_| check.notes.iter().any(lower))
@@ -117,13 +117,12 @@ pub(super) fn joint_moves(limits: &StackLimitStates, first: &Governing) -> Sente
     }
 }
 
-/// What moves first with every tie at its strength, where ties help.
+/// The first motion with every tie at its strength, if ties help.
 pub(super) fn first_with_ties(limits: &StackLimitStates) -> Option<&Governing> {
     let (with, without) = (limits.governing_with_ties.as_ref()?, limits.governing.as_ref()?);
     (with.threshold.acceleration_g > without.threshold.acceleration_g).then_some(with)
 }
 
-/// The word of a verdict.
 pub(super) fn verdict_word(verdict: Verdict) -> Words {
     match verdict {
         Verdict::Stable => Words::Stable,
@@ -133,7 +132,7 @@ pub(super) fn verdict_word(verdict: Verdict) -> Words {
     }
 }
 
-/// A variant by the name that the user gave it in each language.
+/// The user's name of a variant in each language.
 pub(super) fn title(variant: &VariantAnswer) -> Sentence {
     let named = |english: &str, korean: &str| Sentence {
         english: vec![Run::Name(english.to_owned())],

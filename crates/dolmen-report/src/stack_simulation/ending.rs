@@ -1,4 +1,4 @@
-//! How a simulated stack ended, and what that is worth.
+//! Outcome of a simulated stack, and its significance.
 
 use crate::simulated::{Simulated, cut, milli, seconds};
 use dolmen::blocks::{Outcome, StackHistory};
@@ -102,7 +102,7 @@ messages! {
     }
 }
 
-/// How it ended, in a sentence that begins with a small letter.
+/// The outcome, in a sentence that begins with a small letter.
 pub(super) fn ending(simulation: &StackSimulation) -> Sentence {
     match simulation.ended_before_the_motion_s() {
         Some(end_s) => cut(&simulation.motion, end_s, until_the_end(simulation)),
@@ -182,7 +182,7 @@ fn until_the_end(simulation: &StackSimulation) -> Sentence {
     said.into()
 }
 
-/// That it stood with an offset that is left, and whether joints opened besides.
+/// Finding that it stood with a residual offset, and whether joints also opened.
 fn shifted(simulation: &StackSimulation) -> Option<Sentence> {
     let opened = match simulation.history.outcome {
         Outcome::Stood => None,
@@ -233,13 +233,13 @@ fn state(simulation: &StackSimulation) -> usize {
     usize::from(simulation.damage.state.number())
 }
 
-/// The stone above a joint, and what it lies on.
+/// The stone above a joint, and the one below.
 fn stones(simulation: &StackSimulation, joint: usize) -> (String, Sentence) {
     let [upper, lower] = simulation.joint_names(joint);
     (upper.to_owned(), lower_words(lower))
 }
 
-/// What a joint lies on: the ground has a word of its own.
+/// The part below a joint: the ground has its own word.
 pub(super) fn lower_words(lower: &str) -> Sentence {
     match lower {
         "ground" => Ending::Ground.into(),

@@ -1,4 +1,4 @@
-//! What may be concluded from a simulated stack.
+//! Conclusions from a simulated stack.
 
 use super::ending::{Ending, lower_words};
 use super::run::{Run, made_too_much};
@@ -14,10 +14,11 @@ use dolmen_words::{Digits, Quantity, Unit};
 use dolmen_work::judgement::Earthquake;
 use dolmen_work::stack::{StackRuns, StackSimulation};
 
-/// Restitution above that of an impact at the edge, from which the answer says so: less is rounding of what was measured. Chosen here.
+/// Excess of the restitution over that of an impact at the edge from which it is a finding: smaller values are rounding of
+/// measurements. Our choice.
 const ABOVE_EDGE_LEAST: f64 = 0.005;
 
-/// How it ended and what may be concluded from it, the most important first.
+/// The outcome and its conclusions, the most important first.
 pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     let simulation = &runs.deciding;
     let of = &simulation.motion.motion;
@@ -85,7 +86,7 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     all
 }
 
-/// Where edges would crush: in the joints of finite strength that opened in a run, the one that crushes deepest.
+/// Crushing of edges: among the joints of finite strength that opened in a run, the one that crushes deepest.
 fn crushing(runs: &StackRuns) -> Option<Finding> {
     let simulation = &runs.deciding;
     let stack = &simulation.stack;
@@ -133,7 +134,7 @@ fn leaves_restitution_out(simulation: &StackSimulation) -> bool {
     }
 }
 
-/// The joint whose `rocking_restitution` is farthest above Housner's 1 − 1.5 sin²α, where tan α is the acceleration at which it opens.
+/// The joint whose `rocking_restitution` exceeds Housner's 1 − 1.5 sin²α most, where tan α is the acceleration at which it opens.
 fn rocks_on_more(simulation: &StackSimulation) -> Option<Finding> {
     let stack = &simulation.stack;
     let cuts = simulation.limits.cuts.iter();
@@ -155,7 +156,7 @@ fn rocks_on_more(simulation: &StackSimulation) -> Option<Finding> {
     Some(Finding::key(Tone::Plain, said))
 }
 
-/// Whether stones moved against each other so far that small differences of the input count.
+/// Whether stones moved relative to each other so much that small differences of the input matter.
 fn is_sensitive(outcome: &Outcome) -> bool {
     matches!(
         outcome,

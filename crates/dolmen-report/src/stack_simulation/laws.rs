@@ -1,4 +1,4 @@
-//! What two laws of contact found of one stack, side by side.
+//! Results of two contact laws for one stack, side by side.
 
 use super::ending::ending;
 use crate::document::{Cell, Column, Document, Finding, Table, Tone};
@@ -50,7 +50,7 @@ messages! {
     }
 }
 
-/// How it ended by each law that was run, in a sentence that begins with a small letter.
+/// The outcome by each law that was run, beginning with a small letter.
 pub(super) fn endings(runs: &StackRuns) -> Sentence {
     match of_both(runs) {
         Some([springs, rigid]) => Laws::Both {
@@ -71,7 +71,7 @@ fn of_both(runs: &StackRuns) -> Option<[&StackSimulation; 2]> {
     })
 }
 
-/// That the laws differ, or why one was left out.
+/// The difference of the laws, or why one was left out.
 pub(super) fn finding(runs: &StackRuns) -> Option<Finding> {
     if let Some([springs, rigid]) = of_both(runs).filter(|_| runs.differing_states().is_some()) {
         let (springs, rigid) = (state(springs), state(rigid));
@@ -103,7 +103,7 @@ fn state(run: &StackSimulation) -> usize {
     usize::from(run.counted_damage().number())
 }
 
-/// What each law found, if both were run.
+/// The result of each law, if both were run.
 pub(super) fn section(document: &mut Document<'_>, runs: &StackRuns) {
     let Some(both) = of_both(runs) else {
         return;

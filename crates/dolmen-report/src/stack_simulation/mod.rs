@@ -1,4 +1,4 @@
-//! What an answer says of a stack under a motion: how it ended, joint by joint, in time.
+//! Answers about a stack under a motion: its outcome, joint by joint, over time.
 
 mod ending;
 mod findings;
@@ -62,7 +62,7 @@ pub(crate) const TEMPLATES: [&[Template]; 8] = [
     run::Run::TEMPLATES,
 ];
 
-/// How it ended; in full each joint and the balance of energy.
+/// The outcome; in full each joint and the energy balance.
 pub fn simulation_text(runs: &StackRuns, style: TextStyle) -> String {
     let found = findings(runs);
     if !style.is_full {

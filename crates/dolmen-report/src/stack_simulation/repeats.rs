@@ -1,4 +1,4 @@
-//! What runs with small differences found.
+//! Results of runs with small differences.
 
 use crate::document::{Finding, Tone};
 use crate::simulated::milli;
@@ -45,7 +45,7 @@ messages! {
     }
 }
 
-/// What they found, if any were made.
+/// Their finding.
 pub(super) fn finding(repeats: &Repeats) -> Finding {
     let states = repeats.states();
     let Some(said) = spread(repeats) else {

@@ -1,4 +1,4 @@
-//! The run itself: what a second engineer needs to repeat and to doubt it.
+//! The run itself: data for a second engineer to repeat and check it.
 
 use crate::document::{Block, Cell, Document};
 use crate::simulated::{milli, seconds};
@@ -7,12 +7,11 @@ use dolmen::structure::stack::Stack;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::StackSimulation;
 
-/// Energy that lifts the stack by no more than this is none: a structure that hardly moves takes hardly any from the ground, and a share of that says
-/// nothing. Chosen here.
+/// A structure whose input energy could lift it by no more than this hardly moves, and shares of that energy mean nothing. Our choice.
 const LIFT_LEAST_M: f64 = 1e-6;
-/// Share of the work put in that contacts may make before it is called a fault: that of the engine's own tests.
+/// Share of the input energy that contacts may create before it counts as a fault: that of the engine's own tests.
 const ENERGY_MADE_MOST: f64 = 1e-3;
-/// A solution farther from the law than this is counted as loose, m/s: that of the engine.
+/// Solutions with a larger residual count as loose, m/s: as in the engine.
 const LOOSE_M_S: f64 = 1e-6;
 /// Digits of steps and residuals.
 const DIGITS: usize = 3;
@@ -93,12 +92,12 @@ messages! {
     }
 }
 
-/// That contacts made too much energy, if they did.
+/// A warning if contacts created too much energy.
 pub(super) fn made_too_much(simulation: &StackSimulation) -> Option<Run> {
     made_in(&simulation.stack, &simulation.history)
 }
 
-/// The same of any run of a stack.
+/// The same for any run of a stack.
 pub(super) fn made_in(stack: &Stack, history: &StackHistory) -> Option<Run> {
     let made = history.energy_made_ratio();
     let weight_n = stack.mass_kg() * stack.gravity_m_s2();
@@ -133,7 +132,7 @@ pub(super) fn top(simulation: &StackSimulation) -> Run {
     }
 }
 
-/// Steps, contact points, the balance of energy, and what they are worth.
+/// Steps, contact points, the energy balance, and their accuracy.
 pub(super) fn section(document: &mut Document<'_>, simulation: &StackSimulation) {
     document.subheading(Run::Balance);
     document.put(Block::KeyValues(balance(simulation)));
@@ -235,7 +234,7 @@ fn balance(simulation: &StackSimulation) -> Vec<(Sentence, Cell)> {
     each.chain(shares.into_iter().map(share)).collect()
 }
 
-/// How well the law of rigid contact was obeyed.
+/// Residuals of the rigid contact law.
 fn solutions(document: &mut Document<'_>, rigid: &RigidEvidence) {
     let short = |value: f64, unit: &str| Quantity::new(value, Unit::si(unit), Digits::Significant(2));
     document.note(Run::Impacts {

@@ -1,4 +1,4 @@
-//! What the sliding model found of a pile, beside its simulation by contact.
+//! Result of the sliding model for a pile, beside its contact simulation.
 
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
 use crate::simulated::{milli, seconds};
@@ -50,7 +50,7 @@ messages! {
     }
 }
 
-/// What it found, if it was run.
+/// Its finding, if it was run.
 pub(super) fn finding(runs: &StackRuns) -> Option<Finding> {
     let run = runs.sliding.as_ref()?;
     let simulation = &runs.deciding;

@@ -1,4 +1,4 @@
-//! A stack whose supports move slowly, in time: at which movement it falls, by each law and by limit analysis.
+//! A stack with slowly moving supports, over time: the movement at which it falls, by each law and by limit analysis.
 
 use super::run::made_in;
 use crate::document::{
@@ -12,7 +12,8 @@ use dolmen::stability::stack::MovedSupports;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::{SupportsRun, SupportsSimulation};
 
-/// Share by which runs and limit analysis may differ before that is a finding. Chosen here: twice what the springs and inertia of arches make.
+/// Relative difference between runs and limit analysis from which it is a finding. Our choice: twice the effect of springs and inertia in
+/// arches.
 const APART: f64 = 0.05;
 
 messages! {
@@ -92,7 +93,7 @@ messages! {
     }
 }
 
-/// What became of it; in full the ways side by side.
+/// The outcome; in full with all methods side by side.
 pub fn supports_text(of: &SupportsSimulation, style: TextStyle) -> String {
     let found = findings(of);
     if !style.is_full {
@@ -103,14 +104,12 @@ pub fn supports_text(of: &SupportsSimulation, style: TextStyle) -> String {
     findings_text(&found, style) + &document_text(&document, style)
 }
 
-/// The section.
 pub(crate) fn sections(of: &SupportsSimulation) -> Document<'_> {
     let mut document = Document::default();
     details(&mut document, of);
     document
 }
 
-/// The findings.
 pub(crate) fn findings(of: &SupportsSimulation) -> Vec<Finding> {
     let endings = of.runs.iter().map(|run| {
         let ending = ending(of, run);
@@ -149,11 +148,11 @@ pub(crate) fn findings(of: &SupportsSimulation) -> Vec<Finding> {
     all
 }
 
-/// That a run and limit analysis differ, if they do.
+/// The difference between a run and limit analysis, if there is one.
 fn apart(of: &SupportsSimulation, run: &SupportsRun) -> Option<InTime> {
     let at = match run.falls_at() {
         Some(factor) => factor,
-        // it stood farther than limit analysis has it
+        // it stood beyond the limit of the limit analysis
         None if run.is_whole() => of.factor_most,
         None => return None,
     };
@@ -218,7 +217,7 @@ fn ending(of: &SupportsSimulation, run: &SupportsRun) -> Sentence {
     ending.into()
 }
 
-/// A factor on the movement, and the way of the support that moves farthest.
+/// A factor on the movement, and the displacement of the support that moves farthest.
 fn factor_and_length(of: &SupportsSimulation, factor: f64) -> (Quantity, Quantity) {
     (Quantity::ratio(factor, 4), millimetres(of.length_m(factor)))
 }
@@ -242,7 +241,7 @@ fn details<'a>(document: &mut Document<'a>, of: &'a SupportsSimulation) {
     document.note(InTime::Meaning);
 }
 
-/// Every way to find the movement, side by side.
+/// The movements by every method, side by side.
 fn ways(of: &SupportsSimulation) -> Table {
     let mm = |factor: f64| Cell::number(millimetres(of.length_m(factor)));
     let ratio = |factor: f64| Cell::number(Quantity::ratio(factor, 4));

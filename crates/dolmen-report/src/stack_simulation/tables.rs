@@ -1,4 +1,4 @@
-//! What each joint of a stack did, and versions side by side.
+//! Response of each joint of a stack, and versions side by side.
 
 use super::ending::{ending, lower_words, name_words};
 use crate::document::{Cell, Column, Table};
@@ -8,7 +8,7 @@ use dolmen_words::{Digits, Quantity, Sentence, messages};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::stack::StackSimulation;
 
-/// Below this a displacement is shown as "< 0.01", m or rad.
+/// Smaller displacements are shown as "< 0.01", m or rad.
 const LEAST: f64 = 1e-5;
 
 messages! {
@@ -35,7 +35,7 @@ messages! {
     }
 }
 
-/// Peaks and residuals, a joint a row.
+/// Peaks and residuals, one row per joint.
 pub(super) fn joints(simulation: &StackSimulation) -> Table {
     let row = |(number, joint): (usize, &JointHistory)| {
         let [upper, lower] = simulation.joint_names(number);

@@ -1,4 +1,4 @@
-//! The motion before the runs of a study: the state in which it leaves the structure, and what capacity is left.
+//! The motion before the runs of a study: the state of the structure after it, and the remaining capacity.
 
 use super::words::{bounded, g, name, reached, state, unit_g};
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
@@ -50,10 +50,10 @@ messages! {
     }
 }
 
-/// Combinations in the table. Chosen here, as for fragility.
+/// Combinations in the table. Our choice, as for fragility.
 const SHOWN_MOST: usize = 8;
 
-/// What governs a study after another motion; nothing of a study without one.
+/// The main findings of a study after another motion; empty for other studies.
 pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     let Some(after) = &answer.study.after else {
         return Vec::new();
@@ -181,7 +181,7 @@ fn row(answer: &StudyAnswer, own: &[StateBefore], level: &LevelRow, states: &[us
     cells
 }
 
-/// The median of the scans, marked where it is reached at the least size that was tried, or below.
+/// The median of the scans, marked if it is at or below the smallest size tried.
 fn at_or_below(answer: &StudyAnswer, level: &LevelRow, of: usize) -> Cell {
     let found = level.quantile_m_s2(of, 0.5);
     let least = answer.runs.iter().map(|run| run.peak_ground_acceleration_m_s2);
@@ -194,7 +194,7 @@ fn at_or_below(answer: &StudyAnswer, level: &LevelRow, of: usize) -> Cell {
     }
 }
 
-/// What is left aside, m or rad.
+/// Residual displacement, m or rad.
 fn residual(of: &StateBefore) -> f64 {
     match of.measures {
         RunMeasures::Stack(of) => of.residual_slip_m,
@@ -204,7 +204,7 @@ fn residual(of: &StateBefore) -> f64 {
     }
 }
 
-/// The state left, of several samples each with how many have it.
+/// The state after the first motion; with several samples, the number of samples in each state.
 fn left(answer: &StudyAnswer, own: &[StateBefore]) -> Sentence {
     let words = |of: &StateBefore| -> Sentence {
         match (of.outcome, of.damage_state) {

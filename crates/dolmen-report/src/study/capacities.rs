@@ -77,7 +77,7 @@ messages! {
     }
 }
 
-/// The table, and what it rests on.
+/// The table and its basis.
 pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     document.put(Block::Table(table(answer)));
     document.note(match answer.kind {
@@ -88,7 +88,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     });
 }
 
-/// How many states milder than the last have columns.
+/// Number of states milder than the last with columns.
 fn milder(kind: StudyKind) -> usize {
     match kind {
         StudyKind::Stack | StudyKind::Building => 3,
@@ -167,7 +167,7 @@ fn level_words(answer: &StudyAnswer, level: &LevelRow) -> Sentence {
     }
 }
 
-/// As [`reached`], marked where it is reached at the least peak that was tried, or below.
+/// As [`reached`], marked if it is at or below the smallest peak tried.
 fn milder_median(answer: &StudyAnswer, value_m_s2: Option<Reached>) -> Cell {
     match value_m_s2 {
         Some(Reached::At(value)) if is_least_tried(answer, value) => {
@@ -177,7 +177,7 @@ fn milder_median(answer: &StudyAnswer, value_m_s2: Option<Reached>) -> Cell {
     }
 }
 
-/// Whether a peak is the least that was tried, so that what is reached there may be reached below.
+/// Whether a peak is the smallest one tried, so that the true value may be lower.
 fn is_least_tried(answer: &StudyAnswer, value_m_s2: f64) -> bool {
     const ROUNDING: f64 = 1e-9;
     let tried = answer.runs.iter().map(|run| run.peak_ground_acceleration_m_s2);
@@ -185,7 +185,7 @@ fn is_least_tried(answer: &StudyAnswer, value_m_s2: f64) -> bool {
     answer.kind != StudyKind::Building && value_m_s2 <= least * (1.0 + ROUNDING)
 }
 
-/// At what peaks half of the scans reach each state before the last, mildest first; `None` where none does.
+/// Peaks at which half of the scans reach each state before the last, mildest first; `None` if none does.
 pub(super) fn milder_states(answer: &StudyAnswer) -> Option<Capacities> {
     let levels = answer.levels();
     let all = levels

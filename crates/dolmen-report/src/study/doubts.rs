@@ -1,4 +1,4 @@
-//! What makes capacities doubtful: scans that cannot be used, falls at the least size, sizes survived above a fall.
+//! Doubts about capacities: unusable scans, falls at the smallest size, sizes survived above a fall.
 
 use super::capacities::Capacities;
 use super::words::{g, scan, scans};
@@ -6,7 +6,7 @@ use crate::document::{Block, Document};
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::study::{CapacityOf, ScanVerdict, StudyAnswer, StudyKind};
 
-/// Most scans that a doubt names; the others are in capacities.csv.
+/// Largest number of scans that a doubt names; capacities.csv has the others.
 const NAMED_MOST: usize = 10;
 
 messages! {
@@ -33,7 +33,7 @@ messages! {
     }
 }
 
-/// The doubts, and what is known of each scan that cannot be used.
+/// The doubts, and the information of each unusable scan.
 pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     for doubt in doubts(answer) {
         document.put(Block::Warning(doubt));
@@ -58,10 +58,10 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
         .extend(survived_larger(answer).map(|said| Block::Paragraph(vec![said])));
 }
 
-/// What must not be overlooked.
+/// The warnings.
 pub(super) fn doubts(answer: &StudyAnswer) -> Vec<Sentence> {
     let mut said = Vec::new();
-    let out = answer.left_out().saturating_sub(answer.missing.len()); // another sentence calls those unfinished
+    let out = answer.left_out().saturating_sub(answer.missing.len()); // another sentence counts unfinished scans
     if out > 0 {
         let jobs = scans(answer.jobs());
         said.push(LeftOut::Unusable { out, jobs }.into());
@@ -74,7 +74,7 @@ pub(super) fn doubts(answer: &StudyAnswer) -> Vec<Sentence> {
     said
 }
 
-/// How many survived a size above their first fall, if any did.
+/// Number of scans that survived a size above their first fall, if any did.
 pub(super) fn survived_larger(answer: &StudyAnswer) -> Option<Sentence> {
     let capacities = answer.capacities();
     let survived = |scan: &&CapacityOf| scan.verdict.is_usable() && !scan.survived_above_m_s2().is_empty();

@@ -7,7 +7,7 @@ use dolmen_work::study::StudyAnswer;
 use std::cell::OnceCell;
 use std::rc::Rc;
 
-/// Figures of one study that a page takes; all of them lie in the folder of the study. Chosen here.
+/// Number of figures of one study on a page; the folder of the study has all. Our choice.
 const FIGURES_MOST: usize = 8;
 
 messages! {

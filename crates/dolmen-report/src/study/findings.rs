@@ -1,4 +1,4 @@
-//! What decides in a study: capacity, doubts about it, trends, the worst state.
+//! Main findings of a study: capacity, doubts about it, trends, the worst state.
 
 use super::words::{Words, g, state};
 use super::{before, capacities, doubts, hazard, releases, run, scatter, trends, words};
@@ -121,7 +121,7 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     all
 }
 
-/// The scans against the allowable drift of the file.
+/// The scans compared with the allowable drift of the file.
 fn allowed_drift(answer: &StudyAnswer) -> Vec<Finding> {
     let Some(found) = answer.allowed_drift() else {
         return Vec::new();
@@ -165,7 +165,7 @@ fn allowed_drift(answer: &StudyAnswer) -> Vec<Finding> {
     all
 }
 
-/// How many fall without shaking.
+/// Number of scans that fall without shaking.
 fn fell_alone(answer: &StudyAnswer) -> Option<Finding> {
     let capacities = answer.capacities();
     let usable: Vec<_> = capacities
@@ -177,7 +177,7 @@ fn fell_alone(answer: &StudyAnswer) -> Option<Finding> {
     if alone == 0 {
         return None;
     }
-    // scans of one sample fall together: samples count, not scans
+    // scans of one sample fall together, so samples are counted, not scans
     let samples = |of: &mut dyn Iterator<Item = &&CapacityOf>| {
         let cases: BTreeSet<usize> = of.map(|scan| answer.case_of(scan.job)).collect();
         cases.len()
@@ -201,7 +201,7 @@ fn fell_alone(answer: &StudyAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Bad, said))
 }
 
-/// Rates leave out what falls without shaking.
+/// Note that rates leave out scans that fall without shaking.
 pub(super) fn no_finite_rate(answer: &StudyAnswer) -> Option<Finding> {
     let states = answer.fragilities().iter().flat_map(|one| &one.states);
     let shares = states
@@ -212,7 +212,7 @@ pub(super) fn no_finite_rate(answer: &StudyAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Bad, Found::NoFiniteRate { share }))
 }
 
-/// How many reached the last state, and the least peak that did it: of those that stand by themselves.
+/// Number of scans that reached the last state, and the smallest such peak: of those that stand by themselves.
 fn capacity(answer: &StudyAnswer) -> Option<Finding> {
     let capacities = answer.capacities();
     let usable = capacities
@@ -260,7 +260,7 @@ fn capacity(answer: &StudyAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Plain, said))
 }
 
-/// The median of the worst state that has a curve, of a single combination.
+/// The median of the worst state with a curve, for a single combination.
 fn median(answer: &StudyAnswer) -> Option<Finding> {
     let [one] = answer.fragilities() else {
         return None;

@@ -9,9 +9,9 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer};
 use std::collections::BTreeSet;
 
-/// Combinations in the tables; all are in fragility.csv.
+/// Number of combinations in the tables; fragility.csv has all.
 const SHOWN_MOST: usize = 8;
-/// Beyond this a β says nothing: the state is reached within e^±10 of its median. Chosen here.
+/// A larger β is not reported: the state is reached within e^±10 of its median. Our choice.
 const BETA_SAID: f64 = 10.0;
 
 messages! {
@@ -67,7 +67,7 @@ messages! {
     }
 }
 
-/// Curves with what they rest on; why there are none where too few motions were run.
+/// Curves with their basis; the reason if too few motions were run.
 pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     let found = answer.fragilities();
     if found.is_empty() {
@@ -109,7 +109,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     joints::section(document, answer);
 }
 
-/// How many records the motions are of, where they are fewer.
+/// Number of records behind the motions, if fewer.
 fn records(answer: &StudyAnswer) -> Option<Curves> {
     let different: BTreeSet<&usize> = answer.records.iter().collect();
     let (motions, records) = (answer.motions.len(), different.len());
@@ -124,7 +124,7 @@ fn is_bounded(state: &StateFragility) -> bool {
     matches!(state.by_acceleration, Err(AssessError::NoFragility(_)))
 }
 
-/// The most motions behind one state of a combination.
+/// The largest number of motions behind one state of a combination.
 fn motions(found: &[CombinationFragility]) -> Sentence {
     let each = found.iter().flat_map(|one| &one.states).map(|state| {
         let different: BTreeSet<&usize> = state.motions.iter().collect();
@@ -253,7 +253,7 @@ fn bare(mut quantity: Quantity) -> Quantity {
     quantity
 }
 
-/// The annual rate, what of it comes from beyond the hazard, and the probability in 50 years.
+/// The annual rate, its part from beyond the hazard, and the probability in 50 years.
 fn risk(own: &StateFragility) -> [Cell; 3] {
     let Some(risk) = own.risk else {
         return [Cell::Number(None), Cell::Number(None), Cell::Number(None)];

@@ -1,11 +1,11 @@
-//! How a structure behaves as the shaking grows, scan by scan: some sizes of each.
+//! Response of a structure as the shaking increases, scan by scan, for some sizes of each.
 
 use super::words::{g, same, scan, some, unit_g};
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::study::{Run, RunOutcome, StudyAnswer, StudyKind};
 
-/// With more scans the figures and runs.csv have them all.
+/// With more scans only the figures and runs.csv have them.
 const SCANS_MOST: usize = 6;
 
 messages! {
@@ -34,10 +34,10 @@ messages! {
     }
 }
 
-/// A measure of a run: its head, its name in the table of runs, and its unit.
+/// A measure of a run: its heading, its name in the table of runs, and its unit.
 type Measure = (Growth, &'static str, Unit);
 
-/// The table of a few scans; nothing of stacks, or of many.
+/// The table of a few scans; empty for stacks, or for many scans.
 pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     let measures = measures(answer.kind);
     let mut scans: Vec<&[Run]> = answer.runs.chunk_by(|a, b| a.job == b.job).collect();

@@ -1,4 +1,4 @@
-//! The hazard that rates rest on, and how much of them comes from beyond it.
+//! The hazard behind the rates, and the share of the rates that comes from beyond it.
 
 use super::words::{g, state};
 use crate::document::{Block, Document};
@@ -6,7 +6,7 @@ use dolmen_project::HazardSource;
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::study::{StudyAnswer, YEARS};
 
-/// Least share of a rate from beyond the points of the hazard that the answer gives. Chosen here.
+/// Smallest share of a rate from beyond the points of the hazard that is reported. Our choice.
 const BEYOND_SAID: f64 = 0.1;
 
 messages! {
@@ -39,7 +39,7 @@ messages! {
     }
 }
 
-/// What the rates rest on; nothing without a hazard.
+/// The basis of the rates; empty without a hazard.
 pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     let Some(hazard) = &answer.hazard else { return };
     let source = match hazard.source {
@@ -67,7 +67,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
         .extend(extrapolated(answer).map(|said| Block::Warning(said.into())));
 }
 
-/// Rates that rest on shaking for which no hazard was given.
+/// Rates that depend on shaking without a given hazard.
 pub(super) fn extrapolated(answer: &StudyAnswer) -> Option<Hazard> {
     let all = answer.fragilities().iter().flat_map(|one| &one.states);
     let share = |of: usize| {

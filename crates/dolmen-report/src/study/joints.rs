@@ -1,11 +1,11 @@
-//! Joints of a stack by what they need for each state.
+//! Joints of a stack by the shaking needed for each state.
 
 use super::words::{count, joint as joint_words, of_case, unit_g};
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen_words::{Sentence, Unit, messages};
 use dolmen_work::study::{CombinationFragility, JointFragility, StudyAnswer};
 
-/// Combinations whose joints are shown; more are in joints.csv.
+/// Number of combinations whose joints are shown; joints.csv has all.
 const JOINTS_OF_MOST: usize = 2;
 
 messages! {
@@ -29,7 +29,7 @@ messages! {
     }
 }
 
-/// The table of the first combinations; nothing of what has no joints.
+/// The table of the first combinations; empty without joints.
 pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     let found = answer.fragilities();
     let shown = &found[..found.len().min(JOINTS_OF_MOST)];

@@ -22,7 +22,7 @@ messages! {
     }
 }
 
-/// The table; nothing where no curve is known.
+/// The table; empty without a curve.
 pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     let all = answer.fragilities().len();
     let number = |beta: &Option<f64>| Cell::Number(beta.map(|beta| fixed(beta, 2)));

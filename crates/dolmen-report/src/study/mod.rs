@@ -1,4 +1,4 @@
-//! What an answer says of a study: findings, and its section.
+//! Answers about a study: findings, and its section.
 
 mod before;
 mod capacities;
@@ -34,7 +34,7 @@ messages! {
     }
 }
 
-/// The sentences on studies as they are written.
+/// Templates of the sentences on studies.
 pub(crate) const TEMPLATES: [&[Template]; 17] = [
     findings::Found::TEMPLATES,
     Study::TEMPLATES,
@@ -62,7 +62,7 @@ pub(crate) fn sections(answer: &StudyAnswer) -> Document<'_> {
     document
 }
 
-/// The same without figures, which take long to draw.
+/// The same without figures, which are slow to draw.
 pub(crate) fn tables(answer: &StudyAnswer) -> Document<'_> {
     let mut document = Document::default();
     let title = title(answer);

@@ -1,4 +1,4 @@
-//! What a study adds: releases from a large displacement, and maps of harmonic ground motions.
+//! Further results of a study: releases from a large displacement, and maps of harmonic ground motions.
 
 use super::words::{Words, count, g, labelled, name, same, some};
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
@@ -201,7 +201,7 @@ fn points(kind: StudyKind, mapped: &[&ResponseMaps]) -> Table {
     }
 }
 
-/// The case, in its first row alone.
+/// The case, only in its first row.
 fn label(map: &ResponseMaps, row: usize) -> Cell {
     match row {
         0 => Cell::words(name(&map.label)),

@@ -1,4 +1,4 @@
-//! What a study ran, how its runs ended, and what is lacking.
+//! Runs of a study, their outcomes, and missing results.
 
 use super::words::{Words, both, g, name, scans};
 use crate::damaged::damaged;
@@ -78,7 +78,7 @@ messages! {
     }
 }
 
-/// What was run, by which method, and how it ended.
+/// The runs, the method, and the outcomes.
 pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     let mut said = vec![runs(answer).into()];
     said.extend(samples(answer).map(Sentence::from));
@@ -111,7 +111,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     }
 }
 
-/// The same of a study that scans nothing.
+/// The same for a study without scans.
 pub(super) fn unscanned(document: &mut Document<'_>, answer: &StudyAnswer) {
     let cases = match answer.cases.len() {
         1 => Words::OneCase.into(),
@@ -152,7 +152,7 @@ pub(super) fn refused_for(answer: &StudyAnswer) -> Vec<Done> {
     each.collect()
 }
 
-/// Motions that are others again.
+/// Motions that are copies of others.
 pub(super) fn copies(answer: &StudyAnswer) -> Option<Done> {
     let each = answer.copies.iter().map(|copy| {
         let (motion, of) = (copy.motion.clone(), copy.of.clone());
@@ -162,7 +162,7 @@ pub(super) fn copies(answer: &StudyAnswer) -> Option<Done> {
     (!each.is_empty()).then_some(Done::Copies { each })
 }
 
-/// What the runs themselves leave open.
+/// Doubts from the runs themselves.
 pub(super) fn doubts(answer: &StudyAnswer) -> Vec<Done> {
     let beyond = answer.beyond_room().map(|(beyond, all, least)| Done::BeyondRoom {
         beyond,
@@ -199,7 +199,7 @@ fn samples(answer: &StudyAnswer) -> Option<Done> {
     })
 }
 
-/// How strong the shaking was.
+/// The sizes of shaking.
 fn sizes(answer: &StudyAnswer) -> Option<Done> {
     let part = match answer.study.refine {
         0 => Done::Whole,

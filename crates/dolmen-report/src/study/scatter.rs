@@ -1,4 +1,4 @@
-//! What β is made of, and curves that cross.
+//! Contributions to β, and crossing curves.
 
 use super::words::{CONFIDENCE, fixed, g, of_case, state};
 use crate::document::{Block, Document};
@@ -31,7 +31,7 @@ messages! {
     }
 }
 
-/// β split where inputs are drawn, and a warning a crossing.
+/// β split if inputs are random, and a warning for each crossing.
 pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer, shown: &[CombinationFragility]) {
     let mut points = Vec::new();
     for one in shown {

@@ -1,4 +1,4 @@
-//! Whether measures of the shaking are sufficient: whether capacities by them depend on the earthquake besides.
+//! Whether measures of shaking are sufficient, or capacities by them also depend on the earthquake.
 
 use super::words::{Words, count, state};
 use crate::document::{Block, Cell, Column, Document, Table};
@@ -38,7 +38,7 @@ messages! {
     }
 }
 
-/// Least p that is written as a number.
+/// Smallest p printed as a number.
 const CHANCE_LEAST: f64 = 0.001;
 
 /// The table, and why a state is not in it.

@@ -1,4 +1,4 @@
-//! Trends of the capacity with each input, all else equal.
+//! Trends of the capacity with each input, with all others equal.
 
 use super::words::{Words, both, count, fixed, of_all, scans};
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
@@ -49,7 +49,7 @@ messages! {
     }
 }
 
-/// Trends that have pairs to compare; those of runs as they are read cannot fail.
+/// Trends with pairs to compare; they cannot fail for runs as read.
 fn known(answer: &StudyAnswer) -> Vec<TrendAnswer> {
     let mut found = answer.trends().unwrap_or_default();
     found.retain(|trend| trend.of_pairs.pairs > 0);
@@ -147,7 +147,7 @@ fn input(answer: &StudyAnswer, trend: &TrendAnswer) -> Sentence {
     both(|language| input_words(&answer.inputs[trend.input].path, language))
 }
 
-/// What was expected, in the words of the file if it has any.
+/// The expectation, in the words of the file if it has any.
 fn expected(trend: &TrendAnswer) -> Option<Sentence> {
     let (expected, _) = trend.expected.as_ref()?;
     Some(match (&expected.words, expected.direction) {
@@ -168,7 +168,7 @@ fn verdict(trend: &TrendAnswer) -> Trends {
     }
 }
 
-/// In how many motions, directions and samples it goes the same way, and how far they differ.
+/// Number of motions, directions and samples with the same sign, and their range.
 fn each(trend: &TrendAnswer) -> [Cell; 2] {
     if trend.of_each.len() < 2 {
         return [Cell::Number(None), Cell::Number(None)];

@@ -33,7 +33,7 @@ messages! {
     }
 }
 
-/// Words that stand in the file or the answer in both languages.
+/// Text from the file or the answer in both languages.
 pub(super) fn both(of: impl Fn(Language) -> String) -> Sentence {
     let runs = |language| vec![Run::Text(of(language))];
     Sentence {
@@ -44,7 +44,7 @@ pub(super) fn both(of: impl Fn(Language) -> String) -> Sentence {
     }
 }
 
-/// A name of the user, the same in both languages.
+/// A name from the user, the same in both languages.
 pub(super) fn name(name: &str) -> Sentence {
     let runs = vec![Run::Name(name.to_owned())];
     Sentence {
@@ -88,17 +88,17 @@ pub(super) fn count(count: usize) -> Cell {
     Cell::words(Words::Count { count })
 }
 
-/// A column of words says the same as above.
+/// Ditto mark in a column of words.
 pub(super) fn same() -> Cell {
     Cell::words(Sentence::of_symbol(""))
 }
 
-/// A share as a number with so many digits behind the point.
+/// A share as a number with this many digits after the point.
 pub(super) fn fixed(value: f64, decimals: usize) -> Quantity {
     Quantity::new(value, Unit::ratio(), Digits::Fixed(decimals))
 }
 
-/// The gravity of the project as a unit.
+/// The project's gravity as a unit.
 pub(super) fn unit_g(answer: &StudyAnswer) -> Unit {
     Unit {
         symbol: "g".to_owned(),
@@ -111,7 +111,7 @@ pub(super) fn g(answer: &StudyAnswer, value_m_s2: f64) -> Quantity {
     Quantity::new(value_m_s2, unit_g(answer), Digits::Fixed(3))
 }
 
-/// A peak at which something is reached; "> " where it is only known to lie above.
+/// A peak at which something is reached; "> " if it is only known to be higher.
 pub(super) fn reached(answer: &StudyAnswer, value_m_s2: Option<Reached>) -> Cell {
     match value_m_s2 {
         Some(Reached::At(value)) => Cell::number(g(answer, value)),
@@ -120,17 +120,17 @@ pub(super) fn reached(answer: &StudyAnswer, value_m_s2: Option<Reached>) -> Cell
     }
 }
 
-/// "> 0.300" without its unit, which the column names.
+/// "> 0.300" without its unit, which the column gives.
 pub(super) fn bounded(sign: &str, value: &Quantity) -> Sentence {
     Sentence::of_symbol(&format!("{sign} {}", value.number()))
 }
 
-/// What a state is called.
+/// Name of a state.
 pub(super) fn state(answer: &StudyAnswer, state: usize) -> Sentence {
     both(|language| answer.state_words(language)[state].to_owned())
 }
 
-/// The inputs of a scan, as short as tells it from the others.
+/// The inputs of a scan, in the shortest form that distinguishes it.
 pub(super) fn scan(answer: &StudyAnswer, job: usize) -> Sentence {
     let case = answer.case(job);
     let mut words: Vec<String> = case.variant.iter().cloned().collect();
@@ -145,7 +145,7 @@ pub(super) fn scan(answer: &StudyAnswer, job: usize) -> Sentence {
     name(&words.join(", "))
 }
 
-/// Some of many, evenly chosen, both ends among them.
+/// Some of many, evenly chosen, including both ends.
 pub(super) fn some<T>(all: &[T]) -> Vec<&T> {
     const MOST: usize = 7;
     let last = all.len().saturating_sub(1);

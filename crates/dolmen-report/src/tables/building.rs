@@ -1,4 +1,4 @@
-//! Histories of a building as CSV: one row a step, SI units in the heads.
+//! Histories of a building as CSV: one row per step, SI units in the column names.
 
 use dolmen::dynamics::Peak;
 use dolmen_work::building::BuildingSimulation;
@@ -49,7 +49,7 @@ pub fn building_histories_csv(simulation: &BuildingSimulation) -> String {
     out
 }
 
-/// Largest values of each floor and the storey below it; drifts of edges and corners empty where the outline of the floor is not known.
+/// Largest values of each floor and the storey below it; drifts of edges and corners are empty if the outline of the floor is unknown.
 pub fn building_peaks_csv(simulation: &BuildingSimulation) -> String {
     let mut out = String::from(
         "floor,displacement_x_m,displacement_y_m,rotation_rad,drift_x_m,drift_y_m,twist_rad,edge_drift_x_m,edge_drift_y_m,corner_drift_m\n",

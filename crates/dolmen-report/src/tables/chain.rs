@@ -1,4 +1,4 @@
-//! Histories of a chain as CSV: one row a sample, SI units in the heads; slips and openings one a row.
+//! Histories of a chain as CSV: one row per sample, SI units in the column names; slips and openings one per row.
 
 use dolmen_work::chain::ChainSimulation;
 use std::fmt::Write as _;

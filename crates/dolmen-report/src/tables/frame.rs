@@ -1,4 +1,4 @@
-//! Histories of a frame as CSV: one row a sample, SI units in the heads; slips one a row.
+//! Histories of a frame as CSV: one row per sample, SI units in the column names; slips one per row.
 
 use dolmen_work::frame::FrameSimulation;
 use std::fmt::Write as _;

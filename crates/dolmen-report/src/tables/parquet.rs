@@ -1,4 +1,4 @@
-//! Tables as Parquet, compressed by Snappy: one row group, columns as they are in CSV, missing numbers as nulls.
+//! Tables as Parquet, compressed by Snappy: one row group, the columns of the CSV, missing numbers as nulls.
 
 use ::parquet::basic::{Compression, ConvertedType, Repetition, Type as PhysicalType};
 use ::parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
@@ -17,7 +17,7 @@ pub struct TableError(#[from] ParquetError);
 /// A table as the bytes of a Parquet file.
 ///
 /// # Errors
-/// [`TableError`] for columns of one name.
+/// [`TableError`] for columns with the same name.
 pub fn parquet(columns: &[Column]) -> Result<Vec<u8>, TableError> {
     let fields = columns.iter().map(|column| {
         let (physical, converted, repetition) = match column.values {

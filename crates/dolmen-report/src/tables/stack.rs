@@ -1,11 +1,11 @@
-//! Histories as CSV: one row a sample, SI units in the heads.
+//! Histories as CSV: one row per sample, SI units in the column names.
 
 use dolmen::blocks::StackHistory;
 use dolmen::structure::stack::Stack;
 use dolmen_work::stack::{StackSimulation, SupportsRun, SupportsSimulation};
 use std::fmt::Write as _;
 
-/// A name that may hold anything, as one field of CSV.
+/// Any name as one field of CSV.
 fn field(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
@@ -14,7 +14,7 @@ fn field(text: &str) -> String {
     }
 }
 
-/// Opening, slip and yaw of each joint in time.
+/// Opening, slip and yaw of each joint over time.
 pub fn joints_csv(simulation: &StackSimulation) -> String {
     let history = &simulation.history;
     let mut out = String::from("time_s");
@@ -41,7 +41,7 @@ pub fn joints_csv(simulation: &StackSimulation) -> String {
     out
 }
 
-/// Place and turn of each block in time, in the frame of the ground.
+/// Position and rotation of each block over time, relative to the ground.
 pub fn poses_csv(simulation: &StackSimulation) -> String {
     poses_of(&simulation.stack, &simulation.history)
 }
@@ -67,7 +67,8 @@ fn poses_of(stack: &Stack, history: &StackHistory) -> String {
     out
 }
 
-/// How far the supports have moved in time: the factor on the movements, and the way of the one that moves farthest; then place and turn of each block.
+/// Displacement of the supports over time: the factor on the movements, and the displacement of the one that moves farthest; then position
+/// and rotation of each block.
 pub(crate) fn supports_csv(of: &SupportsSimulation, run: &SupportsRun) -> String {
     let rows = poses_of(&of.stack, &run.moved.history);
     let mut out = String::new();
@@ -87,7 +88,7 @@ pub(crate) fn supports_csv(of: &SupportsSimulation, run: &SupportsRun) -> String
     out
 }
 
-/// The balance of energy in time, J.
+/// The energy balance over time, J.
 pub fn energy_csv(simulation: &StackSimulation) -> String {
     let mut out =
         String::from("time_s,kinetic_j,potential_j,stored_j,input_j,friction_j,damping_j,clipping_j\n");

@@ -1,10 +1,10 @@
-//! Histories of a building in the wind as CSV: SI units in the heads.
+//! Histories of a building in the wind as CSV: SI units in the column names.
 
 use dolmen_project::strokes_of;
 use dolmen_work::building::{InTime, MotionInTime, WindSimulation};
 use std::fmt::Write as _;
 
-/// A motion, with what it is of: "along_x_without_dampers".
+/// A motion with its name: "along_x_without_dampers".
 fn motions(run: &WindSimulation) -> Vec<(String, &MotionInTime)> {
     let mut all = Vec::new();
     for (along, axis) in run.along.iter().zip(["x", "y"]) {
@@ -32,7 +32,7 @@ fn values<'a>(run: &WindSimulation, motion: &'a MotionInTime) -> Vec<(String, &'
     all
 }
 
-/// The first history: one row a step, the wind along x and along y side by side.
+/// The first history: one row per step, the wind along x and along y side by side.
 pub fn wind_histories_csv(run: &WindSimulation) -> String {
     let mut out = "time_s".to_owned();
     let mut columns: Vec<&[f64]> = Vec::new();

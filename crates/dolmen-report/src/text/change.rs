@@ -6,7 +6,7 @@ use crate::check::{made_up_text, project_text};
 use crate::document::{Finding, TextStyle, document_text, findings_text};
 use dolmen_work::answer::CompareAnswer;
 
-/// What changed from one survey to another.
+/// The change between two surveys.
 pub fn change_text(answer: &CompareAnswer, style: TextStyle) -> String {
     let project = &answer.project;
     let mut found: Vec<Finding> = undated(answer).into_iter().collect();

@@ -1,4 +1,4 @@
-//! How much larger a motion may become before it is worth saying.
+//! Smallest increase of a motion that is reported.
 
-/// From this ratio on a value counts as grown: what is printed with four digits.
+/// Ratio from which a value counts as increased: visible in four digits.
 pub(crate) const GROWN: f64 = 1.0005;

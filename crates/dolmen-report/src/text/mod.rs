@@ -1,4 +1,4 @@
-//! Answers as text for a terminal: plain characters, columns that line up, units in the heads.
+//! Answers as text for a terminal: plain characters, aligned columns, units in the headings.
 
 mod change;
 mod grown;

@@ -42,10 +42,10 @@ messages! {
     }
 }
 
-/// The sentences of one line as they are written.
+/// Templates of the sentences of one line.
 pub(crate) const TEMPLATES: &[Template] = Line::TEMPLATES;
 
-/// One line on a project: its judgement, what was measured, what explains it.
+/// One line on a project: its judgement, measurements, and their explanation.
 pub fn project_line(answer: &ProjectReport, language: Language) -> String {
     let mut parts: Vec<Sentence> = Vec::new();
     for version in judge(&answer.answers).versions {

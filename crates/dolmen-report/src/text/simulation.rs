@@ -1,4 +1,4 @@
-//! What goes into a simulated motion.
+//! Inputs of a simulated motion.
 
 use crate::brief::notes_text;
 use crate::check::{from_surveys_text, made_up_text, project_text, tilt_beyond};
@@ -19,10 +19,10 @@ messages! {
     }
 }
 
-/// The sentences on inputs as they are written.
+/// Templates of the sentences on inputs.
 pub(crate) const TEMPLATES: &[Template] = Inputs::TEMPLATES;
 
-/// What went in, before the run: the project, the motions that move it, and what was done to them.
+/// The inputs before the run: the project, its motions, and their changes.
 pub fn simulation_inputs_text(
     project: &Project,
     file: &str,
@@ -41,7 +41,7 @@ pub fn simulation_inputs_text(
     let mut head = project_text(project, file, style)
         + &made_up_text(project, style)
         + &from_surveys_text(project, style);
-    // a survey is of the structure as it is
+    // a survey belongs to the structure as it is
     if variant.is_none() {
         head += &findings_text(&tilt_beyond(project), style);
     }

@@ -4,7 +4,7 @@ use crate::document::{TextStyle, document_text, findings_text};
 use crate::study::{findings, tables};
 use dolmen_work::study::StudyAnswer;
 
-/// Everything that is printed of a study.
+/// The text of a study.
 pub fn study_text(answer: &StudyAnswer, style: TextStyle) -> String {
     let name = style.language.pick(answer.name.english(), answer.name.korean());
     let found = findings(answer);

@@ -1,11 +1,11 @@
-//! How far a study is, as text.
+//! Progress of a study, as text.
 
 use dolmen_work::study::Plan;
 
-/// Most missing scans that the text names; it counts the others.
+/// Largest number of missing scans listed by name; the others are counted.
 const MISSING_SHOWN: usize = 20;
 
-/// A shard that ended: its journal is its result.
+/// A finished shard: its result is the journal.
 pub fn shard_text(
     plan: &Plan<'_>,
     shard: (usize, usize),
@@ -18,7 +18,7 @@ pub fn shard_text(
     )
 }
 
-/// Which scans are not done yet.
+/// The scans that are not done yet.
 pub fn missing_text(plan: &Plan<'_>, runs: usize, missing: &[usize]) -> String {
     let mut text = format!(
         "Study \"{}\": {} of {} scans are done, {runs} runs\n",

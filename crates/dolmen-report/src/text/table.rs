@@ -1,11 +1,11 @@
-//! Columns of text that line up, Hangul counted as two columns wide.
+//! Aligned columns of text; Hangul counts as two columns wide.
 
 use unicode_width::UnicodeWidthStr as _;
 
 /// Space between columns.
 const GAP: &str = "   ";
 
-/// A table that is filled row by row and printed once.
+/// A table filled row by row and printed once.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
     rows: Vec<Vec<String>>,
@@ -13,7 +13,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table with these heads; the first `words` columns hold words (aligned left), the others numbers (right).
+    /// A table with these headings; the first `words` columns contain words (aligned left), the others numbers (right).
     pub fn new(heads: &[&str], words: usize) -> Self {
         Table {
             rows: vec![heads.iter().map(|head| (*head).to_owned()).collect()],

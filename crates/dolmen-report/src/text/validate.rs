@@ -1,4 +1,4 @@
-//! `dolmen validate` as text: the lines that VALIDATION.md holds.
+//! `dolmen validate` as text: the content of VALIDATION.md.
 
 use dolmen::comparisons::Case;
 use std::fmt::Write as _;
@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 /// Significant digits of a number in the table.
 const DIGITS: usize = 7;
 
-/// A Markdown table a source: published, computed, difference, and the right number where the published one is wrong.
+/// A Markdown table per source: published, computed, difference, and the right number if the published one is wrong.
 pub fn validation_text(cases: &[Case]) -> String {
     let agree = cases.iter().filter(|case| case.agrees()).count();
     let mut out = String::from(
@@ -56,7 +56,7 @@ pub fn validation_text(cases: &[Case]) -> String {
     out
 }
 
-/// Differences below this share of the number are rounding, which is not the same on every processor.
+/// Relative differences below this are rounding, which depends on the processor.
 const ROUNDING: f64 = 1e-9;
 
 fn difference(case: &Case) -> String {

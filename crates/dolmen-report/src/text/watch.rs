@@ -6,7 +6,7 @@ use crate::document::{TextStyle, document_text, findings_text};
 use crate::watch::{findings, sections};
 use dolmen_work::watched::WatchAnswer;
 
-/// What a history says.
+/// The text of a history.
 pub fn watch_text(answer: &WatchAnswer, style: TextStyle) -> String {
     let found = findings(answer);
     let head =

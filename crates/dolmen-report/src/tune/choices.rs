@@ -1,4 +1,4 @@
-//! A damper beside the rule and the best: what is compared, and what each choice of place and tuning does.
+//! A damper compared with the rule and the optimum: the choices of place and tuning, and their effect.
 
 use super::words::{choice_words, goal_words, load_words, of_none, part};
 use crate::building::{direction_words, fixed, name};
@@ -91,7 +91,7 @@ messages! {
     }
 }
 
-/// What is compared.
+/// The compared choices.
 pub(super) fn lead(document: &mut Document<'_>, answer: &TuneAnswer) {
     let names = answer.points.iter().map(|point| name(&point.name)).collect();
     let mut said: Vec<Sentence> = in_file(answer).into_iter().map(Sentence::from).collect();
@@ -169,7 +169,7 @@ fn mode(answer: &TuneAnswer) -> [Choices; 2] {
     [mode, centre]
 }
 
-/// What each choice does, and figures.
+/// The effect of each choice, and figures.
 pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a TuneAnswer) {
     document.put(Block::Table(table(answer)));
     for figure in TuneFigure::of(answer) {

@@ -1,4 +1,4 @@
-//! What decides about dampers: what is worse than none, what lacks room, and what the best brings.
+//! Main findings on dampers: those worse than none, those without enough room, and the gain of the optimum.
 
 use super::words::{of_none, part, point_ratio, under_words};
 use crate::building::{millimetres, name, significant};
@@ -146,7 +146,7 @@ fn of_all(answer: &TogetherAnswer) -> Vec<Finding> {
     all
 }
 
-/// Dampers as in the file that need more room than they have; `alone`: without the others of the file.
+/// Dampers of the file that need more room than they have; `alone`: without the file's other dampers.
 fn beyond_room(room: &RoomCheck, alone: bool, is_given: impl Fn(usize) -> bool) -> Vec<Finding> {
     let beyond = room.beyond().filter(|of| is_given(of.row));
     let said = beyond.map(|of| {

@@ -1,4 +1,4 @@
-//! What an answer says of dampers beside the rule and the best: findings, a section a damper, and all of them together.
+//! Answers about dampers compared with the rule and the optimum: findings, a section per damper, and all together.
 
 mod choices;
 mod findings;
@@ -22,7 +22,7 @@ messages! {
     }
 }
 
-/// The sentences on dampers as they are written.
+/// Templates of the sentences on dampers.
 pub(crate) const TEMPLATES: [&[Template]; 7] = [
     words::Words::TEMPLATES,
     findings::Found::TEMPLATES,
@@ -33,7 +33,7 @@ pub(crate) const TEMPLATES: [&[Template]; 7] = [
     remarks::Remark::TEMPLATES,
 ];
 
-/// A section a damper, then all of a version together.
+/// A section per damper, then all dampers of a version together.
 pub(crate) fn sections<'a>(tunings: &[&'a TuneAnswer], together: &[&TogetherAnswer]) -> Document<'a> {
     let mut document = Document::default();
     for answer in tunings {
@@ -68,7 +68,7 @@ fn one<'a>(document: &mut Document<'a>, answer: &'a TuneAnswer) {
     remarks::of_one(document, answer);
 }
 
-/// A damper beside the rule and the best, for a terminal.
+/// A damper compared with the rule and the optimum, for a terminal.
 pub fn tune_text(answer: &TuneAnswer, style: TextStyle) -> String {
     let mut document = Document::default();
     one(&mut document, answer);
@@ -82,7 +82,7 @@ pub fn together_text(answer: &TogetherAnswer, style: TextStyle) -> String {
     text(head_together(answer), &findings(&[], &[answer]), &document, style)
 }
 
-/// What decides, and all the rest where it is asked for.
+/// The decisive findings; everything if requested.
 fn text(head: Heads, findings: &[Finding], document: &Document<'_>, style: TextStyle) -> String {
     let shown = findings.iter().filter(|of| of.is_key || style.is_full);
     let mut out = heading_text(&Sentence::from(head).text(style.language)) + &findings_text(shown, style);

@@ -1,4 +1,4 @@
-//! What must be known of each row of a comparison of dampers.
+//! Notes on each row of a comparison of dampers.
 
 use super::words::{
     ROUNDING, choice_words, of_none, part, point_along, point_ratio, together_words, under_words,
@@ -9,7 +9,7 @@ use dolmen::damper::{Choice, Compared, DesignEnd};
 use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherRow, TuneAnswer};
 
-/// From this relative difference on numbers at prepared frequencies are called rough.
+/// Relative difference from which numbers at tabulated frequencies are called rough.
 const ROUGH: f64 = 1e-3;
 
 messages! {
@@ -78,7 +78,7 @@ messages! {
     }
 }
 
-/// Of one damper.
+/// Notes on one damper.
 pub(super) fn of_one(document: &mut Document<'_>, answer: &TuneAnswer) {
     let rows = &answer.comparison.rows;
     let choice = |row: &Compared| choice_words(row.choice, answer.mode);
@@ -133,7 +133,7 @@ pub(super) fn of_one(document: &mut Document<'_>, answer: &TuneAnswer) {
     document.note(Remark::OfTheRule);
 }
 
-/// How much more than the best the rule and the file's damper leave.
+/// Excess of the rule and of the file's damper over the optimum.
 fn costs(answer: &TuneAnswer) -> Vec<Remark> {
     let share = |of: f64| fixed(of.abs(), Unit::percent(), 1);
     let rule = answer.costs(Choice::Rule, Choice::Best);
@@ -189,7 +189,7 @@ pub(super) fn of_all(document: &mut Document<'_>, answer: &TogetherAnswer) {
     }
 }
 
-/// Points that a row makes worse.
+/// Points with more motion in a row.
 fn worse(document: &mut Document<'_>, choice: Sentence, points: impl Iterator<Item = Sentence>) {
     let list: Vec<Sentence> = points.collect();
     if !list.is_empty() {

@@ -43,7 +43,7 @@ messages! {
     }
 }
 
-/// What acts, what each choice does, the dampers that were designed, and remarks.
+/// The load, the effect of each choice, the designed dampers, and remarks.
 pub(super) fn section(document: &mut Document<'_>, answer: &TogetherAnswer) {
     document.put(Block::Paragraph(lead(answer)));
     document.put(Block::Table(table(answer)));
@@ -97,7 +97,7 @@ fn table(answer: &TogetherAnswer) -> Table {
     }
 }
 
-/// The dampers of a row that was searched.
+/// The dampers of an optimised row.
 fn designed(row: &TogetherRow) -> Table {
     let has_besides = row.dampers.iter().any(|damper| rest(damper).is_some());
     let symbol = |head: &str| Column::numbers(Sentence::of_symbol(head), Unit::si("m"));

@@ -1,4 +1,4 @@
-//! Published and exact tunings of a mode, and what being out of tune costs.
+//! Published and exact tunings of a mode, and the loss by detuning.
 
 use super::words::of_none;
 use crate::building::fixed;
@@ -109,7 +109,7 @@ fn aim(row: &TuningRow) -> Sentence {
     said.into()
 }
 
-/// What the goal grows by when the frequency is off.
+/// The increase of the goal with a detuned frequency.
 pub(super) fn out_of_tune(document: &mut Document<'_>, answer: &TuneAnswer) {
     const OFF: [(&str, f64); 6] = [
         ("−20 %", 0.8),

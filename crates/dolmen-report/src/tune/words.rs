@@ -1,11 +1,11 @@
-//! Words for dampers beside the rule and the best.
+//! Words for dampers compared with the rule and the optimum.
 
 use crate::building::direction_words;
 use dolmen::damper::{Choice, Goal};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{RowStroke, TogetherChoice, TuneLoad};
 
-/// A ratio is more than 1 by more than this, or it is rounding.
+/// A ratio exceeds 1 only if by more than this, which is rounding.
 pub(super) const ROUNDING: f64 = 1e-12;
 
 messages! {
@@ -98,7 +98,7 @@ pub(super) fn together_words(choice: &TogetherChoice) -> Sentence {
     .into()
 }
 
-/// What acts.
+/// The load.
 pub(super) fn load_words(load: TuneLoad) -> Sentence {
     let hertz = |hz: f64| Quantity::new(hz, Unit::si("Hz"), Digits::Trimmed(6));
     match load {
@@ -115,7 +115,7 @@ pub(super) fn load_words(load: TuneLoad) -> Sentence {
     .into()
 }
 
-/// What is made small.
+/// The minimised quantity.
 pub(super) fn goal_words(goal: Goal) -> Sentence {
     match goal {
         Goal::LargestRms => Words::LargestRms,
@@ -125,7 +125,7 @@ pub(super) fn goal_words(goal: Goal) -> Sentence {
     .into()
 }
 
-/// Under what a damper moves so far.
+/// The motion behind a damper's stroke.
 pub(super) fn under_words(stroke: &RowStroke) -> Sentence {
     match &stroke.motion {
         Some(motion) => Words::Motion {
@@ -136,7 +136,7 @@ pub(super) fn under_words(stroke: &RowStroke) -> Sentence {
     .into()
 }
 
-/// A point along a direction in degrees from x.
+/// A point with a direction in degrees from x.
 pub(super) fn point_along(point: &str, degrees: f64) -> Sentence {
     Words::PointAlong {
         point: point.to_owned(),
@@ -154,12 +154,12 @@ pub(super) fn point_ratio(point: impl Into<Sentence>, ratio: f64, decimals: usiz
     .into()
 }
 
-/// What is left of a motion, or of a goal, over that without a damper.
+/// A motion or goal relative to that without a damper.
 pub(super) fn of_none(ratio: f64, decimals: usize) -> Quantity {
     Quantity::new(ratio, Unit::ratio(), Digits::Fixed(decimals))
 }
 
-/// A part of a stroke that the user asked for.
+/// The requested fraction of a stroke.
 pub(super) fn part(most: f64) -> Quantity {
     Quantity::new(most, Unit::ratio(), Digits::Trimmed(6))
 }

@@ -70,7 +70,7 @@ impl Parts {
         }
     }
 
-    /// A table; none where it has no column.
+    /// A table; nothing without a column.
     pub(super) fn table(&mut self, table: &Table) {
         let language = self.language;
         if table.columns.is_empty() {

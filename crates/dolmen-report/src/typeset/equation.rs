@@ -3,7 +3,7 @@
 use super::literal::literal;
 use crate::document::{Math, linear};
 
-/// A formula on a line of its own, with its words for those who do not see it.
+/// A formula on its own line, with a text for readers who cannot see it.
 pub(super) fn equation(formula: &[Math]) -> String {
     let alt = literal(&linear(formula));
     format!("math.equation(block: true, alt: {alt}, $ {} $)", pieces(formula))

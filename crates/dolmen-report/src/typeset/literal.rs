@@ -1,4 +1,4 @@
-//! Words as Typst's strings: nothing in them is markup.
+//! Text as Typst strings, so that none of it is markup.
 
 /// A string literal; control characters become spaces.
 pub(super) fn literal(text: &str) -> String {
@@ -7,7 +7,7 @@ pub(super) fn literal(text: &str) -> String {
     for character in text.chars() {
         match character {
             '"' | '\\' => said.extend(['\\', character]),
-            // the fonts have no cross that is a mark
+            // the fonts lack this cross
             '✕' => said.push('×'),
             control if control.is_control() => said.push(' '),
             other => said.push(other),
@@ -17,7 +17,7 @@ pub(super) fn literal(text: &str) -> String {
     said
 }
 
-/// An array of what stands in `each`; with one element too.
+/// An array literal; also correct for one element.
 pub(super) fn array(each: impl IntoIterator<Item = String>) -> String {
     let mut said = String::from("(");
     for one in each {

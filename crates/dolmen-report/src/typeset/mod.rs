@@ -1,4 +1,4 @@
-//! A report as the source of a Typst document: calls of its prelude's functions, and figures as files of their own.
+//! A report as the source of a Typst document: calls to functions of its prelude, and figures as separate files.
 
 mod blocks;
 mod equation;
@@ -15,22 +15,22 @@ use dolmen_work::answer::ProjectReport;
 use literal::literal;
 use parts::Parts;
 
-/// How a report looks: the functions that its source calls.
+/// The prelude: functions that define the layout.
 const PRELUDE: &str = include_str!("prelude.typ");
 
 /// The source of a Typst document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Typeset {
-    /// What is compiled.
+    /// The main file.
     pub main: String,
-    /// The files that it names, each with its bytes: the prelude, and figures as SVG.
+    /// Other files with their bytes: the prelude, and figures as SVG.
     pub files: Vec<(String, Vec<u8>)>,
 }
 
 /// The report on one or more projects as the source of a Typst document, which needs the fonts Pretendard Regular, SemiBold and Bold.
 ///
-/// Each project begins with a cover and what the answers come to; contents follow where there is one project. The same input gives the same
-/// source. A date that is not written as 2026-05-12 is printed and not kept as the document's.
+/// Each project begins with a cover and the answers; a report on one project has contents. The same input gives the same source. A date in
+/// another form than 2026-05-12 is printed, but not stored as the document's date.
 pub fn typeset(
     answers: &[ProjectReport],
     others: &[NotReported],

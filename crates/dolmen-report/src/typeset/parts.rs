@@ -1,4 +1,4 @@
-//! The parts of a report: cover, what the answers come to, findings, sections.
+//! The parts of a report: cover, answers, findings, sections.
 
 use super::literal::{array, literal};
 use crate::behind::behind_document;
@@ -12,7 +12,7 @@ use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::Colour;
 
-/// What stands in the line over each page.
+/// The running header of each page.
 pub(super) fn running_head(answers: &[ProjectReport], language: Language) -> &'static str {
     match answers {
         [one] => kind_words(&one.project.structure, language),
@@ -20,12 +20,12 @@ pub(super) fn running_head(answers: &[ProjectReport], language: Language) -> &'s
     }
 }
 
-/// The source as it is written.
+/// The source being written.
 pub(super) struct Parts {
     pub(super) language: Language,
     main: String,
     figures: Vec<(String, Vec<u8>)>,
-    /// By how much heads stand below those of a report on one project.
+    /// Additional heading depth, relative to a report on one project.
     deeper: usize,
 }
 
@@ -48,7 +48,7 @@ impl Parts {
         self.main.push('\n');
     }
 
-    /// A function of the prelude on words.
+    /// A call of a prelude function with a text.
     pub(super) fn call(&mut self, function: &str, words: &str) {
         self.line(&format!("#{function}({})", literal(words)));
     }
@@ -66,7 +66,7 @@ impl Parts {
         self.line(&format!("#list(..{each})"));
     }
 
-    /// Keeps a figure, and gives the name of its file; a mark that the fonts do not have is spelt.
+    /// Stores a figure, and returns its file name; spells out a character that the fonts lack.
     pub(super) fn figure_file(&mut self, svg: &str) -> String {
         let svg = svg.replace('⊕', "(+)");
         let name = format!("figure-{}.svg", self.figures.len() + 1);
@@ -74,14 +74,14 @@ impl Parts {
         name
     }
 
-    /// Keeps a photograph, and gives the name of its file.
+    /// Stores a photograph, and returns its file name.
     pub(super) fn photo_file(&mut self, photo: &dolmen_records::Photo) -> String {
         let name = format!("photo-{}.{}", self.figures.len() + 1, photo.format.extension());
         self.figures.push((name.clone(), photo.bytes.clone()));
         name
     }
 
-    /// A head without a number, which the contents leave out.
+    /// A heading without a number, left out of the contents.
     fn plain_heading(&mut self, level: usize, words: &str) {
         self.line(&format!(
             "#heading(level: {}, numbering: none, outlined: false, {})",
@@ -90,7 +90,7 @@ impl Parts {
         ));
     }
 
-    /// All that the report says of one project.
+    /// The report on one project.
     pub(super) fn project(&mut self, answer: &ProjectReport, imprint: &Imprint, alone: bool) {
         let language = self.language;
         self.cover(answer, imprint);
@@ -163,7 +163,7 @@ impl Parts {
         ));
     }
 
-    /// The first photograph for the cover, else a stack as it stands; none of other kinds, which begin with graphs.
+    /// The first photograph for the cover, otherwise a stack as drawn; none for other kinds, which begin with graphs.
     fn picture(&mut self, answer: &ProjectReport) -> String {
         if let Some(photo) = cover_photo(answer)
             && let Some(image) = photo.image

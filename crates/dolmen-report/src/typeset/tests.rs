@@ -1,4 +1,4 @@
-//! What a user writes is words to Typst, never code.
+//! User text is plain text to Typst, never code.
 
 use super::literal::{array, literal};
 use super::{document_date, typeset};
@@ -8,7 +8,7 @@ use crate::html::tests::{gate, pole, survey};
 use crate::whole::whole_document;
 use dolmen_words::Language;
 
-/// The words between the tags of a kind, as they were before the page escaped them.
+/// The text between tags of a kind, unescaped.
 pub(crate) fn inside(page: &str, tag: &str) -> Vec<String> {
     let (open, close) = (format!("<{tag}"), format!("</{tag}>"));
     let each = page.split(&open).skip(1).filter_map(|rest| {

@@ -1,4 +1,4 @@
-//! What stands beside a change in time.
+//! Events near a change in time.
 
 use dolmen_project::WorkKind;
 use dolmen_words::messages;
@@ -13,7 +13,7 @@ messages! {
     }
 }
 
-/// The work between two days that may be the cause of what was found: an event before work on the sensors.
+/// The work between two days that may have caused a change; events precede work on sensors.
 pub(super) fn cause(answer: &WatchAnswer, [from, to]: [f64; 2]) -> Cause {
     let within = |kind: WorkKind| {
         let mut all = answer.works.iter().enumerate();

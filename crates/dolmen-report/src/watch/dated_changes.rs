@@ -1,4 +1,4 @@
-//! Steps and changes of slope of a trend, with the surveys between which they came.
+//! Steps and changes of slope of a trend, with the surveys before and after them.
 
 use super::cause::{Cause, cause};
 use crate::document::{Finding, Tone};
@@ -8,21 +8,21 @@ use dolmen_work::watched::WatchAnswer;
 
 /// A change of a trend.
 pub(super) struct DatedChange<'a> {
-    /// Its place among those of the trend.
+    /// Index among the changes of the trend.
     pub(super) at: usize,
     /// The change.
     pub(super) of: &'a TiltChange,
-    /// The survey at which it is.
+    /// The survey of the change.
     pub(super) about: String,
-    /// It came after this survey,
+    /// The survey before it.
     pub(super) after: String,
-    /// and before this one.
+    /// The survey after it.
     pub(super) before: String,
     /// The work between both.
     pub(super) cause: Cause,
 }
 
-/// Sentences about each change of a trend: `survey` gives the survey of a reading.
+/// Sentences about each change of a trend; `survey` gives the survey of a reading.
 pub(super) fn changes_said<S: Into<Sentence>>(
     answer: &WatchAnswer,
     trend: &TiltTrend,

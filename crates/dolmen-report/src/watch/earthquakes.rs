@@ -1,4 +1,4 @@
-//! Earthquakes that the structure felt.
+//! Earthquakes at the structure.
 
 use super::numbers::percent;
 use crate::document::{Finding, Tone};
@@ -24,7 +24,7 @@ messages! {
     }
 }
 
-/// Earthquakes, those that nobody answered first.
+/// Earthquakes, those without a later inspection first.
 pub(super) fn earthquakes(answer: &WatchAnswer) -> Vec<Finding> {
     let said = |of: &WatchedEarthquake| {
         let survey = of.survey.clone();

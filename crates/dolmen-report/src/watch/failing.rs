@@ -1,4 +1,4 @@
-//! Sensors that fail, in plain words.
+//! Findings on failing sensors.
 
 use crate::document::{Finding, Tone};
 use dolmen_words::{Sentence, messages};
@@ -37,7 +37,7 @@ messages! {
     }
 }
 
-/// What is wrong, now and before.
+/// The fault, present and past.
 fn words(fault: SensorFault) -> [Failing; 2] {
     match fault {
         SensorFault::Dead => [Failing::Dead, Failing::WasDead],

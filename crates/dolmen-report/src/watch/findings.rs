@@ -1,4 +1,4 @@
-//! What a history says in plain words.
+//! Findings of a history.
 
 use super::cause::{Cause, cause};
 use super::earthquakes::earthquakes;
@@ -14,13 +14,12 @@ use super::unsearched::{is_far, unsearched};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown, WorkEffect};
 use dolmen::numeric::quantile;
-use dolmen_project::WorkKind;
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Quantity, Sentence, Values, messages};
 use dolmen_work::watched::WatchAnswer;
 use std::collections::BTreeSet;
 
-/// Changes that get a finding each; the others are counted.
+/// Number of changes with their own finding; the others are counted.
 const TOLD_MOST: usize = 4;
 
 messages! {
@@ -139,9 +138,9 @@ pub(super) fn chance(p: f64) -> Sentence {
     }
 }
 
-/// The findings: alarms, changes, what could have been missed, tilts, what is doubtful.
+/// The findings: alarms, changes, changes that could have been missed, tilts, doubts.
 pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
-    // no alarm is no good news where something changed and nobody answered it
+    // no alarm is not good news if there was a change without a response
     let mut all = earthquakes(answer);
     all.extend(lost(answer));
     all.extend(model_apart(answer));
@@ -153,7 +152,7 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
         false => (Vec::new(), alarms),
     };
     all.extend(before);
-    // a date for a limit decides more than what changed
+    // the date at which a limit is reached matters more than past changes
     let tilts = &answer.watched.tilts;
     let tilted = tilts
         .iter()
@@ -192,7 +191,7 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
             why: why.clone(),
         });
     all.extend(without.map(|said| Finding::key(Tone::Warn, said)));
-    // what calls for somebody stands first, whatever else is well
+    // findings that require action come first
     all.sort_by_key(|of| of.tone != Tone::Bad);
     let has_interval = all
         .iter()
@@ -220,7 +219,7 @@ fn mode_hz(answer: &WatchAnswer, mode: usize) -> Quantity {
     )
 }
 
-/// Whether the last surveys say too little of the modes, or a repair loosened something: no alarm is no good news then.
+/// Whether the last surveys have too few data on the modes, or a repair loosened something, so that "no alarm" is not good news.
 fn is_doubtful(answer: &WatchAnswer) -> bool {
     let mut effects = answer.watched.modes.iter().flat_map(|mode| &mode.works);
     !answer.watched.lost.is_empty() || last_survey(answer).is_some() || effects.any(loosens)
@@ -229,22 +228,6 @@ fn is_doubtful(answer: &WatchAnswer) -> bool {
 /// Whether a frequency fell with a repair.
 fn loosens(effect: &WorkEffect) -> bool {
     effect.ratio < -FALLS_FROM * effect.sd
-}
-
-/// Whether a repair followed each survey that raised an alarm.
-fn is_mended(answer: &WatchAnswer) -> bool {
-    let mut alarms = answer.watched.alarms.iter();
-    alarms.all(|alarm| {
-        let since = answer
-            .surveys
-            .get(alarm.alarm.survey)
-            .map_or(0.0, |survey| survey.day);
-        let mut repairs = answer
-            .works
-            .iter()
-            .filter(|(_, work)| work.kind == WorkKind::Repair);
-        repairs.any(|(day, _)| *day >= since && !answer.is_far_ahead(*day))
-    })
 }
 
 fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
@@ -266,7 +249,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
                     true => Tone::Plain,
                     false => Tone::Good,
                 };
-                let finding = match is_mended(answer) {
+                let finding = match answer.is_mended() {
                     true => Finding::key(tone, Found::NoOpenAlarm { answered, last }),
                     false => Finding::key(Tone::Warn, Found::AnsweredNotMended { answered, last }),
                 };
@@ -288,7 +271,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
             confirmed: name(answer, first.alarm.survey),
         },
     )];
-    // those of one day are one
+    // changes of one day are one
     let days: BTreeSet<usize> = open.iter().map(|alarm| alarm.alarm.survey).collect();
     if days.len() > 1 {
         let count = days.len() - 1;
@@ -328,7 +311,7 @@ fn far_ahead(answer: &WatchAnswer) -> Vec<Finding> {
     said.map(|said| Finding::key(Tone::Warn, said)).collect()
 }
 
-/// Standard deviations by which a frequency falls with a repair from which that stands first. Chosen here.
+/// Number of standard deviations by which a frequency falls at a repair from which that comes first. Our choice.
 const FALLS_FROM: f64 = 3.0;
 
 fn changes(answer: &WatchAnswer) -> Vec<Finding> {
@@ -374,7 +357,7 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
             true => Finding::key(Tone::Good, said),
             false => Finding::new(Tone::Plain, said),
         };
-        // the weather of the last survey is not known, or of no other: how far it is off all others says something all the same
+        // the weather of the last survey is unknown or unique, but its difference from the others is still informative
         let apart = match last_survey(answer).is_some() {
             true => last_apart(answer),
             false => Vec::new(),
@@ -430,13 +413,13 @@ fn finding_of_change(answer: &WatchAnswer, mode: &WatchedMode, change: &WatchedC
     }
 }
 
-/// An event, or work on the sensors, that the interval of the date holds.
+/// An event, or work on the sensors, within the interval of the date.
 fn event(answer: &WatchAnswer, change: &WatchedChange) -> Cause {
     let day = |survey: usize| answer.surveys.get(survey).map_or(f64::NAN, |survey| survey.day);
     cause(answer, [day(change.after), day(change.before)])
 }
 
-/// Surveys that stand alone with a mode.
+/// Isolated surveys of a mode.
 fn alone(answer: &WatchAnswer) -> Vec<Finding> {
     let each = answer.watched.modes.iter().flat_map(|mode| {
         let read = |survey: usize| {
@@ -538,7 +521,7 @@ fn sensors(answer: &WatchAnswer) -> Vec<Finding> {
             of.began_hz.is_some() && own.is_some_and(|own| own.track.frequency_hz == from_hz)
         })
     };
-    // those that the last surveys miss come first
+    // modes missing in the last surveys come first
     let jumped = tracked.jumped.iter().filter(|jumped| !is_lost(jumped.from_hz));
     let jumped = jumped.map(|jumped| {
         let said = Found::Jumped {

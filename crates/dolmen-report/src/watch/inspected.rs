@@ -1,4 +1,4 @@
-//! What inspections say, one after the other, in plain words.
+//! Findings of successive inspections.
 
 use super::dated_changes::changes_said;
 use super::logs::month;
@@ -12,7 +12,7 @@ use dolmen_words::{Digits, Quantity, Sentence, messages};
 use dolmen_work::inspected::{InspectionOf, WatchedDamage};
 use dolmen_work::watched::WatchAnswer;
 
-/// Damages that a sentence lists.
+/// Number of damages that a sentence lists.
 const LISTED_MOST: usize = 4;
 
 messages! {
@@ -90,7 +90,7 @@ messages! {
     }
 }
 
-/// What a damage is called, with its part.
+/// Name of a damage, with its part.
 pub(crate) fn damage_name(of: &WatchedDamage) -> Sentence {
     Inspections::Damage {
         part: of.part.clone(),
@@ -106,7 +106,7 @@ pub(super) fn size(metres: f64) -> Quantity {
     size
 }
 
-/// The findings: what reached its limit, what grows, what is new, how many there are.
+/// The findings: damages at their limit, growing, new, and their number.
 pub(super) fn inspected(answer: &WatchAnswer) -> Vec<Finding> {
     let found = &answer.inspected;
     let Some(last) = found.last() else {
@@ -172,7 +172,7 @@ fn undated(count: usize) -> Option<Finding> {
     (count > 0).then(|| Finding::key(Tone::Unknown, Inspections::Undated { count }))
 }
 
-/// How many there are, beside the inspection before.
+/// Their number, compared with the inspection before.
 fn counted(all: &[InspectionOf], last: &InspectionOf) -> Finding {
     let severe = last.rated(Some(Severity::Severe));
     let moderate = last.rated(Some(Severity::Moderate));
@@ -198,7 +198,7 @@ fn counted(all: &[InspectionOf], last: &InspectionOf) -> Finding {
     Finding::key(tone, said)
 }
 
-/// What the readings of a damage say.
+/// Findings from the readings of a damage.
 fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> String) -> Option<Finding> {
     let (read, damage) = (of.last()?, damage_name(of));
     let now = size(read.size_m);
@@ -288,7 +288,7 @@ fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> Strin
     Some(Finding::key(Tone::Warn, said))
 }
 
-/// Steps, changes of slope and readings that stand alone.
+/// Steps, changes of slope and isolated readings.
 fn changed(answer: &WatchAnswer, of: &WatchedDamage, date: &dyn Fn(usize) -> String) -> Vec<Finding> {
     let survey = |reading: usize| {
         let of = of.readings.get(reading);

@@ -1,4 +1,4 @@
-//! What the last survey says that no alarm says yet.
+//! Findings of the last survey before an alarm.
 
 use super::numbers::{HALF_95, bare_percent, hertz, name, percent, plain};
 use crate::document::{Finding, Tone};
@@ -39,7 +39,7 @@ messages! {
     }
 }
 
-/// What the last survey has off what those before it predict, where no alarm and no step of the last surveys says so.
+/// Modes of the last survey that are off their prediction, without an alarm or a step that reports it.
 pub(super) fn far_off(answer: &WatchAnswer) -> Vec<Finding> {
     let last = answer.surveys.len().saturating_sub(1);
     let is_said = |mode: usize| {
@@ -72,11 +72,11 @@ pub(super) fn far_off(answer: &WatchAnswer) -> Vec<Finding> {
         .collect()
 }
 
-/// Why the last survey was not judged, where no mode of it was.
+/// Why the last survey has no verdict, if none of its modes has one.
 pub(super) fn last_survey(answer: &WatchAnswer) -> Option<Finding> {
     let last = answer.surveys.len().checked_sub(1)?;
     if answer.watched.modes.is_empty() {
-        return None; // tilts alone are watched
+        return None; // only tilts are watched
     }
     let of_last = answer.watched.modes.iter().filter_map(|mode| {
         let found = mode.judged.judged.last()?;
@@ -86,7 +86,7 @@ pub(super) fn last_survey(answer: &WatchAnswer) -> Option<Finding> {
     for judged in of_last {
         match judged.score {
             Ok(_) => return None,
-            Err(NotJudged::Training) => return None, // said of the whole history
+            Err(NotJudged::Training) => return None, // reported for the whole history
             Err(NotJudged::NewLevel) => reason = Some(Unjudged::NewLevel),
             Err(NotJudged::NoTemperature) => reason = Some(Unjudged::NoTemperature),
             Err(NotJudged::Temperature) => {
@@ -102,7 +102,7 @@ pub(super) fn last_survey(answer: &WatchAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Unknown, Last::NotJudgedYet { last, reason }))
 }
 
-/// What the last one or two surveys alone show.
+/// Findings of only the last one or two surveys.
 pub(super) fn last_off(answer: &WatchAnswer, mode: &WatchedMode) -> Option<Finding> {
     let off = mode.last_off?;
     let said = Last::StandsOff {

@@ -1,4 +1,4 @@
-//! Logs of tilts and cracks as tables, and what of their files was left out.
+//! Logs of tilts and cracks as tables, and the rows left out of their files.
 
 use super::logs::label;
 use super::numbers::{HALF_95, logged, logged_unit, plain};
@@ -61,10 +61,10 @@ messages! {
     }
 }
 
-/// Most days that a cell names.
+/// Number of days that a cell names.
 const NAMED_MOST: usize = 6;
 
-/// The tables, and notes on what was left out.
+/// The tables, and notes on omitted rows.
 pub(super) fn put(document: &mut Document<'_>, answer: &WatchAnswer) {
     for is_tilt in [true, false] {
         let of_kind: Vec<&WatchedLog> = answer

@@ -1,4 +1,4 @@
-//! What logs of tilts and cracks say, in plain words.
+//! Findings on logs of tilts and cracks.
 
 use super::numbers::{HALF_95, bare_logged, logged, plain, slope};
 use crate::document::{Finding, Tone};
@@ -14,7 +14,7 @@ use dolmen_work::watched_log::WatchedLog;
 const YEAR_DAYS: f64 = 365.2425;
 /// Years beyond which the answer gives no date.
 const DATED_YEARS: f64 = 300.0;
-/// Probability by chance below which a shift at a work is a finding. Chosen here.
+/// Probability by chance below which a shift at a work is reported. Our choice.
 const SHIFT_BELOW: f64 = 0.01;
 
 messages! {
@@ -100,7 +100,7 @@ messages! {
     }
 }
 
-/// What a log is called.
+/// Name of a log.
 pub(crate) fn label(log: &WatchedLog) -> Both {
     match &log.part.label {
         None => log.part.name.as_str().into(),
@@ -111,7 +111,7 @@ pub(crate) fn label(log: &WatchedLog) -> Both {
     }
 }
 
-/// The findings on logs, each log its own.
+/// The findings on each log.
 pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
     let mut all = Vec::new();
     let together = answer.logged_lean().filter(|lean| lean.is_beyond());
@@ -140,12 +140,12 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
     }
     let are_together = answer.logged_lean().is_some_and(|lean| lean.limit.is_some());
     for log in &answer.logs {
-        // the limit of the structure holds for both directions together
+        // the limit of the structure applies to both directions together
         let exchanged = exchanged(log, answer);
         let has_own_limit = !(are_together && log.is_tilt() && log.part.limit.is_none());
         let silent = log.silent_since(answer.newest_day());
         let found = trend(log, has_own_limit && exchanged.is_none());
-        // what ended says nothing of today
+        // a log that ended says nothing about today
         all.push(match silent {
             Some(_) if found.tone == Tone::Good => Finding {
                 tone: Tone::Unknown,
@@ -218,7 +218,7 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
     if !log.trend.is_beyond_chance() {
         let least = logged(slope.seen_from_per_year, is_tilt, 3);
         let said = Logged::Steady { label, least, now };
-        // no slope is no good news beside a jump
+        // without a slope there is no good news if there is a jump
         return match log.trend.jump.is_some() || !log.trend.at_limit.is_empty() {
             true => Finding::new(Tone::Plain, said),
             false => Finding::key(Tone::Good, said),
@@ -264,7 +264,7 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
     }
 }
 
-/// Changes of slope, and steps of the months beside the jump.
+/// Changes of slope, and monthly steps besides the jump.
 fn changed(log: &WatchedLog) -> Vec<Finding> {
     let (is_tilt, changes) = (log.is_tilt(), &log.trend.changes);
     let now = log.trend.slope.map_or(f64::NAN, |slope| slope.per_year);
@@ -298,7 +298,7 @@ fn month_of(day: f64) -> String {
     date_text(day).chars().take("2026-11".len()).collect()
 }
 
-/// That its zero is that of a sensor before: what it reads now is not how far it has come.
+/// Finding that its zero belongs to an earlier sensor: its present reading is not the total movement.
 fn exchanged(log: &WatchedLog, answer: &WatchAnswer) -> Option<Finding> {
     let shifted = log
         .trend
@@ -318,7 +318,7 @@ fn exchanged(log: &WatchedLog, answer: &WatchAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said))
 }
 
-/// That it was at its limit, and is not now.
+/// Finding that it was at its limit, but is not now.
 fn was_at_limit(log: &WatchedLog) -> Option<Finding> {
     let limit = log.trend.limit.filter(|_| !log.is_beyond())?;
     let last = log.trend.at_limit.last()?;
@@ -331,7 +331,7 @@ fn was_at_limit(log: &WatchedLog) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said))
 }
 
-/// The month so many years behind a day.
+/// The month a number of years after a day.
 pub(super) fn month(last: f64, years: f64) -> Both {
     match years <= DATED_YEARS {
         true => month_of(last + years * YEAR_DAYS).into(),
@@ -342,7 +342,7 @@ pub(super) fn month(last: f64, years: f64) -> Both {
     }
 }
 
-/// The months in which a limit is reached, and the ends of their interval.
+/// The month in which a limit is reached, and the ends of its interval.
 fn reached(log: &WatchedLog, slope: &TiltSlope) -> Option<(TiltReach, [Both; 3])> {
     let (reach, [_, last]) = (slope.reach?, log.span()?);
     let month = |years: f64| month(last, years);

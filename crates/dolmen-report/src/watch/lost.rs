@@ -1,4 +1,4 @@
-//! Modes that the last surveys miss or have elsewhere, and such as wander.
+//! Modes that are missing or different in the last surveys, and modes that wander.
 
 use super::numbers::{hertz, name, percent, plain};
 use crate::document::{Finding, Tone};
@@ -32,11 +32,11 @@ messages! {
     }
 }
 
-/// Modes that the last surveys miss.
+/// Modes missing in the last surveys.
 pub(super) fn lost(answer: &WatchAnswer) -> Vec<Finding> {
     let watched = &answer.watched;
     let lost = &watched.lost;
-    // the one that is hardest to miss speaks for all
+    // the most reliable mode represents all
     let Some(least) = lost.iter().min_by(|a, b| a.chance.total_cmp(&b.chance)) else {
         return Vec::new();
     };
@@ -76,12 +76,13 @@ pub(super) fn lost(answer: &WatchAnswer) -> Vec<Finding> {
     [first].into_iter().chain(began).collect()
 }
 
-/// Correlation of neighbouring surveys, and deviations over those stated, from which a disturbance may be several steps. Chosen here.
+/// Correlation of neighbouring surveys, and ratio of the scatter to the stated deviations, from which a disturbance may be several
+/// steps. Our choice.
 const WANDERS: (f64, f64) = (0.8, 3.0);
 
-/// Modes that wander further than measurement and weather explain.
+/// Modes that wander more than measurement and weather explain.
 pub(super) fn wandering(answer: &WatchAnswer) -> Vec<Finding> {
-    // one survey far off widens what is left, and is no wandering
+    // a single survey far off increases the residual without being wandering
     let off = answer.last_far_off();
     let modes = answer.watched.modes.iter().enumerate();
     let calm = modes.filter(|(i, _)| off.iter().all(|of| of.mode != *i));
@@ -103,10 +104,10 @@ pub(super) fn wandering(answer: &WatchAnswer) -> Vec<Finding> {
     each.collect()
 }
 
-/// Deviations from the median of the surveys before it from which the last one is pointed at, where none is judged. Chosen here.
+/// Number of deviations from the median of earlier surveys from which the last one is reported, if it has no verdict. Our choice.
 const APART_FROM: f64 = 4.0;
 
-/// Modes that the last survey has elsewhere than those before it, the farthest first.
+/// Modes whose last survey differs from the earlier ones, the most different first.
 pub(super) fn last_apart(answer: &WatchAnswer) -> Vec<Finding> {
     let Some(last) = answer.surveys.len().checked_sub(1) else {
         return Vec::new();
@@ -128,7 +129,7 @@ pub(super) fn last_apart(answer: &WatchAnswer) -> Vec<Finding> {
         let usual_hz = middle(&before.iter().map(|(hz, _)| *hz).collect::<Vec<_>>());
         let off: Vec<f64> = before.iter().map(|(hz, _)| (hz - usual_hz).abs()).collect();
         let stated = middle(&before.iter().map(|(_, sd)| *sd).collect::<Vec<_>>());
-        // the normal deviation of a median of absolute deviations, and no less than what the surveys state
+        // the scaled median absolute deviation, but at least the stated deviations
         let usual_sd_hz = stated.max(1.4826 * middle(&off));
         let times = (now_hz - usual_hz).abs() / now_sd_hz.hypot(usual_sd_hz);
         if times.is_finite() && times >= APART_FROM {
@@ -149,7 +150,7 @@ pub(super) fn last_apart(answer: &WatchAnswer) -> Vec<Finding> {
         .collect()
 }
 
-/// The median; not a number of none.
+/// The median; NaN for no values.
 fn middle(values: &[f64]) -> f64 {
     quantile(values, 0.5).unwrap_or(f64::NAN)
 }

@@ -1,4 +1,4 @@
-//! The structure over the years: findings, and the section on its surveys in time.
+//! The structure over the years: findings, and the section on its surveys over time.
 
 mod cause;
 mod dated_changes;
@@ -62,7 +62,7 @@ messages! {
     }
 }
 
-/// The sentences on a history as they are written.
+/// Templates of the sentences on a history.
 pub(crate) const TEMPLATES: [&[Template]; 16] = [
     parts::Dated::TEMPLATES,
     inspected::Inspections::TEMPLATES,
@@ -82,7 +82,7 @@ pub(crate) const TEMPLATES: [&[Template]; 16] = [
     tables::Listed::TEMPLATES,
 ];
 
-/// The section on the surveys of a project in time.
+/// The section on the surveys of a project over time.
 pub(crate) fn sections(answer: &WatchAnswer) -> Document<'_> {
     let mut document = Document::default();
     document.heading(Years::Head);

@@ -1,4 +1,4 @@
-//! Numbers of a history, with the digits that they deserve.
+//! Numbers of a history, with suitable digits.
 
 use dolmen_words::{Digits, Quantity, Unit};
 use dolmen_work::watched::WatchAnswer;

@@ -1,4 +1,4 @@
-//! Which part explains a lasting change, with its date.
+//! The part that explains a lasting change, with its date.
 
 use super::numbers::name;
 use crate::change::{model_off, part_findings, part_section};
@@ -9,7 +9,7 @@ use dolmen_work::watched::WatchAnswer;
 use dolmen_work::years_parts::YearsParts;
 
 messages! {
-    /// The date of what is explained.
+    /// The date of the explained change.
     pub(crate) enum Dated in "watch.parts" {
         Step { after: String, before: String, said: Sentence } => {
             en: "The change between {after} and {before}. {said}",

@@ -55,7 +55,7 @@ messages! {
     }
 }
 
-/// The tables, those that have rows.
+/// The nonempty tables.
 pub(super) fn put(document: &mut Document<'_>, answer: &WatchAnswer) {
     for table in [modes(answer), changes(answer), alarms(answer)] {
         if !table.rows.is_empty() {

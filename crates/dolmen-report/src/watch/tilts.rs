@@ -1,4 +1,4 @@
-//! What the tilts of a structure say: beyond their limit, jumped, growing.
+//! Findings on the tilts of a structure: beyond their limit, jumped, growing.
 
 use super::dated_changes::changes_said;
 use super::numbers::{HALF_95, name, plain, slope};
@@ -65,7 +65,7 @@ messages! {
     }
 }
 
-/// Leans beyond their limit, which the exit status and every list count alike; and when several directions together reach it.
+/// Leans beyond their limit, counted as in the exit status and in lists; and the date at which several directions together reach it.
 pub(super) fn leans(answer: &WatchAnswer) -> Vec<Finding> {
     let each = answer.leans().into_iter().filter_map(|lean| {
         let (now, limit) = (slope(lean.size, 2), slope(lean.limit?.abs(), 2));
@@ -117,7 +117,7 @@ fn trends<'a>(answer: &'a WatchAnswer, lean: &'a LeanNow) -> impl Iterator<Item 
     })
 }
 
-/// Whether the limit holds for this direction together with another one.
+/// Whether the limit applies to this direction together with another one.
 fn is_of_several(answer: &WatchAnswer, trend: &TiltTrend) -> bool {
     let own = &trend.series;
     answer.leans().iter().any(|lean| {
@@ -125,7 +125,7 @@ fn is_of_several(answer: &WatchAnswer, trend: &TiltTrend) -> bool {
     })
 }
 
-/// The direction of a tilt, with its datum where others of the direction have another.
+/// The direction of a tilt, with its datum if others of the direction have another.
 fn direction_of(answer: &WatchAnswer, trend: &TiltTrend) -> String {
     let own = &trend.series;
     let others = answer.watched.tilts.iter().map(|other| &other.series);
@@ -142,7 +142,7 @@ fn survey(answer: &WatchAnswer, trend: &TiltTrend, reading: usize) -> String {
     of.map_or_else(String::new, |of| name(answer, of))
 }
 
-/// Readings that stand alone.
+/// Isolated readings.
 pub(super) fn stands_alone(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
     let each = trend.outliers.iter().map(|of| Tilted::TiltAlone {
         direction: direction_of(answer, trend),
@@ -157,7 +157,7 @@ pub(super) fn stands_alone(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Findi
 pub(super) fn changed(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
     let direction = direction_of(answer, trend);
     let now = trend.slope.map_or(f64::NAN, |slope| slope.per_year);
-    // the slope since a change is that of today less what came later
+    // the slope after a change is that of today minus later changes
     let since = |from: usize| {
         let later = trend.changes.iter().skip(from + 1);
         let bends = later.filter(|of| of.form == ChangeForm::Slope);
@@ -194,13 +194,13 @@ pub(super) fn changed(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
     all
 }
 
-/// When a tilt whose sign is in question reaches its limit, if it goes away from the vertical.
+/// When a tilt of uncertain sign reaches its limit, if it moves away from the vertical.
 fn either_sign(trend: &TiltTrend, direction: &str) -> Option<Tilted> {
     let found = trend
         .slope
         .filter(|_| trend.is_sign_in_question() && trend.is_beyond_chance())?;
     let (limit, yearly) = (found.reach?.limit.abs(), found.per_year.abs());
-    // the fit takes the readings behind the step along the slope before it
+    // the fit shifts the readings after the step along the slope before it
     let last = trend.series.ratios.last().map_or(0.0, |ratio| ratio.abs());
     let left = limit - found.now.abs().max(last);
     let years = left / yearly;
@@ -212,7 +212,7 @@ fn either_sign(trend: &TiltTrend, direction: &str) -> Option<Tilted> {
     })
 }
 
-/// When a tilt whose mark is new reaches its limit, at the slope of the mark before it.
+/// When a tilt with a new mark reaches its limit, at the slope of the mark before it.
 fn carried(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
     let found = trend.carried.filter(|_| !is_of_several(answer, trend))?;
     let reach = found.reach?;
@@ -231,7 +231,7 @@ fn carried(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said))
 }
 
-/// What repairs did to a tilt.
+/// Effect of repairs on a tilt.
 pub(super) fn worked(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
     let each = trend.works.iter().filter_map(|of| {
         let (_, work) = answer.works.get(of.work)?;
@@ -253,7 +253,7 @@ pub(super) fn reaches(answer: &WatchAnswer, trend: &TiltTrend) -> bool {
     !is_ended && reach.is_some_and(|reach| reach.years.is_some() && reach.years_earliest.is_some())
 }
 
-/// What the readings of a tilt say of its years.
+/// Findings from the readings of a tilt over the years.
 pub(super) fn tilt(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
     if let Some(said) = carried(answer, trend) {
         return Some(said);
@@ -262,7 +262,7 @@ pub(super) fn tilt(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
     let direction = direction_of(answer, trend);
     let is_ended = answer.is_replaced(&trend.series) || is_of_several(answer, trend);
     let (yearly, half) = (slope(found.per_year, 3), slope(HALF_95 * found.sd_per_year, 3));
-    // the datum that took its place says what will be; so do both directions together, where the limit holds for both
+    // if a newer datum exists, it determines the forecast; so do both directions together, if the limit applies to both
     if let Some(reach) = found.reach.filter(|_| !is_ended)
         && let (Some(years), Some(earliest)) = (reach.years, reach.years_earliest)
     {

@@ -1,4 +1,4 @@
-//! Surveys that take part in the search for changes with a doubt, or not at all, for want of a temperature.
+//! Surveys that are doubtful in the search for changes, or left out, because they have no temperature.
 
 use super::numbers::{hertz, name, percent, plain};
 use crate::document::{Finding, Tone};
@@ -22,12 +22,12 @@ messages! {
     }
 }
 
-/// Scatters of the other surveys from which those left out are far off. Chosen here, as for a last survey that was not judged.
+/// Surveys left out are far off from this multiple of the scatter of the others. Our choice, as for a last survey without a verdict.
 const FAR_FROM: f64 = 4.0;
-/// A deviation of normal values over their median absolute deviation.
+/// Ratio of the standard deviation to the median absolute deviation of normal values.
 const OF_MEDIAN: f64 = 1.4826;
 
-/// What surveys that were left out have of a mode, against the others.
+/// A mode in the surveys left out, compared with the others.
 struct LeftOut {
     frequency_hz: f64,
     ratio: f64,
@@ -59,19 +59,19 @@ impl LeftOut {
     }
 }
 
-/// The mode that surveys left out of the search have farthest from the others.
+/// The mode that differs most between the surveys left out and the others.
 fn farthest(answer: &WatchAnswer) -> Option<LeftOut> {
     let modes = answer.watched.modes.iter();
     let each = modes.filter_map(|mode| LeftOut::of(answer, mode));
     each.max_by(|a, b| a.times.total_cmp(&b.times))
 }
 
-/// Whether surveys that were left out lie far off the others: no change found is no good news then.
+/// Whether surveys left out are far off the others, so that "no change found" is not good news.
 pub(super) fn is_far(answer: &WatchAnswer) -> bool {
     farthest(answer).is_some_and(|of| of.times >= FAR_FROM)
 }
 
-/// The surveys whose temperature is that of their time of the year, and those that were left out, with what they show.
+/// The surveys with an estimated seasonal temperature, and those left out, with their results.
 pub(super) fn unsearched(answer: &WatchAnswer) -> Vec<Finding> {
     let surveys = |of: fn(&WatchedMode) -> &Vec<usize>| -> BTreeSet<usize> {
         answer.watched.modes.iter().flat_map(of).copied().collect()

@@ -1,4 +1,4 @@
-//! What an answer says of a building in histories of the wind: how it moved, beside the mean square.
+//! Histories of a building in the wind: its motion, compared with the mean square.
 
 mod said;
 mod shown;
@@ -7,5 +7,5 @@ pub use shown::wind_simulation_text;
 
 use dolmen_words::Template;
 
-/// The sentences on histories of the wind as they are written.
+/// Templates of the sentences on histories of the wind.
 pub(crate) const TEMPLATES: [&[Template]; 2] = [said::Blew::TEMPLATES, shown::Histories::TEMPLATES];

@@ -1,4 +1,4 @@
-//! How a building moved in histories of the wind, in sentences.
+//! Sentences on the motion of a building in histories of the wind.
 
 use crate::building::{axis_words, floor_words, millimetres, significant, slender, stroke_words};
 use crate::document::{Finding, Tone};
@@ -69,7 +69,7 @@ messages! {
     }
 }
 
-/// How it moved, the worst first.
+/// The response, the worst first.
 pub(super) fn findings(run: &WindSimulation) -> Vec<Finding> {
     let mut all = Vec::new();
     if let Some(variant) = version_name(run.variant.as_deref(), run.variant_title.as_ref()) {

@@ -72,7 +72,7 @@ messages! {
     }
 }
 
-/// How it moved; in full every value, and the first history.
+/// The response; in full every value, and the first history.
 pub fn wind_simulation_text(run: &WindSimulation, style: TextStyle) -> String {
     let found = findings_text(&findings(run), style);
     match style.is_full {

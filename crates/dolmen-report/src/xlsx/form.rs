@@ -1,4 +1,4 @@
-//! The form of the six-factor score as a sheet that is filled and read back.
+//! The form of the six-factor score as a sheet to fill in and read back.
 
 use super::fault::WorkbookFault;
 use super::properties::properties;
@@ -8,7 +8,7 @@ use crate::score::{Form, form};
 use dolmen_words::{Language, Sentence};
 use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
-/// The ground of the cells that are filled.
+/// Fill of the cells for input.
 const FILLED: Color = Color::RGB(0x00FF_F6DB);
 /// Widths of the columns, in characters: key, what, unit, value, remark.
 const WIDTHS: [f64; 5] = [24.0, 58.0, 8.0, 16.0, 40.0];
@@ -44,7 +44,7 @@ pub fn score_form_workbook(language: Language, imprint: &Imprint) -> Result<Vec<
     Ok(book.save_to_buffer()?)
 }
 
-/// A line of words over all columns; gives the row behind it.
+/// A line of text over all columns; returns the next row.
 fn said(sheet: &mut Worksheet, row: u32, words: &str) -> Result<u32, XlsxError> {
     let format = Format::new().set_text_wrap().set_align(FormatAlign::Top);
     sheet.merge_range(row, 0, row, 4, words, &format)?;

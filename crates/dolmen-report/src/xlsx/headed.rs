@@ -1,11 +1,11 @@
-//! A table with what stands around it, and words for its cells.
+//! A table with its context, and words for its cells.
 
 use super::words::Workbook;
 use crate::document::{Cell, Table};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence};
 
-/// A table, the head under which it stands, and what its section warns of before it.
+/// A table, the heading above it, and the warnings of its section.
 pub(crate) struct Headed {
     pub(crate) head: Sentence,
     pub(crate) warnings: Vec<Sentence>,
@@ -13,7 +13,7 @@ pub(crate) struct Headed {
 }
 
 impl Headed {
-    /// What the table shows, in one line.
+    /// The caption of the table in one line.
     pub(super) fn caption_text(&self, language: Language) -> String {
         let each: Vec<String> = self.table.caption.iter().map(|one| one.text(language)).collect();
         each.join(" ")

@@ -1,4 +1,4 @@
-//! What was given, as tables.
+//! Inputs as tables.
 
 use super::headed::{Headed, verbatim};
 use super::words::Workbook;
@@ -12,10 +12,10 @@ use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit};
 use dolmen_work::answer::ProjectReport;
 
-/// Digits of a value as the project file may have written it.
+/// Digits of a value from the project file.
 const DIGITS: usize = 6;
 
-/// The inputs, then those of each variant that differ, then the surveys.
+/// The inputs, then the different ones of each variant, then the surveys.
 pub(crate) fn inputs_tables(answer: &ProjectReport, own: &[&Input]) -> Vec<Headed> {
     let headed = |caption: Sentence, inputs: &[&Input]| Headed {
         head: Workbook::Inputs {}.into(),

@@ -1,4 +1,4 @@
-//! A report as a workbook for Excel and LibreOffice: a summary, and every table on a sheet of its own with its numbers as numbers.
+//! A report as a workbook for Excel and LibreOffice: a summary, and each table on its own sheet with numeric cells.
 
 mod fault;
 mod form;
@@ -25,9 +25,9 @@ use summary::{Listed, Summary};
 
 /// The report on one or more projects as the bytes of an XLSX file.
 ///
-/// The first sheet holds the headlines and findings and lists the other sheets: the inputs and every table of the report, one a sheet. Numbers
-/// stand at full precision in the unit of their column and are formatted with the digits that the page shows; a standard deviation has a column
-/// of its own. Figures are left to the page. The same input gives the same bytes.
+/// The first sheet contains the headlines and findings and lists the other sheets: the inputs and every table of the report, one per sheet.
+/// Numbers have full precision in the unit of their column, with a number format for the digits of the page; a standard deviation has its own
+/// column. Figures are left out. The same input gives the same bytes.
 ///
 /// # Errors
 /// If the writer refuses, as for more rows than a sheet holds (1,048,576).
@@ -40,7 +40,7 @@ pub fn workbook(
     let mut book = Book::new();
     let styles = Styles::new();
     book.set_properties(&properties(answers, language, imprint)?);
-    // the summary stands first, and is written when the sheets that it lists are there
+    // the summary comes first, but is written last, when its list of sheets is complete
     let summary_name = Summary::sheet_name(language);
     book.add_worksheet().set_name(&summary_name)?;
     let mut summary = Summary::new(answers, others, imprint);
@@ -62,7 +62,7 @@ pub fn workbook(
     Ok(book.save_to_buffer()?)
 }
 
-/// "3 Joints": at most 31 characters, none that Excel refuses, no two the same.
+/// "3 Joints": at most 31 characters, without those that Excel refuses, unique.
 fn sheet_name(number: usize, head: &str) -> String {
     const CHARACTERS_MOST: usize = 31;
     let allowed = head

@@ -7,7 +7,7 @@ use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, XlsxError};
 
-/// Excel keeps a date in every file; this one stands where none is given, so that the same input gives the same bytes.
+/// Excel requires a date in every file; this is the default, so that the same input gives the same bytes.
 const NO_DATE: (u16, u8, u8) = (2000, 1, 1);
 
 pub(super) fn properties(

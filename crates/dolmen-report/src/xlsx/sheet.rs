@@ -8,15 +8,14 @@ use dolmen_words::{Language, Quantity, Sentence};
 use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Url, Worksheet, XlsxError};
 use unicode_width::UnicodeWidthStr;
 
-/// Most characters that a cell of Excel holds.
+/// Largest number of characters in an Excel cell.
 const CHARACTERS_MOST: usize = 32_767;
 /// Widths of columns, in characters.
 const WIDTH_LEAST: usize = 8;
 const WIDTH_MOST: usize = 60;
 
-/// What falls or must not be used, as on the page.
+/// Colour of values that indicate a fall or must not be used, as on the page.
 const BAD: Color = Color::RGB(0x00B3_261E);
-/// The ground of heads.
 const HEAD_GROUND: Color = Color::RGB(0x00EE_F1F4);
 
 /// The formats of a workbook.
@@ -67,7 +66,7 @@ impl Styles {
         }
     }
 
-    /// Of words in a column: beside numbers they stand as numbers do.
+    /// The format of words in a column: aligned like numbers if the column has some.
     fn words_in(&self, column: &Column) -> &Format {
         match column.is_words {
             true => &self.words,
@@ -82,7 +81,7 @@ enum Shown<'a> {
     Deviation(usize, &'a Column),
 }
 
-/// Writes the caption, the heads with their units, and the rows.
+/// Writes the caption, the headings with units, and the rows.
 pub(super) fn write_table(
     sheet: &mut Worksheet,
     headed: &Headed,
@@ -134,7 +133,7 @@ pub(super) fn write_table(
     Ok(())
 }
 
-/// The columns, and behind each that holds deviations one for them.
+/// The columns, each followed by one for its deviations if it has any.
 fn shown(headed: &Headed) -> Vec<Shown<'_>> {
     let table = &headed.table;
     let mut all = Vec::new();
@@ -166,7 +165,7 @@ fn quantity(cell: &Cell) -> Option<&Quantity> {
     }
 }
 
-/// The head and the cells of a column as they are read.
+/// The heading and the cells of a column as text.
 fn texts(shown: &Shown<'_>, headed: &Headed, language: Language) -> Vec<String> {
     let cells = headed.table.rows.iter().map(|row| match shown {
         Shown::Value(column, _) => row.get(*column).map(|cell| cell.text(language)),
@@ -176,14 +175,14 @@ fn texts(shown: &Shown<'_>, headed: &Headed, language: Language) -> Vec<String> 
     head.chain(cells.map(Option::unwrap_or_default)).collect()
 }
 
-/// A column holds its cells and, in two lines, its head.
+/// Width for the cells and a heading of two lines.
 fn column_width(texts: &[String]) -> usize {
     let head = texts.first().map_or(0, |head| head.width().div_ceil(2));
     let cells = texts.iter().skip(1).map(|text| text.width()).max();
     (cells.unwrap_or(0).max(head) + 3).clamp(WIDTH_LEAST, WIDTH_MOST)
 }
 
-/// Lines that a text takes in a column; words at the ends of lines leave room.
+/// Number of lines of a text in a column; wrapped words leave space at line ends.
 pub(super) fn lines_of(text: &str, width: usize) -> usize {
     let room = width.saturating_sub(3).max(1);
     text.width().div_ceil(room).max(1)
@@ -201,7 +200,7 @@ pub(super) fn characters(count: usize) -> f64 {
     u32::try_from(count).map_or(f64::from(u32::MAX), f64::from)
 }
 
-/// Writes a cell; words in the language and format of its column.
+/// Writes a cell, with words in the language and format of its column.
 fn write_cell(
     sheet: &mut Worksheet,
     at: (u32, u16),
@@ -243,7 +242,7 @@ fn write_cell(
     }
 }
 
-/// A change as the page writes it, "+1.38": a number with the digits that are shown.
+/// A change as on the page, "+1.38": a number with the shown digits.
 fn signed_number(text: &str) -> Option<f64> {
     let is_signed = text.starts_with(['+', '−']);
     let value = is_signed.then(|| text.replace('−', "-").parse::<f64>().ok());
@@ -269,7 +268,7 @@ fn write_deviation(
     Ok(())
 }
 
-/// The digits that the page shows, as Excel writes them: "0.000".
+/// The number format of Excel for the digits of the page: "0.000".
 fn number_format(cell: &Cell, quantity: &Quantity) -> String {
     let digits = decimals(&quantity.number());
     match cell {
@@ -278,7 +277,7 @@ fn number_format(cell: &Cell, quantity: &Quantity) -> String {
     }
 }
 
-/// As many digits behind the point as a text shows, the last of "1.88 ± 0.04".
+/// As many digits after the point as the last number of a text, such as "1.88 ± 0.04".
 fn decimals(text: &str) -> String {
     let last = text.rsplit(' ').next().unwrap_or_default();
     let is_plain = last.chars().all(|c| c.is_ascii_digit() || ".+-−".contains(c));
@@ -289,7 +288,7 @@ fn decimals(text: &str) -> String {
     }
 }
 
-/// Writes words, never as a formula; what no cell holds is cut.
+/// Writes text, never as a formula, cut to the cell limit.
 pub(super) fn write_words(
     sheet: &mut Worksheet,
     at: (u32, u16),
@@ -302,7 +301,7 @@ pub(super) fn write_words(
         .map(|_| ())
 }
 
-/// The value of a cell as a workbook holds it: in the unit in which it is shown.
+/// The value of a cell in its displayed unit.
 fn shown_value(quantity: &Quantity) -> f64 {
     quantity.value_si * quantity.unit.factor
 }

@@ -1,4 +1,4 @@
-//! The first sheet: the headline and findings of each project, and the sheets that follow.
+//! The first sheet: the headline and findings of each project, and the list of sheets.
 
 use super::sheet::{Styles, characters, lines_of, row_height, write_words};
 use super::words::Workbook;
@@ -11,20 +11,20 @@ use rust_xlsxwriter::{Url, Worksheet, XlsxError};
 /// Widths of the two columns, in characters.
 const WIDTHS: [usize; 2] = [36, 110];
 
-/// A sheet and what it shows.
+/// A sheet and its caption.
 pub(super) struct Listed {
     pub(super) sheet: String,
     pub(super) caption: String,
 }
 
-/// What the first sheet says.
+/// Content of the first sheet.
 pub(super) struct Summary<'a> {
     projects: Vec<(&'a ProjectReport, Vec<Listed>)>,
     others: &'a [NotReported],
     imprint: &'a Imprint,
 }
 
-/// The name of the one project, or of all.
+/// The name of the only project, or a title for all.
 pub(super) fn title(answers: &[ProjectReport], language: Language) -> String {
     match answers {
         [one] => project_name(one, language).to_owned(),
@@ -84,14 +84,14 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// Words of several lines in the wide column.
+/// Text of several lines in the wide column.
 fn write_long(sheet: &mut Worksheet, row: u32, words: &str, styles: &Styles) -> Result<(), XlsxError> {
     write_words(sheet, (row, 1), words, &styles.words)?;
     sheet.set_row_height(row, row_height(lines_of(words, WIDTHS[1])))?;
     Ok(())
 }
 
-/// The name, the headline and the findings; the next free row.
+/// The name, the headline and the findings; returns the next free row.
 fn project(
     sheet: &mut Worksheet,
     first: u32,
@@ -120,7 +120,7 @@ fn project(
     Ok(row + 1)
 }
 
-/// The sheets with their captions; the next free row.
+/// The sheets with their captions; returns the next free row.
 fn list(
     sheet: &mut Worksheet,
     first: u32,

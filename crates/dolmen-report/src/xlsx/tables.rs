@@ -1,4 +1,4 @@
-//! The tables of a report in the order in which they are read.
+//! The tables of a report in reading order.
 
 use super::headed::{Headed, verbatim};
 use super::inputs::inputs_tables;
@@ -10,7 +10,7 @@ use dolmen_words::message::Both;
 use dolmen_words::{Sentence, Unit};
 use dolmen_work::answer::ProjectReport;
 
-/// Those of inputs, then those of the document.
+/// The tables of inputs, then those of the document.
 pub(super) fn tables(answer: &ProjectReport) -> Vec<Headed> {
     let mut all = inputs_tables(answer, &answer.project.inputs());
     let mut head: Sentence = Workbook::Summary {}.into();
@@ -52,7 +52,7 @@ pub(super) fn tables(answer: &ProjectReport) -> Vec<Headed> {
     all
 }
 
-/// A block that is rows; `None` of words and figures.
+/// A block with rows as a table; `None` for words and figures.
 fn rows_table(head: &Sentence, block: Block<'_>) -> Option<Table> {
     let of = |heads: Vec<Framed>, rows: Vec<Vec<Cell>>| Table {
         caption: vec![head.clone()],
@@ -95,7 +95,7 @@ fn rows_table(head: &Sentence, block: Block<'_>) -> Option<Table> {
     })
 }
 
-/// A value for each of a few things: each number with the unit beside it.
+/// A few values: each number with its unit beside it.
 fn key_values(head: &Sentence, rows: Vec<(Sentence, Cell)>) -> Table {
     let row = |(key, cell): (Sentence, Cell)| {
         let unit = match &cell {

@@ -1,4 +1,4 @@
-//! What a workbook says beside what the document says.
+//! Words of a workbook in addition to those of the document.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;

@@ -1,4 +1,4 @@
-//! What bytes become which values, and which are refused with which words.
+//! Tests which bytes give which values, and which input is refused with which words.
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
 mod portfolios;

@@ -1,6 +1,6 @@
 // SOURCE     docs/score.md.
-// GOAL       Tables of designs and of structures are read to the last digit, and what is wrong is refused with line and column; a ranking says
-//            what it knows.
+// GOAL       Tables of designs and of structures are read to the last digit, and faults are refused with line and column; a ranking gives its
+//            data.
 // TOLERANCE  none.
 
 use dolmen::assess::{Fragility, Known, KnownCapacity, RankedBy};
@@ -20,7 +20,7 @@ fn exact_designs_are_what_was_written() {
     assert!(shipped.designs.len() >= 50, "{}", shipped.designs.len());
     let again = ScoreDesigns::read(shipped.csv().as_bytes()).unwrap();
     assert_eq!(again, shipped);
-    // a state that no design reached less often than a milder one
+    // no design reaches a state less often than a milder one
     for design in &shipped.designs {
         let thetas: Vec<f64> = design.states.iter().flatten().map(Fragility::theta).collect();
         assert!(
@@ -74,7 +74,7 @@ fn exact_rows_of_a_table_of_structures() {
     assert_eq!((rows[0].name.as_str(), factors.storeys), ("가", 5));
     assert_eq!((factors.slenderness_angle, factors.body_slenderness), (0.35, 3.4));
     assert!((factors.taper_rad - 9.0_f64.to_radians()).abs() < 1e-15);
-    // 2400 years, S = .22, S4: F_a 1.36, of the theory page
+    // 2400 years, S = 0.22, S4: F_a 1.36, from the theory page
     let hazard = rows[0].hazard.as_ref().unwrap();
     let [peak, rate] = *hazard.points().last().unwrap();
     assert!((peak - 0.22 * 1.36 * 9.80665).abs() < 1e-9 && (rate - 1.0 / 2400.0).abs() < 1e-15);
@@ -87,7 +87,7 @@ fn exact_rows_of_a_table_of_structures() {
     );
 }
 
-/// One list in CSV, in CP949 and as a workbook of two sheets with remarks beside it gives the same rows.
+/// One list in CSV, in CP949 and as a workbook of two sheets with remarks gives the same rows.
 #[test]
 fn agrees_korean_lists_of_every_format() {
     let csv = "번호,이름,층수,탑신 높이 (m),몸돌 세장비,체감각 (도),탑신/기단 높이비,지진구역,지반,종류,위도,경도,비고\n\
@@ -148,7 +148,7 @@ fn refuses_two_slendernesses_more_than_a_tenth_from_those_of_one_pagoda() {
         RowSource::Factors(factors) => factors,
         other => panic!("{other:?}"),
     };
-    let made = factors("").slenderness_angle; // that which the slenderness of the body makes
+    let made = factors("").slenderness_angle; // as from the slenderness of the body
     for (times, is_one) in [(0.89, false), (0.92, true), (1.08, true), (1.12, false)] {
         let found = row((times * made).to_string());
         assert_eq!(found.is_ok(), is_one, "{times}: {found:?}");
@@ -249,7 +249,7 @@ fn refuses_tables_of_structures_with_line_and_what_to_do() {
     );
 }
 
-/// Three structures whose order by DS3 is that of falls turned round.
+/// Three structures whose ranking by DS3 is the reverse of that by falls.
 fn answer() -> PortfolioAnswer {
     let known = |theta: f64, known| {
         Some(KnownCapacity {
@@ -309,7 +309,7 @@ fn holds_what_falls_alone_would_miss_is_said() {
         ("at_least", "", "")
     );
     assert_eq!(SCORE_STATES.len(), 4);
-    // the answer names a structure of which the state is not known, and does not drop it
+    // the answer names a structure with an unknown state instead of dropping it
     let mut entries = answer.entries.clone();
     entries[2].states[2] = None;
     let again = PortfolioAnswer::of("list.csv".to_owned(), 2, entries, Vec::new(), 100).unwrap();

@@ -1,7 +1,7 @@
 // SOURCE     glTF 2.0 specification (Khronos, 2021), sec. 3 and 4: binary container, accessors, animations.
-// GOAL       Words, JSON, figures and film tell a simulation alike; the film is valid and moves as the history does.
-// PARAMETERS Two blocks of 0.3 × 0.2 × 0.1 m under a pulse of 0.6 g along x, μ .3.
-// TOLERANCE  single precision in the film (6e-8 of a place); none elsewhere.
+// GOAL       Words, JSON, figures and animation describe a simulation alike; the animation is valid and moves as the history does.
+// PARAMETERS Two blocks of 0.3 × 0.2 × 0.1 m under a pulse of 0.6 g along x, μ 0.3.
+// TOLERANCE  single precision in the animation (6e-8 of a position); none elsewhere.
 
 use dolmen::assess::{DamageState, DamageThresholds, stack_damage};
 use dolmen::blocks::{ContactLaw, Outcome, Springs, simulate_springs};
@@ -68,13 +68,13 @@ fn simulation() -> StackSimulation {
     }
 }
 
-/// All that a terminal says of it, in one line.
+/// The terminal text in one line.
 fn said_of(simulation: &StackSimulation) -> String {
     let text = simulation_text(&StackRuns::of(simulation.clone()), TextStyle::plain());
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// What a terminal says of how it ended.
+/// The terminal text on its outcome.
 fn ended(simulation: &StackSimulation) -> String {
     let said = said_of(simulation);
     let (_, ended) = said.split_once("-------------------- ").unwrap();
@@ -171,7 +171,7 @@ fn holds_tables_have_a_row_a_sample_and_names_cannot_break_them() {
 fn holds_every_end_has_its_word_and_its_kind() {
     let mut simulation = simulation();
     assert_eq!(simulation.history.outcome, Outcome::Stood);
-    // half a joint's width of slip that is left is more than standing
+    // a residual slip of half a joint's width is more than standing
     let joint = &mut simulation.damage.joints[0];
     (joint.residual_slip_m, joint.residual_slip_ratio) = (0.0125, 0.0125 / 0.3);
     let slip_mm = 1e3 * joint.peak_slip_m;
@@ -186,7 +186,7 @@ fn holds_every_end_has_its_word_and_its_kind() {
         ended(&simulation)
     );
     assert_eq!(simulation_json(&simulation)["damage_state"], 3);
-    // a run that ends before the motion has no verdict but a fall
+    // a run that ends before the motion has no verdict except a fall
     let law = simulation.law.clone();
     simulation.law = ContactLaw::Springs(Springs {
         duration_s: Some(0.1),

@@ -9,7 +9,7 @@ use crate::raw::{Kept, RawFiles, hash_of_bytes, lost, packed, refuse_no_hash, un
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// Largest number of bytes in a piece. Chosen here: a server keeps a few copies of each value, and refuses a value of 1 GiB.
+/// Largest number of bytes in a piece. Our choice: a server keeps a few copies of each value, and refuses a value of 1 GiB.
 const PIECE_BYTES_MOST: usize = 4 << 20;
 
 /// Raw files on a server. They use a separate connection, because they are read together with rows, and stored before rows refer

@@ -1,4 +1,4 @@
-//! Why a fragility curve cannot be fitted, in Korean; in English the error that holds it says so.
+//! Why a fragility curve cannot be fitted, in Korean; the error has its own English text.
 
 use dolmen::assess::FragilityBound;
 

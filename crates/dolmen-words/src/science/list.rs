@@ -1,4 +1,4 @@
-//! Every error of the science.
+//! Every error of the library.
 
 use crate::message::Argument;
 use crate::sayable;
@@ -19,7 +19,7 @@ use dolmen::structure::wind::WindError;
 use dolmen_linalg::LinalgError;
 use std::error::Error;
 
-/// An error of the science as a text in both languages; `None` for any other.
+/// The text of an error of the library in both languages; `None` for any other error.
 pub fn of_the_science<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
     sayable!(
         error,

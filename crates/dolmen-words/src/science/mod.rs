@@ -1,4 +1,4 @@
-//! What the errors of the science say in Korean; in English they say it themselves.
+//! Korean texts for errors of the library, which have English texts of their own.
 
 mod assess;
 mod faults;

@@ -1,8 +1,8 @@
-//! Phrases that errors of the science hold: quantities, parts and what is allowed of them.
+//! Phrases in errors of the library: quantities, parts and their limits.
 
 use super::phrases_of_stacks::PHRASES_OF_STACKS;
 
-/// A phrase in Korean; what is none of these is a key, and stays as it is.
+/// A phrase in Korean; an unknown phrase is a key, and stays as it is.
 pub(super) fn phrase(english: &str) -> &str {
     let known = PHRASES
         .iter()
@@ -51,6 +51,14 @@ const PHRASES: &[(&str, &str)] = &[
     ("at least 5", "5 이상"),
     ("ascending", "커지는 순서"),
     ("one a point", "점마다 하나"),
+    (
+        "one that the stiffness of the designs can give",
+        "설계안의 강성으로 나올 수 있는 값",
+    ),
+    (
+        "none: the stones must be loose",
+        "없음: 접합이 없는 부재여야 한다",
+    ),
     ("above 0", "0보다 큰 수"),
     ("above 0 and finite", "0보다 큰 유한한 수"),
     ("above 0 and at most 2", "0보다 크고 2 이하인 수"),
@@ -454,7 +462,7 @@ mod tests {
         for file in rust_files(&science) {
             let text = fs::read_to_string(&file).unwrap();
             let code = text.split("#[cfg(test)]").next().unwrap_or_default();
-            // literals that go on in the next line
+            // literals that continue on the next line
             let code: String = code.split("\\\n").map(str::trim_start).collect();
             for rest in code.split(" allowed: \"").skip(1) {
                 let english = rest.split('"').next().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Phrases that errors of stacks of blocks hold, and those that they share with others.
+//! Phrases in errors of stacks of blocks, some of which other errors share.
 
 pub(super) const PHRASES_OF_STACKS: &[(&str, &str)] = &[
     ("a positive number", "양수"),

@@ -22,6 +22,7 @@ korean_of! {
         StackError::MeshPieces { count, largest, smallest } => "메시가 {count}조각이다(삼각형 {largest}개부터 {smallest}개까지). 하나만 남기거나 조각마다 석재로 나눈다";
         StackError::MeshInverted { volume_m3 } => "메시가 뒤집혀 있다. 부피가 {volume_m3:.6} m³이다. 모든 삼각형의 방향을 뒤집는다";
         StackError::MeshOverfull { volume_m3, hull_volume_m3 } => "메시가 스스로를 뚫고 지나간다. 부피 {volume_m3:.6} m³가 볼록 껍질의 {hull_volume_m3:.6} m³보다 크다. 메시를 고친다";
+        StackError::MeshHull { filled, allowed } => "석재가 볼록 껍질의 {filled:.1} %만 채운다. 흩어진 석재는 볼록 껍질로 닿으므로 {allowed:.0} % 이상이어야 한다. 볼록한 부분으로 나눈다", filled = 100.0 * filled, allowed = 100.0 * allowed;
         StackError::MeshUneven { noise_m, volume_m3, .. } => "메시의 표면이 고르지 않다(꼭짓점의 흩어짐 {noise_mm:.2} mm). 평평한 면들이 메시의 부피 {volume_m3:.5} m³를 둘러싸지 못한다. 볼록하지 않거나, 접합면을 찾기에 너무 닳았거나 휘었다. 볼록한 부분으로 나누거나, 접합면을 더 촘촘히 스캔하거나, box, frustum, 점의 입체로 입력한다", noise_mm = 1e3 * noise_m;
         StackError::JointUsed { upper, lower, used, allowed } => "'{upper}'와(과) '{lower}'의 접합면: 겹치는 면의 {used:.0} %만 평평한데 {allowed:.0} % 이상이어야 한다. 접합면을 더 촘촘히 스캔하거나 석재를 점의 입체로 입력한다", used = 100.0 * used, allowed = 100.0 * allowed;
         StackError::JointFacets { upper, lower, share, allowed } => "'{upper}'와(과) '{lower}'이(가) 여러 면에서 닿는데 가장 큰 면이 접촉 면적의 {share:.0} %이다. {allowed:.0} % 이상이어야 한다. 각 접합면의 점을 1, 0.1 또는 0.01 mm로 반올림해 한 평면에 두거나 단순한 형상으로 입력한다", share = 100.0 * share, allowed = 100.0 * allowed;

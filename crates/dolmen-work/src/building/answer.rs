@@ -9,9 +9,9 @@ use dolmen::structure::building::{BuildingModes, StoreyFall};
 use dolmen_project::{BuiltDamper, StoreyStiffnessPart};
 use dolmen_words::message::Both;
 
-/// Smallest share of the mass along x and along y in the modes shown. Chosen here: as codes require.
+/// Smallest share of the mass along x and along y in the modes shown. Our choice: as codes require.
 const MASS_SHOWN: f64 = 0.9;
-/// Fewest and most modes shown. Chosen here: sway in both directions and twist; one page.
+/// Fewest and most modes shown. Our choice: sway in both directions and torsion; one page.
 const MODES_SHOWN: [usize; 2] = [3, 12];
 
 /// A building and its check.
@@ -42,15 +42,15 @@ pub struct StandingBuilding {
     pub damped_modes: Vec<DampedMode>,
     /// Response to the spectrum of its site, without dampers; `None` without a site.
     pub spectral: Option<BuildingSpectral>,
-    /// Why there is none although there is a site.
+    /// Why there is no response although there is a site.
     pub spectral_refused: Option<String>,
     /// The same with the dampers; `None` without dampers or site.
     pub damped: Option<DampedSpectral>,
-    /// Why there is none although there are dampers and a site.
+    /// Why there is no response although there are dampers and a site.
     pub damped_refused: Option<String>,
     /// Response to the wind of the file; `None` without a wind.
     pub wind: Option<Box<BuildingWind>>,
-    /// Why there is none although there is a wind.
+    /// Why there is no response although there is a wind.
     pub wind_refused: Option<Both>,
 }
 
@@ -86,9 +86,9 @@ impl StandingBuilding {
         BeyondRoom::of(&self.dampers, strokes)
     }
 
-    /// Ratios of the response with dampers to that without, under the spectrum of the site: base shear, the top, the largest drift of a storey
-    /// at its edges, points; each along x and y. A quantity that without dampers is below a thousandth of the largest of its kind is left out.
-    /// Empty without dampers or site.
+    /// Ratios of the response with dampers to that without, under the spectrum of the site: base shear, the top, the largest drift of a
+    /// storey at its edges, points; each along x and y. Leaves out a quantity that without dampers is below a thousandth of the largest of
+    /// its kind. Empty without dampers or site.
     pub fn against_without(&self) -> Vec<Against> {
         const HARDLY: f64 = 1e-3;
         let (Some(without), Some(with)) = (&self.spectral, &self.damped) else {
@@ -125,7 +125,7 @@ impl StandingBuilding {
             ([format!("point {name}"), format!("지점 {name}")], *with, *without)
         }));
         let mut all = Vec::new();
-        // about an arm of a millimetre there is no torque
+        // an arm of less than a millimetre gives no meaningful torque
         if without.base_torque_n_m > HARDLY * shear_n[0].max(shear_n[1]) {
             all.push(Against {
                 what: ["the base torque", "밑면 비틀림 모멘트"].map(str::to_owned),
@@ -147,7 +147,7 @@ impl StandingBuilding {
     }
 }
 
-/// The weaker horizontal component over the stronger: Menun & Der Kiureghian (1998) give 0.5 to 0.85; the larger is taken.
+/// Ratio of the weaker horizontal component to the stronger: 0.5 to 0.85 in Menun & Der Kiureghian (1998); the largest is used.
 pub const MINOR_RATIO: f64 = 0.85;
 
 /// Largest responses to the spectrum of the site, modes combined by CQC, shaking along x and y by the square root of the sum of squares.
@@ -159,7 +159,8 @@ pub struct BuildingSpectral {
     pub base_shear_n: [[f64; 2]; 3],
     /// Their torque about the vertical through the centre of all mass, N·m.
     pub base_torque_n_m: f64,
-    /// The base shear along x and y in the least favourable direction of shaking, the weaker component [`MINOR_RATIO`] of the stronger.
+    /// The base shear along x and y in the least favourable direction of shaking, where the weaker component is [`MINOR_RATIO`] times
+    /// the stronger.
     pub least_favourable: [LeastFavourable; 2],
     /// Displacement of the centre of mass of each floor along x and y, m.
     pub displacement_m: Vec<[f64; 2]>,

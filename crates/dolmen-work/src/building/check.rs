@@ -123,7 +123,7 @@ fn spectrum_of(site: &SiteDemand) -> impl Fn(f64, f64) -> Result<[f64; 2], WorkE
     }
 }
 
-/// The stroke of each damper under the spectrum of the site, m; `None` without a site, or where its spectrum does not apply to these dampers.
+/// The stroke of each damper under the spectrum of the site, m; `None` without a site, or if its spectrum does not apply to these dampers.
 pub(crate) fn site_strokes_m(
     project: &Project,
     alone: &VibratingBuilding,

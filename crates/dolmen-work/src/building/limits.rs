@@ -5,7 +5,7 @@ use crate::part_limit::{Limited, Part, PartLimit};
 use dolmen::assess::demand::{DRIFT_RATIO_MOST, DriftLimit};
 use dolmen_project::{BuiltDamper, strokes_of};
 
-/// Under the spectrum of the site, with the dampers if there are any; empty where that is not computed.
+/// Under the spectrum of the site, with the dampers if there are any; empty if that is not computed.
 pub(crate) fn by_spectrum(answer: &BuildingAnswer, limit: Option<&DriftLimit>) -> Vec<PartLimit> {
     let Some(standing) = &answer.stands else {
         return Vec::new();

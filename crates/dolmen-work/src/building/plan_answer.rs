@@ -16,13 +16,13 @@ pub struct PlanAnswer {
     pub outline: Option<Outline>,
     /// Its centre of mass in plan, m.
     pub centre_of_mass_m: [f64; 2],
-    /// The stiffness that the file has.
+    /// The stiffness in the file.
     pub written: Written,
     /// Every solution.
     pub found: PlanStiffness,
-    /// Load factor λ with each solution, in the same order.
+    /// Load factor λ for each solution, in the same order.
     pub load_factors: Vec<f64>,
-    /// Whether a twist was given that was not used, because that of the other mode along x or y is missing.
+    /// Whether a given twist was not used, because that of the other mode along x or y is missing.
     pub twist_unused: bool,
     /// Bounds of the stiffness over every centre of rigidity on the floor, where the modes do not determine it.
     pub bounds: Option<PlanBounds>,

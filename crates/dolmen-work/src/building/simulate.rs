@@ -81,7 +81,7 @@ pub(crate) fn simulate(
     }))
 }
 
-/// Number of steps no longer than `step_s` in a sample of a motion.
+/// Number of steps of at most `step_s` in a sample of a motion.
 pub(crate) fn steps_per_sample(motion: &GroundMotion, step_s: f64) -> usize {
     (motion.time_step_s() / step_s * (1.0 - 1e-9)).ceil().max(1.0) as usize
 }
@@ -98,7 +98,7 @@ fn watched(building: &VibratingBuilding, part: &BuildingPart) -> Result<Vec<Vec<
     Ok(rows)
 }
 
-/// The building in time: mode by mode if all dampers are tuned masses, otherwise all coordinates together.
+/// The response of the building: mode by mode if all dampers are tuned masses, otherwise all coordinates together.
 pub(crate) fn moved(
     building: VibratingBuilding,
     dampers: &[BuiltDamper],

@@ -22,20 +22,20 @@ pub struct WatchedPoint {
     pub along: [WatchedHistory; 2],
 }
 
-/// The largest drift of a storey over its height.
+/// The largest drift ratio of a storey.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LargestDrift {
     /// The storey, from 1.
     pub storey: usize,
     /// Drift over height.
     pub ratio: f64,
-    /// Whether it is that of a corner of the floor above or, without an outline, of its centre of mass.
+    /// Whether it is at a corner of the floor above; without an outline it is at its centre of mass.
     pub at_corner: bool,
     /// The drift as a vector, its place and time.
     pub drift: ResultantDrift,
 }
 
-/// A largest value with dampers over that without.
+/// A largest value with dampers relative to that without.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Against {
     /// Its name, in English and Korean.
@@ -84,7 +84,7 @@ pub struct BuildingSimulation {
     pub variant_title: Option<Names>,
     /// Names of the floors, lowest first.
     pub floors: Vec<String>,
-    /// The building; tuned masses alone are in it, other dampers beside it.
+    /// The building, including its tuned masses if all dampers are of that kind; other dampers are separate.
     pub building: VibratingBuilding,
     /// The dampers.
     pub dampers: Vec<BuiltDamper>,
@@ -92,27 +92,27 @@ pub struct BuildingSimulation {
     pub motion: MotionAnswer,
     /// Allowable drift of storeys; `None` where the file gives none.
     pub drift_limit: Option<DriftLimit>,
-    /// What happened.
+    /// The response.
     pub history: BuildingHistory,
     /// The same without the dampers; `None` if there are none.
     pub without_dampers: Option<Box<BuildingHistory>>,
     /// Points of the file.
     pub points: Vec<WatchedPoint>,
-    /// A surveyed tilt that the run does not start from.
+    /// A surveyed tilt that is not in the start of the run.
     pub tilt_left_out: Option<TiltLeftOut>,
-    /// Whether the file gives a wind, which does not blow during a motion.
+    /// Whether the file gives a wind, which is not applied during a motion.
     pub without_wind: bool,
 }
 
 impl BuildingSimulation {
-    /// When the run ended, s, if that is before the motion did: what it shows is of that part alone.
+    /// End of the run, s, if it is before that of the motion: results then cover only that part.
     pub fn ended_before_the_motion_s(&self) -> Option<f64> {
         let history = &self.history;
         self.motion
             .cut_at_s(history.time_s(history.length().saturating_sub(1)))
     }
 
-    /// Largest drift of all storeys in any direction over the height of the storey, at a corner where the outline of the floor above is known.
+    /// Largest drift ratio of all storeys in any direction, at a corner if the outline of the floor above is known.
     pub fn drift(&self) -> LargestDrift {
         let storeys = self.building.building().storeys();
         let each = self.history.peaks.storeys.iter().zip(storeys).enumerate();
@@ -127,8 +127,8 @@ impl BuildingSimulation {
         })
     }
 
-    /// Largest values with dampers over those without: the top along x and y, the worst drift of all storeys along each, each point along
-    /// each. What hardly moves without, less than a thousandth of the largest of its kind, is left out; empty without dampers.
+    /// Largest values with dampers relative to those without: the top along x and y, the worst storey drift along each, each point along
+    /// each. Leaves out a quantity that without dampers is below a thousandth of the largest of its kind; empty without dampers.
     pub fn against_without(&self) -> Vec<Against> {
         const HARDLY: f64 = 1e-3;
         let Some(without) = &self.without_dampers else {
@@ -175,7 +175,7 @@ impl BuildingSimulation {
                 (words, shear[0][axis], shear[1][axis])
             })
             .collect());
-        // about an arm of a millimetre there is no torque
+        // an arm of less than a millimetre gives no meaningful torque
         let torque = peaks.map(|peaks| peaks.base_torque_n_m.value);
         if torque[1].abs() > HARDLY * shear[1][0].abs().max(shear[1][1].abs()) {
             let words = ["the base torque", "밑면 비틀림 모멘트"].map(str::to_owned);
@@ -238,9 +238,9 @@ impl BuildingSimulation {
         each.collect()
     }
 
-    /// Dampers at right angles to the shaking: only the twist of their floor moves them, so the run does not show their effect.
+    /// Dampers at right angles to the shaking: only the rotation of their floor moves them, so the run does not show their effect.
     pub fn across_the_motion(&self) -> Vec<&BuiltDamper> {
-        const HARDLY: f64 = 1e-6; // a turn by 90° leaves 1e-16 along an axis
+        const HARDLY: f64 = 1e-6; // a rotation by 90° leaves 1e-16 along an axis
         let motion = &self.motion.motion;
         let of = |component| match motion.has(component) {
             true => motion.acceleration_m_s2(component),

@@ -10,17 +10,18 @@ use dolmen::structure::building::{
 };
 use dolmen_project::{BuildingPart, ModeKind, Quantity, Survey, SurveyMode};
 
-/// Ratio of the stiffness between x and y to that along them below which walls stand along x and y: rounding of turned ones. Our choice.
+/// Walls count as along x and y if the ratio of the coupling stiffness to those along them is below this, the rounding of rotated walls.
+/// Our choice.
 const ALONG_AXES: f64 = 1e-9;
-/// Share of the shapes above which the sensors contradict a rigid floor: then no stiffness is computed. As for sensors that contradict each
-/// other.
+/// Share of the shapes above which the sensors contradict a rigid floor, so that no stiffness is computed. As for sensors that contradict
+/// each other.
 const UNEXPLAINED_MOST: f64 = 0.05;
 /// Relative difference within which a frequency of the file is that of the record's mode. Our choice: rounding to two digits.
 const ONE_MODE: f64 = 0.02;
 
 /// Result of a survey of a building.
 pub(crate) enum FromModes {
-    /// Stiffness, or the quantities that stay free.
+    /// Stiffness, or the undetermined quantities.
     Plan(Box<PlanAnswer>),
     /// Why no stiffness is computed.
     Without(WithoutStiffness),
@@ -176,7 +177,7 @@ fn reach_m(floor: &Floor) -> Option<[[f64; 2]; 2]> {
 }
 
 /// All modes that a survey states, ascending. Modes of kind torsion are rotations whatever their direction, and so are those of direction
-/// "torsion"; a direction of another name does not tell the motion.
+/// "torsion"; a direction with another name does not determine the motion.
 fn plan_modes(survey: &Survey) -> Vec<PlanMode> {
     let each = survey.modes.iter().flat_map(|(direction, modes)| {
         modes.iter().map(move |mode| {
@@ -204,7 +205,7 @@ fn motion(mode: &SurveyMode, direction: &str) -> Option<PlanMotion> {
     }
 }
 
-/// u, v, ρθ over the displacement along the direction of the mode.
+/// u, v, ρθ relative to the displacement along the direction of the mode.
 fn shape(mode: &SurveyMode, motion: Option<PlanMotion>) -> Option<[f64; 3]> {
     let (twist, sideways) = (mode.twist?.ratio, mode.sideways?);
     match motion? {
@@ -214,12 +215,12 @@ fn shape(mode: &SurveyMode, motion: Option<PlanMotion>) -> Option<[f64; 3]> {
     }
 }
 
-/// The stiffness of the file about its centre of rigidity; `None` where x and y couple there.
+/// The stiffness of the file about its centre of rigidity; `None` if x and y are coupled there.
 fn written(floor: &Floor, below: &Storey) -> Option<Written> {
     let centre = below.stiffness.centre_of_rigidity_m()?;
     let k = below.stiffness.matrix_about(centre);
     let couples = k[0][1].abs() > ALONG_AXES * k[0][0].max(k[1][1]);
-    // a centre of rigidity equal to that of mass within rounding counts as equal
+    // a centre of rigidity that equals the centre of mass within rounding counts as equal
     let from_mass = |axis: usize| {
         let e = centre[axis] - floor.centre_m[axis];
         if e.abs() <= ALONG_AXES * floor.gyration_m {

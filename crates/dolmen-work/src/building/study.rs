@@ -63,14 +63,14 @@ pub(crate) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion
         }
     };
     let storeys = model.building.building().storeys();
-    // as in `dolmen simulate`: at a corner where there is an outline, in any direction
+    // as in `dolmen simulate`: in any direction, at a corner if there is an outline
     let drifts = found.peaks.storeys.iter().zip(storeys);
     let drifts = drifts.map(|(peak, storey)| (peak.resultant, peak.resultant.size_m / storey.height_m));
     let worst = drifts
         .enumerate()
         .reduce(|worst, own| if own.1.1 > worst.1.1 { own } else { worst });
     let Some((storey, (drift, drift_ratio))) = worst else {
-        return run; // a building has a storey
+        return run; // a building has at least one storey
     };
     let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
     let peaks = &found.peaks;

@@ -17,7 +17,8 @@ pub enum TuneLoad {
     Gusts,
     /// White-noise acceleration of the base.
     Base,
-    /// Acceleration of the ground after Clough & Penzien, with the frequency of the soil, Hz; its damping 0.6, the second filter at a tenth.
+    /// Acceleration of the ground after Clough & Penzien, with the frequency of the soil, Hz; its damping ratio is 0.6, and the second
+    /// filter is at a tenth of its frequency.
     Ground {
         /// Of the soil, Hz.
         ground_hz: f64,
@@ -59,7 +60,7 @@ const STROKE_KEPT: f64 = 5e-4;
 /// The stroke of a damper of a row under a motion of the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowStroke {
-    /// Which row of the comparison.
+    /// Index of the row in the comparison.
     pub row: usize,
     /// The damper.
     pub damper: String,
@@ -78,7 +79,7 @@ pub struct RoomCheck {
     pub has_room: bool,
     /// Whether the file has a motion or a site.
     pub is_judged: bool,
-    /// Of every row, damper with a room, and motion.
+    /// For every row, damper with a room, and motion.
     pub strokes: Vec<RowStroke>,
 }
 
@@ -107,7 +108,7 @@ pub struct TuneAnswer {
     pub damper: String,
     /// Other dampers of the file, which are left out here.
     pub others: usize,
-    /// Upper bound on the stroke of designed dampers, over that of the file's damper.
+    /// Upper bound on the stroke of designed dampers, relative to that of the file's damper.
     pub stroke_most: Option<f64>,
     /// Relative error of the frequency that designs tolerate.
     pub off_by: f64,
@@ -140,7 +141,7 @@ pub struct TuneAnswer {
 }
 
 impl TuneAnswer {
-    /// The stroke of a row over that of the damper as in the file.
+    /// The stroke of a row relative to that of the damper in the file.
     pub fn stroke_ratio(&self, row: &Compared) -> f64 {
         let stroke = |row: &Compared| row.judged.stroke_rms_m.first().copied().unwrap_or(f64::NAN);
         stroke(row) / self.comparison.row(Choice::Given).map_or(f64::NAN, stroke)
@@ -152,12 +153,12 @@ impl TuneAnswer {
         row.end.is_some() && !self.stroke_most.is_none_or(kept)
     }
 
-    /// The quantity of the goal at each point over that without a damper: standard deviations, or largest amplitudes.
+    /// The quantity of the goal at each point relative to that without a damper: standard deviations, or largest amplitudes.
     pub fn ratios(&self, row: &Compared) -> Vec<f64> {
         self.over_without(&row.point_values)
     }
 
-    /// Values of the points over those without a damper.
+    /// Values of the points relative to those without a damper.
     pub fn over_without(&self, values: &[f64]) -> Vec<f64> {
         let each = values.iter().zip(&self.comparison.without);
         each.map(|(with, without)| with / without).collect()
@@ -179,7 +180,7 @@ impl TuneAnswer {
         Some(of(choice)? / of(than)? - 1.0)
     }
 
-    /// Relative increase of the goal where the frequency of the given damper (0) or the best one (1) is off by the factor nearest to `factor`.
+    /// Relative increase of the goal if the frequency of the given damper (0) or the best one (1) is off by the factor nearest to `factor`.
     pub fn detuned(&self, which: usize, factor: f64) -> Option<f64> {
         let curve = &self.comparison.off_frequency[which];
         let near = |of: f64| {
@@ -203,9 +204,9 @@ pub enum TogetherChoice {
     AllBut(String),
     /// All at their places, tuned together.
     TunedBest,
-    /// Masses and liquid columns with places and tunings optimised together, the rest tuned before.
+    /// Masses and liquid columns with places and tunings optimised together, other dampers as tuned alone.
     Best,
-    /// The same, with the sum of the masses shared anew.
+    /// The same, with the total mass redistributed.
     BestShared,
 }
 
@@ -227,7 +228,7 @@ impl TogetherChoice {
 /// One row of all dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TogetherRow {
-    /// Which dampers.
+    /// The choice of dampers.
     pub choice: TogetherChoice,
     /// The dampers, with their places and directions.
     pub dampers: Vec<BuiltDamper>,
@@ -262,7 +263,7 @@ pub struct TogetherAnswer {
     pub goal: Goal,
     /// Whether largest amplitudes were requested, which are not available for several dampers together.
     pub peaks_not_sought: bool,
-    /// Upper bound on the strokes of designed dampers, over those of the file's dampers.
+    /// Upper bound on the strokes of designed dampers, relative to those of the file's dampers.
     pub stroke_most: Option<f64>,
     /// Without, given, each alone, all but each, tuned, placed, shared.
     pub rows: Vec<TogetherRow>,
@@ -271,7 +272,7 @@ pub struct TogetherAnswer {
 }
 
 impl TogetherAnswer {
-    /// Dampers of a row that were designed for a bound on the stroke and exceed it, each with its stroke over that in the file.
+    /// Dampers of a row that were designed for a bound on the stroke and exceed it, each with its stroke relative to that in the file.
     pub fn beyond_stroke(&self, row: &TogetherRow) -> Vec<(String, f64)> {
         let given = self.rows.iter().find(|row| row.choice == TogetherChoice::Given);
         let (Some(most), Some(given), true) = (self.stroke_most, given, row.end.is_some()) else {
@@ -285,13 +286,13 @@ impl TogetherAnswer {
             .collect()
     }
 
-    /// Standard deviations over those without dampers.
+    /// Standard deviations relative to those without dampers.
     pub fn ratios(&self, row: &TogetherRow) -> Vec<f64> {
         let without = self.rows.first().map_or(&[][..], |row| &row.point_rms);
         row.point_rms.iter().zip(without).map(|(a, b)| a / b).collect()
     }
 
-    /// The goal over that without dampers.
+    /// The goal relative to that without dampers.
     pub fn cost_ratio(&self, row: &TogetherRow) -> f64 {
         row.cost / self.rows.first().map_or(f64::NAN, |row| row.cost)
     }

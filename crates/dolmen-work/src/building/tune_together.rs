@@ -13,7 +13,7 @@ use dolmen::structure::building::PlanDirection;
 use dolmen_project::{BuiltDamper, Project, Quantity};
 use dolmen_records::Files;
 
-/// Steps of the search for places of several dampers. Chosen here: enough for four.
+/// Steps of the search for places of several dampers. Our choice: enough for four.
 const ITERATIONS_MOST: usize = 60;
 
 /// All dampers together; `None` if there is only one mass or column.
@@ -205,7 +205,7 @@ impl TogetherProblem<'_> {
         placed(damper, site)
     }
 
-    /// Masses that resonate at the frequencies of the dampers, for the choice of frequencies of a plan.
+    /// Masses that resonate at the frequencies of the dampers, to choose the frequencies of a plan.
     fn expected(&self, damper: &BuiltDamper) -> Vec<PlacedDamper> {
         if let Some(placed) = self.placed(damper) {
             return vec![placed];

@@ -18,9 +18,9 @@ const FILTER_PART: f64 = 0.1;
 /// Options of `dolmen tune`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TuneOptions {
-    /// Name of the damper; all dampers without it.
+    /// Name of the damper; by default all dampers.
     pub damper: Option<String>,
-    /// Name of the variant; without it the file as it is, or all its variants if the file itself has no dampers.
+    /// Name of the variant; by default the file as it is, or all its variants if the file itself has no dampers.
     pub variant: Option<String>,
     /// The random load.
     pub load: TuneLoad,
@@ -30,11 +30,11 @@ pub struct TuneOptions {
     pub goal: Goal,
     /// Places of the map along each side of the floor.
     pub map: usize,
-    /// Upper bound on the stroke's standard deviation of designed dampers, over that of the damper as in the file.
+    /// Upper bound on the standard deviation of the stroke of designed dampers, relative to that of the damper in the file.
     pub stroke_most: Option<f64>,
     /// Relative error of the frequency that designs tolerate, 0.1 for 10 %.
     pub off_by: f64,
-    /// With several dampers: whether to share the sum of their masses anew.
+    /// With several dampers: whether to redistribute the sum of their masses.
     pub share_mass: bool,
 }
 
@@ -148,8 +148,8 @@ const SHAPE_LEAST: f64 = 2e-3;
 /// Smallest share of the mass in a mode along the wind for its frequency to be that of the patterns. Our choice.
 const MODE_LEAST: f64 = 0.05;
 
-/// The wind of the file along x or along y, whichever is nearer: the forces on the floors, in the patterns that are independent at the frequency
-/// of the lowest mode along it.
+/// The wind of the file along x or along y, whichever is nearer: the forces on the floors, as patterns that are independent at the
+/// frequency of the lowest mode in that direction.
 fn gusts(
     project: &Project,
     vibrating: &VibratingBuilding,

@@ -1,4 +1,4 @@
-//! A building in the wind of its file: means, standard deviations and peaks, without its dampers and with them.
+//! A building in the wind of its file: means, standard deviations and peaks, with and without its dampers.
 
 use super::StandingBuilding;
 use super::wind_answer::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, WindAlong, WindMotion};
@@ -100,7 +100,7 @@ pub(crate) fn face(
     })
 }
 
-/// Load of a force on each floor along x (0) or y (1), at this fraction of the breadth off its middle.
+/// Load of a force on each floor along x (0) or y (1), at this fraction of the breadth from its middle.
 pub(crate) fn columns(building: &Building, axis: usize, eccentricity: f64) -> Vec<Vec<f64>> {
     let each = building.floors().iter().enumerate();
     let column = |(i, floor): (usize, &dolmen::structure::building::Floor)| {
@@ -116,7 +116,6 @@ pub(crate) fn columns(building: &Building, axis: usize, eccentricity: f64) -> Ve
     each.map(column).collect()
 }
 
-/// A building and the wind on it.
 pub(crate) struct BuildingInWind<'a> {
     building: &'a Building,
     pub(crate) structure: LinearSystem,
@@ -160,7 +159,7 @@ impl<'a> BuildingInWind<'a> {
         )
     }
 
-    /// Loads of a force on each floor: at the middle of the breadth, then off it to either side.
+    /// Loads of a force on each floor: at the middle of the breadth, then eccentric to either side.
     pub(crate) fn columns(&self, axis: usize) -> Vec<Vec<Vec<f64>>> {
         let offsets = match self.eccentricity > 0.0 {
             true => vec![0.0, self.eccentricity, -self.eccentricity],

@@ -6,7 +6,7 @@ use dolmen::structure::Building;
 use dolmen::structure::wind::{Turbulence, TurbulenceSpectrum};
 use dolmen_project::BuiltDamper;
 
-/// The ten minutes of the mean, s.
+/// Duration of the mean wind, s.
 pub const WIND_DURATION_S: f64 = 600.0;
 
 /// A building in the wind, blowing along x and along y.
@@ -14,11 +14,11 @@ pub const WIND_DURATION_S: f64 = 600.0;
 pub struct BuildingWind {
     /// The spectrum of its gusts.
     pub spectrum: TurbulenceSpectrum,
-    /// Distance of the force from the middle of the breadth, over the breadth, to either side.
+    /// Distance of the force from the middle of the breadth, relative to the breadth, to either side.
     pub eccentricity: f64,
-    /// Largest peak acceleration of the top floor allowed, m/s².
+    /// Largest allowed peak acceleration of the top floor, m/s².
     pub acceleration_limit_m_s2: Option<f64>,
-    /// Largest drift of a storey allowed, over its height.
+    /// Largest allowed drift ratio of a storey.
     pub drift_limit: Option<f64>,
     /// Along x, along y.
     pub along: [WindAlong; 2],
@@ -38,7 +38,7 @@ pub struct WindAlong {
 /// The wind on a floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloorMet {
-    /// Height of the middle of the floor's share of the face, m.
+    /// Height of the middle of the floor's part of the face, m.
     pub height_m: f64,
     /// The wind there.
     pub wind: Turbulence,
@@ -53,7 +53,7 @@ pub struct FloorMet {
 pub struct WindMotion {
     /// Each floor, lowest first.
     pub floors: Vec<FloorInWind>,
-    /// Shear along the wind in the walls of the lowest storey, N, the wind at the middle of the breadth.
+    /// Shear along the wind in the walls of the lowest storey, N, with the wind at the middle of the breadth.
     pub base_shear_n: GustPeak,
     /// Their torque about the vertical through the centre of all mass, N m, the worst of both eccentricities.
     pub base_torque_n_m: GustPeak,
@@ -129,13 +129,13 @@ impl BuildingWind {
 }
 
 impl WindAlong {
-    /// Breadth across the wind, the mean of what meets the floors, m.
+    /// Breadth across the wind, the mean over the floors, m.
     pub fn breadth_m(&self) -> f64 {
         let sum: f64 = self.met.iter().map(|met| met.breadth_m).sum();
         sum / self.met.len() as f64
     }
 
-    /// With the dampers if there are any, else without.
+    /// With the dampers if there are any, otherwise without.
     pub fn as_it_is(&self) -> &WindMotion {
         self.with.as_ref().unwrap_or(&self.without)
     }

@@ -1,4 +1,4 @@
-//! `dolmen simulate --wind`: a building in histories of the wind of its file, without its dampers and with them.
+//! `dolmen simulate --wind`: a building in histories of the wind of its file, with and without its dampers.
 
 use super::wind::{BuildingInWind, wind_drift_limit};
 use super::wind_answer::WIND_DURATION_S;
@@ -19,12 +19,12 @@ const REPEATS: usize = 10;
 const STEP_MOST_S: f64 = 0.02;
 /// Fewest steps in a period of the lowest mode: spectral lines reach a quarter of the sampling rate, so eight times its frequency. Our choice.
 const STEPS_A_PERIOD: f64 = 32.0;
-/// Fewest steps in a period of the third mode, the last that sways or twists without a node: lines reach twice its frequency. Our choice.
+/// Fewest steps in a period of the third mode, the last one that sways or twists without a node: lines reach twice its frequency. Our choice.
 const STEPS_A_THIRD_PERIOD: f64 = 8.0;
 
 /// Options of the histories.
 pub(crate) struct WindOptions {
-    /// Length of each history, s; the ten minutes of the mean without it.
+    /// Length of each history, s; by default the ten minutes of the mean wind.
     pub(crate) duration_s: Option<f64>,
     /// Time between samples, s.
     pub(crate) step_s: Option<f64>,

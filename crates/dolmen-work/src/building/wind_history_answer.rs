@@ -24,11 +24,11 @@ pub struct WindSimulation {
     pub building: Building,
     /// Its dampers.
     pub dampers: Vec<BuiltDamper>,
-    /// Largest peak acceleration of the top floor allowed, m/s².
+    /// Largest allowed peak acceleration of the top floor, m/s².
     pub acceleration_limit_m_s2: Option<f64>,
-    /// Largest drift of a storey allowed, over its height.
+    /// Largest allowed drift ratio of a storey.
     pub drift_limit: Option<f64>,
-    /// Distance of the force from the middle of the breadth, over the breadth, to either side.
+    /// Distance of the force from the middle of the breadth, relative to the breadth, to either side.
     pub eccentricity: f64,
     /// Length of each history, s.
     pub duration_s: f64,
@@ -72,7 +72,7 @@ pub struct MotionInTime {
     pub strokes_m: Vec<InTime>,
 }
 
-/// A quantity in histories of the wind. Of several rows, such as those of both edges and each eccentricity, it is the one with the largest mean
+/// A quantity in histories of the wind. Where it has several rows, such as both edges and each eccentricity, the row with the largest mean
 /// peak.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InTime {
@@ -80,7 +80,7 @@ pub struct InTime {
     pub mean_square: GustPeak,
     /// Mean of the histories.
     pub mean: f64,
-    /// Standard deviation about that mean, over all histories.
+    /// Standard deviation about the mean, over all histories.
     pub rms: f64,
     /// Largest absolute value in each history.
     pub peaks: Vec<f64>,
@@ -99,7 +99,7 @@ impl InTime {
         self.peak().max(self.mean_square.peak())
     }
 
-    /// Standard deviation of the peaks; `None` of fewer than two histories.
+    /// Standard deviation of the peaks; `None` for fewer than two histories.
     pub fn peak_rms(&self) -> Option<f64> {
         variance(&self.peaks).ok().map(f64::sqrt)
     }
@@ -134,7 +134,7 @@ impl WindSimulation {
         if x.peak() >= y.peak() { (0, x) } else { (1, y) }
     }
 
-    /// The storey that drifts most over its height in the mean of the histories: the wind, the storey from 0.
+    /// The storey with the largest drift ratio in the mean of the histories: the wind, the storey from 0.
     pub fn largest_drift(&self) -> Option<DriftInTime> {
         self.drift_by(InTime::peak)
     }
@@ -207,7 +207,7 @@ impl WindSimulation {
 /// A damper that meets its stops in some histories.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Struck {
-    /// Its stroke.
+    /// Name of its stroke.
     pub name: String,
     /// Number of these histories.
     pub histories: usize,
@@ -224,6 +224,6 @@ pub struct DriftInTime {
     pub axis: usize,
     /// The storey, from 0.
     pub storey: usize,
-    /// Its peak over the height.
+    /// Its peak drift ratio.
     pub of_height: f64,
 }

@@ -1,12 +1,12 @@
-//! Quantities of a building in the wind from one side, each as the rows of which the worst counts; the same for means and mean squares and for
-//! histories.
+//! Quantities of a building in the wind from one side. Each has several rows, of which the worst counts; means, mean squares and histories
+//! use the same rows.
 
 use crate::error::WorkError;
 use dolmen::damper::{GustMotion, GustPeak, GustQuantity, GustRow};
 use dolmen::structure::Building;
 use dolmen::structure::building::{Outline, PlanDirection};
 
-/// The rows of a building; those of the first case have the wind at the middle of the breadth.
+/// The rows of a building; in those of the first case the wind acts at the middle of the breadth.
 pub(crate) struct WindRows {
     /// Each floor, lowest first.
     pub(crate) floors: Vec<FloorRows>,
@@ -16,7 +16,6 @@ pub(crate) struct WindRows {
     pub(crate) base_torque: Vec<GustRow>,
 }
 
-/// The rows of a floor.
 pub(crate) struct FloorRows {
     /// Displacement along the wind.
     pub(crate) displacement: GustRow,
@@ -100,7 +99,7 @@ pub(crate) fn worst(all: &[GustMotion], rows: &[GustRow]) -> GustPeak {
     largest(peaks)
 }
 
-/// That with the largest peak.
+/// The one with the largest peak.
 pub(crate) fn largest(all: impl Iterator<Item = GustPeak>) -> GustPeak {
     all.max_by(|a, b| a.peak().total_cmp(&b.peak()))
         .unwrap_or_default()

@@ -5,7 +5,7 @@ use super::wind_rows::{WindRows, largest};
 use dolmen::damper::{GustHistory, GustMotion, GustPeak, GustRow};
 use std::ops::Range;
 
-/// The rows of a history by quantity; of several rows the worst counts.
+/// The rows of a history by quantity; the worst of several rows counts.
 pub(super) struct RequestedRows {
     pub(super) rows: Vec<GustRow>,
     pub(super) top_displacement: Range<usize>,
@@ -124,7 +124,7 @@ impl WindOutputs {
     }
 }
 
-/// The row with the largest mean peak over the histories, beside the largest by the mean square.
+/// The row with the largest mean peak over the histories, with the largest by the mean square.
 fn worst(all: &[RowSeen]) -> InTime {
     let found = all.iter().max_by(|a, b| a.peak().total_cmp(&b.peak()));
     InTime {

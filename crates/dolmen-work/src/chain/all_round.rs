@@ -1,4 +1,4 @@
-//! A chain of two directions under a combination: wind from every side, and beds under the moments of both directions.
+//! A chain with two directions under a combination: wind from every side, and beds under the moments of both directions.
 
 use super::planes::Model;
 use crate::error::WorkError;
@@ -7,7 +7,7 @@ use dolmen::stability::{ChainUnderLoads, JointHold, JointUnderLoads};
 use dolmen::structure::Chain;
 use dolmen_project::CombinationPart;
 
-/// Number of wind directions, one for each degree. Chosen here: the beds of a rectangle are worst along their sides, which are among them.
+/// Number of wind directions, one for each degree. Our choice: the beds of a rectangle are worst along their sides, which are among them.
 const DEGREES: u32 = 360;
 
 /// Static loads alone and wind alone in one direction; the response is linear in both.
@@ -16,7 +16,7 @@ struct Parts {
     blown: ChainUnderLoads,
 }
 
-/// The wind from the worst side φ: cos φ of its force along x and sin φ of that across act together.
+/// The wind from the worst angle φ: cos φ of its force along x and sin φ of that across act together.
 pub(super) fn all_round(
     model: &Model,
     chains: &[Chain],
@@ -88,7 +88,7 @@ fn towards(degrees: u32) -> [f64; 2] {
     }
 }
 
-/// The factor on the loads that a joint bears; the moments of the tilt are added in the worse direction. `None` without a bed.
+/// The factor on the loads that a joint resists; the moments of the tilt are added in the worse direction. `None` without a bed.
 fn factor(parts: &[Parts], holds: &[JointHold], joint: usize, wind: [f64; 2]) -> Option<f64> {
     let JointHold::Bed(bed) = holds[joint] else {
         return None;

@@ -51,7 +51,7 @@ fn loaded(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Result<Option<
     Ok(Some(found))
 }
 
-/// The chain across the direction of motion; `None` where the file gives no separate values for it.
+/// The chain across the direction of motion; `None` if the file gives no separate values for it.
 fn across(part: &ChainPart, pick: Pick<'_>) -> Result<Option<ChainAcross>, WorkError> {
     if !part.has_two_axes() {
         return Ok(None);
@@ -89,7 +89,7 @@ pub(crate) fn equal_joints_n_m_rad(part: &ChainPart, pick: Pick<'_>) -> Result<f
     Ok(chain_limits(&part.build(pick)?)?.equal_joints_n_m_rad)
 }
 
-/// Side of a rectangle over the distance of its core from the centre along that side.
+/// Ratio of the side of a rectangle to the distance from its centre to the edge of its core along that side.
 const CORE: f64 = 6.0;
 
 /// Tilts at which a bed opens, and at which it stands on its edge: the smallest over all joints.
@@ -110,9 +110,9 @@ pub(crate) fn uplift_tilt(check: &ChainCheck) -> Option<f64> {
         .min_by(f64::total_cmp)
 }
 
-/// The same for a chain of two directions, towards the side to which it leans. `None` without a width of any bed, without stiffness, or if it
-/// falls. Beds open where the resultant leaves their core: |e_x|/(b/6) + |e_y|/(w/6) = 1; a bed of unknown plan counts as if it
-/// leaned along only.
+/// The same for a chain with two directions, towards the side to which it leans. `None` without the width of any bed, without stiffness, or
+/// if it falls. Beds open where the resultant leaves their core: |e_x|/(b/6) + |e_y|/(w/6) = 1; a bed of unknown plan counts as if the
+/// chain leaned along only.
 pub(crate) fn uplift_tilt_towards(
     part: &ChainPart,
     check: &ChainCheck,

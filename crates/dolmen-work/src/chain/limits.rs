@@ -53,8 +53,8 @@ pub(crate) fn by_spectrum(
     }
 }
 
-/// The moments in the joints under the spectrum of the site, from the springs. With dry friction also those of the chain with every joint stuck,
-/// moving with the ground; the larger counts. `None` if it falls.
+/// The moments in the joints under the spectrum of the site, from the springs. With dry friction, also those of the chain with every joint
+/// stuck, which moves with the ground; the larger counts. `None` if it falls.
 fn moments_of(
     part: &ChainPart,
     (chain, stiffness): (&Chain, &[f64]),
@@ -82,7 +82,8 @@ fn rubs(part: &ChainPart) -> bool {
     part.joints.iter().flatten().any(|joint| joint.friction.is_some())
 }
 
-/// Fraction of the weight on a bed that the vertical acceleration of the site leaves, fully at the worst moment, as for a stack; 1 without any.
+/// Fraction of the weight on a bed that remains under the vertical acceleration of the site, which acts fully at the worst moment, as for a
+/// stack; 1 without any.
 fn left_of_weight(chain: &Chain, site: &SiteDemand) -> f64 {
     let peak_m_s2 = site.peak_ground_acceleration_m_s2.unwrap_or(0.0);
     let vertical_m_s2 = site.vertical.map_or(0.0, |vertical| vertical.ratio * peak_m_s2);
@@ -113,7 +114,7 @@ fn along_alone(
         .zip(at_rest.under.joints.iter().zip(&at_rest.holds));
     let limited = each.filter(|(_, (_, hold))| **hold != JointHold::Held);
     let parts = limited.map(|((link, moment), (joint, _))| {
-        // whether the loads and the lean act in the same direction is unknown
+        // it is unknown whether the loads and the lean act in the same direction
         let loads_n_m = joint.moment_n_m.unwrap_or(joint.rigid_moment_n_m);
         let taken_n_m = joint.tilt_moment_n_m.abs() + loads_n_m.abs();
         at_edge(link, moment, joint.limit_n_m.map(|most| left * most), taken_n_m)
@@ -125,7 +126,7 @@ fn along_alone(
     })
 }
 
-/// The same for a chain of two directions: the ground moves along x, along y, and in the worst direction between for each bed.
+/// The same for a chain with two directions: the ground moves along x, along y, and for each bed in the worst direction between.
 fn by_spectrum_all_round(
     part: &ChainPart,
     at_rest: [&AtRest; 2],
@@ -205,14 +206,14 @@ fn by_spectrum_all_round(
     })
 }
 
-/// Directions of the ground between x and y, one for each degree: beds are symmetric about their axes. Chosen here.
+/// Directions of the ground between x and y, one for each degree: beds are symmetric about their axes. Our choice.
 const DEGREES: u32 = 90;
-/// Factor by which a direction between must be worse than both sides to be reported. Chosen here.
+/// A direction between is reported only if it is worse than both sides by this factor. Our choice.
 const ROUNDING: f64 = 1e-6;
 
 impl ChainSimulation {
-    /// Largest rotation of a link for which the linear equations are kept, rad: beyond, sin and cos differ from them by 0.2 and 0.5 %.
-    /// Chosen here, as for storeys.
+    /// Largest rotation of a link for which the linear equations are valid, rad: beyond it, sin and cos differ from them by 0.2 and
+    /// 0.5 %. Our choice, as for storeys.
     pub const SMALL_ROTATION_MOST_RAD: f64 = 0.1;
 
     /// Each joint compared with the edge of its bed.

@@ -112,7 +112,7 @@ pub(crate) fn at_rest(
     each.collect()
 }
 
-/// The chain under a combination, the wind in the worst of its directions.
+/// The chain under a combination, with the wind in the worst of its directions.
 fn under(model: &Model, combination: &CombinationPart) -> Result<CombinationAnswer, WorkError> {
     let mut chains = Vec::new();
     let mut weight_factor: Option<f64> = None;
@@ -144,7 +144,7 @@ fn under(model: &Model, combination: &CombinationPart) -> Result<CombinationAnsw
     })
 }
 
-/// The wind in the worse of its two directions in one plane.
+/// With the wind in the worse of its two directions in one plane.
 fn along(
     model: &Model,
     plane: &Plane,

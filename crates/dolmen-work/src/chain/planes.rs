@@ -52,7 +52,7 @@ fn acting(load: &LoadPart, chain: &Chain, pick: Pick<'_>) -> LoadComponents {
 
 /// Data that do not depend on the combination.
 pub(super) struct Model {
-    /// Along, and across where the chain has separate values there.
+    /// Along, and across if the chain has separate values there.
     pub(super) planes: Vec<Plane>,
     /// Properties of the joints, with the widths of the beds along.
     pub(super) holds: Vec<JointHold>,
@@ -122,7 +122,7 @@ impl Model {
 }
 
 impl Plane {
-    /// Lowest frequency with the weights of the loads, Hz; `None` where the chain falls or no stiffness is known.
+    /// Lowest frequency with the weights of the loads, Hz; `None` if the chain falls or no stiffness is known.
     pub(super) fn heavy_frequency_hz(&self, loads: &[LoadComponents]) -> Result<Option<f64>, WorkError> {
         let Some(stiffness) = &self.stiffness else {
             return Ok(None);

@@ -18,7 +18,7 @@ use dolmen::dynamics::{
 use dolmen::signal::Component;
 use dolmen_project::{ChainAxis, ChainPart, LoadsPart, Quantity};
 
-/// Length of a run with a push alone, s: twenty periods of a pole of 0.3 Hz. Chosen here.
+/// Length of a run with a push alone, s: twenty periods of a pole of 0.3 Hz. Our choice.
 const PUSHED_S: f64 = 60.0;
 /// Largest push, rad: a chain that leans more is a mistake in the input.
 const PUSH_MOST_RAD: f64 = 0.5;
@@ -34,7 +34,7 @@ pub(crate) struct ChainOptions {
 /// A direction of a chain and the component of the motion that acts in it; `None` on a still ground.
 type ShakenDirection = (ChainAxis, Option<Component>);
 
-/// The runs: one, or for a chain of two directions one in each, also under two components.
+/// The runs: one, or for a chain with two directions one in each, also under two components.
 ///
 /// # Errors
 /// A push that is too large, no push and no motion, unknown joints, two components on joints that couple them.
@@ -84,8 +84,8 @@ pub(crate) fn simulate(
     Ok(runs)
 }
 
-/// The load in each direction. The directions are independent where joints are linear or open at the edges of rectangular beds: the resultant
-/// lies within the bed if it does along and across.
+/// The load in each direction. The directions are independent if joints are linear or open at the edges of rectangular beds: the resultant
+/// lies within the bed if both components do.
 fn acting(part: &ChainPart, motion: Option<&MotionAnswer>) -> Result<Vec<ShakenDirection>, WorkError> {
     let each =
         |component: Option<Component>| part.axes().iter().map(move |axis| (*axis, component)).collect();
@@ -207,7 +207,7 @@ fn carried_n(loads: &LoadsPart) -> f64 {
     weights.map(|weight| weight.value).sum()
 }
 
-/// Initial state of a run: at rest in the leaning shape, or, where no such state exists, the leaning shape itself.
+/// Initial state of a run: at rest in the leaning shape, or, if no such state exists, the leaning shape itself.
 pub(super) fn start_rotation_rad(model: &ChainModel) -> Result<Vec<f64>, DynamicsError> {
     let leaning = vec![model.lean_rad(); model.joints().len()];
     Ok(chain_at_rest(model)?.unwrap_or(leaning))

@@ -23,21 +23,22 @@ pub struct SupportMet {
     pub first_s: Option<f64>,
 }
 
-/// What two planes of a chain do together under two components, at the samples that both have.
+/// The combined response of a chain in two planes under two components, at the samples that both have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainTogether {
     /// Largest lean of a link from the vertical, rad.
     pub lean_rad: f64,
-    /// Of which link, 0 the lowest.
+    /// The link, 0 the lowest.
     pub link: usize,
     /// When, s.
     pub at_s: f64,
-    /// Largest displacement of the top from above its foot, m.
+    /// Largest displacement of the top relative to its foot, m.
     pub top_m: f64,
 }
 
 impl ChainTogether {
-    /// Of both planes of a chain; `None` without a sample. Small rotations add up as vectors; a line that leans by both has tan² = tan² + tan².
+    /// Combines both planes of a chain; `None` without a sample. Small rotations add as vectors; for a line that leans in both planes, tan²
+    /// = tan² + tan².
     pub(crate) fn of(model: &ChainModel, histories: [&ChainHistory; 2]) -> Option<Self> {
         let is_small = model.rotations() == ChainRotations::Small;
         let lean = |each: [f64; 2]| match is_small {
@@ -86,9 +87,9 @@ pub struct ChainSimulation {
     pub variant: Option<String>,
     /// A longer name of the variant, if the file gives one.
     pub variant_title: Option<Names>,
-    /// The direction, where each has a run of its own.
+    /// The direction, if each direction has its own run.
     pub direction: Option<ChainAxis>,
-    /// What both do together; `None` of one component.
+    /// The combined response; `None` for one component.
     pub together: Option<ChainTogether>,
     /// Names of the links, lowest first.
     pub links: Vec<String>,
@@ -106,9 +107,9 @@ pub struct ChainSimulation {
     pub first_frequency_hz: Option<f64>,
     /// How fast it left the vertical; `None` if it stands by itself.
     pub growth: Option<ChainGrowth>,
-    /// That it ran without viscous damping and friction; `None` if it has some.
+    /// A note that it ran without viscous damping and friction; `None` if it has some.
     pub undamped: Option<Undamped>,
-    /// How a survey found it to lean, from which the run starts.
+    /// The surveyed lean at the start of the run.
     pub lean: Option<ChainLean>,
     /// Weight of the static loads that it carries, N.
     pub carried_n: f64,
@@ -116,7 +117,7 @@ pub struct ChainSimulation {
     pub loads_left_out: bool,
     /// A surveyed tilt that the run does not start from.
     pub tilt_left_out: Option<TiltLeftOut>,
-    /// What happened.
+    /// The response.
     pub history: ChainHistory,
 }
 
@@ -128,7 +129,7 @@ impl ChainSimulation {
         })
     }
 
-    /// What happened at each side support.
+    /// The response at each side support.
     pub fn supports_met(&self) -> Vec<SupportMet> {
         let supports = self.model.chain().side_supports().iter();
         let peaks = supports.zip(&self.history.support_peaks).enumerate();
@@ -150,15 +151,15 @@ impl ChainSimulation {
         matches!(self.history.outcome, ChainOutcome::Fell { .. })
     }
 
-    /// Whether it falls without any shaking: its springs do not hold it, and no friction does.
+    /// Whether it falls without any shaking: neither its springs nor friction support it.
     pub fn falls_by_itself(&self) -> bool {
-        // posts with a gap may hold what falls upright, and the run says whether they do
+        // posts with a gap may support a chain that falls by itself; the run shows whether they do
         let supports = self.model.chain().side_supports();
         let may_lean = !self.falls() && supports.iter().any(|support| !support.acts_linearly());
         self.first_frequency_hz.is_none() && !self.model.has_friction() && !may_lean
     }
 
-    /// When the run ended, s, if that is before the motion did and no link had fallen: there is no verdict.
+    /// End of the run, s, if it is before that of the motion and no link fell: there is no verdict.
     pub fn ended_before_the_motion_s(&self) -> Option<f64> {
         let (motion, _) = self.motion.as_ref()?;
         let is_open = matches!(
@@ -168,7 +169,7 @@ impl ChainSimulation {
         motion.cut_at_s(self.options.duration_s?).filter(|_| is_open)
     }
 
-    /// Whether the run came to an end that says whether it falls.
+    /// Whether the run is complete, with a verdict on falling.
     pub fn is_whole(&self) -> bool {
         !matches!(
             self.history.outcome,
@@ -176,7 +177,8 @@ impl ChainSimulation {
         ) && self.ended_before_the_motion_s().is_none()
     }
 
-    /// Joints without a bed that can open, which pass any moment in this run, and how wide each bed would have to be for its largest, m: 2 M / N.
+    /// Joints without a bed that can open, which transmit any moment in this run, and the bed width that the largest moment would need, m:
+    /// 2 M / N.
     pub fn held_joints(&self) -> Vec<(usize, f64)> {
         let most = self.model.moment_most_n_m().iter().enumerate();
         let held = most.filter(|(_, most)| most.is_infinite());
@@ -189,7 +191,7 @@ impl ChainSimulation {
         .collect()
     }
 
-    /// Joints whose bed opened on one side, beyond N b/6, without coming to its edge at N b/2.
+    /// Joints whose bed opened on one side, beyond N b/6, but did not reach its edge at N b/2.
     pub fn opened_beds(&self) -> Vec<usize> {
         let each = self.model.moment_most_n_m().iter().enumerate();
         let opened = each.filter(|(joint, most)| {
@@ -199,7 +201,7 @@ impl ChainSimulation {
         opened.map(|(joint, _)| joint).collect()
     }
 
-    /// How long the run was, s.
+    /// Duration of the run, s.
     pub fn duration_s(&self) -> f64 {
         self.history.times_s.last().copied().unwrap_or_default()
     }
@@ -209,7 +211,7 @@ impl ChainSimulation {
         self.links.get(link).map_or("", String::as_str)
     }
 
-    /// Largest moment of a joint at the samples, spring and friction, N m.
+    /// Largest moment of a joint at the samples, from spring and friction, N m.
     pub fn joint_moment_peak_n_m(&self, joint: usize) -> f64 {
         let rows = &self.history.joint_moment_n_m[joint];
         rows.iter().fold(0.0, |most, moment| most.max(moment.abs()))

@@ -7,8 +7,8 @@ use dolmen::stability::chain_stability;
 use dolmen::structure::{ChainStiffness, chain_stiffness};
 use dolmen_project::{ChainPart, Pick};
 
-/// Every stiffness that explains the modes, with the weights of the loads on the chain; for a chain of two directions in the direction of the
-/// modes.
+/// Every stiffness that explains the modes, with the weights of the loads on the chain; for a chain with two directions, in the direction
+/// of the modes.
 pub(crate) fn stiffness(
     part: &ChainPart,
     measured: &MeasuredDirection<'_>,

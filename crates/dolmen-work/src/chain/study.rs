@@ -22,7 +22,7 @@ const SAMPLE_S: f64 = 0.02;
 pub(crate) struct MovingChain {
     /// In the direction of motion.
     pub(crate) chain: ChainModel,
-    /// Across, of a chain of two directions.
+    /// Across, for a chain with two directions.
     across: Option<ChainModel>,
     /// The joint that couples two components, and why.
     one_plane: Option<WorkError>,
@@ -62,8 +62,8 @@ pub(crate) fn model(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Resu
     })
 }
 
-/// Runs a chain; `None` if it was stopped. In a chain of two directions the component x acts along and y across. A motion with one component
-/// acts in each direction separately, and the worse run counts.
+/// Runs a chain; `None` if it was stopped. In a chain with two directions the component x acts along and y across. A motion with one
+/// component acts in each direction separately, and the worse run counts.
 pub(crate) fn row(
     study: &StudyPart,
     run: Run,
@@ -117,7 +117,7 @@ pub(crate) fn row_and_rest(
     Some((joined(worse, &better, together), rest))
 }
 
-/// Order of two directions: a fall first, the sooner of two; then no verdict; then opened beds.
+/// Order of two directions: a fall first, the earlier of two; then no verdict; then opened beds.
 fn severity(run: &Run) -> (u8, f64) {
     let rank = match run.outcome {
         RunOutcome::Fell => 4,
@@ -134,7 +134,7 @@ fn severity(run: &Run) -> (u8, f64) {
     (rank, sooner)
 }
 
-/// The larger measures of both, by the resultant where both components act.
+/// The larger measures of both, as resultants if both components act.
 fn joined(worse: Run, better: &Run, together: Option<ChainTogether>) -> Run {
     let (RunMeasures::Chain(a), RunMeasures::Chain(b)) = (&worse.measures, &better.measures) else {
         return worse;

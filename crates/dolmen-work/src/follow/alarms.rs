@@ -36,7 +36,7 @@ impl AlarmSort {
 /// An open alarm.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 pub struct OpenAlarm {
-    /// Its kind.
+    /// The kind of alarm.
     pub sort: AlarmSort,
     /// The day that confirmed it; for a tilt or crack the last survey.
     pub date: String,
@@ -59,9 +59,8 @@ impl WatchAnswer {
     }
 }
 
-/// The open alarms: one for each day that confirmed changes of frequencies, one for each earthquake, and one each for a tilt and a crack beyond
-/// its limit, until the file has a later work or inspection; and one for each failing sensor.
-/// an inspection is entered; one for each sensor that fails.
+/// The open alarms: one for each day that confirmed changes of frequencies, one for each earthquake, and one each for a tilt and a crack
+/// beyond its limit, until the file has a later work or inspection; and one for each failing sensor.
 pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
     let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.as_str());
     let day = |name: &str| day_of_a_record(name).unwrap_or(name).to_owned();

@@ -273,9 +273,8 @@ impl TakenSurvey {
 }
 
 impl Taken {
-    /// The air temperature during the record, from a log, °C to a tenth: the mean over its time, or over its day where only that is known,
+    /// The air temperature during the record, from a log, °C to a tenth: the mean over its time, or over its day if only the day is known,
     /// otherwise the nearest reading within an hour; `None` without a plausible reading.
-    /// else the nearest reading within an hour; `None` where there is none that can be believed.
     pub fn temperature_c(&self, log: &Log) -> Option<f64> {
         let is_moment = self.time.name.contains('T');
         air_temperature_c(log, self.time.at_s, is_moment.then_some(self.duration_s))
@@ -307,7 +306,7 @@ fn plain(name: &str) -> String {
     signs.take(MOST).collect()
 }
 
-/// The ending of a file where it is a plain one.
+/// The ending of a file name, if it is a plain one.
 fn ending(name: &str) -> Option<String> {
     let (stem, ending) = name.rsplit_once('.')?;
     let is_plain = ending.len() <= ENDING_MOST && ending.bytes().all(|sign| sign.is_ascii_alphanumeric());

@@ -12,13 +12,13 @@ pub enum Verdict {
         /// Frequencies of the modes, Hz.
         frequencies_hz: Vec<f64>,
     },
-    /// It holds an earthquake.
+    /// Its record contains an earthquake.
     Earthquake,
     /// A mode is outside the prediction: no alarm yet.
     Outside {
         /// Frequency of the mode farthest outside, Hz.
         frequency_hz: f64,
-        /// Its score, 0 as predicted.
+        /// Its score; 0 equals the prediction.
         score: f64,
     },
     /// As predicted.
@@ -41,7 +41,7 @@ pub enum Verdict {
     },
 }
 
-/// Scores beyond this are outside: one in 370.
+/// Scores beyond this are outside: 1 in 370 by chance.
 const OUTSIDE: f64 = 3.0;
 
 /// Index of the survey, or of its day, in a history.

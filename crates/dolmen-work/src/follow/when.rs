@@ -4,7 +4,7 @@ use crate::survey_dates::day_of_a_record;
 use dolmen_project::date_of;
 use dolmen_records::{start_of_text, time_text};
 
-/// Starts before 1990, or later than the clock by a day, are rejected, s: a logger with a reset clock writes 1970 or 1980. Chosen here.
+/// Starts before 1990, or later than the clock by a day, are rejected, s: a logger with a reset clock writes 1970 or 1980. Our choice.
 const BELIEVED_FROM_S: f64 = 631_152_000.0;
 const AHEAD_MOST_S: f64 = 86_400.0;
 /// Characters of a date and of a date with its time: "2026-11-25", "2026-11-25 10:00:00".
@@ -26,7 +26,7 @@ pub enum TimeSource {
 /// The time of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordTime {
-    /// "2026-11-25T10:00:00"; "2026-11-25" where only the day is known.
+    /// "2026-11-25T10:00:00"; "2026-11-25" if only the day is known.
     pub name: String,
     /// The same, s from 1 January 1970; the start of a day.
     pub at_s: f64,
@@ -72,7 +72,7 @@ pub fn moment_of(survey: &str) -> Option<f64> {
     whole.or_else(|| start_of_text(&format!("{day} 00:00:00")))
 }
 
-/// The syllables of a Korean date and time as macOS writes them into names of files, in parts, and whole.
+/// The syllables of a Korean date and time, decomposed as in file names of macOS, and composed.
 const WHOLE: [(&str, &str); 8] = [
     ("\u{1102}\u{1167}\u{11ab}", "년"),
     ("\u{110b}\u{116f}\u{11af}", "월"),
@@ -84,7 +84,7 @@ const WHOLE: [(&str, &str); 8] = [
     ("\u{110b}\u{1169}\u{1112}\u{116e}", "오후"),
 ];
 
-/// The first date in a name, with the time behind it: "gate_20261125_100000.csv", "2026-11-25T10-00-00Z", "2026.11.25", "2026년 7월 1일 오후 3시".
+/// The first date in a name, with the time after it: "gate_20261125_100000.csv", "2026-11-25T10-00-00Z", "2026.11.25", "2026년 7월 1일 오후 3시".
 fn of_file_name(name: &str, is_believed: impl Fn(f64) -> bool) -> Option<(String, f64)> {
     let whole = WHOLE
         .iter()
@@ -236,7 +236,7 @@ mod tests {
             ("남산당간 2025년 7월 21일.csv", "2025-07-21"),
             ("2025년7월21일 오후 3시 5분.csv", "2025-07-21T15:05:00"),
             ("2025년 12월 1일 오전 12시 30분 (2).csv", "2025-12-01T00:30:00"),
-            // as macOS writes it, in parts
+            // decomposed, as macOS writes it
             (
                 "2025\u{1102}\u{1167}\u{11ab} 7\u{110b}\u{116f}\u{11af} 1\u{110b}\u{1175}\u{11af}.csv",
                 "2025-07-01",

@@ -4,7 +4,7 @@ use crate::motion::{MeasuredChannel, MotionAnswer};
 use dolmen::dynamics::{FrameHistory, FrictionFrame};
 use dolmen::signal::{Component, SeriesBeside, series_beside};
 
-/// Largest height of a sensor above the top level, as a share of the height.
+/// Largest height of a sensor above the top level, as a fraction of the total height.
 const ABOVE_TOP: f64 = 0.02;
 
 /// A direction of a frame compared with the measurement along it.
@@ -38,7 +38,7 @@ pub struct SensorBeside {
 }
 
 impl SensorBeside {
-    /// Smallest correlation, and largest relative difference of the peaks, for which model and structure agree. Chosen here: an error of 5 % in
+    /// Smallest correlation, and largest relative difference of the peaks, for which model and structure agree. Our choice: an error of 5 % in
     /// a frequency brings the correlation below it within ten periods.
     pub const CORRELATION_LEAST: f64 = 0.9;
     /// See [`SensorBeside::CORRELATION_LEAST`].
@@ -75,9 +75,8 @@ impl FrameBeside {
     }
 }
 
-/// The run of one direction compared with the measurement along it; `None` where the motion is not from a survey, was changed, or has another
+/// The run of one direction compared with the measurement along it; `None` if the motion is not from a survey, was changed, or has another
 /// direction.
-/// component.
 pub(super) fn beside(
     (motion, component): (&MotionAnswer, Component),
     direction: &str,
@@ -142,7 +141,7 @@ pub(super) fn beside(
     })
 }
 
-/// Interpolates samples linearly at given times; after the end the last sample.
+/// Interpolates samples linearly at given times; repeats the last sample after the end.
 fn at(time_s: &[f64], samples: &[f64], t: f64) -> f64 {
     let next = time_s.partition_point(|of| *of < t);
     match (next.checked_sub(1), samples.get(next)) {

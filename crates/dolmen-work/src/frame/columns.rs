@@ -5,9 +5,9 @@ use dolmen::stability::{ColumnPoint, ColumnStanding, FreeColumns};
 use dolmen::structure::{Convention, Frame};
 use dolmen_project::{FramePart, Pick};
 
-/// Points of the curve of force against drift. Chosen here: smooth on paper.
+/// Points of the curve of force against drift. Our choice: smooth on paper.
 const CURVE_POINTS: usize = 80;
-/// Amplitudes of swings, shares of the rotation at which the columns fall. Chosen here.
+/// Amplitudes of free oscillations, as shares of the rotation at which the columns fall. Our choice.
 const SWINGS: [f64; 6] = [0.01, 0.05, 0.1, 0.25, 0.5, 0.75];
 
 /// The free-standing columns of one storey.
@@ -23,9 +23,9 @@ pub struct StoreyColumns {
     pub height_m: f64,
     /// Bed stiffness given, N/m³; `None` for a rigid bed.
     pub bed_stiffness_n_m3: Option<f64>,
-    /// Bed stiffness at which they would just stand alone, N/m³.
+    /// Bed stiffness at which they would be just stable alone, N/m³.
     pub least_bed_stiffness_n_m3: f64,
-    /// Stiffness that the beds give the storey at small drift, N/m; `None` on a rigid bed.
+    /// Stiffness from the beds for the storey at small drift, N/m; `None` on a rigid bed.
     pub bed_stiffness_n_m: Option<f64>,
     /// Their resistance under their weight alone; `None` if they do not stand.
     pub standing: Option<ColumnStanding>,
@@ -33,11 +33,11 @@ pub struct StoreyColumns {
     pub springs: Springs,
     /// Their force against drift, from upright to the fall; empty if they do not stand.
     pub curve: Vec<ColumnPoint>,
-    /// Free swings of the mass above the storey, small ones first; empty if they do not stand.
+    /// Free oscillations of the mass above the storey, small ones first; empty if they do not stand.
     pub swings: Vec<ColumnSwing>,
 }
 
-/// The springs of a storey beside its columns.
+/// The springs of a storey in parallel with its columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Springs {
     /// The stiffness of the storey is unknown.
@@ -63,9 +63,9 @@ pub enum Springs {
 pub struct ColumnSwing {
     /// Its amplitude, and the force of the columns there.
     pub at: ColumnPoint,
-    /// Frequency on the columns alone, Hz.
+    /// Frequency with the columns alone, Hz.
     pub columns_hz: f64,
-    /// Frequency with the springs beside them, Hz; `None` where those are unknown.
+    /// Frequency with the springs as well, Hz; `None` if those are unknown.
     pub with_springs_hz: Option<f64>,
 }
 
@@ -105,8 +105,8 @@ pub(super) fn columns(
     Ok(all)
 }
 
-/// Drift over height of the largest resistance of the columns of each storey, where columns alone hold it in a direction; `None` for other
-/// storeys. Beyond it springs equal to the beds no longer represent the columns.
+/// Drift ratio at the largest resistance of the columns, for storeys that only columns support in a direction; `None` for other storeys.
+/// Beyond it, springs with the stiffness of the beds no longer represent the columns.
 pub(super) fn alone_most(
     part: &FramePart,
     direction: &str,

@@ -1,4 +1,4 @@
-//! A frame on its free-standing columns alone, in time: rigid columns that rock under a rigid beam.
+//! A frame on its free-standing columns alone, over time: rigid columns that rock under a rigid beam.
 
 use crate::error::WorkError;
 use dolmen::dynamics::{Rocking, RockingBlock, RockingHistory, RockingOutcome, TimeFunction, rock_block};
@@ -11,7 +11,7 @@ pub enum ColumnsInMotion {
     Absent,
     /// There are some, but the frame has several storeys.
     SeveralStoreys,
-    /// There are some, but their beds give way: rigid columns would stand too long.
+    /// There are some, but their beds are compliant: rigid columns would stand too long.
     OnBeds,
     /// There are some, but the ground moves along x and along y: rolling on a corner or around the edge is not modelled.
     BothComponents,
@@ -22,7 +22,7 @@ pub enum ColumnsInMotion {
 /// A frame of one storey that moves on its columns alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnsAlone {
-    /// How many columns.
+    /// Number of columns.
     pub count: usize,
     /// b, width of foot and head, m.
     pub width_m: f64,
@@ -52,7 +52,7 @@ impl ColumnsAlone {
     }
 }
 
-/// The frame on its columns alone, for the duration of the run of the frame itself; no run where two components act.
+/// Simulates the frame on its columns alone, for the duration of the frame's own run; no run with two components.
 pub(super) fn columns_in_motion(
     part: &FramePart,
     ground: Option<&TimeFunction>,

@@ -19,7 +19,7 @@ pub struct DirectionLean {
 }
 
 impl DirectionLean {
-    /// The lean in a direction; `None` where it has no tilt, is unknown, or falls upright.
+    /// The lean in a direction; `None` if it has no tilt, is unknown, or falls upright.
     pub(super) fn of(
         part: &FramePart,
         frame: &Frame,
@@ -54,7 +54,7 @@ impl DirectionLean {
     }
 }
 
-/// Lean of each storey at rest in a direction, the larger of sticking and slipping joints; `None` where it has no tilt, is unknown, or falls.
+/// Lean of each storey at rest in a direction, the larger of sticking and slipping joints; `None` if it has no tilt, is unknown, or falls.
 pub(super) fn leaning(
     part: &FramePart,
     frame: &Frame,

@@ -62,8 +62,8 @@ fn leans_at_rest(part: &FramePart, frame: &Frame) -> Result<Vec<Vec<f64>>, WorkE
     each.collect()
 }
 
-/// Lean of each storey at rest across a direction: that along the others, or none where the survey gives the tilt without a direction that the
-/// frame has, since it then counts along each.
+/// Lean of each storey at rest across a direction: that along the others. It is 0 if the survey gives the tilt in a direction that the
+/// frame does not have, because that counts along each.
 fn across(part: &FramePart, place: usize, at_rest: &[Vec<f64>]) -> Vec<f64> {
     let tilt = part
         .directions

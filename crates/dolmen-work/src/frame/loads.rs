@@ -123,8 +123,8 @@ fn under(
     Ok(found)
 }
 
-/// Lean of each storey at rest under static loads as given, the larger of sticking and slipping joints, in a direction whose lean without them
-/// is given; `None` where it does not bear them.
+/// Lean of each storey at rest under static loads as given, the larger of sticking and slipping joints, in a direction with a given lean
+/// without them; `None` if it cannot resist them.
 pub(super) fn with_loads(
     part: &FramePart,
     frame: &Frame,
@@ -158,7 +158,7 @@ pub(super) fn with_loads(
     Ok(Some(leans))
 }
 
-/// The additional lean of each storey at rest by forces of static loads; infinite where it does not bear them.
+/// The additional lean of each storey at rest from forces of static loads; infinite if it cannot resist them.
 pub(super) fn static_drifts(part: &FramePart, direction: &str) -> Result<Vec<f64>, WorkError> {
     let none = vec![0.0; part.storeys.len()];
     let Some(own) = part.directions.iter().find(|own| own.name == direction) else {
@@ -188,7 +188,7 @@ fn worse(storeys: &mut Vec<LoadedStorey>, others: Vec<LoadedStorey>) {
     }
 }
 
-/// The columns of each storey that stand free, under the weight of the frame.
+/// The free-standing columns of each storey, under the weight of the frame.
 fn columns(part: &FramePart, frame: &Frame, pick: Pick<'_>) -> Result<Vec<Option<FreeColumns>>, WorkError> {
     let each = part.storeys.iter().zip(frame.storeys());
     let each = each.map(|(given, storey)| {

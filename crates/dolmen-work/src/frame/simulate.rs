@@ -121,7 +121,7 @@ pub(crate) fn simulate(
 /// The directions of a run.
 struct ChosenDirections<'a> {
     chosen: Vec<&'a str>,
-    /// Those that are left out because their stiffness is unknown, where no direction was requested.
+    /// Directions left out because their stiffness is unknown, if no direction was requested.
     without_stiffness: Vec<String>,
 }
 
@@ -159,9 +159,9 @@ impl<'a> ChosenDirections<'a> {
 /// The directions that a motion acts in.
 struct InMotion {
     directions: Vec<ShakenDirection>,
-    /// Both directions at once, where both components act.
+    /// Both directions at once, if both components act.
     together: Option<FrameTogether>,
-    /// Their histories, where they were run together.
+    /// Their histories, if they were run together.
     histories: Option<[FrameHistory; 2]>,
 }
 
@@ -203,7 +203,7 @@ fn in_both_directions(
     })
 }
 
-/// The component that acts in a direction; from a survey's ground motion that of the same name.
+/// The component that acts in a direction; from a survey's ground motion, the one with the same name.
 fn component_of(motion: &MotionAnswer, direction: &str) -> Result<Component, WorkError> {
     let named = [Component::X, Component::Y]
         .into_iter()

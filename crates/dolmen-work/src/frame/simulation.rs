@@ -25,7 +25,7 @@ pub struct FrameSimulation {
     pub direction: String,
     /// Directions that were not run because their stiffness is unknown.
     pub without_stiffness: Vec<String>,
-    /// The response of both directions together, in each of the two; `None` for one component.
+    /// The combined response of both directions, stored in each of the two; `None` for one component.
     pub together: Option<FrameTogether>,
     /// The surveyed lean at the start of the run.
     pub lean: Option<FrameLean>,
@@ -41,14 +41,14 @@ pub struct FrameSimulation {
     pub component: Component,
     /// A note that the run has no viscous damping and friction; `None` if it has some.
     pub undamped: Option<Undamped>,
-    /// The free-standing columns of the file: their restoring moment is not in this motion, but they may move alone.
+    /// The free-standing columns of the file: the frame's motion does not include their restoring moment; they may be simulated separately.
     pub columns: ColumnsInMotion,
-    /// Weight of its static loads, N, which moves with it.
+    /// Weight of its static loads, N; it moves with the frame.
     pub carried_n: f64,
-    /// Drift over height of the largest resistance of columns that alone hold a storey; `None` for other storeys.
+    /// Drift ratio at the largest resistance of the columns, for storeys that only columns support; `None` for other storeys.
     pub columns_most: Vec<Option<f64>>,
-    /// Drift of each storey over its height by forces of static loads at rest, by which the allowable drift is reduced; infinite where it does
-    /// not bear them.
+    /// Drift ratio of each storey under the forces of static loads at rest, which reduces the allowable drift; infinite if the storey
+    /// cannot resist them.
     pub static_drifts: Vec<f64>,
     /// Whether the file has wind, or forces of static loads, that do not act in the run.
     pub loads_left_out: bool,
@@ -93,12 +93,11 @@ impl FrameSimulation {
             && self.ended_before_the_motion_s().is_none()
     }
 
-    /// Force of the whole storey, spring, P-delta and friction, at every sample, N: what its drift is drawn against.
+    /// Force of the whole storey at every sample, N, for the plot against drift: spring, P-delta, friction and dashpots.
     ///
     /// ```text
     /// V_i = −Σ_{j≥i} m_j (Y_j'' + a_ground)
     /// ```
-    /// Dashpots are in it.
     pub fn storey_force_n(&self, storey: usize) -> Vec<f64> {
         let storeys = self.frame.frame().storeys();
         let mut force = vec![0.0; self.history.time_s.len()];

@@ -7,7 +7,7 @@ use dolmen::stability::frame_stability;
 use dolmen::structure::{Convention, Frame, FrameStiffness, frame_stiffness};
 use dolmen_project::{FramePart, Pick};
 
-/// Every stiffness that explains the modes, one answer a convention; of a single storey that of the file.
+/// Every stiffness that explains the modes, one answer for each convention; for a single storey, only that of the file.
 pub(crate) fn stiffness(
     part: &FramePart,
     measured: &MeasuredDirection<'_>,
@@ -15,7 +15,7 @@ pub(crate) fn stiffness(
 ) -> Result<Vec<StiffnessAnswer>, WorkError> {
     let built = part.build(pick)?;
     let mut answers = Vec::new();
-    // of one storey both are one spring
+    // with one storey both conventions are the same spring
     let is_one = built.storeys().len() == 1;
     let conventions = [Convention::Drift, Convention::Grounded];
     for convention in conventions

@@ -19,7 +19,7 @@ const SAMPLE_S: f64 = 0.02;
 
 /// A frame and its directions of motion.
 pub(crate) struct FrameModel {
-    /// In that direction; of two directions without a choice in the study, that along x.
+    /// In the requested direction; with two directions and no choice in the study, that along x.
     pub(crate) first: Leaning,
     /// In the direction along y, if both move.
     across: Option<Leaning>,
@@ -88,7 +88,7 @@ pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Resu
     })
 }
 
-/// Runs a frame; `None` if it was stopped. Where both of its directions move, x acts along the first and y along the second; a motion with one
+/// Runs a frame; `None` if it was stopped. If both of its directions move, x acts along the first and y along the second; a motion with one
 /// component acts in each separately, and the worse run counts.
 pub(crate) fn row(
     study: &StudyPart,
@@ -173,7 +173,7 @@ pub(crate) fn row_and_rest(
     }
 }
 
-/// The worse of two runs with the larger measures of both, by the resultant where both components act.
+/// The worse of two runs, with the larger measures of both, as resultants if both components act.
 fn joined([a, b]: [Run; 2], model: &FrameModel, together: Option<&FrameTogether>) -> Run {
     let (mut worse, better) = match (a.outcome, b.outcome) {
         (RunOutcome::Fell, RunOutcome::Fell) if b.at_s < a.at_s => (b, a),

@@ -1,4 +1,4 @@
-//! Tenons with slack in a check: resistance of the storeys before and after they bear.
+//! Tenons with slack in a check: resistance of the storeys before and after the tenons bear.
 
 use crate::error::WorkError;
 use dolmen::assess::{FrameCheck, check_frame};
@@ -6,7 +6,7 @@ use dolmen::dynamics::Tenon;
 use dolmen::structure::Frame;
 use dolmen_project::{FramePart, Pick};
 
-/// Drift over height for secant stiffness: what codes allow for most timber frames. Chosen here.
+/// Drift ratio for the secant stiffness: the allowable value of codes for most timber frames. Our choice.
 pub const SECANT_DRIFT_RATIO: f64 = 0.02;
 
 /// The tenons of a storey of a frame.

@@ -4,7 +4,7 @@ use super::lean::DirectionLean;
 use crate::state::{DirectionCheck, TiltCheck};
 use dolmen_project::FramePart;
 
-/// Tilts of a frame compared with those at which it counts as fallen, in each direction and together.
+/// Tilts of a frame, compared with those at which it counts as fallen, in each direction and together.
 pub(crate) fn tilts(part: &FramePart, checks: &[DirectionCheck]) -> Vec<TiltCheck> {
     let Some(lean) = &part.lean else {
         return Vec::new();

@@ -24,9 +24,9 @@ pub struct FrameTogether {
     pub top_m: f64,
     /// Storeys with friction in both directions, 0 the lowest.
     pub rubbing: Vec<usize>,
-    /// Steps of the run with such storeys; `None` where the directions are independent, and each is exact.
+    /// Steps of the run with such storeys; `None` if the directions are independent, and each is exact.
     pub shared: Option<SharedFriction>,
-    /// The storey with the largest resultant over its height, 0 the lowest.
+    /// The storey with the largest resultant drift ratio, 0 the lowest.
     pub worst: usize,
     /// Its drift in each direction at the samples, m.
     pub path_m: [Vec<f64>; 2],
@@ -57,14 +57,14 @@ pub(crate) struct Plane {
 #[derive(Clone)]
 pub(crate) struct Leaning {
     pub(crate) frame: FrictionFrame,
-    /// How it leans there, horizontal over vertical.
+    /// Its lean in this direction, horizontal over vertical.
     pub(crate) tilt: f64,
-    /// Drift over height up to which the frame is valid.
+    /// Drift ratio up to which the frame model is valid.
     pub(crate) drift_ratio_most: f64,
 }
 
 impl Leaning {
-    /// In a direction, as surveyed; `None` if its stiffness is not known.
+    /// In a direction, as surveyed; `None` if its stiffness is unknown.
     pub(crate) fn of(part: &FramePart, direction: &str, pick: Pick<'_>) -> Result<Option<Self>, WorkError> {
         let Some(frame) = part.with_friction(direction, pick)? else {
             return Ok(None);
@@ -80,7 +80,7 @@ impl Leaning {
 }
 
 impl Plane {
-    /// In a direction, leaning as surveyed, under a component of a motion; `None` if its stiffness is not known.
+    /// In a direction, leaning as surveyed, under a component of a motion; `None` if its stiffness is unknown.
     pub(crate) fn of(
         part: &FramePart,
         direction: &str,
@@ -123,10 +123,10 @@ impl Plane {
     }
 }
 
-/// The directions along x and along y, which the components of a motion of both meet.
+/// The directions along x and along y, each with a component of the motion.
 ///
 /// # Errors
-/// A frame of one direction, or of which the file does not say which direction lies along which component.
+/// A frame with one direction, or whose file does not say which component each direction lies along.
 pub(crate) fn both_directions(part: &FramePart) -> Result<[&str; 2], WorkError> {
     if let [only] = part.directions.as_slice() {
         return Err(WorkError::FrameOfOneDirection {
@@ -145,7 +145,7 @@ pub(crate) fn both_directions(part: &FramePart) -> Result<[&str; 2], WorkError> 
     }
 }
 
-/// Whether a study moves both directions of a frame: it names none, maps none, and both have a known stiffness.
+/// Whether a study moves both directions of a frame: it names no direction, has no maps, and both have a known stiffness.
 pub(crate) fn is_in_plan(study: &StudyPart, part: &FramePart) -> bool {
     let is_known = |direction: &str| {
         let mut own = part.directions.iter();
@@ -161,7 +161,7 @@ pub(crate) fn has_both(motion: &GroundMotion) -> bool {
     motion.has(Component::X) && motion.has(Component::Y)
 }
 
-/// The one horizontal component that acts: each direction of a frame, and a chain, is a plane of its own.
+/// The only horizontal component that acts: each direction of a frame, and a chain, moves in one plane.
 pub(crate) fn horizontal(motion: &MotionAnswer, what: Place) -> Result<Component, WorkError> {
     match (motion.motion.has(Component::X), motion.motion.has(Component::Y)) {
         (true, true) => Err(WorkError::TwoHorizontal { what: what.into() }),
@@ -212,7 +212,7 @@ impl FrameTogether {
         self.directions.join("+")
     }
 
-    /// Each storey, both directions together, against its allowable drift; the lean before the motion is `tilt`.
+    /// The resultant of both directions of each storey, compared with its allowable drift; the lean before the motion is `tilt`.
     pub(crate) fn parts(
         &self,
         (names, heights_m): (&[String], &[f64]),

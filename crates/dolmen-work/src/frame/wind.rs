@@ -5,7 +5,7 @@ use dolmen::structure::Frame;
 use dolmen::structure::wind::{WindBody, WindError, WindPressure};
 use dolmen_project::{FramePart, Pick, WindArea, WindGiven};
 
-/// What meets the wind, in numbers: its area, that times its force coefficient, and where an area more has its middle.
+/// Wind data of a storey in numbers: its area, area times force coefficient, and the centre height of an additional area.
 struct StoreyWindArea {
     storey: usize,
     area_m2: f64,
@@ -13,7 +13,7 @@ struct StoreyWindArea {
     height_m: Option<f64>,
 }
 
-/// The wind along a direction of a frame, whose lowest frequency there is given.
+/// The wind along a direction of a frame with a given lowest frequency.
 pub(super) fn wind_met(
     part: &FramePart,
     (wind, direction): (&WindGiven, usize),
@@ -51,7 +51,7 @@ pub(super) fn wind_met(
         let below_m = met.storey.checked_sub(1).map_or(0.0, |below| levels_m[below]);
         let span_m = [below_m, levels_m[met.storey]];
         let on = on_storey(met, span_m, &pressure);
-        // a column is hinged at its ends, which share what pushes it; what is above its level pushes the level
+        // a column is hinged at its ends, which share its wind; areas above its level push only the level
         let lever_m = on.moment_n_m - on.force_n * span_m[0];
         let above_n = match met.height_m {
             Some(middle_m) if middle_m >= span_m[1] => on.force_n,
@@ -81,7 +81,7 @@ pub(super) fn wind_met(
     })
 }
 
-/// Force, and moment about the ground, of one area: spread over its storey, or at the height of its middle.
+/// Force, and moment about the ground, of one area: spread over its storey, or at its centre height.
 fn on_storey(met: &StoreyWindArea, [bottom_m, top_m]: [f64; 2], pressure: &WindPressure) -> WindOnLink {
     let (force_n, moment_n_m) = match met.height_m {
         None => {

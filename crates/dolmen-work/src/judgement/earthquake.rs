@@ -41,15 +41,15 @@ pub enum DecidedBy {
         /// Number of runs.
         all: usize,
     },
-    /// The drift of a storey over the limit of its model.
+    /// The drift of a storey relative to the limit of its model.
     Drift,
     /// A tie that broke.
     Strength,
     /// A joint at the edge of its bed.
     BedEdge,
-    /// A bed that stood on its edge in a run without a fall: it carries no more than that, whatever the demand.
+    /// A bed that stood on its edge in a run without a fall: it cannot carry more, whatever the demand.
     StoodOnEdge,
-    /// The stroke of a damper over its room.
+    /// The stroke of a damper relative to its room.
     Room,
     /// Nothing: there is no limit.
     NoLimit,
@@ -61,9 +61,9 @@ pub enum DecidedBy {
     StiffnessUnknown,
     /// A side post with a gap may close.
     LoosePost,
-    /// Nothing: a survey contradicts the stiffness; the ratio is that of the model if it were right.
+    /// Nothing: a survey contradicts the stiffness; the ratio applies if the model were right.
     Contradicted,
-    /// Nothing: supports moved, and the comparison is for the shape before, with that ratio.
+    /// Nothing: supports moved; the comparison and its ratio are for the shape before.
     SupportsMoved,
     /// Nothing: static loads without mass hold the stones during the shaking.
     HeldByLoads,
@@ -78,13 +78,13 @@ pub enum DecidedBy {
 pub struct EarthquakeFinding {
     /// The word.
     pub word: Earthquake,
-    /// What decided it.
+    /// The deciding result.
     pub decided_by: DecidedBy,
     /// The motion; `None`: the site, or no motion at all.
     pub motion: Option<String>,
     /// The part that decided it; `None` for the whole.
     pub part: Option<String>,
-    /// Capacity over demand; `None` where another quantity decided.
+    /// Capacity over demand; `None` if another quantity decided.
     pub ratio: Option<f64>,
 }
 
@@ -102,7 +102,7 @@ impl EarthquakeFinding {
 }
 
 impl EarthquakeFinding {
-    /// The same where a survey contradicts the stiffness: enough capacity is then not certain; too little capacity stays too little.
+    /// The same if a survey contradicts the stiffness: sufficient capacity is then uncertain; insufficient capacity stays insufficient.
     pub(super) fn if_model_were_right(self) -> Self {
         match self.word {
             Earthquake::Above | Earthquake::Near => EarthquakeFinding {
@@ -116,8 +116,8 @@ impl EarthquakeFinding {
 }
 
 impl EarthquakeFinding {
-    /// The same for a stack whose supports moved, if computed for the shape before: enough capacity there is not certain; too little stays too
-    /// little.
+    /// The same for a stack whose supports moved, if computed for the shape before: sufficient capacity there is uncertain; insufficient
+    /// capacity stays insufficient.
     pub(super) fn before_supports_moved(self) -> Self {
         let is_of_code = self.word == Earthquake::BelowDemand && self.decided_by == DecidedBy::CodeDemand;
         let of_before = self.not_known_to_be_enough(DecidedBy::SupportsMoved);
@@ -130,7 +130,7 @@ impl EarthquakeFinding {
         }
     }
 
-    /// The same for a stack that loads without mass press together.
+    /// The same for a stack whose joints are pressed together by loads without mass.
     pub(super) fn held_by_loads(self) -> Self {
         self.not_known_to_be_enough(DecidedBy::HeldByLoads)
     }
@@ -250,7 +250,7 @@ pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
     found
 }
 
-/// A direction without a comparison: not decided, whatever the others have.
+/// A direction without a comparison: not decided, whatever the others are.
 fn of_none(of: &NotCompared) -> EarthquakeFinding {
     let decided_by = match of.why {
         WhyNotCompared::StiffnessUnknown => DecidedBy::StiffnessUnknown,
@@ -278,7 +278,7 @@ pub(super) fn of_parts(parts: &[PartLimit], motion: Option<&str>) -> Vec<Earthqu
             ..EarthquakeFinding::new(Earthquake::NotDecided, DecidedBy::BedUnknown, motion)
         });
     }
-    // storeys without a limit are not decided by the room of a damper
+    // storeys without a limit stay undecided even if a damper has a room
     let drifts = || parts.iter().filter(|part| part.limited == Limited::Drift);
     let is_unlimited =
         drifts().next().is_some() && drifts().all(|part| part.capacity.is_none() && !part.falls());

@@ -40,7 +40,7 @@ pub enum Evidence {
     MarkedAssumed {
         /// The latest of them.
         survey: String,
-        /// Of the latest frequency in each direction, the one farthest from that of the model; `None` where the model has none.
+        /// Among the latest frequencies in each direction, the one farthest from that of the model; `None` if the model has none.
         farthest: Option<MeasuredFrequency>,
     },
     /// No survey measured a comparable quantity, or only the one from which the stiffness was identified.
@@ -53,14 +53,13 @@ pub enum Evidence {
 impl Evidence {
     /// Evidence of surveys for a model, in the worst direction; for each direction the latest survey with a frequency counts.
     ///
-    /// Surveys whose names begin with a date come after those without, and of the same date the last of the file is the latest.
-    /// A survey from which stiffness was identified does not confirm the model where it agrees, and contradicts it like any other where it does
-    /// not.
+    /// Surveys whose names begin with a date are later than those without; among equal dates the last in the file is the latest. A survey
+    /// from which stiffness was identified does not confirm the model where it agrees, but contradicts it like any other where it does not.
     pub fn of(project: &Project, check: &Check) -> Evidence {
         Evidence::with_records(project, check, &FromRecords::default())
     }
 
-    /// The same, with what the surveys were found to say.
+    /// The same, with the results of the surveys.
     pub(crate) fn with_records(project: &Project, check: &Check, found: &FromRecords) -> Evidence {
         let evidence = Evidence::of_lowest(project, check, &found.lowest);
         let survey = match &evidence {
@@ -69,7 +68,7 @@ impl Evidence {
             Evidence::NotMeasured {
                 calibrated_to: Some(survey),
             } => survey.clone(),
-            // a contradiction says more; of the others nothing was compared
+            // a contradiction is stronger; with the others nothing was compared
             Evidence::Contradicted(_)
             | Evidence::InDoubt(_)
             | Evidence::NotCompared { .. }
@@ -84,7 +83,7 @@ impl Evidence {
         }
     }
 
-    /// By the lowest frequency in each direction.
+    /// From the lowest frequency in each direction.
     fn of_lowest(project: &Project, check: &Check, found: &[RecordFrequency]) -> Evidence {
         let mut measured = measured_frequencies(project, check);
         let is_made_up = |name: &str| {
@@ -103,7 +102,7 @@ impl Evidence {
         }));
         if measured.is_empty() {
             return match Evidence::without(project, check) {
-                // its modes are known, the model's are not
+                // its modes are known, but not the model's
                 Evidence::Unread { survey } if found.clone().any(|of| of.survey == survey) => {
                     Evidence::NotCompared { survey }
                 }
@@ -269,7 +268,7 @@ impl Evidence {
                 format!("{word} (calibrated to {survey})"),
                 format!("{word}({survey} 조사로 추정한 강성)"),
             ),
-            // nothing but the lowest frequency of each direction may have been compared
+            // possibly only the lowest frequency of each direction was compared
             Evidence::Agrees { .. } => language.pick(
                 format!("{word} (lowest frequencies)"),
                 format!("{word}(최저 고유진동수)"),
@@ -410,7 +409,7 @@ fn of_whole(answer: &BuildingAnswer, direction: &str) -> Option<f64> {
     }
 }
 
-/// Frequency, Hz, and damping ratio of the building's own mode, without dampers, that has the most mass along "x" or "y", or the most moment of
+/// Frequency, Hz, and damping ratio of the building's own mode, without dampers, with the most mass along "x" or "y", or the most moment of
 /// inertia for "torsion".
 pub fn first_sway(answer: &BuildingAnswer, direction: &str) -> Option<(f64, f64)> {
     let standing = answer.stands.as_ref()?;

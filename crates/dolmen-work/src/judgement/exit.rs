@@ -34,7 +34,7 @@ pub enum Verb {
     Watch,
 }
 
-/// The exit status of a verb: 1 for red where the verb judges, 3 where a run did not finish, otherwise 0.
+/// The exit status of a verb: 1 for red if the verb judges, 3 if a run did not finish, otherwise 0.
 pub fn exit_status(verb: Verb, colour: Colour, is_done: bool) -> u8 {
     let judges = matches!(verb, Verb::Check | Verb::Simulate | Verb::Report | Verb::Watch);
     match (judges && colour == Colour::Red, is_done) {
@@ -44,7 +44,7 @@ pub fn exit_status(verb: Verb, colour: Colour, is_done: bool) -> u8 {
     }
 }
 
-/// The status of a run with several parts: 2 before 1 before 3 before 0.
+/// The status of a run with several parts; 2 precedes 1, then 3, then 0.
 pub fn first_status(statuses: impl IntoIterator<Item = u8>) -> u8 {
     let urgency = |status: &u8| match *status {
         BAD_INPUT => 3,
@@ -71,7 +71,7 @@ mod tests {
             Verb::Identify,
             Verb::Compare,
         ];
-        // colour, done, status of a verb that judges, of one that does
+        // colour, done, status of a verb that judges, of one that does not judge
         for (colour, is_done, judged, done) in [
             (Green, true, 0, 0),
             (Amber, true, 0, 0),

@@ -1,26 +1,26 @@
-//! What leaves a model in doubt although its lowest frequencies were measured: higher modes, and modes that no stiffness explains.
+//! Doubts about a model whose lowest frequencies were measured: higher modes, and modes that no stiffness explains.
 
 use super::measured_frequency::{RecordFrequency, apart, contradict};
 use dolmen_words::Language;
 use dolmen_words::number::significant;
 
-/// What the surveys were found to say, beside what the file states.
+/// Results of surveys, in addition to the values in the file.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FromRecords {
     /// The lowest frequencies of their records.
     pub(crate) lowest: Vec<RecordFrequency>,
-    /// What may leave the model in doubt, survey by survey.
+    /// Possible doubts about the model, one entry per survey.
     pub(crate) doubts: Vec<SurveyDoubts>,
 }
 
-/// What one survey says against the model.
+/// Evidence of one survey against the model.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SurveyDoubts {
     /// Its name.
     pub(crate) survey: String,
     /// Its modes paired with those of the model.
     pub(crate) modes: Vec<PairedMode>,
-    /// That no stiffness explains them.
+    /// Modes that no stiffness explains.
     pub(crate) unexplained: Option<Unexplained>,
 }
 
@@ -42,7 +42,7 @@ pub struct MissedMode {
 pub struct PairedMode {
     /// The survey.
     pub survey: String,
-    /// Direction of the mode; `None` where it was paired by its shape alone.
+    /// Direction of the mode; `None` if it was paired only by its shape.
     pub direction: Option<String>,
     /// Number of the model's mode, from 1, in its direction if it has one.
     pub number: usize,
@@ -59,11 +59,11 @@ pub struct PairedMode {
 pub struct Unexplained {
     /// The direction; `None` for modes of all directions together.
     pub direction: Option<String>,
-    /// Standard deviations, root mean square, by which the best is off; `None` where there is no best.
+    /// Root mean square misfit of the best stiffness, in standard deviations; `None` if there is no best one.
     pub deviations: Option<f64>,
 }
 
-/// What leaves the model in doubt; at least one of both.
+/// Reasons for doubt about the model; at least one of both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InDoubt {
     /// The survey.

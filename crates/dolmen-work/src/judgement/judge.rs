@@ -28,11 +28,11 @@ pub struct Judgement {
     pub versions: Vec<VersionJudgement>,
     /// Whether every requested run is complete.
     pub is_done: bool,
-    /// What its surveys over the years leave open.
+    /// Open findings of its surveys over the years.
     pub alarming: Alarming,
 }
 
-/// What calls for an inspection in the surveys over the years.
+/// Findings of the surveys over the years that require an inspection.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Alarming {
     /// Alarms without a later repair or inspection.
@@ -104,7 +104,7 @@ impl Judgement {
         let evidence = &checked
             .filter(Evidence::is_doubted)
             .unwrap_or_else(|| of.evidence.clone());
-        // runs depend on stiffness, those of stacks too; a variant has no survey of its own
+        // runs depend on stiffness, including those of stacks; a variant has no survey of its own
         if evidence.is_contradicted() && is_as_it_is {
             let of_model = found.into_iter();
             found = of_model.map(EarthquakeFinding::if_model_were_right).collect();
@@ -204,9 +204,9 @@ impl Judgement {
     }
 }
 
-/// The judgement of everything that was answered about one project.
+/// The judgement of all answers about one project.
 ///
-/// A survey belongs to the structure as it is, so that variants have no evidence of their own.
+/// A survey belongs to the structure as it is, so variants have no evidence of their own.
 pub fn judge(answers: &[Answer]) -> Judgement {
     let mut judgement = Judgement::empty();
     let found = answers.iter().find_map(|answer| match answer {
@@ -230,7 +230,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
         match answer {
             Answer::Simulate(simulated) => judgement.add_runs(simulated),
             Answer::Tune(tuned) => {
-                // one of several dampers alone is not the structure of the file
+                // a single damper out of several does not represent the structure of the file
                 for of in tuned.tunings.iter().filter(|of| of.others == 0) {
                     judgement.add(of.variant.as_deref(), of_tuned(of));
                 }
@@ -254,7 +254,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
     judgement
 }
 
-/// Names of both motions, where the second acted after the first.
+/// Names of both motions, if the second acted after the first.
 fn after_motion(of: &SimulateAnswer) -> Option<AfterMotion> {
     let after = of.after.as_ref()?;
     after.second.began_at_rest().map(|_| AfterMotion {
@@ -313,7 +313,7 @@ pub fn judge_stack_run(run: &StackSimulation) -> Judgement {
     Judgement::of_run(run.variant.as_deref(), of_stack(run), is_done)
 }
 
-/// The damper as in the file compared with its room under the motions of the file and its site.
+/// Compares the damper in the file with its room, under the motions of the file and its site.
 fn of_tuned(tuned: &TuneAnswer) -> Vec<EarthquakeFinding> {
     let row = |row: usize| tuned.comparison.rows.get(row).map(|row| row.choice);
     let given = tuned

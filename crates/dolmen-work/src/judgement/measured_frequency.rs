@@ -1,12 +1,12 @@
-//! A measured frequency beside that of the model.
+//! A measured frequency compared with that of the model.
 
 use crate::state::FREQUENCY_RATIO_MOST;
 use dolmen_project::{Evidence as Source, Quantity};
 
-/// Number of standard deviations within which a measured frequency agrees with the model. Chosen here: 1 in 400 by chance.
+/// Number of standard deviations within which a measured frequency agrees with the model. Our choice: chance exceeds it in 1 of 400.
 const DEVIATIONS_MOST: f64 = 3.0;
 
-/// ln of the larger over the smaller: 0 where they are equal.
+/// ln of the ratio of the larger to the smaller: 0 if they are equal.
 pub(super) fn apart(measured_hz: f64, computed_hz: f64) -> f64 {
     (measured_hz / computed_hz).ln().abs()
 }

@@ -13,7 +13,7 @@ use dolmen::blocks::Outcome;
 /// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Ending {
-    /// It fell, or went beyond its model.
+    /// It fell, or exceeded the validity of its model.
     Fell,
     /// It was stopped, cut short, or ended without a verdict.
     Open,
@@ -23,10 +23,10 @@ enum Ending {
     Whole,
 }
 
-/// What a simulation says about the earthquake.
+/// Findings of a simulation for the earthquake.
 pub(super) struct RunFindings {
     pub(super) findings: Vec<EarthquakeFinding>,
-    /// Whether it went to its end.
+    /// Whether it is complete.
     pub(super) is_done: bool,
 }
 
@@ -121,7 +121,7 @@ fn has_nan(joint: &JointDamage) -> bool {
     .any(|number| number.is_nan())
 }
 
-/// Damage in a run without an end still counts: it has happened.
+/// Damage in an incomplete run still counts, because it has happened.
 fn of_damage(
     ending: Ending,
     state: DamageState,
@@ -173,11 +173,11 @@ pub(super) fn of_chain(run: &ChainSimulation) -> Vec<EarthquakeFinding> {
     }
 }
 
-/// Relative error of the moment at the edge of a bed: an opening bed carries no more than that moment.
+/// Relative tolerance on the moment at the edge of a bed: an opening bed cannot carry more.
 const AT_THE_EDGE: f64 = 0.99;
 
-/// A bed near its edge or on it, in a run without a fall; "near" is the same share as for storeys. A bed of unknown width was taken as unable to
-/// open, so a run without a fall proves nothing for it.
+/// A bed near its edge or on it, in a run without a fall; "near" is the same share as for storeys. A bed of unknown width was modelled as
+/// unable to open, so a run without a fall proves nothing for it.
 fn of_beds(ending: Ending, parts: &[PartLimit], motion: &str) -> Vec<EarthquakeFinding> {
     if ending != Ending::Whole {
         return Vec::new();
@@ -208,7 +208,7 @@ fn of_fall(ending: Ending, is_nan: bool) -> (Earthquake, DecidedBy) {
     }
 }
 
-/// A frame: its storeys against the allowable drift.
+/// A frame: its storeys compared with the allowable drift.
 pub(super) fn of_frame(run: &FrameSimulation) -> Vec<EarthquakeFinding> {
     let ending = match (run.falls(), run.is_whole()) {
         (true, _) => Ending::Fell,
@@ -224,7 +224,7 @@ pub(super) fn of_frame(run: &FrameSimulation) -> Vec<EarthquakeFinding> {
     found
 }
 
-/// A storey beyond its limit in a run without an end still counts: it has happened.
+/// A storey beyond its limit in an incomplete run still counts, because it has happened.
 fn of_storeys(ending: Ending, parts: &[PartLimit], motion: &str) -> Vec<EarthquakeFinding> {
     let mut found = of_parts(parts, Some(motion));
     match ending {
@@ -247,7 +247,7 @@ fn of_storeys(ending: Ending, parts: &[PartLimit], motion: &str) -> Vec<Earthqua
     found
 }
 
-/// A building: its storeys against the allowable drift, and the strokes of its dampers over their rooms.
+/// A building: its storeys compared with the allowable drift, and the strokes of its dampers with their rooms.
 pub(super) fn of_building(run: &BuildingSimulation) -> Vec<EarthquakeFinding> {
     let ending = match run.ended_before_the_motion_s() {
         _ if run.falls() => Ending::Fell,
@@ -273,7 +273,7 @@ mod tests {
     use crate::judgement::Colour;
     use crate::part_limit::{Limited, Part};
 
-    /// The worst word of what was found.
+    /// The worst word of all findings.
     fn word(found: &[(Earthquake, DecidedBy)]) -> Earthquake {
         found
             .iter()

@@ -3,7 +3,7 @@
 use crate::survey_dates::date;
 use dolmen_project::{Project, Structure, Survey};
 
-/// Limit over tilt below which a tilt is near its limit. Chosen here, as for a demand.
+/// Limit over tilt below which a tilt is near its limit. Our choice, as for a demand.
 const NEAR_BELOW: f64 = 1.25;
 
 /// A measured tilt and the limit of the file.
@@ -13,7 +13,7 @@ pub struct TiltAgainstLimit {
     pub survey: String,
     /// Its directions.
     pub directions: Vec<String>,
-    /// Horizontal / vertical, by all directions together.
+    /// Horizontal / vertical, all directions together.
     pub tilt: f64,
     /// `tilt_limit`.
     pub limit: f64,
@@ -36,12 +36,12 @@ pub fn tilt_beyond_limit(project: &Project) -> Option<TiltAgainstLimit> {
     tilt_against_limit(project).filter(TiltAgainstLimit::is_beyond)
 }
 
-/// Whether the measured tilt is beyond the limit of the file, or beyond the drift that an earthquake may give a frame.
+/// Whether the measured tilt exceeds the limit of the file, or the allowable drift of a frame in an earthquake.
 pub(crate) fn is_tilt_beyond(project: &Project) -> bool {
     tilt_beyond_limit(project).is_some() || is_beyond_drift(project)
 }
 
-/// Whether the lean of a frame, before any earthquake, already uses up the drift that an earthquake may cause.
+/// Whether the lean of a frame, before any earthquake, already reaches the allowable drift.
 fn is_beyond_drift(project: &Project) -> bool {
     let is_frame = matches!(project.structure, Structure::Frame(_));
     let limit = project.drift_limit.as_ref().filter(|_| is_frame);
@@ -49,7 +49,7 @@ fn is_beyond_drift(project: &Project) -> bool {
     limit.zip(tilt).is_some_and(|(limit, tilt)| tilt >= limit.ratio())
 }
 
-/// The comparison of [`last_tilt`] with `tilt_limit`; `None` without either.
+/// The comparison of [`last_tilt`] with `tilt_limit`; `None` if either is missing.
 pub fn tilt_against_limit(project: &Project) -> Option<TiltAgainstLimit> {
     let limit = project.watch.tilt_limit?;
     let (survey, tilt) = last_tilt(project)?;

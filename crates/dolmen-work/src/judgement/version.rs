@@ -19,7 +19,7 @@ use dolmen_words::message::Both;
 pub struct VersionJudgement {
     /// The variant; `None`: the structure as it is.
     pub variant: Option<String>,
-    /// Its stability under weight; `None` where no model was checked.
+    /// Its stability under weight; `None` if no model was checked.
     pub weight: Option<Weight>,
     /// The wind or static loads that govern the word for weight, and the combination; `None` if the weight alone does.
     pub governed_by: Option<Governing>,
@@ -27,7 +27,7 @@ pub struct VersionJudgement {
     pub with_loads: bool,
     /// Whether the word for weight is worse because edges of stones crush.
     pub crushes: bool,
-    /// The share of samples that fall or reach a limit; `None` without samples, or where none does.
+    /// The share of samples that fall or reach a limit; `None` without samples, or if none does.
     pub falling_share: Option<f64>,
     /// Results for earthquakes, one for each demand, motion and part; empty without a demand.
     pub earthquake: Vec<EarthquakeFinding>,
@@ -43,9 +43,9 @@ pub struct VersionJudgement {
     pub tilt_beyond_limit: bool,
     /// The measured tilt in the model, if there is one.
     pub leans: Option<Leaning>,
-    /// The motion before, where the earthquake is the second of two.
+    /// The earlier motion, if the earthquake is the second of two.
     pub after: Option<AfterMotion>,
-    /// Which of several solutions for an identified stiffness it is; `None` with one at most.
+    /// Which of several solutions for an identified stiffness it is; `None` with only one.
     pub solution: Option<Solution>,
     /// Assumed inputs, and what the model leaves out.
     pub basis: Basis,
@@ -60,12 +60,12 @@ pub struct VersionJudgement {
 pub struct Solution {
     /// Its number, from 1.
     pub number: usize,
-    /// How many there are.
+    /// Number of solutions.
     pub of: usize,
 }
 
 impl Solution {
-    /// That of a project, of several.
+    /// The solution of a project that has several.
     fn of(project: &Project) -> Option<Self> {
         let told = project.from_surveys.as_ref().filter(|told| told.of > 1)?;
         Some(Solution {
@@ -142,8 +142,8 @@ impl VersionJudgement {
         Colour::worst(weight.into_iter().chain(others).chain(beyond).chain(left_out))
     }
 
-    /// Whether its overall colour or the colour of one question is worse than that of another version: a structure below demand may have a
-    /// variant that does not even stand.
+    /// Whether its overall colour or the colour of one question is worse than that of another version: the structure may be below the
+    /// demand, and its variant may not even stand.
     pub fn is_worse_than(&self, other: &VersionJudgement) -> bool {
         let each = |of: &VersionJudgement| {
             [
@@ -250,7 +250,7 @@ pub(super) fn version(
             Structure::Frame(part) => part.lean.as_ref().map(of_frame_lean),
             _ => None,
         },
-        // its beds are compared with its tilt, where their widths are known
+        // its beds are compared with its tilt if their widths are known
         Check::Chain(_) => match &project.structure {
             Structure::Chain(part) if state.tilts.iter().any(|tilt| tilt.uplift_tilt.is_some()) => {
                 part.lean.as_ref().map(of_chain_lean)

@@ -10,7 +10,7 @@ use dolmen_words::number::beside_one;
 
 /// Digits of a load factor in a headline.
 const DIGITS: usize = 3;
-/// Share of falling samples from which nothing is called stable: codes require a thousandth of that in a year.
+/// Share of falling samples from which no version is called stable: codes require a thousandth of that in a year.
 const FALLING_SHARE_MOST: f64 = 0.01;
 
 /// The fixed words.
@@ -42,7 +42,7 @@ impl Weight {
             (Some(least), Some(factor)) => Some(least.min(factor)),
             _ => least,
         };
-        // limit / tilt is what the verdict on a tilt is taken from
+        // limit / tilt determines the verdict on a tilt
         let limits = state
             .tilts
             .iter()
@@ -68,7 +68,7 @@ impl Weight {
         }
     }
 
-    /// The word for a stack whose supports moved as given and farther; never better than its word before, nor than that of its check.
+    /// The word for a stack whose supports moved by the given amount and farther; never better than its word before, nor than that of its check.
     pub(super) fn of_supports(run: &SupportsSimulation, before: Option<Weight>) -> Weight {
         let verdict = match run.falls_at() {
             Some(factor) if factor < 1.0 => Verdict::Unstable,

@@ -1,4 +1,4 @@
-//! Wind and static loads: is the motion within the limits of the user?
+//! Wind and static loads: is the motion within the limits of the file?
 
 use super::colour::Colour;
 use crate::building::{StandingBuilding, WindSimulation};
@@ -94,7 +94,7 @@ impl WindLimit {
 }
 
 impl WindFinding {
-    /// The finding that decides: of the worst word the one with the smallest margin.
+    /// The finding that decides: among those with the worst word, the one with the smallest margin.
     pub fn deciding(all: &[WindFinding]) -> Option<&WindFinding> {
         let word = all.iter().map(|of| of.word).max()?;
         let in_hand = |of: &&WindFinding| of.ratio.unwrap_or(f64::INFINITY);
@@ -117,7 +117,7 @@ impl WindFinding {
         WindFinding {
             word: match ratio >= 1.0 {
                 true => WindWord::Within,
-                false => WindWord::Beyond, // also where it is not a number
+                false => WindWord::Beyond, // also if it is not a number
             },
             by: MovedBy::Wind,
             limit: Some(limit),
@@ -131,7 +131,7 @@ impl WindFinding {
 /// and for other kinds.
 pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -> Vec<WindFinding> {
     if let (Structure::Frame(part), Some(loads)) = (&project.structure, &state.loads) {
-        // a given gust contains no resonance of a soft frame
+        // a given gust does not include the resonance of a soft frame
         let is_in_doubt = is_contradicted || loads.lacks_resonance_at_hz().is_some();
         return if_model_is_right(of_frame(part, project, loads), is_in_doubt);
     }
@@ -160,8 +160,8 @@ pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -
     if_model_is_right(all, is_contradicted)
 }
 
-/// The lean of each storey of a frame under each combination compared with the drift limit that the file gives as a number, the smallest margin
-/// of each combination; limits of codes are for earthquakes. Empty without such a limit.
+/// The lean of each storey of a frame under each combination, compared with a drift limit that the file gives as a number; the smallest
+/// margin of each combination. Limits of codes are for earthquakes. Empty without such a limit.
 fn of_frame(part: &FramePart, project: &Project, loads: &LoadsAnswer) -> Vec<WindFinding> {
     let Some(limit @ DriftLimit::Given { .. }) = &project.drift_limit else {
         return Vec::new();
@@ -216,8 +216,8 @@ fn of_frame(part: &FramePart, project: &Project, loads: &LoadsAnswer) -> Vec<Win
     all
 }
 
-/// The allowable drift, less the lean without the loads, over the additional lean by the loads; 0 where the storey does not bear them, `None`
-/// without loads.
+/// The allowable drift minus the lean without the loads, divided by the additional lean under the loads; 0 if the storey cannot resist
+/// them, `None` without loads.
 fn in_hand(storey: &LoadedStorey, allowed: f64) -> Option<f64> {
     if storey.under.shear_n == 0.0 {
         return None;
@@ -232,9 +232,9 @@ fn in_hand(storey: &LoadedStorey, allowed: f64) -> Option<f64> {
     })
 }
 
-/// Histories compared with the same limits: the mean of their peaks, or the mean square where that is larger, so that both verbs agree. If a
-/// damper meets its stops in a history (the model has none), or the histories are shorter than the time for which the limits hold, nothing
-/// counts as within.
+/// Histories compared with the same limits: the mean of their peaks, or the mean square if that is larger, so that both verbs agree.
+/// Nothing counts as within if a damper meets its stops in a history (the model has none), or if the histories are shorter than the time
+/// for which the limits hold.
 pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> Vec<WindFinding> {
     let mut all = Vec::new();
     if let Some(limit) = run.acceleration_limit_m_s2 {
@@ -263,7 +263,7 @@ pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> 
     if_model_is_right(all, is_contradicted || !run.is_as_long_as_its_wind())
 }
 
-/// Results that are not of the structure, or not of its wind, leave nothing within its limit.
+/// If the model is not that of the structure, or the wind not its own, nothing counts as within its limit.
 fn if_model_is_right(mut all: Vec<WindFinding>, is_in_doubt: bool) -> Vec<WindFinding> {
     if is_in_doubt {
         let within = all.iter_mut().filter(|of| of.word == WindWord::Within);

@@ -14,7 +14,7 @@ pub struct Unidentified {
     pub why: Both,
 }
 
-/// Keys and values in JSON are the same in every language.
+/// Serializes the English text: JSON is the same in every language.
 fn in_english<S: Serializer>(why: &Both, to: S) -> Result<S::Ok, S::Error> {
     why.english.serialize(to)
 }
@@ -104,7 +104,7 @@ pub enum Fault {
 pub struct Verified {
     /// Structures.
     pub structures: i64,
-    /// Surveys, each form of one counted.
+    /// Surveys; each version counts.
     pub surveys: i64,
     /// Analyses.
     pub analyses: i64,

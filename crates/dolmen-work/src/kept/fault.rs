@@ -5,7 +5,7 @@ use dolmen_words::message::Both;
 /// Why a store fails.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum StoreFault {
-    /// No store was named.
+    /// The user named no store.
     Unnamed,
     /// There is no file.
     NoStore {
@@ -28,7 +28,7 @@ pub enum StoreFault {
     Later {
         /// The number of its schema.
         found: usize,
-        /// The last one known.
+        /// The last one that this version knows.
         known: usize,
     },
     /// Another process is writing.
@@ -41,7 +41,7 @@ pub enum StoreFault {
     DiskFull,
     /// The file is damaged.
     Damaged {
-        /// What is wrong.
+        /// The fault.
         why: String,
     },
     /// A raw file is missing or changed.
@@ -53,7 +53,7 @@ pub enum StoreFault {
     Folder {
         /// The file or folder.
         shown: String,
-        /// What the system says.
+        /// The system's error.
         why: Both,
     },
     /// There is no structure of that name.
@@ -67,7 +67,7 @@ pub enum StoreFault {
     NoSurvey {
         /// The name.
         name: String,
-        /// The last ones that are there.
+        /// Names of the last ones.
         known: String,
     },
     /// A name that is not allowed.
@@ -95,7 +95,7 @@ pub enum StoreFault {
     },
     /// The address asks for encryption.
     ServerTls {
-        /// What it asks for.
+        /// The requested encryption mode.
         mode: String,
     },
     /// The server is another machine, and the address does not allow an unencrypted connection.
@@ -107,7 +107,7 @@ pub enum StoreFault {
     ServerDown {
         /// The address without its password.
         shown: String,
-        /// What the system says.
+        /// The system's error.
         why: String,
     },
     /// The server refuses the role or its password.
@@ -125,7 +125,7 @@ pub enum StoreFault {
         /// The address without its password.
         shown: String,
     },
-    /// The server takes no more connections.
+    /// The server accepts no more connections.
     ServerFull {
         /// The address without its password.
         shown: String,
@@ -164,7 +164,7 @@ pub enum StoreFault {
     },
     /// Another error.
     Failed {
-        /// What the database says.
+        /// The database's error.
         why: String,
     },
 }

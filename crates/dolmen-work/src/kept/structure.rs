@@ -58,7 +58,7 @@ pub struct ListedSurvey {
 pub struct KeptState {
     /// BLAKE3 over its text and files.
     pub hash: String,
-    /// When it was stored, s since 1970 (UTC).
+    /// Time of storage, s since 1970 (UTC).
     pub stored_s: f64,
     /// By whom.
     pub who: String,
@@ -73,7 +73,7 @@ pub struct KeptState {
 pub struct KeptLog {
     /// When, s since 1970 (UTC).
     pub at_s: f64,
-    /// Who.
+    /// Name of the person.
     pub who: String,
     /// "add", "import", "remove".
     pub verb: String,

@@ -6,7 +6,7 @@ use serde::Serialize;
 /// A record file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct KeptRecord {
-    /// As the project names it.
+    /// Path in the project.
     pub path: String,
     /// BLAKE3 of its bytes.
     pub hash: String,
@@ -30,7 +30,7 @@ pub struct KeptTilt {
 /// A mode, identified or stated.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct KeptMode {
-    /// The direction of a stated mode; `None` of one that was identified.
+    /// The direction of a stated mode; `None` for an identified one.
     pub direction: Option<String>,
     /// Frequency, Hz.
     pub frequency_hz: f64,
@@ -57,11 +57,11 @@ pub struct KeptAnalysis {
     pub at_s: f64,
     /// The modes, ascending.
     pub modes: Vec<KeptMode>,
-    /// The earthquake that the records hold.
+    /// The earthquake in the records.
     pub earthquake: Option<KeptEarthquake>,
 }
 
-/// An earthquake that the structure felt.
+/// An earthquake that the structure experienced.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct KeptEarthquake {
     /// Largest acceleration, m/s².
@@ -93,7 +93,7 @@ pub struct KeptInspection {
     pub name: Option<String>,
     /// Its size, m.
     pub size_m: Option<f64>,
-    /// Standard deviation of that by the error of reading, m.
+    /// Standard deviation of the size due to reading errors, m.
     pub size_sd_m: Option<f64>,
     /// Its limit, m.
     pub limit_m: Option<f64>,

@@ -12,11 +12,11 @@ const RESONANCE_BELOW_HZ: f64 = 1.0;
 pub struct LoadsAnswer {
     /// Whether the file gives a wind.
     pub has_wind: bool,
-    /// Whether it gives static loads.
+    /// Whether the file has static loads.
     pub has_loads: bool,
     /// The wind on the structure, or why it is unknown; `None` without wind.
     pub wind: Option<Result<WindMet, WindError>>,
-    /// The same across a chain of two directions; `None` for others, and where `wind` is unknown.
+    /// The same across a chain with two directions; `None` for others, or if `wind` is unknown.
     pub wind_across: Option<WindMet>,
     /// The wind along each direction of a frame; empty for others, and where `wind` is unknown.
     pub frame_winds: Vec<FrameWind>,
@@ -44,14 +44,14 @@ pub struct FrameWind {
 pub struct Carried {
     /// The weights, N.
     pub weight_n: f64,
-    /// Factor on the weight of all at which it falls.
+    /// Factor on the total weight at which it falls.
     pub load_factor: f64,
     /// Lowest natural frequency, Hz; `None` where it falls.
     pub frequency_hz: Option<f64>,
 }
 
 impl Carried {
-    /// By the factor on the weight of all.
+    /// Verdict from the factor on the total weight.
     pub fn verdict(&self) -> Verdict {
         Verdict::of_load_factor(self.load_factor)
     }
@@ -66,7 +66,7 @@ pub struct WindMet {
     pub response_factor: f64,
     /// Whether it includes resonance.
     pub resonance: Resonance,
-    /// Lowest natural frequency, Hz; `None` where it is not known.
+    /// Lowest natural frequency, Hz; `None` where it is unknown.
     pub frequency_hz: Option<f64>,
     /// The wind on each link, lowest first; empty for a stack.
     pub links: Vec<WindOnLink>,
@@ -79,7 +79,7 @@ pub struct WindMet {
 /// The wind on one link.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct WindOnLink {
-    /// Area, m², banners and signs included.
+    /// Area including banners and signs, m².
     pub area_m2: f64,
     /// Force, N.
     pub force_n: f64,
@@ -118,9 +118,9 @@ pub enum Combined {
 pub struct FrameCombination {
     /// Each direction whose stiffness is known.
     pub directions: Vec<DirectionUnderLoads>,
-    /// Those whose stiffness is not.
+    /// Directions with unknown stiffness.
     pub unknown: Vec<String>,
-    /// Factor on the weight of the combination, static loads included, at which it falls; `None` where no stiffness is known.
+    /// Factor on the weight of the combination, including static loads, at which it falls; `None` if no stiffness is known.
     pub weight_factor: Option<f64>,
 }
 
@@ -136,7 +136,7 @@ pub struct DirectionUnderLoads {
 /// A storey of a frame in its worst case.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct LoadedStorey {
-    /// The factor that it bears.
+    /// The factor on the loads that it resists.
     pub under: StoreyUnderLoads,
     /// Its height, m.
     pub height_m: f64,
@@ -149,14 +149,14 @@ pub struct LoadedStorey {
 }
 
 impl LoadedStorey {
-    /// Lean under the loads, horizontal over vertical; `None` where it does not bear them.
+    /// Lean under the loads, horizontal over vertical; `None` if it cannot resist them.
     pub fn lean(&self) -> Option<f64> {
         Some(self.under.lean_at_rest? + self.under.drift_m? / self.height_m)
     }
 }
 
 impl DirectionUnderLoads {
-    /// The storey with the least factor, 0 the lowest.
+    /// The storey with the smallest factor, 0 the lowest.
     pub fn governing(&self) -> Option<(usize, &LoadedStorey)> {
         let each = self.storeys.iter().enumerate();
         each.min_by(|a, b| a.1.under.factor.total_cmp(&b.1.under.factor))
@@ -164,7 +164,7 @@ impl DirectionUnderLoads {
 }
 
 impl FrameCombination {
-    /// The direction and the storey, 0 the lowest, that have the least factor.
+    /// The direction and the storey, 0 the lowest, with the smallest factor.
     pub fn governing(&self) -> Option<(&DirectionUnderLoads, usize, &LoadedStorey)> {
         let each = self.directions.iter().filter_map(|own| {
             let (storey, of) = own.governing()?;
@@ -173,18 +173,18 @@ impl FrameCombination {
         each.min_by(|a, b| a.2.under.factor.total_cmp(&b.2.under.factor))
     }
 
-    /// Least factor on the loads at which a storey falls; `None` where no stiffness is known.
+    /// Smallest factor on the loads at which a storey falls; `None` if no stiffness is known.
     pub fn factor(&self) -> Option<f64> {
         Some(self.governing()?.2.under.factor)
     }
 
-    /// By the factor on what it weighs.
+    /// Verdict from the factor on the weight.
     pub fn weight_verdict(&self) -> Verdict {
         self.weight_factor
             .map_or(Verdict::Unknown, Verdict::of_load_factor)
     }
 
-    /// From the factors on loads and on weight; unknown if a direction is unknown, unless another falls.
+    /// Verdict from the factors on loads and on weight; unknown if a direction is unknown, unless another falls.
     pub fn verdict(&self) -> Verdict {
         let by_loads = match self.factor() {
             Some(f64::INFINITY) => Verdict::Stable,
@@ -208,13 +208,13 @@ pub struct ChainCombination {
     pub under: ChainUnderLoads,
     /// Whether the wind blows against the positive direction of the static loads.
     pub wind_reversed: bool,
-    /// Factor on the weight of the combination, static loads included, at which it falls; `None` without stiffness.
+    /// Factor on the weight of the combination, including static loads, at which it falls; `None` without stiffness.
     pub weight_factor: Option<f64>,
-    /// Across, for a chain of two directions; the factors on loads are then those of both together.
+    /// Across, for a chain with two directions; the factors on loads are then those of both together.
     pub across: Option<AcrossCombination>,
 }
 
-/// A chain across under a combination, the wind from its worst side.
+/// A chain across under a combination, with the wind from its worst side.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct AcrossCombination {
     /// Moments and limits across.
@@ -224,7 +224,7 @@ pub struct AcrossCombination {
 }
 
 impl CombinationAnswer {
-    /// What it does to a chain; `None` of others.
+    /// The result for a chain; `None` for others.
     pub fn chain(&self) -> Option<&ChainCombination> {
         match &self.of {
             Combined::Chain(chain) => Some(chain),
@@ -232,7 +232,7 @@ impl CombinationAnswer {
         }
     }
 
-    /// What it does to a stack; `None` of others.
+    /// The result for a stack; `None` for others.
     pub fn stack(&self) -> Option<&StackUnderLoads> {
         match &self.of {
             Combined::Chain(_) | Combined::Frame(_) => None,
@@ -240,7 +240,7 @@ impl CombinationAnswer {
         }
     }
 
-    /// What it does to a frame; `None` of others.
+    /// The result for a frame; `None` for others.
     pub fn frame(&self) -> Option<&FrameCombination> {
         match &self.of {
             Combined::Chain(_) | Combined::Stack(_) => None,
@@ -248,7 +248,7 @@ impl CombinationAnswer {
         }
     }
 
-    /// Smallest factor on wind and loads at which a joint reaches its limit, stones move, or a storey falls; `None` where no limit is known.
+    /// Smallest factor on wind and loads at which a joint reaches its limit, stones move, or a storey falls; `None` if no limit is known.
     pub fn factor(&self) -> Option<f64> {
         match &self.of {
             Combined::Chain(chain) => chain.under.factor,
@@ -257,7 +257,7 @@ impl CombinationAnswer {
         }
     }
 
-    /// From the factors on loads and on weight; unknown where a limit or the stiffness is unknown, unless it overturns in any case.
+    /// Verdict from the factors on loads and on weight; unknown if a limit or the stiffness is unknown, unless it overturns in any case.
     pub fn verdict(&self) -> Verdict {
         match &self.of {
             Combined::Chain(chain) => chain.verdict(),
@@ -268,13 +268,13 @@ impl CombinationAnswer {
 }
 
 impl ChainCombination {
-    /// By the factor on what it weighs.
+    /// Verdict from the factor on the weight.
     pub fn weight_verdict(&self) -> Verdict {
         self.weight_factor
             .map_or(Verdict::Unknown, Verdict::of_load_factor)
     }
 
-    /// By the factors on loads and on weight.
+    /// Verdict from the factors on loads and on weight.
     pub fn verdict(&self) -> Verdict {
         let under = &self.under;
         let by_factor = match under.factor {
@@ -312,7 +312,7 @@ impl LoadsAnswer {
         })
     }
 
-    /// The worst verdict; unknown where the wind is unknown, or does not include the resonance of the structure.
+    /// The worst verdict; unknown if the wind is unknown, or does not include the resonance of the structure.
     pub fn verdict(&self) -> Verdict {
         if self.falls_as_it_hangs() {
             return Verdict::Unstable;
@@ -332,7 +332,7 @@ impl LoadsAnswer {
         self.carried.is_some_and(|of| of.verdict() == Verdict::Unstable)
     }
 
-    /// The lowest natural frequency, Hz, of a structure with resonance that the wind does not include.
+    /// The lowest natural frequency, Hz, of a structure whose resonance the wind does not include.
     pub fn lacks_resonance_at_hz(&self) -> Option<f64> {
         let along = self.wind.as_ref()?.as_ref().ok()?;
         let blows = self.combinations.iter().any(|of| of.wind != 0.0);
@@ -346,7 +346,7 @@ impl LoadsAnswer {
             .min_by(f64::total_cmp)
     }
 
-    /// Least factor of all combinations.
+    /// Smallest factor of all combinations.
     pub fn factor(&self) -> Option<f64> {
         let factors = self.combinations.iter().filter_map(CombinationAnswer::factor);
         factors.min_by(f64::total_cmp)

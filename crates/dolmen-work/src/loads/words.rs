@@ -40,7 +40,7 @@ pub enum Governing {
 }
 
 impl Governing {
-    /// The worst combination, or what acts.
+    /// The worst combination, or the kinds of load.
     pub(crate) fn of(loads: &LoadsAnswer) -> Governing {
         if loads.falls_as_it_hangs() {
             return Governing::Loads;
@@ -70,7 +70,7 @@ impl Governing {
         matches!(self, Governing::Direction(_))
     }
 
-    /// A word under it.
+    /// The word under these loads.
     pub(crate) fn under(&self, word: Both) -> Governed {
         match self {
             Governing::Wind => Governed::UnderWind { word },

@@ -15,11 +15,11 @@ pub struct MotionAnswer {
     pub peaks_read_m_s2: Vec<(Component, f64)>,
     /// The angle of rotation on the command line, rad, if given.
     pub turned_rad: Option<f64>,
-    /// The response of the structure above it, where a survey's record has both and the motion was not changed.
+    /// The response of the structure above the ground, if a survey's record has both and the motion was not changed.
     pub measured: Option<Arc<MeasuredResponse>>,
 }
 
-/// Limits of a drifting base line: the last displacement exceeds this fraction of the largest, and this length, m. Chosen here.
+/// A drifting baseline: the last displacement exceeds this fraction of the largest, and this length, m. Our choice.
 const DRIFT_LEAST: f64 = 0.5;
 const DRIFT_LEAST_M: f64 = 0.01;
 
@@ -29,7 +29,7 @@ pub fn base_line_drifts([last_m, peak_m]: [f64; 2]) -> bool {
 }
 
 impl MotionAnswer {
-    /// End of a run, s, if it is before that of the motion.
+    /// End of a run, s, if it is before the end of the motion.
     pub fn cut_at_s(&self, end_s: f64) -> Option<f64> {
         (end_s < self.motion.duration_s() * (1.0 - 1e-9)).then_some(end_s)
     }

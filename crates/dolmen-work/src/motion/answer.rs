@@ -10,7 +10,7 @@ use dolmen_records::motions::ComponentReading;
 pub struct MotionSeries {
     /// Its name: "x", or the name of the channel.
     pub name: String,
-    /// The motion that it is part of.
+    /// The motion that contains it.
     pub motion: GroundMotion,
     /// Its direction in that motion.
     pub component: Component,
@@ -36,9 +36,9 @@ pub struct MatchAnswer {
 }
 
 impl MatchAnswer {
-    /// Largest root mean square of the misfit of a matched motion.
+    /// Largest allowed root mean square misfit of a matched motion.
     pub const MISFIT_MOST: f64 = 0.025;
-    /// Largest relative shortfall of an ordinate.
+    /// Largest allowed relative shortfall of an ordinate.
     pub const SHORT_MOST: f64 = 0.1;
 
     /// Whether the motion meets both limits.
@@ -55,6 +55,6 @@ pub struct MotionReport {
     pub files: Vec<(String, Vec<ComponentReading>)>,
     /// Each series, changed as its history says.
     pub series: Vec<MotionSeries>,
-    /// The match, if one was asked for; the first series is then the matched motion.
+    /// The match, if requested; the first series is then the matched motion.
     pub matched: Option<MatchAnswer>,
 }

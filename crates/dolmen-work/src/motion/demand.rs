@@ -10,7 +10,7 @@ use dolmen::assess::demand::{
 /// A demand spectrum: of Eurocode 8 if it has a ground acceleration, otherwise of KDS 17 10 00.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Demand {
-    /// S1 to S5 (KDS), A to E (Eurocode 8), in any case.
+    /// S1 to S5 (KDS), A to E (Eurocode 8), upper or lower case.
     pub site: String,
     /// Seismic zone of KDS 17 10 00, 1 or 2.
     pub zone: u8,
@@ -22,14 +22,14 @@ pub struct Demand {
     pub spectrum_type: u8,
 }
 
-/// Default periods of a match, s. Chosen here.
+/// Default periods of a match, s. Our choice.
 pub const RANGE_S: [f64; 2] = [0.1, 3.0];
-/// Shortest and longest period allowed, s. Chosen here: records of earthquakes do not resolve others.
+/// Shortest and longest allowed period, s. Our choice: records of earthquakes do not resolve others.
 const RANGE_ALLOWED_S: [f64; 2] = [0.02, 10.0];
-/// Periods of a match for a structure, over its own period: 0.2 T1 to 2 T1. Dolmen's own rule.
+/// Periods of a match for a structure, relative to its own period: 0.2 T1 to 2 T1. Our choice.
 const OF_STRUCTURE: [f64; 2] = [0.2, 2.0];
 
-/// Periods of a match for a structure of the period `t1_s`.
+/// Periods of a match for a structure with the period `t1_s`.
 pub fn range_of_structure(t1_s: f64) -> [f64; 2] {
     OF_STRUCTURE.map(|share| share * t1_s)
 }

@@ -32,7 +32,7 @@ pub enum MotionDoubt {
         /// Its peak, g.
         peak_g: f64,
     },
-    /// With its time step it oscillates too slowly or too fast for an earthquake.
+    /// With this time step it oscillates too slowly or too fast for an earthquake.
     Step {
         /// The component.
         component: Component,
@@ -48,16 +48,16 @@ pub enum MotionDoubt {
     },
 }
 
-/// Peak above which a motion is suspicious, g. Chosen here: fewer than one in a thousand records of damaging earthquakes exceed it.
+/// Peak above which a motion is suspicious, g. Our choice: fewer than one in a thousand records of damaging earthquakes exceed it.
 const STRONG_G: f64 = 1.5;
-/// Peak of a file, and of an acting motion, below which it is suspicious, g. Chosen here: people feel 0.003 g.
+/// Peak of a file, and of an acting motion, below which it is suspicious, g. Our choice: people feel 0.003 g.
 const READ_WEAK_G: f64 = 0.004;
 const ACTS_WEAK_G: f64 = 0.0005;
-/// Range of the mean frequency of zero crossings, Hz. Chosen here: records of earthquakes have 0.5 to 25.
+/// Range of the mean frequency of zero crossings, Hz. Our choice: records of earthquakes have 0.5 to 25.
 const SWINGS_HZ: [f64; 2] = [0.1, 32.0];
 
 impl MotionAnswer {
-    /// The suspicions, each with its numbers.
+    /// The doubts, each with its numbers.
     pub fn doubts(&self) -> Vec<MotionDoubt> {
         let mut doubts: Vec<MotionDoubt> = self
             .peaks_read_m_s2

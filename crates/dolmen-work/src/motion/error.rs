@@ -10,19 +10,19 @@ pub enum MotionRequestError {
     NoSuchMotion {
         /// The name.
         name: String,
-        /// Those there are.
+        /// Names of the known ones.
         known: String,
     },
     /// There is no such built-in motion.
     NoBuiltInMotion {
         /// The name.
         name: String,
-        /// Those there are.
+        /// Names of the known ones.
         known: String,
     },
     /// No motion was requested.
     NoMotion {
-        /// Those there are.
+        /// Names of the known ones.
         known: String,
     },
     /// A flag for reading files with a built-in motion.
@@ -68,19 +68,19 @@ pub enum MotionRequestError {
         /// The largest allowed, g.
         most_g: f64,
     },
-    /// A turn that is typed turns more than once about.
+    /// The rotation angle on the command line exceeds a full turn.
     TurnTyped {
-        /// It, degrees.
+        /// The angle, degrees.
         given_deg: f64,
     },
     /// A factor for all components that is not positive.
     ScaleTyped {
-        /// It.
+        /// The factor.
         given: f64,
     },
     /// A peak that is not positive.
     PeakTyped {
-        /// It.
+        /// The peak.
         given: String,
     },
     /// A pulse is too short or too long for its time step.
@@ -113,7 +113,7 @@ pub enum MotionRequestError {
     AccelerationWithoutUnit {
         /// The text.
         given: String,
-        /// Its number.
+        /// The number.
         value: f64,
     },
     /// A site that is not a ground type of Eurocode 8.
@@ -143,12 +143,12 @@ pub enum MotionRequestError {
     },
     /// No file of a suite has a horizontal record.
     NoRecords {
-        /// Files that were looked at.
+        /// Number of files examined.
         files: usize,
     },
     /// No file of a suite is usable.
     NoneReadable {
-        /// Files that were looked at.
+        /// Number of files examined.
         files: usize,
         /// The first.
         file: String,

@@ -12,14 +12,14 @@ use dolmen::signal::{
 };
 use dolmen_records::motions::read_channels;
 
-/// Number of periods of a spectrum, evenly spaced in their logarithm, and their range, s. Chosen here.
+/// Number of periods of a spectrum, evenly spaced in their logarithm, and their range, s. Our choice.
 const PERIODS: usize = 200;
 const PERIODS_S: [f64; 2] = [0.02, 4.0];
 /// Number of periods on each side of the matched ones for the misfit in the answer.
 const OUTSIDE: usize = 40;
 /// Factor by which they extend beyond the matched ones.
 const OUTSIDE_LEAST: f64 = 4.0 / 3.0;
-/// The number among the matched ones: four times as dense as in the fit. Chosen here.
+/// Number of periods among the matched ones: four times as dense as in the fit. Our choice.
 const INSIDE: usize = 600;
 
 /// Options of `dolmen motion`.
@@ -59,19 +59,19 @@ pub struct MadeMotion {
 /// Shapes of motions that can be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionShape {
-    /// Half a sine: leaves a velocity.
+    /// Half a sine wave; a velocity remains.
     HalfSine,
-    /// One sine: leaves a displacement.
+    /// One sine wave; a displacement remains.
     Sine,
-    /// One cosine: leaves nothing.
+    /// One cosine wave; nothing remains.
     Cosine,
     /// Ricker's wavelet, even.
     Ricker,
     /// Ricker's wavelet, odd.
     RickerOdd,
-    /// Mavroeidis and Papageorgiou's pulse of near faults.
+    /// Near-fault pulse of Mavroeidis and Papageorgiou.
     NearFault,
-    /// Seeded noise of firm ground (Clough and Penzien) under an envelope.
+    /// Seeded noise of firm ground (Clough and Penzien) with an envelope.
     Noise,
 }
 
@@ -85,7 +85,7 @@ struct Named {
 /// Measures, spectra and matches of the requested motions.
 ///
 /// # Errors
-/// [`WorkError`], where a file cannot be read, a step cannot be done, or the motion cannot be matched.
+/// [`WorkError`] if a file cannot be read, a step is impossible, or the motion cannot be matched.
 pub fn motion(options: &MotionOptions) -> Result<MotionReport, WorkError> {
     let mut report = MotionReport {
         files: Vec::new(),
@@ -94,7 +94,7 @@ pub fn motion(options: &MotionOptions) -> Result<MotionReport, WorkError> {
     };
     let mut motions: Vec<Named> = Vec::new();
     if let Some(wanted) = &options.made {
-        // its step is the given step of samples
+        // the sample step of the request is its step
         let rest = MotionRequest {
             sample_step_s: None,
             ..options.request.clone()
@@ -103,7 +103,7 @@ pub fn motion(options: &MotionOptions) -> Result<MotionReport, WorkError> {
             return Err(MotionRequestError::OfFilesNotMade { flag }.into());
         }
         let told = MotionRequest {
-            peak: None, // it is made with its peak
+            peak: None, // its own peak is used
             ..options.request.clone()
         };
         motions.push(Named {
@@ -254,7 +254,7 @@ fn matched(
             .unwrap_or(f64::NAN)
     };
     let mut matched = match_spectrum(motion, component, &target, &told)?;
-    // between the fitted periods as well
+    // also between the fitted periods
     let fitted = [told.period_least_s, told.period_most_s];
     let between = misfit(
         &matched.motion,

@@ -28,6 +28,6 @@ pub struct MeasuredChannel {
     pub height_m: f64,
     /// Its axis.
     pub component: Component,
-    /// Its acceleration along that, m/s².
+    /// Its acceleration along the axis, m/s².
     pub acceleration_m_s2: Vec<f64>,
 }

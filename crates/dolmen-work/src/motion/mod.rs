@@ -1,4 +1,4 @@
-//! Ground motions: asked for, prepared, measured, matched, made.
+//! Ground motions: requested, prepared, measured, matched, made.
 
 mod acting;
 mod answer;

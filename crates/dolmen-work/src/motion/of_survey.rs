@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Prefix of the name of a survey in the name of a motion.
 pub(crate) const SURVEY: &str = "survey:";
-/// Seconds of the record before and after the earthquake that also act. Chosen here.
+/// Seconds of the record before and after the earthquake that also act. Our choice.
 const BEFORE_S: f64 = 2.0;
 const BEHIND_S: f64 = 5.0;
 /// Smallest cosine between a channel and its axis: 2.5°.

@@ -24,7 +24,7 @@ const CARRIED: [(&str, &str, &[u8]); 1] = [(
     include_bytes!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv"),
 )];
 
-/// Largest peak of an acting motion, g. Chosen here: more than twice the 4.1 g of Ichinoseki on 14 June 2008 (Aoi, Kunugi and Fujiwara, Science
+/// Largest peak of an acting motion, g. Our choice: more than twice the 4.1 g of Ichinoseki on 14 June 2008 (Aoi, Kunugi and Fujiwara, Science
 /// 322, 2008), the largest ever recorded.
 const ACTS_MOST_G: f64 = 10.0;
 
@@ -38,11 +38,11 @@ struct MotionSettings {
     turn_rad: Option<f64>,
     /// Whether the motion is for a structure.
     acts: bool,
-    /// Whether to scale before the rotation, as studies do for structures that move in plan: the rotation then leaves the strength of the
-    /// shaking unchanged.
+    /// Whether to scale before the rotation, as studies do for structures that move in plan: the strength of the shaking then does not
+    /// depend on the rotation.
     is_sized_first: bool,
     size: Option<MotionSize>,
-    /// Further options, of the request only.
+    /// Further options, only from the request.
     read: MotionOptions,
     /// Files of responses that the project file names.
     responses: Vec<String>,
@@ -119,7 +119,7 @@ fn ready(request: &MotionRequest, project: Option<ProjectFiles<'_>>) -> Result<M
     {
         answer.motion = answer.motion.renamed(own);
     }
-    // a changed motion is not the one of the structure's measured response
+    // the measured response does not belong to a changed motion
     answer.measured = answer.measured.filter(|_| !request.is_changed());
     answer.turned_rad = request.turn_deg.map(f64::to_radians);
     Ok(answer)
@@ -201,7 +201,7 @@ fn wanted(options: &MotionRequest, project: Option<ProjectFiles<'_>>) -> Result<
     })
 }
 
-/// The size in the request. Unlike a project file it may not invert a record, which looks like a typing mistake.
+/// The size in the request. Unlike a project file it may not invert a record, because that looks like a typing mistake.
 fn typed_size(options: &MotionRequest) -> Result<Option<MotionSize>, WorkError> {
     match (options.scale, &options.peak) {
         (Some(given), _) if given > 0.0 => Ok(Some(MotionSize::Scale(given))),
@@ -217,7 +217,7 @@ fn typed_size(options: &MotionRequest) -> Result<Option<MotionSize>, WorkError> 
     }
 }
 
-/// The turn that is typed, at most once about.
+/// The rotation on the command line, at most a full turn.
 fn typed_turn_rad(options: &MotionRequest) -> Result<Option<f64>, WorkError> {
     match options.turn_deg {
         Some(given_deg) if !(-360.0..=360.0).contains(&given_deg) => {
@@ -294,7 +294,7 @@ pub(crate) fn motion_options(options: &MotionRequest) -> Result<MotionOptions, W
     })
 }
 
-/// The responses that are typed.
+/// The instrument responses on the command line.
 fn typed_responses(files: &[GivenFile]) -> Result<Vec<Response>, WorkError> {
     let mut all = Vec::new();
     for file in files {
@@ -304,7 +304,7 @@ fn typed_responses(files: &[GivenFile]) -> Result<Vec<Response>, WorkError> {
     Ok(all)
 }
 
-/// Those that the project file names.
+/// The instrument responses that the project file names.
 fn responses_of_files(
     names: &[String],
     project: Option<ProjectFiles<'_>>,
@@ -385,7 +385,7 @@ fn from_files(
             .iter()
             .map(|file| (file.component, file.name.clone()))
             .collect(),
-        // rotated: every direction comes from all files
+        // rotated: every direction needs all files
         Some(_) => {
             let given = Component::ALL
                 .into_iter()
@@ -450,7 +450,7 @@ fn changed(mut motion: GroundMotion, wanted: &MotionSettings) -> Result<GroundMo
     }
 }
 
-/// Refuses ground that does not move, or moves as no ground can.
+/// Refuses a motion that does not move, or that no ground can have.
 fn plausible(motion: GroundMotion) -> Result<GroundMotion, WorkError> {
     let peaks = Component::ALL.map(|component| motion.component_peak_m_s2(component));
     let peak_g = peaks.into_iter().fold(0.0, f64::max) / Unit::Gravity.si();

@@ -10,9 +10,9 @@ pub struct MotionRequest {
     pub name: Option<String>,
     /// Files instead of a name, at most one for each component.
     pub files: Vec<GivenFile>,
-    /// Unit of the numbers in the files where they do not say it.
+    /// Unit of the numbers, if the files do not give it.
     pub unit: Option<String>,
-    /// Time between the samples of the files where they do not say it, s.
+    /// Time between samples, if the files do not give it, s.
     pub sample_step_s: Option<f64>,
     /// The channel to read from a file with several, by name or number.
     pub channel: Option<String>,
@@ -20,9 +20,9 @@ pub struct MotionRequest {
     pub columns: Vec<(Component, String)>,
     /// Factor from the numbers to the unit.
     pub factor: f64,
-    /// Responses that networks publish (RESP): what a count of each channel is worth.
+    /// Instrument responses from networks (RESP): the value of a count for each channel.
     pub responses: Vec<GivenFile>,
-    /// Cut components that begin at one time to the shortest.
+    /// Cut components that begin at the same time to the shortest.
     pub shortest: bool,
     /// Ignore the peak in a header if it differs from that of the samples.
     pub ignore_stated_peak: bool,
@@ -44,10 +44,10 @@ pub struct MotionRequest {
     pub peak: Option<String>,
 }
 
-/// A file that was given, with its bytes.
+/// An input file with its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GivenFile {
-    /// The component that it holds; by its place among the files if it is not said.
+    /// Its component; `None` means the one for its position among the files.
     pub component: Option<Component>,
     /// The file as the user named it.
     pub name: String,
@@ -94,7 +94,7 @@ impl MotionRequest {
         self.name.is_some() || !self.files.is_empty()
     }
 
-    /// The first given flag for reading files, without its dashes; it has no effect on a motion that is not in a file.
+    /// The first given flag for reading files, without its dashes; it has no effect on a motion from another source.
     pub fn of_files(&self) -> Option<&'static str> {
         [
             (self.unit.is_some(), "unit"),

@@ -4,7 +4,7 @@ use super::acting::MotionAnswer;
 use crate::error::WorkError;
 use dolmen::signal::{Component, GroundMotion, motion_sequence};
 
-/// Both motions as one, with still ground between them for at least `still_s`, and that time, s, rounded up to a sample.
+/// Both motions as one, with still ground between them for at least `still_s`; and that time, s, rounded up to a sample.
 ///
 /// # Errors
 /// Motions whose steps have no common one.
@@ -19,7 +19,7 @@ pub(crate) fn in_sequence(
         files: [first.files, second.files].concat(),
         peaks_read_m_s2: [first.peaks_read_m_s2, second.peaks_read_m_s2].concat(),
         turned_rad: first.turned_rad,
-        measured: None, // a measured response to one motion is not that to both
+        measured: None, // a measured response to one motion does not apply to both
     };
     Ok((answer, both.still_s))
 }

@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 
 /// Number of periods at which the mean spectrum is compared with the demand, evenly spaced in their logarithm; as for matching.
 const PERIODS: usize = 150;
-/// Longest name of a member. Chosen here.
+/// Longest name of a member. Our choice.
 const NAME_MOST: usize = 40;
 
 /// Options of a suite.
@@ -97,7 +97,7 @@ pub enum NotTaken {
 /// A suite of records whose mean spectrum follows a demand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SuiteAnswer {
-    /// What the demand is: the code with its year and parameters.
+    /// Description of the demand: the code with its year and parameters.
     pub demand: String,
     /// Damping ratio of the spectra.
     pub damping_ratio: f64,
@@ -124,7 +124,7 @@ pub struct SuiteAnswer {
 }
 
 impl SuiteAnswer {
-    /// Whether the mean keeps to the least share of the demand at every period.
+    /// Whether the mean is at least the required share of the demand at every period.
     pub fn is_kept(&self) -> bool {
         self.misfit.lowest >= self.rule.least_share - 1.0 - 1e-9
     }
@@ -142,8 +142,8 @@ struct CandidateRecord {
 /// Chooses records of files for a suite, and scales them.
 ///
 /// # Errors
-/// [`WorkError`] if the demand, the periods or the rules are not allowed, no file holds a record, no suite fits the rules, or a member cannot be
-/// matched. A file that cannot be read is left out, and the answer says why.
+/// [`WorkError`] if the demand, the periods or the rules are not allowed, no file contains a record, no suite satisfies the rules, or a member
+/// cannot be matched. A file that cannot be read is left out, and the answer gives the reason.
 pub fn suite(options: &SuiteOptions, names: &[String], files: &dyn Files) -> Result<SuiteAnswer, WorkError> {
     let [least_s, most_s] = range(options.range_s)?;
     let demand = demand(&options.demand)?;
@@ -324,7 +324,7 @@ fn accelerations(
         .collect())
 }
 
-/// Directions of one record, in one file or in several of one earthquake and station, count as one.
+/// Directions of one record count as one candidate, whether in one file or in several of one earthquake and station.
 fn candidate(one: &CandidateRecord, target_m_s2: &[f64]) -> SuiteCandidate {
     let Origin { event, station } = one.origin.clone();
     SuiteCandidate {

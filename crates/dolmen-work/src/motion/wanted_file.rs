@@ -8,11 +8,11 @@ use dolmen::signal::Component;
 /// A file of a motion.
 pub(super) struct WantedFile {
     pub(super) component: Component,
-    /// As the project or the user named it.
+    /// Its name in the project or from the user.
     pub(super) name: String,
     /// Its column or channel, if given.
     pub(super) channel: Option<String>,
-    /// Its bytes if they are given; otherwise the project's files have them.
+    /// Its bytes, if given; otherwise they come from the project's files.
     pub(super) bytes: Option<Vec<u8>>,
 }
 

@@ -11,11 +11,11 @@ use dolmen_words::Language;
 use dolmen_words::message::Both;
 use dolmen_words::number::significant;
 
-/// β of a state that no motion, or every motion, reached: that of rocking blocks over peak acceleration, 0.37 to 0.48 under the far-field set of
-/// FEMA P-695 (docs/fragility.md).
+/// β for a state that no motion, or every motion, reached: that of rocking blocks over peak acceleration, 0.37 to 0.48 under the far-field
+/// set of FEMA P-695 (docs/fragility.md).
 const BETA_OF_BOUNDS: f64 = 0.4;
 
-/// A factor that lowers ln θ by less than this, half a per cent, is not a reason. Chosen here.
+/// A factor that lowers ln θ by less than this, half a per cent, is not a reason. Our choice.
 const REASON_LEAST: f64 = 0.005;
 
 /// Source of the capacity of a structure.
@@ -27,7 +27,7 @@ pub enum Basis {
         name: String,
         /// Number of usable scans.
         scans: usize,
-        /// Number of those whose samples fall under their own weight.
+        /// Number of scans whose samples fall under their own weight.
         fell_alone: usize,
     },
     /// The six-factor score.
@@ -90,17 +90,17 @@ pub struct PortfolioAnswer {
     pub entries: Vec<PortfolioEntry>,
     /// Their order by the state.
     pub ranked: Ranked,
-    /// Ranks by falls alone, by entry; `None` where no falls are known.
+    /// Ranks by falls alone, by entry; `None` if no falls are known.
     pub by_falls: Vec<Option<usize>>,
     /// Structures without a place.
     pub left_out: Vec<LeftOut>,
-    /// Heads of columns of the table that a ranking does not use.
+    /// Headers of columns that a ranking does not use.
     pub columns_left_out: Vec<String>,
     /// Number of designs behind the score.
     pub designs: usize,
     /// Number of draws for the intervals of ranks.
     pub draws: usize,
-    /// Gravity that turns accelerations into g, m/s².
+    /// Gravity, which converts accelerations to g, m/s².
     pub gravity_m_s2: f64,
 }
 
@@ -152,7 +152,7 @@ impl PortfolioAnswer {
         left_out.collect()
     }
 
-    /// Places with their structures, the worst first.
+    /// Ranks with their structures, the worst first.
     pub fn rows(&self) -> impl Iterator<Item = (&Place, &PortfolioEntry, &KnownCapacity)> {
         self.ranked.places.iter().filter_map(|place| {
             let entry = self.entries.get(place.candidate)?;
@@ -161,7 +161,7 @@ impl PortfolioAnswer {
     }
 }
 
-/// Why there are no data for a state, and which data there are.
+/// Why there are no data for a state, and which data exist.
 fn why_no_place(entry: &PortfolioEntry, state: usize) -> Both {
     if let Basis::Study {
         scans, fell_alone, ..
@@ -197,9 +197,9 @@ fn why_no_place(entry: &PortfolioEntry, state: usize) -> Both {
     .into()
 }
 
-/// Gravity that turns accelerations into g, m/s².
+/// Gravity, which converts accelerations to g, m/s².
 const GRAVITY_M_S2: f64 = 9.81;
-/// Seed of the draws, and the fewest.
+/// Seed of the draws, and their smallest number.
 const SEED: u64 = 1;
 const DRAWS_LEAST: usize = 20;
 

@@ -2,7 +2,7 @@
 
 use super::answer::PortfolioAnswer;
 
-/// Difference of ranks by falls alone that is reported: a third of all. Chosen here.
+/// Difference of ranks by falls alone that is reported: a third of all. Our choice.
 const PART_APART: f64 = 1.0 / 3.0;
 
 /// A structure whose rank by falls alone is far from its rank by the state.
@@ -17,13 +17,13 @@ pub struct FallsApart<'a> {
 }
 
 impl FallsApart<'_> {
-    /// Places by which falls alone put it further back; negative if further ahead.
+    /// Number of ranks by which falls alone put it lower; negative if higher.
     fn behind(&self) -> f64 {
         self.by_falls as f64 - self.rank as f64
     }
 }
 
-/// Structures without a hazard, by name, where others have one, so that rates do not order them. Empty if all have one, or none.
+/// Structures without a hazard, by name, if others have one, so that rates do not order them. Empty if all have one, or none.
 pub fn without_hazard(answer: &PortfolioAnswer) -> Vec<&str> {
     let lacking = answer.entries.iter().filter(|entry| entry.hazard.is_none());
     let lacking: Vec<&str> = lacking.map(|entry| entry.name.as_str()).collect();
@@ -39,14 +39,14 @@ pub fn hazards_replaced(answer: &PortfolioAnswer) -> Vec<&str> {
     replaced.map(|entry| entry.name.as_str()).collect()
 }
 
-/// Structures that by falls alone stand far further ahead than by the state, the first to fall first.
+/// Structures ranked much higher by falls alone than by the state, the first to fall first.
 pub fn falls_first(answer: &PortfolioAnswer) -> Vec<FallsApart<'_>> {
     let mut found = apart(answer, |behind, least| -behind >= least);
     found.sort_by_key(|one| one.by_falls);
     found
 }
 
-/// Structures that falls alone would put far further back than the state does, the worst first.
+/// Structures ranked much lower by falls alone than by the state, the worst first.
 pub fn misjudged(answer: &PortfolioAnswer) -> Vec<FallsApart<'_>> {
     match answer.state {
         3 => Vec::new(),

@@ -1,4 +1,4 @@
-//! The ranking as columns, for CSV: a row a structure, those without a place last, units in the names.
+//! The ranking as columns, for CSV: one row per structure, unranked ones last, units in the names.
 
 use super::answer::{LeftOut, PortfolioAnswer, PortfolioEntry};
 use super::words::{basis_words, known_word, probability_in_years, reason_words};

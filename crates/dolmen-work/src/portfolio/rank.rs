@@ -15,7 +15,7 @@ use dolmen_records::Files;
 use dolmen_words::message::Both;
 use rayon::prelude::*;
 
-/// Number of reasons given where no structure can be ranked.
+/// Number of reasons given if no structure can be ranked.
 const REASONS_MOST: usize = 10;
 
 /// Options of a ranking.
@@ -44,7 +44,7 @@ pub trait Projects: Send + Sync {
     /// The project at `path`, as written in the table.
     ///
     /// # Errors
-    /// [`WorkError`], where there is none or it cannot be read.
+    /// [`WorkError`] if there is none or it cannot be read.
     fn open(&self, path: &str) -> Result<FoundProject, WorkError>;
 }
 
@@ -57,7 +57,7 @@ struct Scores<'a> {
 /// The structures of a table in their order, with intervals and reasons.
 ///
 /// # Errors
-/// Where none can be ranked.
+/// If none can be ranked.
 pub fn rank(
     source: String,
     table: PortfolioTable,
@@ -166,7 +166,7 @@ fn entry(
                     .into());
                 }
             }
-            // capacity after another motion is not that of the structure as it stands
+            // the capacity after another motion is not that of the structure as it is now
             let is_own = |one: &StudyAnswer| study.is_some() || one.study.after.is_none();
             found.retain(|one| one.study.scan.is_some() && is_own(one));
             let mut entry = match found.as_slice() {

@@ -12,7 +12,7 @@ use dolmen_words::message::Both;
 /// score, trained where both agree, gives wrong reasons. Chosen here.
 const SLENDERNESS_APART_MOST: f64 = 1.1;
 
-/// Columns of the factors of a pagoda: one of each is needed.
+/// Columns of the factors of a pagoda; one of each group is required.
 const NEEDED: [&[&str]; 5] = [
     &["storeys"],
     &["body_height_m"],
@@ -20,9 +20,9 @@ const NEEDED: [&[&str]; 5] = [
     &["taper_deg"],
     &["body_base_height_ratio"],
 ];
-/// Height of the body over its width from which a decimal point is missing. Chosen here: pagodas have 1.5 to 6.
+/// Height of the body over its width above which a decimal point is probably missing. Our choice: pagodas have 1.5 to 6.
 const BODY_SLENDERNESS_MOST: f64 = 15.0;
-/// Largest zone factor, g: that of zone I is 0.11, and the soils of the code end at 0.3 g, which 2400 years reach at 0.15. Chosen here.
+/// Largest zone factor, g. Our choice: zone I has 0.11, and at 0.15 the 2400-year motion reaches 0.3 g, where the soil table of the code ends.
 const ZONE_FACTOR_MOST_G: f64 = 0.15;
 /// Largest height of the body of a stone pagoda, m; a larger number is probably in mm.
 const BODY_MOST_M: f64 = 100.0;
@@ -46,10 +46,10 @@ pub enum PortfolioError {
     NoName,
     /// A column that is misspelt, or in another unit.
     Column {
-        /// Which.
+        /// Name of the column.
         column: String,
     },
-    /// Two columns of one quantity.
+    /// Two columns for one quantity.
     ColumnTwice {
         /// Which.
         column: Both,
@@ -60,7 +60,7 @@ pub enum PortfolioError {
         line: usize,
         /// The structure.
         name: String,
-        /// What is missing and what to do.
+        /// The missing value, and what to do.
         what: Both,
     },
     /// A value cannot be read.
@@ -70,7 +70,7 @@ pub enum PortfolioError {
         /// The structure.
         name: String,
         /// Column.
-        column: Both,
+        column: Box<Both>,
         /// What is there.
         given: String,
         /// Allowed values.
@@ -82,7 +82,7 @@ pub enum PortfolioError {
         line: usize,
         /// The structure.
         name: String,
-        /// What the science says.
+        /// The error of the library.
         why: Box<AssessError>,
     },
     /// Two numbers that contradict each other.
@@ -98,7 +98,7 @@ pub enum PortfolioError {
         /// tan α of the pagoda that λ implies.
         made: f64,
     },
-    /// Two rows have one name.
+    /// Two rows with the same name.
     Twice {
         /// The name.
         name: String,
@@ -143,7 +143,7 @@ pub struct PortfolioTable {
     pub rows: Vec<PortfolioRow>,
     /// Faulty rows, each with its structure.
     pub refused: Vec<(String, PortfolioError)>,
-    /// Heads of columns that a ranking does not use.
+    /// Headers of columns that a ranking does not use.
     pub left_out: Vec<String>,
 }
 
@@ -151,7 +151,7 @@ pub struct PortfolioTable {
 /// with # are comments.
 ///
 /// # Errors
-/// [`PortfolioError`] of the table as a whole: no table, misspelt columns, two rows of one name; and of its first row if none can be taken.
+/// [`PortfolioError`] for the table: not a table, misspelt columns, two rows with the same name; or of its first row if no row is valid.
 pub fn read_portfolio(bytes: &[u8], file: &str) -> Result<PortfolioTable, PortfolioError> {
     read_portfolio_sheet(bytes, file, None)
 }
@@ -234,7 +234,7 @@ pub fn read_portfolio_sheet(
     }
 }
 
-/// The column of each head, and the heads of columns that are left out.
+/// The column of each header, and the headers of columns that are left out.
 fn columns(header: &[SheetCell]) -> Result<(Vec<Option<&'static str>>, Vec<String>), PortfolioError> {
     let (mut columns, mut left_out) = (Vec::new(), Vec::new());
     for cell in header {
@@ -322,7 +322,7 @@ impl Cells<'_> {
         PortfolioError::Value {
             line: self.line,
             name: self.name.clone(),
-            column: self.said(column),
+            column: Box::new(self.said(column)),
             given: (self.of)(column).unwrap_or_default().to_owned(),
             allowed: allowed.into(),
         }
@@ -413,7 +413,7 @@ impl Cells<'_> {
         .map_err(|why| self.science(why))
     }
 
-    /// Both slendernesses as measured, if the pagoda that λ implies has about the given angle: the score was trained only on such pagodas.
+    /// Both measured slendernesses, if the pagoda that λ implies has about the given angle: the score was trained only on such pagodas.
     fn of_one_pagoda(&self, given: SixFactors) -> Result<SixFactors, PortfolioError> {
         let made = SixFactors::of_pagoda(&PagodaFactors {
             storeys: given.storeys,
@@ -474,7 +474,7 @@ impl Cells<'_> {
     }
 }
 
-/// How a number that cannot be read is written: with a point.
+/// How to write a number that cannot be read: with a point.
 fn needed(text: &str) -> RowNeeds {
     let is_number = |text: &str| {
         text.parse::<f64>()

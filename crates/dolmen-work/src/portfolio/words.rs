@@ -18,7 +18,7 @@ pub fn factor_words(factor: Factor, language: Language) -> &'static str {
     }
 }
 
-/// Probability that something of a rate comes true in [`YEARS`].
+/// Probability within [`YEARS`] of an event with a given annual rate.
 pub fn probability_in_years(annual_rate: f64) -> f64 {
     -(-annual_rate * YEARS).exp_m1()
 }
@@ -71,7 +71,7 @@ pub fn basis_words(entry: &PortfolioEntry, language: Language) -> String {
     }
 }
 
-/// The median over all in g, including those that fall under their own weight, with the sign of a bound.
+/// The median over all scans in g, including those that fall under their own weight, with the sign of a bound.
 pub fn capacity_words(capacity: &KnownCapacity, gravity_m_s2: f64) -> String {
     let theta = capacity.fragility.theta();
     let g = significant(capacity.median(theta).unwrap_or(theta) / gravity_m_s2, 2);

@@ -28,7 +28,7 @@ impl ScanUnit {
         }
     }
 
-    /// Metres of one.
+    /// Length of the unit in metres.
     pub(super) fn metres(self) -> f64 {
         match self {
             ScanUnit::Metres => 1.0,
@@ -64,12 +64,12 @@ pub struct ScannedStone {
     pub triangles: usize,
 }
 
-/// The stones of a scan and the project that holds them.
+/// The stones of a scan and their project.
 #[derive(Clone, Debug)]
 pub struct ScanAnswer {
     /// Name of the file.
     pub file: String,
-    /// The unit it was read in.
+    /// The unit used.
     pub unit: ScanUnit,
     /// Whether the unit was recognised from the height of the mesh.
     pub is_unit_recognised: bool,
@@ -83,6 +83,6 @@ pub struct ScanAnswer {
     pub stones: Vec<ScannedStone>,
     /// Meshes by their file names, then the project file.
     pub files: Vec<(String, Vec<u8>)>,
-    /// The project, as it will be read.
+    /// The project, parsed from its file.
     pub opened: Opened,
 }

@@ -20,7 +20,7 @@ pub enum ScanError {
     Height {
         /// Height of the mesh, m.
         height_m: f64,
-        /// The unit that was given.
+        /// The given unit.
         unit: &'static str,
         /// Least height, m.
         least_m: f64,

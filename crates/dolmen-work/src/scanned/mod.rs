@@ -1,4 +1,4 @@
-//! A project from one scan: its mesh cut at the beds into stones.
+//! A project from one scan: its mesh is cut at the beds into stones.
 
 mod answer;
 mod error;

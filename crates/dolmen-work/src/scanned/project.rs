@@ -8,7 +8,6 @@ use std::fmt::Write as _;
 pub(super) struct Cut<'a> {
     /// Name of the file of the scan.
     pub(super) file: &'a str,
-    /// Its unit.
     pub(super) unit: ScanUnit,
     /// Displacement of the stones, m.
     pub(super) moved_m: [f64; 3],

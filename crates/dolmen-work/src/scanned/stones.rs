@@ -11,10 +11,10 @@ use dolmen_project::{Quantity, Structure};
 use dolmen_records::MemoryFiles;
 use dolmen_records::meshes::{Mesh, mesh_ply, read_mesh};
 
-/// A mesh without a unit is in metres up to this height, and in millimetres from [`MILLIMETRES_FROM`] on. Chosen here.
+/// A mesh without a unit is in metres up to this height, and in millimetres from [`MILLIMETRES_FROM`] on. Our choice.
 const METRES_TO: f64 = 30.0;
 const MILLIMETRES_FROM: f64 = 300.0;
-/// Heights of towers, m. Chosen here: lower ones are models, higher ones have another unit.
+/// Heights of towers, m. Our choice: lower ones are models, higher ones have another unit.
 const LEAST_M: f64 = 0.1;
 const MOST_M: f64 = 100.0;
 /// Distance from which the middle of the scan is moved to x = y = 0, m: national coordinates lose digits.
@@ -85,7 +85,7 @@ pub fn stones_of_scan(request: &ScanRequest<'_>) -> Result<ScanAnswer, WorkError
     })
 }
 
-/// Of three pieces of the second course "2a", "2b" and "2c"; of a course in one piece "2".
+/// Labels: "2a", "2b" and "2c" for three pieces of the second course; "2" for a course in one piece.
 fn mark(sliced: &Sliced, number: usize) -> String {
     let course = sliced.stones[number].course;
     let first = sliced.stones.iter().position(|stone| stone.course == course);

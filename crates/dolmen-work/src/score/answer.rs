@@ -8,9 +8,9 @@ use dolmen::assess::{
 use dolmen::numeric::Interval;
 use dolmen_project::Names;
 
-/// Number of parts of a cross-validation. Chosen here.
+/// Number of parts of a cross-validation. Our choice.
 const PARTS: usize = 5;
-/// Number of random halves for the intervals of the weights, and their seed. Chosen here.
+/// Number of random halves for the intervals of the weights, and their seed. Our choice.
 const HALVES: usize = 100;
 const SEED: u64 = 1;
 
@@ -44,12 +44,12 @@ pub struct ScoreAnswer {
     pub designs: usize,
     /// The score for each state that has one.
     pub states: Vec<StateScore>,
-    /// Gravity that turns accelerations into g, m/s².
+    /// Gravity, which converts accelerations to g, m/s².
     pub gravity_m_s2: f64,
 }
 
 impl ScoreAnswer {
-    /// The states of a pagoda by a table of designs.
+    /// The states of a pagoda from a table of designs.
     ///
     /// # Errors
     /// [`AssessError::OutsideTraining`] unless `outside_too`; [`AssessError::TooFewDesigns`] if no state has enough designs.
@@ -96,7 +96,7 @@ pub struct ScoreQuality {
     pub designs: usize,
     /// Weights of the factors.
     pub shares: FactorShares,
-    /// Effect of each factor alone on the middle design.
+    /// Effect of each factor alone on the median design.
     pub effects: Vec<FactorEffect>,
     /// The order of designs in a cross-validation.
     pub held_out: HeldOut,
@@ -105,7 +105,7 @@ pub struct ScoreQuality {
 }
 
 impl ScoreQuality {
-    /// Of a state of a table.
+    /// The quality for a state of a table.
     ///
     /// # Errors
     /// [`AssessError::TooFewDesigns`].
@@ -139,8 +139,8 @@ mod tests {
     use super::*;
     use dolmen::assess::{EffectVerdict, Factor};
 
-    /// Signs from Fig. 19 of Kim, Koo and Hong (2018), for falls under one motion: more storeys, a slenderer body and more taper are worse, size
-    /// is better. For the base see docs/score.md.
+    /// Signs from Fig. 19 of Kim, Koo and Hong (2018), for falls under one motion: more storeys, a more slender body and more taper are
+    /// worse, larger size is better. For the base see docs/score.md.
     #[test]
     fn published_signs_of_the_factors_that_the_table_confirms() {
         let designs = ScoreDesigns::shipped().unwrap();

@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 /// The states of a design, the mildest first, as columns and options name them.
 pub const SCORE_STATES: [&str; 4] = ["ds1", "ds2", "ds3", "falls"];
 
-/// The designs that come with the program: data/pagoda_score describes how they were made.
+/// The built-in designs; data/pagoda_score describes how they were made.
 const SHIPPED: &str = include_str!("../../../../data/pagoda_score/designs.csv");
 
 /// A simulated pagoda and its results for each state.
@@ -19,7 +19,7 @@ const SHIPPED: &str = include_str!("../../../../data/pagoda_score/designs.csv");
 pub struct ScoreDesign {
     /// Its factors.
     pub factors: SixFactors,
-    /// Fragility over peak ground acceleration, m/s², for each state; `None` where the motions gave no curve.
+    /// Fragility over peak ground acceleration, m/s², for each state; `None` if the motions gave no curve.
     pub states: [Option<Fragility>; 4],
 }
 
@@ -35,7 +35,7 @@ pub struct ScoreDesigns {
 }
 
 impl ScoreDesigns {
-    /// Those that come with the program.
+    /// The built-in designs.
     ///
     /// # Errors
     /// None for the table as shipped: a test reads it.
@@ -108,7 +108,7 @@ impl ScoreDesigns {
         Ok(found)
     }
 
-    /// The table: one row for each design, θ in m/s², empty where there is none.
+    /// The table: one row for each design, θ in m/s², empty without a curve.
     pub fn csv(&self) -> String {
         let mut out: Vec<String> = Factor::ALL
             .iter()
@@ -201,7 +201,7 @@ impl ScoreDesigns {
         self.designs.iter().map(|design| design.factors).collect()
     }
 
-    /// The designs that have a curve for a state, 0 to 3.
+    /// The designs with a curve for a state, 0 to 3.
     pub fn of_state(&self, state: usize) -> Vec<TrainedDesign> {
         let found = self.designs.iter().filter_map(|design| {
             Some(TrainedDesign {

@@ -7,7 +7,7 @@ use dolmen_words::message::Both;
 pub enum ScoreDesignsError {
     /// A column is missing.
     Column {
-        /// Which.
+        /// The column.
         column: String,
     },
     /// A value cannot be read.
@@ -16,14 +16,14 @@ pub enum ScoreDesignsError {
         line: usize,
         /// Column.
         column: String,
-        /// What is there.
+        /// The text found there.
         given: String,
-        /// What should be.
+        /// The expected content.
         wanted: Both,
     },
     /// The text is no table.
     Table {
-        /// What the reader says.
+        /// The reader's error.
         why: String,
     },
 }

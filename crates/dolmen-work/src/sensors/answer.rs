@@ -13,7 +13,7 @@ pub struct PlannedMode {
     pub direction: Option<String>,
     /// Shares of its kinetic energy in motion along x, y and z; the rest is rotation. `None` for a mode in a plane.
     pub along: Option<[f64; 3]>,
-    /// The largest displacement at a channel over that at any site.
+    /// The largest displacement at a channel, relative to that at any site.
     pub seen_ratio: f64,
     /// The most similar mode at the sensors, from 0, and its MAC.
     pub most_alike: Option<(usize, f64)>,
@@ -79,8 +79,8 @@ pub struct SensorsAnswer {
     pub sensors: Vec<PlannedSensor>,
     /// The stiffness behind the shapes.
     pub of: SensorsOf,
-    /// MAC of each two modes at all sensors.
+    /// MAC of each pair of modes at all sensors.
     pub likeness: Vec<Vec<f64>>,
-    /// Dampers of the structure: the shapes are those without them.
+    /// Dampers of the structure, which the mode shapes do not include.
     pub without_dampers: Vec<String>,
 }

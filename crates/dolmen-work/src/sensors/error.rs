@@ -11,7 +11,7 @@ pub enum SensorsError {
     Falls,
     /// No place is low enough.
     NoSites {
-        /// How high a sensor may stand, m.
+        /// Largest allowed height of a sensor, m.
         up_to_m: f64,
     },
     /// More sensors than places.
@@ -31,21 +31,21 @@ pub enum SensorsError {
         /// Asked for.
         given: usize,
     },
-    /// Several setups without a sensor that stays.
+    /// Several setups without a reference sensor.
     NoReferences {
         /// Setups.
         setups: usize,
     },
     /// Every sensor stays.
     AllStay {
-        /// Those that stay.
+        /// Number of reference sensors.
         references: usize,
         /// All at once.
         count: usize,
     },
-    /// Sensors stay although there is one setup.
+    /// Reference sensors with only one setup.
     OneSetup {
-        /// Those that stay.
+        /// Number of reference sensors.
         references: usize,
     },
 }

@@ -23,7 +23,7 @@ pub struct SensorsOptions {
     pub count: Option<usize>,
     /// Number of axes of each: 1, 2 (both horizontal) or 3.
     pub axes: usize,
-    /// No sensor higher than this above the ground, m.
+    /// Largest height of a sensor above the ground, m.
     pub up_to_m: Option<f64>,
     /// Number of modes to distinguish, from the lowest; by default a few.
     pub modes: Option<usize>,
@@ -55,7 +55,7 @@ const MODES_MOST: usize = 6;
 /// The best places of sensors on a structure, for the modes of its model.
 ///
 /// # Errors
-/// [`WorkError`] of a survey without a model, one that does not stand, and counts that do not go together.
+/// [`WorkError`] for a survey without a model, a structure that does not stand, and counts that do not fit together.
 pub fn sensors(opened: &Opened, options: &SensorsOptions) -> Result<SensorsAnswer, WorkError> {
     check(options)?;
     let project = &opened.project;

@@ -156,8 +156,8 @@ fn frame(part: &FramePart, wanted: usize) -> Result<PlacementData, WorkError> {
     Ok((modes.collect(), candidates, of))
 }
 
-/// Assumed stiffness of storeys of unknown stiffness, over the largest reduction by the weight: large enough that the shape does not depend on
-/// it.
+/// Assumed stiffness of storeys with unknown stiffness, relative to the largest reduction by the weight: so large that the shape does not
+/// depend on it.
 const EQUAL_STOREYS: f64 = 20.0;
 
 /// The free sides of the stones.
@@ -244,7 +244,7 @@ fn building(part: &BuildingPart, wanted: usize) -> Result<PlacementData, WorkErr
     Ok((modes.collect(), candidates, SensorsOf::Given))
 }
 
-/// The modes, unless the structure falls in one.
+/// The modes; an error if the structure falls in one.
 fn standing(modes: Vec<NaturalMode>) -> Result<Vec<NaturalMode>, WorkError> {
     match modes.iter().all(|mode| mode.omega_squared > 0.0) {
         true => Ok(modes),

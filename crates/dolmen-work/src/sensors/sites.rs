@@ -6,7 +6,7 @@ use dolmen::structure::stack::{Solid, Stack};
 const ROUNDING_M: f64 = 1e-9;
 /// Distance to another stone below which a place is not free, m.
 const FREE_M: f64 = 0.03;
-/// The side of a stone is where a line from its centroid leaves it.
+/// A sensor on the side of a stone is where a line from the centroid leaves the stone.
 const WAYS: [(Side, [f64; 2]); 4] = [
     (Side::Right, [1.0, 0.0]),
     (Side::Left, [-1.0, 0.0]),
@@ -121,7 +121,7 @@ pub(super) fn sites(candidates: Vec<CandidatePlace>, axes: usize) -> (Vec<Site>,
     (sites, rows)
 }
 
-/// The sides of every stone that are free, and the tops that bear nothing.
+/// The free sides of every stone, and the tops that carry nothing.
 pub(super) fn free_sides(stack: &Stack) -> Vec<(usize, Side, [f64; 3])> {
     let solids: Vec<&Solid> = stack.blocks().iter().map(|block| &block.solid).collect();
     let mut free = Vec::new();
@@ -152,7 +152,7 @@ fn planes(solid: &Solid) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + '_ {
     let centre = solid.centroid_m();
     solid.faces().iter().map(move |face| {
         let corner = |at: usize| solid.vertices_m()[face[at % face.len()]];
-        // Newell's normal: right for any flat polygon
+        // Newell's normal: valid for any flat polygon
         let along = |i: usize| {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
             let edge = |at: usize| {

@@ -24,7 +24,8 @@ fn plan(opened: &Opened, count: usize) -> SensorsAnswer {
     sensors(opened, &options).unwrap()
 }
 
-/// A floor that is a spring along x and along y, and turns: three sensors at its corners must see all of it, two along one axis apart.
+/// A floor on springs along x and along y that also rotates: three sensors at its corners must measure all modes, and two along one
+/// axis must distinguish them.
 #[test]
 fn holds_three_sensors_see_a_floor_sway_both_ways_and_turn() {
     let answer = plan(&example("twisting_floor"), 3);
@@ -43,7 +44,7 @@ fn holds_three_sensors_see_a_floor_sway_both_ways_and_turn() {
             .iter()
             .all(|mode| mode.taken_for().is_none() && !mode.is_hardly_seen())
     );
-    // one sensor sees one mode at most: the others look alike, every two of them
+    // one sensor measures at most one mode: every pair of the others looks alike
     let one = plan(&example("twisting_floor"), 1);
     assert!(
         one.modes
@@ -52,7 +53,7 @@ fn holds_three_sensors_see_a_floor_sway_both_ways_and_turn() {
     );
 }
 
-/// The displacement of a place on a rigid floor, written apart: u − θ (y − y_c), v + θ (x − x_c).
+/// The displacement of a place on a rigid floor, written independently: u − θ (y − y_c), v + θ (x − x_c).
 #[test]
 fn exact_corners_of_a_floor_move_as_it_turns() {
     let opened = example("twisting_floor");
@@ -83,7 +84,7 @@ fn holds_no_sensor_stands_in_a_joint_or_above_the_reach() {
     let opened = example("wall");
     let answer = plan(&opened, 6);
     let found = model::model(&opened.project, 6, 1).unwrap();
-    // two leaves of air, front and back, of each of the stones; their ends only where the wall ends; tops only of the last course
+    // two leaves of stones, front and back, have free sides; ends are free only at the end of the wall, tops only in the last course
     let tops: Vec<&Site> = found.sites.iter().filter(|site| site.side == Side::Top).collect();
     let height = tops.iter().map(|site| site.position_m[2]).fold(0.0, f64::max);
     assert!(

@@ -29,22 +29,22 @@ pub struct VelocityDemand {
     pub velocity: SpectralVelocity,
     /// The part.
     pub block: RockingBlock,
-    /// Slenderness that S_v overturns in half of all cases, S_v p/g, rad.
+    /// Critical slenderness S_v p/g, rad: S_v overturns half of all blocks with this slenderness.
     pub critical_slenderness_rad: f64,
     /// Eq. 3 as published, S_v/√(g R), rad.
     pub published_3_rad: f64,
-    /// Eq. 2a as published, S_v p, m/s²: no angle.
+    /// Eq. 2a as published, S_v p, m/s²: not an angle.
     pub published_2a_m_s2: f64,
 }
 
 impl VelocityDemand {
-    /// Slenderness of the part over that which S_v overturns in half of all cases.
+    /// Slenderness of the part over the critical one.
     pub fn ratio(&self) -> f64 {
         self.block.slenderness_rad / self.critical_slenderness_rad
     }
 }
 
-/// The largest pseudo-velocity S_a T/2π of a spectrum: that of its branch of constant velocity; of a table the largest in it.
+/// The largest pseudo-velocity S_a T/2π of a spectrum: the constant-velocity branch, or the largest value of a table.
 ///
 /// # Errors
 /// [`AssessError`] where the spectrum is not given at this damping ratio.
@@ -93,12 +93,12 @@ fn spectral_velocity(spectrum: &DesignSpectrum, damping_ratio: f64) -> Result<Sp
 /// As [`spectral_velocity`].
 ///
 /// # Limits
-/// Housner's white noise overturns half of the blocks at α_crit. One motion of the same S_v may be far above it or below; a code's spectrum is smooth, and S_v is that
-/// of its branch of constant velocity.
+/// Housner's white noise overturns half of the blocks at α_crit. One motion of the same S_v may be far above or below it. A code's spectrum is smooth; S_v is then that
+/// of its constant-velocity branch.
 ///
 /// # Source
-/// Kim, Koo & Hong (2018), eqs 2 and 3, after Housner (1963). Differs from the source: eq. 2a lacks 1/g, eq. 2b prints (M R)² for M R², and eq. 3 takes M R²/I₀ for 1,
-/// where every uniform rectangle has 3/4.
+/// Kim, Koo & Hong (2018), eqs 2 and 3, after Housner (1963). Differences from the source: eq. 2a lacks 1/g, eq. 2b prints (M R)² for M R², and eq. 3 sets M R²/I₀ to 1,
+/// although every uniform rectangle has 3/4.
 pub(crate) fn velocity_demand(
     block: RockingBlock,
     gravity_m_s2: f64,

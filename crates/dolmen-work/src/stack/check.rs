@@ -33,7 +33,7 @@ pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, Wor
     })
 }
 
-/// Horizontal acceleration at which it begins to move, m/s²; `None` where no direction has one.
+/// Horizontal acceleration at which it begins to move, m/s²; `None` if no direction has one.
 pub(crate) fn first_motion_m_s2(part: &StackPart, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
     let (_, check) = check_stack_with_gaps(part.build(pick)?, &StackCheckOptions::default())?;
     Ok(check.capacity.map(|first| first.acceleration_m_s2))

@@ -19,7 +19,7 @@ pub(crate) enum FromModes {
     Without(WithoutStiffness),
 }
 
-/// Factors on the springs from the modes that the survey states, and in directions without any from those of its records.
+/// Factors on the springs from the modes that the survey states, and from those of its records in directions without stated modes.
 pub(crate) fn factors(
     part: &StackPart,
     survey: &Survey,
@@ -110,7 +110,7 @@ fn once(left_out: Vec<LeftOut>) -> Vec<LeftOut> {
     let mut kept: Vec<LeftOut> = Vec::new();
     for (at, one) in left_out.iter().enumerate() {
         let said = match one {
-            // a mode along y tells nothing about x
+            // a mode along y says nothing about x
             LeftOut::OtherDirection { frequency_hz, .. } => left_out[..at].iter().any(
                 |other| matches!(other, LeftOut::OtherDirection { frequency_hz: hz, .. } if hz == frequency_hz),
             ),

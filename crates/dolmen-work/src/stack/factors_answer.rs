@@ -4,13 +4,14 @@ use dolmen::blocks::{BesideInSmallMotion, JointFactors, StiffnessOf};
 use dolmen::structure::LeftOut;
 use dolmen::structure::stack::{Body, Stack};
 
-/// Standard deviations, root mean square, by which a common factor may miss the modes. Chosen here: as for measured frequencies.
+/// Root mean square of the misfit, in standard deviations, up to which a common factor explains the modes. Our choice, as for
+/// measured frequencies.
 const MISFIT_MOST: f64 = 3.0;
 
 /// Factors on the springs of a stack's joints, from the modes of a survey.
 #[derive(Clone, Debug)]
 pub struct FactorsAnswer {
-    /// The stack as the file has it.
+    /// The stack in the file.
     pub stack: Stack,
     /// The factors.
     pub found: JointFactors,
@@ -43,7 +44,7 @@ impl FactorsAnswer {
         [upper, lower]
     }
 
-    /// K_n and K_s of the file, Pa/m, of a factor; `None` where its joints differ.
+    /// K_n and K_s of the file, Pa/m, for a factor; `None` if its joints differ.
     pub fn drawn_stiffness_pa_m(&self, factor: usize) -> Option<[f64; 2]> {
         let joints = &self.found.factors.get(factor)?.joints;
         let of = |joint: &usize| {
@@ -54,13 +55,13 @@ impl FactorsAnswer {
         joints.iter().all(|joint| of(joint) == first).then_some(first)
     }
 
-    /// Whether no one factor for all springs explains the modes.
+    /// Whether no common factor for all springs explains the modes.
     pub fn common_misses(&self) -> bool {
         self.found.common.misfit > MISFIT_MOST
     }
 
-    /// Standard deviations, root mean square, by which the best factors miss the modes, where none explain them; where a factor of each bed is not
-    /// sought, those of the common factor.
+    /// Root mean square misfit of the best factors, in standard deviations, if none explain the modes; if a factor for each bed was not
+    /// sought, that of the common factor.
     pub fn misfit(&self) -> Option<f64> {
         match self.found.explains {
             Some(true) => None,

@@ -15,7 +15,7 @@ use dolmen_project::Survey;
 /// The springs of a joint: exact for small motion of faces that stay closed.
 pub(crate) const RULE: ContactRule = ContactRule::Four;
 
-/// Fewest modes computed for many stones: more than are shown, and for a tower the first ones that sway in each direction. Chosen here.
+/// Fewest modes computed for many stones: more than are shown, and for a tower the first ones that sway in each direction. Our choice.
 const MODES_LEAST: usize = 24;
 
 /// Frequencies of a stack that stands.
@@ -38,8 +38,8 @@ pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Option<StackFrequencies> 
     }
 }
 
-/// All modes of a stack without its side supports, for demands; with many stones a check computes only the lowest. `None` if they are unknown.
-/// them not.
+/// All modes of a stack without its side supports, for demands; with many stones a check computes only the lowest. `None` if they are
+/// unknown.
 pub(crate) fn all_modes(answer: &StackAnswer) -> Option<Vec<StackMode>> {
     let known = answer.frequencies_of_demand()?.modes()?;
     match known.len() == 6 * answer.stack.blocks().len() {
@@ -48,7 +48,7 @@ pub(crate) fn all_modes(answer: &StackAnswer) -> Option<Vec<StackMode>> {
     }
 }
 
-/// Survey by survey the factor on the springs with which the first modes along x and y have the frequencies measured.
+/// For each survey, the factor on the springs that gives the measured first frequencies along x and y.
 pub(crate) fn fits(answer: &StackAnswer, surveys: &[Survey]) -> Result<Vec<SpringFit>, WorkError> {
     let Some(known) = &answer.frequencies else {
         return Ok(Vec::new());

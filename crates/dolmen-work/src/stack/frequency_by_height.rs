@@ -7,7 +7,7 @@ use dolmen_project::{PagodaPart, Quantity, StackPart};
 /// Heights of the body, m, and numbers of storeys: those of Fig. 17 and section 4.3 of Kim, Koo and Hong (2018).
 const HEIGHTS_M: [f64; 9] = [3.0, 3.75, 4.5, 5.25, 6.0, 6.75, 7.5, 8.25, 9.0];
 const STOREYS: [u32; 3] = [3, 5, 7];
-/// Number of modes computed for each; the first that sways is among the lowest.
+/// Number of modes computed for each; the first sway mode is among the lowest.
 const MODES: usize = 8;
 
 /// Pagodas with the same number of storeys.
@@ -19,7 +19,7 @@ pub struct FrequencyByHeight {
     pub points: Vec<HeightAndFrequency>,
 }
 
-/// One of them.
+/// One pagoda of the row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeightAndFrequency {
     /// Height of all storeys, without the base, m.
@@ -52,7 +52,7 @@ pub(crate) fn grid(part: &StackPart, rule: ContactRule) -> Vec<FrequencyByHeight
     each.into()
 }
 
-/// The pagoda of the file with other storeys and another height; `None` where the other factors do not allow it.
+/// The pagoda of the file with another height and number of storeys; `None` if the other factors do not allow it.
 fn like(part: &StackPart, pagoda: &PagodaPart, (storeys, body_height_m): (u32, f64)) -> Option<Stack> {
     let mut other = part.clone();
     other.pagoda = Some(PagodaPart {

@@ -9,11 +9,11 @@ use dolmen::structure::stack::{Stack, silhouettes};
 use dolmen::structure::wind::{Wind, WindBody, WindError, WindPressure};
 use dolmen_project::{LoadsPart, Pick, WindGiven};
 
-/// Height below which EN 1991-1-4, 6.2 (1) a, takes c_s c_d as 1, m.
+/// Height below which EN 1991-1-4, 6.2 (1) a, sets c_s c_d to 1, m.
 const LOW_M: f64 = 15.0;
-/// Frequency from which a low stack counts as stiff there, Hz. Chosen here: a structure that sways more slowly is not like a building.
+/// Frequency above which a low stack counts as stiff, Hz. Our choice: a structure that sways more slowly is not like a building.
 const SWAYS_HZ: f64 = 1.0;
-/// A frequency at which EN 1991-1-4 takes c_s c_d as 1, Hz.
+/// A frequency at which EN 1991-1-4 sets c_s c_d to 1, Hz.
 const STIFF_HZ: f64 = 10.0;
 
 /// The response of a stack to wind and static loads; `None` without any.

@@ -7,13 +7,13 @@ use dolmen::stability::Verdict;
 use dolmen::stability::stack::local_mechanisms;
 use dolmen::structure::stack::Stack;
 
-/// Largest number of stones for which all directions are examined; with more only that of the first motion. Chosen here: a wall of 200 takes a
-/// second.
+/// Largest number of stones for which all directions are examined; with more, only that of the first motion. Our choice: a wall of 200
+/// takes a second.
 const STONES_MOST: usize = 400;
-/// Directions count as the same if the sine of the angle between them is below this. Chosen here.
+/// Directions count as the same if the sine of the angle between them is below this. Our choice.
 const SAME: f64 = 1e-3;
 
-/// The mechanism of the first motion, then those along both senses of x and y; none of a stack that does not stand.
+/// The mechanism of the first motion, then those along both senses of x and y; empty for a stack that does not stand.
 pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Vec<LocalMechanismRow> {
     if check.verdict == Verdict::Unstable {
         return Vec::new();
@@ -30,7 +30,7 @@ pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Vec<LocalMechanismRow> {
     ways.into_iter()
         .map(|direction| LocalMechanismRow {
             direction,
-            // without a solution of the programme that direction is unknown; the verdict does not depend on it
+            // if the linear programme has no solution, that direction is unknown; the verdict does not depend on it
             capacity: found
                 .next()
                 .and_then(|found| found.ok().flatten())

@@ -14,7 +14,7 @@ use dolmen::stability::stack::{
 };
 use dolmen_project::{Quantity, StackPart};
 
-/// Factor by which the supports continue beyond the movement at which no forces balance the weight. Chosen here: friction and inertia may keep a
+/// Factor by which the supports continue beyond the movement at which no forces balance the weight. Our choice: friction and inertia may keep a
 /// stack standing a little longer.
 const BEYOND: f64 = 1.1;
 
@@ -75,7 +75,7 @@ pub(crate) fn supports(
         let law = law_of(options, *is_rigid, &found.stack);
         match run(&found, law.clone(), progress) {
             Ok(run) => found.runs.push(run),
-            // of a law that was not requested
+            // from a law that was not requested
             Err(why) if options.law == Law::AsKnown => {
                 let why = told(&why);
                 found.left_out.push(RefusedRun { law, why });

@@ -1,4 +1,4 @@
-//! Repeats the run of a stack under a motion with immeasurably small differences.
+//! Repeats the run of a stack under a motion with differences too small to measure.
 
 use super::StackSimulation;
 use super::simulation::came_to_its_end;
@@ -11,15 +11,15 @@ use dolmen::numeric::{Random, quantile};
 use dolmen::signal::GroundMotion;
 use dolmen::structure::stack::{SmallDifferences, Stack};
 
-/// Seed of the differences: the same in every run. Chosen here.
+/// Seed of the differences: the same in every run. Our choice.
 const SEED: u64 = 1;
-/// Default number of runs. Chosen here.
+/// Default number of runs. Our choice.
 const AS_NEEDED: usize = 8;
 
-/// Largest number of updates of contact points for repeats by default. Chosen here: some five seconds.
+/// Largest number of updates of contact points for repeats by default. Our choice: some five seconds.
 const REPEAT_UPDATES_MOST: f64 = 1e9;
 
-/// Number of runs of the deciding law, all except the first with immeasurably small differences.
+/// Number of runs of the decisive law, all except the first with differences too small to measure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Repeating {
     /// Eight if one run shows damage that is not the worst, because small differences may make it worse.
@@ -82,7 +82,7 @@ pub struct Repeats {
     pub seed: u64,
     /// Runs with a verdict.
     pub runs: Vec<Repeat>,
-    /// Whether it was stopped before all runs.
+    /// Whether the runs were stopped early.
     pub is_stopped: bool,
     /// Number of runs without a verdict: stopped, without a solution, or refused.
     pub undecided: usize,
@@ -93,7 +93,7 @@ pub struct Repeats {
 pub struct Spread {
     /// The smallest.
     pub least: f64,
-    /// The middle one, or the mean of both.
+    /// The middle value, or the mean of the middle two.
     pub median: f64,
     /// The largest.
     pub most: f64,

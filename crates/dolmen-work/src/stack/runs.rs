@@ -6,7 +6,7 @@ use dolmen::assess::DamageState;
 /// Every run of a stack under one motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackRuns {
-    /// The run that decides word and exit status: the worse of two laws.
+    /// The run that determines words and exit status: the worse of two laws.
     pub deciding: StackSimulation,
     /// The run of the other law of contact.
     pub other: Option<StackSimulation>,
@@ -21,7 +21,7 @@ pub struct StackRuns {
 /// Why a law of contact was left out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LeftOut {
-    /// It would be slow: estimated updates of contact points, the points of all joints times the steps.
+    /// It would be slow: the estimated number of updates of contact points, which is the points of all joints times the steps.
     TooLong {
         /// The estimate.
         updates: f64,
@@ -33,15 +33,15 @@ pub enum LeftOut {
         /// The reason, with the remedy.
         why: String,
     },
-    /// It found no solution, and its results until then are no worse than those of the springs.
+    /// It found no solution, and its results up to then are no worse than those of the springs.
     NoSolution {
-        /// Time of that, s.
+        /// Time of the failure, s.
         at_s: f64,
     },
 }
 
 impl StackRuns {
-    /// One run alone.
+    /// A single run.
     pub fn of(deciding: StackSimulation) -> Self {
         StackRuns {
             deciding,

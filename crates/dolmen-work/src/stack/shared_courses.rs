@@ -1,4 +1,4 @@
-//! Heights without an independent meaning: those of stones that carry one stone together.
+//! Heights without an independent meaning: those of stones that support one stone together.
 
 use dolmen::structure::stack::{Body, Joint};
 use dolmen_project::{Quantity, StackPart};
@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 /// Smallest cosine of the normal of a bed: a steeper face is a side.
 const BED_RISE: f64 = 0.7;
 
-/// Paths of the heights of all stones that carry a stone together with others: if only one of them becomes higher, the stone lifts off the
-/// others.
+/// Paths of the heights of all stones that support a stone together with others: if only one of them becomes higher, the stone lifts off
+/// the others.
 pub(crate) fn heights_that_others_share(part: &StackPart) -> BTreeSet<String> {
     let Ok(stack) = part.build(&mut Quantity::nominal) else {
         return BTreeSet::new();

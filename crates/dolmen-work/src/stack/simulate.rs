@@ -19,14 +19,14 @@ use dolmen::stability::stack::{StackLimitStates, StackLimits, Standing, stack_li
 use dolmen::structure::stack::Stack;
 use dolmen_project::{Project, Quantity, StackPart, Survey};
 
-/// Largest number of updates of contact points (points times steps) for the rigid law by default. Chosen here: about a minute where stones slide
+/// Largest number of updates of contact points (points times steps) for the rigid law by default. Our choice: about a minute where stones slide
 /// on each other.
 const RIGID_UPDATES_MOST: f64 = 3e7;
 
 /// The choice of laws of contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Law {
-    /// Springs, and the rigid law as well where the stiffness of the joints is not measured.
+    /// Springs; also the rigid law if the stiffness of the joints is not measured.
     #[default]
     AsKnown,
     /// Springs, dashpots, friction.
@@ -35,7 +35,7 @@ pub enum Law {
     Rigid,
     /// Both, however long the second takes.
     Both,
-    /// Springs, and the sliding model beside them.
+    /// Springs, and also the sliding model.
     Sliding,
 }
 
@@ -59,7 +59,7 @@ pub(crate) enum StackOutcome {
     DoesNotStand(Standing),
 }
 
-/// The stack under the motion, if it stands without.
+/// The stack under the motion, if it stands without shaking.
 pub(crate) fn simulate(
     version: &Version<'_>,
     part: &StackPart,
@@ -188,7 +188,7 @@ impl Shakable<'_> {
         })
     }
 
-    /// The run by the rigid law beside that on springs.
+    /// The run by the rigid law, in addition to that on springs.
     fn beside(
         &self,
         springs: StackSimulation,
@@ -260,7 +260,7 @@ pub(super) fn law_of(options: &StackOptions, is_rigid: bool, stack: &Stack) -> C
         false => AfterFall::Stop,
     };
     if is_rigid {
-        // a given step is that of the requested law
+        // a given step applies to the requested law
         let given = options.step_s.filter(|_| options.law == Law::Rigid);
         return ContactLaw::Rigid(Rigid {
             contact_rule,

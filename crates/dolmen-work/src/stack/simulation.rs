@@ -29,13 +29,13 @@ pub struct StackSimulation {
     pub variant: Option<String>,
     /// The stack.
     pub stack: Stack,
-    /// How it leans as surveyed.
+    /// Its measured lean.
     pub lean: Option<SurveyedLean>,
-    /// Stones whose beds have lost stiffness, as inspections found them.
+    /// Stones whose beds have lost stiffness, from inspections.
     pub loosened: Vec<String>,
-    /// The latest survey with a measured frequency of sway, which may say how stiff the joints are; `None` without one.
+    /// The latest survey with a measured sway frequency, which could determine the stiffness of the joints; `None` without one.
     pub measured_by: Option<String>,
-    /// Whether the file gives a wind, which does not blow during a motion.
+    /// Whether the file gives a wind, which is not applied during a motion.
     pub without_wind: bool,
     /// A measured tilt that is not in the start of the runs.
     pub tilt_left_out: Option<TiltLeftOut>,
@@ -65,7 +65,7 @@ pub(super) fn came_to_its_end(outcome: &Outcome) -> bool {
 }
 
 impl StackSimulation {
-    /// End of the run, s, if it is before that of the motion and no stone had fallen: there is no verdict.
+    /// End of the run, s, if it is before that of the motion and no stone fell: there is no verdict.
     pub fn ended_before_the_motion_s(&self) -> Option<f64> {
         let motion_s = self.motion.motion.duration_s();
         let end_s = self.law.run_length_s(motion_s);
@@ -97,7 +97,7 @@ impl StackSimulation {
         slipped.max_by(|(_, a), (_, b)| a.peak_slip_m.total_cmp(&b.peak_slip_m))
     }
 
-    /// Largest horizontal acceleration of the ground, of x and y taken together, in g of the stack.
+    /// Largest horizontal acceleration of the ground, resultant of x and y, in g of the stack.
     pub fn peak_horizontal_g(&self) -> f64 {
         let motion = &self.motion.motion;
         let [x, y] = [Component::X, Component::Y].map(|component| motion.acceleration_m_s2(component));
@@ -150,7 +150,7 @@ impl StackSimulation {
         poses.get(sample * blocks..(sample + 1) * blocks).unwrap_or(&[])
     }
 
-    /// The block whose centroid is drawn highest.
+    /// The block with the highest centroid, as drawn.
     pub fn highest_block(&self) -> usize {
         let heights = self
             .stack

@@ -1,4 +1,4 @@
-//! The sliding model of a pile beside its simulation by contact: blocks slide and twist, and do not rock.
+//! The sliding model of a pile, in addition to its contact simulation: blocks slide and twist, and do not rock.
 
 use crate::error::WorkError;
 use crate::progress::{Progress, simulating};
@@ -6,9 +6,9 @@ use dolmen::blocks::{Sliding, SlidingHistory, SlidingOutcome, simulate_sliding};
 use dolmen::signal::GroundMotion;
 use dolmen::structure::stack::Stack;
 
-/// Slip from which a bed counts as sliding, m. Chosen here: a hundred times the accuracy of the run.
+/// Slip from which a bed counts as sliding, m. Our choice: a hundred times the accuracy of the run.
 const SLIP_LEAST_M: f64 = 1e-6;
-/// Rotation from which a bed counts as twisting, rad. Chosen here, likewise for a bed a metre wide.
+/// Rotation from which a bed counts as twisting, rad. Our choice, likewise for a bed a metre wide.
 const TURN_LEAST_RAD: f64 = 1e-6;
 
 /// The mode of a bed after Hwang & Kim (2002). The fifth, a jump, ends the run.
@@ -18,9 +18,9 @@ pub enum SlidingMode {
     Stick,
     /// It slid.
     Slide,
-    /// It turned about the vertical.
+    /// It rotated about the vertical.
     Twist,
-    /// It slid and turned.
+    /// It slid and rotated.
     SlideTwist,
 }
 

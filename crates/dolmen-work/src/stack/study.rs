@@ -14,9 +14,9 @@ use dolmen::stability::stack::StackLimitStates;
 use dolmen::structure::stack::{Body, Joint, Stack};
 use dolmen_project::{LawPart, StudyPart};
 
-/// Runs a batch; `each` receives the index of a run and its history, in the order in which runs end. The result of a run does not depend on its
-/// batch. Ctrl-C stops the current runs. Runs on springs go side by side; those by the rigid law, which uses the same points and time to rest,
-/// one after another.
+/// Runs a batch; `each` receives the index of a run and its history, in the order in which runs end. The result of a run does not depend on
+/// its batch. Ctrl-C stops the current runs. Runs on springs go in parallel; those by the rigid law, which uses the same points and time to
+/// rest, go one after another.
 pub(crate) fn run_stacks(
     law: LawPart,
     batch: &[StackRun<'_>],

@@ -24,7 +24,7 @@ pub struct SupportsSimulation {
     pub name: Names,
     /// The variant of the file; `None` for the structure as given.
     pub variant: Option<String>,
-    /// How it leans as surveyed.
+    /// Its measured lean.
     pub lean: Option<SurveyedLean>,
     /// The stack as drawn, with its movements.
     pub stack: Stack,

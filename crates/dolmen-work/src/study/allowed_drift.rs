@@ -8,23 +8,23 @@ use std::collections::BTreeSet;
 /// Comparison of scans with the allowable drift of a storey.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AllowedDrift {
-    /// The allowable drift over the height of the storey.
+    /// The allowable drift ratio of the storey.
     pub limit: f64,
     /// Its largest reduction by the surveyed lean; 0 for a structure without one.
     pub lean: f64,
-    /// Number of scans in which the earlier motion already exceeds it; they are not among the others.
+    /// Number of scans in which the earlier motion already exceeds it; they are not counted elsewhere.
     pub before: usize,
     /// Number of scans with a known drift.
     pub scans: usize,
     /// Number of those that exceed it in some run, including the surveyed lean, or fall under their own weight.
     pub beyond: usize,
-    /// The smallest peak of the ground at which a standing structure exceeds it, m/s²; `None` where none does.
+    /// The smallest peak of the ground at which a standing structure exceeds it, m/s²; `None` if none does.
     pub least_m_s2: Option<f64>,
     /// The largest peak that was tried, m/s².
     pub largest_m_s2: f64,
 }
 
-/// The share of a run in the allowable drift over the height of a storey; for a frame that leans as surveyed including its lean.
+/// The drift ratio of a run; for a frame that leans as surveyed, including its lean.
 fn drift(measures: &RunMeasures) -> Option<f64> {
     match measures {
         RunMeasures::Frame(of) => Some(of.peak_lean_ratio),
@@ -33,7 +33,7 @@ fn drift(measures: &RunMeasures) -> Option<f64> {
     }
 }
 
-/// The share of the surveyed lean.
+/// The part of the surveyed lean in it.
 fn lean(run: &Run) -> f64 {
     match run.measures {
         RunMeasures::Frame(of) => of.peak_lean_ratio - of.peak_drift_ratio,
@@ -42,7 +42,7 @@ fn lean(run: &Run) -> f64 {
 }
 
 impl StudyAnswer {
-    /// Compares the scans with the allowable drift of the file; `None` where it gives none, varies it, or nothing was run.
+    /// Compares the scans with the allowable drift of the file; `None` if it gives none, varies it, or nothing was run.
     pub fn allowed_drift(&self) -> Option<AllowedDrift> {
         let limit = self.drift_limit?;
         let is_beyond = |drift: f64| drift > limit || drift.is_nan();

@@ -34,7 +34,7 @@ pub struct InputColumn {
 pub struct CaseInputs {
     /// The variant; `None` for the file as it is.
     pub variant: Option<String>,
-    /// One value for each input, in SI; `None` where it is not a number or was refused.
+    /// One value for each input, in SI; `None` if it is not a number or was refused.
     pub values: Vec<Option<f64>>,
     /// The same values as written.
     pub texts: Vec<String>,
@@ -51,7 +51,7 @@ pub struct StudyAnswer {
     pub study: StudyPart,
     /// The kind of structure.
     pub kind: StudyKind,
-    /// Gravity that turns accelerations into g, m/s².
+    /// Gravity, which converts accelerations to g, m/s².
     pub gravity_m_s2: f64,
     /// The allowable drift of a storey over its height in the file, for a frame or a building.
     pub drift_limit: Option<f64>,
@@ -79,7 +79,7 @@ pub struct StudyAnswer {
     pub shaking: ShakingScales,
     /// Motions, by name.
     pub motions: Vec<String>,
-    /// Data of the earthquake of each motion; empty where motions are varied.
+    /// Data of the earthquake of each motion; empty if motions are varied.
     pub earthquakes: Vec<EarthquakeOf>,
     /// The record of each motion, as the index of the first motion from it.
     pub records: Vec<usize>,
@@ -255,7 +255,7 @@ impl StudyAnswer {
         counts
     }
 
-    /// Usable scans that fell at the smallest size of the study, below which only halving has looked.
+    /// Usable scans that fell at the smallest size of the study; below it, only halving was tried.
     pub fn fell_at_the_least(&self) -> usize {
         const ROUNDING: f64 = 1e-9;
         let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min) * (1.0 + ROUNDING);
@@ -313,7 +313,7 @@ impl StudyAnswer {
     /// The trend of the capacity with each varied input of two or more numbers.
     ///
     /// # Errors
-    /// None for runs as read: [`AssessError`] for a value that is not a number.
+    /// None for runs as read; [`AssessError`] for a value that is not a number.
     pub fn trends(&self) -> Result<Vec<TrendAnswer>, AssessError> {
         let capacities = self.capacities();
         let mut found = Vec::new();
@@ -398,8 +398,8 @@ impl StudyAnswer {
     }
 }
 
-/// Order of results by size: without a fall a capacity is larger than all that fell. One tried only up to less than another fell at could be
-/// smaller or larger, and is left out.
+/// Results in order of capacity: one without a fall has a larger capacity than all that fell. One that was tried only below the fall of
+/// another could be smaller or larger, and is left out.
 fn ranked(group: Vec<(f64, Reached)>) -> Vec<(f64, f64)> {
     let fell = group.iter().filter(|(_, result)| result.is_reached());
     let largest_fall = fell.map(|(_, result)| result.value()).fold(0.0, f64::max);

@@ -177,7 +177,7 @@ fn alone(
     }
 }
 
-/// Why the structure of a case cannot be run under it.
+/// Why the structure of a case cannot be run under the first motion.
 pub(super) fn why_refused(why: &WorkError) -> Both {
     told_both(why)
 }

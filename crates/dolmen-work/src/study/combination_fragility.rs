@@ -8,17 +8,17 @@ use dolmen::assess::{
 
 /// Years of the probability in the answer.
 pub const YEARS: f64 = 50.0;
-/// Standard error of ln θ that counts as sufficient. Chosen here: the median is then known to a tenth.
+/// Standard error of ln θ that counts as sufficient. Our choice: the median is then known to a tenth.
 const ERROR_WANTED: f64 = 0.1;
 /// Fewest motions that can be sufficient; fewer give no curve.
 const ENOUGH_LEAST: usize = 3;
-/// Number of motions from which β is accurate enough to estimate the number needed: to a factor of 1.8 (95 %) from 7. Chosen here.
+/// Number of motions from which β is accurate enough to estimate how many are needed: with 7 it is known to a factor of 1.8 (95 %). Our choice.
 const ENOUGH_SAID_FROM: usize = 7;
-/// Share of resamples without a curve from which no band is drawn, because it would leave out the most uncertain part. Chosen here.
+/// Share of resamples without a curve above which no band is drawn, because the band would leave out the most uncertain part. Our choice.
 const WITHOUT_CURVE_MOST: f64 = 0.1;
-/// A crossing of two curves matters where both probabilities lie between this and 1 minus this. Chosen here.
+/// A crossing of two curves matters where both probabilities lie between this and 1 minus this. Our choice.
 const CROSSING_LEAST: f64 = 0.01;
-/// Number of resamples of a band, and their seed. Chosen here.
+/// Number of resamples of a band, and their seed. Our choice.
 const RESAMPLES: usize = 200;
 const SEED: u64 = 1;
 
@@ -27,7 +27,7 @@ const SEED: u64 = 1;
 pub struct MeasureFit {
     /// The measure.
     pub measure: ShakingMeasure,
-    /// The measure over the peak acceleration of the ground, for each observation.
+    /// The measure relative to the peak ground acceleration, for each observation.
     pub over_peak: Vec<f64>,
     /// The curve, or the reason for its absence.
     pub fit: Result<FragilityFit, AssessError>,
@@ -42,15 +42,15 @@ pub struct StateFragility {
     pub observations: Vec<Observation>,
     /// Number of further scans whose structure falls under its own weight, and reaches the state without shaking.
     pub fell_alone: usize,
-    /// The record of each, from 0: other directions and samples count as the same record.
+    /// The record of each observation, from 0: other directions and samples count as the same record.
     pub motions: Vec<usize>,
-    /// The curve over peak acceleration, m/s², or the reason for its absence; for structures that stand by themselves.
+    /// The curve over peak acceleration, m/s², or the reason for its absence; for structures that stand under their own weight.
     pub by_acceleration: Result<FragilityFit, AssessError>,
     /// The curves over those other measures of [`StudyAnswer::measures`](super::StudyAnswer::measures) that are known for this combination.
     pub by_measure: Vec<MeasureFit>,
     /// The contributions to β, with random inputs.
     pub scatter: Option<ScatterSplit>,
-    /// Annual rate of the state for structures that stand by themselves, if the site has a hazard.
+    /// Annual rate of the state for structures that stand under their own weight, if the site has a hazard.
     pub risk: Option<AnnualRisk>,
     /// The annual rate at the ends of both 95 % intervals: θ high and β low, θ low and β high.
     pub rate_interval: Option<[f64; 2]>,
@@ -94,7 +94,7 @@ impl StateFragility {
         }
     }
 
-    /// The probability that the state is reached, from that of the structures that stand by themselves.
+    /// The probability that the state is reached, from that of the structures that stand under their own weight.
     ///
     /// ```text
     /// P = p₀ + (1 − p₀) Φ(ln(x/θ)/β)
@@ -110,7 +110,7 @@ impl StateFragility {
             .map(|risk| self.with_those_alone(risk.probability_in(YEARS)))
     }
 
-    /// The annual rate over all scans, 1/year; `None` without a hazard, and where some fall by themselves, which have no finite rate.
+    /// The annual rate over all scans, 1/year; `None` without a hazard, or if some fall under their own weight, which have no finite rate.
     pub fn annual_rate(&self) -> Option<f64> {
         self.risk
             .filter(|_| self.fell_alone == 0)
@@ -160,9 +160,9 @@ pub struct StatesCrossing {
     pub milder: usize,
     /// The worse state, from 0.
     pub worse: usize,
-    /// Where they cross.
+    /// Their intersection.
     pub at: Crossing,
-    /// Where the worse state is the likelier one.
+    /// The side on which the worse state is likelier.
     pub likelier_is_worse: CrossingSide,
 }
 
@@ -178,7 +178,7 @@ impl CombinationFragility {
                 let at = crossing(&a.curve, &b.curve)
                     .filter(|at| (CROSSING_LEAST..=1.0 - CROSSING_LEAST).contains(&at.probability));
                 let likelier_is_worse = match b.curve.beta() > a.curve.beta() {
-                    true => CrossingSide::Below, // the flatter curve is the higher one there
+                    true => CrossingSide::Below, // there, the flatter curve is the higher one
                     false => CrossingSide::Above,
                 };
                 let of_all = |at: Crossing| Crossing {

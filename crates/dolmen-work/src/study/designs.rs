@@ -13,7 +13,7 @@ use dolmen_records::Files;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
-/// Share of usable scans that a design needs. Chosen here.
+/// Share of usable scans that a design needs. Our choice.
 const USABLE_LEAST: f64 = 0.75;
 
 /// Simulated designs of a study.
@@ -61,7 +61,7 @@ pub fn study_designs(
     let enough = (USABLE_LEAST * answer.motions.len() as f64).ceil() as usize;
     let mut designs = Vec::new();
     for found in answer.fragilities() {
-        // a design that falls by itself in some samples has no lognormal capacity
+        // a design of which some samples fall by themselves has no lognormal capacity
         let falls_alone = found.states.iter().any(|state| state.fell_alone > 0);
         if unfinished.contains(&found.combination) || found.usable < enough || falls_alone {
             continue;

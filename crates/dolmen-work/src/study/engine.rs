@@ -1,4 +1,4 @@
-//! Execution of a study: scans in chunks, each run on any free thread, each written to the journal as it ends. The results depend only on the
+//! Execution of a study: scans in chunks, each run on any free thread and written to the journal as it ends. The results depend only on the
 //! inputs.
 
 use super::before::EarlierShaking;
@@ -20,10 +20,10 @@ use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Fewest and most runs given to a thread at once: they run side by side, several in the lanes of the machine's vectors. Chosen here: more fill
-/// the lanes longer, fewer spread over the threads.
+/// Fewest and most runs given to a thread at once; they run in parallel in the lanes of the vector unit. Our choice: more fill the lanes
+/// longer, fewer spread over the threads.
 const BATCH: [usize; 2] = [8, 64];
-/// Scans prepared at once for each thread. Chosen here: keeps memory small and threads busy.
+/// Scans prepared at once for each thread. Our choice: keeps memory small and threads busy.
 const CHUNK_A_THREAD: usize = 32;
 /// The damage state of a fall: all four are reached.
 const ALL_STATES: u8 = 4;

@@ -9,7 +9,7 @@ pub enum StudyError {
     NoSuchStudy {
         /// The name.
         name: String,
-        /// Those there are.
+        /// Names of the known ones.
         known: String,
     },
     /// There is no such study in a file.
@@ -59,17 +59,17 @@ pub enum StudyError {
     HarmonicOfOther,
     /// The inputs of every run were refused.
     EveryRunRefused {
-        /// Why those of the first were.
+        /// The reason for the first run.
         why: Both,
     },
     /// A journal is of another study, or of another state of this one.
     OtherJournal {
         /// The journal.
         shown: String,
-        /// What differs.
+        /// The difference.
         difference: Both,
     },
-    /// Journals hold one run with different results.
+    /// Journals contain the same run with different results.
     RunTwice {
         /// The journals.
         shown: String,

@@ -54,7 +54,7 @@ impl StudyAnswer {
         found
     }
 
-    /// The knowledge of θ without a curve, in g.
+    /// Bounds of θ in g if there is no curve.
     pub fn bound_words(&self, why: &AssessError, language: Language) -> String {
         let g = |value: f64| format!("{:.3}", value / self.gravity_m_s2);
         match why {
@@ -100,7 +100,7 @@ impl StudyAnswer {
     pub fn state_words(&self, language: Language) -> [&'static str; 4] {
         let words = self.kind.states();
         words.map(|word| match (word, language) {
-            // not the allowable drift of the file
+            // differs from the allowable drift of the file
             ("drift limit", Language::English) => "leans by 10 %",
             (_, Language::English) => word,
             ("falls", _) => "낙하·전도",
@@ -169,13 +169,13 @@ impl StudyAnswer {
     }
 }
 
-/// Share of a rate that may come from shaking weaker than the hazard table. Chosen here: beyond it more than half of the number comes from an
-/// extrapolated slope.
+/// Share of a rate that may come from shaking weaker than the hazard table. Our choice: beyond it more than half of the number comes from
+/// an extrapolated slope.
 const BELOW_HAZARD_MOST: f64 = 0.5;
-/// Largest annual rate at which a standing structure reaches a state. Chosen here: it has stood longer than a year.
+/// Largest annual rate at which a standing structure reaches a state. Our choice: it has stood longer than a year.
 const RATE_MOST: f64 = 1.0;
 
-/// The upper end of a rate; infinite where the hazard does not determine it.
+/// The upper end of a rate; infinite if the hazard does not determine it.
 fn known_most(risk: &AnnualRisk) -> f64 {
     match risk.share_below_points > BELOW_HAZARD_MOST || risk.annual_rate > RATE_MOST {
         true => f64::INFINITY,
@@ -213,7 +213,7 @@ pub(super) fn combination_columns(answer: &StudyAnswer, rows: &[(usize, usize)])
     columns
 }
 
-/// Every curve, one row for each combination and state: inputs, data, median, dispersion, errors, risk; the reason where there is none.
+/// Every curve, one row for each combination and state: inputs, data, median, dispersion, errors, risk; or the reason for its absence.
 pub fn fragility_columns(answer: &StudyAnswer) -> Vec<Column> {
     let rows: Vec<(&CombinationFragility, &StateFragility)> = answer
         .fragilities()

@@ -44,9 +44,9 @@ pub(super) struct ReadCombination {
     pub(super) model: String,
     /// Properties that its runs leave out.
     pub(super) left_out: Vec<Both>,
-    /// Properties that they include besides the structure.
+    /// Properties that its runs include besides the structure.
     pub(super) held: Vec<Both>,
-    /// Whether they have neither damping nor friction.
+    /// Whether its runs have neither damping nor friction.
     pub(super) is_undamped: bool,
     /// The samples drawn.
     pub(super) samples: Vec<Drawn>,

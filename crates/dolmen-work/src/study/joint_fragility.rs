@@ -9,11 +9,11 @@ pub struct JointState {
     pub state: usize,
     /// The observations; intensities are peak accelerations of the ground, m/s².
     pub observations: Vec<Observation>,
-    /// Bounds of the median peak, m/s²: medians of the largest peaks at which each scan had not reached it, and of the smallest at which it had;
-    /// `None` where unknown.
+    /// Bounds of the median peak, m/s²: the median over scans of the largest peak below the state, and of the smallest peak that reached
+    /// it; `None` where unknown.
     pub median_between: [Option<f64>; 2],
-    /// The curve over peak acceleration, m/s²; `None` where there is none, and where a stone fell elsewhere first in more than a tenth of the
-    /// scans. Such falls are not independent of the joint, and a curve would lie too far right.
+    /// The curve over peak acceleration, m/s²; `None` without one, and if a stone fell elsewhere first in more than a tenth of the scans.
+    /// Such falls depend on the joint, and a curve would lie too far right.
     pub fit: Option<FragilityFit>,
 }
 

@@ -10,10 +10,10 @@ use super::scans::{RunInformation, first_seen};
 use dolmen::assess::{FragilityFit, Observation, fit_fragility_of_motions};
 use std::collections::BTreeMap;
 
-/// States with curves for joints: DS1 to DS3. A joint that gave way is only counted.
+/// States with curves for joints: DS1 to DS3. Joints that gave way are only counted.
 const STATES: u8 = 3;
 
-/// Largest share of scans cut short by a fall elsewhere. Chosen here: with more, medians of curves were off by a tenth and more.
+/// Largest share of scans cut short by a fall elsewhere. Our choice: with more, medians of curves were off by a tenth and more.
 const CUT_SHORT_MOST: f64 = 0.1;
 
 impl StudyAnswer {
@@ -103,7 +103,7 @@ impl StudyAnswer {
     }
 }
 
-/// The lower middle one of an even number, at both ends of all scans: at least half of them.
+/// The lower middle value of an even number. Used at both ends of all scans, it covers at least half of them.
 fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     values.get(values.len().checked_sub(1)? / 2).copied()
@@ -132,7 +132,7 @@ impl JointState {
     }
 }
 
-/// Every joint and state, one row each: inputs, joint, median, dispersion and their errors, and the bounds of the median in any case.
+/// Every joint and state, one row each: inputs, joint, median, dispersion and their errors, and always the bounds of the median.
 pub fn joint_columns(answer: &StudyAnswer) -> Vec<Column> {
     let rows: Vec<(&JointFragility, &JointState)> = answer
         .joint_fragilities()

@@ -7,7 +7,7 @@ pub enum JournalError {
     Header,
     /// A line that is not the last is damaged.
     Line {
-        /// Which, from 1.
+        /// Number of the line, from 1.
         line: usize,
     },
 }

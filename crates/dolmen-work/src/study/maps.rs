@@ -19,7 +19,7 @@ pub struct ResponseMaps {
     pub release: Vec<AtAmplitude>,
 }
 
-/// Points of all maps: one row a case, frequency, acceleration and storey or joint.
+/// Points of all maps: one row for each case, frequency, acceleration and storey or joint.
 pub fn harmonic_columns(maps: &[ResponseMaps], kind: StudyKind) -> Vec<Column> {
     let [part, deformation, share, fell] = match kind {
         StudyKind::Chain => ["joint_below", "joint_rotation_rad", "moving_share", "fell"],

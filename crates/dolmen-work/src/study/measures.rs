@@ -20,7 +20,7 @@ macro_rules! measures {
                 vec![$(self.$field),+]
             }
 
-            /// From numbers in the order of their names; `None` unless there is one for each.
+            /// From numbers in the order of their names; `None` if their count differs.
             fn of_values(values: &[f64]) -> Option<Self> {
                 let [$($field),+] = values else { return None };
                 Some($name { $($field: *$field),+ })
@@ -38,9 +38,9 @@ measures! {
         peak_slip_m,
         /// Largest residual slip, m.
         residual_slip_m,
-        /// Largest residual slip over the width of its joint, –.
+        /// Largest residual slip relative to the width of its joint, –.
         residual_slip_ratio,
-        /// Largest rocking of a joint over its slenderness angle, –.
+        /// Largest rocking of a joint relative to its slenderness angle, –.
         peak_rocking_ratio,
         /// Largest tilt of a stone, rad.
         peak_tilt_rad,
@@ -48,7 +48,7 @@ measures! {
         residual_tilt_rad,
         /// Largest twist of a joint, rad.
         peak_yaw_rad,
-        /// Energy created by the integration, over the input, –.
+        /// Energy created by the integration relative to the input, –.
         energy_made_ratio,
         /// Time step, s.
         time_step_s,
@@ -62,9 +62,9 @@ measures! {
         peak_displacement_m,
         /// Largest drift of a storey, m.
         peak_drift_m,
-        /// Largest drift over the height of its storey, –.
+        /// Largest drift ratio of a storey, –.
         peak_drift_ratio,
-        /// Largest drift over the height of its storey, including the surveyed lean, –.
+        /// Largest drift ratio of a storey, including the surveyed lean, –.
         peak_lean_ratio,
         /// Residual displacement of the top, m.
         residual_displacement_m,
@@ -108,7 +108,7 @@ measures! {
         peak_drift_m,
         /// Largest drift at a corner, in any direction, m.
         peak_corner_drift_m,
-        /// The same over the height of its storey, –.
+        /// The same relative to the height of its storey, –.
         peak_corner_drift_ratio,
         /// Largest shear of the base along x, N.
         base_shear_x_n,
@@ -118,7 +118,7 @@ measures! {
         base_torque_n_m,
         /// Largest stroke of a damper, m.
         peak_stroke_m,
-        /// Largest stroke over the room that its damper has, –.
+        /// Largest stroke relative to the room of its damper, –.
         stroke_over_room,
     }
 }
@@ -176,13 +176,13 @@ impl RunMeasures {
         }
     }
 
-    /// The number of a name; `None` if nothing was run, or runs of this kind have none of the name.
+    /// The number of a name; `None` if nothing was run, or if runs of this kind have no such number.
     pub fn named(&self, name: &str) -> Option<f64> {
         let place = self.own_names().iter().position(|own| *own == name)?;
         self.values().get(place).copied()
     }
 
-    /// From numbers in the order of the names of a kind; nothing of none, `None` unless there is one for each.
+    /// From numbers in the order of the names of a kind; the empty state from no numbers; `None` if their count differs.
     pub fn of_values(kind: StudyKind, values: &[f64]) -> Option<Self> {
         if values.is_empty() {
             return Some(RunMeasures::None);

@@ -10,17 +10,17 @@ use dolmen_words::Language;
 use dolmen_words::number::trimmed;
 
 /// Default time after the motion for a frame or a chain, s, in a study and a single simulation alike: with a damping ratio of 2 % a motion of 1
-/// Hz decays to a tenth. Chosen here.
+/// Hz decays to a tenth. Our choice.
 pub const SWING_REST_S: f64 = 20.0;
 
-/// A direction as written: degrees to their ninth decimal, which radians do not keep to the last digit.
+/// A direction as written: degrees to nine decimals, which radians do not keep to the last digit.
 pub(super) fn direction_deg(turn_rad: f64) -> f64 {
     (turn_rad.to_degrees() * 1e9).round() / 1e9
 }
 
 impl StudyAnswer {
-    /// For a building with rooms of dampers: number of runs in which a stroke exceeds its room, number of runs, and the smallest peak of the
-    /// ground of the former, m/s²; `None` if there is no such run. The runs have no stops.
+    /// For a building with rooms of dampers: number of runs with a stroke beyond its room, number of all runs, and the smallest ground peak
+    /// of the former, m/s²; `None` without such a run. The runs have no stops.
     pub fn beyond_room(&self) -> Option<(usize, usize, f64)> {
         let known = self.runs.iter().filter_map(|run| match run.measures {
             RunMeasures::Building(of) if !of.stroke_over_room.is_nan() => {

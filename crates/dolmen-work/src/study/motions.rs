@@ -11,7 +11,7 @@ use dolmen::signal::{
 use dolmen_project::{Project, StudyPart};
 use dolmen_records::Files;
 
-/// Names of made motions, before their number.
+/// Prefix of the names of made motions, before their number.
 const MADE: &str = "noise";
 /// Length of a sample of made motions, s.
 const MADE_STEP_S: f64 = 0.01;
@@ -20,7 +20,7 @@ const MADE_STEP_S: f64 = 0.01;
 #[derive(Clone, Debug)]
 pub(super) struct PreparedMotion {
     pub(super) motion: GroundMotion,
-    /// Largest horizontal component, m/s²; in a plane that of the plane.
+    /// Largest horizontal component, m/s²; for motion in a plane, that of the plane.
     pub(super) peak_m_s2: f64,
     /// Largest velocity of that component, m/s.
     pub(super) velocity_m_s: f64,
@@ -37,7 +37,7 @@ pub struct MotionCopy {
 }
 
 impl PreparedMotion {
-    /// Whether a component of it is a copy of one of another: the same samples, or scaled, inverted, cut or resampled.
+    /// Whether one of its components is a copy of one of another motion: the same samples, or scaled, inverted, cut or resampled.
     pub(super) fn is_copy_of(&self, other: &PreparedMotion) -> bool {
         let series = |motion: &'_ GroundMotion| {
             let horizontal = [Component::X, Component::Y].into_iter();
@@ -85,7 +85,7 @@ impl PreparedMotion {
         fingerprint(&bytes)
     }
 
-    /// Pseudo-spectral accelerations of that component over its peak.
+    /// Pseudo-spectral accelerations of that component relative to its peak.
     pub(super) fn spectral_over_peak(
         &self,
         periods_s: &[f64],

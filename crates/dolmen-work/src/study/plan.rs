@@ -187,13 +187,13 @@ impl<'o> Plan<'o> {
                 motion.fingerprint(),
             ));
         }
-        let cases = format!("{:?}{:?}", self.inputs, self.cases); // files named in the project count here
+        let cases = format!("{:?}{:?}", self.inputs, self.cases); // includes the files that the project names
         all.push(("inputs of the cases".to_owned(), fingerprint(cases.as_bytes())));
         // everything that a model is built from, including files and the tilt of a survey
         let models = self.models.join(" ");
         all.push(("the structure as read".to_owned(), fingerprint(models.as_bytes())));
         if self.study.samples.is_some() {
-            // an older journal says that samples which fall by themselves were refused
+            // older journals list samples that fall by themselves as refused
             all.push(("samples that fall by themselves".to_owned(), "counted".to_owned()));
         }
         Ok(all)
@@ -213,8 +213,8 @@ impl<'o> Plan<'o> {
         })
     }
 
-    /// The motion of a case by its index: that of the file unless the case changes it, with the remaining rotation. A frame or a chain moves in
-    /// one plane: its motion is already rotated, with the size of the acting component.
+    /// The motion of a case by its index: that of the file unless the case changes it, with the remaining rotation. A frame or a chain
+    /// moves in one plane: its motion is already rotated, with the size of the acting component.
     pub(super) fn motion(
         &self,
         project: &Project,
@@ -228,7 +228,7 @@ impl<'o> Plan<'o> {
             false => prepared(project, self.files, self.study, name)?,
         };
         Ok(match self.kind {
-            // it has components along and across
+            // its components act along and across
             StudyKind::Chain | StudyKind::Frame if self.meets_both(project) => (motion, turn_rad),
             StudyKind::Frame | StudyKind::Chain => (motion.in_plane(turn_rad)?, 0.0),
             _ => (motion, turn_rad),
@@ -253,7 +253,7 @@ impl<'o> Plan<'o> {
         }
     }
 
-    /// Peak of the ground at a factor, m/s²; where the study gives peaks, exactly the given one.
+    /// Peak of the ground at a factor, m/s²; exactly the given one if the study gives peaks.
     pub(super) fn peak_at(&self, grid: &[f64], scale: f64, motion: &PreparedMotion) -> f64 {
         let given = match &self.study.scan {
             Some(Scan::Peaks(peaks)) => grid
@@ -483,7 +483,7 @@ impl<'o> Plan<'o> {
     }
 }
 
-/// The size of the motion before the runs of a combination, with its unit of SI.
+/// The size of the motion before the runs of a combination, with its SI unit.
 fn size_before(study: &StudyPart, combination: usize) -> Option<(f64, &'static str)> {
     study.size_before(combination).map(|size| match size {
         MotionSize::Scale(scale) => (scale, ""),

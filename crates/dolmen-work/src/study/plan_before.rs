@@ -1,4 +1,4 @@
-//! The motion before the runs of a plan: run once for each case, on first use.
+//! The earlier motion of a plan: run once for each case, on first use.
 
 use super::before::{EarlierShaking, FirstMotion, shaken_before, why_refused};
 use super::error::StudyError;
@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use std::sync::OnceLock;
 
 impl Plan<'_> {
-    /// Reads the earlier motion, and checks that each other one can follow it.
+    /// Reads the earlier motion, and checks that every other motion can follow it.
     pub(super) fn prepare_before(&mut self) -> Result<(), WorkError> {
         let Some(after) = &self.study.after else {
             return Ok(());
@@ -87,7 +87,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Whether one component of the motion acts, in a plane.
+    /// Whether only one component of the motion acts, in a plane.
     fn acts_in_plane(&self, project: &Project) -> bool {
         match self.kind {
             StudyKind::Chain | StudyKind::Frame => !self.meets_both(project),

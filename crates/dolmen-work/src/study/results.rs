@@ -1,4 +1,4 @@
-//! From journals to answers: the requested studies, their stored runs, missing runs, and their joint results.
+//! From journals to answers: the requested studies, their stored runs, missing runs, and their combined results.
 
 use super::answer::StudyAnswer;
 use super::engine::missing;
@@ -131,7 +131,7 @@ fn unique(runs: Vec<Run>, shown: &str) -> Result<Vec<Run>, WorkError> {
     Ok(seen.into_values().collect())
 }
 
-/// The joint results of the runs of a study, with its maps of harmonic motions.
+/// The combined results of the runs of a study, with its maps of harmonic motions.
 ///
 /// # Errors
 /// If the inputs of every run were refused, or a map cannot be computed.

@@ -1,4 +1,4 @@
-//! One run of a study: its key and its end.
+//! One run of a study: its key and its outcome.
 
 use super::measures::RunMeasures;
 
@@ -13,7 +13,7 @@ pub enum RunOutcome {
     Slid,
     /// A stone or a link fell; for a frame: it leaned beyond the drift limit.
     Fell,
-    /// Still in motion at its end: no verdict.
+    /// Still in motion at the end of the run: no verdict.
     StillMoving,
     /// The run is unusable.
     Diverged,
@@ -49,13 +49,13 @@ impl RunOutcome {
 pub struct Run {
     /// Index of the case, motion and direction: its scan.
     pub job: usize,
-    /// Factor on the motion, –; 0 where the inputs were refused, and where the structure falls by itself.
+    /// Factor on the motion, –; 0 if the inputs were refused, or if the structure falls by itself.
     pub scale: f64,
     /// Largest horizontal peak of the ground, before the rotation, m/s².
     pub peak_ground_acceleration_m_s2: f64,
     /// Largest velocity of that component, m/s.
     pub peak_ground_velocity_m_s: f64,
-    /// Its end.
+    /// Its outcome.
     pub outcome: RunOutcome,
     /// 0 to 4: DS1 to DS4. For a building the number of drift limits reached; for a frame 1 if it slips and 4 at the drift limit; for a chain 1
     /// if a joint opens or turns against friction.

@@ -7,7 +7,7 @@ use dolmen::assess::{
 };
 use dolmen_words::Language;
 
-/// Fewest scans for 5 % and 95 % quantiles: with fewer they would be the extremes. Chosen here.
+/// Fewest scans for 5 % and 95 % quantiles: with fewer they would be the extremes. Our choice.
 pub const SCANS_OF_TAILS: usize = 20;
 
 /// Usability of a scan.
@@ -59,9 +59,9 @@ pub struct CapacityOf {
     pub job: usize,
     /// Its usability.
     pub verdict: ScanVerdict,
-    /// First fall and survived scales, as factors on the motion; `None` where nothing was run.
+    /// First fall and survived scales, as factors on the motion; `None` if nothing was run.
     pub scan: Option<Capacity>,
-    /// Largest horizontal peak of the motion at scale 1, m/s²; NaN where nothing was run.
+    /// Largest horizontal peak of the motion at scale 1, m/s²; NaN if nothing was run.
     pub peak_of_scale_1_m_s2: f64,
     /// Largest velocity of that component at scale 1, m/s.
     pub velocity_of_scale_1_m_s: f64,
@@ -83,7 +83,7 @@ impl CapacityOf {
             .unwrap_or(0.0)
     }
 
-    /// The smallest peak at which it fell, whatever lies below, m/s².
+    /// The smallest peak at which it fell, whatever happened below, m/s².
     pub fn fell_m_s2(&self) -> Option<f64> {
         self.in_m_s2(self.scan.as_ref().and_then(|scan| scan.first_fall))
     }
@@ -99,8 +99,8 @@ impl CapacityOf {
         scales.map(|scale| scale * self.peak_of_scale_1_m_s2).collect()
     }
 
-    /// The same for a linear building, where everything is proportional: the largest of its runs gives exactly the peak at which each drift
-    /// limit is reached, up to the largest size.
+    /// The same for a linear building, where everything is proportional: its largest run gives exactly the peak at which each drift limit
+    /// is reached, up to the largest size.
     pub(super) fn in_proportion(mut self, runs: &[Run], limits: &[f64; 4]) -> Self {
         let ratio = |run: &Run| match run.measures {
             RunMeasures::Building(of) => Some(of.peak_corner_drift_ratio).filter(|ratio| *ratio > 0.0),
@@ -127,7 +127,7 @@ impl CapacityOf {
         self
     }
 
-    /// Whether it fell at the smallest size: its first fall is at most that, and may lie below.
+    /// Whether it fell at the smallest size: its first fall may be below.
     pub fn fell_at_the_least(&self) -> bool {
         let scan = self.scan.as_ref();
         scan.is_some_and(|scan| scan.first_fall.is_some() && scan.survived_below == 0.0)
@@ -202,7 +202,7 @@ impl LevelRow {
             .count()
     }
 
-    /// The smallest first fall, m/s²; the smallest size tried where none fell; `None` without a usable scan.
+    /// The smallest first fall, m/s²; the smallest size tried if none fell; `None` without a usable scan.
     pub fn least_m_s2(&self) -> Option<Reached> {
         let first = self.first_m_s2(3);
         let fell = first.iter().find(|first| first.is_reached());
@@ -337,7 +337,7 @@ pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityO
 }
 
 impl RunOutcome {
-    /// What a scan makes of it.
+    /// The run as a trial of a scan.
     pub fn trial(self) -> Trial {
         match self {
             RunOutcome::Fell => Trial::Fell,
@@ -370,7 +370,7 @@ mod tests {
         .collect()
     }
 
-    /// Above a run without information, nothing proves that a size is below the state.
+    /// Above a run without information, no size is known to be below the state.
     #[test]
     fn exact_what_runs_say_of_when_a_state_begins() {
         use RunInformation::{NotReached as No, Reached as Yes, Unknown as Open};

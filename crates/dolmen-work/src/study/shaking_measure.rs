@@ -15,9 +15,9 @@ pub enum ShakingMeasure {
         /// The period, s.
         period_s: f64,
     },
-    /// Peak acceleration over that at which the first part lifts, –.
+    /// Peak acceleration relative to that at which the first part lifts, –.
     UpliftRatio,
-    /// Peak velocity over that which overturns blocks of the shape and size of that part, –.
+    /// Peak velocity relative to that which overturns blocks with the shape and size of that part, –.
     VelocityRatio,
 }
 
@@ -56,8 +56,8 @@ impl ShakingMeasure {
 /// Data for measures of a study's shaking.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ShakingScales {
-    /// S_a over the peak of the ground, one row for each motion and direction, by the periods of the study; empty where motions are varied, or
-    /// samples too coarse for a period.
+    /// S_a relative to the peak ground acceleration, one row for each motion and direction, by the periods of the study; empty if motions
+    /// are varied, or if samples are too coarse for a period.
     pub spectral_over_peak: Vec<Vec<f64>>,
     /// For a stack, by combination, with its mean inputs: the part that lifts first.
     pub rocking: Vec<Option<RockingScale>>,
@@ -73,6 +73,6 @@ pub struct MeasureComparison {
     /// β within a combination, root mean square: by peak acceleration first, then by each of
     /// [`StudyAnswer::measures`](super::StudyAnswer::measures); `None` without a curve.
     pub within: Vec<Option<f64>>,
-    /// β of all combinations, one curve for all.
+    /// β of all combinations, with one curve for all.
     pub together: Vec<Option<f64>>,
 }

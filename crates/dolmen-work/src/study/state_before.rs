@@ -10,7 +10,7 @@ pub struct StateBefore {
     pub case: usize,
     /// Largest horizontal peak of that motion, m/s²; 0 without one.
     pub peak_m_s2: f64,
-    /// End of the run under it alone.
+    /// Outcome of the run under that motion alone.
     pub outcome: RunOutcome,
     /// 0 to 4.
     pub damage_state: u8,
@@ -24,9 +24,9 @@ pub struct StateBefore {
     pub gave_way: String,
     /// The numbers of that run.
     pub measures: RunMeasures,
-    /// Duration of still ground afterwards, s; NaN where nothing follows.
+    /// Duration of still ground afterwards, s; NaN if nothing follows.
     pub still_s: f64,
-    /// Largest speed of any part at the end of that time, m/s; NaN where nothing follows.
+    /// Largest speed of any part at the end of that time, m/s; NaN if nothing follows.
     pub speed_m_s: f64,
     /// Why nothing follows.
     pub why: String,
@@ -50,7 +50,7 @@ impl StateBefore {
         }
     }
 
-    /// The row of a run of a structure that fell before it.
+    /// The row of a run for a structure that fell in the earlier motion.
     pub(super) fn fallen(&self, job: usize) -> Run {
         Run {
             outcome: RunOutcome::Fell,

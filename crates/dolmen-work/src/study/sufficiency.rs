@@ -4,7 +4,7 @@ use super::answer::StudyAnswer;
 use super::earthquake_of::EarthquakeOf;
 use dolmen::assess::{AssessError, Observation, Sufficiency, sufficiency};
 
-/// Largest share of scans without a bracket for the state: those are the strongest and the weakest. Chosen here.
+/// Largest share of scans without a bracket for the state: these are the strongest and the weakest. Our choice.
 const WITHOUT_BRACKET_MOST: f64 = 0.1;
 
 /// The variable of a regression of residuals.
@@ -133,7 +133,7 @@ impl StudyAnswer {
     }
 }
 
-/// The capacity, in the middle of its bracket; `None` for an open one.
+/// The capacity at the middle of its bracket; `None` for an open bracket.
 fn middle(seen: &Observation) -> Option<f64> {
     match *seen {
         Observation::At(x) => Some(x),

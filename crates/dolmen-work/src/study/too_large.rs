@@ -4,9 +4,9 @@ use super::error::StudyError;
 use crate::error::WorkError;
 use dolmen_project::StudyPart;
 
-/// Largest number of scans of a study: the results of more do not fit into memory. Chosen here.
+/// Largest number of scans of a study: the results of more do not fit into memory. Our choice.
 const SCANS_MOST: usize = 10_000_000;
-/// Largest number of points in the maps of all cases of a study. Chosen here: at a millisecond a point they take half an hour on one core.
+/// Largest number of points in the maps of all cases of a study. Our choice: at a millisecond a point they take half an hour on one core.
 const POINTS_MOST: usize = 1_000_000;
 
 /// Refuses a study with too many scans or points of maps; `motions` is the number of its motions.

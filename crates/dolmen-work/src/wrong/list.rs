@@ -48,7 +48,7 @@ pub const ERRORS: [&[Template]; 22] = [
     DesignNeeds::TEMPLATES,
 ];
 
-/// An error of this crate, of a reader, a project file or the science, as a text in both languages; `None` for any other.
+/// An error of this crate, of a reader, a project file or the library, as a text in both languages; `None` for any other.
 pub(crate) fn of_work<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
     sayable!(
         error,

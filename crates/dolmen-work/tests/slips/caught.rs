@@ -1,5 +1,5 @@
-//! SOURCE: `data/slips.csv`, slips of units and habits that people make, as edits of the shipped examples.
-//! GOAL: nine of ten are refused, or warned of where the answer begins.
+//! SOURCE: `data/slips.csv`, common mistakes of units and habits, as edits of the shipped examples. GOAL:
+//! nine of ten are refused, or named in a warning at the beginning of the answer.
 
 use crate::edit::{Slip, edited};
 use crate::folder::{Folder, root};
@@ -67,7 +67,7 @@ fn request(slip: &Slip) -> MotionRequest {
     request
 }
 
-/// All that Dolmen says of a project with a slip in it.
+/// Everything that Dolmen reports about a project with a mistake.
 fn said(slip: &Slip) -> String {
     let path = root().join(&slip.file);
     let text = edited(&std::fs::read_to_string(&path).unwrap(), slip);
@@ -179,7 +179,7 @@ fn holds_no_example_is_doubted() {
             "{}",
             opened.file
         );
-        // motions that have to be fetched are not there
+        // motions that have to be downloaded are missing
         for part in opened
             .project
             .motions

@@ -1,22 +1,22 @@
-//! A slip as an edit of the text of a project file.
+//! A mistake as an edit of the text of a project file.
 
 /// A row of `data/slips.csv`.
 pub(crate) struct Slip {
-    /// What kind of slip it is.
+    /// Kind of mistake.
     pub(crate) class: String,
     /// The project file.
     pub(crate) file: String,
     /// replace (the first), all, scale (every number of a key), reverse (a list), mirror (centroids from the top), swap, flag.
     pub(crate) edit: String,
-    /// What is looked for; of a flag the motion.
+    /// The text to find; for a flag, the motion.
     pub(crate) find: String,
-    /// What stands there after it; of a flag its value.
+    /// Its replacement; for a flag, its value.
     pub(crate) replace: String,
-    /// What the error or a warning must contain.
+    /// Required part of the error or warning.
     pub(crate) says: String,
 }
 
-/// The text with the slip in it.
+/// The text with the mistake.
 pub(crate) fn edited(text: &str, slip: &Slip) -> String {
     let (find, replace) = (slip.find.as_str(), slip.replace.as_str());
     let changed = match slip.edit.as_str() {
@@ -36,7 +36,7 @@ pub(crate) fn edited(text: &str, slip: &Slip) -> String {
     changed
 }
 
-/// Where a number that begins at a byte ends.
+/// The end of a number that begins at a byte.
 fn end_of_number(text: &str, from: usize) -> usize {
     let is_number = |c: char| c.is_ascii_digit() || c == '.';
     text[from..]
@@ -44,7 +44,7 @@ fn end_of_number(text: &str, from: usize) -> usize {
         .map_or(text.len(), |length| from + length)
 }
 
-/// Every number of a key, bare, in a list or with its evidence, times a factor.
+/// Multiplies every number of a key, bare, in a list or with its evidence, by a factor.
 fn scaled(text: &str, key: &str, factor: f64) -> String {
     let mut out = String::new();
     let mut rest = text;
@@ -80,7 +80,7 @@ fn scaled(text: &str, key: &str, factor: f64) -> String {
     out + rest
 }
 
-/// Every list of a key that has an entry a line, the other way round.
+/// Reverses every list of a key with one entry per line.
 fn reversed(text: &str, key: &str) -> String {
     let mut out: Vec<&str> = Vec::new();
     let mut list: Option<Vec<&str>> = None;

@@ -1,4 +1,4 @@
-//! What Dolmen notices: the slips of `data/slips.csv`, each made in a shipped example, and plausible structures that it must let pass.
+//! Tests that Dolmen notices mistakes: those of `data/slips.csv`, each made in a shipped example; and that it accepts plausible structures.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 #![allow(clippy::panic, reason = "helpers of tests: a panic is a failed test")]

@@ -10,21 +10,21 @@ use crate::structure::{Chain, NaturalMode, SideSupport};
 pub struct ChainCheck {
     /// From weights and lengths alone.
     pub limits: ChainLimits,
-    /// With the joints' stiffness; `None` if it is not known.
+    /// With the joints' stiffness; `None` if it is unknown.
     pub stability: Option<ChainStability>,
-    /// Natural modes with the joints' stiffness; empty if it is not known.
+    /// Natural modes with the joints' stiffness; empty if it is unknown.
     pub modes: Vec<NaturalMode>,
     /// Effect of lowering each centroid.
     pub centroids: Vec<CentroidEffect>,
-    /// Beside the pole without joints; `None` if its stone is not known. [`check_one_stone`](super::check_one_stone) makes it.
+    /// Beside the pole without joints; `None` if its stone is unknown. [`check_one_stone`](super::check_one_stone) makes it.
     pub one_stone: Option<OneStoneCheck>,
     /// The lowest joint and the soil below it; `None` if nothing is known of the soil.
     pub on_soil: Option<JointOnSoil>,
     /// The side supports.
     pub side_supports: Vec<SideSupport>,
-    /// The load factor without side supports; `None` without any that is counted, or if the stiffness is not known.
+    /// The load factor without side supports; `None` without any that is counted, or if the stiffness is unknown.
     pub load_factor_without_supports: Option<f64>,
-    /// With what its static loads weigh, which swings too; `None` where they weigh nothing.
+    /// With the masses of its static loads, which move too; `None` without any.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub loaded: Option<Box<LoadedChain>>,
     /// The results across, if the chain has its own properties there; `None`: as in the direction of motion.
@@ -50,9 +50,9 @@ pub struct LoadedChain {
 pub struct ChainAcross {
     /// Rocking stiffness of the footing there, N m/rad; `None` if nothing is known of the soil.
     pub soil_n_m_rad: Option<f64>,
-    /// With the joints' stiffness there; `None` if it is not known.
+    /// With the joints' stiffness there; `None` if it is unknown.
     pub stability: Option<ChainStability>,
-    /// Natural modes there; empty if the stiffness is not known.
+    /// Natural modes there; empty if the stiffness is unknown.
     pub modes: Vec<NaturalMode>,
     /// Stiffness of the joints there, from 1 at the bottom, that is not given and was taken by the sides of the beds.
     pub taken: Vec<StiffnessTaken>,
@@ -89,7 +89,7 @@ impl ChainCheck {
 pub struct JointOnSoil {
     /// Rocking stiffness of the footing on the soil, N m/rad.
     pub soil_n_m_rad: f64,
-    /// Stiffness of the joint alone, N m/rad; `None` if it is not known.
+    /// Stiffness of the joint alone, N m/rad; `None` if it is unknown.
     pub joint_n_m_rad: Option<f64>,
     /// Stiffness of joint and soil in series, N m/rad.
     pub together_n_m_rad: Option<f64>,

@@ -4,10 +4,10 @@ use crate::blocks::{Outcome, Pose, StackHistory};
 use crate::stability::stack::StackLimitStates;
 use crate::structure::stack::{Joint, Stack};
 
-/// Where damage states begin.
+/// Thresholds of damage states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DamageThresholds {
-    /// DS1: slip from which sliding counts as begun, m, positive. Default 0.5 mm, chosen here: below it lies the shear of the springs of a
+    /// DS1: slip from which sliding counts as begun, m, positive. Default 0.5 mm, our choice: below it lies the shear of the springs of a
     /// joint (0.15 mm at 100 kPa, friction 0.6, 4e8 Pa/m).
     pub slip_begun_m: f64,
     /// DS2: residual offset over the joint's width, –, positive. Default 0.005.
@@ -32,7 +32,7 @@ impl Default for DamageThresholds {
     }
 }
 
-/// How far a stack is damaged.
+/// Damage state of a stack.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum DamageState {
     /// Nothing moved.

@@ -165,7 +165,7 @@ pub enum AssessError {
     /// Too few motions for a fragility curve.
     #[error("{given} motions are too few for a fragility curve: give 3 or more, and 22 or more to rank with")]
     TooFewMotions {
-        /// How many there are.
+        /// Their number.
         given: usize,
     },
     /// Too few motions to tell whether a measure of shaking is sufficient.
@@ -173,7 +173,7 @@ pub enum AssessError {
         "{given} motions are too few to tell whether a measure of shaking is sufficient: give {least} or more"
     )]
     TooFewForSufficiency {
-        /// How many there are.
+        /// Their number.
         given: usize,
         /// The fewest.
         least: usize,
@@ -184,7 +184,7 @@ pub enum AssessError {
          larger sizes"
     )]
     CapacitiesOpen {
-        /// How many do not.
+        /// Number of those that do not.
         without: usize,
         /// All.
         scans: usize,
@@ -219,7 +219,7 @@ pub enum AssessError {
 }
 
 impl AssessError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether an iteration ended before it converged: the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Structure(why) => why.did_not_converge(),

@@ -48,15 +48,15 @@ pub struct FrameCheck {
     pub geometric_n_m: Vec<f64>,
     /// Load that each level adds to the axial force, over the weight of its mass; near 1 when the two agree.
     pub level_load_ratios: Vec<f64>,
-    /// With the storeys' stiffness; `None` if it is not known.
+    /// With the storeys' stiffness; `None` if it is unknown.
     pub stability: Option<FrameStability>,
-    /// Natural modes; empty if the stiffness is not known.
+    /// Natural modes; empty if the stiffness is unknown.
     pub modes: Vec<NaturalMode>,
     /// Probable mistakes in the input.
     pub notes: Vec<FrameNote>,
 }
 
-/// Stability and natural modes of a frame; without stiffness, what its loads alone say.
+/// Stability and natural modes of a frame; without stiffness, the results from its loads only.
 ///
 /// # Errors
 /// [`AssessError::Structure`] unless there is one stiffness, 0 or positive, a storey.

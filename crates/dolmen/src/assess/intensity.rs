@@ -4,7 +4,7 @@ use super::AssessError;
 use crate::stability::stack::{CutLimits, StackLimitStates, rocking_blocks};
 use crate::structure::stack::Stack;
 
-/// Part of a direction towards an edge below which it is parallel to that edge. Chosen here.
+/// Part of a direction towards an edge below which it is parallel to that edge. Our choice.
 const SHARE_LEAST: f64 = 1e-6;
 
 /// The part of a stack that lifts first, as one rocking block.

@@ -21,14 +21,14 @@ pub struct OneStoneCheck {
     pub changed: f64,
 }
 
-/// Largest number of compared modes. Chosen here: with rigid links, higher modes are meaningless for a pole.
+/// Largest number of compared modes. Our choice: with rigid links, higher modes are meaningless for a pole.
 const MODES_MOST: usize = 5;
 
 /// Compares a chain with a monolithic pole clamped at its foot: the reduction of its frequencies by the joints, and the effect of
 /// bending links.
 ///
 /// # Input
-/// * `modes` -- of the chain on these joints; empty if they are not known
+/// * `modes` -- of the chain on these joints; empty if they are unknown
 ///
 /// # Errors
 /// [`AssessError::Structure`]: see [`Pole::of_chain`] and [`Pole::frequencies`].

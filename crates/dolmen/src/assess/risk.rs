@@ -146,7 +146,7 @@ impl Hazard {
     }
 }
 
-/// How often a state is reached.
+/// Annual rate of reaching a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnnualRisk {
     /// λ, 1/year.

@@ -14,7 +14,7 @@ pub struct CentroidEffect {
     pub necessary_n_m_rad: Vec<f64>,
     /// Exact stiffness that equal joints need with the change, N m/rad: it never rises.
     pub equal_joints_n_m_rad: f64,
-    /// Load factor with the change; `None` if the joints' stiffness is not known.
+    /// Load factor with the change; `None` if the joints' stiffness is unknown.
     pub load_factor: Option<f64>,
 }
 

@@ -6,7 +6,7 @@ use crate::blocks::{Outcome, Springs, simulate_springs};
 use crate::stability::Verdict;
 use crate::structure::stack::Stack;
 
-/// Length of the run after the stones have settled on the springs of their joints, s. Chosen here: a stone that slips falls a metre in half of it.
+/// Length of the run after the stones have settled on the springs of their joints, s. Our choice: a stone that slips falls a metre in half of it.
 const LENGTH_S: f64 = 1.0;
 
 /// The check with a run of the stack under its own weight on the springs of its joints, if friction carries stones that share their load;

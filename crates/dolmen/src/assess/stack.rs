@@ -76,17 +76,17 @@ impl Crushing {
     }
 }
 
-/// Relative reduction of the capacity from which crushing governs. Chosen here: less than the uncertainty of the dimensions.
+/// Relative reduction of the capacity from which crushing governs. Our choice: less than the uncertainty of the dimensions.
 const CRUSHING_COUNTS: f64 = 0.05;
 /// Horizontal acceleration, over gravity, below which a stack that stands is "marginal": a tilt of the ground of 1.1°, which a
-/// survey can miss. Chosen here.
+/// survey can miss. Our choice.
 pub const MARGINAL_BELOW_G: f64 = 0.02;
-/// Part of the friction without which forces that balance the weight must still be found, or friction carries. Chosen here: a bed
+/// Part of the friction without which forces that balance the weight must still be found, or friction carries. Our choice: a bed
 /// that leans by 3.4° needs a tenth of the usual 0.6, an arch a third and more.
 const FRICTION_SPARE: f64 = 0.1;
-/// By how much the limit analysis may be lower before a note says so; what the solver loses is 1e-8. Chosen here.
+/// By how much the limit analysis may be lower before a note says so; what the solver loses is 1e-8. Our choice.
 const LOWER: f64 = 1e-4;
-/// By how much both bounds of the limit analysis may differ before a note says so: the answer prints three digits. Chosen here.
+/// By how much both bounds of the limit analysis may differ before a note says so: the answer prints three digits. Our choice.
 const BETWEEN: f64 = 1e-3;
 
 /// Checks a stack: whether it stands, what moves first and at what acceleration, against a demand.

@@ -26,13 +26,13 @@ pub enum SettleRun {
     },
     /// It has too many stones.
     TooMany {
-        /// How many.
+        /// Their number.
         stones: usize,
     },
 }
 
 impl SettleRun {
-    /// Most stones of a stack that is run in a check. Chosen here: they take a second or two.
+    /// Most stones of a stack that is run in a check. Our choice: they take a second or two.
     pub const STONES_MOST: usize = 200;
 }
 
@@ -92,9 +92,9 @@ pub enum StackNote {
     FrictionNoRest,
     /// As above, and the stack has too many stones for a run under its own weight.
     FrictionNotRun {
-        /// How many it has.
+        /// Present number.
         stones: usize,
-        /// How many are run in a check.
+        /// Largest number in a run of a check.
         most: usize,
     },
     /// The limit analysis approximates the capacity of joints with finite strength from below: conservative, by a few per
@@ -119,7 +119,7 @@ pub enum StackNote {
         upper: usize,
         /// Its gap, m.
         gap_m: f64,
-        /// How many there are.
+        /// Their number.
         joints: usize,
         /// Treatment of these joints.
         gaps: Gaps,

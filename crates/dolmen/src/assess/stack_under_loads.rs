@@ -14,10 +14,10 @@ use crate::structure::stack::{Stack, StaticLoad};
 use crate::structure::wind::WindPressure;
 use std::f64::consts::TAU;
 
-/// Directions of the wind that are tried: on the faces and on the corners of square stones that stand along x and y. Chosen here. Between
+/// Directions of the wind that are tried: on the faces and on the corners of square stones that stand along x and y. Our choice. Between
 /// them the coefficient of a face would be taken for a wider outline, which no table of coefficients means: up to 1.21 times the face.
 const DIRECTIONS: u32 = 8;
-/// Part by which a direction must be worse to count as worse: directions that symmetry makes equal differ by rounding. Chosen here.
+/// Part by which a direction must be worse to count as worse: directions that symmetry makes equal differ by rounding. Our choice.
 const WORSE: f64 = 1e-6;
 
 /// A wind on a stack.
@@ -42,7 +42,7 @@ pub struct StackCombination<'a> {
     pub blows: Option<StackWind<'a>>,
 }
 
-/// Which loads grow at the least factor.
+/// The loads that grow at the least factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -66,9 +66,9 @@ pub struct StackUnderLoads {
     pub dilating_factor: Option<f64>,
     /// The factor if no edge crushed, where that is more.
     pub uncrushed_factor: Option<f64>,
-    /// Which loads grow.
+    /// The loads that grow.
     pub grows: Grows,
-    /// Where the wind blows to at the worst, a unit vector in plan; `None` without wind.
+    /// The worst direction of the wind, a unit vector in plan; `None` without wind.
     pub wind_to: Option<[f64; 2]>,
     /// Wind force on each block, without the factor of the combination.
     pub blown: Vec<BlownBlock>,

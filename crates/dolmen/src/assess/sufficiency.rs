@@ -9,7 +9,7 @@
 use crate::assess::AssessError;
 use crate::numeric::student_two_sided;
 
-/// Fewest motions for a slope. Chosen here: with fewer, a single motion decides the slope.
+/// Fewest motions for a slope. Our choice: with fewer, a single motion decides the slope.
 pub const SUFFICIENCY_MOTIONS_LEAST: usize = 10;
 
 /// Least-squares line through residuals of capacities.

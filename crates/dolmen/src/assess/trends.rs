@@ -10,15 +10,15 @@
 use super::AssessError;
 use crate::numeric::normal_probability;
 
-/// Chance below which a trend that is expected one way is seen, and one that may go either way. Chosen here.
+/// Chance below which a trend that is expected one way is seen, and one that may go either way. Our choice.
 const EXPECTED_BELOW: f64 = 0.05;
 const EITHER_BELOW: f64 = 0.025;
 /// Largest group without ties for which all orders of the results are enumerated; larger ones use Mahonian numbers.
 const COUNTED_MOST: usize = 7;
-/// Largest total number of pairs for which the distribution is enumerated; above it the normal approximation is as good. Chosen here.
+/// Largest total number of pairs for which the distribution is enumerated; above it the normal approximation is as good. Our choice.
 const PAIRS_MOST: usize = 20_000;
 
-/// Which way a result goes as an input grows.
+/// Direction of a result as an input grows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// It grows too.
@@ -263,7 +263,7 @@ fn variance_of_chance(points: &[(f64, f64)]) -> f64 {
     variance.max(0.0)
 }
 
-/// How many values are equal, value by value.
+/// Number of equal values, for each value.
 fn ties(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);

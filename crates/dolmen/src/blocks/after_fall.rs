@@ -1,10 +1,10 @@
-//! What a run does after a stone has fallen.
+//! Continuation of a run after a stone has fallen.
 
-/// What a run does after a stone has fallen.
+/// Continuation of a run after a stone has fallen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AfterFall {
-    /// End there: what a study needs.
+    /// End at the fall, as studies need.
     Stop,
-    /// Go on to the end: what a film needs.
+    /// Continue to the end, as films need.
     Continue,
 }

@@ -15,28 +15,26 @@ use super::patch::{Law, Motion, Patch, Stored, Wrench};
 use crate::structure::stack::{Joint, JointMaterial, Stack};
 use std::collections::BTreeMap;
 
-/// Shift of a face on its bed after which the patch is clipped again, in parts of the smaller body's radius. Chosen here:
-/// the edge about which a block rocks is as exact.
+/// Shift of a face on its bed after which the patch is clipped again, in parts of the smaller body's radius. Our choice:
+/// the rocking edge has the same accuracy.
 const CLIP_AGAIN: f64 = 5e-4;
-/// Turn between two faces from which others may carry, as sine. Chosen here.
-const LOOK_AGAIN: f64 = 0.03;
 /// Other faces must lie this much farther apart than the present ones to take over, in parts of the smaller body's radius:
 /// no flicker between equals. Chosen here.
 const FACE_FAVOUR: f64 = 0.002;
 
-/// How closely contacts are watched.
+/// Tolerances for watching contacts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ContactTolerances {
     /// Shift of a face on its bed after which the patch is clipped again, in parts of the smaller body's radius.
     pub(super) clip_again: f64,
-    /// Gap at which two bodies get a patch, in parts of the smaller body's radius: nearer than they can come unseen.
+    /// Gap at which two bodies get a patch, in parts of the smaller body's radius; larger than the undetected motion.
     pub(super) near: f64,
     /// Gap at which they lose it again, in parts of the smaller body's radius.
     pub(super) far: f64,
 }
 
 impl Default for ContactTolerances {
-    /// Tolerances of the springs law. Chosen here.
+    /// Tolerances of the springs law. Our choice.
     fn default() -> Self {
         ContactTolerances {
             clip_again: CLIP_AGAIN,
@@ -55,7 +53,7 @@ struct Pair {
     contact: Option<(Patch, Outline)>,
     /// Radius of the smaller body, m.
     size: f64,
-    /// Way that both bodies together may go before they can touch, m; infinite with a patch.
+    /// Motion of both bodies together before they can touch, m; infinite with a patch.
     slack: f64,
 }
 
@@ -73,17 +71,17 @@ pub(super) struct Assembly {
     dead_loads: Vec<DeadLoad>,
     rule: ContactRule,
     watchfulness: ContactTolerances,
-    /// Least slack of all pairs at the last look, m.
+    /// Least slack of all pairs at the last examination, m.
     slack: f64,
-    /// Active pairs that have shifted or turned too far.
+    /// Active pairs that have shifted or rotated too far.
     stale: Vec<usize>,
-    /// Pairs that the last look brought up to date.
+    /// Pairs updated by the last examination.
     looked: Vec<usize>,
     /// Elastic energy lost when patches are computed again, J.
     clip_loss: f64,
     /// Whether every pair of bodies is examined, or only pairs that touch as drawn.
     watches_all: bool,
-    /// Bodies of stones that stand on ground of their own, in the order of that ground, whose bodies come after those of all stones.
+    /// Bodies of stones with their own ground, in the order of these ground bodies, which follow the bodies of all stones.
     on_own_ground: Vec<usize>,
 }
 
@@ -103,7 +101,7 @@ impl Assembly {
         Assembly::with_pairs(stack, rule, ends.into_iter(), false)
     }
 
-    /// From now on with all pairs of stones, as drawn again, if it had those that touch alone.
+    /// Extends the examination to all pairs of stones, as drawn, if it had only those in contact.
     pub(super) fn watch_all(&mut self, stack: &Stack) {
         if !self.watches_all {
             *self = Assembly::of(stack, self.rule);
@@ -129,9 +127,8 @@ impl Assembly {
         let mut pairs = Vec::new();
         for (first, second) in each {
             let of_pair = joints.get(&(first, second)).copied();
-            let mut material = of_pair
-                .or(below[second])
-                .map_or_else(JointMaterial::default, |joint| joint.material);
+            let material = of_pair.or(below[second]).map(|joint| joint.material);
+            let mut material = material.or(stack.loose_material().copied()).unwrap_or_default();
             if of_pair.is_none() {
                 (material.cohesion_pa, material.tension_pa) = (0.0, 0.0); // nothing bonds what meets by accident
             }
@@ -189,7 +186,7 @@ impl Assembly {
                         patch.plane_body = own;
                     }
                     let slack = std::mem::replace(&mut of_ground.slack, f64::INFINITY);
-                    // the ground comes first, as it does with all stones
+                    // the ground comes first, as for all stones
                     Pair {
                         first: own,
                         second: stone,
@@ -229,7 +226,7 @@ impl Assembly {
         self.active = active.collect();
     }
 
-    /// The patches that now are.
+    /// The current patches.
     pub(super) fn patches(&self) -> impl Iterator<Item = &Patch> {
         let contacts = self
             .active
@@ -248,12 +245,12 @@ impl Assembly {
                 index,
                 patch,
                 outline,
-                [self.watchfulness.clip_again * pair.size, LOOK_AGAIN],
+                [self.watchfulness.clip_again * pair.size, outline.lean_most],
             ))
         })
     }
 
-    /// The patch of two bodies and its outline, the lower index first; `None` where they do not meet.
+    /// The patch of two bodies and its outline, the lower index first, if they meet.
     pub(super) fn contact_of(&self, first: usize, second: usize) -> Option<&(Patch, Outline)> {
         self.pairs[self.pair_of(first, second)?].contact.as_ref()
     }
@@ -261,7 +258,7 @@ impl Assembly {
     /// Index of a pair of bodies; `None` if there is no such pair.
     fn pair_of(&self, first: usize, second: usize) -> Option<usize> {
         let (first, second) = (first.min(second), first.max(second));
-        // pairs stand by their second body from 1 on, then by their first
+        // pairs are ordered by their second body, from 1 on, then by their first
         let index = second * second.checked_sub(1)? / 2 + first;
         let pair = self.pairs.get(index)?;
         debug_assert_eq!(
@@ -282,7 +279,7 @@ impl Assembly {
         !self.holds() && !self.pairs.iter().any(bonds)
     }
 
-    /// Least way that two bodies may go together before they can touch, m.
+    /// Least motion of two bodies together before they can touch, m.
     pub(super) fn slack(&self) -> f64 {
         self.slack
     }
@@ -297,17 +294,17 @@ impl Assembly {
         self.pairs.len()
     }
 
-    /// Watches contacts more or less closely than the springs do.
+    /// Sets other tolerances than those of the springs law.
     pub(super) fn watch(&mut self, watchfulness: ContactTolerances) {
         self.watchfulness = watchfulness;
     }
 
-    /// Pairs that the last look brought up to date.
+    /// Pairs updated by the last examination.
     pub(super) fn looked(&self) -> &[usize] {
         &self.looked
     }
 
-    /// Takes the springs out of all contacts, for a law that has none.
+    /// Removes the springs from all contacts, for the rigid law.
     pub(super) fn without_springs(&mut self) {
         for pair in &mut self.pairs {
             (
@@ -320,11 +317,11 @@ impl Assembly {
         }
     }
 
-    /// Notes a pair whose patch has shifted or turned too far, for the next look.
+    /// Marks a pair whose patch has shifted or rotated too far, for the next examination.
     pub(super) fn note_drift(&mut self, pair: usize, motion: &Motion) {
         let size = self.pairs[pair].size;
         if let Some((_, outline)) = &self.pairs[pair].contact
-            && outline.has_drifted(motion, self.watchfulness.clip_again * size, LOOK_AGAIN)
+            && outline.has_drifted(motion, self.watchfulness.clip_again * size)
         {
             self.stale.push(pair);
         }
@@ -342,7 +339,7 @@ impl Assembly {
         &self.dead_loads
     }
 
-    /// All forces but gravity and inertia at the bodies' present places, over a step of `h` seconds (0: at rest).
+    /// All forces except gravity and inertia at the bodies' present positions, over a step of `h` seconds (0: at rest).
     pub(super) fn forces(&mut self, h: f64, forces: &mut Forces) {
         forces.clear(self.bodies.len());
         let mut friction_loss = 0.0;
@@ -352,7 +349,7 @@ impl Assembly {
                 continue;
             };
             let motion = patch.motion(&self.bodies);
-            if outline.has_drifted(&motion, self.watchfulness.clip_again * *size, LOOK_AGAIN) {
+            if outline.has_drifted(&motion, self.watchfulness.clip_again * *size) {
                 self.stale.push(pair);
             }
             let twist = patch.twist(&self.bodies, &motion);
@@ -373,7 +370,7 @@ impl Assembly {
         self.push_held(h, forces);
     }
 
-    /// Adds the forces of dowels, clamps, side supports and static loads at the bodies' present places.
+    /// Adds the forces of dowels, clamps, side supports and static loads at the bodies' present positions.
     pub(super) fn push_held(&mut self, h: f64, forces: &mut Forces) {
         for link in &mut self.links {
             forces.friction_loss += link.pull(&self.bodies, forces);
@@ -386,7 +383,7 @@ impl Assembly {
         }
     }
 
-    /// Whether anything but gravity, contacts and the ground acts on a body.
+    /// Whether anything other than gravity, contacts and the ground acts on a body.
     pub(super) fn holds(&self) -> bool {
         !(self.links.is_empty() && self.props.is_empty() && self.dead_loads.is_empty())
     }
@@ -402,12 +399,12 @@ impl Assembly {
         patches.sum::<f64>() + links.sum::<f64>() + props.sum::<f64>() + loads.sum::<f64>()
     }
 
-    /// Energy that clipping again has taken from the springs so far, J; negative if it gave some.
+    /// Energy that repeated clipping has removed from the springs so far, J; negative for added energy.
     pub(super) fn clip_loss(&self) -> f64 {
         self.clip_loss
     }
 
-    /// Looks again at pairs that have moved too far. Call it every step.
+    /// Examines again the pairs that have moved too far. Call it every step.
     pub(super) fn look(&mut self) {
         let mut changed = false;
         self.looked.clear();
@@ -440,7 +437,7 @@ impl Assembly {
         }
     }
 
-    /// Brings the patch of a pair up to date; true if one came or went.
+    /// Updates the patch of a pair; true if a patch was created or removed.
     fn look_at(&mut self, index: usize) -> bool {
         self.looked.push(index);
         let pair = &mut self.pairs[index];
@@ -450,7 +447,7 @@ impl Assembly {
         if let Some((patch, outline)) = &mut pair.contact {
             let motion = patch.motion(&self.bodies);
             let before = patch.stored(&motion);
-            if outline.lean(&motion) < LOOK_AGAIN && !outline.of_edges() {
+            if outline.lean(&motion) < outline.lean_most && !outline.of_edges() {
                 outline.clip(patch, &motion, self.rule);
                 self.clip_loss += before.sum() - patch.stored(&motion).sum();
                 if !patch.points.is_empty() {
@@ -491,7 +488,7 @@ impl Assembly {
             let motion = patch.motion(&self.bodies);
             outline.clip(&mut patch, &motion, self.rule);
             patch.unstretch(&motion);
-            // what already overlaps, as drawn or unseen, is not pushed apart
+            // an overlap as drawn, or undetected, does not push the bodies apart
             patch.hold_at_most(&motion, Stored::default());
             pair.contact = Some((patch, outline));
             pair.slack = f64::INFINITY;
@@ -500,7 +497,7 @@ impl Assembly {
         false
     }
 
-    /// Largest stiffness that any contact a block may come to have could give, over its mass: N/m/kg.
+    /// Largest stiffness of any possible contact of a block, over its mass: N/m/kg.
     pub(super) fn stiffest(&self) -> f64 {
         let of_pair = |pair: &Pair| {
             let k = pair

@@ -1,4 +1,4 @@
-//! Which side supports of a stack at rest act as springs in small motion.
+//! Side supports that act as springs in small motion of a stack at rest.
 //!
 //! A side support acts only in compression. For motion far smaller than any gap it is linear in two cases: if it is in compression at rest, or if
 //! two equal supports are opposite each other without a gap. One of the two then acts at every instant, and together they form one spring.
@@ -12,39 +12,39 @@ use super::rest::settle;
 use crate::structure::stack::Stack;
 use glam::DVec3;
 
-/// Depth at rest from which a side support is pressed, m: a state of rest is found to less. Chosen here.
+/// Depth at rest from which a side support is in compression, m: the position of rest is more accurate than this. Our choice.
 const PRESSED_M: f64 = 1e-9;
-/// Two side supports stand opposite each other within this distance, m, this sine, and this part of their stiffness. Chosen here.
+/// Two side supports are opposite each other within this distance, m, this sine, and this part of their stiffness. Our choice.
 const ONE_LINE_M: f64 = 1e-3;
 const ONE_LINE_SINE: f64 = 1e-3;
 const ALIKE: f64 = 1e-6;
 
-/// How a side support takes part in small motion.
+/// Action of a side support in small motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum BesideInSmallMotion {
-    /// As a spring: it is pressed at rest.
+    /// A spring: it is in compression at rest.
     Pressed,
-    /// As a spring together with the one opposite it, which is as stiff: neither has a gap.
+    /// A spring together with an equally stiff support opposite it: neither has a gap.
     Opposite,
-    /// It has no gap, but is not pressed and none as stiff is opposite it: it pushes in one half of each swing alone, and frequencies lie
-    /// between those without it and those with it as a spring.
+    /// It has no gap, but is not in compression, and no equally stiff support is opposite it. It acts in one half of each cycle only, and
+    /// the frequencies lie between those without it and those with it as a spring.
     OneWay,
-    /// Not at all, in motion smaller than its gap.
+    /// None, in motion smaller than its gap.
     Gap,
 }
 
 impl BesideInSmallMotion {
-    /// Whether frequencies count it.
+    /// Whether it is included in frequencies.
     pub fn is_spring(self) -> bool {
         matches!(self, Self::Pressed | Self::Opposite)
     }
 }
 
-/// How each side support of a stack takes part in small motion about its rest.
+/// The action of each side support of a stack in small motion about its rest.
 ///
 /// # Errors
-/// [`BlocksError`] if the stack finds no rest.
+/// [`BlocksError`] if the stack does not come to rest.
 pub fn beside_in_small_motion(
     stack: &Stack,
     contact_rule: ContactRule,
@@ -76,7 +76,7 @@ fn at_rest(assembly: &Assembly) -> Vec<BesideInSmallMotion> {
     each.collect()
 }
 
-/// Two of one stiffness without a gap, towards each other on one line through a body.
+/// Whether two supports have equal stiffness, no gap, and opposite directions on one line through a body.
 fn is_opposite(prop: &Prop, other: &Prop) -> bool {
     let across = |v: DVec3| v.cross(prop.direction).length();
     prop.body == other.body
@@ -88,14 +88,14 @@ fn is_opposite(prop: &Prop, other: &Prop) -> bool {
         && (other.stiffness / prop.stiffness - 1.0).abs() < ALIKE
 }
 
-/// The side supports that are springs in small motion; of two opposite each other one.
+/// The side supports that are springs in small motion; only one of two opposite ones.
 pub(super) fn springs_beside(assembly: &Assembly) -> Vec<&Prop> {
     let props = assembly.props();
     let how = at_rest(assembly);
     let acts = |&(at, prop): &(usize, &Prop)| match how[at] {
         BesideInSmallMotion::Pressed => true,
         BesideInSmallMotion::Opposite => {
-            // the one that is pressed acts for both, else the first
+            // the one in compression acts for both, else the first
             let partners = props
                 .iter()
                 .enumerate()

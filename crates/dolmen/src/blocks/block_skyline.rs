@@ -13,7 +13,7 @@ pub(super) const SIX: usize = 6;
 /// A 6 × 6 block, row by row.
 pub(super) type Block = [[f64; SIX]; SIX];
 
-/// Pivot below which a block counts as singular, in parts of its largest entry: rounding. Chosen here.
+/// Pivot below which a block counts as singular, in parts of its largest entry: rounding. Our choice.
 const SINGULAR: f64 = 1e-14;
 
 /// The matrix, then its factors.
@@ -52,7 +52,7 @@ impl BlockSkyline {
         }
     }
 
-    /// The block of a row and a column, which lie within the outline.
+    /// The block of a row and a column within the skyline.
     pub(super) fn block_mut(&mut self, row: usize, column: usize) -> &mut Block {
         if row == column {
             return &mut self.diagonal[row];
@@ -107,7 +107,7 @@ impl BlockSkyline {
         }
     }
 
-    /// Whether the symmetric matrix of these factors is positive definite: all blocks left on the diagonal are.
+    /// Whether the symmetric matrix of these factors is positive definite: all remaining diagonal blocks are.
     pub(super) fn is_positive_definite(&self) -> bool {
         self.diagonal.iter().all(is_positive_definite)
     }
@@ -240,7 +240,7 @@ mod tests {
     use super::*;
     use dolmen_linalg::{Matrix, solve};
 
-    /// A matrix within an outline, not symmetric, and a right side: pseudo-random but always the same.
+    /// A matrix within a skyline, not symmetric, and a right side: pseudo-random, but always the same.
     fn case(first: &[usize]) -> (BlockSkyline, Matrix, Vec<[f64; SIX]>) {
         let mut seed = 7_u64;
         let mut draw = || {

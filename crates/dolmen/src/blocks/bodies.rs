@@ -11,7 +11,7 @@
 use crate::structure::stack::{Body, Stack};
 use glam::{DMat3, DQuat, DVec3};
 
-/// Square of a turn a step up to which the series of its quaternion serves, rad²: 0.05 rad, where its error is below 1e-16.
+/// Square of the rotation per step up to which the series of its quaternion is used, rad²: 0.05 rad, where its error is below 1e-16.
 pub(super) const SERIES_MOST: f64 = 2.5e-3;
 
 /// Index of a body in the bodies of a stack.
@@ -38,12 +38,12 @@ pub(super) struct RigidBody {
     pub(super) spin: DVec3,
     /// Largest distance of a corner from the centroid, m.
     pub(super) radius: f64,
-    /// Upper bound of the way any of its points has gone, m.
+    /// Upper bound of the path of any of its points, m.
     pub(super) travel: f64,
 }
 
 impl RigidBody {
-    /// Ground: nothing moves it, and it weighs nothing.
+    /// The ground: it does not move and has no weight.
     pub(super) fn ground() -> Self {
         RigidBody {
             mass: 0.0,
@@ -94,7 +94,7 @@ impl RigidBody {
         self.travel += (v.x + v.y + v.z + self.radius * (w.x + w.y + w.z)) * h;
     }
 
-    /// Places after `h` seconds at the present velocities.
+    /// Positions after `h` seconds at the present velocities.
     pub(super) fn drift(&mut self, h: f64) {
         self.position += self.velocity * h;
         let turned = rotation_of(self.spin * h) * self.turn;
@@ -114,7 +114,7 @@ impl RigidBody {
         rotation * self.inertia * rotation.transpose()
     }
 
-    /// Where a point now is that was drawn at `drawn`.
+    /// Present position of a point drawn at `drawn`.
     #[inline]
     pub(super) fn now(&self, drawn: DVec3) -> DVec3 {
         self.position + self.rotation * (drawn - self.drawn)
@@ -166,7 +166,7 @@ pub(super) fn bodies_of(stack: &Stack) -> Vec<RigidBody> {
     bodies
 }
 
-/// The inertia, with products that are rounding made 0: those of a stone with planes of symmetry.
+/// The inertia without products from rounding, for a stone with planes of symmetry.
 fn without_rounding(inertia_m5: [[f64; 3]; 3], density_kg_m3: f64) -> DMat3 {
     const ROUNDING: f64 = 1e-14;
     let largest = (0..3).map(|i| inertia_m5[i][i]).fold(0.0, f64::max);

@@ -5,11 +5,11 @@ use super::error::BlocksError;
 use super::frequencies::{StackMode, lowest_stack_modes, stack_modes};
 use crate::structure::stack::Stack;
 
-/// Tolerance of the calibration, in ln of the factor. Chosen here: far below the measurement error.
+/// Tolerance of the calibration, in ln of the factor. Our choice: far below the measurement error.
 const FOUND: f64 = 1e-10;
-/// Most rounds: each leaves about 1e-4 of the correction of the one before, unless joints open or close in between.
+/// Most iterations: each leaves about 1e-4 of the last correction, unless joints open or close in between.
 const ROUNDS: usize = 10;
-/// Least share of joints in ω² by which a step grows, and longest step, of ln of the factor. Chosen here.
+/// Least share of joints in ω² that increases a step, and longest step, in ln of the factor. Our choice.
 const SHARE_LEAST: f64 = 0.05;
 const STEP_MOST: f64 = 2.0;
 
@@ -49,8 +49,7 @@ pub struct SpringCalibration {
 /// stiffness; with them the joints contribute only a part of ω², which each iteration estimates from the last.
 ///
 /// # Errors
-/// [`BlocksError`] for no frequency, one that is not positive, a mode that the stack does not have, and a stack that finds
-/// no rest.
+/// [`BlocksError`] for no frequency, one that is not positive, a mode that the stack does not have, and a stack that finds no rest.
 ///
 /// # Limits
 /// One factor for all joints: one frequency determines neither the distribution of stiffness over the joints nor k_s / k_n, which does not change.
@@ -112,7 +111,7 @@ pub fn calibrate_springs(
     };
     let (mut factor, mut scaled) = (1.0, stack.clone());
     let mut correction = left(&modes);
-    // d ln ω²/d ln k: 1 where joints alone hold the stones, less where ties and side supports do so too
+    // d ln ω²/d ln k: 1 where only joints hold the stones, less with ties and side supports
     let is_held = !(stack.side_supports().is_empty() && stack.ties().is_empty());
     let mut share = 1.0;
     for _ in 0..ROUNDS {

@@ -1,4 +1,4 @@
-//! The two laws of contact on one stack, so that each checks the other.
+//! The two contact laws for one stack; each checks the other.
 
 use super::contact_points::ContactRule;
 use super::error::BlocksError;
@@ -42,7 +42,7 @@ impl ContactLaw {
         }
     }
 
-    /// Length of a run under a motion that lasts so long, s.
+    /// Duration of a run under a motion of duration `shaken_s`, s.
     pub fn run_length_s(&self, shaken_s: f64) -> f64 {
         let (duration_s, rest_s) = match self {
             ContactLaw::Springs(springs) => (springs.duration_s, springs.rest_s),
@@ -55,7 +55,7 @@ impl ContactLaw {
 /// Motion of a stack under base motion by either law: [`simulate_springs`] or [`simulate_rigid`].
 ///
 /// # Errors
-/// Theirs.
+/// As these functions.
 pub fn simulate_stack(
     stack: &Stack,
     motion: Option<&GroundMotion>,

@@ -11,8 +11,8 @@ use crate::structure::stack::Polygon;
 /// Rule for the contact points of a joint: n × n points on a quadrilateral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactRule {
-    /// 2 × 2: corners only. Fast; rotational stiffness of a joint is three times too large, the torque of twisting 1.85
-    /// times. For comparison.
+    /// 2 × 2: corners only. Fast; the rotational stiffness of a joint is three times too large, the torque of twisting
+    /// 1.85 times. For comparison.
     Corners,
     /// 3 × 3: rotational stiffness exact.
     Three,
@@ -57,11 +57,11 @@ fn lobatto(rule: ContactRule) -> Vec<(f64, f64)> {
 ///
 /// ```text
 /// quadrilateral:  A_ij = w_i w_j det J(ξ_i, ξ_j),   J of the bilinear map from −1…1 squared
-/// other polygons: split from the centroid into one quadrilateral a corner, between the middles of its two edges
+/// other polygons: divided at the centroid into one quadrilateral per corner, between the middles of its two edges
 /// ```
 ///
-/// Area, first and second moments are exact from 3 × 3 on, and every corner is a point. Points that quadrilaterals share
-/// are one. Empty for a patch without area.
+/// Area, first and second moments are exact from 3 × 3 on, and every corner is a point. Common points of
+/// quadrilaterals are merged. Empty for a patch without area.
 pub fn contact_points(patch: &Polygon, rule: ContactRule) -> Vec<ContactPoint> {
     let corners = &patch.corners_m;
     let moments = patch.moments();
@@ -122,7 +122,7 @@ fn spread(corners: [[f64; 2]; 4], rule: ContactRule, points: &mut Vec<ContactPoi
     }
 }
 
-/// Points nearer than `near` become one with the sum of their areas.
+/// Merges points nearer than `near`, with the sum of their areas.
 fn merged(points: Vec<ContactPoint>, near: f64) -> Vec<ContactPoint> {
     let mut kept: Vec<ContactPoint> = Vec::with_capacity(points.len());
     for point in points {

@@ -1,4 +1,4 @@
-//! Static forces on stones in motion: each keeps its direction and goes with a point of its stone.
+//! Static forces on moving stones: each keeps its direction and acts at a fixed point of its stone.
 
 use super::bodies::RigidBody;
 use super::forces::Forces;

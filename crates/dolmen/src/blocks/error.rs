@@ -3,7 +3,7 @@
 use crate::structure::stack::StackError;
 use dolmen_linalg::LinalgError;
 
-/// Why a simulation cannot start. How one that ran ended is a status in its result.
+/// Why a simulation cannot start. The end of a simulation is a status in its result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BlocksError {
     /// An option out of its range.
@@ -26,7 +26,7 @@ pub enum BlocksError {
         /// The largest stable step, s.
         most: f64,
     },
-    /// The stack finds no rest under its own weight.
+    /// The stack does not come to rest under its own weight.
     #[error(
         "the stack finds no equilibrium under its own weight: after {iterations} iterations forces of {residual:.2e} of the weight are left, largest at '{block}'"
     )]
@@ -38,12 +38,12 @@ pub enum BlocksError {
         /// The block on which it acts.
         block: String,
     },
-    /// The stack would topple at a touch: its springs are softer than its weight allows.
+    /// The stack topples at the slightest disturbance: its springs are too soft for its weight.
     #[error(
         "at rest the stack topples on its springs under its own weight, '{block}' farthest: normal_stiffness_pa_m and shear_stiffness_pa_m of all joints together must be at least {factor:.3} times what they are. Raise them, or calibrate them with a measured frequency"
     )]
     Topples {
-        /// The factor on the springs of all joints from which it would stand; above 1.
+        /// The least factor on the springs of all joints with which it stands; above 1.
         factor: f64,
         /// The block that moves farthest as it topples.
         block: String,
@@ -64,7 +64,7 @@ pub enum BlocksError {
         /// When, s.
         at_s: f64,
     },
-    /// Something that only the springs law knows.
+    /// A property that only the springs law can model.
     #[error(
         "{what} has {quantity} {given:.4e}, but the rigid law, whose stones only press, rub and part, allows 0: set it to 0 or take it out, or simulate with the springs law"
     )]
@@ -81,9 +81,9 @@ pub enum BlocksError {
     TooLong {
         /// "steps of 1.000e-9 s" or "samples of the history".
         what: String,
-        /// How many.
+        /// Their number.
         count: f64,
-        /// How many are allowed.
+        /// Largest allowed number.
         most: f64,
     },
     /// The stack cannot be.
@@ -95,7 +95,7 @@ pub enum BlocksError {
 }
 
 impl BlocksError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether an iteration ended before it converged: the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Linalg(why) => why.did_not_converge(),
@@ -112,7 +112,7 @@ impl BlocksError {
     }
 }
 
-/// The times that both laws take.
+/// Checks the times used by both laws.
 pub(super) fn check_times(
     time_step_s: Option<f64>,
     duration_s: Option<f64>,

@@ -1,21 +1,21 @@
-//! Which faces of two bodies meet, and the patch on which they do.
+//! The faces in contact of two bodies, and their contact patch.
 //!
 //! The patch lies in the plane of one body, P, and its points belong to a face of the other, S: the face clipped by P's.
-//! Other faces, or two edges, are chosen when they lie nearer.
+//! Other faces, or two edges, are chosen when they are nearer.
 
 use super::contact_points::{ContactPoint, ContactRule};
 use super::hulls::{Axis, Separation, Side, flat, frame};
-use super::outline::{Outline, grouped};
+use super::outline::{LOOK_AGAIN, Outline, grouped};
 use super::patch::{Law, Patch};
 use crate::structure::stack::{Joint, Polygon};
 use glam::{DMat3, DVec3};
 
-/// Area of an edge that crosses an edge, in parts of the smaller body's radius squared. Chosen here: a corner point of a
+/// Contact area of two crossing edges, in parts of the smaller body's radius squared. Our choice: a corner point of a
 /// face has a similar share.
 const EDGE_AREA: f64 = 0.02;
 
-/// The patch along an axis, without points yet where faces meet; `None` only if the first body is no ground and has no
-/// hull.
+/// The patch along an axis, without points yet where faces meet; `None` only if the first body is not the ground and
+/// has no hull.
 pub(super) fn patch_along(
     first: Side<'_>,
     second: Side<'_>,
@@ -48,7 +48,7 @@ fn faces_patch(
         None => (DVec3::ZERO, DMat3::IDENTITY, Polygon::default()),
     };
     let point_origin = points_hull.corners[points_hull.faces[opposite][0]];
-    // the points' axes are as near to the plane's as their own face allows
+    // the points' axes are as close to the plane's as their own face allows
     let near = points.body.rotation.transpose() * (plane.body.rotation * plane_axes);
     let inward = -points_hull.normals[opposite];
     let first_axis = (near.x_axis - inward * inward.dot(near.x_axis)).normalize();
@@ -70,10 +70,19 @@ fn faces_patch(
         points_face: flat(&points_hull.polygon(opposite), point_origin, &point_axes),
         plane_face,
         size: points.body.radius,
+        lean_most: lean_most(&[(plane, Some(face)), (points, Some(opposite))]),
         whole: false,
         clipped_at: patch.motion_between(plane.body, points.body),
     };
     Some((patch, outline))
+}
+
+/// Turn between two faces from which their neighbours may carry, as sine; the ground has none.
+fn lean_most(faces: &[(Side<'_>, Option<usize>)]) -> f64 {
+    let each = faces
+        .iter()
+        .filter_map(|(side, face)| Some(side.hull?.turn_most((*face)?)));
+    each.fold(LOOK_AGAIN, f64::min)
 }
 
 /// Two edges that cross: one point of the second on a plane through the first.
@@ -116,13 +125,14 @@ fn edges_patch(
         points_face: Polygon::default(),
         plane_face: Polygon::default(),
         size: points.body.radius,
+        lean_most: LOOK_AGAIN,
         whole: false,
         clipped_at: motion,
     };
     Some((patch, outline))
 }
 
-/// The nearest points of two segments, taken as lines and kept within their ends.
+/// The nearest points of two segments, computed for lines and limited to the ends.
 fn nearest_points(first: [DVec3; 2], second: [DVec3; 2]) -> (DVec3, DVec3) {
     let (u, v) = (first[1] - first[0], second[1] - second[0]);
     let from = first[0] - second[0];
@@ -133,8 +143,8 @@ fn nearest_points(first: [DVec3; 2], second: [DVec3; 2]) -> (DVec3, DVec3) {
     (first[0] + u * s, second[0] + v * t)
 }
 
-/// The patch of a joint as drawn: both faces count as lying in its plane. Points belong to the body whose face is less
-/// overlapped beyond the patch, so that its corners stay corners as it moves.
+/// The patch of a joint as drawn, as if both faces were in its plane. Points belong to the body whose face is less
+/// overlapped beyond the patch, so that its corners remain corners as it moves.
 pub(super) fn patch_of_joint(
     joint: &Joint,
     lower: Side<'_>,
@@ -194,6 +204,7 @@ pub(super) fn patch_of_joint(
         points_face: polygon(points, Some(points_face)),
         plane_face: polygon(plane, plane_face),
         size: points.body.radius,
+        lean_most: lean_most(&[(plane, plane_face), (points, Some(points_face))]),
         whole: false,
         clipped_at: motion,
     };

@@ -8,17 +8,17 @@ use super::watch::lower_body;
 use crate::structure::stack::{Body, Stack};
 use glam::{DMat3, DVec3};
 
-/// Drop of a stone's centroid relative to its support that counts as a fall, as a fraction of its least thickness. Chosen here.
+/// Drop of a stone's centroid relative to its support that counts as a fall, as a fraction of its least thickness. Our choice.
 const DROP: f64 = 0.5;
 /// Cosine of 45°, the rotation of a bed relative to its support that counts as a fall.
 const TURN_LEAST: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// Time without contact after which a stone counts as fallen, s: after so long a flight it lands metres below. Chosen here.
+/// Time without contact after which a stone counts as fallen, s: after so long a flight it lands metres below. Our choice.
 const APART_MOST_S: f64 = 1.0;
 /// Time without contact from which a stone of a resting stack counts as fallen, s; a shorter time is a jump.
 const REST_S: f64 = 0.5;
-/// Gap up to which two stones are in contact, m. Chosen here: ten times that of an open joint.
+/// Gap up to which two stones are in contact, m. Our choice: ten times that of an open joint.
 const TOUCHES_M: f64 = 1e-3;
-/// Cosine of 10°, the angle between two faces from which a stone lies on another face. Chosen here: beds are within 5° of each other.
+/// Cosine of 10°, the angle between two faces from which a stone lies on another face. Our choice: beds are within 5° of each other.
 const SAME_FACE: f64 = 0.985;
 
 /// Support of a stone at rest.
@@ -64,6 +64,9 @@ pub(super) struct Falls {
 impl Falls {
     /// The stones at rest.
     pub(super) fn of(stack: &Stack, assembly: &Assembly) -> Self {
+        if stack.loose_material().is_some() {
+            return Falls { stones: Vec::new() }; // judged by where they come to rest
+        }
         let bodies = &assembly.bodies;
         let each = stack.blocks().iter().enumerate().map(|(block, of)| {
             let joints = stack.joints().iter().filter(|joint| joint.upper == block);
@@ -150,7 +153,7 @@ impl Support {
 }
 
 /// Least distance between two parallel planes that enclose a body, one of them along a face, m.
-fn least_thickness(hull: &Hull) -> f64 {
+pub(super) fn least_thickness(hull: &Hull) -> f64 {
     let along = |normal: &DVec3| {
         let places = hull.corners.iter().map(|corner| corner.dot(*normal));
         let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {

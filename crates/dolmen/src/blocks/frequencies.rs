@@ -19,23 +19,23 @@ pub struct StackMode {
     pub effective_mass_ratio: [f64; 3],
     /// Kinetic energy of the motion of the centroids along x, y and z over that of the mode; the rest is rotation of blocks.
     pub kinetic_energy_ratio: [f64; 3],
-    /// Shape: of each block the displacement of its centroid (x, y, z) and its turn about it (x, y, z), the largest
-    /// displacement (the first of several) 1, m and rad; of pure torsion the largest turn.
+    /// Shape: for each block the displacement of its centroid (x, y, z) and its rotation (x, y, z), scaled so that
+    /// the largest displacement (the first of several) is 1, m and rad; for pure torsion the largest rotation.
     pub shape: Vec<[f64; 6]>,
 }
 
-/// Kinetic energy of the motion along an axis from which a mode is one of swaying along it. Chosen here: a block that rocks has
-/// at least .5, of two equal modes that a solver mixes one has half of that, twisting has none.
+/// Least share of kinetic energy along an axis for a sway mode. Our choice: a rocking block has at least 0.5; of two equal
+/// modes mixed by a solver each may have half of that; twisting has none.
 const SWAY_LEAST: f64 = 0.25;
 
-/// Which of the modes is the first of swaying along an axis (0 is x, 1 is y); `None` if none is.
+/// Index of the first sway mode along an axis (0 is x, 1 is y); `None` if there is none.
 ///
-/// The lowest mode with at least a quarter of its kinetic energy in motion along that axis. Its effective mass does not say it: a
-/// heavy base stays behind, and the first mode of a three-storey pagoda has .27 of the mass.
+/// It is the lowest mode with at least a quarter of its kinetic energy in motion along that axis. Its effective mass is no criterion: a
+/// heavy base hardly moves, and the first mode of a three-storey pagoda has 0.27 of the mass.
 ///
 /// # Limits
-/// Where twisting and swaying are coupled, as in a stack whose stones stand far off the middle, a mode is both; the lower is
-/// then taken.
+/// Where twisting and swaying are coupled, as in a stack whose stones are far off the middle, a mode is both; the lower mode is
+/// then returned.
 ///
 /// # Example
 /// ```
@@ -52,11 +52,11 @@ pub fn first_sway(modes: &[StackMode], axis: usize) -> Option<usize> {
     modes.iter().position(|mode| along(mode) >= SWAY_LEAST)
 }
 
-/// How much more than the spectral acceleration of a mode the stone feels that it moves most: the largest Γ φ of the centroids along an axis (0 is x, 1
-/// is y).
+/// Ratio of the acceleration of the stone with the largest motion to the spectral acceleration of a mode: the largest Γ φ of the centroids along an
+/// axis (0 is x, 1 is y).
 ///
 /// ```text
-/// Γ = Σ m φ / φᵀ M φ        Γ φ = 1 where all stones move alike, 1.5 at the top of a straight line
+/// Γ = Σ m φ / φᵀ M φ        Γ φ = 1 where all stones move equally, 1.5 at the top of a straight line
 /// ```
 pub fn sway_amplification(stack: &Stack, mode: &StackMode, axis: usize) -> f64 {
     let masses = stack.blocks().iter().map(|block| block.mass_kg());
@@ -79,13 +79,13 @@ pub fn sway_amplification(stack: &Stack, mode: &StackMode, axis: usize) -> f64 {
 /// ```
 ///
 /// # Errors
-/// [`BlocksError`] if the stack finds no rest or a decomposition fails.
+/// [`BlocksError`] if the stack does not come to rest or a decomposition fails.
 ///
-/// Side supports count as springs where they are that in small motion ([`super::BesideInSmallMotion::is_spring`]).
+/// Side supports that are springs in small motion are included ([`super::BesideInSmallMotion::is_spring`]).
 ///
 /// # Limits
-/// Small motion: joints that stay closed where they are closed at rest. What gravity takes from the stiffness (P-delta) is
-/// left out: .1 % of the first frequency of a ten-stone pagoda.
+/// Small motion: joints that are closed at rest stay closed. The reduction of the stiffness by gravity (P-delta) is
+/// left out: 0.1 % of the first frequency of a ten-stone pagoda.
 ///
 /// # Source
 /// Kim, Koo & Hong (2018) Fig. 17 uses K_n 1e9, K_s 4e8 Pa/m, with corner contact.
@@ -94,10 +94,10 @@ pub fn stack_modes(stack: &Stack, contact_rule: ContactRule) -> Result<Vec<Stack
     all_modes(stack, &assembly)
 }
 
-/// The lowest natural modes of a stack in contact, as [`stack_modes`] gives them: at least `count` of more than 40 stones, of fewer all.
+/// The lowest natural modes of a stack in contact, as by [`stack_modes`]: at least `count` for more than 40 stones, all for fewer.
 ///
 /// ```text
-/// A = Lᵀ (K + s M)⁻¹ L,  M = L Lᵀ;   its largest eigenvalues are 1/(ω² + s), by subspace iteration within the outline of K
+/// A = Lᵀ (K + s M)⁻¹ L,  M = L Lᵀ;   its largest eigenvalues are 1/(ω² + s), by subspace iteration within the skyline of K
 /// ```
 ///
 /// # Errors
@@ -124,7 +124,7 @@ pub fn lowest_stack_modes(
     }
 }
 
-/// Fraction of all modes above which all are computed together. Chosen here: the full matrix then costs no more.
+/// Fraction of all modes above which all are computed together. Our choice: the full matrix then costs no more.
 const MANY: usize = 8;
 
 fn settled(stack: &Stack, contact_rule: ContactRule) -> Result<Assembly, BlocksError> {
@@ -146,7 +146,7 @@ fn all_modes(stack: &Stack, assembly: &Assembly) -> Result<Vec<StackMode>, Block
         .collect())
 }
 
-/// Kinetic energy of displacements up to which a mode is one of pure torsion. Chosen here: rounding.
+/// Share of energy in displacements up to which a mode is pure torsion. Our choice: rounding.
 const TORSION_MOST: f64 = 1e-12;
 
 /// A mode from its ω² and its shape with φᵀ M φ = 1.
@@ -164,7 +164,7 @@ fn mode(stack: &Stack, value: f64, column: &[f64]) -> StackMode {
     });
     let moves = kinetic_energy_ratio.iter().sum::<f64>() > TORSION_MOST;
     let parts = if moves { 0..3 } else { 3..6 };
-    // of several as large the first, so that rounding does not choose the sign
+    // the first of several equal ones, so that rounding does not choose the sign
     let largest = column
         .chunks(6)
         .flat_map(|block| &block[parts.clone()])
@@ -233,7 +233,7 @@ mod tests {
         assert!(modes[y].effective_mass_ratio[1] > 0.4 && modes[y].effective_mass_ratio[0] < 1e-9);
         let energy: f64 = modes[y].kinetic_energy_ratio.iter().sum();
         assert!(energy > 0.5 && energy < 1.0, "{energy}");
-        // turned by a right angle it is the other way round
+        // rotated by a right angle, the directions are exchanged
         let modes = stack_modes(
             &tower(&[[2.0, 1.0, 1.5], [1.5, 0.8, 1.0], [0.9, 0.5, 0.8]]),
             ContactRule::Four,
@@ -272,7 +272,7 @@ mod tests {
 
     #[test]
     fn exact_signs_of_shapes_do_not_hang_on_rounding() {
-        // two equal stones beside each other: every frequency comes twice
+        // two equal stones side by side: every frequency is double
         let placed = |name: &str, x| Block {
             name: name.to_owned(),
             solid: Solid::cuboid(1.0, 1.5, 2.0).unwrap().placed(&Placement {

@@ -1,9 +1,9 @@
 //! Result of a simulation: how it ended, and the data to draw, check and repeat it.
 
-/// Energy below which created energy is rounding, J. Chosen here.
+/// Energy below which created energy is rounding, J. Our choice.
 const MADE_OF_NOTHING_J: f64 = 1e-6;
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// No joint opened by more than [`StackHistory::UPLIFT_LEAST_M`], and no stone fell.
@@ -127,7 +127,7 @@ pub struct Energy {
 /// A simulated motion of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackHistory {
-    /// How the run ended.
+    /// The end of the run.
     pub outcome: Outcome,
     /// Times of the samples, s.
     pub time_s: Vec<f64>,
@@ -179,10 +179,10 @@ pub struct RigidEvidence {
 }
 
 impl StackHistory {
-    /// Opening of a joint from which it counts as uplifted, m: a tenth of a millimetre. Chosen here.
+    /// Opening of a joint from which it counts as uplifted, m: a tenth of a millimetre. Our choice.
     pub const UPLIFT_LEAST_M: f64 = 1e-4;
 
-    /// Largest additional time of a run without a given duration, until the stack is at rest or rocks with decreasing amplitude, s. Chosen here: on
+    /// Largest additional time of a run without a given duration, until the stack is at rest or rocks with decreasing amplitude, s. Our choice: on
     /// springs a stone of 6 m rocks for a minute.
     pub const LONGER_MOST_S: f64 = 60.0;
 
@@ -193,7 +193,11 @@ impl StackHistory {
 
     /// Energy created by contacts over the input energy (shaking and start), –; infinite if energy was created without input.
     pub fn energy_made_ratio(&self) -> f64 {
-        let start = self.energy.first().map_or(0.0, |e| e.kinetic_j + e.potential_j);
+        let mut start = self.energy.first().map_or(0.0, |e| e.kinetic_j + e.potential_j);
+        if self.joints.is_empty() {
+            // loose stones put in the height that they lose
+            start = self.energy.iter().map(|e| -e.potential_j).fold(start, f64::max);
+        }
         let input = self
             .energy
             .iter()

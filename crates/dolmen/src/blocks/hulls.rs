@@ -3,12 +3,16 @@
 use super::bodies::RigidBody;
 use crate::structure::stack::{Polygon, Solid};
 use glam::{DMat3, DVec3};
+use std::collections::BTreeMap;
 
 /// A pair of edges becomes the contact only if its separation exceeds that of every face by this fraction of the size of
-/// the smaller body: contact on a face is preferred. Chosen here.
+/// the smaller body: contact on a face is preferred. Our choice.
 const EDGE_FAVOUR: f64 = 0.01;
-/// Sine of the angle below which two edges count as parallel. Chosen here.
+/// Sine of the angle below which two edges count as parallel. Our choice.
 const EDGES_PARALLEL: f64 = 0.05;
+
+/// Fraction of what an edge must gain, up to which its bound leaves it out, for rounding. Chosen here.
+const NO_EDGE: f64 = 0.9;
 
 /// Distance below which two points coincide, relative to the size of the larger body, for rounding. Chosen here.
 const SAME_PLACE: f64 = 1e-9;
@@ -20,6 +24,10 @@ pub(super) struct Hull {
     pub(super) faces: Vec<Vec<usize>>,
     pub(super) normals: Vec<DVec3>,
     edges: Vec<[usize; 2]>,
+    /// The two faces of each edge; `None` where one is missing.
+    faces_of_edges: Vec<Option<[usize; 2]>>,
+    /// Of each face the least angle to a neighbour, as sine.
+    turns: Vec<f64>,
 }
 
 /// One of two bodies that may touch. The ground has no hull and is always the first.
@@ -35,11 +43,26 @@ impl Hull {
         let centroid = DVec3::from(solid.centroid_m());
         let faces = solid.faces().to_vec();
         let mut edges = Vec::new();
-        for face in &faces {
+        let mut owners: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+        for (number, face) in faces.iter().enumerate() {
             for (&start, &end) in face.iter().zip(face.iter().cycle().skip(1)) {
                 if start < end {
                     edges.push([start, end]);
                 }
+                owners.insert([start, end], number);
+            }
+        }
+        let of_edge = |&[a, b]: &[usize; 2]| Some([*owners.get(&[a, b])?, *owners.get(&[b, a])?]);
+        let faces_of_edges: Vec<Option<[usize; 2]>> = edges.iter().map(of_edge).collect();
+        let normals: Vec<DVec3> = (0..faces.len()).map(|face| solid.normal(face)).collect();
+        let mut turns = vec![1.0_f64; faces.len()];
+        for &[a, b] in faces_of_edges.iter().flatten() {
+            let (a_to_b, is_sharp) = (
+                normals[a].cross(normals[b]).length(),
+                normals[a].dot(normals[b]) < 0.0,
+            );
+            for face in [a, b] {
+                turns[face] = turns[face].min(if is_sharp { 1.0 } else { a_to_b });
             }
         }
         Hull {
@@ -48,10 +71,17 @@ impl Hull {
                 .iter()
                 .map(|v| DVec3::from(*v) - centroid)
                 .collect(),
-            normals: (0..faces.len()).map(|face| solid.normal(face)).collect(),
+            normals,
             faces,
             edges,
+            faces_of_edges,
+            turns,
         }
+    }
+
+    /// The angle of a face from the one that it meets, as sine, from which its neighbours must be considered: a quarter of the angle to the nearest.
+    pub(super) fn turn_most(&self, face: usize) -> f64 {
+        0.25 * self.turns[face]
     }
 
     pub(super) fn polygon(&self, face: usize) -> Vec<DVec3> {
@@ -92,6 +122,19 @@ pub(super) struct Separation {
     /// Unit vector from the first body to the second, in the axes of the ground.
     pub(super) normal: DVec3,
     pub(super) axis: Axis,
+}
+
+impl Separation {
+    /// Takes another axis if the distance along it is larger by more than a length.
+    fn offer(&mut self, distance: f64, normal: DVec3, axis: Axis, favour: f64) {
+        if distance > self.distance + favour {
+            *self = Separation {
+                distance,
+                normal,
+                axis,
+            };
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -138,23 +181,14 @@ pub(super) fn separation(first: Side<'_>, second: Side<'_>) -> Separation {
         normal: DVec3::Z,
         axis: Axis::FaceOfFirst(0),
     };
-    let mut offer = |distance: f64, normal: DVec3, axis: Axis, favour: f64| {
-        if distance > best.distance + favour {
-            best = Separation {
-                distance,
-                normal,
-                axis,
-            };
-        }
-    };
     let (Some(hull_1), Some(hull_2)) = (first.hull, second.hull) else {
-        offer(lowest(&corners_2, DVec3::Z), DVec3::Z, Axis::FaceOfFirst(0), 0.0);
+        best.offer(lowest(&corners_2, DVec3::Z), DVec3::Z, Axis::FaceOfFirst(0), 0.0);
         return best;
     };
     for (face, normal) in hull_1.normals.iter().enumerate() {
         let axis = first.body.rotation * *normal;
         let plane = corners_1[hull_1.faces[face][0]].dot(axis);
-        offer(
+        best.offer(
             lowest(&corners_2, axis) - plane,
             axis,
             Axis::FaceOfFirst(face),
@@ -164,7 +198,7 @@ pub(super) fn separation(first: Side<'_>, second: Side<'_>) -> Separation {
     for (face, normal) in hull_2.normals.iter().enumerate() {
         let axis = second.body.rotation * *normal;
         let plane = corners_2[hull_2.faces[face][0]].dot(axis);
-        offer(
+        best.offer(
             lowest(&corners_1, axis) - plane,
             -axis,
             Axis::FaceOfSecond(face),
@@ -174,9 +208,14 @@ pub(super) fn separation(first: Side<'_>, second: Side<'_>) -> Separation {
     let between = second.body.position - first.body.position;
     let favour = EDGE_FAVOUR * first.body.radius.min(second.body.radius);
     let same = SAME_PLACE * first.body.radius.max(second.body.radius);
-    for edge_1 in &hull_1.edges {
+    let near_2 = extreme(&corners_2, -best.normal);
+    let near_1 = extreme(&corners_1, best.normal);
+    let least = best.distance + NO_EDGE * favour;
+    let edges_1 = first.edges_below(&corners_1, near_2, least);
+    let edges_2 = second.edges_below(&corners_2, near_1, least);
+    for edge_1 in &edges_1 {
         let along_1 = corners_1[edge_1[1]] - corners_1[edge_1[0]];
-        for edge_2 in &hull_2.edges {
+        for edge_2 in &edges_2 {
             let along_2 = corners_2[edge_2[1]] - corners_2[edge_2[0]];
             let across = along_1.cross(along_2);
             let length = across.length();
@@ -191,7 +230,7 @@ pub(super) fn separation(first: Side<'_>, second: Side<'_>) -> Separation {
             {
                 continue;
             }
-            offer(lowest_2 - highest_1, axis, Axis::Edges(*edge_1, *edge_2), favour);
+            best.offer(lowest_2 - highest_1, axis, Axis::Edges(*edge_1, *edge_2), favour);
         }
     }
     best
@@ -204,7 +243,46 @@ fn lowest(corners: &[DVec3], axis: DVec3) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
+/// The corner farthest along an axis.
+fn extreme(corners: &[DVec3], axis: DVec3) -> DVec3 {
+    let farthest = corners
+        .iter()
+        .copied()
+        .max_by(|a, b| a.dot(axis).total_cmp(&b.dot(axis)));
+    farthest.unwrap_or_default()
+}
+
 impl Side<'_> {
+    /// Edges that may separate the body by at least a distance from another, of which a point is given.
+    ///
+    /// ```text
+    /// the axis of an edge lies between the normals of its faces, n = α n_a + β n_b with α, β ≥ 0 and α + β ≤ √(2/(1 + n_a·n_b)), so that
+    /// the separation ≤ n · (x − p) = α h_a + β h_b        h: heights of the point x over the two faces
+    /// ```
+    fn edges_below(&self, corners: &[DVec3], point: DVec3, least: f64) -> Vec<[usize; 2]> {
+        let Some(hull) = self.hull else {
+            return Vec::new();
+        };
+        let heights: Vec<f64> = (hull.faces.iter().zip(&hull.normals))
+            .map(|(face, normal)| (self.body.rotation * *normal).dot(point - corners[face[0]]))
+            .collect();
+        let reaches = |&(_, faces): &(&[usize; 2], &Option<[usize; 2]>)| {
+            let Some([a, b]) = *faces else {
+                return true;
+            };
+            let height = heights[a].max(heights[b]);
+            let cos_half = (0.5 * (1.0 + hull.normals[a].dot(hull.normals[b])))
+                .max(0.0)
+                .sqrt();
+            match height > 0.0 {
+                true => height >= least * cos_half,
+                false => height >= least,
+            }
+        };
+        let each = hull.edges.iter().zip(&hull.faces_of_edges);
+        each.filter(reaches).map(|(edge, _)| *edge).collect()
+    }
+
     fn corners(&self) -> Vec<DVec3> {
         let corners = self.hull.iter().flat_map(|hull| &hull.corners);
         corners
@@ -285,5 +363,83 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// The least overlap or largest gap of two bodies over every pair of edges, none left out.
+    fn of_all_edges(first: Side<'_>, second: Side<'_>, of_faces: f64) -> f64 {
+        let (corners_1, corners_2) = (first.corners(), second.corners());
+        let (Some(hull_1), Some(hull_2)) = (first.hull, second.hull) else {
+            return of_faces;
+        };
+        let between = second.body.position - first.body.position;
+        let favour = EDGE_FAVOUR * first.body.radius.min(second.body.radius);
+        let mut best = of_faces;
+        for [a, b] in &hull_1.edges {
+            for [c, d] in &hull_2.edges {
+                let (u, v) = (corners_1[*b] - corners_1[*a], corners_2[*d] - corners_2[*c]);
+                let across = u.cross(v);
+                if across.length() < EDGES_PARALLEL * u.length() * v.length() {
+                    continue;
+                }
+                let axis = across.normalize() * across.dot(between).signum();
+                let (high, low) = (-lowest(&corners_1, -axis), lowest(&corners_2, axis));
+                let are_outermost =
+                    corners_1[*a].dot(axis) > high - 1e-9 && corners_2[*c].dot(axis) < low + 1e-9;
+                if are_outermost && low - high > best + favour {
+                    best = low - high;
+                }
+            }
+        }
+        best
+    }
+
+    #[test]
+    fn agrees_no_edge_that_separates_is_left_out() {
+        let mut state = 7_u64;
+        let mut draw = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        let mut with_edges = 0;
+        for _ in 0..60 {
+            let mut stone = |name: &str, z: f64| {
+                let points: Vec<[f64; 3]> = (0..24)
+                    .map(|_| {
+                        let at = DVec3::new(draw(), draw(), draw()).normalize();
+                        [0.3 * at.x, 0.2 * at.y, z + 0.2 * at.z]
+                    })
+                    .collect();
+                Block {
+                    name: name.into(),
+                    solid: Solid::convex(&points).unwrap(),
+                    density_kg_m3: 2600.0,
+                }
+            };
+            let blocks = vec![stone("low", 1.0), stone("high", 2.0)];
+            let stack = Stack::loose(blocks, JointMaterial::default(), 9.81).unwrap();
+            let mut bodies = bodies_of(&stack);
+            for body in &mut bodies[1..] {
+                body.turn_by(DVec3::new(draw(), draw(), draw()) * 6.0);
+            }
+            bodies[2].position = bodies[1].position + DVec3::new(draw(), draw(), draw()).normalize() * 0.42;
+            let hulls: Vec<Hull> = (stack.blocks().iter())
+                .map(|block| Hull::of(&block.solid))
+                .collect();
+            let side = |index: usize| Side {
+                index,
+                hull: Some(&hulls[index - 1]),
+                body: &bodies[index],
+            };
+            let found = separation(side(1), side(2));
+            let faces = |one: Side<'_>, other: Side<'_>| {
+                let each = (0..one.hull.unwrap().faces.len()).map(|face| one.distance_to(face, &other));
+                each.fold(f64::NEG_INFINITY, f64::max)
+            };
+            let of_faces = faces(side(1), side(2)).max(faces(side(2), side(1)));
+            let all = of_all_edges(side(1), side(2), of_faces);
+            assert!((found.distance - all).abs() < 1e-12, "{found:?} {all}");
+            with_edges += usize::from(matches!(found.axis, Axis::Edges(..)));
+        }
+        assert!(with_edges > 5, "{with_edges}");
     }
 }

@@ -15,11 +15,11 @@ use super::matrices::{Closed, Part, add_contacts, add_mass, within_outline};
 use dolmen_linalg::{LinalgError, Matrix, qr, symmetric_eigen};
 use glam::{DMat3, DVec3};
 
-/// Number of additional vectors in the iteration. Chosen here: the next modes then do not slow the last one.
+/// Number of additional vectors in the iteration. Our choice: the next modes then do not slow down the last one.
 const BESIDE: usize = 12;
-/// Largest residual of A x outside the subspace, over the eigenvalue, at which a mode has converged. Chosen here: shapes to 1e-9.
+/// Largest residual of A x outside the subspace, over the eigenvalue, at which a mode has converged. Our choice: shapes to 1e-9.
 const RESIDUAL_MOST: f64 = 1e-9;
-/// Largest number of iterations; about 20 are usual. Chosen here.
+/// Largest number of iterations; about 20 are usual. Our choice.
 const ROUNDS: usize = 200;
 
 /// One of the lowest modes.
@@ -49,7 +49,7 @@ pub(super) fn lowest(assembly: &Assembly, count: usize) -> Result<Option<Vec<Low
         let order: Vec<usize> = (0..t.rows()).rev().collect();
         let turn = Matrix::from_fn(t.rows(), t.rows(), |i, j| eigen.vectors[(i, order[j])]);
         let (at, next) = (&x * &turn, &y * &turn);
-        // what leaves the space: within it, rounding of the largest would hide the least
+        // the part outside the subspace: inside it, rounding of the largest would hide the smallest
         let within = &at * &at.transpose_times(&next);
         let is_done = |mode: usize| {
             let value = eigen.values[order[mode]];
@@ -69,7 +69,7 @@ pub(super) fn lowest(assembly: &Assembly, count: usize) -> Result<Option<Vec<Low
     Ok(None)
 }
 
-/// Fixed numbers between -1 and 1 without pattern (xorshift).
+/// Fixed pseudo-random numbers between -1 and 1 (xorshift).
 fn start(rows: usize, columns: usize) -> Matrix {
     let mut state: u64 = 0x9E37_79B9_7F4A_7C15;
     Matrix::from_fn(rows, columns, |_, _| {
@@ -80,7 +80,7 @@ fn start(rows: usize, columns: usize) -> Matrix {
     })
 }
 
-/// s, (rad/s)²: what nothing holds has a finite place in A. Chosen here: far below any stone's first mode.
+/// s, (rad/s)²: free motions then have a finite eigenvalue of A. Our choice: far below any stone's first mode.
 const SHIFT: f64 = 1e-3;
 
 /// Lᵀ (K + s M)⁻¹ L.
@@ -118,7 +118,7 @@ impl Inverse<'_> {
     }
 }
 
-/// Mass × its root on the displacement, and what `turn` makes of the root of the inertia on the turn.
+/// Root of the mass times the displacement, and the root of the inertia, transformed by `turn`, times the rotation.
 fn by_root(body: &RigidBody, six: &[f64; SIX], turn: impl Fn(DMat3, DVec3) -> DVec3) -> [f64; SIX] {
     let root = body.mass.sqrt();
     let turned = turn(inertia_root(body), DVec3::new(six[3], six[4], six[5]));
@@ -151,7 +151,7 @@ fn massless(assembly: &Assembly, y: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// The lower triangle of Cholesky of the inertia about the present axes.
+/// The lower Cholesky factor of the inertia about the present axes.
 fn inertia_root(body: &RigidBody) -> DMat3 {
     let j = body.rotation * body.inertia * body.rotation.transpose();
     let xx = j.x_axis.x.sqrt();
@@ -201,7 +201,7 @@ mod tests {
             mass_matrix(&assembly),
         );
         let size = full.rows();
-        // K (M^-1/2 A x) = (L x) but for s
+        // K (M^-1/2 A x) = (L x) except for s
         let x: Vec<f64> = (0..size).map(|i| ((i * i) as f64).sin()).collect();
         let y = inverse.times(Matrix::from_column(&x));
         let shape = massless(&assembly, y.column(0));

@@ -1,6 +1,6 @@
 //! Stiffness, damping and mass of an assembly about its present state; its largest stable step.
 //!
-//! Degrees of freedom: of each block the displacement of its centroid [m] and its turn [rad] about it, in the ground's axes.
+//! Degrees of freedom of each block: the displacement of its centroid [m] and its rotation [rad] about it, in the ground's axes.
 
 use super::assembly::Assembly;
 use super::block_skyline::{BlockSkyline, SIX};
@@ -9,14 +9,14 @@ use super::patch::{LANES, Patch};
 use dolmen_linalg::Matrix;
 use glam::{DMat3, DVec3};
 
-/// Part of the friction from which a point counts as slipping: one that slipped holds all of it but for rounding.
+/// Share of the friction limit from which a point counts as slipping: a slipping point has all of it except for rounding.
 const SLIPPING: f64 = 1.0 - 1e-9;
-/// Gap up to which a joint as drawn is in contact, m: rounding of positions gives about 1e-16 m of either sign. Chosen here.
+/// Gap up to which a joint as drawn is in contact, m: rounding of positions gives about 1e-16 m of either sign. Our choice.
 const ROUNDING_M: f64 = 1e-12;
-/// Steps of the power iteration: the largest frequency need only be known to a per cent.
+/// Steps of the power iteration: one per cent accuracy of the largest frequency is enough.
 const POWER_STEPS: usize = 80;
 
-/// Number of stones from which matrices are stored within their skyline. Chosen here: below it a full matrix costs no more.
+/// Number of stones from which matrices are stored within their skyline. Our choice: below it a full matrix costs no more.
 pub(super) const OUTLINE_FROM: usize = 40;
 
 /// A matrix [6n × 6n] that entries are added to.
@@ -36,7 +36,7 @@ impl Entries for BlockSkyline {
     }
 }
 
-/// Zeros within the outline of all that is in contact or tied.
+/// Zeros within the skyline of all contacts and ties.
 pub(super) fn within_outline(assembly: &Assembly) -> BlockSkyline {
     let mut first: Vec<usize> = (0..assembly.bodies.len() - 1).collect();
     let patches = assembly
@@ -52,7 +52,7 @@ pub(super) fn within_outline(assembly: &Assembly) -> BlockSkyline {
     BlockSkyline::within(first)
 }
 
-/// Which springs or dashpots a matrix is of.
+/// The property in a matrix: springs or dashpots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
     /// Springs of points in contact.
@@ -61,14 +61,14 @@ pub(super) enum Part {
     Dashpots,
 }
 
-/// Which points count as closed.
+/// The points that count as closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closed {
-    /// All that touch, stuck: as drawn.
+    /// All points in contact, sticking: as drawn.
     Touching,
-    /// Contacts in compression; of slipping ones only the normal springs.
+    /// Contacts in compression; for slipping ones only the normal springs.
     Pressed,
-    /// Contacts in compression, all stuck.
+    /// Contacts in compression, all sticking.
     Stuck,
 }
 
@@ -98,7 +98,7 @@ impl Bond {
         }
     }
 
-    /// Adds springs along the axes at `place` from the point.
+    /// Adds springs along the axes at `place`, relative to the point.
     fn add(&mut self, place: DVec3, springs: DVec3) {
         // displacement of the place: u + θ × r = u − [r] θ, its moment r × f = [r] f
         let across = cross_matrix(place);
@@ -119,7 +119,7 @@ impl Bond {
         }
     }
 
-    /// Adds it to K between two bodies, each with the way from its centroid to the point.
+    /// Adds it to K between two bodies, each with the vector from its centroid to the point.
     fn add_to(&self, matrix: &mut impl Entries, ends: [(usize, DVec3); 2]) {
         for (a, (body_a, arm_a)) in ends.iter().enumerate() {
             for (b, (body_b, arm_b)) in ends.iter().enumerate() {
@@ -162,12 +162,12 @@ fn cross_matrix(v: DVec3) -> DMat3 {
 
 /// A connection between two bodies: a contact, a dowel or a clamp.
 struct Connection {
-    /// Indices of the bodies, 0 the ground, each with the way from its centroid to the point.
+    /// Indices of the bodies, 0 the ground, each with the vector from its centroid to the point.
     ends: [(usize, DVec3); 2],
     bond: Bond,
 }
 
-/// Stiffness or damping of everything in contact, [6n × 6n].
+/// Stiffness or damping of all contacts, [6n × 6n].
 pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) -> Matrix {
     let size = 6 * (assembly.bodies.len() - 1);
     let mut matrix = Matrix::zeros(size, size);
@@ -175,7 +175,7 @@ pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) ->
     matrix
 }
 
-/// Adds the stiffness or damping of everything in contact.
+/// Adds the stiffness or damping of all contacts.
 pub(super) fn add_contacts(assembly: &Assembly, part: Part, closed: Closed, matrix: &mut impl Entries) {
     for patch in assembly.patches() {
         let between = across_patch(assembly, patch, part, closed);
@@ -189,18 +189,18 @@ pub(super) fn add_contacts(assembly: &Assembly, part: Part, closed: Closed, matr
     }
 }
 
-/// Springs between two bodies by themselves.
+/// The springs between two bodies.
 #[derive(Clone, Debug)]
 pub(super) struct SpringsBetween {
     /// Indices of the bodies, 0 the ground.
     pub(super) bodies: [usize; 2],
-    /// Whether they are those of a dowel, a clamp or a side support.
+    /// Whether they belong to a dowel, a clamp or a side support.
     pub(super) is_link: bool,
     /// Stiffness of both bodies, [12 × 12]; rows of the ground are 0.
     pub(super) stiffness: Matrix,
 }
 
-/// The springs of a side support by themselves.
+/// The springs of a side support alone.
 pub(super) fn springs_of_prop(assembly: &Assembly, prop: &Prop) -> SpringsBetween {
     let mut stiffness = Matrix::zeros(12, 12);
     let body = &assembly.bodies[prop.body];
@@ -214,7 +214,7 @@ pub(super) fn springs_of_prop(assembly: &Assembly, prop: &Prop) -> SpringsBetwee
     }
 }
 
-/// The springs of everything in contact, one by one: their sum is [`contact_matrix`].
+/// The springs of each contact: their sum is [`contact_matrix`].
 pub(super) fn springs_between(assembly: &Assembly, closed: Closed) -> Vec<SpringsBetween> {
     let patches = assembly
         .patches()
@@ -286,7 +286,7 @@ fn across_link(assembly: &Assembly, link: &Link) -> Connection {
     }
 }
 
-/// Adds the side supports as if all were met: for the stable step.
+/// Adds all side supports, as if in contact: for the stable step.
 pub(super) fn add_props(assembly: &Assembly, matrix: &mut Matrix) {
     for prop in assembly.props() {
         add_prop(assembly, prop, matrix);
@@ -304,7 +304,7 @@ fn stiff_along(prop: &Prop) -> Bond {
     Bond::at_point(DMat3::from_cols(d * d.x, d * d.y, d * d.z) * prop.stiffness)
 }
 
-/// Adds the side supports that are pressed.
+/// Adds the side supports in compression.
 pub(super) fn add_pressed_props(assembly: &Assembly, matrix: &mut impl Entries) {
     for prop in assembly.props() {
         if prop.depth(&assembly.bodies[prop.body]) > 0.0 {
@@ -340,7 +340,7 @@ pub(super) fn add_mass(assembly: &Assembly, times: f64, matrix: &mut impl Entrie
 /// ω²: largest eigenvalue of M⁻¹K,   c: largest of M⁻¹C:   ω² h² + 2 c h ≤ 4
 /// ```
 ///
-/// At least what any one face of any block would allow if it lay on another: as it falls.
+/// The springs include contact on any one face of any block, as after a fall.
 pub(super) fn longest_step(assembly: &Assembly) -> f64 {
     let mut springs = contact_matrix(assembly, Part::Springs, Closed::Touching);
     add_props(assembly, &mut springs);
@@ -353,7 +353,7 @@ pub(super) fn longest_step(assembly: &Assembly) -> f64 {
     ((damping * damping + 4.0 * square).sqrt() - damping) / square
 }
 
-/// The longest step at which the leapfrog is stable on dowels, clamps and side supports alone, s; infinite without any.
+/// The longest step at which the leapfrog is stable with dowels, clamps and side supports only, s; infinite without any.
 pub(super) fn longest_step_of_held(assembly: &Assembly) -> f64 {
     let size = 6 * (assembly.bodies.len() - 1);
     let mut springs = Matrix::zeros(size, size);
@@ -368,7 +368,7 @@ pub(super) fn longest_step_of_held(assembly: &Assembly) -> f64 {
 /// Largest eigenvalue of M⁻¹A, by power iteration, increased by one per cent for the error of the iteration.
 fn largest(assembly: &Assembly, matrix: &Matrix) -> f64 {
     let size = matrix.rows();
-    // no symmetry of the stack may hide its largest mode: a start that has none
+    // an asymmetric start, so that no symmetry of the stack hides its largest mode
     let mut x: Vec<f64> = (0..size).map(|i| 1.0 + 0.618 * ((i * i) as f64).sin()).collect();
     let mut value = 0.0;
     for _ in 0..POWER_STEPS {

@@ -19,6 +19,7 @@ mod frequencies;
 mod history;
 mod hulls;
 mod links;
+mod loose_stones;
 mod lowest_modes;
 mod matrices;
 mod moved_supports;
@@ -66,6 +67,7 @@ pub use factors::{
 };
 pub use frequencies::{StackMode, first_sway, lowest_stack_modes, stack_modes, sway_amplification};
 pub use history::{Energy, JointHistory, Outcome, Pose, RigidEvidence, StackHistory};
+pub use loose_stones::{LooseEnding, LooseStone, SettledStones, settle_loose};
 pub use moved_supports::{GaveWay, MovedInTime, SlowGround, SlowMovement, move_supports};
 pub use moving_ground::MovingGround;
 pub use rigid::{Rigid, simulate_rigid};

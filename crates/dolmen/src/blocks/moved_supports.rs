@@ -13,10 +13,10 @@ use glam::DVec3;
 /// Speed and amount of the movement of supports.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlowMovement {
-    /// Factor on the movements of the stack at which the ground stands still again. Default 1.
+    /// Factor on the movements of the stack at the end of the movement. Default 1.
     pub factor_most: f64,
-    /// How many times the stack's own time ([`SlowGround::own_time_s`]) the whole movement takes. Default 300, chosen here: a stack of several stones comes
-    /// down in some three, in which the ground moves on by a hundredth of the whole.
+    /// Duration of the whole movement over the stack's own time ([`SlowGround::own_time_s`]). Default 300, our choice: a stack of several
+    /// stones falls in about three own times, in which the ground completes a hundredth of the movement.
     pub own_times: f64,
 }
 
@@ -32,7 +32,7 @@ impl Default for SlowMovement {
 /// Slow movements of supports scaled for a stack, and the measure of slowness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlowGround {
-    /// How the ground moves.
+    /// Motion of the ground.
     pub ground: MovingGround,
     /// T: the longer of √(h/g), h the height of the stack, and the period of its lowest mode on the springs, s.
     pub own_time_s: f64,
@@ -47,7 +47,7 @@ impl SlowMovement {
         let positive = (f64::MIN_POSITIVE, "a positive number");
         for (option, given, (least, allowed)) in [
             ("factor_most", self.factor_most, positive),
-            // a start and an end of one own time each
+            // one own time each for the start and the end
             ("own_times", self.own_times, (2.0, "2 or more")),
             (
                 "support_movements",
@@ -76,7 +76,7 @@ impl SlowMovement {
     }
 }
 
-/// Where and when a stack began to move beyond its supports.
+/// Factor and time at which a stack stops following its supports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaveWay {
     /// Factor on the movements.
@@ -88,19 +88,19 @@ pub struct GaveWay {
 /// A stack whose supports moved slowly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MovedInTime {
-    /// How they moved.
+    /// The movement.
     pub slow: SlowGround,
     /// The history of the run.
     pub history: StackHistory,
-    /// The last time before the fall at which the stones moved with the ground; after it the fastest stone moved by itself. `None` if none fell.
+    /// The last time before the fall at which all stones moved with the ground; `None` if none fell.
     pub gave_way: Option<GaveWay>,
 }
 
 impl MovedInTime {
-    /// Speed of the fastest stone over that of the fastest support, from which stones no longer follow the ground. Chosen here.
+    /// Speed of the fastest stone over that of the fastest support, from which stones no longer follow the ground. Our choice.
     pub const BY_ITSELF: f64 = 10.0;
 
-    /// The factor on the movements when the first stone had come down.
+    /// The factor on the movements when the first stone had fallen.
     pub fn fell_at(&self) -> Option<f64> {
         match self.history.outcome {
             Outcome::Fell { at_s, .. } => Some(self.slow.ground.factor_at(at_s)),
@@ -115,7 +115,7 @@ impl MovedInTime {
     }
 }
 
-/// Moves the supports of a stack slowly, by either law of contact: a second way to find the movement at which it falls, beside limit analysis.
+/// Moves the supports of a stack slowly, by either contact law: a second way, besides limit analysis, to find the movement at which it falls.
 ///
 /// ```text
 /// gave way    the last sample before the fall at which no stone was faster than ten times the fastest support
@@ -125,7 +125,7 @@ impl MovedInTime {
 /// [`BlocksError`] of the law.
 ///
 /// # Limits
-/// Inertia counts once stones are near the end: the slower, the less. Springs give: hinges lie inside the edges.
+/// Inertia has an effect once stones are near the end; a slower movement reduces it. With springs, hinges lie inside the edges.
 pub fn move_supports(
     stack: &Stack,
     law: &ContactLaw,
@@ -144,7 +144,7 @@ pub fn move_supports(
     })
 }
 
-/// How long the stack itself takes to move: to fall, or to swing once on its springs.
+/// Characteristic time of the stack's own motion: of a fall, or of one period on its springs.
 fn own_time_s(stack: &Stack, law: &ContactLaw) -> Result<f64, BlocksError> {
     let falls_s = (stack.height_m() / stack.gravity_m_s2()).sqrt();
     let swings_s = match law {
@@ -176,7 +176,7 @@ fn gave_way(ground: &MovingGround, history: &StackHistory) -> Option<GaveWay> {
     })
 }
 
-/// Speed of the stone that moved farthest since the sample before, m/s.
+/// Speed of the stone with the largest motion since the last sample, m/s.
 fn fastest_m_s(history: &StackHistory, sample: usize) -> f64 {
     let took_s = history.time_s[sample] - history.time_s[sample - 1];
     let ways = (0..history.blocks).map(|block| {

@@ -1,4 +1,4 @@
-//! Looks at a run now and then: samples, peaks, energies, falls.
+//! Observes a run at intervals: samples, peaks, energies, falls.
 
 use super::after_fall::AfterFall;
 use super::assembly::Assembly;
@@ -13,10 +13,10 @@ use super::watch::{RelativePose, Watch, length};
 use crate::structure::stack::Stack;
 use glam::DVec3;
 
-/// Time between looks for peaks and falls, s: peaks are flat, and no stone falls faster. Chosen here.
+/// Time between observations of peaks and falls, s: peaks are flat, and no stone falls faster. Our choice.
 const LOOK_STEP_S: f64 = 5e-3;
 /// Slip, as a fraction of the width of the bed, from which a stone is on the brink; and remaining fraction of its distance to the edge below which
-/// it is. Chosen here: half of its margin against tipping is gone.
+/// it is. Our choice: half of its margin against tipping is gone.
 const BRINK: f64 = 0.5;
 
 /// Gathers a [`StackHistory`].
@@ -29,17 +29,19 @@ pub(super) struct Observer {
     /// close the block is to tipping.
     margins: Vec<Option<f64>>,
     sample_every: usize,
-    /// Looks from one sample to the next, at most as many as steps.
+    /// Number of observations from one sample to the next, at most that of steps.
     looks: usize,
     outcome: Option<Outcome>,
     stillness: Stillness,
+    /// Whether stones are loose: stillness is then that of the stones, two entries each.
+    is_loose: bool,
     swings: Swings,
     input: f64,
     contact: f64,
     friction: f64,
     first_potential: f64,
     first_stored: f64,
-    /// Largest of energy lost in contacts so far, against which making is measured.
+    /// Largest energy lost in contacts so far; created energy is compared with it.
     most_lost: f64,
     history: StackHistory,
 }
@@ -71,7 +73,11 @@ impl Observer {
                 .map(|body| plumb_margin(assembly, body).filter(|_| decides[body]))
                 .collect(),
             outcome: None,
-            stillness: Stillness::of(stack.joints().len()),
+            stillness: match stack.loose_material() {
+                Some(_) => Stillness::of(2 * stack.blocks().len()),
+                None => Stillness::of(stack.joints().len()),
+            },
+            is_loose: stack.loose_material().is_some(),
             swings: Swings::none(),
             input: 0.0,
             contact: 0.0,
@@ -99,7 +105,7 @@ impl Observer {
     }
 
     pub(super) fn wants(&self, step: usize) -> bool {
-        // spread over the steps of a sample as evenly as whole steps allow; the sample itself is one
+        // distributed over the steps of a sample as evenly as possible; the sample itself is one observation
         step * self.looks % self.sample_every < self.looks
     }
 
@@ -117,12 +123,12 @@ impl Observer {
         self.history.steps = steps;
     }
 
-    /// Whether a step that it wants is a sample.
+    /// Whether a requested step is a sample.
     pub(super) fn samples(&self, step: usize) -> bool {
         step.is_multiple_of(self.sample_every)
     }
 
-    /// The next step it wants, after `step`.
+    /// The next requested step after `step`.
     pub(super) fn next_wanted(&self, step: usize) -> usize {
         let looks_done = step * self.looks / self.sample_every;
         ((looks_done + 1) * self.sample_every).div_ceil(self.looks)
@@ -133,7 +139,7 @@ impl Observer {
         &self.watches
     }
 
-    /// Sees how all joints lie.
+    /// Observes the poses of all joints.
     pub(super) fn see(&mut self, bodies: &[RigidBody]) {
         for (seen, watch) in self.seen.iter_mut().zip(&self.watches) {
             *seen = watch.see(bodies);
@@ -170,6 +176,9 @@ impl Observer {
                 joint.slip_m.push(seen.slip);
                 joint.yaw_rad.push(seen.yaw);
             }
+        }
+        if self.is_loose {
+            self.see_loose(assembly);
         }
         self.judge(assembly, time_s);
         if !sampled {
@@ -216,6 +225,16 @@ impl Observer {
         });
     }
 
+    /// Records the position and the rotation of every loose stone, as lengths.
+    fn see_loose(&mut self, assembly: &Assembly) {
+        for (block, body) in assembly.bodies[assembly.stones()].iter().enumerate() {
+            let (at, turned, r) = (body.position, body.rotation, body.radius);
+            self.stillness.see(2 * block, [at.x, at.y, at.z, 0.0]);
+            let turns = [turned.x_axis.y, turned.y_axis.z, turned.z_axis.x, turned.z_axis.y];
+            self.stillness.see(2 * block + 1, turns.map(|part| r * part));
+        }
+    }
+
     fn judge(&mut self, assembly: &Assembly, at_s: f64) {
         if matches!(
             self.outcome,
@@ -242,7 +261,7 @@ impl Observer {
         }
     }
 
-    /// The joint that has opened or slipped farthest; the lowest of equals.
+    /// The joint with the largest opening or slip; the lowest of equal ones.
     fn gave_way(&self, bodies: &[RigidBody]) -> usize {
         let (mut farthest, mut joint) = (f64::NEG_INFINITY, 0);
         for (index, watch) in self.watches.iter().enumerate() {
@@ -262,7 +281,7 @@ impl Observer {
         now.zip(rest).map_or(1.0, |(now, rest)| now / rest)
     }
 
-    /// The stone on the brink, if there is one: that with the least left.
+    /// The stone on the brink with the smallest remaining distance, if any.
     fn on_the_brink(&self, assembly: &Assembly) -> Option<Outcome> {
         let (mut least, mut found) = (f64::INFINITY, None);
         for block in 0..self.margins.len() {
@@ -293,11 +312,15 @@ impl Observer {
         if let Some((block, ratio)) = least.filter(|(_, ratio)| *ratio < EDGE) {
             return Some((block, ratio));
         }
-        let block = self.watches[self.stillness.moving_joint()?].upper - 1;
+        let moving = self.stillness.moving_joint()?;
+        let block = match self.is_loose {
+            true => moving / 2,
+            false => self.watches[moving].upper - 1,
+        };
         Some((block, self.margin_ratio(assembly, block)))
     }
 
-    /// Whether a run may end here, after its shaking: the stack is at rest or swings less and less, or no verdict is open.
+    /// Whether a run may end here, after its shaking: the stack is at rest or rocks with decreasing amplitude, or the verdict is known.
     pub(super) fn may_end(&mut self, assembly: &Assembly, time_s: f64) -> bool {
         let is_open = matches!(self.outcome, None | Some(Outcome::Uplifted { .. }));
         if !is_open {
@@ -306,11 +329,13 @@ impl Observer {
         let way = self.stillness.farthest().map_or(0.0, |(way, _)| way);
         let each = (0..self.margins.len()).map(|block| self.margin_ratio(assembly, block));
         let margin_ratio = each.fold(f64::INFINITY, f64::min);
-        self.swings.see(time_s, way, margin_ratio);
+        if !self.is_loose {
+            self.swings.see(time_s, way, margin_ratio);
+        }
         self.swings.die_down() || self.moving(assembly).is_none()
     }
 
-    /// Whether the run is over before its time.
+    /// Whether the run ends before its time.
     pub(super) fn ended(&self, after_fall: AfterFall) -> bool {
         match self.outcome {
             Some(Outcome::Diverged { .. }) => true,
@@ -319,7 +344,7 @@ impl Observer {
         }
     }
 
-    /// A step at this time found no solution.
+    /// Ends the run at a step without a solution.
     pub(super) fn not_converged(&mut self, at_s: f64, residual_m_s: f64) {
         self.outcome = Some(Outcome::NotConverged { at_s, residual_m_s });
     }
@@ -330,7 +355,7 @@ impl Observer {
         }
     }
 
-    /// Outcome by the final positions of the stones, beyond whether joints opened.
+    /// Outcome by the final positions of the stones, except for uplift of joints.
     fn at_the_end(&self, assembly: &Assembly) -> Option<Outcome> {
         let at_s = self.history.time_s.last().copied().unwrap_or_default();
         match self.moving(assembly) {
@@ -349,7 +374,7 @@ impl Observer {
         }
     }
 
-    /// The history; `steps` are the one taken and the longest stable one, s.
+    /// The history; `steps` are the step of the run and the longest stable one, s.
     pub(super) fn finish(self, assembly: &Assembly, steps: [f64; 2]) -> StackHistory {
         let links = assembly.links().iter().enumerate();
         let broken_ties = links
@@ -370,7 +395,7 @@ impl Observer {
     }
 }
 
-/// The least whole number that is not less, but for rounding; at least 1.
+/// The least whole number that is not smaller, except for rounding; at least 1.
 pub(super) fn whole_at_least(number: f64) -> usize {
     const ROUNDING: f64 = 1e-9;
     ((number * (1.0 - ROUNDING)).ceil() as usize).max(1)

@@ -1,4 +1,4 @@
-//! The outlines of a patch: it is clipped again when S has shifted on P, and its points keep their memory.
+//! The outlines of a patch: it is clipped again when S has shifted on P, and its points keep their state.
 
 use super::contact_points::{ContactPoint, ContactRule, contact_points};
 use super::hulls::{Axis, Separation, Side, counterclockwise};
@@ -6,15 +6,19 @@ use super::patch::{LANES, Law, Motion, Patch, Points};
 use crate::structure::stack::Polygon;
 use glam::DVec3;
 
-/// Another face of S must be this much more opposite to P's to take over, as cosine. Chosen here.
+/// Another face of S must be this much more opposite to P's to replace the present one, as cosine. Our choice.
 const OPPOSITE_FAVOUR: f64 = 0.02;
+/// The same, as a part of 1 less the cosine of the angle between the two faces: of a rounded stone the next face must not be in P before it takes over.
+const OPPOSITE_PART: f64 = 0.1;
+/// Turn between two faces from which others may carry, as sine. Chosen here.
+pub(super) const LOOK_AGAIN: f64 = 0.03;
 /// A patch that lacks less than this part of S's face is all of it: rounding. Chosen here.
 const WHOLE: f64 = 1e-9;
 
-/// The outlines of a patch, to clip it again.
+/// The outlines of a patch, for clipping it again.
 #[derive(Clone, Debug)]
 pub(super) struct Outline {
-    /// The axis along which it was found.
+    /// The axis of the patch.
     pub(super) axis: Axis,
     /// Index of S's face.
     pub(super) opposite: usize,
@@ -22,15 +26,17 @@ pub(super) struct Outline {
     pub(super) points_face: Polygon,
     /// Face of P in the frame of its plane; empty for the ground, which has no edge.
     pub(super) plane_face: Polygon,
-    /// Its extent, m.
+    /// Its size, m.
     pub(super) size: f64,
+    /// Turn between the two faces from which others may carry, as sine.
+    pub(super) lean_most: f64,
     /// Whether the patch is all of S's face.
     pub(super) whole: bool,
-    /// Place and turn of S on P when it was clipped.
+    /// Pose of S on P when it was clipped.
     pub(super) clipped_at: Motion,
 }
 
-/// Points in groups of [`LANES`], padded with points of no area.
+/// Points in groups of [`LANES`], padded with points without area.
 pub(super) fn grouped(points: &[ContactPoint], law: &Law) -> Vec<Points> {
     let bond = if law.cohesion > 0.0 || law.tension > 0.0 {
         1.0
@@ -60,18 +66,18 @@ impl Outline {
     }
 
     /// Whether the points' frame has shifted on the plane by more than `shift` m since the patch was clipped, or its normal
-    /// has turned by more than `lean`, as sine.
-    pub(super) fn has_drifted(&self, motion: &Motion, shift: f64, lean: f64) -> bool {
+    /// has turned by more than [`Outline::lean_most`].
+    pub(super) fn has_drifted(&self, motion: &Motion, shift: f64) -> bool {
         let (now, then) = (motion, &self.clipped_at);
         let moved = (now.shift - then.shift).abs();
         let turned = (now.along_x.y - then.along_x.y).abs() * self.size;
         let leaned = (now.along_x.z - then.along_x.z)
             .abs()
             .max((now.along_y.z - then.along_y.z).abs());
-        moved.x.max(moved.y) + turned > shift || leaned > lean
+        moved.x.max(moved.y) + turned > shift || leaned > self.lean_most
     }
 
-    /// Sine of the angle between the two faces, about.
+    /// Approximate sine of the angle between the two faces.
     pub(super) fn lean(&self, motion: &Motion) -> f64 {
         motion.along_x.z.hypot(motion.along_y.z)
     }
@@ -97,11 +103,13 @@ impl Outline {
         };
         let down = points.inward(-plane.outward(face));
         let now = hull.facing(down);
-        hull.normals[now].dot(down) <= hull.normals[self.opposite].dot(down) + OPPOSITE_FAVOUR
+        let between = 1.0 - hull.normals[now].dot(hull.normals[self.opposite]);
+        let favour = OPPOSITE_FAVOUR.min(OPPOSITE_PART * between);
+        hull.normals[now].dot(down) <= hull.normals[self.opposite].dot(down) + favour
     }
 
-    /// Clips the patch where its bodies now are. Keeps its points if it was and is the whole face of S; else new points
-    /// take over the stretch and bond of the nearest old one.
+    /// Clips the patch at the present positions of its bodies. Keeps its points if it was and is the whole face of S;
+    /// otherwise each new point takes the stretch and bond of the nearest old one.
     pub(super) fn clip(&mut self, patch: &mut Patch, motion: &Motion, rule: ContactRule) {
         if self.of_edges() {
             return;
@@ -136,7 +144,7 @@ impl Outline {
         }
     }
 
-    /// Points of the plane carried along its normal onto the face of S, in the frame of that face.
+    /// Points of the plane projected along its normal onto the face of S, in the frame of that face.
     fn lifted(&self, points: Vec<ContactPoint>, motion: &Motion) -> Vec<ContactPoint> {
         let (a, b) = (motion.along_x, motion.along_y);
         let determinant = a.x * b.y - b.x * a.y;
@@ -182,7 +190,7 @@ fn memories_of(patch: &Patch, motion: &Motion) -> Vec<Memory> {
     memories
 }
 
-/// Gives each point the state of the nearest old point; no change if there are none.
+/// Gives each point the state of the nearest old point; no change without old points.
 fn inherit(patch: &mut Patch, motion: &Motion, memories: &[Memory]) {
     patch.unstretch(motion);
     for group in &mut patch.points {
@@ -201,9 +209,9 @@ fn inherit(patch: &mut Patch, motion: &Motion, memories: &[Memory]) {
     }
 }
 
-/// Carries the stretch of a patch over to another of the same two bodies.
+/// Transfers the stretch of a patch to another patch of the same two bodies.
 pub(super) fn take_over(patch: &mut Patch, motion: &Motion, old: &Patch, old_motion: &Motion) {
-    // stretch is of S against P: with the roles exchanged it is the opposite
+    // stretch is that of S relative to P: with exchanged roles it has the opposite sign
     let sign = if old.point_body == patch.point_body {
         1.0
     } else {

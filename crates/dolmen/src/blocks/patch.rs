@@ -2,23 +2,23 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | P, S | `plane_body`, `point_body` | the body whose plane is met, the body whose points meet it | – |
-//! | y = A s + b | `Motion` | place of point s in the frame of P's plane, normal last | m |
-//! | w, Ω | `twist` | velocity of S against P at the frame's origin, and its spin, in that frame | m/s, rad/s |
-//! | a | `area` | area a point stands for | m² |
+//! | P, S | `plane_body`, `point_body` | the body with the contact plane, the body with the contact points | – |
+//! | y = A s + b | `Motion` | position of point s in the frame of P's plane, normal last | m |
+//! | w, Ω | `twist` | velocity of S relative to P at the frame's origin, and its spin, in that frame | m/s, rad/s |
+//! | a | `area` | tributary area of a point | m² |
 //! | k_n, k_s | `normal_stiffness`, `shear_stiffness` | springs per area | Pa/m |
 //! | c_n, c_s | `normal_damping`, `shear_damping` | dashpots per area | Pa s/m |
 //! | u | `y − anchor` | stretch of the shear spring | m |
-//! | μ | `friction` | coefficient now: static until a point slips, kinetic while it does | – |
+//! | μ | `friction` | present coefficient: static until a point slips, kinetic while it slips | – |
 
 use super::bodies::RigidBody;
 use crate::structure::stack::JointMaterial;
 use glam::{DMat3, DVec2, DVec3};
 use wide::f64x4;
 
-/// Points worked on together, so that the compiler uses vector instructions.
+/// Number of points computed together, so that the compiler uses vector instructions.
 pub(super) const LANES: usize = 4;
-/// Against division by zero in a still contact, m: far below any penetration. Chosen here.
+/// Against division by zero in a motionless contact, m: far below any penetration. Our choice.
 pub(super) const TINY: f64 = 1e-300;
 
 /// Four points with their memory.
@@ -31,11 +31,11 @@ pub(super) struct Points {
     pub(super) give: [f64; LANES],
     pub(super) anchor_x: [f64; LANES],
     pub(super) anchor_y: [f64; LANES],
-    /// Depth at which a point carries nothing yet, m; 0 but for points that took over while their faces overlapped, until they
+    /// Depth below which a point has no force, m; 0 except for points that were added while their faces overlapped, until they
     /// open.
     pub(super) held: [f64; LANES],
     pub(super) friction: [f64; LANES],
-    /// 1 while the bond holds, 0 after it broke or where there is none.
+    /// 1 while the bond holds, 0 after it broke or without bond.
     pub(super) bond: [f64; LANES],
 }
 
@@ -53,17 +53,17 @@ pub(super) struct Law {
     pub(super) restitution: Restitution,
 }
 
-/// What a joint keeps of the velocities before an impact.
+/// Restitution of a joint in an impact.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Restitution {
-    /// Of faces that were apart.
+    /// Of faces that were separate.
     pub(super) falls: f64,
-    /// Of a stone that passes from edge to edge; `None` for what an impact at the edge leaves.
+    /// Of a stone that rocks from edge to edge; `None`: that of an impact at the edge.
     pub(super) rocks: Option<f64>,
 }
 
 impl Law {
-    /// The law of a joint: dashpots from the damping ratio of the two bodies on its springs alone.
+    /// The law of a joint: dashpots from the damping ratio of the two bodies on its springs only.
     ///
     /// ```text
     /// c = 2 ζ √(k A m) / A,   m = 1 / (1/m_P + 1/m_S)
@@ -87,7 +87,7 @@ impl Law {
         }
     }
 
-    /// The same without bond: one that broke, or never was, does not come with new faces.
+    /// The law without bond: new faces have no bond.
     pub(super) fn dry(self) -> Self {
         Law {
             cohesion: 0.0,
@@ -101,7 +101,7 @@ impl Law {
     }
 }
 
-/// A plane of one body and points of another that meet it.
+/// A plane of one body and points of another in contact with it.
 #[derive(Clone, Debug)]
 pub(super) struct Patch {
     pub(super) plane_body: usize,
@@ -133,7 +133,7 @@ impl Stored {
     }
 }
 
-/// Where the points' frame is in the plane's frame, and how it moves.
+/// Pose of the points' frame in the plane's frame, and its motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion {
     /// From the frame of the plane to the ground's.
@@ -153,30 +153,30 @@ pub(super) struct Twist {
     pub(super) spin: DVec3,
 }
 
-/// What a patch does to S, in the plane's frame about its origin; P gets the opposite.
+/// Force and torque of a patch on S, in the plane's frame about its origin; P gets the opposite.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Wrench {
     pub(super) force: DVec3,
     pub(super) torque: DVec3,
-    /// Energy that friction and breaking bonds took in the step, J.
+    /// Energy dissipated by friction and by breaking bonds in the step, J.
     pub(super) friction_loss: f64,
 }
 
 impl Motion {
-    /// Where a point of S now is in the plane's frame.
+    /// Present position of a point of S in the plane's frame.
     pub(super) fn at(&self, x: f64, y: f64) -> DVec3 {
         self.along_x * x + self.along_y * y + self.shift
     }
 }
 
 impl Patch {
-    /// Where S now is in the frame of P's plane.
+    /// Present pose of S in the frame of P's plane.
     #[inline]
     pub(super) fn motion(&self, bodies: &[RigidBody]) -> Motion {
         self.motion_between(&bodies[self.plane_body], &bodies[self.point_body])
     }
 
-    /// The same, of the two bodies themselves.
+    /// As [`Patch::motion`], from the two bodies themselves.
     #[inline]
     pub(super) fn motion_between(&self, p: &RigidBody, s: &RigidBody) -> Motion {
         let to_ground = p.rotation * self.plane_axes;
@@ -191,7 +191,7 @@ impl Patch {
         }
     }
 
-    /// How S moves against P.
+    /// Motion of S relative to P.
     #[inline]
     pub(super) fn twist(&self, bodies: &[RigidBody], motion: &Motion) -> Twist {
         let (p, s) = (&bodies[self.plane_body], &bodies[self.point_body]);
@@ -204,7 +204,7 @@ impl Patch {
         }
     }
 
-    /// Forces of the springs, friction and dashpots over a step of `h` seconds; remembers what slipped and broke.
+    /// Forces of the springs, friction and dashpots over a step of `h` seconds; stores slips and broken bonds.
     #[inline]
     pub(super) fn wrench(&mut self, motion: &Motion, twist: &Twist, h: f64) -> Wrench {
         if self.holds {
@@ -219,7 +219,7 @@ impl Patch {
         }
     }
 
-    /// Where a point now is in the plane's frame, with its depth as its spring feels it.
+    /// Present position of a point in the plane's frame, with the depth that its spring has.
     pub(super) fn place(&self, group: &Points, lane: usize, motion: &Motion) -> DVec3 {
         motion.at(group.x[lane], group.y[lane]) + DVec3::Z * group.held[lane]
     }
@@ -255,8 +255,8 @@ impl Patch {
         DVec3::new(-shear.x, -shear.y, normal)
     }
 
-    /// Lets new points hold at most what others held: depths and stretches are scaled down where they would hold more. What a
-    /// point lies deeper it keeps without force until it opens, as a fault of its place would.
+    /// Limits the energy of new points to that of the old ones: depths and stretches are reduced where they would have more. The
+    /// rest of the depth has no force until the point opens, as if it were an error of its position.
     ///
     /// ```text
     /// held = (1 − f) δ,   f² = normal energy allowed / that at depth δ;   the stretch likewise
@@ -282,7 +282,7 @@ impl Patch {
         }
     }
 
-    /// Points that have opened are held no more.
+    /// Ends the limit for points that have opened.
     fn let_go(&mut self, motion: &Motion) {
         self.holds = false;
         for group in &mut self.points {
@@ -295,7 +295,7 @@ impl Patch {
         }
     }
 
-    /// Sets every anchor to where its point now is: the shear springs without stretch.
+    /// Sets every anchor to the present position of its point, so that shear springs have no stretch.
     pub(super) fn unstretch(&mut self, motion: &Motion) {
         for group in &mut self.points {
             for lane in 0..LANES {
@@ -307,15 +307,15 @@ impl Patch {
     }
 }
 
-/// The law, point by point.
+/// The law for each point.
 ///
 /// ```text
 /// penetration   δ = −y_z (0 as drawn),   its mean over the step while it moves at v: δ̄ = ∫ max(δ + v τ, 0) dτ / h, and the
-///               part of the step in contact, φ: the moment of impact is found inside the step; τ from −h/2 to h/2
+///               part of the step in contact, φ: the moment of impact is located inside the step; τ from −h/2 to h/2
 /// pressure      N = a (k_n δ̄ + φ c_n v), not below 0, or −a × tension while bonded
-/// spring        E = a k_s u in contact, cut to the disc |E| ≤ μN (+ a × cohesion while bonded); where it is cut its anchor
-///               moves, and what the spring loses is the work of friction
-/// shear         T = −(E + a c_s v_t), cut to the same disc
+/// spring        E = a k_s u in contact, limited to the disc |E| ≤ μN (+ a × cohesion while bonded); where it is limited its
+///               anchor moves, and the energy lost by the spring is the work of friction
+/// shear         T = −(E + a c_s v_t), limited to the same disc
 /// ```
 fn wrench_of_points<const BOND: bool, const HELD: bool>(
     points: &mut [Points],
@@ -364,7 +364,7 @@ fn wrench_of_points<const BOND: bool, const HELD: bool>(
         sums[5] += y * tx - x * ty;
         sums[6] += rubbed.work;
     }
-    // always in this order: the same bits on every machine
+    // always in this order, for the same bits on every machine
     let [fx, fy, fz, mx, my, mz, rubbed] = sums.map(|lanes| {
         let [a, b, c, d] = lanes.to_array();
         (a + b) + (c + d)
@@ -388,7 +388,7 @@ fn in_all_lanes(vector: DVec3) -> [f64x4; 3] {
 
 /// Contact of four points across the plane; masks have all bits of a lane set.
 struct Pressed {
-    /// Mask: the point touches in some part of the step, or is bonded.
+    /// Mask: the point is in contact in some part of the step, or is bonded.
     touches: f64x4,
     /// Mask: its bond holds this pressure.
     holds: f64x4,
@@ -449,13 +449,13 @@ fn press<const BOND: bool>(
 struct Rubbed {
     /// Force of shear spring and dashpot, N.
     force: [f64x4; 2],
-    /// Mask: the spring was cut to the disc.
+    /// Mask: the spring was limited to the disc.
     slips: f64x4,
     /// Work of friction, J.
     work: f64x4,
 }
 
-/// Shear forces of four points at a place that moves at a velocity in the plane; moves their anchors and sets their friction.
+/// Shear forces of four points at a position with a velocity in the plane; moves their anchors and sets their friction.
 #[inline(always)]
 fn rub<const BOND: bool>(
     law: &Law,
@@ -486,7 +486,7 @@ fn rub<const BOND: bool>(
     let moves = slips | !touches;
     let anchor_x = moves.select(x - fx * give, before_x);
     let anchor_y = moves.select(y - fy * give, before_y);
-    // the work of the force that is left: what the step overshot beyond it never acts on the stones
+    // the work of the limited force: the excess in the step never acts on the stones
     let work = fx * (anchor_x - before_x) + fy * (anchor_y - before_y);
     let drag = touches & (area * all(law.shear_damping));
     let (mut tx, mut ty) = (fx + drag * vx, fy + drag * vy);

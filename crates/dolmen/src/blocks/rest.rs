@@ -1,4 +1,4 @@
-//! Settlement: the stack at rest under its own weight, found by Newton steps instead of waiting.
+//! Settlement: the stack at rest under its own weight, computed by Newton steps instead of a simulation.
 
 use super::assembly::Assembly;
 use super::block_skyline::SIX;
@@ -12,18 +12,18 @@ use crate::structure::stack::{Body, Stack};
 use dolmen_linalg::{Matrix, solve};
 use glam::DVec3;
 
-/// Newton steps: contact closes or opens in a few.
+/// Newton steps: contacts close or open in a few.
 const NEWTON_STEPS: usize = 25;
-/// Force left, in parts of the stack's weight, at which it rests. Chosen here.
+/// Residual force at rest, in parts of the stack's weight. Our choice.
 const LEFT_MOST: f64 = 1e-12;
 /// Residual force that is accepted if another step does not reduce it: with stiff joints, rounding of positions causes forces.
-/// Chosen here.
+/// Our choice.
 const LEFT_ROUNDING: f64 = 1e-7;
-/// Rounds of damped steps and Newton steps after them: many loose stones take turns to open and close.
+/// Rounds of damped steps followed by Newton steps: many loose stones open and close in turn.
 const ROUNDS: usize = 12;
-/// Newton steps of every other round that are halved: what closes in one whole step and opens in the next takes turns for ever.
+/// Halved Newton steps in every other round: contacts that close in one whole step and open in the next would alternate for ever.
 const HALF_STEPS: usize = 15;
-/// Damped steps a round, and the part of the velocity that each takes. Chosen here.
+/// Damped steps per round, and the part of the velocity removed by each. Our choice.
 const DAMPED_STEPS: usize = 400;
 const DAMPED_PART: f64 = 0.1;
 
@@ -33,7 +33,7 @@ struct Unbalanced {
     forces: Vec<f64>,
     /// The largest, in parts of the stack's weight.
     largest: f64,
-    /// On which block.
+    /// The block on which it acts.
     block: usize,
 }
 
@@ -62,7 +62,7 @@ fn unbalanced(assembly: &mut Assembly, forces: &mut Forces) -> Unbalanced {
     left
 }
 
-/// Moves the bodies of an assembly to where gravity and springs balance.
+/// Moves the bodies of an assembly to the equilibrium of gravity and springs.
 ///
 /// # Errors
 /// [`BlocksError::NoRest`] if there is no rest position nearby: the stack does not stand, or slides; [`BlocksError::Topples`]
@@ -113,9 +113,9 @@ pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), Block
     })
 }
 
-/// Displacements and turns that balance these forces; `None` where nothing holds a stone.
+/// Displacements and rotations that balance these forces; `None` if a stone has no support.
 fn newton_step(assembly: &Assembly, closed: Closed, forces: &[f64]) -> Option<Vec<f64>> {
-    // a stone that nothing holds sideways keeps its place
+    // a stone without lateral support keeps its position
     const HELD: f64 = 1e-9;
     if assembly.bodies.len() > OUTLINE_FROM {
         let mut stiffness = within_outline(assembly);
@@ -160,7 +160,7 @@ mod tests {
     use super::*;
     use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
 
-    /// Stones on each other in the middle, width and height of each in cm.
+    /// Stones centred on each other, width and height of each in cm.
     fn tower(sizes_cm: &[[u32; 2]]) -> Stack {
         let mut z = 0.0;
         let blocks = sizes_cm.iter().enumerate().map(|(i, size_cm)| {
@@ -179,7 +179,7 @@ mod tests {
         Stack::new(blocks.collect(), JointMaterial::default(), 9.81).unwrap()
     }
 
-    /// Settlement of the highest stone: what stands above each joint over its stiffness, m.
+    /// Settlement of the highest stone: the weight above each joint over its stiffness, m.
     fn settlement_m(sizes_cm: &[[u32; 2]]) -> f64 {
         let weight = |[width, height]: &[u32; 2]| {
             let (b, h) = (f64::from(*width) / 100.0, f64::from(*height) / 100.0);

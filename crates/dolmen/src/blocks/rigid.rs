@@ -15,10 +15,10 @@ use super::rigid_run::Run;
 use super::run_length::RunLength;
 use super::springs::{Start, push};
 use crate::signal::GroundMotion;
-use crate::structure::stack::{Body, Joint, Stack};
+use crate::structure::stack::{Body, JointMaterial, Stack};
 use glam::DVec3;
 
-/// Contact detection with larger distances than under the springs law, because the steps are longer. Chosen here: contacts of stones that approach at
+/// Contact detection with larger distances than under the springs law, because the steps are longer. Our choice: contacts of stones that approach at
 /// less than about 2 m/s are detected before they touch.
 const WATCHFULNESS: ContactTolerances = ContactTolerances {
     clip_again: 5e-5,
@@ -26,10 +26,10 @@ const WATCHFULNESS: ContactTolerances = ContactTolerances {
     far: 5e-2,
 };
 
-/// Longest step, s. Chosen here: with steps of 50 ms, a motion sampled every 20 ms left 0.5 mm of slip instead of 24 mm.
+/// Longest step, s. Our choice: with steps of 50 ms, a motion sampled every 20 ms left 0.5 mm of slip instead of 24 mm.
 const STEP_MOST_S: f64 = 5e-3;
 
-/// Largest and usual step, as fractions of the longest step that is stable for dowels, clamps and side supports. Chosen here: with the usual step the
+/// Largest and usual step, as fractions of the longest step that is stable for dowels, clamps and side supports. Our choice: with the usual step the
 /// apparent energy of a stone that swings on such a spring changes by less than 0.1 %, (ω h)²/4.
 const HELD_MOST: f64 = 0.9;
 const HELD_USUAL: f64 = 0.03;
@@ -91,8 +91,13 @@ impl Rigid {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn usual_step_s(stack: &Stack) -> f64 {
-        let slides_easier = |joint: &Joint| joint.material.friction_kinetic < joint.material.friction_static;
-        let usual = match stack.joints().iter().any(slides_easier) {
+        let slides_easier = |of: &JointMaterial| of.friction_kinetic < of.friction_static;
+        let mut materials = stack
+            .joints()
+            .iter()
+            .map(|joint| &joint.material)
+            .chain(stack.loose_material());
+        let usual = match materials.any(slides_easier) {
             true => KINETIC_STEP_S,
             false => USUAL_STEP_S,
         };

@@ -1,4 +1,4 @@
-//! How a normal force spreads over the points of a face: as on an even bed that cannot pull.
+//! Distribution of a normal force over the points of a face: as on a uniform bed without tension.
 
 use super::rigid_point::{ForceTorque, Part, Point};
 
@@ -63,8 +63,8 @@ pub(super) fn fit_bed(points: &[Point], wrench: &ForceTorque, bed: &mut [f64; 3]
     false
 }
 
-/// Solves a symmetric 3 × 3 system (00, 01, 02, 11, 12, 22), not of full rank where points lie on a line or are one: then the
-/// rest is left out.
+/// Solves a symmetric 3 × 3 system (00, 01, 02, 11, 12, 22). It is singular if the points lie on a line or are one point: the
+/// undetermined part is then left out.
 fn solve_3(k: &[f64; 6], right: &[f64; 3]) -> Option<[f64; 3]> {
     if k[0] <= 0.0 {
         return None;

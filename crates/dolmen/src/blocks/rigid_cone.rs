@@ -24,10 +24,10 @@ use super::rigid_solve::{
 /// here.
 const ROUNDS_MOST: usize = 60;
 const WORSE_MOST: usize = 15;
-/// Largest number of Newton steps between updates, and of trial points along each step. Chosen here.
+/// Largest number of Newton steps between updates, and of trial points along each step. Our choice.
 const STEPS_MOST: usize = 40;
 const LINE_MOST: usize = 12;
-/// Fraction to which the line search must reduce the slope along a Newton step. Chosen here.
+/// Fraction to which the line search must reduce the slope along a Newton step. Our choice.
 const SLOPE_MOST: f64 = 0.5;
 
 impl Solver {

@@ -2,12 +2,12 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | ξ = (w, Ω) | `twist` | velocity of S against P at the frame's origin, and its spin, in that frame | m/s, rad/s |
-//! | u = G ξ | `slip`, `lift` | velocity of a point of S against P, along the plane and along its normal | m/s |
-//! | s | `offset` | what the places add to u so that h (u + s) is the way of the point in the step | m/s |
+//! | ξ = (w, Ω) | `twist` | velocity of S relative to P at the frame's origin, and its spin, in that frame | m/s, rad/s |
+//! | u = G ξ | `slip`, `lift` | velocity of a point of S relative to P, along the plane and along its normal | m/s |
+//! | s | `offset` | addition to u from the positions, such that h (u + s) is the motion of the point in the step | m/s |
 //! | p | `impulse` | on S at a point: two along the plane, one along the normal | N s |
-//! | λ | `held` | the impulse that multipliers carry over | N s |
-//! | ϱ | `weight` | of the velocity against the impulse: ρ a m / A | kg |
+//! | λ | `held` | the impulse stored by the multipliers | N s |
+//! | ϱ | `weight` | factor from velocity to impulse: ρ a m / A | kg |
 //! | κ | `kick_s` | time over which the impulses act; 0 in an impact | s |
 
 use super::bodies::RigidBody;
@@ -16,20 +16,20 @@ use super::rigid_bed::{fit_bed, on_bed};
 use super::rigid_point::{ForceTorque, Part, Point};
 use glam::{DMat3, DVec3};
 
-/// Mass against which velocities count, in parts of the bodies': ϱ = ρ × the mass of both together and of all above, shared by area. It steers
-/// how fast the iterations converge, not to what. Chosen here, by trial.
+/// Ratio ρ of the weights to the mass: ϱ = ρ × the mass of both bodies and of all above, divided by area. It affects the speed of
+/// convergence, not the result. Our choice, by trial.
 const HARDNESS: f64 = 1e5;
-/// Part of its force by which the bed that a solution begins with may miss the force of the step before. Chosen here.
+/// Relative difference allowed between the initial bed of a solution and the force of the last step. Our choice.
 const HELD_NEAR: f64 = 1e-3;
-/// Least weight along the plane of a point that did not press, in parts of what its area gives it. Chosen here.
+/// Least weight along the plane of a point that did not press, as a share of that by its area. Our choice.
 const SHEAR_LEAST: f64 = 0.1;
-/// Least part of a face's weight that one of its points has: slivers that clipping leaves must bear too. Chosen here.
+/// Least share of a face's weight for each of its points: slivers from clipping must also bear. Our choice.
 const WEIGHT_LEAST: f64 = 1e-3;
 
-/// Mass of the bodies that lie above a height.
+/// Mass of the bodies above a height.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MassAbove {
-    /// Height of each body, from the top, m, and the mass of all down to it.
+    /// Height of each body, from the top, m, and the total mass from the top to it.
     heights: Vec<[f64; 2]>,
 }
 
@@ -53,7 +53,7 @@ impl MassAbove {
     }
 }
 
-/// A patch as the rigid law sees it in one step.
+/// A patch in one step of the rigid law.
 #[derive(Clone, Debug)]
 pub(super) struct Face {
     pub(super) pair: usize,
@@ -63,20 +63,20 @@ pub(super) struct Face {
     /// From the centroids of P and S to the origin, in the ground's axes, m.
     pub(super) arms: [DVec3; 2],
     pub(super) points: Vec<Point>,
-    /// Twist with which the offsets were found.
+    /// Twist used for the offsets.
     pub(super) ahead: ForceTorque,
     pub(super) restitution: Restitution,
-    /// Whether the impulses held are those of the step before.
+    /// Whether the stored impulses are those of the last step.
     pub(super) warm: bool,
-    /// Whether the last sum was presumed in part instead of the law's.
+    /// Whether the last sum partly used presumed contact states instead of the law.
     pub(super) swung: bool,
-    /// Part of the weights that counts.
+    /// Factor σ on the weights.
     pub(super) softness: f64,
     /// ρ × mass.
     pub(super) whole_weight: f64,
 }
 
-/// Derivative of the impulses on S by the twist, with the opposite sign.
+/// Derivative of the impulses on S with respect to the twist, with the opposite sign.
 pub(super) type Stiffness = [[f64; 6]; 6];
 
 /// G ξ.
@@ -104,14 +104,14 @@ pub(super) fn add_wrench(sum: &mut ForceTorque, x: f64, y: f64, p: &[f64; 3]) {
 struct SlipState {
     /// Unit vector of its friction.
     along: [f64; 2],
-    /// Stiffness left across it.
+    /// Remaining stiffness across it.
     part: f64,
-    /// Growth of the friction with the pressure, 0 where nothing presses.
+    /// Growth of the friction with the pressure, 0 without pressure.
     friction: f64,
 }
 
-/// Adds a point that presses at x, y to the derivative of its face's impulses; `r` holds its stiffness along the normal and across it. Rows and
-/// columns above the diagonal alone, but for what friction makes unsymmetric: rows 0, 1 and 5 of columns 2 to 4.
+/// Adds a pressing point at x, y to the derivative of its face's impulses; `r` contains its stiffness along the normal and across it. Only
+/// the upper triangle, and the asymmetric terms of friction: rows 0, 1 and 5 of columns 2 to 4.
 #[inline(always)]
 fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [r, r_t]: [f64; 2], slipping: Option<SlipState>) {
     let (a, b, c) = match &slipping {
@@ -146,8 +146,8 @@ fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [r, r_t]: [f64; 2], slippi
 }
 
 impl Face {
-    /// A patch where its bodies now are (`motion`), and where they would be at the end of a step of `h` s if they moved on as
-    /// they did (`ahead`). `push_out_s` is the time in which what penetrates is pushed out.
+    /// A patch at the present pose of its bodies (`motion`), and at their pose after a step of `h` s at unchanged velocities
+    /// (`ahead`). `push_out_s` is the time in which penetrations are removed.
     pub(super) fn of(
         (pair, patch): (usize, &Patch),
         bodies: &[RigidBody],
@@ -204,13 +204,13 @@ impl Face {
                 });
             }
         }
-        // what stands above presses too: the mass that the joint stops is more than that of its two stones
+        // the mass above also presses: the joint stops more mass than that of its two stones
         let mass = 1.0 / (p.inverse_mass + s.inverse_mass) + above.at(motion.origin.z);
         face.whole_weight = HARDNESS * mass;
         face
     }
 
-    /// Sets the weights of the points that take part: together that of the face.
+    /// Sets the weights of the active points, with the weight of the face as their sum.
     pub(super) fn weigh(&mut self) {
         let near = |point: &&mut Point| point.part == Part::Near;
         let area: f64 = self.points.iter_mut().filter(near).map(|point| point.area).sum();
@@ -224,7 +224,7 @@ impl Face {
         }
     }
 
-    /// Twist of S against P at velocities of the bodies (ground: zeros), linear and angular.
+    /// Twist of S relative to P at velocities of the bodies (ground: zeros), linear and angular.
     #[inline]
     pub(super) fn twist(&self, p: Option<&ForceTorque>, s: Option<&ForceTorque>) -> ForceTorque {
         let at = |velocity: Option<&ForceTorque>, arm: DVec3| {
@@ -239,7 +239,7 @@ impl Face {
         [w.x, w.y, w.z, spin.x, spin.y, spin.z]
     }
 
-    /// Twist of S against P at the velocities of all bodies.
+    /// Twist of S relative to P at the velocities of all bodies.
     pub(super) fn twist_of(&self, velocity: &[ForceTorque]) -> ForceTorque {
         let at = |body: usize| (body > 0).then(|| &velocity[body]);
         self.twist(at(self.plane_body), at(self.point_body))
@@ -248,12 +248,12 @@ impl Face {
     /// Impulses of the law at a twist, their sum on S, and their derivative.
     ///
     /// ```text
-    /// p_n = max(λ_n − ϱ (u_n + s_n), 0),   p_t = λ_t − ϱ (u_t + s_t), cut to the disc of radius μ p_n
+    /// p_n = max(λ_n − ϱ (u_n + s_n), 0),   p_t = λ_t − ϱ (u_t + s_t), limited to the disc of radius μ p_n
     /// ```
     ///
-    /// `presume`: take what pressed and slipped for what will, instead of asking the law: how a solution begins.
+    /// `presume`: keep the points that pressed and slipped instead of evaluating the law, at the start of a solution.
     ///
-    /// A point that would slip one way and then the other is taken for stuck in the next Newton step: `swung` says that there
+    /// A point that would slip in alternating directions counts as stuck in the next Newton step: `swung` marks that there
     /// was one, so that the sum is not that of the law.
     pub(super) fn contact_force(
         &mut self,
@@ -312,7 +312,7 @@ impl Face {
                 point.impulse = [0.0; 3];
                 continue;
             }
-            // as presumed, the disc is that of the impulse held
+            // with presumed states, the disc is that of the stored impulse
             let radius = if presume {
                 point.friction * point.held[2].max(0.0)
             } else {
@@ -348,14 +348,14 @@ impl Face {
         sum
     }
 
-    /// Forgets which way points slipped.
+    /// Clears the directions of slip.
     pub(super) fn forget(&mut self) {
         for point in &mut self.points {
             point.along = [0.0; 2];
         }
     }
 
-    /// Largest distance of a point from its law as a velocity, m/s: what another round would change the impulses by, over ϱ.
+    /// Largest deviation of a point from its law as a velocity, m/s: the change of the impulses by another update, over ϱ.
     pub(super) fn residual(&self) -> f64 {
         let near = self.points.iter().filter(|point| point.part == Part::Near);
         near.map(|point| {
@@ -372,7 +372,7 @@ impl Face {
         .fold(0.0, f64::max)
     }
 
-    /// What the impulses are on S, summed.
+    /// Sum of the impulses on S.
     pub(super) fn wrench(&self) -> ForceTorque {
         let mut sum = [0.0; 6];
         for point in &self.points {
@@ -381,8 +381,8 @@ impl Face {
         sum
     }
 
-    /// Makes the offsets along the plane those of a rigid motion, nearest to what they are where the face presses: turning shortens what
-    /// it is seen from above, and points that stick would fight over that.
+    /// Replaces the offsets along the plane by the nearest rigid motion, weighted where the face presses: rotation shortens the
+    /// projection of a face, and sticking points would otherwise contradict each other.
     pub(super) fn rigid_offsets(&mut self) {
         let weight = |point: &Point| match (self.warm, point.part) {
             (true, _) => point.held[2],
@@ -417,7 +417,7 @@ impl Face {
         }
     }
 
-    /// Spreads an impulse on S over the near points: pressure as on a bed, friction with it.
+    /// Distributes an impulse on S over the near points: pressure as on a bed, and friction in proportion.
     pub(super) fn hold(&mut self, wrench: &ForceTorque, bed: &mut [f64; 3]) {
         let near = |point: &&mut Point| point.part == Part::Near;
         if !fit_bed(&self.points, wrench, bed, HELD_NEAR) {

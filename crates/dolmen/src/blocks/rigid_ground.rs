@@ -1,10 +1,10 @@
-//! Ground that moves, in the rigid law: a body so heavy that stones do not change its velocity.
+//! Moving ground in the rigid law: a body so heavy that stones do not change its velocity.
 
 use super::rigid_run::{Run, six};
 use super::rigid_solve::Inertia;
 use glam::{DMat3, DVec3};
 
-/// Mass of ground that moves in the rigid law, over that of all stones: they change its velocity by less than a billionth of g × step. Chosen here.
+/// Mass of moving ground over that of all stones: they change its velocity by less than a billionth of g × step. Our choice.
 const HEAVY: f64 = 1e9;
 
 impl Run {
@@ -12,7 +12,7 @@ impl Run {
         HEAVY * self.assembly.bodies.iter().map(|body| body.mass).sum::<f64>()
     }
 
-    /// Ground that moves takes part in a solution with its velocity, and so heavy that it keeps it.
+    /// Includes moving ground in a solution, with its velocity and a mass so large that the velocity does not change.
     pub(super) fn hold_ground(&mut self) {
         let mass = self.ground_mass();
         for index in self.assembly.stones().end..self.assembly.bodies.len() {
@@ -27,7 +27,7 @@ impl Run {
         }
     }
 
-    /// Impulse of stones on ground that moves, as solved, N s.
+    /// Solved impulse of stones on moving ground, N s.
     pub(super) fn push_on_ground(&self, index: usize) -> DVec3 {
         let [x, y, z, ..] = self.velocity[index];
         (DVec3::new(x, y, z) - self.assembly.bodies[index].velocity) * self.ground_mass()

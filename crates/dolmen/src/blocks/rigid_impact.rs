@@ -7,17 +7,17 @@ use super::rigid_run::{FOUND_M, Ground, IMPACT_FROM, Run, Unsolved, halves, six}
 use super::rigid_solve::Inertia;
 use glam::DVec3;
 
-/// Impacts closer together than this fraction of a step count as one. Chosen here.
+/// Impacts closer together than this fraction of a step count as one. Our choice.
 const SAME_TIME: f64 = 0.01;
 /// Largest number of halvings of a rebound until the impact creates no energy; after the last there is no rebound.
 const REBOUNDS_MOST: usize = 6;
-/// Relative energy that counts as zero. Chosen here.
+/// Relative energy that counts as zero. Our choice.
 const ROUNDING: f64 = 1e-9;
-/// Tolerance of the restitution of a rocking joint, relative to the closing velocity, and largest number of trial solutions. Chosen here.
+/// Tolerance of the restitution of a rocking joint, relative to the closing velocity, and largest number of trial solutions. Our choice.
 const KEPT_TO: f64 = 1e-6;
 const BRAKES_MOST: usize = 6;
 /// Largest couple in the search, relative to the first estimate, which is for the stone alone: the mass on its edge makes the couple up to about ten
-/// times as large. Chosen here.
+/// times as large. Our choice.
 const COUPLE_MOST: f64 = 100.0;
 
 /// Largest number of false-position steps for locating an impact.

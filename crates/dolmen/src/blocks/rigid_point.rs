@@ -1,11 +1,11 @@
 //! One point of a contact under the rigid law.
 
-/// How a point takes part.
+/// State of a point in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
-    /// Too far away to touch in this step.
+    /// Too far away for contact in this step.
     Away,
-    /// It may touch.
+    /// Contact is possible.
     Near,
 }
 
@@ -18,26 +18,26 @@ pub(super) struct Point {
     pub(super) weight: f64,
     /// Weight along the plane: larger where the pressure is larger.
     pub(super) shear_weight: f64,
-    /// Part of the force that it is expected to carry; negative if none is expected of the face.
+    /// Expected share of the force; negative if no force on the face is expected.
     pub(super) share: f64,
     pub(super) friction: f64,
     /// Gap now, m.
     pub(super) gap: f64,
-    /// Gap at the end of the step if it moves on as it did, m.
+    /// Gap at the end of the step at unchanged velocities, m.
     pub(super) gap_ahead: f64,
     /// Along the two axes of the plane, then the normal.
     pub(super) offset: [f64; 3],
     pub(super) held: [f64; 3],
     pub(super) impulse: [f64; 3],
-    /// μ |u_t| as held by a convex problem, m/s.
+    /// μ |u_t| as fixed by a convex problem, m/s.
     pub(super) lift: f64,
     pub(super) part: Part,
     pub(super) slips: bool,
-    /// Whether it slipped in the step before.
+    /// Whether it slipped in the last step.
     pub(super) slid: bool,
-    /// Direction along which it slipped in the last Newton step; zeros if it did not.
+    /// Direction of its slip in the last Newton step; zeros without slip.
     pub(super) along: [f64; 2],
-    /// Index in the patch; beyond it for points that are made for an impact.
+    /// Index in the patch; beyond it for points added for an impact.
     pub(super) index: usize,
 }
 

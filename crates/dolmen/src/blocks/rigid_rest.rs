@@ -8,9 +8,9 @@ use super::rigid_faces::Face;
 use super::rigid_point::{ForceTorque, Part};
 use glam::{DMat3, DVec3};
 
-/// Tolerance of the force balance, relative, for rounding. Chosen here.
+/// Tolerance of the force balance, relative, for rounding. Our choice.
 const BALANCED: f64 = 1e-12;
-/// Largest fraction of the friction that may be used, for rounding. Chosen here.
+/// Largest fraction of the friction that may be used, for rounding. Our choice.
 const FRICTION_PART: f64 = 1.0 - 1e-9;
 
 /// A joint and the mass above it.

@@ -18,30 +18,30 @@ use super::rigid_rest::AtRest;
 use super::rigid_solve::{Inertia, LOOSE_FROM_M_S, Momentum, Solver};
 use glam::DVec3;
 
-/// Gap up to which a point counts as touching, m: far above rounding, far below visible gaps. Chosen here.
+/// Gap up to which a point counts as touching, m: far above rounding, far below visible gaps. Our choice.
 const TOUCHES_M: f64 = 1e-8;
-/// Gap at which the time of an impact is found, m. Chosen here.
+/// Gap at which the time of an impact is found, m. Our choice.
 pub(super) const FOUND_M: f64 = 1e-10;
-/// Impacts found in one step; what else meets in it does so at its end. Chosen here.
+/// Most impacts located in one step; further ones are resolved at its end. Our choice.
 const IMPACTS_MOST: usize = 30;
-/// Closing velocity, over g h, from which an impact is found inside the step and restitution counts: slower ones are what a step adds
-/// itself. Chosen here.
+/// Closing velocity, over g h, from which an impact is located inside the step and restitution applies: slower ones are an effect of
+/// the step. Our choice.
 pub(super) const IMPACT_FROM: f64 = 0.5;
-/// Velocity below which a stack is at rest, m/s: ten times the tolerance of a solution. Chosen here: in terms of acceleration over a step,
+/// Velocity below which a stack is at rest, m/s: ten times the tolerance of a solution. Our choice: in terms of acceleration over a step,
 /// 1e-5 g.
 const AT_REST_M_S: f64 = 1e-7;
-/// Times that points on their way are added to a solution.
+/// Most additions of closing points to a solution.
 const ADDED_MOST: usize = 8;
-/// Way along the plane from which a point slips, m/s. Chosen here.
+/// Velocity along the plane from which a point slips, m/s. Our choice.
 const SLIPS_FROM_M_S: f64 = 1e-7;
-/// Part of a step that is not begun after an impact: rounding. Chosen here.
+/// Shortest rest of a step that is computed after an impact, as a fraction: rounding. Our choice.
 const SHORTEST_PART: f64 = 1e-9;
 /// Gap error of points at the end of a drift that is accepted if further iterations do not reduce it, m: a tenth of a micrometre. Chosen
 /// here.
 const OFF_WORST_M: f64 = 1e-7;
-/// Times that a drift is halved when there is no solution for the whole. Chosen here.
+/// Most halvings of a drift without a solution for the whole. Our choice.
 const HALVINGS_MOST: usize = 6;
-/// Depth of new points beyond which they are not pushed out, m. Chosen here.
+/// Depth of new points from which they are not pushed out, m. Our choice.
 const HOLDS_FROM_M: f64 = 1e-9;
 
 /// Energies of a step: work input, work of contacts, friction loss, J.
@@ -83,7 +83,7 @@ pub(super) struct Run {
     pub(super) evidence: RigidEvidence,
     pub(super) h: f64,
     pub(super) solver: Solver,
-    /// Pairs of bodies that the solver was made for.
+    /// Pairs of bodies of the present solver.
     pub(super) touching: Vec<[usize; 2]>,
     pub(super) faces: Vec<Face>,
     pub(super) memory: Vec<Memory>,
@@ -95,7 +95,7 @@ pub(super) struct Run {
     held: Forces,
     pub(super) at_rest: Option<AtRest>,
     pub(super) lag_s: f64,
-    /// Length of the drift that the velocities were solved for.
+    /// Length of the drift of the solved velocities.
     pub(super) drift_s: f64,
     /// Whether an impact is being resolved.
     pub(super) strikes: bool,
@@ -106,7 +106,7 @@ pub(super) struct Run {
     pub(super) acceleration: Vec<DVec3>,
     pub(super) forces: Forces,
     pub(super) counted: StepEnergy,
-    /// Ground that moves.
+    /// Moving ground.
     pub(super) ground: OwnGround,
 }
 
@@ -157,7 +157,7 @@ impl Run {
         [counted.input, counted.contact, counted.friction]
     }
 
-    /// Finds the velocities of the step that begins.
+    /// Solves for the velocities of the next step.
     pub(super) fn begin(&mut self, time_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
         self.assembly.look();
         self.ground.place(&mut self.assembly.bodies, time_s, self.h);
@@ -168,7 +168,7 @@ impl Run {
         self.kick_on(time_s, self.h, ground)
     }
 
-    /// Carries them out, with the impacts of the step.
+    /// Applies the velocities, with the impacts of the step.
     pub(super) fn finish(&mut self, time_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
         if self.at_rest.as_ref().is_some_and(AtRest::held) {
             self.lag_s = 0.5 * self.h;
@@ -202,8 +202,7 @@ impl Run {
         }
     }
 
-    /// Solves for the velocities in the middle of a drift of `left_s`, or of the largest half, quarter … of it for which there is a
-    /// solution.
+    /// Solves for the velocities in the middle of a drift of `left_s`, or of the largest half, quarter … of it with a solution.
     fn kick_on(&mut self, time_s: f64, left_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
         self.drift_s = left_s;
         let mut kicked = self.kick(time_s, ground);
@@ -249,7 +248,7 @@ impl Run {
         rests
     }
 
-    /// The faces as they are now, for a drift of `h` s.
+    /// The present faces, for a drift of `h` s.
     pub(super) fn see_faces(&mut self, h: f64, same_time_s: f64) {
         let mut ahead: Vec<RigidBody> = self.assembly.bodies.clone();
         let moves = |body: &RigidBody| body.velocity != DVec3::ZERO || body.spin != DVec3::ZERO;
@@ -302,7 +301,7 @@ impl Run {
         Ok(())
     }
 
-    /// Solves for the velocities at the end of a kick, at the faces seen; bodies count as turned on for `ahead_s`.
+    /// Solves for the velocities at the end of a kick, with the present faces; bodies are rotated forward by `ahead_s`.
     pub(super) fn kick_over(
         &mut self,
         time_s: f64,
@@ -362,7 +361,7 @@ impl Run {
             inertia: &self.inertia,
             free: &self.momentum,
         };
-        // what an impact leaves of closing velocities up to those that count as none, the contact of the next drift takes
+        // the next drift resolves closing velocities that an impact leaves below its threshold
         let worst_m_s = match self.strikes {
             true => IMPACT_FROM * self.assembly.gravity * self.h,
             false => OFF_WORST_M / self.drift_s,
@@ -380,7 +379,7 @@ impl Run {
         Ok(())
     }
 
-    /// Accelerations and forces of the kick just solved, for who looks at it.
+    /// Stores accelerations and forces of the last kick for observers.
     pub(super) fn note_forces(&mut self) {
         let per_kick = 1.0 / self.kick_s;
         self.forces.clear(self.assembly.bodies.len());
@@ -446,7 +445,7 @@ impl Run {
         bodies
     }
 
-    /// Gives the solved velocities to the bodies, and counts what was done.
+    /// Gives the solved velocities to the bodies, and counts the energies.
     pub(super) fn commit(&mut self) {
         let small = |v: &ForceTorque| v.iter().all(|value| value.abs() < AT_REST_M_S);
         let rests = self.velocity.iter().all(small);
@@ -511,7 +510,7 @@ impl Run {
         }
     }
 
-    /// New points that lie in the other body, as drawn or met unseen, are not pushed out.
+    /// Does not push out new points that penetrate as drawn or undetected.
     fn hold_overlaps(&mut self) {
         let looked = self.assembly.looked().to_vec();
         for pair in looked {
@@ -531,7 +530,7 @@ impl Run {
     }
 }
 
-/// Closing velocity of an open point that would meet in a drift of `left_s`, m/s.
+/// Closing velocity of an open point that would close in a drift of `left_s`, m/s.
 fn closing(ahead: &ForceTorque, twist: &ForceTorque, point: &Point, left_s: f64) -> Option<f64> {
     let now = velocity(twist, point.x, point.y)[2];
     let gap = point.gap_ahead + left_s * (now - velocity(ahead, point.x, point.y)[2]);

@@ -14,22 +14,22 @@ use super::rigid_faces::{Face, Stiffness};
 use super::rigid_point::ForceTorque;
 use glam::{DMat3, DVec3};
 
-/// Residual of the momentum balance, over the mass, at which Newton's method ends, m/s. Chosen here: far below any visible motion.
+/// Residual of the momentum balance, over the mass, at which Newton's method ends, m/s. Our choice: far below any visible motion.
 pub(super) const LEFT_MOST_M_S: f64 = 1e-9;
 /// Residual of the contact law, m/s, at which a solution is converged, or at which it is accepted if further updates do not reduce it. Chosen
 /// here.
 pub(super) const OFF_MOST_M_S: f64 = 1e-8;
 const STAYS_M_S: f64 = 1e-6;
-/// Residual of the contact law from which an accepted solution counts as loose, m/s. Chosen here.
+/// Residual of the contact law from which an accepted solution counts as loose, m/s. Our choice.
 pub(super) const LOOSE_FROM_M_S: f64 = 1e-6;
 /// With unchanged weights: largest number of Newton steps per set of multipliers, and largest number of updates of the multipliers. Chosen
 /// here.
 const DIRECT_STEPS: usize = 10;
 const DIRECT_ROUNDS: usize = 20;
-/// Factor by which each update of the multipliers must reduce the residual of the contact law. Chosen here.
+/// Factor by which each update of the multipliers must reduce the residual of the contact law. Our choice.
 const SLOWEST: f64 = 0.8;
 /// Parameters of soft weights: the first σ, the factor to the next, Newton steps and halvings for each, sets of multipliers, and number of
-/// sets without a solution after which the method stops. Chosen here, on falling stacks of 10 to 20 stones.
+/// sets without a solution after which the method stops. Our choice, on falling stacks of 10 to 20 stones.
 const SOFTEST_FIRST: f64 = 1e-2;
 const HARDER: f64 = 10.0;
 const SOFT_STEPS: usize = 20;

@@ -5,21 +5,21 @@ use super::error::BlocksError;
 use super::history::StackHistory;
 use super::observe::{Observer, whole_at_least};
 
-/// Time between looks at whether a run may end, s. Chosen here: swings that matter take several times as long.
+/// Time between tests whether a run may end, s. Our choice: relevant periods are several times as long.
 const AGAIN_S: f64 = 0.1;
 
-/// Largest number of steps without confirmation by the user. Chosen here: with 20 stones they take about ten minutes.
+/// Largest number of steps without confirmation by the user. Our choice: with 20 stones they take about ten minutes.
 const STEPS_MOST: f64 = 2e7;
-/// Largest number of history samples of such a run. Chosen here: with 20 stones they take a few gigabytes.
+/// Largest number of history samples of such a run. Our choice: with 20 stones they take a few gigabytes.
 const SAMPLES_MOST: f64 = 1e6;
 
-/// Samples may lie this far apart, s, however short the run is: then it has its first alone.
+/// Longest time between samples, s, of any run, however short: it then has only its first sample.
 const SAMPLED_AT_LEAST_S: f64 = 1.0;
 
-/// How long a run is, in steps.
+/// Duration of a run, in steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RunLength {
-    /// After which it is judged next.
+    /// The step of the next test.
     due: usize,
     least: usize,
     most: usize,
@@ -28,11 +28,11 @@ pub(super) struct RunLength {
 }
 
 impl RunLength {
-    /// `given_s`; or the shaking, the time to rest, and as much more, up to [`StackHistory::LONGER_MOST_S`], as the stack needs.
+    /// `given_s`; or the shaking, the time to rest, and up to [`StackHistory::LONGER_MOST_S`] more if the stack needs it.
     ///
     /// # Errors
-    /// [`BlocksError`] where samples lie farther apart than the run is long, or where it needs more than [`STEPS_MOST`] steps of `h` or
-    /// [`SAMPLES_MOST`] samples and is not to be computed `however_long` it is.
+    /// [`BlocksError`] where the time between samples exceeds the run, or where the run needs more than [`STEPS_MOST`] steps of `h` or
+    /// [`SAMPLES_MOST`] samples and `however_long` is false.
     pub(super) fn of(
         given_s: Option<f64>,
         [shaken_s, rest_s]: [f64; 2],
@@ -56,7 +56,7 @@ impl RunLength {
             ),
         ];
         for (what, count, most) in works {
-            // beyond what can be counted, no one can wait for it
+            // a number of steps beyond any counter is rejected anyway
             if count > most && !(however_long && count < u32::MAX.into()) {
                 return Err(BlocksError::TooLong { what, count, most });
             }
@@ -75,7 +75,7 @@ impl RunLength {
         })
     }
 
-    /// The steps after which it is to be judged next.
+    /// The step of the next test.
     pub(super) fn due(&self) -> usize {
         self.due
     }

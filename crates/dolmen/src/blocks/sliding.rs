@@ -30,10 +30,10 @@ const STAGES: [[f64; 4]; 5] = [
 const TIMES: [f64; 5] = [0.25, 0.75, 11.0 / 20.0, 0.5, 1.0];
 const ERROR: [f64; 5] = [-3.0 / 16.0, -27.0 / 32.0, 25.0 / 32.0, 0.0, 0.25];
 
-/// Relative excess of the required force over the friction at which a joint is released. Chosen here: a delay of 1e-7 s in an
+/// Relative excess of the required force over the friction at which a joint is released. Our choice: a delay of 1e-7 s in an
 /// earthquake.
 const LETS_GO: f64 = 1e-6;
-/// Velocity of a slowing joint below which it stops, m/s. Chosen here: the remaining slip is 1e-18 m.
+/// Velocity of a slowing joint below which it stops, m/s. Our choice: the remaining slip is 1e-18 m.
 const STOPS_M_S: f64 = 1e-9;
 /// Fraction of the time until a slowing joint stops that one step may cover.
 const TOWARDS_STOP: f64 = 0.9;
@@ -42,7 +42,7 @@ const SMOOTH_FIRST: f64 = 10.0;
 const SMOOTH_LAST: f64 = 1e-13;
 /// Acceleration over gravity from which a joint at rest counts as released.
 const MOVES: f64 = 1e-8;
-/// Fraction of the weight that counts as zero. Chosen here: more than the change in a shortest step.
+/// Fraction of the weight that counts as zero. Our choice: more than the change in a shortest step.
 const WEIGHTLESS: f64 = 1e-7;
 /// Shortest step, s: the run ends if it has no solution.
 const STEP_LEAST_S: f64 = 1e-11;

@@ -10,7 +10,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-/// Most rounds in which points without pressure are left out.
+/// Most iterations in which points without pressure are removed.
 const ROUNDS_MOST: usize = 50;
 /// Largest number of iterations for the ratio of required to available friction of a joint.
 const GAUGE_STEPS_MOST: usize = 40;
@@ -18,7 +18,7 @@ const GAUGE_STEPS_MOST: usize = 40;
 const GAUGE_SMOOTH: f64 = 1e-6;
 
 /// Squared friction radius of a point's tributary area, over the area, because the area also resists spin about its own point.
-/// Without it the centre of rotation would be trapped at a point. Chosen here: a quarter of the value for a disc of that area.
+/// Without it the centre of rotation would be trapped at a point. Our choice: a quarter of the value for a disc of that area.
 /// Pure twisting of 6 × 6 points is then 1.0 % too strong instead of 0.6 %.
 const CELL: f64 = 1.0 / (16.0 * std::f64::consts::PI);
 
@@ -27,12 +27,12 @@ pub(super) type Twist = DVec3;
 /// Force and torque in the plane of a face.
 pub(super) type Wrench = DVec3;
 
-/// A turned by 90°: the velocity of a point at A from the centre of a unit spin.
+/// A rotated by 90°: the velocity of a point at A from the centre of a unit spin.
 pub(super) fn turned(a: DVec2) -> DVec2 {
     DVec2::new(-a.y, a.x)
 }
 
-/// A point that carries pressure.
+/// A point with pressure.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PressedPoint {
     /// From the reference point of the joint, m.
@@ -42,7 +42,7 @@ pub(super) struct PressedPoint {
     pub(super) force: f64,
 }
 
-/// Pressure on a bed and how it moves with its resultant.
+/// Pressure on a bed and its derivative with respect to the resultant.
 #[derive(Clone, Debug)]
 pub(super) struct Pressure {
     pub(super) points: Vec<PressedPoint>,
@@ -83,7 +83,7 @@ impl Pressure {
             let size = sums.x_axis.x * sums.y_axis.y * sums.z_axis.z;
             let determinant = sums.determinant();
             if determinant.is_nan() || determinant <= 1e-12 * size {
-                return None; // the points left lie on a line
+                return None; // the remaining points lie on a line
             }
             let inverse = sums.inverse();
             let plane = inverse * target;
@@ -122,7 +122,7 @@ impl Pressure {
             stiff: DMat3::ZERO,
             with_resultant: [DVec3::ZERO; 2],
         };
-        // a shift of the resultant by one unit tilts the plane by these
+        // tilt of the plane by a shift of the resultant by one unit
         let tilt = [DVec3::Y, DVec3::Z].map(|axis| self.inverse * (self.total * axis));
         for point in &self.points {
             let lever = turned(point.arm);
@@ -141,7 +141,7 @@ impl Pressure {
             for (derivative, tilt) in friction.with_resultant.iter_mut().zip(tilt) {
                 *derivative += point.area * tilt.dot(phi) * unit;
             }
-            // (1 − t tᵀ)/|u| between velocities, taken to the three components by the lever
+            // (1 − t tᵀ)/|u| between velocities, transformed to the three components by the lever
             let weight = mu * point.force / size;
             let (x, y) = (DVec3::new(1.0, 0.0, lever.x), DVec3::new(0.0, 1.0, lever.y));
             for (column, c) in [(0, DVec3::X), (1, DVec3::Y), (2, DVec3::Z)] {
@@ -152,7 +152,7 @@ impl Pressure {
         friction
     }
 
-    /// Radius of the bed about its resultant that weighs its spin: √(Σ N x²/Σ N).
+    /// Equivalent radius for spin: √(Σ N x²/Σ N) about the resultant.
     pub(super) fn radius(&self) -> f64 {
         let moment: f64 = self
             .points
@@ -162,7 +162,7 @@ impl Pressure {
         (moment / self.total).sqrt()
     }
 
-    /// How near a wrench is to what friction can give: 1 where the joint slips, below 1 where it holds.
+    /// Ratio of a wrench to the available friction: 1 where the joint slips, below 1 where it holds.
     ///
     /// ```text
     /// λ = max over u of  −W·u / h(u),   h(u) = μ Σ N_p |u_p|
@@ -171,7 +171,7 @@ impl Pressure {
         let force = wrench.truncate();
         let torque = wrench.z - self.resultant.perp_dot(force);
         let most = mu * self.total;
-        // what sliding alone and spinning alone give, put together, holds already
+        // a combination of pure sliding and pure spin already shows that the joint holds
         let spin = self.friction(mu, turned(self.resultant).extend(0.0) * -1.0 + DVec3::Z, 0.0);
         let (aside, spin) = (
             spin.wrench.truncate().length(),
@@ -184,7 +184,7 @@ impl Pressure {
         self.exact_gauge(mu, wrench)
     }
 
-    /// 1 / min h(u) over −W·u = 1, by Newton's method in the two directions left.
+    /// 1 / min h(u) over −W·u = 1, by Newton's method in the remaining two directions.
     fn exact_gauge(&self, mu: f64, wrench: Wrench) -> f64 {
         let radius = self.radius();
         let scale = DVec3::new(1.0, 1.0, 1.0 / radius); // spins as velocities at the radius

@@ -1,9 +1,9 @@
-//! A chain of flat-bedded blocks in plan: where they are, how they move, and what every bed then has to carry.
+//! A chain of flat-bedded blocks in plan: positions, motion, and the load on every bed.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | c_i, θ_i | `centre_m`, `yaw_rad` | centroid in plan and turn of block i, counted from the bottom | m, rad |
-//! | s_i, ψ_i | [`Place`] | the same as seen from the block below | m, rad |
+//! | c_i, θ_i | `centre_m`, `yaw_rad` | centroid in plan and rotation of block i, counted from the bottom | m, rad |
+//! | s_i, ψ_i | [`Place`] | the same relative to the block below | m, rad |
 //! | w_i | `twist` | velocity of block i at c_i, and its spin, relative to the block below | m/s, rad/s |
 //! | k_i | – | ẇ_i | m/s², rad/s² |
 //! | W_i | – | force and torque about c_i on block i from its bed | N, N m |
@@ -14,7 +14,7 @@ use super::sliding_bed::{Twist, Wrench, turned};
 use crate::structure::stack::{Body, Polygon, Stack};
 use glam::{DVec2, DVec3};
 
-/// Beds lie in one plane to this, over the size of the stone. Chosen here: rounding of coordinates.
+/// Tolerance for points of a bed in one plane, over the size of the stone. Our choice: rounding of coordinates.
 const FLAT: f64 = 1e-9;
 
 /// One block of the chain.
@@ -38,7 +38,7 @@ pub(super) struct Stone {
     pub(super) friction_kinetic: f64,
     /// Largest extent of its bed, m.
     pub(super) bed_size: f64,
-    /// Mass of it and all above, kg.
+    /// Mass of the block and of all above, kg.
     pub(super) carried: f64,
 }
 
@@ -49,7 +49,7 @@ pub(super) struct Place {
     pub(super) yaw: f64,
 }
 
-/// Places and velocities of all blocks, and the points of their beds.
+/// Positions and velocities of all blocks, and the points of their beds.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Motion {
     pub(super) centre_m: Vec<DVec2>,
@@ -178,7 +178,7 @@ impl Chain {
         Ok(Chain { stones, rule })
     }
 
-    /// Where the blocks stand as drawn.
+    /// Positions of the blocks as drawn.
     pub(super) fn drawn(&self) -> Vec<Place> {
         let mut below = DVec2::ZERO;
         let place = |stone: &Stone| {
@@ -189,7 +189,7 @@ impl Chain {
         self.stones.iter().map(place).collect()
     }
 
-    /// Rates of the places: ds_i/dt = R(−θ_{i−1}) times the sliding velocity.
+    /// Rates of the positions: ds_i/dt = R(−θ_{i−1}) times the sliding velocity.
     pub(super) fn rates(&self, motion: &Motion, twists: &[Twist]) -> Vec<Place> {
         let below = std::iter::once(0.0).chain(motion.yaw_rad.iter().copied());
         let rate = |(twist, below): (&Twist, f64)| Place {
@@ -199,7 +199,7 @@ impl Chain {
         twists.iter().zip(below).map(rate).collect()
     }
 
-    /// Places and velocities in the frame of the ground, from those relative to the block below.
+    /// Positions and velocities in the frame of the ground, from those relative to the block below.
     pub(super) fn motion(&self, places: &[Place], twists: &[Twist]) -> Motion {
         let n = self.stones.len();
         let mut motion = Motion::default();
@@ -225,7 +225,7 @@ impl Chain {
         let stone = &self.stones[i];
         let own = DVec2::from_angle(yaw);
         if i > 0 {
-            // the lower face's corners as the block below sees them
+            // the lower face's corners in the frame of the block below
             let seen = DVec2::from_angle(yaw - lower_yaw);
             let shift = DVec2::from_angle(-lower_yaw).rotate(arm);
             let top = &self.stones[i - 1].top;

@@ -2,57 +2,57 @@
 
 use super::history::{JointHistory, Pose};
 
-/// How a run of [`super::simulate_sliding`] ended.
+/// The end of a run of [`super::simulate_sliding`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SlidingOutcome {
-    /// No joint was let go: all blocks moved with the ground.
+    /// No joint was released: all blocks moved with the ground.
     Stuck,
-    /// At least one slid or twisted.
+    /// At least one joint slid or twisted.
     Slid,
-    /// The pressure left a bed, so that the blocks above begin to rock, which the model does not follow: the run ends there.
+    /// The pressure left a bed, so that the blocks above begin to rock, which the model does not include: the run ends there.
     Rocks {
         /// The joint, as an index of the stack's joints.
         joint: usize,
         /// When, s.
         at_s: f64,
     },
-    /// The ground fell away faster than the blocks, which the model does not follow: the run ends there.
+    /// The ground moved down faster than the blocks fall, which the model does not include: the run ends there.
     LeftTheGround {
         /// When, s.
         at_s: f64,
     },
-    /// The caller stopped it.
+    /// The caller stopped the run.
     Stopped {
         /// When, s.
         at_s: f64,
     },
 }
 
-/// A time over which a joint slid or twisted.
+/// A period in which a joint slid or twisted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlidingSpell {
     /// The joint, as an index of the stack's joints.
     pub joint: usize,
     /// From when, s.
     pub from_s: f64,
-    /// To when, s; the end of the run if it still moved.
+    /// End, s; the end of the run if it still moved.
     pub to_s: f64,
 }
 
 /// Motion of a sliding pile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlidingHistory {
-    /// How it ended.
+    /// The end of the run.
     pub outcome: SlidingOutcome,
     /// Times of the samples, s.
     pub time_s: Vec<f64>,
     /// Number of blocks, the row length of `poses`.
     pub blocks: usize,
-    /// Where each block is: samples × blocks, row by row.
+    /// Pose of each block: samples × blocks, row by row.
     pub poses: Vec<Pose>,
-    /// One history a joint of the stack; none opens.
+    /// One history per joint of the stack; none opens.
     pub joints: Vec<JointHistory>,
-    /// When joints moved, in the order in which they stopped.
+    /// Periods of motion of the joints, in the order in which they stopped.
     pub spells: Vec<SlidingSpell>,
     /// Work of the shaking in the frame of the ground, J.
     pub input_j: f64,

@@ -18,7 +18,7 @@ struct Watch {
     from_lower: DVec2,
     /// Its first two axes.
     axes: [DVec2; 2],
-    /// Since when it slides.
+    /// Start of the present sliding.
     slides_from_s: Option<f64>,
 }
 
@@ -123,7 +123,7 @@ impl Recorder {
         self.see(&after.places);
     }
 
-    /// Slip and turn of the joints at some places.
+    /// Slip and rotation of the joints at given positions.
     fn seen(&self, places: &[Place]) -> Vec<([f64; 2], f64)> {
         let of = |(watch, place): (&Watch, &Place)| {
             let upper = place.shift + DVec2::from_angle(place.yaw).rotate(watch.from_upper);
@@ -169,7 +169,7 @@ impl Recorder {
         self.history.poses.extend(poses);
     }
 
-    /// Joints have been let go or have stopped.
+    /// Records joints that were released or have stopped.
     pub(super) fn changed(&mut self, slides: &[Slide], at_s: f64) {
         for (watch, slide) in self.watches.iter_mut().zip(slides) {
             match (*slide == Slide::Stuck, watch.slides_from_s) {

@@ -1,7 +1,7 @@
-//! Accelerations of a sliding pile, by Newton's method: those for which the friction of every bed equals its load.
+//! Accelerations of a sliding pile, by Newton's method: the friction of every bed must equal its load.
 //!
 //! ```text
-//! W_i(k) = −μ Σ N_p(k) (t_p, x_p × t_p)  where a joint slides,   k_i = 0 where it is stuck        one row of three a joint
+//! W_i(k) = −μ Σ N_p(k) (t_p, x_p × t_p)  where a joint slides,   k_i = 0 where it is stuck        three rows per joint
 //! ```
 
 use super::sliding_bed::{Friction, Pressure, Twist, Wrench};
@@ -30,7 +30,7 @@ pub(super) enum Slide {
     },
 }
 
-/// Where accelerations are wanted: places and twists are `places` + gh ẋ and `twists` + gh k.
+/// Stage of the accelerations: positions and twists are `places` + gh ẋ and `twists` + gh k.
 #[derive(Clone, Debug)]
 pub(super) struct Stage<'a> {
     pub(super) places: &'a [Place],
@@ -49,11 +49,11 @@ pub(super) struct Solved {
     pub(super) twists: Vec<Twist>,
     pub(super) motion: Motion,
     pub(super) load: Load,
-    /// Pressure of each joint that slides.
+    /// Pressure of each sliding joint.
     pub(super) pressures: Vec<Option<Pressure>>,
 }
 
-/// Why there are no accelerations.
+/// Why no accelerations exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum NoAcceleration {
     /// The pressure leaves the bed: the block above this joint begins to rock.
@@ -63,7 +63,7 @@ pub(super) enum NoAcceleration {
 }
 
 impl Chain {
-    /// Accelerations that fulfil friction at a stage, from a first guess.
+    /// Accelerations that satisfy friction at a stage, from a first guess.
     pub(super) fn accelerations(&self, stage: &Stage<'_>, guess: &[Twist]) -> Result<Solved, NoAcceleration> {
         let free: Vec<usize> = (0..guess.len())
             .filter(|&i| stage.slides[i] != Slide::Stuck)
@@ -112,7 +112,7 @@ impl Chain {
         }
     }
 
-    /// Everything that goes with given accelerations.
+    /// All quantities for given accelerations.
     fn at(&self, stage: &Stage<'_>, k: Vec<Twist>) -> Result<Solved, NoAcceleration> {
         let gh = stage.gh;
         let twists: Vec<Twist> = stage.twists.iter().zip(&k).map(|(w, k)| *w + gh * *k).collect();
@@ -157,7 +157,7 @@ impl Chain {
         Pressure::of(&motion.beds[joint], total, load.resultant[joint]).ok_or(NoAcceleration::Rocks(joint))
     }
 
-    /// Friction of the joints that slide, and the residual to their load.
+    /// Friction of the sliding joints, and its residual to their load.
     fn rows(&self, stage: &Stage<'_>, solved: &Solved, free: &[usize]) -> Vec<(Wrench, Friction)> {
         let row = |&i: &usize| {
             let (u, mu) = match stage.slides[i] {
@@ -188,7 +188,7 @@ impl Chain {
         rows.iter().zip(free).map(of).fold(0.0, f64::max)
     }
 
-    /// The step of Newton's method: the load is linear in k, friction turns with the velocity and grows with the pressure.
+    /// Newton step: the load is linear in k, friction rotates with the velocity and grows with the pressure.
     fn newton(
         &self,
         stage: &Stage<'_>,
@@ -226,7 +226,7 @@ impl Chain {
             .iter()
             .flat_map(|(residual, _)| residual.to_array())
             .collect();
-        // columns of joints that are all but stuck are a power of ten per digit larger
+        // columns of almost stuck joints are larger by a power of ten per digit
         let scale: Vec<f64> = (0..3 * n)
             .map(|column| {
                 1.0 / matrix

@@ -1,7 +1,7 @@
-//! The springs law in time: explicit, symplectic, with a step that is chosen and said.
+//! The springs law in time: explicit, symplectic, with a step that Dolmen chooses and states.
 //!
-//! Stages of a step at time t: look again at pairs that have moved far → forces at the places of t with the velocities of
-//! t − h/2 → velocities of t + h/2 → places of t + h.
+//! Stages of a step at time t: examine again pairs that have moved far → forces at the positions of t with the velocities
+//! of t − h/2 → velocities of t + h/2 → positions of t + h.
 
 use super::after_fall::AfterFall;
 use super::assembly::Assembly;
@@ -18,26 +18,29 @@ use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 use glam::DVec3;
 
-/// Part of the longest stable step that is taken: friction and impacts are not in the linear bound. Chosen here, from the
+/// Part of the longest stable step in use: the linear bound does not include friction and impacts. Our choice, from the
 /// errors in docs/stack-engine.md.
 const STEP_PART: f64 = 0.9;
 /// Fraction of the longest stable step if a joint has a `normal_restitution`: at 0.9 an impact on damped springs lasts two steps, and the restitution
-/// is up to a fifth too small. Chosen here.
+/// is up to a fifth too small. Our choice.
 const FALLS_STEP_PART: f64 = 0.1;
+
+/// Fraction of the longest stable step for loose stones, whose contacts come and go: the step does not know their dashpots. Chosen here.
+const LOOSE_STEP_PART: f64 = 0.3;
 
 /// Energy made by contacts, over the work put in, from which a run is done again at half the step. Chosen here.
 const MADE_MOST: f64 = 1e-3;
-/// Fraction of created energy from which a run is unusable. Chosen here.
+/// Fraction of created energy from which a run is unusable. Our choice.
 const MADE_UNUSABLE: f64 = 1e-2;
-/// Most halvings of the step. Chosen here.
+/// Most halvings of the step. Our choice.
 const HALVINGS_MOST: usize = 3;
 
-/// A push to one block before the start: a turn about a point, and velocities.
+/// An initial disturbance of one block: a rotation about a point, and velocities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// The block.
     pub block: usize,
-    /// The point about which it is turned, m, as drawn.
+    /// The point of the rotation, m, as drawn.
     pub pivot_m: [f64; 3],
     /// Rotation vector, rad.
     pub turn_rad: [f64; 3],
@@ -68,22 +71,22 @@ impl Start {
 pub struct Springs {
     /// Contact points of a joint. Default 4 × 4.
     pub contact_rule: ContactRule,
-    /// Time step, s; `None`, the default, for 0.9 of the longest stable one (0.1 where a joint has a `normal_restitution`), shortened so that samples are whole steps apart,
-    /// and halved up to three times where contacts would make more than a thousandth of the work put in.
+    /// Time step, s; `None`, the default: 0.9 of the longest stable one (0.1 where a joint has a `normal_restitution`), shortened so that
+    /// samples are whole steps apart, and halved up to three times where contacts would create more than a thousandth of the input energy.
     pub time_step_s: Option<f64>,
-    /// Length of the run, s; `None`, the default, for the motion and `rest_s` more, and then until the stack is at rest
-    /// or swings less and less, for up to [`StackHistory::LONGER_MOST_S`].
+    /// Duration of the run, s; `None`, the default: the motion and `rest_s`, and then until the stack is at rest or
+    /// rocks with decreasing amplitude, for at most [`StackHistory::LONGER_MOST_S`].
     pub duration_s: Option<f64>,
-    /// Time after the motion that is always run, s. Default 2.
+    /// Time that is always simulated after the motion, s. Default 2.
     pub rest_s: f64,
     /// Time between samples of the history, s; with a `time_step_s` that does not divide it, the nearest whole number of
     /// steps. Default 0.01.
     pub output_step_s: f64,
     /// What happens after a stone has fallen. Default: the run stops.
     pub after_fall: AfterFall,
-    /// Pushes before the start. Default none.
+    /// Initial disturbances. Default none.
     pub starts: Vec<Start>,
-    /// Whether a run of more than 20 million steps or a million samples is computed all the same. Default: it is refused.
+    /// Whether to compute a run of more than 20 million steps or a million samples. Default: such a run is refused.
     pub however_long: bool,
 }
 
@@ -198,7 +201,7 @@ pub(super) struct SettledStack {
 
 impl SettledStack {
     /// # Errors
-    /// As [`simulate_springs`], but for its starts.
+    /// As [`simulate_springs`], except those of initial disturbances.
     pub(super) fn of(stack: &Stack, options: &Springs) -> Result<Self, BlocksError> {
         let rest_s = options.rest_s;
         check_times(
@@ -208,16 +211,25 @@ impl SettledStack {
             rest_s,
         )?;
         let mut assembly = Assembly::of(stack, options.contact_rule);
-        settle(&mut assembly, stack)?;
+        match stack.loose_material() {
+            None => settle(&mut assembly, stack)?,
+            Some(_) => assembly.look(),
+        }
         let longest = longest_step(&assembly);
         if let Some(given) = options.time_step_s.filter(|given| *given > longest) {
             return Err(BlocksError::StepTooLarge { given, most: longest });
         }
-        let bounces = stack
+        let mut materials = stack
             .joints()
             .iter()
-            .any(|joint| joint.material.normal_restitution > 0.0);
-        let part = if bounces { FALLS_STEP_PART } else { STEP_PART };
+            .map(|joint| &joint.material)
+            .chain(stack.loose_material());
+        let bounces = materials.any(|material| material.normal_restitution > 0.0);
+        let part = match stack.loose_material() {
+            _ if bounces => FALLS_STEP_PART,
+            Some(_) => LOOSE_STEP_PART,
+            None => STEP_PART,
+        };
         // a whole number of steps a sample
         let h = options.time_step_s.unwrap_or(
             options.output_step_s / whole_at_least(options.output_step_s / (part * longest)) as f64,
@@ -232,7 +244,7 @@ impl SettledStack {
     }
 }
 
-/// One of the runs at steps that are halved until contacts make no energy.
+/// A run at one step; the step is halved until contacts create no energy.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt {
     pub(super) h: f64,
@@ -247,7 +259,7 @@ impl Attempt {
         }
     }
 
-    /// The history if it can be used or no other would be better, else the attempt to make next.
+    /// The history if it is usable or no shorter step would improve it, else the next attempt.
     pub(super) fn judge(self, mut history: StackHistory, options: &Springs) -> Result<StackHistory, Attempt> {
         let made = history.energy_made_ratio();
         let last = self.halvings == HALVINGS_MOST || options.time_step_s.is_some();
@@ -265,7 +277,7 @@ impl Attempt {
     }
 }
 
-/// One run from rest at one step.
+/// A run from rest with one step.
 pub(super) struct Run<'a> {
     pub(super) assembly: Assembly,
     pub(super) observer: Observer,
@@ -283,7 +295,7 @@ pub(super) struct Run<'a> {
 
 impl<'a> Run<'a> {
     /// # Errors
-    /// [`BlocksError`] for a start of a block that is not there.
+    /// [`BlocksError`] for a disturbance of a block that does not exist.
     pub(super) fn new(
         stack: &Stack,
         settled: &SettledStack,
@@ -328,12 +340,12 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// Length of the kick from the velocities there are: those of t − h/2, at the start those of 0.
+    /// Length of the kick from the present velocities: those of t − h/2, or at the start those of 0.
     pub(super) fn kick(&self) -> f64 {
         if self.step == 0 { 0.5 * self.h } else { self.h }
     }
 
-    /// Lets the observer look, if it wants, at the forces of the present step; false if the run is over.
+    /// Shows the forces of the present step to the observer if it requests them; false if the run is over.
     pub(super) fn look(&mut self, forces: &Forces, progress: &mut dyn FnMut(f64) -> bool) -> bool {
         if !self.observer.wants(self.step) {
             return true;

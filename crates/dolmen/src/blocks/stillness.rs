@@ -6,17 +6,17 @@
 use super::history::StackHistory;
 
 /// Time without joint motion that counts as rest, s, divided into `PARTS` intervals; the observed time is up to one interval longer.
-/// Chosen here: half a second shows a rocking of 0.1 mm, except within 0.001 rad of the unstable position, which [`EDGE`] excludes.
+/// Our choice: half a second shows a rocking of 0.1 mm, except within 0.001 rad of the unstable position, which [`EDGE`] excludes.
 const STILL_S: f64 = 0.5;
 const PARTS: usize = 5;
-/// Range of opening, slip or twist above which a joint moves, m: 0.1 mm, as for uplift. Chosen here: elastic vibration of the contact
+/// Range of opening, slip or twist above which a joint moves, m: 0.1 mm, as for uplift. Our choice: elastic vibration of the contact
 /// springs is smaller.
 const STILL_M: f64 = StackHistory::UPLIFT_LEAST_M;
-/// Least distance of a stone from its edge for rest, as a fraction of that distance at the upright position. Chosen here.
+/// Least distance of a stone from its edge for rest, as a fraction of that distance at the upright position. Our choice.
 pub(super) const EDGE: f64 = 0.01;
-/// Interval over which rocking amplitudes are compared, s: about one swing of a stone 6 m high. Chosen here.
+/// Interval over which rocking amplitudes are compared, s: about one swing of a stone 6 m high. Our choice.
 const SWING_S: f64 = 5.0;
-/// Least distance of every stone from its edge, as a fraction of that at the upright position, for rocking that decays. Chosen here: a
+/// Least distance of every stone from its edge, as a fraction of that at the upright position, for rocking that decays. Our choice: a
 /// stone that leans by half of its overturning angle has three quarters of the energy to overturn, and gains none.
 const SWINGS_LEFT: f64 = 0.5;
 

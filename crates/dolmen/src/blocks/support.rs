@@ -4,13 +4,13 @@ use super::assembly::Assembly;
 use super::patch::LANES;
 use glam::{DVec2, DVec3};
 
-/// Least share of a joint's normal that points up for it to carry, as cosine: what leans beside a stone does not. Chosen here.
+/// Least upward component of a joint's normal for a support, as cosine: a face that leans against a stone is not one. Our choice.
 const CARRIES: f64 = 0.5;
-/// Sine of the slope of a bed from which a stone on it leans on others too: that of an angle of friction of 20°, below those of dressed stone.
-/// Chosen here.
+/// Sine of the slope of a bed from which a stone on it also leans on others: that of an angle of friction of 20°, below those of dressed
+/// stone. Our choice.
 const LEANS: f64 = 0.342;
-/// Sine of the slope of a bed, and of the angle between the faces of a stone, from which it is a wedge that pushes sideways. Chosen here: stones of
-/// a leaning tower, and of scans, have less.
+/// Sine of the slope of a bed, and of the angle between the faces of a stone, from which the stone is a wedge with lateral thrust. Our
+/// choice: stones of a leaning tower, and of scans, have less.
 const WEDGE: [f64; 2] = [0.139, 0.052];
 
 /// Distance, in plan, from the centroid of a body to the edge of the convex hull of its support, m: negative outside; `None` if it has no support.

@@ -1,10 +1,9 @@
-//! Reduction of the stiffness of a stack by gravity, and the number of toppling stones, within the skyline of the
-//! matrix.
+//! Reduction of the stiffness of a stack by gravity, and the number of toppling stones, within the skyline of the matrix.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | K | `springs` | stiffness of the contacts, all that are pressed stuck | N/m, N, N m |
-//! | G | `add_weights` | what the forces at rest add as stones move and turn | N/m, N, N m |
+//! | K | `springs` | stiffness of the contacts; all contacts in compression stick | N/m, N, N m |
+//! | G | `add_weights` | geometric stiffness: change of the forces at rest as stones move and rotate | N/m, N, N m |
 //! | M | `add_mass` | masses and inertias | kg, kg m² |
 //! | s | `shift` | (rad/s)² added to all eigenvalues | 1/s² |
 //! | f | `force` | force of a contact on the upper end S, in the ground's axes | N |
@@ -16,19 +15,18 @@ use super::matrices::{Closed, Entries, Part, add_contacts, add_mass, add_pressed
 use super::patch::LANES;
 use glam::DVec3;
 
-/// Fraction of the stiffness that is added to it against rounding: a stone without support counts as neutral. Chosen
-/// here.
+/// Fraction of the stiffness that is added to it against rounding: a stone without support counts as neutral. Chosen here.
 pub(super) const NEUTRAL: f64 = 1e-12;
 /// Halvings of the interval in which the factor lies, and its upper end.
 const HALVINGS: usize = 40;
 const FACTOR_MOST: f64 = 1e6;
-/// Smallest trial shift, (rad/s)², and factor to the next. Chosen here.
+/// Smallest trial shift, (rad/s)², and factor to the next. Our choice.
 const SHIFT_LEAST: f64 = 1e-6;
 const SHIFT_GROWS: f64 = 16.0;
 const SHIFTS_MOST: usize = 40;
 /// Halvings of the interval in which the shift lies: to 0.3 %.
 const SHIFT_HALVINGS: usize = 10;
-/// Number of inverse iterations: at such a shift each reduces all but the softest modes to a hundredth. Chosen here.
+/// Number of inverse iterations: at such a shift each reduces all but the softest modes to a hundredth. Our choice.
 const ROUNDS: usize = 12;
 
 /// The smallest factor on all springs with which a stack stands that does not stand on its own springs.
@@ -49,9 +47,9 @@ pub(super) fn factor_to_stand(stands: impl Fn(f64) -> bool) -> f64 {
 pub(super) enum Standing {
     /// K + G is positive definite.
     Stands,
-    /// It is not: the factor on K from which it is, and the block that moves farthest sideways in the softest mode.
+    /// It topples: the factor on K with which it would stand, and the block that moves farthest sideways in the softest mode.
     Topples { factor: f64, block: usize },
-    /// It cannot be factored within its outline.
+    /// The matrix has no factors within its skyline.
     Singular,
 }
 
@@ -85,7 +83,7 @@ impl<'a> TowerOutline<'a> {
         }
     }
 
-    /// The factors of K + G/`factor` + s M; `None` where it is singular.
+    /// The factors of K + G/`factor` + s M; `None` if it is singular.
     fn factors(&self, factor: f64, shift: f64) -> Option<BlockSkyline> {
         let mut matrix = self.springs.clone();
         let share = 0.5 / factor;
@@ -107,7 +105,7 @@ impl<'a> TowerOutline<'a> {
         factors.is_positive_definite().then_some(factors)
     }
 
-    /// The block that moves farthest sideways in the mode of the least eigenvalue of K + G against M.
+    /// The block that moves farthest sideways in the mode of the least eigenvalue of K + G with respect to M.
     ///
     /// ```text
     /// −s just below that eigenvalue, where K + G + s M is still positive definite:   (K + G + s M) x ← M x
@@ -132,7 +130,7 @@ impl<'a> TowerOutline<'a> {
             }
         }
         let blocks = self.assembly.bodies.len() - 1;
-        // no symmetry of the stack may hide its softest mode: a start that has none
+        // an asymmetric start, so that no symmetry of the stack hides its softest mode
         let mut x: Vec<[f64; SIX]> = (0..blocks)
             .map(|block| std::array::from_fn(|i| 1.0 + 0.618 * (((SIX * block + i).pow(2)) as f64).sin()))
             .collect();
@@ -209,7 +207,7 @@ pub(super) fn add_weights(assembly: &Assembly, matrix: &mut impl Entries) {
     }
 }
 
-/// Adds to G what one force does.
+/// Adds the geometric stiffness of one force to G.
 fn add_weight(matrix: &mut impl Entries, plane: (usize, DVec3), point: (usize, DVec3), force: DVec3) {
     let ((p, arm_p), (s, arm_s)) = (plane, point);
     for (moved, of_point) in [(p, false), (s, true)] {

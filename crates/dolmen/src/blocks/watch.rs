@@ -5,7 +5,7 @@ use super::bodies::{RigidBody, index_of};
 use crate::structure::stack::{Body, Joint};
 use glam::{DMat3, DVec3};
 
-/// A joint seen by its two bodies.
+/// A joint between its two bodies, to be observed.
 #[derive(Clone, Debug)]
 pub(super) struct Watch {
     pub(super) lower: usize,
@@ -24,7 +24,7 @@ pub(super) struct Watch {
     pub(super) settled_opening: f64,
 }
 
-/// How the upper body lies on the lower: largest gap at a corner, shift, turn.
+/// Pose of the upper body on the lower: largest gap at a corner, shift, rotation.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct RelativePose {
     pub(super) opening: f64,
@@ -117,7 +117,7 @@ fn transposed_times(matrix: &DMat3, v: DVec3) -> DVec3 {
     DVec3::new(matrix.x_axis.dot(v), matrix.y_axis.dot(v), matrix.z_axis.dot(v))
 }
 
-/// Angle of a direction, rad: the series for small ones, ten times as fast, its error below 1e-17.
+/// Angle of a direction, rad: for small ones by a series, ten times as fast, with an error below 1e-17.
 pub(super) fn angle(across: f64, along: f64) -> f64 {
     const SMALL: f64 = 0.02;
     if across.abs() > SMALL * along {

@@ -1,4 +1,4 @@
-/// One number of a source, or of a second method of this crate, beside ours.
+/// One number of a source, or of a second method of this crate, compared with ours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
     /// Author and year.

@@ -34,7 +34,7 @@ pub enum ValidationError {
     /// Its frequencies could not be computed.
     #[error(transparent)]
     Blocks(#[from] BlocksError),
-    /// It could not be moved in time.
+    /// Its motion in time could not be computed.
     #[error(transparent)]
     Dynamics(#[from] DynamicsError),
     /// A motion was refused.
@@ -43,7 +43,7 @@ pub enum ValidationError {
     /// Modes could not be identified.
     #[error(transparent)]
     Modal(#[from] crate::modal::ModalError),
-    /// A history could not be watched.
+    /// A history could not be analysed.
     #[error(transparent)]
     Monitoring(#[from] crate::monitoring::MonitoringError),
     /// A damper was refused.
@@ -55,7 +55,7 @@ pub enum ValidationError {
 }
 
 impl ValidationError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether an iteration ended before it converged: the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Structure(why) => why.did_not_converge(),

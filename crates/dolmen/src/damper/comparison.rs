@@ -79,7 +79,7 @@ impl Choice {
 /// One damper of the comparison and its effect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
-    /// Which damper.
+    /// The damper.
     pub choice: Choice,
     /// The damper.
     pub damper: PlacedDamper,

@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 /// spectra.
 const SWINGS: f64 = 3e-3;
 /// A mode of building and dampers counts as visible if its peak is at least this fraction of the highest peak of one of the building's own
-/// modes. Chosen here.
+/// modes. Our choice.
 const SEEN: f64 = 0.5;
 
 /// A mode of a building with its dampers.

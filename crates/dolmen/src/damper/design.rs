@@ -22,7 +22,7 @@ pub enum Goal {
     LargestPeak,
 }
 
-/// Where the search may move a damper.
+/// Region in which the search may move a damper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Place {
     /// It stays at its place.
@@ -53,7 +53,7 @@ pub struct DesignOptions {
     pub goal: Goal,
     /// Weight of each point, multiplied with its motion; empty means 1 each.
     pub weights: Vec<f64>,
-    /// Where dampers may move; default: anywhere on their floor.
+    /// Region in which dampers may move; default: anywhere on their floor.
     pub place: Place,
     /// Whether their frequencies may change; default free.
     pub frequency: Freedom,
@@ -86,7 +86,7 @@ impl Default for DesignOptions {
     }
 }
 
-/// How a search ended.
+/// The end of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -108,7 +108,7 @@ pub struct Design {
     pub cost: f64,
     /// Standard deviations of points and strokes, by assembled matrices.
     pub judged: Judged,
-    /// How the search ended.
+    /// The end of the search.
     pub end: DesignEnd,
     /// Number of steps of the search that found this design.
     pub iterations: usize,

@@ -33,7 +33,7 @@ pub struct DamperProblem {
     pub fixed: Vec<AttachedDamper>,
 }
 
-/// How finely frequencies are chosen.
+/// Resolution of the frequencies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanOptions {
     /// Tolerance of the variances without dampers and with those expected, by a conservative error estimate; default 1e-4 (our choice). Standard

@@ -5,7 +5,7 @@ use super::{ColumnAsMass, DamperError, Goal, PlacedDamper, Plan, TuningRule};
 use crate::numeric::{Minimax, minimax};
 use rayon::prelude::*;
 
-/// How the damper is tuned at each position.
+/// Tuning of the damper at each position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MapTuning {
     /// The given tuning, at every position.
@@ -30,7 +30,7 @@ pub struct PositionMapOptions {
     pub x_m: Vec<f64>,
     /// y of the positions, m.
     pub y_m: Vec<f64>,
-    /// How the damper is tuned at each position.
+    /// Tuning of the damper at each position.
     pub tuning: MapTuning,
     /// The quantity to minimise; [`Goal::LargestRms`] or [`Goal::MeanSquare`].
     pub goal: Goal,

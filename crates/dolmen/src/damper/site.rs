@@ -1,4 +1,4 @@
-//! Where mass dampers can stand: the floors of a building in plan.
+//! Sites of mass dampers: the floors of a building in plan.
 
 use super::{AttachedDamper, DamperError, DamperKind};
 use crate::structure::building::{nearest_on_floor, nearest_on_side};
@@ -6,7 +6,7 @@ use crate::structure::building::{nearest_on_floor, nearest_on_side};
 /// A rigid floor that can carry dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DamperSite {
-    /// The structure's degree of freedom that is u of the floor's reference point; v and θ follow it.
+    /// Index of the floor's u at its reference point among the structure's degrees of freedom; v and θ follow.
     pub first_degree_of_freedom: usize,
     /// Reference point in plan, m.
     pub reference_m: [f64; 2],
@@ -36,7 +36,7 @@ pub struct PlacedDamper {
 }
 
 impl DamperSite {
-    /// cos α (u − (y − y_r) θ) + sin α (v + (x − x_r) θ): coefficients of u, v, θ in the motion of a place along a direction.
+    /// cos α (u − (y − y_r) θ) + sin α (v + (x − x_r) θ): coefficients of u, v, θ in the motion of a place in direction α.
     pub fn coefficients(&self, place_m: [f64; 2], direction_degrees: f64) -> [f64; 3] {
         let [cos, sin] = unit(direction_degrees);
         let [x, y] = [0, 1].map(|i| place_m[i] - self.reference_m[i]);
@@ -102,10 +102,10 @@ fn unit(direction_degrees: f64) -> [f64; 2] {
 }
 
 impl PlacedDamper {
-    /// The damper on a row of the whole structure.
+    /// The damper with its coefficients for all degrees of freedom of the structure.
     ///
     /// # Errors
-    /// [`DamperError::OutsideFloor`] if it stands beyond the edge of its floor; [`DamperError::Argument`] for a site that does not exist.
+    /// [`DamperError::OutsideFloor`] if it is beyond the edge of its floor; [`DamperError::Argument`] for a site that does not exist.
     pub fn attached(
         &self,
         sites: &[DamperSite],

@@ -43,7 +43,7 @@ pub struct Together {
     pub judged: Judged,
     /// Value of the goal.
     pub cost: f64,
-    /// How the search ended.
+    /// The end of the search.
     pub end: DesignEnd,
 }
 

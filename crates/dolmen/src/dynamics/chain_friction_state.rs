@@ -8,7 +8,7 @@ use super::frame_model::Slider;
 pub(super) enum Change {
     /// Its moment has reached the static one, in this direction.
     Goes(f64),
-    /// It has come to a stop.
+    /// It has stopped.
     Stops,
 }
 

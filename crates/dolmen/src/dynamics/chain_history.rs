@@ -1,4 +1,4 @@
-//! The motion of a chain: how it ended, and everything needed to draw, to doubt and to repeat it.
+//! The motion of a chain: its end, and all data to draw, check and repeat it.
 
 use super::chain_rigid::ChainRigidJoint;
 
@@ -21,7 +21,7 @@ pub enum ChainOutcome {
         /// When, s.
         at_s: f64,
     },
-    /// At the end a link leaned further out than in the time before, and moved outwards: whether it falls is unknown.
+    /// At the end a link leaned further than before and moved outwards: whether it falls is unknown.
     StillLeaning {
         /// The link, 0 the lowest.
         link: usize,
@@ -35,10 +35,10 @@ pub enum ChainOutcome {
     },
 }
 
-/// A largest rotation, between the samples too.
+/// A largest rotation, including times between samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ChainPeak {
-    /// With its sign, rad.
+    /// The rotation with its sign, rad.
     pub rotation_rad: f64,
     /// When, s.
     pub at_s: f64,
@@ -49,13 +49,13 @@ pub struct ChainPeak {
 pub struct ChainUplift {
     /// The joint, 0 the lowest.
     pub joint: usize,
-    /// It opened, s.
+    /// Time of opening, s.
     pub from_s: f64,
-    /// It closed, s; the end of the run if it did not.
+    /// Time of closing, s; the end of the run if it stayed open.
     pub to_s: f64,
 }
 
-/// The largest displacement at a side support, between the samples too.
+/// The largest displacement at a side support, including times between samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ChainSupportPeak {
     /// Displacement from the stress-free position, with its sign, m.
@@ -77,7 +77,7 @@ pub struct ChainTouch {
     pub to_s: f64,
 }
 
-/// One interval in which a joint turned against its friction, in one direction.
+/// One interval in which a joint rotated against its friction, in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainSlip {
     /// The joint, 0 the lowest.
@@ -151,7 +151,7 @@ pub struct ChainHistory {
     pub touches: Vec<ChainTouch>,
     /// Slips of joints against their friction, in the order of their ends.
     pub slips: Vec<ChainSlip>,
-    /// Times at which some joint began to turn against its friction, reversed or stopped; simultaneous changes count once.
+    /// Times at which some joint began to rotate against its friction, reversed or stopped; simultaneous changes count once.
     pub friction_events: usize,
     /// Whether everything was at rest at the end, relative to the ground.
     pub at_rest: bool,
@@ -159,11 +159,11 @@ pub struct ChainHistory {
     pub energy_left_over_ratio: f64,
     /// Number of steps of the integration.
     pub steps: usize,
-    /// Whether a moment of inertia that was not given was taken as that of a thin rod.
+    /// Whether a missing moment of inertia was assumed as that of a thin rod.
     pub assumes_thin_rods: bool,
     /// The stress-free lean of all links, rad.
     pub lean_rad: f64,
-    /// Joints so stiff, compared with the others, that they were taken as rigid: they turn by their moment over their stiffness.
+    /// Joints taken as rigid because they are much stiffer than the others: their rotation is their moment over their stiffness.
     pub rigid_joints: Vec<ChainRigidJoint>,
 }
 
@@ -180,7 +180,7 @@ impl ChainHistory {
         of_joint.fold(0.0, |way, slip| way + slip.slip_rad.abs())
     }
 
-    /// The link that at the end leans further than at any sample since `from_s`, and moves outwards; of several the one that leans most.
+    /// The link that at the end leans further than at any sample since `from_s`, and moves outwards; of several the one with the largest lean.
     pub(super) fn leaning_out(&self, from_s: f64) -> Option<usize> {
         let since = self.times_s.partition_point(|at_s| *at_s < from_s);
         let leaning = (0..self.rotation_rad.len()).filter_map(|link| {

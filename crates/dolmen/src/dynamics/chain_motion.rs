@@ -1,7 +1,7 @@
 //! The motion of a chain of links up to collapse.
 //!
-//! A step: find which joints stick → expand from the state → shorten the step until the series is exact → find the first event in it → record
-//! until there → change the joint.
+//! A step: find the sticking joints → expand from the state → shorten the step until the series is exact → find the first event in it →
+//! record until there → change the joint.
 
 use super::chain_friction_state::Change;
 use super::chain_history::{ChainHistory, ChainOutcome};
@@ -69,7 +69,7 @@ pub fn simulate_chain(
     }
 }
 
-/// Follows a run to its end; returns the rigid joint whose bed comes to its edge, if one does.
+/// Computes a run to its end; returns the rigid joint that would rock on the edge of its bed, if there is one.
 fn follow(
     run: &mut Run<'_>,
     load: &TimeFunction,
@@ -192,7 +192,7 @@ impl Run<'_> {
         })
     }
 
-    /// A rigid joint whose moment reaches that at the edge of its bed within the step.
+    /// A rigid joint whose moment within the step reaches that at the edge of its bed.
     fn beyond_its_bed(&self) -> Option<usize> {
         let mut rigid = self.history.rigid_joints.iter().map(|of| of.joint);
         rigid.find(|joint| {

@@ -1,9 +1,9 @@
-//! Joints so stiff, compared with the others, that a run takes them as rigid.
+//! Joints that a run takes as rigid because they are much stiffer than the others.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | ω², φ | `eigen` | square of a circular frequency and shape, with the joints rigid | 1/s², rad |
-//! | q_i | `held_n_m` | moment that rigid joint i passes in that shape | N m |
+//! | q_i | `held_n_m` | moment in rigid joint i in that shape | N m |
 //! | k_i | `stiffness_n_m_rad` | its spring | N m/rad |
 
 use super::chain_model::{ChainModel, JointFriction};
@@ -11,9 +11,9 @@ use super::chain_props::Prop;
 use super::chain_run::ChainRun;
 use dolmen_linalg::{LinalgError, Matrix, generalized_symmetric_eigen};
 
-/// Largest relative change of a natural frequency by joints taken as rigid. Chosen here: a hundredth of the effect of 1 % of mass.
+/// Largest relative change of a natural frequency by joints taken as rigid. Our choice: a hundredth of the effect of 1 % of mass.
 const FREQUENCY_CHANGE_MOST: f64 = 1e-4;
-/// Joints are candidates only if their stiffness over their load is this many times that of the softest: below, the change is larger anyway.
+/// Least ratio of a candidate's stiffness over its load to that of the softest joint: below it the change of frequencies is too large anyway.
 const STIFFER_AT_LEAST: f64 = 100.0;
 /// Fraction of the largest initial rotation of any joint above which the spring of a joint is integrated, because it would oscillate.
 const START_MOST: f64 = 1e-3;
@@ -29,12 +29,12 @@ pub struct ChainRigidJoint {
     pub frequency_change_ratio: f64,
 }
 
-/// The joints of a chain that a run takes as rigid: as many as possible with no other natural frequency changed by more than 1e-4 of it.
+/// The joints of a chain that a run takes as rigid: as many as possible without a relative change of any other natural frequency above 1e-4.
 ///
 /// ```text
 /// δω/ω = Σ_i q_i²/(2 k_i ω² φᵀMφ)          first order in 1/k_i; i: rigid joints
 /// ```
-/// `released` are joints whose bed would come to its edge.
+/// `released` are joints that would rock on the edge of their bed.
 ///
 /// # Limits
 /// Upright, without open joints, and with side supports with a gap both free and in contact.
@@ -54,7 +54,7 @@ pub(super) fn rigid_joints(
         .collect();
     stiff.sort_by(|a, b| relative(*b).total_cmp(&relative(*a)));
     while !stiff.is_empty() {
-        // without accurate modes the springs are followed
+        // without accurate modes the springs are integrated
         let of = |touched| frequency_change(model, &stiff, touched).unwrap_or(f64::INFINITY);
         let change = of(false).max(of(true));
         if change <= FREQUENCY_CHANGE_MOST {
@@ -100,7 +100,7 @@ pub(super) fn holding(model: &ChainModel, rigid: &[ChainRigidJoint]) -> ChainMod
     model
 }
 
-/// Whether a joint hardly turns at the start, compared with the others.
+/// Whether a joint hardly rotates at the start, compared with the others.
 fn starts_still(model: &ChainModel, options: &ChainRun, joint: usize) -> bool {
     let rotation = &options.start_rotation_rad;
     let rate = &options.start_velocity_rad_s;

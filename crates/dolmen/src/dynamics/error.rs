@@ -106,7 +106,7 @@ pub enum DynamicsError {
     ChainPart {
         /// "joint", "link".
         part: &'static str,
-        /// Which one, 1 the lowest.
+        /// Its number, 1 the lowest.
         number: usize,
         /// The name of the value.
         argument: &'static str,

@@ -24,13 +24,13 @@ use super::frame_plan_record::run;
 use super::frame_plan_steps::{BothDirections, Steps};
 use super::frame_run::FrameRun;
 
-/// Number of steps per radian of the fastest elastic oscillation of a storey. Chosen here: elastic oscillations are then accurate to 4e-5.
+/// Number of steps per radian of the fastest elastic oscillation of a storey. Our choice: elastic oscillations are then accurate to 4e-5.
 const STEPS_A_RADIAN: f64 = 50.0;
-/// Longest step, s. Chosen here: records have steps of 0.005 to 0.02 s.
+/// Longest step, s. Our choice: records have steps of 0.005 to 0.02 s.
 const STEP_MOST_S: f64 = 5e-4;
-/// Largest allowed relative change of a peak drift when the step is halved. Chosen here: a tenth of the uncertainty of a friction coefficient.
+/// Largest allowed relative change of a peak drift when the step is halved. Our choice: a tenth of the uncertainty of a friction coefficient.
 const CHANGE_MOST: f64 = 0.005;
-/// Largest number of halvings of the step before the run is refused. Chosen here.
+/// Largest number of halvings of the step before the run is refused. Our choice.
 const HALVINGS_MOST: usize = 5;
 
 /// Time steps of a run in which both directions share their slip forces.

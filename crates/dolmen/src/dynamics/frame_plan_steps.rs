@@ -7,7 +7,7 @@ use super::frame_model::{Model, Slider, State};
 use super::frame_run::FrameRun;
 use dolmen_linalg::{Matrix, solve};
 
-/// Relative change of a force below which the sweeps over the storeys end. Chosen here.
+/// Relative change of a force below which the sweeps over the storeys end. Our choice.
 const SWEPT: f64 = 1e-11;
 /// Largest number of sweeps: twenty equal storeys take several thousand.
 const SWEEPS_MOST: usize = 200_000;

@@ -2,7 +2,7 @@
 
 use super::frame_history::FrameHistory;
 
-/// Number of points between two samples at which the resultant is evaluated. Chosen here.
+/// Number of points between two samples at which the resultant is evaluated. Our choice.
 const PLACES: usize = 8;
 
 /// The largest resultant of a storey's drift.

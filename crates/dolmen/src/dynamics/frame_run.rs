@@ -4,11 +4,11 @@ use super::DynamicsError;
 use super::excitation::FrameLoad;
 use super::frame_friction::FrictionFrame;
 
-/// Longest run, s: somewhat more than a day. Chosen here: a frame of two storeys takes a minute or two for it.
+/// Longest run, s: somewhat more than a day. Our choice: a frame of two storeys takes a minute or two for it.
 pub(super) const DURATION_MOST_S: f64 = 1e5;
 /// The allowed range in the error for a longer one.
 pub(super) const DURATION_ALLOWED: &str = "at most 100 000 s, which is more than a day";
-/// Largest number of samples of a history: a larger one is a mistaken unit rather than intended, and memory ends. Chosen here.
+/// Largest number of samples of a history: a larger one is a mistaken unit rather than intended, and memory ends. Our choice.
 pub(super) const SAMPLES_MOST: f64 = 1e7;
 
 /// Options of [`simulate_frame`](super::simulate_frame).

@@ -10,7 +10,7 @@ use super::{DynamicsError, FrameOutcome};
 use dolmen_linalg::generalized_symmetric_eigen;
 use std::f64::consts::{PI, TAU};
 
-/// Number of cycles of a release, at the lowest frequency. Chosen here.
+/// Number of cycles of a release, at the lowest frequency. Our choice.
 const RELEASE_SWINGS: f64 = 60.0;
 /// Logarithmic decrement below which a cycle loses nothing.
 const LOSS_LEAST: f64 = 1e-9;

@@ -3,15 +3,15 @@
 use super::TimeFunction;
 
 /// `CYCLES_BEFORE`: number of cycles, of the ground and of the slowest mode, before the measurement. `CYCLES_READ`: number of measured cycles of the
-/// ground. Chosen here: at a damping ratio of 2 % the transient has then decayed to 1/150, with friction sooner. `steady` reports a transient that
+/// ground. Our choice: at a damping ratio of 2 % the transient has then decayed to 1/150, with friction sooner. `steady` reports a transient that
 /// remains.
 const CYCLES_BEFORE: f64 = 40.0;
 const CYCLES_READ: f64 = 5.0;
-/// Largest number of cycles of the ground before the measurement, which limits memory and time. Chosen here.
+/// Largest number of cycles of the ground before the measurement, which limits memory and time. Our choice.
 const CYCLES_MOST: f64 = 2000.0;
 /// Number of samples per cycle of the ground.
 const SAMPLES_A_CYCLE: f64 = 40.0;
-/// Relative change of the peak between measured cycles above which a point is not steady. Chosen here.
+/// Relative change of the peak between measured cycles above which a point is not steady. Our choice.
 const STEADY_MOST: f64 = 0.01;
 
 /// One point of a harmonic map of a frame (its parts are storeys) or of a chain (its parts are joints).

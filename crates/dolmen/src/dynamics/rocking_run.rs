@@ -8,14 +8,14 @@ use super::rocking_block::{
 use crate::numeric::{first_descent, polynomial};
 use std::f64::consts::FRAC_PI_2;
 
-/// Number of coefficients of a series. Chosen here: steps of 1/p then reach rounding.
+/// Number of coefficients of a series. Our choice: steps of 1/p then reach rounding.
 const COEFFICIENTS: usize = 24;
 /// Magnitude of the last coefficients, relative to the rotation, above which a step is halved.
 const TRUNCATION: f64 = 1e-16;
 /// Angular velocity after an impact, divided by p, below which the block comes to rest: its remaining rotation is smaller than this, in rad.
-/// Chosen here.
+/// Our choice.
 const REST_RATIO: f64 = 1e-10;
-/// Shortest step, over 1/p. Chosen here: no meaningful motion needs shorter ones.
+/// Shortest step, over 1/p. Our choice: no meaningful motion needs shorter ones.
 const STEP_LEAST: f64 = 1e-9;
 /// Largest number of impacts of a run.
 const IMPACTS_MOST: usize = 1_000_000;

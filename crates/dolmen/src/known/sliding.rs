@@ -39,14 +39,14 @@ impl Friction {
     }
 }
 
-/// How a block slid.
+/// The slip of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slip {
     /// Largest distance from where it started on the base, m: between the samples too.
     pub peak_m: f64,
     /// Slip once the block has come to rest, with its sign, m.
     pub residual_m: f64,
-    /// When it came to rest for good, s; 0 if it never moved.
+    /// Time of the final rest, s; 0 if it never moved.
     pub rest_s: f64,
     /// Slip at the samples, with its sign, m.
     pub slip_m: Vec<f64>,
@@ -303,7 +303,7 @@ impl Block {
         )
     }
 
-    /// When a stuck block is let go; none if never.
+    /// Time at which a stuck block is released, if ever.
     fn let_go(&self, base: &Sine) -> Option<f64> {
         if base.amplitude.abs() <= self.hold {
             return None;

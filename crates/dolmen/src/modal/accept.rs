@@ -8,7 +8,7 @@ use super::subspace::{Cluster, Criteria, Deviations, Fate};
 use super::{Accepted, ModalError, Mode, Modes, Note, Pole, Refusal, RefusedPeak};
 use crate::signal::Record;
 
-/// Fewest model orders in a group of poles that may be accepted. Chosen here: in a record of many channels two orders agree by chance.
+/// Fewest model orders in a group of poles that may be accepted. Our choice: in a record of many channels two orders agree by chance.
 const ORDERS_LEAST: usize = 3;
 
 /// For each frequency that the user requests, the refused candidate: the cluster of poles, else a single pole that may not be a mode, else the

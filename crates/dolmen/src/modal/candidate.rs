@@ -1,9 +1,9 @@
-//! A refused pole or peak, as the mode that the user may request.
+//! A refused pole or peak as a mode that the user may request.
 
 use super::modes::Mode;
 use super::refusal::Refusal;
 
-/// A refused pole or peak, as the mode that it would be.
+/// A refused pole or peak as a mode.
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) mode: Mode,

@@ -51,7 +51,7 @@ pub(crate) struct Ends {
     pub(crate) starts: usize,
 }
 
-/// Lags needed at the rate of the record to have `lags` of them after decimation by `factor`.
+/// Number of lags at the rate of the record for `lags` lags after decimation by `factor`.
 pub(crate) fn lags_before(lags: usize, factor: usize) -> usize {
     if factor > 1 {
         (lags + CROSSINGS) * factor
@@ -60,12 +60,12 @@ pub(crate) fn lags_before(lags: usize, factor: usize) -> usize {
     }
 }
 
-/// Deviations in 64 bits, to calculate with.
+/// Deviations in 64 bits, for computation.
 pub(crate) fn wide(lags: &[f32]) -> Vec<f64> {
     lags.iter().map(|x| f64::from(*x)).collect()
 }
 
-/// How a record is cut for one pass over it.
+/// Division of a record for one pass.
 pub(crate) struct Windows {
     /// Start times, the same for every lag.
     pub(crate) starts: usize,
@@ -200,7 +200,7 @@ impl Ends {
     }
 }
 
-/// Number of channel pairs filtered together: two or more vector registers of every processor.
+/// Number of channel pairs filtered together: two or more vector registers on every processor.
 const PAIRS: usize = 16;
 
 /// The filter of [`correlate_decimated`].
@@ -211,7 +211,7 @@ struct LowPass {
 }
 
 impl LowPass {
-    /// A factor of 0 or 1 changes nothing.
+    /// A factor of 0 or 1 has no effect.
     fn new(factor: usize) -> Self {
         if factor <= 1 {
             return LowPass {
@@ -228,7 +228,7 @@ impl LowPass {
         }
     }
 
-    /// From lags 0 to `before` of a pair of channels after the other to lags 0 to `lags` at the new rate, lag after lag.
+    /// Converts lags 0 to `before`, one channel pair after the other, to lags 0 to `lags` at the new rate, one lag after the other.
     fn lowered(&self, of_pairs: &[f64], l: usize, [before, lags]: [usize; 2]) -> Vec<f64> {
         let reach = self.weights.len() / 2;
         let mut out = vec![0.0; (lags + 1) * l * l];
@@ -255,7 +255,7 @@ impl LowPass {
     }
 }
 
-/// Each of the columns: what the filter makes of the values from its own on.
+/// The columns; each filter output starts at its own value.
 struct Filtered<'a, C> {
     along: &'a [[f64; PAIRS]],
     weights: &'a [f64],

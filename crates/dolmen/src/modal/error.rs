@@ -2,10 +2,10 @@ use crate::numeric::NumericError;
 use crate::signal::{ChannelFault, SignalError};
 use dolmen_linalg::LinalgError;
 
-/// Why modes cannot be identified. Each variant carries the value that was refused.
+/// Why modes cannot be identified. Each variant contains the refused value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ModalError {
-    /// The highest model order asked needs more block rows than there are.
+    /// The requested model order needs more block rows than there are.
     #[error(
         "order_most is {given}, but {block_rows} block rows of {channels} channels allow at most {most}: raise \
          block_rows or lower order_most"
@@ -20,7 +20,7 @@ pub enum ModalError {
         /// Largest order allowed.
         most: usize,
     },
-    /// The Hankel matrix has fewer significant singular values than the order asked.
+    /// The Hankel matrix has fewer significant singular values than the requested order.
     #[error(
         "order_most is {given}, but the correlations have rank {rank} to working precision: the record holds almost no \
          noise; lower order_most to {rank} or less"
@@ -31,7 +31,7 @@ pub enum ModalError {
         /// Singular values above rounding.
         rank: usize,
     },
-    /// The past samples are almost combinations of each other, and decimation keeps their QR from being taken.
+    /// The past samples are almost linearly dependent, and decimation prevents their QR factorization.
     #[error(
         "decimation is {decimation}, but the record holds almost no noise: a past sample is nearly a combination of the \
          others, and their QR needs the samples as they are; set decimation to 1, lower block_rows, or take ssi_cov"
@@ -40,7 +40,7 @@ pub enum ModalError {
         /// Decimation asked.
         decimation: usize,
     },
-    /// More modes are asked than the model order can hold.
+    /// More modes are requested than the model order can have.
     #[error(
         "modes_wanted is {given}, but a model of order {order_most} holds at most {most} modes: raise order_most or \
          ask for fewer"
@@ -50,10 +50,10 @@ pub enum ModalError {
         given: usize,
         /// Largest model order.
         order_most: usize,
-        /// Modes it can hold.
+        /// Largest possible number of modes.
         most: usize,
     },
-    /// Fewer modes were found than asked.
+    /// Fewer modes were found than requested.
     #[error(
         "modes_wanted is {given}, but only {found} were found stable (at {found_hz:?} Hz): record for longer, place \
          sensors where the missing modes move, or ask for {found}"
@@ -74,12 +74,12 @@ pub enum ModalError {
     NoModeAt {
         /// Frequency asked, Hz.
         given_hz: f64,
-        /// How far off a mode may lie, Hz.
+        /// Allowed distance of a mode, Hz.
         within_hz: f64,
         /// Frequencies found, Hz.
         found_hz: Vec<f64>,
     },
-    /// The block rows given do not reach over half a period of the lowest mode.
+    /// The given block rows cover less than half a period of the lowest mode.
     #[error(
         "block_rows is {given}, but the lowest mode of interest ({frequency_hz} Hz) needs at least {least} at \
          {sampling_rate_hz} samples a second: raise block_rows, decimate, or raise frequency_low_hz"
@@ -119,7 +119,7 @@ pub enum ModalError {
         /// The allowed range.
         allowed: &'static str,
     },
-    /// No spectral peak stands above the noise, so nothing can be chosen from the data.
+    /// No spectral peak is above the noise, so no setting can be chosen from the data.
     #[error(
         "no peak of the spectrum rises {prominence_db} dB above its surroundings between {low_hz} and {high_hz} Hz: \
          the record may hold noise alone; for a free decay after a pull or a blow set method = \"era\"; else give block_rows and the frequency range to try all the same"
@@ -132,7 +132,7 @@ pub enum ModalError {
         /// Highest frequency of the analysis, Hz.
         high_hz: f64,
     },
-    /// A channel is dead or holds the same signal as another.
+    /// A channel is dead or has the same signal as another.
     #[error("{0}")]
     Channel(ChannelFault),
     /// The user requests a mode of a free decay, for which no test refuses any.
@@ -168,7 +168,7 @@ pub enum ModalError {
         /// Half the sampling rate, Hz.
         nyquist_hz: f64,
     },
-    /// A mode that is to be compared with others makes no sense.
+    /// A mode for a comparison is invalid.
     #[error(
         "{what} of a mode to be compared is {given}, but must be positive and finite: correct the survey"
     )]
@@ -188,7 +188,7 @@ pub enum ModalError {
         /// Samples needed.
         least: usize,
     },
-    /// Nothing in a record decays as a mode does.
+    /// No part of a record decays like a mode.
     #[error(
         "nothing in the record decays as a mode does (model of order {order} from {samples} samples): cut it so that it begins when the \
          last force has ended, or strike harder"
@@ -238,13 +238,13 @@ pub enum ModalError {
         /// Setups given.
         given: usize,
     },
-    /// A setup shares no sensor with those before it.
+    /// A setup has no sensor in common with earlier ones.
     #[error(
         "setup {setup} has no sensor in common with those before it: at least one must stay where it is (same name, or same place and \
          direction), better three"
     )]
     NoReference {
-        /// Which, from 1.
+        /// Number of the setup, from 1.
         setup: usize,
     },
     /// No sensor is in every setup.
@@ -255,19 +255,19 @@ pub enum ModalError {
         /// Setups given.
         setups: usize,
     },
-    /// A setup was sampled at another rate.
+    /// A setup has another sampling rate.
     #[error(
         "setup {setup} has {given_hz} samples a second, the first {first_hz}: setups identified as one need one rate"
     )]
     SetupRate {
-        /// Which, from 1.
+        /// Number of the setup, from 1.
         setup: usize,
         /// Its rate, Hz.
         given_hz: f64,
         /// Rate of the first record, Hz.
         first_hz: f64,
     },
-    /// The method and the inputs do not go together.
+    /// The method does not suit the inputs.
     #[error(
         "method is {method} and {inputs} of {channels} channels are inputs, but okid, and no other method, needs one input or more and one channel \
          that is none"
@@ -275,12 +275,12 @@ pub enum ModalError {
     Inputs {
         /// Name of the method.
         method: &'static str,
-        /// Channels that are inputs.
+        /// Number of input channels.
         inputs: usize,
         /// Channels.
         channels: usize,
     },
-    /// The inputs are so alike that nobody can tell what each does.
+    /// The inputs are too similar to distinguish their effects.
     #[error(
         "the inputs move as one: only {share:.3} of their motion is not shared, and what each of them does cannot be told apart: keep one of them"
     )]
@@ -288,7 +288,7 @@ pub enum ModalError {
         /// Smallest eigenvalue of their coherence matrix over the mean one, the median over the lines.
         share: f64,
     },
-    /// The inputs shake at one frequency alone.
+    /// The inputs shake at one frequency only.
     #[error(
         "{:.1} % of the power of every input lies at one frequency, {frequency_hz:.3} Hz: a sine shows how the structure answers there, and no mode; sweep \
          the shaker slowly over the modes or drive it at random, or leave inputs out and use the time in which it rests",
@@ -297,7 +297,7 @@ pub enum ModalError {
     InputsSine {
         /// The frequency of the strongest input, Hz.
         frequency_hz: f64,
-        /// Share of the power, 0 to 1, of the input that has least of it there.
+        /// Share of the power there, 0 to 1, of the input with the least share.
         share: f64,
     },
     /// Nothing follows the inputs.
@@ -310,7 +310,7 @@ pub enum ModalError {
         /// The largest share, 0 to 1.
         share: f64,
     },
-    /// No structure explains how the channels follow the inputs.
+    /// No structure explains the response of the channels to the inputs.
     #[error(
         "how the channels follow the inputs is not how a structure follows its ground: the inputs may move only as the structure moves them, or a \
          channel may copy an input"
@@ -328,7 +328,7 @@ pub enum ModalError {
 }
 
 impl ModalError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether an iteration ended before it converged: the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Linalg(why) => why.did_not_converge(),
@@ -389,7 +389,7 @@ pub(super) fn at_least(all: &[(&'static str, usize, usize, &'static str)]) -> Re
     }
 }
 
-/// Reference channels written out, each one of the channels and there once; none given: all.
+/// The reference channels as a list, each valid and only once; empty: all.
 pub(super) fn references_of(given: &[usize], channels: usize) -> Result<Vec<usize>, ModalError> {
     for (i, reference) in given.iter().enumerate() {
         if *reference >= channels || given[..i].contains(reference) {

@@ -28,8 +28,8 @@ use super::subspace::{ssi_cov, ssi_data};
 use super::{Method, ModalError, Modes, Note, Propagation, Refusal};
 use crate::signal::{Record, leave_out};
 
-/// Modes of an ambient record, found without a hand on it: spectrum, a subspace method at all orders, clusters; or the peaks
-/// of the spectrum alone, as `method` says.
+/// Modes of an ambient record, without user interaction: spectrum, a subspace method at all orders, clusters; or only the peaks
+/// of the spectrum, depending on `method`.
 ///
 /// The lowest and the highest peak of the spectrum determine the length of the correlations and the decimation, as reported in
 /// [`Settings`](super::Settings). Two passes over the record: one with long lags for the spectrum, one for SSI.
@@ -113,7 +113,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         not_picked_hz,
         &mut notes,
     );
-    // the subspace methods tell such modes apart, where the record does
+    // the subspace methods separate such modes, if the record allows it
     if matches!(
         options.method,
         Method::Fdd | Method::Efdd | Method::Fsdd | Method::Plscf

@@ -6,7 +6,7 @@ use crate::signal::{Channel, Processing};
 use dolmen_linalg::Complex64;
 use std::f64::consts::PI;
 
-/// How the modes were found.
+/// Method of identification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Frequency domain decomposition.
@@ -19,7 +19,7 @@ pub enum Method {
     SsiCov,
     /// Data-driven stochastic subspace identification.
     SsiData,
-    /// Covariance-driven subspace identification, its modes then fitted to the Fourier lines about them by maximum likelihood: Bayesian
+    /// Covariance-driven subspace identification, with the modes fitted to the nearby Fourier lines by maximum likelihood: Bayesian
     /// operational modal analysis.
     Bayoma,
     /// Poly-reference least squares in the frequency domain.
@@ -44,7 +44,7 @@ impl Method {
         Method::Okid,
     ];
 
-    /// As it is written in a project file: "ssi-cov".
+    /// Its name in a project file: "ssi-cov".
     pub fn name(self) -> &'static str {
         match self {
             Method::Fdd => "fdd",
@@ -93,8 +93,7 @@ pub struct Mode {
     pub kurtosis: Option<Kurtosis>,
     /// Comparison of the changes of amplitude and phase; `None` as for the kurtosis.
     pub wander: Option<Wander>,
-    /// Relative bias that the window of the spectrum would have given to the damping ratio, and that was taken out;
-    /// `None` for methods without a window.
+    /// Relative bias of the damping ratio due to the window of the spectrum, already removed; `None` for methods without a window.
     pub window_bias: Option<f64>,
     /// Set if the user requested the mode although a test refused it. Such a mode does not count as found.
     pub accepted: Option<Accepted>,
@@ -105,9 +104,9 @@ pub struct Mode {
 pub struct Modes {
     /// Ascending in frequency.
     pub modes: Vec<Mode>,
-    /// The channels whose components the shapes hold, in order.
+    /// The channels of the components of the shapes, in order.
     pub channels: Vec<Channel>,
-    /// How they were found.
+    /// Method of identification.
     pub method: Method,
     /// Duration of the record, s.
     pub duration_s: f64,
@@ -135,8 +134,8 @@ impl Mode {
         self.accepted.is_none()
     }
 
-    /// Whether the amplitude is too steady for random forces, or amplitude and phase wander as they cannot under random forces: a machine,
-    /// not a mode.
+    /// Whether the amplitude is too steady for random forces, or amplitude and phase vary in a way impossible under random forces: a
+    /// machine, not a mode.
     pub fn harmonic(&self) -> bool {
         self.wanders() || self.kurtosis.is_some_and(|k| k.harmonic())
     }

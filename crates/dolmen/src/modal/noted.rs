@@ -2,14 +2,14 @@
 
 use super::Kurtosis;
 
-/// A peak of the spectrum that a machine makes.
+/// A peak of the spectrum caused by a machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tone {
     /// Its frequency, Hz.
     pub frequency_hz: f64,
     /// Its width 3 dB below the top, Hz.
     pub width_hz: f64,
-    /// How steady it is; `None` where the record is too short to tell.
+    /// Its steadiness; `None` if the record is too short.
     pub kurtosis: Option<Kurtosis>,
 }
 
@@ -18,7 +18,7 @@ pub struct Tone {
 pub struct ToneOnMode {
     /// Its frequency, Hz.
     pub frequency_hz: f64,
-    /// The mode or peak that it stands on, Hz.
+    /// The mode or peak at its frequency, Hz.
     pub mode_hz: f64,
     /// Its power over that of the mode, –.
     pub strength: f64,
@@ -64,13 +64,13 @@ impl std::fmt::Display for Kurtosis {
 pub struct LateClock {
     /// Its name.
     pub channel: String,
-    /// Delay against the channels that agree with each other, s; negative if it is early.
+    /// Delay relative to the channels that agree with each other, s; negative if it is early.
     pub delay_s: f64,
-    /// Standard deviation of that, s.
+    /// Standard deviation of the delay, s.
     pub sd_s: f64,
     /// The next larger delay that explains the phases as well, s, if there is one.
     pub or_s: Option<f64>,
-    /// Modes whose phases tell it.
+    /// Number of modes whose phases show it.
     pub modes: usize,
 }
 

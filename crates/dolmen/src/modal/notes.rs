@@ -8,16 +8,16 @@ use crate::signal::ChannelFault;
 /// A note on the modes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
-    /// A channel that is faint or clipped: it was used all the same.
+    /// A channel that is faint or clipped; it is used anyway.
     Channel(ChannelFault),
-    /// The block rows are fewer than wished, so as to keep the matrices in bounds.
+    /// The block rows are fewer than recommended, to limit the size of the matrices.
     BlockRowsBounded {
         /// Wished.
         wished: usize,
         /// Taken.
         taken: usize,
     },
-    /// The record is too short for the blocks of time asked.
+    /// The record is too short for the requested blocks of time.
     FewBlocks {
         /// Taken.
         time_blocks: usize,
@@ -28,14 +28,14 @@ pub enum Note {
         /// The peaks.
         tones: Vec<Tone>,
     },
-    /// Peaks narrower than a mode damped by the least, or steadier than modes are, that no test calls a machine.
+    /// Peaks narrower than a mode with the least damping, or steadier than modes, that no test identifies as a machine.
     Narrow {
         /// The peaks.
         peaks: Vec<Tone>,
         /// The least damping ratio of a mode.
         damping_ratio_least: f64,
     },
-    /// Sines that stand on modes: the damping ratio and shape of these are wrong.
+    /// Sines at the frequencies of modes: the damping ratios and shapes of these modes are wrong.
     TonesOnModes {
         /// The sines.
         tones: Vec<ToneOnMode>,
@@ -44,23 +44,23 @@ pub enum Note {
     Harmonics {
         /// Kurtosis of each.
         steady: Vec<Kurtosis>,
-        /// Whether they were taken out of the modes.
+        /// Whether they were removed from the modes.
         removed: bool,
     },
-    /// Modes whose motion wanders as under no random forces.
+    /// Modes whose motion varies as it cannot under random forces.
     Wandering {
-        /// How each does.
+        /// The variation of each.
         machines: Vec<Wander>,
-        /// Whether they were taken out of the modes.
+        /// Whether they were removed from the modes.
         removed: bool,
     },
-    /// Modes left out because they stand out of their surroundings only while somebody walks, or similar, and not in
+    /// Modes left out because they are above their surroundings only while somebody walks, or similar, and not in
     /// quiet times.
     InSpells {
         /// The modes.
         modes: Vec<InSpells>,
     },
-    /// Peaks whose sides other modes cut, or whose decay is too short: their damping is not given.
+    /// Peaks cut off by neighbouring modes, or with too short a decay: they have no damping ratio.
     NoDamping {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
@@ -75,29 +75,29 @@ pub enum Note {
         /// Frequencies of these modes, Hz.
         pairs: Vec<[f64; 2]>,
     },
-    /// The record was decimated before: no modes are identified where its filter cuts off.
+    /// The record was decimated earlier: no modes are identified above the cutoff of its filter.
     FilteredAbove {
         /// Highest requested frequency, Hz.
         asked_hz: f64,
-        /// Highest one that passed the filter, Hz.
+        /// Highest frequency below the cutoff, Hz.
         passed_hz: f64,
     },
-    /// Groups of poles that several modes make together: left out.
+    /// Groups of poles that belong to several modes: left out.
     Blends {
         /// Frequency, Hz, and damping ratio of each.
         blends: Vec<[f64; 2]>,
     },
-    /// Modes whose band of the spectrum could not be fitted: they are as the subspace method gave them.
+    /// Modes whose band of the spectrum could not be fitted: they are unchanged results of the subspace method.
     NotFitted {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// Modes that no stable pole shows: a peak of the spectrum that the model of a mode fits.
+    /// Modes without a stable pole: peaks of the spectrum that fit the model of a mode.
     FromPeaks {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// Modes at which two singular values of the spectrum rise, and which may be two.
+    /// Modes where two singular values of the spectrum have peaks: each may be two modes.
     HiddenPairs {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
@@ -107,21 +107,21 @@ pub enum Note {
         /// The peaks, each with the reason of its refusal.
         peaks: Vec<RefusedPeak>,
     },
-    /// Modes that the user insists on though a test refused them.
+    /// Refused modes that the user requested.
     Accepted {
         /// The modes, each with the reason of its refusal.
         modes: Vec<RefusedPeak>,
     },
-    /// Modes that the user insists on and that were found anyway.
+    /// Requested modes that were found anyway.
     AcceptedAlready {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// Nothing stands at a frequency that the user insists on: no mode, no peak and no group of poles.
+    /// Nothing is near a requested frequency: no mode, no peak and no group of poles.
     NothingToAccept {
         /// The frequency, Hz.
         asked_hz: f64,
-        /// How far off it may lie, Hz.
+        /// Allowed distance, Hz.
         within_hz: f64,
         /// The nearest mode or peak below and above, where there is one, Hz.
         nearest_hz: Vec<f64>,
@@ -131,49 +131,49 @@ pub enum Note {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// Channels measure different quantities: shapes are those of one.
+    /// Channels measure different quantities: shapes are given in one of them.
     OneQuantity {
-        /// Which.
+        /// The quantity of the shapes.
         quantity: ShapeQuantity,
     },
-    /// Channels a quarter turn off the others at every frequency: they measure another quantity, and are in no shape.
+    /// Channels with a phase of 90° to the others at every frequency: they measure another quantity, and are in no shape.
     QuarterTurn {
         /// Names of these channels.
         channels: Vec<String>,
-        /// Frequencies at which they are, Hz.
+        /// The frequencies, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// A channel that moves in no mode.
+    /// A channel without motion in any mode.
     StandsStill {
         /// Its name.
         channel: String,
-        /// Its largest component, of the largest of the mode, –.
+        /// Its largest component over the largest component of the mode, –.
         share: f64,
     },
-    /// A channel whose phase against the others is no shape's: its clock may be late.
+    /// A channel with a phase impossible in a shape: its clock may be late.
     PhaseOff {
         /// Its name.
         channel: String,
         /// Angle from the real axis, 0 to 90°, and the frequency of the mode, Hz.
         degrees_at_hz: Vec<[f64; 2]>,
     },
-    /// Channels whose clock drifts against that of most: they are in no shape.
+    /// Channels whose clock drifts relative to most others: they are in no shape.
     ClockDrift {
         /// Each channel with the error of its clock and its standard deviation, 1e-6.
         drifting: Vec<(String, [f64; 2])>,
-        /// Largest turn of the phase along the record, and the mode that it is of, Hz.
+        /// Largest rotation of the phase along the record, degrees.
         turn_degrees: f64,
-        /// Frequency of that mode, Hz.
+        /// Frequency of the mode with this rotation, Hz.
         frequency_hz: f64,
-        /// Sampling rate taken for all, Hz.
+        /// Sampling rate assumed for all, Hz.
         sampling_rate_hz: f64,
     },
-    /// Channels whose clock is late or early by the same time throughout: they are in no shape.
+    /// Channels with a constant delay of the clock, late or early: they are in no shape.
     LateClocks {
         /// Each with its delay.
         late: Vec<LateClock>,
     },
-    /// A mode seen for so few cycles that its damping ratio is hardly known.
+    /// A mode with so few cycles in the record that its damping ratio is inaccurate.
     FewCycles {
         /// Its frequency, Hz.
         frequency_hz: f64,

@@ -11,10 +11,10 @@
 use pulp::{Arch, Simd, WithSimd};
 use std::ops::Range;
 
-/// Bins that lie together: a whole number of registers of every processor, and one line of its cache.
+/// Bins stored together: a whole number of registers on every processor, and one cache line.
 pub(super) const WIDTH: usize = 8;
 
-/// Bins of one channel. Aligned: a register that lies across two lines of the cache costs two loads.
+/// Bins of one channel, aligned because a register across two cache lines needs two loads.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C, align(64))]
 pub(super) struct Bins {
@@ -25,7 +25,7 @@ pub(super) struct Bins {
 /// Spectra of a few segments.
 pub(super) struct Segments {
     channels: usize,
-    /// Segments there is room for, and those that are held.
+    /// Largest number of segments, and number of stored ones.
     most: usize,
     held: usize,
     bins: Vec<Bins>,
@@ -68,7 +68,7 @@ impl Segments {
         spectra.len() / (self.bins.len() / (self.most * self.channels))
     }
 
-    /// Takes the sum of two consecutive segments: a shift by half the FFT length is a factor (-1)^bin, and groups begin at even bins.
+    /// Adds the sum of two consecutive segments: a shift by half the FFT length is a factor (-1)^bin, and groups begin at even bins.
     pub(super) fn push_shifted_sum(&mut self, past: &[Bins], next: &[Bins], of: Range<usize>) {
         let all = self.all(past);
         let both = past.chunks_exact(all).zip(next.chunks_exact(all));
@@ -82,7 +82,7 @@ impl Segments {
         self.held += 1;
     }
 
-    /// Where the next segment goes, group after group.
+    /// Place of the next segment, group after group.
     fn next(&mut self) -> impl Iterator<Item = &mut [Bins]> {
         let (l, at) = (self.channels, self.held * self.channels);
         self.bins
@@ -90,7 +90,7 @@ impl Segments {
             .map(move |group| &mut group[at..at + l])
     }
 
-    /// The segments held of each group.
+    /// The stored segments of each group.
     fn groups(&self) -> impl Iterator<Item = &[Bins]> {
         let whole = self.most * self.channels;
         self.bins
@@ -140,7 +140,7 @@ impl WithSimd for Products<'_> {
     }
 }
 
-/// The pairs of A channels from `a` on with B channels from `b` on.
+/// Pairs of A channels, starting at `a`, with B channels, starting at `b`.
 #[inline(always)]
 fn tile<S: Simd, const A: usize, const B: usize>(
     simd: S,

@@ -1,15 +1,15 @@
-//! Where sensors see the modes of a structure best, and tell them apart.
+//! Sensor sites at which the modes of a structure are best observed and distinguished.
 //!
 //! | symbol | here |
 //! |:--|:--|
 //! | φ_c | a channel's row: its displacement in each mode, over the largest of that mode at any site |
 //! | ν | noise of a channel over the largest motion of a mode |
-//! | A | what the sensors say of the modes' motions, I + Σ φ_cᵀ φ_c / ν² |
+//! | A | information about the modes' motions, I + Σ φ_cᵀ φ_c / ν² |
 
 use super::error::{ModalError, refused};
 use dolmen_linalg::{Matrix, cholesky, solve};
 
-/// Gains this much apart, relative, are one: then the earlier site is taken, so that a symmetric structure always gets the same sensors.
+/// Relative difference below which gains are equal: then the earlier site is used, so that a symmetric structure always gets the same sensors.
 const SAME_GAIN: f64 = 1e-9;
 /// Largest number of sites for the method of deleting sites one after the other, whose cost grows with its square.
 const DELETED_FROM_MOST: usize = 1000;
@@ -19,9 +19,9 @@ const ROUNDS_MOST: usize = 50;
 /// Number and type of the sensors to place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorPlacement {
-    /// Sensors to place, those that are given among them.
+    /// Number of sensors, including given ones.
     pub sensors: usize,
-    /// Sites that have one already, by their number.
+    /// Sites with a given sensor, by index.
     pub given: Vec<usize>,
     /// ν, the noise of a channel over the largest motion of a mode. With as many channels as modes the choice hardly depends on it.
     pub noise_ratio: f64,
@@ -40,17 +40,17 @@ impl Default for SensorPlacement {
 /// Positions of the placed sensors, and the modes that they measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedSensors {
-    /// Sites by their number: those given, then the others, the one that says most first.
+    /// Sites by index: the given ones, then the others, the most informative one first.
     pub sites: Vec<usize>,
     /// For each mode, its largest displacement at a selected channel over that at any channel of any site; 0 for a mode that no site
     /// measures.
     pub seen_ratio: Vec<f64>,
-    /// How alike each two modes are at the chosen channels (MAC): 1 on the diagonal, 0 of a mode that they do not see.
+    /// Similarity of each two modes at the chosen channels (MAC): 1 on the diagonal, 0 for a mode without motion there.
     pub likeness: Matrix,
 }
 
 impl PlacedSensors {
-    /// The mode most like a mode at these sensors, and how alike they are; `None` of a single mode.
+    /// The mode most similar to a mode at these sensors, and their similarity; `None` for a single mode.
     pub fn most_alike(&self, mode: usize) -> Option<(usize, f64)> {
         let others = (0..self.likeness.columns()).filter(|other| *other != mode);
         others
@@ -60,22 +60,22 @@ impl PlacedSensors {
 }
 
 impl SensorPlacement {
-    /// Places sensors where they say most of the modes' motions.
+    /// Places sensors where they give most information about the modes' motions.
     ///
     /// `sites[s][c][m]` is the displacement of channel c of a sensor at site s in mode m; a sensor with three axes has three channels.
     ///
     /// ```text
-    /// largest ln det A,  A = I + Σ φ_cᵀ φ_c / ν²        sites added one after the other, and all but so many deleted; each then exchanged
+    /// largest ln det A,  A = I + Σ φ_cᵀ φ_c / ν²        sites added one by one, or deleted one by one; then each exchanged for a better one
     /// ```
     /// The unit matrix represents prior knowledge: the amplitude of each mode is about its largest motion. With fewer channels than modes A
     /// still has an inverse, and the selected sites distinguish the most modes.
     ///
     /// # Errors
     /// [`ModalError::Option`] without sites or modes, for rows of different lengths, numbers that are not finite, more sensors than sites or
-    /// none, a given site that is not one, and a noise that is not positive.
+    /// none, a given site that does not exist, and a noise that is not positive.
     ///
     /// # Limits
-    /// The exchange ends in the best choice that no single move betters: of 200 random cases of five sensors on twelve sites the worst
+    /// The exchange ends when no single exchange is an improvement: of 200 random cases of five sensors on twelve sites the worst
     /// has 0.995 of the best ln det A of all (test).
     ///
     /// # Example
@@ -89,7 +89,7 @@ impl SensorPlacement {
     /// ```
     ///
     /// # Source
-    /// D-optimal design; with many sensors the sites of effective independence (Kammer 1991), which deletes where this adds.
+    /// D-optimal design; with many sensors the sites of effective independence (Kammer 1991), which deletes sites instead of adding them.
     pub fn place(&self, sites: &[Vec<Vec<f64>>]) -> Result<PlacedSensors, ModalError> {
         let modes = self.check(sites)?;
         let scaled = scaled(sites, modes);
@@ -181,7 +181,7 @@ impl SensorPlacement {
         Ok(ordered)
     }
 
-    /// The sites after each was exchanged for a better one, while there is one.
+    /// The sites after exchanging each for a better one, as long as there is one.
     fn exchanged(
         &self,
         scaled: &[Vec<Vec<f64>>],
@@ -218,7 +218,7 @@ impl SensorPlacement {
         Ok((0..modes).map(|i| 2.0 * lower[(i, i)].ln()).sum())
     }
 
-    /// The site that adds most to those chosen.
+    /// The site with the largest gain.
     fn best(&self, scaled: &[Vec<Vec<f64>>], chosen: &[usize], modes: usize) -> Result<usize, ModalError> {
         let gains = Gains::of(self.noise_ratio, scaled, chosen, modes)?;
         let mut best: Option<(usize, f64)> = None;
@@ -287,7 +287,7 @@ impl Gains {
         Ok((0..channels.len()).map(|i| 2.0 * lower[(i, i)].ln()).sum())
     }
 
-    /// −ln det(I − Φ A⁻¹ Φᵀ / ν²) of channels that A holds.
+    /// −ln det(I − Φ A⁻¹ Φᵀ / ν²) of channels included in A.
     fn loss(&self, channels: &[Vec<f64>]) -> Result<f64, ModalError> {
         let variance = self.noise_ratio * self.noise_ratio;
         let inner = Matrix::from_fn(channels.len(), channels.len(), |i, j| {
@@ -346,7 +346,7 @@ mod tests {
         (0..sites).map(|_| vec![row()]).collect()
     }
 
-    /// ln det(I + Φᵀ Φ/ν²), written apart.
+    /// ln det(I + Φᵀ Φ/ν²), computed separately.
     fn information(sites: &[Vec<Vec<f64>>], chosen: &[usize], noise_ratio: f64) -> f64 {
         let modes = sites[0][0].len();
         let mut a = Matrix::identity(modes);
@@ -386,7 +386,7 @@ mod tests {
         }
     }
 
-    /// Effective independence as Kammer (1991) does it: the site with the least share of the information goes, one after the other.
+    /// Effective independence by Kammer (1991): the sites with the least share of the information are deleted one after the other.
     #[test]
     fn holds_no_less_information_than_effective_independence() {
         for seed in 300..350 {
@@ -450,7 +450,7 @@ mod tests {
 
     #[test]
     fn holds_what_cannot_be_told_apart_is_said() {
-        // two modes that move alike at the only two sites, and one that neither sees
+        // two modes with equal motion at the only two sites, and one without motion there
         let sites = vec![vec![vec![1.0, 2.0, 0.0]], vec![vec![0.5, 1.0, 0.0]]];
         let placed = SensorPlacement {
             sensors: 2,

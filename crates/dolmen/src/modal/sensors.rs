@@ -1,11 +1,11 @@
-//! Sensors that contradict each other: two of one place and direction that move differently; on a floor that moves as a rigid body in its lowest
-//! modes one sensor or station turned round, or two exchanged.
+//! Contradictions between sensors: two sensors with one place and direction but different motion; or, on a floor that moves as a rigid body in its
+//! lowest modes, a reversed sensor or station, or two exchanged ones.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | φ | `shapes` | shapes of the lowest modes at the horizontal sensors of one floor, brought to length 1 |
-//! | G | `motions` | what unit motions of the floor (along x, along y, a turn about z) give at the sensors: d_x, d_y, d_y p_x - d_x p_y |
-//! | r | `unexplained` | mean of 1 - \|Gᵀ φ\|² with G made orthonormal: share of the shapes that no rigid floor has |
+//! | φ | `shapes` | shapes of the lowest modes at the horizontal sensors of one floor, scaled to length 1 |
+//! | G | `motions` | unit motions of the floor (along x, along y, rotation about z) at the sensors: d_x, d_y, d_y p_x - d_x p_y |
+//! | r | `unexplained` | mean of 1 - \|Gᵀ φ\|² with orthonormal G: share of the shapes impossible for a rigid floor |
 
 use super::modes::Mode;
 use crate::signal::{Channel, Record};
@@ -14,18 +14,18 @@ use dolmen_linalg::Complex64;
 /// A contradiction between sensors.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SensorDoubt {
-    /// Two sensors of one place and direction move differently.
+    /// Two sensors with one place and direction move differently.
     Twins {
         /// Names of these channels.
         channels: [String; 2],
-        /// 2 a·b / (a·a + b·b): 1 for the same motion, less where one is smaller or unlike.
+        /// 2 a·b / (a·a + b·b): 1 for the same motion, less for different size or form.
         likeness: f64,
     },
     /// With the sign of one sensor changed, a floor moves as a rigid body.
     Turned {
         /// Its name.
         channel: String,
-        /// Share of the motion that no rigid floor has.
+        /// Share of the motion impossible for a rigid floor.
         unexplained: f64,
         /// Similarity after the change of sign.
         changed: f64,
@@ -34,7 +34,7 @@ pub enum SensorDoubt {
     StationTurned {
         /// Names of these channels.
         channels: Vec<String>,
-        /// Share of the motion that no rigid floor has.
+        /// Share of the motion impossible for a rigid floor.
         unexplained: f64,
         /// Similarity after the changes of sign.
         changed: f64,
@@ -43,7 +43,7 @@ pub enum SensorDoubt {
     StationsSwapped {
         /// Names of the channels at each place.
         channels: [Vec<String>; 2],
-        /// Share of the motion that no rigid floor has.
+        /// Share of the motion impossible for a rigid floor.
         unexplained: f64,
         /// Similarity after the exchange.
         changed: f64,
@@ -52,27 +52,27 @@ pub enum SensorDoubt {
     Swapped {
         /// Names of these channels.
         channels: [String; 2],
-        /// Share of the motion that no rigid floor has.
+        /// Share of the motion impossible for a rigid floor.
         unexplained: f64,
         /// Similarity after the exchange.
         changed: f64,
     },
 }
 
-/// Sensors nearer than this, m, and within 10° of one direction measure one thing. Ours.
+/// Largest distance of sensors, m, that measure the same motion, within 10° of one direction. Our choice.
 const ONE_PLACE_M: f64 = 0.02;
 const ONE_DIRECTION: f64 = 0.985;
-/// Likeness, 2 a·b / (a·a + b·b), below which twins contradict each other. Ours: noise a third of the motion in each gives 0.9.
+/// Likeness, 2 a·b / (a·a + b·b), below which twins contradict each other. Our choice: noise of a third of the motion in each gives 0.9.
 const TWINS_LEAST: f64 = 0.85;
-/// Heights within this are one floor, m. Ours.
+/// Largest difference of heights on one floor, m. Our choice.
 const ONE_FLOOR_M: f64 = 0.5;
 /// Fewest sensors of a floor: three determine its motion, and two more identify the wrong one.
 const SENSORS_LEAST: usize = 5;
 /// Largest number of lowest modes in the check, and the fewest that allow a conclusion. Our choice: higher modes bend floors.
 const MODES_MOST: usize = 3;
 const MODES_LEAST: usize = 2;
-/// Share of the shapes above which a floor is not rigid as its sensors are described, by how much the change must lessen it, and by how much
-/// the second-best change must be worse. Ours: the roof of Palisaden has 0.008, and 0.17 and more with one sensor turned.
+/// Share of the shapes above which the described sensors contradict a rigid floor, factor by which a change must reduce it, and factor to
+/// the second-best change. Our choice: the roof of Palisaden has 0.008, and 0.17 and more with one reversed sensor.
 const UNEXPLAINED: f64 = 0.05;
 const LESSENS: f64 = 4.0;
 const CLEARLY: f64 = 2.0;
@@ -137,7 +137,7 @@ fn twins(record: &Record) -> Vec<SensorDoubt> {
     doubts
 }
 
-/// Sums of products of the samples with the mean taken off.
+/// Sums of products of the samples without the mean.
 fn covariance(record: &Record, channels: &[usize]) -> Vec<Vec<f64>> {
     let centred: Vec<Vec<f64>> = channels
         .iter()
@@ -195,7 +195,7 @@ fn stations(channels: &[Channel], floor: &[usize]) -> Vec<Vec<usize>> {
     all
 }
 
-/// Exchanges of the sensors of two stations, each with that of its direction; `None` where the stations measure other directions.
+/// Exchanges of the sensors of two stations by direction; `None` if the stations measure different directions.
 fn exchanged(channels: &[Channel], floor: &[usize], stations: [&[usize]; 2]) -> Option<Change> {
     let along = |a: usize, b: usize| -> f64 {
         let of = |i: usize| channels[floor[i]].direction.unwrap_or([f64::NAN; 3]);
@@ -288,7 +288,7 @@ fn motions(channels: &[Channel], floor: &[usize]) -> [Vec<f64>; 3] {
     all
 }
 
-/// The same space in orthonormal vectors (Gram and Schmidt); `None` if the sensors do not span it.
+/// An orthonormal basis of the same space (Gram and Schmidt); `None` if the sensors do not determine it.
 fn orthonormal(vectors: [Vec<f64>; 3]) -> Option<Vec<Vec<f64>>> {
     let mut all: Vec<Vec<f64>> = Vec::new();
     for mut vector in vectors {
@@ -315,7 +315,7 @@ fn shape_of(mode: &Mode, channels: usize, floor: &[usize]) -> Option<Vec<Complex
     (size > 0.0).then(|| shape.iter().map(|x| x / size).collect())
 }
 
-/// Share of the shapes that no rigid floor has.
+/// Share of the shapes impossible for a rigid floor.
 fn unexplained(shapes: &[Vec<Complex64>], motions: &[Vec<f64>], change: Option<&Change>) -> f64 {
     let place = |i: usize| {
         let pairs = change.iter().flat_map(|change| &change.swapped);
@@ -357,7 +357,7 @@ mod tests {
         .collect()
     }
 
-    /// The field of a rigid body, u = a - θ y, v = b + θ x, written out by hand and not by `motions`.
+    /// The field of a rigid body, u = a - θ y, v = b + θ x, written by hand without `motions`.
     fn rigid(a: f64, b: f64, theta: f64) -> Vec<Complex64> {
         let each = [[0.0, 0.0], [10.0, 0.0], [3.0, 8.0]].into_iter();
         each.flat_map(|[x, y]| [a - theta * y, b + theta * x])
@@ -427,7 +427,7 @@ mod tests {
                 shape.swap(a + 1, b + 1);
             }
             let named = best(&moved, &motions);
-            // two sensors that a rigid floor moves alike may be exchanged or not
+            // two sensors with equal motion on a rigid floor may be exchanged without effect
             let (swapped, pairs) = (&named.0.swapped, [[a, b], [a + 1, b + 1]]);
             assert!(
                 !swapped.is_empty()

@@ -8,41 +8,41 @@ use super::subspace::Ssi;
 use super::{Method, ModalError, Mode, Modes, Note};
 use crate::signal::{CORNER_OF_NYQUIST, Processing, Record};
 
-/// Periods of the lowest mode that the lags reach over, 2 br of them: one is the least of theory. Over 200 records of two floors
-/// the scatter of frequencies is 1.20, 1.25, 1.37, 1.42 of its floor with 1.5, 2, 3, 4 periods; close modes want more than one.
+/// Periods of the lowest mode within the 2 br lags; theory needs at least one. Over 200 records of two floors the scatter of
+/// frequencies is 1.20, 1.25, 1.37, 1.42 of its floor with 1.5, 2, 3, 4 periods; close modes need more than one.
 const PERIODS_REACHED: f64 = 2.0;
-/// The same of the covariance-driven method, which gains by longer lags.
+/// The same for the covariance-driven method, which improves with longer lags.
 const PERIODS_REACHED_BY_COVARIANCE: f64 = 3.0;
-/// The same of half spectra, whose lines the lags set. From 6 to 30 periods the scatter of the two floors rises from 1.27 to 1.6 of its floor,
-/// that of the pairs stays at 1.3 with all.
+/// The same for half spectra, whose resolution depends on the lags. From 6 to 30 periods the scatter of the two floors rises from 1.27 to
+/// 1.6 of its floor, that of the pairs stays at 1.3.
 const PERIODS_REACHED_BY_LINES: f64 = 8.0;
-/// Fewest degrees of their polynomials, each of as many orders as references: enough of them to see what comes back.
+/// Fewest degrees of their polynomials, each with as many orders as references: enough to see which poles recur.
 const DEGREES_LEAST: usize = 12;
-/// Periods of the lowest mode that the polynomials reach over, a sample a degree: on ten minutes of a timber building .7 shows none of its
+/// Periods of the lowest mode within the polynomials, one sample per degree: on ten minutes of a timber building 0.7 shows none of its
 /// first three modes, 1.1 all three with four references, 1.5 with two.
 const PERIODS_IN_DEGREES: f64 = 1.5;
-/// Orders, references times degrees, to which that wish is met: an eigenvalue problem of that size each of the degrees.
+/// Largest order, references times degrees: each degree needs an eigenvalue problem of that size.
 const ORDER_BY_DEGREES: usize = 160;
-/// Range above the highest peak that lines reach over: what is decimated further spreads the lowest modes over more of the circle.
+/// Range of the lines over the highest peak: more decimation spreads the lowest modes over more of the unit circle.
 const RANGE_ABOVE_PEAK_BY_LINES: f64 = 1.4;
-/// Range above the highest peak that is kept free of aliases: a mode near its end is known less well.
+/// Range without aliases over the highest peak: a mode near its end is less accurate.
 const RANGE_ABOVE_PEAK: f64 = 1.6;
-/// Without a wish the highest model order is this many times the peaks and tones, or the channels, whichever are more: two
-/// for each mode, the rest for noise and close neighbours. Far more, and poles that fit noise crowd out the modes. Tones
-/// take poles too: on ten minutes of a timber building with four of them, order 36 has a mode .3 % low that holds from 50 on.
+/// Default ratio of the highest model order to the number of peaks and tones, or of channels if larger: two orders for each
+/// mode, the rest for noise and close neighbours. With far more, poles that fit noise displace the modes. Tones need poles
+/// too: on ten minutes of a timber building with four tones, order 36 has a mode 0.3 % low that is stable from 50 on.
 const ORDER_OVER_PEAKS: usize = 6;
-/// Bounds of that order: enough orders to see what comes back, and no more than a minute of work; where there are many
-/// channels the upper one is three times their number, so that each can show a mode of its own.
+/// Bounds of that order: enough orders to see which poles recur, and at most a minute of work. With many channels the
+/// upper bound is three times their number, so that each can have its own mode.
 const ORDER_RANGE: [usize; 2] = [24, 60];
 const ORDER_OVER_CHANNELS: usize = 3;
 const ORDER_LIMIT: usize = 120;
 
-/// What was chosen from the data, and from what.
+/// Settings chosen from the data, and their basis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Lowest peak of the spectrum (or lowest frequency asked), Hz: the block rows reach over its period.
+    /// Lowest peak of the spectrum (or lowest requested frequency), Hz: the block rows cover its period.
     pub lowest_hz: f64,
-    /// Highest peak of the spectrum (or highest frequency asked), Hz: the decimation keeps it.
+    /// Highest peak of the spectrum (or highest requested frequency), Hz: the decimation keeps it.
     pub highest_hz: f64,
     /// Samples before over samples after the low-pass filter of the correlations.
     pub decimation: usize,
@@ -50,7 +50,7 @@ pub struct Settings {
     pub sampling_rate_hz: f64,
     /// Lines of the spectrum; 0 where the modes do not come from its peaks.
     pub lines: usize,
-    /// Block rows; 0 where the modes come from the peaks of the spectrum, as the next three.
+    /// Block rows; 0 where the modes come from the peaks of the spectrum, as for the next three.
     pub block_rows: usize,
     /// Least block rows for the lowest frequency: half a period.
     pub block_rows_least: usize,
@@ -58,11 +58,11 @@ pub struct Settings {
     pub order_most: usize,
     /// Blocks of time.
     pub time_blocks: usize,
-    /// Equally strong blocks of time that would tell as much: fewer in a record of gusts. Standard deviations have one degree of freedom less.
+    /// Effective number of blocks with equal power: fewer in a record of gusts. Standard deviations have one degree of freedom less.
     pub time_blocks_effective: usize,
     /// Reference channels, by index; none where the modes come from the peaks or from a decay.
     pub references: Vec<usize>,
-    /// Share of the motion at the peaks that they keep, 0 to 1, where they were chosen from the spectrum.
+    /// Share of the motion at the peaks in the references, 0 to 1, if they were chosen from the spectrum.
     pub references_keep: Option<f64>,
     /// Range in which modes are accepted, Hz.
     pub range_hz: [f64; 2],
@@ -81,11 +81,11 @@ impl Settings {
     }
 }
 
-/// With fewer blocks of time the standard deviations are themselves known to worse than 24 %.
+/// Fewest blocks of time: with fewer, the error of the standard deviations exceeds 24 %.
 const TIME_BLOCKS_LEAST: usize = 10;
 
-/// Highest frequency that the filters pass with which the record was brought to its rate, Hz; `None` where it was not. What lies above is
-/// partly cut and partly folded back: beside its edge the shoulder of noise passes for a mode.
+/// Highest frequency passed by the filters of an earlier resampling of the record, Hz; `None` without resampling. Motion above it is
+/// partly removed and partly aliased: the edge of the remaining noise looks like a mode.
 pub(super) fn passed_hz(record: &Record) -> Option<f64> {
     let lowered =
         |step: &Processing| matches!(step, Processing::Decimate { .. } | Processing::Resampled { .. });
@@ -172,7 +172,7 @@ pub(super) fn choose(
         0.5 * rate_hz
     };
     let clean_hz = clean_hz.min(passed_hz(record).unwrap_or(clean_hz));
-    // below the least the block rows reach over less than half a period
+    // with fewer block rows than the least, the lags cover less than half a period
     let seen_hz = 0.5 * sampling_rate_hz / block_rows as f64;
     Ok(Settings {
         lowest_hz,
@@ -194,7 +194,7 @@ pub(super) fn choose(
     })
 }
 
-/// The lowest and the highest frequency that is asked for, or has a peak, Hz.
+/// The lowest and the highest requested frequency, or else peak, Hz.
 fn peak_range_hz(options: &Identify, peaks: &Modes, rate_hz: f64) -> Result<[f64; 2], ModalError> {
     let peak = |mode: Option<&Mode>, asked: Option<f64>| {
         asked.or(mode.map(|m| m.frequency_hz)).ok_or(ModalError::NoPeak {
@@ -207,19 +207,19 @@ fn peak_range_hz(options: &Identify, peaks: &Modes, rate_hz: f64) -> Result<[f64
     Ok([lowest_hz, peak(peaks.modes.last(), options.frequency_high_hz)?])
 }
 
-/// What bounds the order of the model.
+/// Bounds of the order of the model.
 struct OrderBounds {
-    /// Order that the peaks and tones ask for.
+    /// Order needed for the peaks and tones.
     sought: usize,
     references: usize,
     block_rows: usize,
-    /// Rows of the observability matrix that its shift leaves.
+    /// Rows of the shifted observability matrix.
     rows: usize,
-    /// Degree that reaches over enough of the lowest peak's periods, by lines.
+    /// Degree that covers enough periods of the lowest peak.
     degrees: usize,
 }
 
-/// The highest order: as asked, else as many as the peaks need and the block rows hold.
+/// The highest order: the requested one, else as many as the peaks need and the block rows allow.
 fn order_most(options: &Identify, bounds: OrderBounds) -> Result<usize, ModalError> {
     let OrderBounds {
         sought,

@@ -114,7 +114,7 @@ pub(super) fn check(record: &Record, options: &Identify) -> Result<(), ModalErro
     Ok(())
 }
 
-/// Share of the record that a channel may stand still. Chosen here.
+/// Share of the record that a channel may stand still. Our choice.
 const STUCK_MOST: f64 = 0.02;
 
 /// Refuses dead and duplicated channels, and those that stand still for more than a fiftieth of the record; notes all else.

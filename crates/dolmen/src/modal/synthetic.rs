@@ -1,10 +1,10 @@
-//! Made ambient records whose poles are known exactly: what every method of this chapter is measured against.
+//! Simulated ambient records with exactly known poles, to measure the accuracy of every method of this chapter.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | q, q̇ | `q`, `v` | modal coordinate and its velocity | m, m/s |
 //! | ω, ζ | `omega`, `zeta` | natural frequency, damping ratio | rad/s, - |
-//! | p | `p` | white modal force per modal mass, held over one sample | m/s² |
+//! | p | `p` | white modal force per modal mass, constant over one sample | m/s² |
 
 use super::ModalError;
 use crate::numeric::Random;
@@ -12,7 +12,7 @@ use crate::signal::{Channel, Quantity, Record};
 use dolmen_linalg::{Complex64, Matrix, generalized_symmetric_eigen};
 use std::f64::consts::PI;
 
-/// Decay times that pass before the first sample is kept: e⁻⁸ = 0.03 % of the start is left.
+/// Number of decay times before the first stored sample: e⁻⁸ = 0.03 % of the start remains.
 const DECAYS_BEFORE_START: f64 = 8.0;
 
 /// One mode of a simulated record, with exact values.
@@ -22,14 +22,14 @@ pub struct MadeMode {
     pub frequency_hz: f64,
     /// Damping ratio, between 0 and 1.
     pub damping_ratio: f64,
-    /// One component a channel.
+    /// One component per channel.
     pub shape: Vec<f64>,
 }
 
-/// How to make an ambient record.
+/// Description of a simulated ambient record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MadeRecord {
-    /// The modes: all shapes equally long.
+    /// The modes, all with shapes of the same length.
     pub modes: Vec<MadeMode>,
     /// Duration, s.
     pub duration_s: f64,
@@ -39,7 +39,7 @@ pub struct MadeRecord {
     pub quantity: Quantity,
     /// Standard deviation of the white sensor noise over that of the channel's motion; default 0.1 (20 dB).
     pub noise_ratio: f64,
-    /// Seed: one seed, one record.
+    /// Seed; the same seed gives the same record.
     pub seed: u64,
 }
 
@@ -131,7 +131,7 @@ impl MadeRecord {
     }
 }
 
-/// One mode as a recursion, exact for forces held over a sample.
+/// One mode as a recursion, exact for forces constant over a sample.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Oscillator {
     omega: f64,
@@ -166,7 +166,7 @@ impl Oscillator {
         }
     }
 
-    /// Samples after which the start is forgotten.
+    /// Samples after which the start has no effect.
     pub(super) fn samples_before(&self) -> usize {
         (DECAYS_BEFORE_START / (self.zeta * self.omega * self.dt)).ceil() as usize
     }
@@ -211,11 +211,11 @@ impl Oscillator {
 pub enum ReferenceCase {
     /// Two floors, 1.1 and 4.2 Hz, ζ 2 %: 2 channels × 10 min × 100 Hz.
     ShearChain,
-    /// Four floors × (x, y), y 4 % stiffer so that modes come in pairs 2 % apart, axes turned by 30°, f1 1.5 Hz,
-    /// ζ 1 %: 8 channels × 10 min × 100 Hz.
+    /// Four floors × (x, y), y 4 % stiffer so that modes come in pairs 2 % apart, axes rotated by 30°, f1 1.5
+    /// Hz, ζ 1 %: 8 channels × 10 min × 100 Hz.
     ClosePairs,
-    /// Four floors × (x, y, turn) with the centre of mass off the centre of stiffness, f1 1.2 Hz, ζ 1.2 %, three
-    /// sensors a floor at two corners: 12 channels × 1 h × 200 Hz.
+    /// Four floors × (x, y, rotation) with the centre of mass off the centre of stiffness, f1 1.2 Hz, ζ 1.2 %,
+    /// three sensors per floor at two corners: 12 channels × 1 h × 200 Hz.
     Twisting,
     /// Sixteen floors × (x, y), storeys, axes and pairs as those of `ClosePairs`, f1 0.8 Hz, ζ 1 %:
     /// 32 channels × 1 h × 200 Hz.
@@ -263,7 +263,7 @@ impl ReferenceCase {
     }
 }
 
-/// Entry of the stiffness of a shear building; storeys fall from 1 at the ground to 0.6 at the top.
+/// Entry of the stiffness of a shear building; storey stiffness falls from 1 at the ground to 0.6 at the top.
 fn shear_stiffness(i: usize, j: usize, floors: usize) -> f64 {
     let storey = |k: usize| 1.0 - 0.4 * k as f64 / (floors - 1) as f64;
     let above = |k: usize| if k + 1 < floors { storey(k + 1) } else { 0.0 };

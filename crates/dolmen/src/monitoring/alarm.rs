@@ -1,4 +1,4 @@
-//! The alarm: each new survey of a mode against what those before it predict.
+//! The alarm: compares each new survey of a mode with the prediction from earlier ones.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -13,22 +13,22 @@ use super::weather::{FROST_SURVEYS_LEAST, ModeSeries, WeatherKnown, columns, ear
 use super::whitening::Disturbance;
 use crate::numeric::{normal_quantile, student_two_sided};
 
-/// Single scores beyond this are outside: one in 370.
+/// Limit of single scores: by chance one in 370 is beyond it.
 pub(super) const OUTSIDE: f64 = 3.0;
-/// An alarm is confirmed by so many outside among the last ones.
+/// Numbers of readings outside the limit, among the last ones, that confirm an alarm.
 const OUTSIDE_LEAST: usize = 3;
 const AMONG: usize = 5;
-/// Scores count for no more than this in the average, so that one wild survey hardly confirms an alarm. Chosen here.
+/// Largest score in the average, so that one wild survey hardly confirms an alarm. Our choice.
 const SCORE_MOST: f64 = 3.0;
-/// Surveys that a new level is learned from.
+/// Surveys for the estimate of a new level.
 const LEVEL_SURVEYS: usize = 3;
-/// Surveys that must have been as cold, and as warm, within a margin, °C. Chosen here.
+/// Fewest earlier surveys that were at least as cold, and at least as warm, within a margin, °C. Our choice.
 const TEMPERATURES_LEAST: usize = 3;
 const MARGIN_C: f64 = 1.0;
-/// The limit is raised by this factor, since disturbance and weather are estimated: without it false alarms came 1.2 to 2.5 times as often as
-/// stated (`examples/watch_power.rs`, with training repeated in each history).
+/// Factor on the limit, because disturbance and weather are estimated: without it false alarms came 1.2 to 2.5 times as often as stated
+/// (`examples/watch_power.rs`, with training repeated in each history).
 const ALLOWANCE: f64 = 1.06;
-/// The disturbance is estimated again when surveys grew by this part. Chosen here.
+/// Growth of the number of surveys after which the disturbance is estimated again. Our choice.
 const AGAIN: f64 = 1.1;
 
 /// Options of the alarm.
@@ -36,7 +36,7 @@ const AGAIN: f64 = 1.1;
 pub(super) struct AlarmOptions {
     /// Weight of the newest score in the average; default 0.2.
     pub(super) weight: f64,
-    /// Surveys that are learned from before one is judged; default 10.
+    /// Surveys for training before one is judged; default 10.
     pub(super) training: usize,
     /// Limit of the average over its own deviation, [`alarm_limit`].
     pub(super) limit: f64,
@@ -47,22 +47,22 @@ pub(super) struct AlarmOptions {
 /// Why a survey of a mode was not judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotJudged {
-    /// Too few surveys before it.
+    /// Too few earlier surveys.
     Training,
-    /// The first ones after the structure was changed, or after an alarm: its new level is being learned.
+    /// One of the first surveys after the structure was changed, or after an alarm: they determine the new level.
     NewLevel,
-    /// Colder or warmer than what was learned from.
+    /// Colder or warmer than the surveys for training.
     Temperature,
-    /// Its temperature is not known, and the others' are.
+    /// Its temperature is unknown, while those of the others are known.
     NoTemperature,
 }
 
-/// What was made of one survey of a mode.
+/// Result for one survey of a mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
     /// Index of the survey.
     pub survey: usize,
-    /// The relative reading that was predicted, and the deviation of reading less prediction.
+    /// The predicted relative reading, and the deviation of reading less prediction.
     pub predicted: Option<(f64, f64)>,
     /// Its score, or why it has none.
     pub score: Result<f64, NotJudged>,
@@ -70,7 +70,7 @@ pub struct Judged {
     pub average: f64,
 }
 
-/// What gave an alarm.
+/// The cause of an alarm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AlarmKind {
     /// The moving average went beyond its limit.
@@ -82,11 +82,11 @@ pub enum AlarmKind {
 /// A confirmed alarm of one mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModeAlarm {
-    /// Index of the survey that confirmed it.
+    /// Index of the confirming survey.
     pub survey: usize,
-    /// The survey with which it may have begun.
+    /// The survey at which it may have begun.
     pub since: usize,
-    /// What gave it.
+    /// Its cause.
     pub kind: AlarmKind,
     /// The average, or the newest score outside.
     pub value: f64,
@@ -97,14 +97,14 @@ pub struct ModeAlarm {
 /// The surveys of one mode, judged one after the other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JudgedMode {
-    /// Every survey that shows the mode.
+    /// Every survey with the mode.
     pub judged: Vec<Judged>,
     /// The alarms.
     pub alarms: Vec<ModeAlarm>,
 }
 
-/// The limit of the moving average over its own deviation at which one mode alarms falsely once in `run_length` surveys: that of known
-/// parameters, and the allowance for their being estimated.
+/// The limit of the moving average over its own deviation with one false alarm of one mode in `run_length` surveys: that for known
+/// parameters, times the allowance for estimated ones.
 ///
 /// # Errors
 /// As [`ewma_limit`](super::ewma_limit).
@@ -134,7 +134,7 @@ pub(super) fn judge(
         .collect();
     let middle_c = known.iter().sum::<f64>() / known.len().max(1) as f64;
     let at = (middle_c, options.frost_below_c);
-    // a level that begins with the first survey is none
+    // a new level at the first survey has no effect
     let mut levels: Vec<usize> = levels.iter().copied().filter(|level| *level > 0).collect();
     let mut pool = Pool::default();
     let mut out = JudgedMode {
@@ -190,7 +190,7 @@ pub(super) fn judge(
         } else if score == Err(NotJudged::Temperature) {
             pool.waiting.push(i);
         } else if !needs_temperature || temperature_c.is_finite() {
-            // what waited is learned from once a survey that can be judged is as predicted
+            // waiting surveys are used once a survey that can be judged is as predicted
             let is_released = score.is_ok() && pool.release();
             pool.used.push(i);
             if is_released {
@@ -203,7 +203,7 @@ pub(super) fn judge(
         if let Some(confirmed) = confirmed {
             let since = confirmed.since;
             out.alarms.push(confirmed.alarm(&series.surveys, i));
-            // what comes is measured against the level that began with the alarm
+            // further surveys are compared with the level since the alarm
             levels.push(if levels.contains(&since) { i } else { since });
             levels.dedup();
             pool.take_back(since);
@@ -220,7 +220,7 @@ pub(super) fn judge(
 struct Scores {
     /// Their moving average E.
     average: f64,
-    /// Those since the average was last 0.
+    /// Those since the last zero of the average.
     one_sided: Vec<(usize, f64)>,
     all: Vec<(usize, f64)>,
 }
@@ -230,7 +230,7 @@ struct Confirmed {
     kind: AlarmKind,
     value: f64,
     limit: f64,
-    /// The survey with which the change likeliest began.
+    /// The most likely first survey of the change.
     since: usize,
 }
 
@@ -277,10 +277,10 @@ impl Scores {
     }
 }
 
-/// The survey with which scores of one sign likeliest began to be off: the start of those whose sum is largest over its own deviation.
+/// The most likely first survey of a change in scores of one sign: the start of the sum that is largest over its own deviation.
 ///
 /// # Source
-/// Pignatiello & Samuel (2001) J. Qual. Technol. 33(3):357-365: the step of largest likelihood. Where the average was last 0 may lie years before.
+/// Pignatiello & Samuel (2001) J. Qual. Technol. 33(3):357-365: the step of largest likelihood. The last zero of the average may be years earlier.
 fn likeliest_start(scores: &[(usize, f64)]) -> usize {
     let (mut sum, mut best, mut start) = (0.0, 0.0, scores.last().map_or(0, |(i, _)| *i));
     for (count, (i, score)) in scores.iter().rev().enumerate() {
@@ -293,14 +293,14 @@ fn likeliest_start(scores: &[(usize, f64)]) -> usize {
     start
 }
 
-/// Surveys that are learned from.
+/// Surveys for training.
 #[derive(Clone, Debug, Default)]
 struct Pool {
-    /// Those as predicted, ascending.
+    /// Surveys as predicted, ascending.
     used: Vec<usize>,
     /// Those outside.
     outside: Vec<usize>,
-    /// Those at new temperatures: what the weather did, and what the structure, is not told apart yet.
+    /// Surveys at new temperatures: the effects of weather and structure cannot be separated yet.
     waiting: Vec<usize>,
 }
 
@@ -317,7 +317,7 @@ impl Pool {
         frost.take(FROST_SURVEYS_LEAST).count() == FROST_SURVEYS_LEAST
     }
 
-    /// Whether there were surveys as cold, and as warm.
+    /// Whether there were surveys at least as cold, and at least as warm.
     fn has_seen(&self, series: &ModeSeries, temperature_c: f64) -> bool {
         let enough = |as_far: &dyn Fn(f64) -> bool| {
             let all = self.used.iter().filter(|i| as_far(series.temperatures_c[**i]));
@@ -326,7 +326,7 @@ impl Pool {
         enough(&|t| t <= temperature_c + MARGIN_C) && enough(&|t| t >= temperature_c - MARGIN_C)
     }
 
-    /// Learns from what waited; whether there was any.
+    /// Uses the waiting surveys; returns whether there were any.
     fn release(&mut self) -> bool {
         let is_any = !self.waiting.is_empty();
         self.used.append(&mut self.waiting);
@@ -334,7 +334,7 @@ impl Pool {
         is_any
     }
 
-    /// What was outside since a survey was a new level, and is learned from.
+    /// Uses the surveys outside the limit since a survey: they belong to a new level.
     fn take_back(&mut self, since: usize) {
         self.release();
         let back: Vec<usize> = self.outside.iter().copied().filter(|i| *i >= since).collect();
@@ -354,7 +354,7 @@ fn normal_score(score: f64, degrees_of_freedom: f64) -> Result<f64, MonitoringEr
     Ok(-normal_quantile(0.5 * both.min(1.0 - 1e-16))?.min(0.0) * score.signum())
 }
 
-/// What is known at one time.
+/// The state at one time.
 struct Model {
     weather: WeatherKnown,
     online: Online,
@@ -378,7 +378,7 @@ impl Model {
         let mut is_kept = vec![false; series.len()];
         index.iter().for_each(|i| is_kept[*i] = true);
         let known = series.kept(|i| is_kept[i]);
-        // a level that no survey shows yet explains nothing so far
+        // a level without a survey explains nothing yet
         let step =
             |level: &usize| -> Vec<f64> { index.iter().map(|i| f64::from(u8::from(i >= level))).collect() };
         let extra: Vec<Vec<f64>> = levels
@@ -393,7 +393,7 @@ impl Model {
         if known.len() < all.len() + 2 {
             return None;
         }
-        // from the beginning each time: started from the last estimate, the search ends too early, and false alarms come 1.4 times as often
+        // from the same start each time: started from the last estimate, the search ends too early, and false alarms come 1.4 times as often
         let disturbance: Disturbance = restricted_likelihood(&known.series, &all, None)?;
         let mut model = Model {
             weather,
@@ -417,12 +417,12 @@ impl Model {
         Some(model)
     }
 
-    /// Whether there are many more surveys to learn from, or other levels.
+    /// Whether there are many more surveys for training, or other levels.
     fn is_outgrown(&self, surveys: usize, levels: &[usize]) -> bool {
         surveys as f64 >= AGAIN * self.pool as f64 || self.levels != levels
     }
 
-    /// What explains a survey, the reading last.
+    /// Regressors of a survey, the reading last.
     fn row(&self, series: &ModeSeries, i: usize, at: (f64, f64)) -> Vec<f64> {
         let mut row = explaining(self.weather, (series.days[i], series.temperatures_c[i]), at);
         row.extend(self.levels.iter().map(|level| f64::from(u8::from(i >= *level))));

@@ -57,7 +57,7 @@ pub(super) struct DatedBreak {
 }
 
 impl DatedBreak {
-    /// Its column, 0 from the change on: level and slope of the regression are those of the last reading.
+    /// Its column, 0 from the change on, because level and slope of the regression are those of the last reading.
     pub(super) fn column(&self, days: &[f64]) -> Vec<f64> {
         days.iter().map(|day| self.value(*day)).collect()
     }

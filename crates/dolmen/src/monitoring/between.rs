@@ -1,4 +1,4 @@
-//! What a history says of the difference between two of its surveys.
+//! The difference between two surveys of a history.
 //!
 //! ```text
 //! f_j − f_i = weather + change + e_j − e_i,   Var(e_j − e_i) = σ_i² + σ_j² + 2 s² (1 − φ^|t_j − t_i|)
@@ -10,8 +10,8 @@ use super::watched_mode::WatchedMode;
 use crate::assess::HistoryEffect;
 
 impl Watched {
-    /// Of each mode that was fitted and that both surveys show: what the weather explains of its difference, and how far two surveys differ by
-    /// chance. The weather's coefficient, its deviation and the scatter are those of all surveys, estimated with all lasting changes.
+    /// For each fitted mode in both surveys: the effect of weather on its difference, and the scatter of the difference of two surveys. The
+    /// weather's coefficient, its deviation and the scatter are those of all surveys, estimated with all lasting changes.
     ///
     /// Tests: `holds_two_surveys_differ_by_chance_as_stated` of `tests/validation/watched_pairs.rs`.
     pub fn between(&self, from: usize, to: usize) -> Vec<HistoryEffect> {

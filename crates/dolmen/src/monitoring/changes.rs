@@ -7,7 +7,7 @@ use super::series::Series;
 use super::whitening::Disturbance;
 use crate::numeric::Random;
 
-/// Fall of −2 ln of the likelihood within which another date of a step is as likely as not excluded: (1 − e^(−x/2))² = 0.95.
+/// Decrease of −2 ln of the likelihood up to which another date of a step is in the 95 % interval: (1 − e^(−x/2))² = 0.95.
 ///
 /// Source: Eo & Morley (2015) Quantitative Economics 6:463-497, table 1.
 const STEP_DATES: f64 = 7.35;
@@ -15,7 +15,7 @@ const STEP_DATES: f64 = 7.35;
 const SLOPE_DATES: f64 = 3.84;
 /// Relative distance from the limit within which a simulation of the series itself decides.
 const NEAR_LIMIT: f64 = 0.2;
-/// Series longer than this have their limit from the table alone: their disturbance is known well.
+/// Longest series with a simulated limit; for longer ones the table is enough, because their disturbance is well known.
 const SIMULATED_MOST: usize = 400;
 /// Number of larger simulated statistics at which a simulation ends. Besag & Clifford (1991) Biometrika 78:301-304.
 const LARGER_MOST: usize = 20;
@@ -25,9 +25,9 @@ const CHANGES_MOST: usize = 6;
 /// Options of [`changes`].
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Seeking {
-    /// Probability of a false finding in any of the modes although nothing changed.
+    /// Probability of a false finding in any of the modes without a change.
     pub(super) significance: f64,
-    /// Modes that are searched together.
+    /// Number of modes in the search.
     pub(super) modes: usize,
     /// Simulated series, at most.
     pub(super) replicates: usize,
@@ -38,10 +38,10 @@ pub(super) struct Seeking {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct DetectedChange {
     pub(super) change: Candidate,
-    /// The first and the last survey that may have been the first to show it.
+    /// The first and the last survey that may have been the first with the change.
     pub(super) earliest: usize,
     pub(super) latest: usize,
-    /// Probability of as strong a change in any mode by chance.
+    /// Probability of a change this strong in any mode by chance.
     pub(super) p_value: f64,
 }
 
@@ -49,7 +49,7 @@ pub(super) struct DetectedChange {
 #[derive(Clone, Debug)]
 pub(super) struct Changes {
     pub(super) found: Vec<DetectedChange>,
-    /// A step that the last one or two surveys alone show: no lasting change yet.
+    /// A step only in the last one or two surveys: no lasting change yet.
     pub(super) late: Option<Candidate>,
     /// Disturbance with all changes in the regression.
     pub(super) disturbance: Disturbance,
@@ -60,7 +60,7 @@ pub(super) struct Changes {
     pub(super) columns: Vec<Vec<f64>>,
 }
 
-/// Correlation of two surveys that follow one another, noise of the readings included.
+/// Correlation of two successive surveys, including the noise of the readings.
 pub(super) fn effective_correlation(series: &Series, of: Disturbance) -> f64 {
     let noise = series.noise_sd.iter().map(|sd| sd * sd).sum::<f64>() / series.len() as f64;
     let variance = of.sd * of.sd;
@@ -72,8 +72,8 @@ fn family(p: f64, modes: usize) -> f64 {
     -(modes as f64 * (-p).ln_1p()).exp_m1()
 }
 
-/// Probability that the strongest change of this series without change is as strong: by simulation with all that is estimated from the series
-/// estimated anew.
+/// Probability of a change at least this strong in this series by chance: by simulation, with everything estimated again that is estimated
+/// from the series.
 fn simulated(
     series: &Series,
     columns: &[Vec<f64>],
@@ -100,7 +100,7 @@ fn simulated(
     (larger + 1) as f64 / (done + 1) as f64
 }
 
-/// Searches changes one after the other, each in addition to those found before, until the rest may be chance.
+/// Searches for changes one after the other, each in addition to the earlier ones, until the rest may be chance.
 pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> Option<Changes> {
     let alone = 1.0 - (1.0 - how.significance).powf(1.0 / how.modes as f64);
     let n = series.len();
@@ -123,10 +123,10 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
             break;
         };
         let statistic = best.change.statistic.abs();
-        // without a change the series is as if none were in it: with it the disturbance would be taken too small
+        // the series without a change, as if there were none: with one the disturbance would be underestimated
         let correlation = effective_correlation(series, best.without);
         let limit = limit_of(alone, n, correlation);
-        // what the last surveys alone show would else be a drift with a wrong beginning and size
+        // a step in the last surveys only would otherwise be found as a drift with wrong start and size
         let later = best
             .late
             .filter(|of| late.is_none() && of.statistic.abs() > statistic.max(limit));
@@ -145,7 +145,7 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
         }
         found.push((best.change, p));
         disturbance = best.disturbance;
-        // each date anew beside the others
+        // each date again, together with the others
         for i in 0..found.len() {
             let columns = with((&found, late), Some(i));
             let fit = Fit::new(series, &columns, disturbance)?;
@@ -194,11 +194,11 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
     })
 }
 
-/// By how much a step must be larger than one whose statistic is beyond the limit with 80 % probability, to be found with that probability: a
-/// search that does not know the step takes part of it for a disturbance, the more the fewer surveys there are.
+/// Ratio of the step found with 80 % probability to the step whose statistic exceeds the limit with 80 % probability: a search that does
+/// not know the step takes part of it for a disturbance, and more so with fewer surveys.
 ///
-/// Measured on made histories of three modes with a disturbance of correlation 0.3 and their weather known (`examples/watch_power.rs`, the
-/// table of steps seen); between them straight in ln n. Disturbances without correlation need less.
+/// Measured on simulated histories of three modes with a disturbance of correlation 0.3 and known weather (`examples/watch_power.rs`, the
+/// table of steps seen); interpolated linearly in ln n. Disturbances without correlation need less.
 fn power_factor(surveys: usize) -> f64 {
     const MEASURED: [(f64, f64); 5] = [(15.0, 2.7), (25.0, 2.25), (40.0, 2.2), (80.0, 1.5), (200.0, 1.0)];
     let ln_n = (surveys as f64).ln();
@@ -213,7 +213,7 @@ fn power_factor(surveys: usize) -> f64 {
     }
 }
 
-/// A change with the dates that it may have.
+/// A change with its possible dates.
 fn dated(
     series: &Series,
     columns: &[Vec<f64>],

@@ -3,8 +3,8 @@
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | n | `surveys` | surveys of a series |
-//! | ρ | `correlation` | correlation of two surveys that follow one another |
-//! | p | `PROBABILITIES` | probability that the strongest change of a series without change is as strong |
+//! | ρ | `correlation` | correlation of two successive surveys |
+//! | p | `PROBABILITIES` | probability of a change at least this strong in a series without change |
 
 use super::scan::strongest;
 use super::series::Series;
@@ -17,16 +17,16 @@ use crate::numeric::Random;
 pub struct NullSeries {
     /// Surveys of each, 8 or more.
     pub surveys: usize,
-    /// Correlation of two that follow one another.
+    /// Correlation of two successive surveys.
     pub correlation: f64,
-    /// How many series.
+    /// Number of series.
     pub replicates: usize,
     /// Seed.
     pub seed: u64,
 }
 
 /// The statistic of the strongest change, |t|, of series without change: a level, a temperature through the seasons and a disturbance,
-/// estimated anew in each. The table of this chapter is quantiles of these (`examples/watch_limits.rs`).
+/// estimated again in each. The table of this chapter contains quantiles of these (`examples/watch_limits.rs`).
 pub fn null_statistics(of: &NullSeries) -> Vec<f64> {
     let n = of.surveys;
     let at: Vec<f64> = (0..n).map(|i| i as f64).collect();
@@ -71,7 +71,7 @@ pub(super) fn disturbed(at: &[f64], noise_sd: &[f64], of: Disturbance, random: &
     out
 }
 
-/// Quantiles of the table at a number of surveys and a correlation, between its entries by straight lines in ln n and ρ.
+/// Quantiles for a number of surveys and a correlation, interpolated in the table linearly in ln n and ρ.
 fn quantiles(surveys: usize, correlation: f64) -> [f64; PROBABILITIES.len()] {
     let ln_n = (surveys as f64).ln();
     let between = |grid: &[f64], value: f64| -> (usize, f64) {
@@ -87,14 +87,14 @@ fn quantiles(surveys: usize, correlation: f64) -> [f64; PROBABILITIES.len()] {
     })
 }
 
-/// ln p is taken as straight in t² between the entries and beyond them.
+/// ln p is assumed linear in t² between the entries and beyond them.
 fn between_probabilities(x: f64, from: &[f64], to: &[f64]) -> f64 {
     let last = from.len() - 2;
     let i = (0..last).find(|i| x <= from[i + 1]).unwrap_or(last);
     to[i] + (x - from[i]) / (from[i + 1] - from[i]) * (to[i + 1] - to[i])
 }
 
-/// Probability that the strongest change of one series without change is as strong as `statistic`.
+/// Probability that the strongest change of one series without change is at least `statistic`.
 pub(super) fn probability_of(statistic: f64, surveys: usize, correlation: f64) -> f64 {
     let squares = quantiles(surveys, correlation).map(|q| q * q);
     let ln_p = between_probabilities(statistic * statistic, &squares, &PROBABILITIES.map(f64::ln));

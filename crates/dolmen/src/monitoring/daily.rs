@@ -4,7 +4,7 @@ use crate::numeric::middle_mean;
 
 const DAY_S: f64 = 86_400.0;
 /// Largest number of days at an end of a log that may come from a wrong clock; and their least distance from the others, in days and in
-/// usual gaps. Chosen here.
+/// usual gaps. Our choice.
 const STRAY_MOST: usize = 4;
 const STRAY_APART_DAYS: f64 = 366.0;
 const STRAY_APART_GAPS: f64 = 50.0;

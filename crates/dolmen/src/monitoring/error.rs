@@ -1,7 +1,7 @@
 use crate::modal::ModalError;
 use crate::numeric::NumericError;
 
-/// Why a history cannot be watched.
+/// Why a history cannot be analysed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MonitoringError {
     /// A number is refused.
@@ -10,22 +10,22 @@ pub enum MonitoringError {
     /// Modes are refused.
     #[error(transparent)]
     Modal(#[from] ModalError),
-    /// An option lies outside its range.
+    /// An option is outside its range.
     #[error("{option} is {given}, but must be {allowed}")]
     Option {
-        /// Which.
+        /// Its name.
         option: &'static str,
         /// Its value.
         given: f64,
         /// The allowed range.
         allowed: &'static str,
     },
-    /// Surveys that do not follow one another.
+    /// Surveys that are not in order of time.
     #[error(
         "survey {survey} is on day {day}, not after the one before it: give each survey its own day, in order"
     )]
     Order {
-        /// Which.
+        /// The name of the survey.
         survey: String,
         /// Its day.
         day: f64,

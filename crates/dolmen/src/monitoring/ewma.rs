@@ -15,7 +15,7 @@ const CELLS: usize = 40;
 /// Range of the limits in the search.
 const LIMIT_LEAST: f64 = 1.0;
 const LIMIT_MOST: f64 = 6.0;
-/// Steps between them: a limit is found to one, which is 6e-4.
+/// Steps between them: the tolerance of a limit is one step, 6e-4.
 const LIMIT_STEPS: usize = 8192;
 /// Largest number of secant steps before the search bisects; about five are usual.
 const LINES_MOST: usize = 12;

@@ -4,12 +4,12 @@
 //! |:--|:--|:--|:--|
 //! | n | `variances.len()` | surveys | - |
 //! | w | `width` | columns and the readings | - |
-//! | φ^Δt | `fades` | what is left of a disturbance after a gap between two surveys | - |
+//! | φ^Δt | `fades` | remaining share of a disturbance after a gap between two surveys | - |
 
 use super::series::Series;
 use super::whitening::{Disturbance, Filter, Gains, Whitening};
 
-/// A column is not told from those before it where less than this part of its square is its own.
+/// Least independent share of the square of a column; with less it cannot be separated from the earlier ones.
 const OWN_LEAST: f64 = 1e-9;
 
 /// Products of the whitened columns and readings with each other: one pass through the surveys.
@@ -38,7 +38,7 @@ impl Gram {
         }
     }
 
-    /// Its Cholesky factor; the square of its last entry is what no column explains.
+    /// Its Cholesky factor; the square of its last entry is the residual after all columns.
     pub(super) fn factor(&self) -> Option<Vec<f64>> {
         let mut l = self.products.clone();
         factored(&self.products, &mut l, self.width)?;
@@ -46,7 +46,7 @@ impl Gram {
     }
 }
 
-/// The Cholesky factor of `products`, in place of their copy; `None` where a column follows from those before it.
+/// The Cholesky factor of `products`; `None` if a column is a combination of earlier ones.
 fn factored(products: &[f64], l: &mut [f64], m: usize) -> Option<()> {
     for i in 0..m {
         for j in 0..=i {
@@ -66,17 +66,17 @@ fn factored(products: &[f64], l: &mut [f64], m: usize) -> Option<()> {
     Some(())
 }
 
-/// A series with its columns, laid out so that its likelihood is found quickly for one disturbance after the other.
+/// A series with its columns, stored for a quick likelihood of many disturbances.
 ///
-/// One pass whitens all columns and sums their products, and a power is taken once for all gaps of the same length. Each number is that of
-/// [`Gram`], to the last bit.
+/// One pass whitens all columns and sums their products, and a power is computed once for all gaps of the same length. Each number is that
+/// of [`Gram`], to the last bit.
 pub(super) struct Likelihood {
     width: usize,
     /// n × w, the readings last.
     rows: Vec<f64>,
     /// σ².
     variances: Vec<f64>,
-    /// Lengths of gaps, and which of them follows a survey.
+    /// Lengths of gaps, and the index of the gap after each survey.
     gaps: Vec<f64>,
     gap_after: Vec<usize>,
     /// φ^Δt of each length.
@@ -112,7 +112,8 @@ impl Likelihood {
         }
     }
 
-    /// −2 ln of the restricted likelihood, but for a constant: Σ ln F + ln |Xᵀ V⁻¹ X| + rᵀ V⁻¹ r. `None` where a column follows from the others.
+    /// −2 ln of the restricted likelihood, except for a constant: Σ ln F + ln |Xᵀ V⁻¹ X| + rᵀ V⁻¹ r. `None` if a column is a combination of
+    /// the others.
     pub(super) fn criterion(&mut self, of: Disturbance) -> Option<f64> {
         for (fade, gap) in self.fades.iter_mut().zip(&self.gaps) {
             *fade = of.correlation.powf(*gap);

@@ -3,43 +3,43 @@
 use super::MonitoringError;
 use super::tilt::{Level, SlopeLimit, TiltSeeking, TiltSeries, TiltTrend, tilt_trend};
 
-/// Sizes of one damage, as one inspection after another read them.
+/// Sizes of one damage, from successive inspections.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GrowthSeries {
     /// The day of each reading, ascending.
     pub days: Vec<f64>,
     /// Readings, m.
     pub sizes_m: Vec<f64>,
-    /// Standard deviation of each reading by its own error, m; 0 where nothing is known of it.
+    /// Standard deviation of each reading by its own error, m; 0 if unknown.
     pub reading_sds_m: Vec<f64>,
 }
 
 /// Options of [`growth`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthOptions {
-    /// Days of repairs, each with its index: the size begins a new level there.
+    /// Days of repairs, each with its index: the size has a new level after each.
     pub repairs: Vec<(usize, f64)>,
-    /// The size that must not be reached, m.
+    /// The size that it must not reach, m.
     pub limit_m: Option<f64>,
     /// Probability below which a slope is beyond chance.
     pub significance: f64,
-    /// Simulated series where a change is near the limit of chance, at most.
+    /// Largest number of simulated series for a change near the limit of chance.
     pub replicates: usize,
     /// Seed of the samples.
     pub seed: u64,
 }
 
-/// The slope of a size over the years, found as that of a tilt: beside a yearly wave, repairs, steps and changes of slope. Its ratios are sizes, m, and the
-/// limit holds on the positive side alone.
+/// The slope of a size over the years, as for a tilt: together with a yearly wave, repairs, steps and changes of slope. Its ratios are sizes, m, and the
+/// limit applies on the positive side only.
 ///
-/// The error of reading is a floor of the scatter: readings that a coarse gauge has all alike do not show a slope of 0 to be exact.
+/// The error of reading is a floor of the scatter: equal readings of a coarse gauge do not prove a slope of exactly 0.
 ///
 /// ```text
 /// Cov e = σ_r² I + s² φ^|Δt|,   σ_r² = mean of σ_i²        e: n
 /// ```
 ///
 /// # Errors
-/// [`MonitoringError::Option`] of readings that are not finite or not in order; [`MonitoringError::Numeric`].
+/// [`MonitoringError::Option`] for readings that are not finite or not in order; [`MonitoringError::Numeric`].
 pub fn growth(series: GrowthSeries, options: &GrowthOptions) -> Result<TiltTrend, MonitoringError> {
     let finite = series.sizes_m.iter().chain(&series.reading_sds_m);
     if let Some(given) = finite.copied().find(|value| !value.is_finite() || *value < 0.0) {
@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn holds_the_interval_of_rounded_readings_holds_the_truth_as_often_as_it_says() {
-        // twelve yearly readings to 0.1 mm of a crack that opens by 0.04 mm a year, another eye each time (0.05 mm)
+        // twelve yearly readings to 0.1 mm of a crack that opens by 0.04 mm a year, with another observer each time (0.05 mm)
         let (mut held, mut seen, drawn) = (0, 0, 400);
         for seed in 0..drawn {
             let mut random = Random::new(31, seed);

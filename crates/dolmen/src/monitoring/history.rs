@@ -7,35 +7,35 @@ use crate::modal::ObservedMode;
 pub struct HistorySurvey {
     /// Its name.
     pub name: String,
-    /// The day it was made, counted from any day that is the same for all.
+    /// Its day, counted from any day that is the same for all.
     pub day: f64,
     /// Temperature, °C; `None` if not known.
     pub temperature_c: Option<f64>,
     /// Its modes.
     pub modes: Vec<ObservedMode>,
-    /// Tilts that it read.
+    /// Its tilt readings.
     pub tilts: Vec<TiltReading>,
 }
 
-/// A tilt as it was read.
+/// A tilt reading.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TiltReading {
     /// The direction in which it leans.
     pub direction: String,
-    /// The mark that it refers to; tilts of two marks are never one series.
+    /// The mark of the reading; tilts of two marks never form one series.
     pub datum: Option<String>,
     /// Horizontal over vertical.
     pub ratio: f64,
 }
 
-/// Something that was done to the structure, or befell it.
+/// A work on the structure, or an event.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Work {
-    /// When, as the days of the surveys are counted.
+    /// Its day, counted like those of the surveys.
     pub day: f64,
-    /// Whether the structure was changed on purpose: its levels begin anew.
+    /// Whether the structure was changed on purpose: new levels begin.
     pub splits: bool,
-    /// Whether somebody inspected the structure: this answers alarms before it.
+    /// Whether somebody inspected the structure: this answers earlier alarms.
     pub answers: bool,
 }
 

@@ -18,19 +18,19 @@ use super::wave::{amplitude, yearly_wave};
 use super::weather::YEAR_DAYS;
 use crate::numeric::{middle_mean, student_two_sided};
 
-/// Numbers of days whose medians are used in the search for a slope: each in turn, and the least significant result counts. Chosen here: a
+/// Numbers of days whose medians are used in the search for a slope: each in turn, and the least significant result counts. Our choice: a
 /// disturbance with a longer memory than neighbouring days show appears in medians of weeks and months.
 const BLOCKS_DAYS: [f64; 3] = [1.0, 7.0, 30.0];
-/// Medians that a slope needs beside what explains them. Chosen here.
+/// Fewest medians besides the number of explanatory variables. Our choice.
 const SPARE_LEAST: usize = 8;
-/// Share of the days that must have a temperature for it to be taken into account. Chosen here.
+/// Least share of the days with a temperature for its use. Our choice.
 const TEMPERATURES_LEAST: f64 = 0.6;
-/// Correlation of two neighbouring medians of a month from which they wander: no slope stands out of that. Chosen here.
+/// Correlation of two neighbouring monthly medians from which they drift randomly: then no slope is significant. Our choice.
 const WANDERS_FROM: f64 = 0.9;
-/// Fraction of the significance level for a change of slope: a false one would create a trend. Chosen here, so that false trends remain as rare as
+/// Fraction of the significance level for a change of slope: a false one would create a trend. Our choice, so that false trends remain as rare as
 /// stated.
 const OF_BENDS: f64 = 0.2;
-/// Correlation of neighbouring months that must be below this beside changes of slope, for these to count. Chosen here.
+/// Largest correlation of neighbouring months together with changes of slope, for these to count. Our choice.
 const BENT_BELOW: f64 = 0.7;
 /// Simulated logs where a change is near the limit of chance, as of frequencies.
 const REPLICATES: usize = 999;
@@ -40,9 +40,9 @@ const NOW_DAYS: f64 = 7.0;
 /// Readings of a logger.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LoggedSeries {
-    /// One value a day.
+    /// One value per day.
     pub daily: DailyReadings,
-    /// The temperature of each of these days, °C; NaN where it is not known. Empty without a log of it.
+    /// The temperature of each of these days, °C; NaN if unknown. Empty without a temperature log.
     pub temperatures_c: Vec<f64>,
 }
 
@@ -53,8 +53,8 @@ pub struct LoggedOptions {
     pub significance: f64,
     /// Limit of the reading.
     pub limit: Option<SlopeLimit>,
-    /// The first and last day of each work or event, as the readings count them: it may have shifted the readings, and those of these days, of the day
-    /// before and the day behind are left out. NaN of one that did not.
+    /// The first and last day of each work or event, counted like the readings: it may have shifted the readings, and those of these days,
+    /// of the day before and of the day after are left out. NaN for one without this effect.
     pub works: Vec<[f64; 2]>,
 }
 
@@ -78,14 +78,14 @@ pub enum NoSlope {
     },
     /// Too few days.
     TooFew {
-        /// How many there are.
+        /// Their number.
         days: usize,
     },
-    /// Medians of months wander: chance alone goes as far as any slope.
+    /// Monthly medians drift randomly: chance alone can reach any slope.
     Wanders,
 }
 
-/// By how much the readings shifted at a work.
+/// Shift of the readings at a work.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoggedLevel {
     /// Index of the work.
@@ -98,55 +98,55 @@ pub struct LoggedLevel {
     pub p_value: f64,
 }
 
-/// A step or a change of slope of the months that no work explains.
+/// A step or a change of slope of the monthly medians without a work.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoggedChange {
     /// Step or slope.
     pub form: ChangeForm,
-    /// The day it begins.
+    /// Its first day.
     pub day: f64,
-    /// Its date lies between these days with 95 % probability.
+    /// Its date is between these days with 95 % probability.
     pub after: f64,
     /// See `after`.
     pub before: f64,
-    /// Its size; of a slope by how much it changed, 1/year.
+    /// Its size; for a slope its change, 1/year.
     pub size: f64,
-    /// Standard deviation of that.
+    /// Its standard deviation.
     pub sd: f64,
 }
 
 /// Result of the analysis of a log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedTrend {
-    /// The readings that counted.
+    /// The readings in use.
     pub daily: DailyReadings,
-    /// Days that lie far from the median of the fortnight around them, left out: spikes.
+    /// Days left out because they are far from the median of the surrounding fortnight: spikes.
     pub spikes: Vec<f64>,
-    /// The largest jump that no work explains, where there is one beyond chance: a slope may be of its making.
+    /// The largest significant jump without a work, if there is one: it may cause an apparent slope.
     pub jump: Option<LoggedJump>,
-    /// The day from which on the sensor reads one value: it and what follows are left out.
+    /// The day from which the sensor shows one value: it and later days are left out.
     pub stuck_since: Option<f64>,
-    /// Days that were left out since their temperature is not known.
+    /// Number of days left out because their temperature is unknown.
     pub without_temperature: usize,
-    /// Days that were left out since a work fell on them or beside them.
+    /// Number of days left out because of a work on them or on an adjacent day.
     pub of_works: usize,
     /// The slope, or the reason why there is none.
     pub slope: Result<TiltSlope, NoSlope>,
-    /// Days of the medians that the slope rests on.
+    /// Number of days of the medians for the slope.
     pub block_days: f64,
-    /// Half of the height of the wave of one year; `None` where the days do not tell it.
+    /// Half of the height of the yearly wave; `None` if the days do not determine it.
     pub season: Option<f64>,
     /// Change per °C and its standard deviation, where temperatures are known.
     pub per_c: Option<(f64, f64)>,
     /// Shifts at works.
     pub levels: Vec<LoggedLevel>,
-    /// Steps and changes of slope beyond chance, by time: the slope is that from the last change on, and leaves out steps.
+    /// Significant steps and changes of slope, by time: the slope is that after the last change, without steps.
     pub changes: Vec<LoggedChange>,
     /// For each day the reading without season and temperature; empty without a slope.
     pub line: Vec<f64>,
-    /// The reading on the last day: of a slope beyond chance, or the median of the last seven days.
+    /// The reading on the last day: from a significant slope, or the median of the last seven days.
     pub now: f64,
-    /// The median of the last day as it was read, without regard to earlier days: the newest reading is never treated as a spike.
+    /// The median of the last day as read, independent of earlier days: the newest reading is never treated as a spike.
     pub newest: f64,
     /// Days at the limit, without spikes.
     pub at_limit: Vec<f64>,
@@ -174,25 +174,25 @@ impl LoggedTrend {
         }
     }
 
-    /// Whether the readings are at their limit now.
+    /// Whether the readings have reached their limit.
     pub fn is_beyond_limit(&self) -> bool {
         self.limit
             .is_some_and(|limit| limit.is_reached(self.size_to_judge()))
     }
 }
 
-/// The slope of daily readings beside a wave of one year, what goes with temperature and shifts at works.
+/// The slope of daily readings together with a yearly wave, the effect of temperature, and shifts at works.
 ///
 /// ```text
 /// y = y₀ + b t + c cos ωt + d sin ωt + β (T − T̄) + Σ shifts + e,   Cov e = s² φ^|Δt|
 /// ```
-/// It is estimated from medians of a day, a week and 30 days; that with the largest standard deviation counts.
+/// It is estimated from medians of a day, a week and 30 days; the estimate with the largest standard deviation counts.
 ///
 /// # Errors
 /// [`MonitoringError::Numeric`].
 ///
 /// # Limits
-/// A shift that no work explains and a sensor that drifts look like a slope; a shift within days is a jump.
+/// A shift without a work and a drifting sensor look like a slope; a shift within days is a jump.
 pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<LoggedTrend, MonitoringError> {
     let (mut trend, temperatures_c) = sound(series, options);
     let days = &trend.daily.days;
@@ -367,7 +367,7 @@ struct MonthBreak {
     before: f64,
 }
 
-/// The jump, and the steps and changes of slope beside it that the medians of 30 days show beyond chance: by the criterion of frequencies.
+/// The jump, and the significant steps and changes of slope besides it in medians of 30 days, by the criterion of frequencies.
 fn breaks(trend: &LoggedTrend, temperatures_c: &[f64], options: &LoggedOptions) -> Vec<MonthBreak> {
     let mut all: Vec<MonthBreak> = Vec::new();
     all.extend(trend.jump.map(|jump| MonthBreak {
@@ -413,7 +413,7 @@ fn breaks(trend: &LoggedTrend, temperatures_c: &[f64], options: &LoggedOptions) 
 }
 
 impl Blocks {
-    /// Level and slope on the last day, season, temperature, and a step at each work, whose indices come beside.
+    /// Level and slope on the last day, season, temperature, and a step at each work; returns the indices of the works too.
     fn columns(&self, last: f64, options: &LoggedOptions) -> (Vec<Vec<f64>>, Vec<usize>) {
         let n = self.days.len();
         let mut columns = vec![
@@ -434,7 +434,7 @@ impl Blocks {
                 .iter()
                 .map(|day| f64::from(u8::from(day < at)))
                 .collect();
-            // two works between two readings make one shift
+            // two works between two readings give one shift
             let is_new = columns.iter().skip(first_level).all(|column| *column != before);
             if before.contains(&1.0) && before.contains(&0.0) && is_new {
                 columns.push(before);
@@ -455,7 +455,7 @@ impl Blocks {
     }
 }
 
-/// The slope of medians, and how much neighbouring ones are correlated; `None` with too few of them.
+/// The slope of medians, and the correlation of neighbouring ones; `None` with too few of them.
 fn fitted_slope(
     blocks: &Blocks,
     days: &[f64],
@@ -635,7 +635,7 @@ mod tests {
         };
         let [held, called] = sloping.shares(200);
         assert!(held >= 0.90 && called >= 0.95, "{held} {called}");
-        // slow disturbance under white noise: neighbouring days say less of it than months do
+        // slow disturbance under white noise: months show it better than neighbouring days
         let slow = SyntheticLog {
             correlation: 0.95,
             noise: 1.5,
@@ -689,7 +689,7 @@ mod tests {
         assert!(earliest < 3.0 && 3.0 < latest && latest < 5.0, "{reach:?}");
         // the last day's own reading, with season and disturbance, is there already
         assert!(trend.now < 12.0 && trend.newest >= 12.0 && trend.is_beyond_limit());
-        // a crack that closes never gets there
+        // a closing crack never reaches it
         let mut closing = series;
         closing.daily.values.iter_mut().for_each(|value| *value = -*value);
         let reach = logged_trend(&closing, &options)
@@ -761,7 +761,7 @@ mod tests {
         let trend = logged_trend(&short.series(1), &LoggedOptions::default()).unwrap();
         assert!(matches!(trend.slope, Err(NoSlope::TooShort { years }) if (years - 1.5).abs() < 0.01));
         assert!(trend.now.is_finite());
-        // a walk: each day adds to the one before
+        // a random walk: each day adds to the one before
         let mut walk = USUAL.series(1);
         let mut random = Random::new(5, 5);
         let mut at = 0.0;

@@ -3,16 +3,17 @@
 use super::daily::DailyReadings;
 use crate::numeric::middle_mean;
 
-/// Days of one value at the end of a log from which on the sensor is taken for stuck, where neighbouring days differed before. Chosen here.
+/// Fewest days with one value at the end of a log for a stuck sensor, if neighbouring days differed before. Our choice.
 const STUCK_DAYS: usize = 30;
-/// Days on either side whose median a day is compared with, and the number of standard deviations beyond which it is a spike. Chosen here.
+/// Days on either side for the comparison of a day with their median, and the number of standard deviations beyond which it is a spike.
+/// Our choice.
 const BESIDE_DAYS: usize = 7;
 const SPIKE_FROM: f64 = 8.0;
 /// Days before and after a date whose medians are compared, and the number of standard deviations beyond which the readings jumped there. Chosen
 /// here: by chance once in several thousand logs.
 const JUMP_DAYS: usize = 7;
 const JUMP_FROM: f64 = 6.0;
-/// Days that may be missing among those.
+/// Most missing days among those.
 const DAYS_MISSING_MOST: usize = 5;
 /// A deviation of normal values over their median absolute deviation.
 const OF_MEDIAN: f64 = 1.4826;
@@ -22,13 +23,13 @@ const OF_MEDIAN: f64 = 1.4826;
 pub struct LoggedJump {
     /// The last day before it.
     pub after: f64,
-    /// The first day behind it.
+    /// The first day after it.
     pub before: f64,
-    /// By how much.
+    /// Its size.
     pub by: f64,
 }
 
-/// From which index on all values are one, where that is no habit of the sensor.
+/// Index from which all values are equal, if that is unusual for the sensor.
 pub(super) fn stuck(values: &[f64]) -> Option<usize> {
     let last = values.last()?;
     let run = values.iter().rev().take_while(|value| *value == last).count();
@@ -40,7 +41,7 @@ pub(super) fn stuck(values: &[f64]) -> Option<usize> {
     (run >= STUCK_DAYS && from > STUCK_DAYS && 2 * alike < from).then_some(from + 1)
 }
 
-/// Indices of values far from the median of those around them.
+/// Indices of values far from the median of their neighbours.
 pub(super) fn spikes(values: &[f64]) -> Vec<usize> {
     let n = values.len();
     if n < 4 * BESIDE_DAYS {
@@ -59,7 +60,7 @@ pub(super) fn spikes(values: &[f64]) -> Vec<usize> {
     (0..n).filter(|i| off[*i].abs() > limit).collect()
 }
 
-/// The largest difference of medians before and behind a date that is beyond chance, and with which no work fell together.
+/// The largest significant difference of medians before and after a date without a work.
 pub(super) fn jump(daily: &DailyReadings, works: &[[f64; 2]]) -> Option<LoggedJump> {
     let (days, values) = (&daily.days, &daily.values);
     let n = values.len();
@@ -90,7 +91,7 @@ pub(super) fn jump(daily: &DailyReadings, works: &[[f64; 2]]) -> Option<LoggedJu
     })
 }
 
-/// Where a window falls into two levels: the split with which the readings lie nearest to the medians of its ends.
+/// Split of a window into two levels with the smallest distances of the readings from the medians of its ends.
 fn split(values: &[f64]) -> usize {
     let n = values.len();
     let quarter = (n / 4).max(1);
@@ -129,7 +130,7 @@ mod tests {
             assert_eq!((found.after, found.before), (199.0, 200.0), "seed {seed}");
             assert!((found.by - 0.8).abs() < 0.2, "{found:?}");
             assert!(jump(&readings(seed, 0.0, 0.0), &[]).is_none(), "seed {seed}");
-            // what slope and season do in two years without readings
+            // the effect of slope and season in two years without readings
             assert!(jump(&readings(seed, 0.8, 700.0), &[]).is_none(), "seed {seed}");
         }
     }

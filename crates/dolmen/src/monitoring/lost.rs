@@ -1,35 +1,35 @@
-//! Modes that surveys showed regularly and the last ones do not: what falls further than a mode is looked for leaves nothing to be judged.
+//! Modes found regularly in earlier surveys but not in the last ones: a mode that changes beyond the search range leaves no frequency to judge.
 
 use super::history::{History, HistorySurvey};
 use super::tracking::{Jumped, Track};
 
-/// Surveys that could have shown a mode before it can be missed. Chosen here.
+/// Fewest surveys that could have shown a mode, before it can be missing. Our choice.
 const SURVEYS_LEAST: usize = 5;
-/// Probability of missing this number of surveys by chance below which there is an alarm, however rare surveys are. Chosen here.
+/// Probability of missing this number of surveys by chance below which there is an alarm, however rare surveys are. Our choice.
 const CHANCE_MOST: f64 = 0.005;
-/// Modes missed more often than this say nothing together with others. Chosen here.
+/// Share of surveys without a mode above which it is not considered together with others. Our choice.
 const REGULAR_FROM: f64 = 0.15;
 
-/// A mode that the last surveys do not show.
+/// A mode missing in the last surveys.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LostMode {
     /// Index of the mode.
     pub mode: usize,
-    /// The first of the surveys that miss it.
+    /// The first of the surveys without it.
     pub since: usize,
-    /// How many surveys miss it that could show it.
+    /// Number of surveys that could show it but do not.
     pub missed: usize,
-    /// In how many it was found before,
+    /// Number of surveys with it,
     pub found: usize,
-    /// of how many that could show it.
+    /// among this number that could show it.
     pub of: usize,
-    /// The most of these that missed it running.
+    /// The largest number of successive ones without it.
     pub gap: usize,
-    /// Probability of missing it so often by chance.
+    /// Probability of missing it this often by chance.
     pub chance: f64,
-    /// Whether each survey that misses it shows a mode that none had before: it was no poor record.
+    /// Whether each survey without it has a mode that no earlier survey had: the record was then not poor.
     pub is_replaced: bool,
-    /// Frequency of a mode of like shape that began since, Hz.
+    /// Frequency of a mode with a similar shape that began later, Hz.
     pub began_hz: Option<f64>,
 }
 
@@ -73,7 +73,7 @@ pub(super) fn lost(
             before.any(|mode| mode.direction.as_deref() == Some(direction))
         };
         let fits = |other: Option<&str>| match (track.direction.as_deref(), other) {
-            // of another name than any before: somebody renamed the directions, or measured others
+            // with another name than any before: somebody renamed the directions, or measured others
             (Some(own), Some(other)) => own == other || !is_known(other),
             _ => true,
         };
@@ -166,7 +166,7 @@ mod tests {
                 tilts: Vec::new(),
             });
         }
-        // the mode of 1 Hz is followed, too
+        // the mode of 1 Hz is tracked, too
         tracks.push(Track {
             frequency_hz: 1.0,
             direction: None,

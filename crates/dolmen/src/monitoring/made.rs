@@ -1,4 +1,4 @@
-//! Made histories whose truth is known.
+//! Simulated histories with known truth.
 
 use super::history::{History, HistorySurvey};
 use crate::modal::{ObservedMode, ObservedPoint};
@@ -6,7 +6,7 @@ use crate::numeric::Random;
 use crate::signal::Channel;
 use std::f64::consts::TAU;
 
-/// A history to be made: modes that follow the temperature, with noise of reading and a disturbance.
+/// Description of a simulated history: modes that depend on temperature, with noise of reading and a disturbance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MadeHistory {
     /// Surveys.
@@ -17,7 +17,7 @@ pub struct MadeHistory {
     pub frequencies_hz: Vec<f64>,
     /// Relative change per °C.
     pub per_c: f64,
-    /// Relative deviation that a survey states, and has.
+    /// Relative deviation, stated by the surveys and true.
     pub noise: f64,
     /// Deviation of the disturbance.
     pub disturbance: f64,
@@ -27,7 +27,7 @@ pub struct MadeHistory {
     pub seasons_c: f64,
     /// Warming, °C a year.
     pub warming_c: f64,
-    /// A step of all modes: the first survey that shows it, and its ratio.
+    /// A step of all modes: the first survey with it, and its ratio.
     pub step: Option<(usize, f64)>,
     /// Seed.
     pub seed: u64,
@@ -51,7 +51,7 @@ impl Default for MadeHistory {
     }
 }
 
-/// Shapes of made modes: those of a fixed column with four sensors.
+/// Shapes of simulated modes: those of a fixed column with four sensors.
 fn shape(mode: usize, random: &mut Random) -> Vec<ObservedPoint> {
     let points = (1..=4).map(|place| {
         let turn = (2 * mode + 1) as f64 * 0.25 * TAU * f64::from(place) / 4.0;
@@ -61,7 +61,7 @@ fn shape(mode: usize, random: &mut Random) -> Vec<ObservedPoint> {
     points.collect()
 }
 
-/// Makes it.
+/// Simulates the history.
 pub fn made_history(of: &MadeHistory) -> History {
     let mut random = Random::new(of.seed, 0);
     let all = of.disturbance;

@@ -1,5 +1,5 @@
-//! The record of a structure over the years: modes followed through many surveys, what the weather does to them, what changed and when, and
-//! the alarm that each new survey may give.
+//! The history of a structure over the years: tracking of modes through many surveys, the effect of weather, changes with their dates, and
+//! alarms from new surveys.
 
 mod alarm;
 mod bends;

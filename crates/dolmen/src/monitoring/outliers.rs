@@ -1,17 +1,18 @@
-//! Surveys of a mode that stand alone: one wild reading is no lasting change, and must not hide or feign one.
+//! Isolated surveys of a mode: one wild reading is not a lasting change, and must neither hide nor cause one.
 
 use super::regression::{Fit, restricted_likelihood};
 use super::weather::{ModeSeries, WeatherKnown, columns, has_temperature};
 use crate::numeric::middle;
 
-/// Deviations from its neighbours beyond which a reading stands alone. Chosen here: by chance one in 500 million.
+/// Deviations from its neighbours beyond which a reading is isolated. Our choice: by chance one in 500 million.
 const ALONE: f64 = 6.0;
 /// A deviation of normal values over their median absolute deviation.
 const OF_MEDIAN: f64 = 1.4826;
 /// Fewest readings for a comparison with neighbours.
 const READINGS_LEAST: usize = 8;
 
-/// Indices of the readings that lie beyond the two before and the two behind them by more than six deviations, the weather removed. The last two are left to the alarm.
+/// Indices of the readings that differ from the two before and the two after them by more than six deviations, without the effect of
+/// weather. The last two are left to the alarm.
 pub(super) fn outliers(series: &ModeSeries) -> Vec<usize> {
     let n = series.len();
     if n < READINGS_LEAST {
@@ -43,7 +44,7 @@ pub(super) fn outliers(series: &ModeSeries) -> Vec<usize> {
     found
         .filter(|(i, off)| {
             let limit = ALONE * spread.max(series.series.noise_sd[i + 2]);
-            // beside a step a reading is far from two of them, and not from all
+            // next to a step a reading is far from two neighbours, but not from all
             off.iter().all(|off| *off > limit) || off.iter().all(|off| *off < -limit)
         })
         .map(|(i, _)| i + 2)

@@ -11,11 +11,11 @@ use super::gram::{Gram, Likelihood};
 use super::series::Series;
 use super::whitening::{Disturbance, Whitening};
 
-/// Largest correlation over one interval in the search; with a larger one, the level and the disturbance cannot be separated. Chosen here.
+/// Largest correlation over one interval in the search; with a larger one, the level and the disturbance cannot be separated. Our choice.
 const CORRELATION_MOST: f64 = 0.95;
-/// Least disturbance in the search, relative to the noise of the readings. Chosen here: its variance is then 0.04 % of theirs.
+/// Least disturbance in the search, relative to the noise of the readings. Our choice: its variance is then 0.04 % of theirs.
 const SD_LEAST: f64 = 0.02;
-/// Tolerance of the search in −2 ln of the likelihood. Chosen here.
+/// Tolerance of the search in −2 ln of the likelihood. Our choice.
 const LIKELIHOOD_STEP: f64 = 2e-3;
 /// Largest number of evaluations of one search.
 const EVALUATIONS_MOST: usize = 90;

@@ -1,4 +1,4 @@
-//! The change that explains a series best beside its regression: a step or the beginning of a slope, at any survey.
+//! The change that explains a series best in addition to its regression: a step or the beginning of a slope, at any survey.
 //!
 //! ```text
 //! t(c) = cᵀ V⁻¹ r / √(cᵀ V⁻¹ c − hᵀ (Xᵀ V⁻¹ X)⁻¹ h),   h = Xᵀ V⁻¹ c,   r = y − X β
@@ -9,17 +9,17 @@ use super::regression::{Fit, restricted_likelihood};
 use super::series::Series;
 use super::whitening::Disturbance;
 
-/// Fewest surveys on each side of a step, and from the beginning of a slope on. Chosen here: changes with fewer surveys are left to the
+/// Fewest surveys on each side of a step, and from the beginning of a slope on. Our choice: changes with fewer surveys are left to the
 /// alarm.
 pub(super) const STEP_SURVEYS_LEAST: usize = 3;
 pub(super) const SLOPE_SURVEYS_LEAST: usize = 6;
 /// Least fraction of the information on a change that must be independent of the known columns; otherwise the change cannot be separated
-/// from them. Chosen here.
+/// from them. Our choice.
 const OWN_LEAST: f64 = 2e-3;
-/// Rounds of estimating the disturbance with the change that was found, and seeking again. Chosen here: the date rarely moves in the second.
+/// Iterations of estimating the disturbance with the found change, and searching again. Our choice: the date rarely moves in the second.
 const ROUNDS: usize = 2;
 
-/// How a frequency changed.
+/// The change of a frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChangeForm {
     /// At once, to stay.
@@ -40,7 +40,7 @@ pub(super) struct Candidate {
     pub(super) sd: f64,
 }
 
-/// Every change that may be.
+/// Every possible change.
 pub(super) struct Scan {
     pub(super) all: Vec<Candidate>,
     /// Steps with too few surveys: they explain a change that is not yet lasting and would otherwise be taken for a drift.
@@ -76,7 +76,7 @@ pub(super) fn column(at: &[f64], form: ChangeForm, from: usize) -> Vec<f64> {
         .collect()
 }
 
-/// All changes beside `columns`, whose regression is `fit`.
+/// All changes in addition to `columns`, whose regression is `fit`.
 pub(super) fn scan(series: &Series, columns: &[Vec<f64>], fit: &Fit) -> Scan {
     let (n, k, at) = (series.len(), columns.len(), &series.at);
     let inverse = |z: &[f64]| fit.whitening.adjoint(&fit.whitening.white(z));
@@ -122,18 +122,18 @@ pub(super) fn scan(series: &Series, columns: &[Vec<f64>], fit: &Fit) -> Scan {
     Scan { all, late }
 }
 
-/// The strongest change beside `columns`, and the disturbance estimated with it in the regression.
+/// The strongest change in addition to `columns`, and the disturbance estimated with it in the regression.
 pub(super) struct Strongest {
     pub(super) change: Candidate,
-    /// The strongest step that too few surveys show, by the same disturbance.
+    /// The strongest step with too few surveys, by the same disturbance.
     pub(super) late: Option<Candidate>,
     pub(super) disturbance: Disturbance,
-    /// As it is estimated without the change.
+    /// The estimate without the change.
     pub(super) without: Disturbance,
 }
 
-/// Seeks the strongest change: estimates the disturbance without it, finds it, estimates again with it, finds again. A step left out of the
-/// regression would be taken for a disturbance that fades slowly.
+/// Searches for the strongest change: estimates the disturbance without it, finds it, estimates again with it, and finds it again. Without
+/// the step in the regression, the step would look like a slowly decaying disturbance.
 pub(super) fn strongest(
     series: &Series,
     columns: &[Vec<f64>],

@@ -4,12 +4,12 @@ use crate::modal::{ObservedMode, assurance, shared};
 use crate::numeric::quantile;
 use dolmen_linalg::Complex64;
 
-/// Median MAC of the modes below which the shapes have jumped. Chosen here, as for [`JumpedShapes`](crate::assess::ChangeNote) between two
+/// Median MAC of the modes below which the shapes have jumped. Our choice, as for [`JumpedShapes`](crate::assess::ChangeNote) between two
 /// surveys.
 pub(super) const JUMPED_BELOW: f64 = 0.8;
-/// Median MAC without one sensor from which that sensor explains the jump. Chosen here.
+/// Median MAC without one sensor from which that sensor explains the jump. Our choice.
 pub(super) const EXPLAINED: f64 = 0.95;
-/// Relative difference up to which a frequency counts as unchanged. Chosen here: twice the effect of weather from one survey to the next.
+/// Relative difference up to which a frequency counts as unchanged. Our choice: twice the effect of weather from one survey to the next.
 const STAYED: f64 = 0.03;
 /// Fewest common sensors for naming the changed one: with fewer, the remaining sensors prove little.
 const NAMED_FROM: usize = 4;

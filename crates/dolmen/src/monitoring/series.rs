@@ -3,11 +3,10 @@
 /// Readings in time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Series {
-    /// When, in usual intervals between surveys, ascending.
+    /// Times in usual intervals between surveys, ascending.
     pub(super) at: Vec<f64>,
-    /// The readings.
     pub(super) readings: Vec<f64>,
-    /// Standard deviation that the survey states; 0 where it states none.
+    /// Standard deviation stated by the survey; 0 if none.
     pub(super) noise_sd: Vec<f64>,
 }
 

@@ -7,7 +7,7 @@ use dolmen_linalg::{Matrix, solve};
 
 /// Probability that a survey without change lies beyond the limit: one in 365.
 const BEYOND: f64 = 1.0 / 365.0;
-/// Earlier surveys that T² needs for each mode; with ten surveys of one mode a limit of χ² would alarm one in four.
+/// Earlier surveys needed per mode for T²; with ten surveys of one mode a limit by χ² would give one alarm in four.
 const SURVEYS_FOR_EACH: usize = 4;
 
 /// T² of one survey.
@@ -15,15 +15,15 @@ const SURVEYS_FOR_EACH: usize = 4;
 pub struct SurveyTSquared {
     /// Index of the survey.
     pub survey: usize,
-    /// Modes that are in it.
+    /// Its number of modes.
     pub modes: usize,
     /// T².
     pub value: f64,
-    /// The limit beyond which a survey without change lies once in 365.
+    /// The limit that a survey without change exceeds once in 365.
     pub limit: f64,
 }
 
-/// T² of each survey with two judged modes or more, against the surveys before it that judged the same modes.
+/// T² of each survey with two judged modes or more, relative to earlier surveys in which the same modes were judged.
 ///
 /// ```text
 /// T² = (u − ū)ᵀ S⁻¹ (u − ū),   limit p (n + 1)(n − 1)/(n (n − p)) F(p, n − p)        u: p × 1, n surveys before
@@ -42,7 +42,7 @@ pub(super) fn t_squared(
             scores[judged.survey][c] = judged.score.ok();
         }
     }
-    // of each pair of modes: surveys that judged both, sums, and products
+    // for each pair of modes: number of surveys with both, sums, and products
     let mut count = vec![0_usize; m * m];
     let mut sums = vec![0.0; m * m];
     let mut products = vec![0.0; m * m];

@@ -1,4 +1,4 @@
-//! The slope of a tilt over the years, and when it would reach a limit.
+//! The slope of a tilt over the years, and the time at which it would reach a limit.
 
 use super::MonitoringError;
 use super::bends::{BentFit, Break, DatedBreak, bent_fit};
@@ -11,7 +11,7 @@ use super::wave::yearly_wave;
 use super::weather::YEAR_DAYS;
 use crate::numeric::{student_detectable, student_two_sided, student_two_sided_quantile};
 
-/// Fewest readings for a slope; fewest readings and years for a season in addition. Chosen here.
+/// Fewest readings for a slope; fewest readings and years for a season in addition. Our choice.
 const READINGS_LEAST: usize = 4;
 const SEASON_READINGS_LEAST: usize = 10;
 pub(super) const SEASON_YEARS_LEAST: f64 = 2.0;
@@ -21,7 +21,7 @@ pub(super) const SEASON_YEARS_LEAST: f64 = 2.0;
 pub struct TiltSeries {
     /// The direction in which it leans.
     pub direction: String,
-    /// The mark that it refers to.
+    /// The mark of the readings.
     pub datum: Option<String>,
     /// Index of each reading's survey.
     pub surveys: Vec<usize>,
@@ -36,15 +36,15 @@ pub struct TiltSeries {
 pub struct TiltTrend {
     /// The readings.
     pub series: TiltSeries,
-    /// Indices of readings that stand alone: slope and changes leave them out.
+    /// Indices of isolated readings, which are excluded from slope and changes.
     pub outliers: Vec<TiltOutlier>,
-    /// The slope from the last change of slope on; `None` with fewer than four readings of one level.
+    /// The slope after the last change of slope; `None` with fewer than four readings of one level.
     pub slope: Option<TiltSlope>,
     /// Slope of the previous mark, with the present tilt and the uncertainty of its own readings, if this mark is new and has no significant slope.
     pub carried: Option<TiltSlope>,
     /// Standard deviation of the readings about the fit; 0 without one.
     pub scatter: f64,
-    /// Steps and changes of slope beyond chance, by time; the slope leaves the steps out.
+    /// Significant steps and changes of slope, by time; the slope excludes the steps.
     pub changes: Vec<TiltChange>,
     /// Effect of works on the tilt.
     pub works: Vec<TiltWork>,
@@ -52,20 +52,21 @@ pub struct TiltTrend {
     pub significance: f64,
 }
 
-/// A step of a tilt, to stay or in its last readings, or a change of its slope.
+/// A step of a tilt, lasting or only in its last readings, or a change of its slope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TiltChange {
     /// Step or slope.
     pub form: ChangeForm,
     /// Index of the first reading after a step; of the last before a slope.
     pub from: usize,
-    /// Index of the last reading surely before it, and of the first one surely behind: the interval holds the date with 95 % probability.
+    /// Index of the last reading certainly before it, and of the first one certainly after it: the interval contains the date with 95 %
+    /// probability.
     pub after: usize,
     /// See `after`.
     pub before: usize,
-    /// Its size, horizontal over vertical; of a slope by how much it changed, 1/year.
+    /// Its size, horizontal over vertical; for a slope its change, 1/year.
     pub size: f64,
-    /// Standard deviation of that.
+    /// Its standard deviation.
     pub sd: f64,
 }
 
@@ -76,7 +77,7 @@ pub struct TiltWork {
     pub work: usize,
     /// The change, horizontal over vertical.
     pub size: f64,
-    /// Standard deviation of that.
+    /// Its standard deviation.
     pub sd: f64,
 }
 
@@ -94,9 +95,9 @@ pub(super) struct TiltSeeking {
     pub(super) significance: f64,
     /// Limit of the reading.
     pub(super) limit: Option<SlopeLimit>,
-    /// Standard deviation of a reading by its own error; 0 where nothing is known of it.
+    /// Standard deviation of a reading by its own error; 0 if unknown.
     pub(super) reading_sd: f64,
-    /// Simulated series where a change is near the limit of chance, at most; and their seed.
+    /// Largest number of simulated series for a change near the limit of chance; and their seed.
     pub(super) replicates: usize,
     pub(super) seed: u64,
 }
@@ -118,7 +119,7 @@ impl TiltTrend {
     }
 }
 
-/// By how much a tilt grows.
+/// Growth of a tilt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TiltSlope {
     /// Slope, 1/year.
@@ -129,10 +130,10 @@ pub struct TiltSlope {
     pub p_value: f64,
     /// The slope that would have been seen with 80 % probability.
     pub seen_from_per_year: f64,
-    /// Tilt on the day of the last reading, without the wave of one year about its mean over the last year: of the season of the readings where they do not
-    /// lie round the year.
+    /// Tilt on the day of the last reading, without the yearly wave about its mean over the last year, or over the season of the readings
+    /// if they do not cover the year.
     pub now: f64,
-    /// When it reaches the limit; `None` without a limit.
+    /// Time at which it reaches the limit; `None` without a limit.
     pub reach: Option<TiltReach>,
 }
 
@@ -143,20 +144,20 @@ impl TiltSlope {
     }
 }
 
-/// When a tilt reaches its limit.
+/// Time at which a tilt reaches its limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TiltReach {
-    /// The limit, with the sign of the slope where that is beyond chance, else of the tilt now.
+    /// The limit, with the sign of the slope if that is significant, else of the present tilt.
     pub limit: f64,
-    /// Years from the last reading to it, at the slope; `None` where the slope is not beyond chance, or the tilt is beyond the limit.
+    /// Years from the last reading until it, at the slope; `None` if the slope is not significant, or the tilt is beyond the limit.
     pub years: Option<f64>,
-    /// Ends of the 95 % interval of a ratio of two estimates (Fieller 1954), the tilt now and the slope, not before the last reading.
+    /// Ends of the 95 % interval of a ratio of two estimates (Fieller 1954), present tilt and slope, not before the last reading.
     pub years_earliest: Option<f64>,
     /// The later end.
     pub years_latest: Option<f64>,
 }
 
-/// The slope through the readings beside a wave of one year, the levels of works, and the steps and changes of slope that stand out of chance. The
+/// The slope through the readings together with a yearly wave, the levels of works, and the significant steps and changes of slope. The
 /// disturbance is estimated with all of them.
 ///
 /// # Errors
@@ -195,7 +196,7 @@ pub(super) fn tilt_trend(
             .iter()
             .map(|day| f64::from(u8::from(*day < level.day)))
             .collect();
-        // two works between two readings make one step
+        // two works between two readings give one step
         if before.contains(&1.0) && before.contains(&0.0) && !columns[2..].contains(&before) {
             columns.push(before);
             works.push(*level);
@@ -265,12 +266,12 @@ pub(super) fn tilt_trend(
 pub struct SlopeLimit {
     /// Its size, above 0.
     pub size: f64,
-    /// Whether it holds on the positive side alone: a crack opens.
+    /// Whether it applies on the positive side only: a crack opens.
     pub is_one_sided: bool,
 }
 
 impl SlopeLimit {
-    /// Whether a reading is at it.
+    /// Whether a reading has reached it.
     pub(super) fn is_reached(&self, reading: f64) -> bool {
         match self.is_one_sided {
             true => reading >= self.size,
@@ -321,12 +322,12 @@ pub(super) fn slope_of(
     })
 }
 
-/// When a line with the fitted tilt now and slope has gone so far: the ends of the interval that holds the truth with the probability of the quantile.
+/// Time at which a line with the fitted present tilt and slope has moved this far: the ends of the interval that contains the truth with the probability of the quantile.
 ///
 /// ```text
 /// (d − b T)² ≤ q² Var(a + b T),   Var = v_aa + 2 T v_ab + T² v_bb
 /// ```
-/// `None` where the slope may be none, so that the interval has no end.
+/// `None` if the slope may be zero, so that the interval has no end.
 ///
 /// # Source
 /// Fieller (1954) J. R. Stat. Soc. B 16(2):175-185.
@@ -435,7 +436,7 @@ mod tests {
                     .unwrap();
                 let reach = found.reach.unwrap();
                 assert_eq!(reach.limit, -5e-3);
-                // no forecast, where noise looked like a jump, holds nothing
+                // without a forecast, where noise looked like a jump, the interval is empty
                 let of = reach.years_earliest.zip(reach.years_latest);
                 held += usize::from(of.is_some_and(|(from, to)| from <= years_left && years_left <= to));
             }
@@ -514,7 +515,7 @@ mod tests {
         assert!(jumps <= 18, "{jumps} of {RUNS}"); // 5 %: at most 18 with 99 %; 10 were
     }
 
-    /// 40 readings a quarter apart of 2.0 mm/m, noise 0.03, that grow by `per_year` from year 8 on; and the years left to 1/150.
+    /// 40 quarterly readings of 2.0 mm/m, noise 0.03, that grow by `per_year` from year 8 on; and the years left to 1/150.
     fn bent(seed: u64, per_year: f64) -> (TiltSeries, f64) {
         let mut random = Random::new(seed, 3);
         let days: Vec<f64> = (0..40).map(|i| 0.25 * YEAR_DAYS * f64::from(i)).collect();
@@ -558,7 +559,7 @@ mod tests {
         let found = tilt_trend(series.clone(), &[], &seeking(None)).unwrap();
         let bend = *found.bend().unwrap();
         let slope = found.slope.unwrap();
-        // level, year, a wave of one year, and what lies behind the bend: normal equations by Gauss
+        // level, year, a yearly wave, and the part after the bend: normal equations by Gauss
         let at = series.days[bend.from];
         let row = |i: usize| {
             let t = series.days[i] / YEAR_DAYS;
@@ -664,7 +665,7 @@ mod tests {
         assert!(found.outliers.is_empty());
         let jump = found.changes[0];
         assert!(jump.from == 39 && (jump.size - 11.8e-3).abs() < 2e-4, "{jump:?}");
-        // as sure as the readings are, however large the step
+        // as accurate as the readings, however large the step
         assert!(jump.sd < 5e-5, "{jump:?}");
         let limit = found.slope.unwrap();
         assert!(limit.share_of_limit().unwrap() > 2.0, "{limit:?}");

@@ -5,11 +5,11 @@ use super::tilt::{SlopeLimit, TiltReach, TiltSlope, TiltTrend};
 use super::weather::YEAR_DAYS;
 use crate::numeric::student_two_sided_quantile;
 
-/// Last readings whose mean, moved along the slope, is the tilt now. Chosen here: a year of quarterly ones.
+/// Number of last readings whose mean, moved along the slope, is the present tilt. Our choice: a year of quarterly ones.
 const READINGS_MOST: usize = 4;
-/// Number of standard deviations up to which the slope of the new mark agrees with that of the previous mark. Chosen here.
+/// Number of standard deviations up to which the slope of the new mark agrees with that of the previous mark. Our choice.
 const OTHER_FROM: f64 = 2.5;
-/// Degrees of freedom that level, slope and a wave of one year take of the readings of the mark before.
+/// Degrees of freedom used by level, slope and a yearly wave in the readings of the previous mark.
 const TAKEN: usize = 4;
 
 impl TiltTrend {
@@ -54,7 +54,7 @@ pub(super) fn carry(trends: &mut [TiltTrend], limit: Option<SlopeLimit>) -> Resu
     Ok(())
 }
 
-/// The slope of the mark before, with the tilt now and the reach of the new one.
+/// The slope of the previous mark, with the present tilt and the reach of the new one.
 fn moved(
     own: &TiltTrend,
     (before, slope): (&TiltTrend, &TiltSlope),
@@ -63,7 +63,7 @@ fn moved(
     let (days, ratios) = (&own.series.days, &own.series.ratios);
     let n = days.len();
     let from = n.saturating_sub(READINGS_MOST);
-    // readings before a step of the new mark are of another level
+    // readings before a step of the new mark belong to another level
     let from = own.steps().map(|of| of.from).chain([from]).max().unwrap_or(from);
     let used: Vec<usize> = (from..n).collect();
     let years = |i: usize| (days[n - 1] - days[i]) / YEAR_DAYS;

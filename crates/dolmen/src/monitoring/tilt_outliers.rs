@@ -5,7 +5,7 @@ use crate::numeric::{middle, middle_mean};
 /// Number of readings on either side in the comparison, and how many of them may agree with the reading.
 const BESIDE: usize = 3;
 const WITH_IT: usize = 1;
-/// Deviations beyond which a reading stands alone, as for frequencies, and the first one off the line of those behind it. Chosen here.
+/// Deviations beyond which a reading is isolated, as for frequencies; also for the first one from the line of the next ones. Our choice.
 const ALONE: f64 = 6.0;
 const ALONE_FIRST: f64 = 12.0;
 /// A deviation of normal values over their median absolute deviation.
@@ -13,7 +13,7 @@ const OF_MEDIAN: f64 = 1.4826;
 /// Fewest readings for a comparison with neighbours.
 const READINGS_LEAST: usize = 8;
 
-/// A reading that stands alone.
+/// An isolated reading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TiltOutlier {
     /// Index of the reading.
@@ -64,7 +64,7 @@ pub(super) fn tilt_outliers(days: &[f64], ratios: &[f64]) -> Vec<TiltOutlier> {
     .collect()
 }
 
-/// How far a reading lies from those around it.
+/// Distance of a reading from its neighbours.
 struct NeighbourDistance {
     at: usize,
     near: Vec<usize>,
@@ -79,7 +79,8 @@ impl NeighbourDistance {
         NeighbourDistance { at, near, off }
     }
 
-    /// The same, the median of the slopes of all pairs of the others removed: one slip among these does not turn it (Theil 1950, Sen 1968).
+    /// The same after removing the median slope of all pairs of the others, which a single slip among them does not change (Theil 1950, Sen
+    /// 1968).
     fn without_slope(&self, days: &[f64], ratios: &[f64]) -> Self {
         let pairs = self.near.iter().enumerate();
         let pairs = pairs.flat_map(|(i, a)| self.near[i + 1..].iter().map(move |b| (*a, *b)));
@@ -103,7 +104,7 @@ impl NeighbourDistance {
         above >= most || below >= most
     }
 
-    /// Whether it lies on the line of the three readings before it, or of the three behind it.
+    /// Whether it is on the line of the three readings before it, or of the three after it.
     fn is_on_a_side(&self, limit: f64, days: &[f64], ratios: &[f64]) -> bool {
         let sides = [
             self.at.checked_sub(BESIDE).map(|from| from..self.at),

@@ -1,17 +1,17 @@
-//! Steps of a tilt that turn its sign alone: more likely one that was written the other way round than a structure that swung through the vertical.
+//! Steps of a tilt that only change its sign: more likely a reading with the wrong sign than a structure that swung through the vertical.
 
 use super::scan::ChangeForm;
 use super::tilt::{TiltChange, TiltTrend};
 
-/// Readings on either side of a step whose means are compared, at most.
+/// Most readings on either side of a step whose means are compared.
 const BESIDE: usize = 3;
-/// Sum of the tilts before and behind over their difference below which the sign alone turned. Chosen here.
+/// Sum of the tilts before and after over their difference, below which only the sign changed. Our choice.
 const OPPOSITE: f64 = 0.1;
-/// Standard deviations of the step from which that is asked. Chosen here.
+/// Least size of the step for this question, in standard deviations. Our choice.
 const SIZE_LEAST: f64 = 6.0;
 
 impl TiltTrend {
-    /// Whether the tilt behind a step is that before it with the other sign.
+    /// Whether the tilt after a step is that before it with the opposite sign.
     pub fn turns_sign(&self, step: &TiltChange) -> bool {
         let ratios = &self.series.ratios;
         let is_sound = |i: &usize| self.outliers.iter().all(|of| of.at != *i);
@@ -25,14 +25,14 @@ impl TiltTrend {
             && (behind + before).abs() <= OPPOSITE * size
     }
 
-    /// Whether the first readings and the last ones have opposite signs for that reason alone: which of both is right decides where the tilt goes, so that
-    /// nothing is forecast.
+    /// Whether the first and the last readings have opposite signs for that reason only: the right one determines the direction of the
+    /// tilt, so that there is no forecast.
     pub fn is_sign_in_question(&self) -> bool {
         self.changes.iter().filter(|of| self.turns_sign(of)).count() % 2 == 1
     }
 }
 
-/// Leaves out when a limit is reached, where a sign is in question.
+/// Removes the time of reaching a limit if the sign is in question.
 pub(super) fn without_forecast(trend: &mut TiltTrend) {
     if !trend.is_sign_in_question() {
         return;

@@ -18,7 +18,7 @@ const REFERENCE_SURVEYS: usize = 10;
 const DEVIATIONS: f64 = 4.0;
 /// Cost of a forbidden pair.
 const FORBIDDEN: f64 = 1e6;
-/// Number of surveys after which a mode that was rarely found is dropped. Chosen here.
+/// Number of surveys after which a mode that was rarely found is dropped. Our choice.
 const FORGOTTEN_AFTER: usize = 30;
 /// Fewest common sensors for comparing shapes.
 const PLACES_LEAST: usize = 2;

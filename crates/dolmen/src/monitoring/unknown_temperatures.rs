@@ -1,17 +1,17 @@
-//! Surveys without a temperature among others that have one.
+//! Surveys without a temperature among others with one.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | w | `effect` | what the weather does to a reading: β (T − T₀) + γ max(0, T_k − T) | - |
+//! | w | `effect` | effect of weather on a reading: β (T − T₀) + γ max(0, T_k − T) | - |
 //! | n | `near` | surveys with a temperature at that time of the year | - |
 
 use super::regression::{Fit, restricted_likelihood};
 use super::weather::{ModeSeries, YEAR_DAYS, columns, earned, explaining};
 
-/// Days of the year within which a survey is of the same time of it, and how many must be known there. Chosen here.
+/// Largest difference in days for the same time of the year, and fewest known temperatures there. Our choice.
 const SAME_TIME_DAYS: f64 = 45.0;
 const NEAR_LEAST: usize = 3;
-/// Days that one weather lasts: surveys within them share its error. Chosen here.
+/// Duration of one weather, days: surveys within it share its error. Our choice.
 const WEATHER_DAYS: f64 = 7.0;
 
 /// The series with the mean temperature of the same time of the year, in other years and this one, where a survey has none; its error holds what the
@@ -67,7 +67,7 @@ pub(super) fn filled(series: &ModeSeries, levels: &[Vec<f64>], frost_below_c: f6
             continue;
         }
         let temperature_c = mean(&of_time, &known.temperatures_c);
-        // frost bends the effect: its mean is not that of the mean temperature
+        // frost makes the effect nonlinear: its mean is not that of the mean temperature
         let bent = mean(&of_time, &effects) - effect(temperature_c);
         let together = without
             .iter()
@@ -80,12 +80,12 @@ pub(super) fn filled(series: &ModeSeries, levels: &[Vec<f64>], frost_below_c: f6
     out
 }
 
-/// The surveys whose temperature is known.
+/// The surveys with a known temperature.
 pub(super) fn with_temperature(series: &ModeSeries) -> ModeSeries {
     series.kept(|i| series.temperatures_c[i].is_finite())
 }
 
-/// Days of the year between two days.
+/// Difference of two days in the time of the year.
 fn apart(a: f64, b: f64) -> f64 {
     let turned = (a - b).rem_euclid(YEAR_DAYS);
     turned.min(YEAR_DAYS - turned)

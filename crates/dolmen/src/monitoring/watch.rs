@@ -21,7 +21,7 @@ use crate::numeric::middle;
 const SURVEYS_LEAST: usize = 3;
 /// Days after the last survey within which a work answers alarms. Our choice: a work dated a year ahead is planned, or its year is wrong.
 pub const ANSWERED_DAYS: f64 = 366.0;
-/// Fewest surveys of a mode for a search of changes. Chosen here: with fewer, the limit of chance is beyond any change.
+/// Fewest surveys of a mode for a search of changes. Our choice: with fewer, the limit of chance is beyond any change.
 const READINGS_LEAST: usize = 8;
 /// Correlation of temperature and time from which it is reported; as in the comparison of two surveys.
 const WITH_TIME: f64 = 0.7;

@@ -11,15 +11,15 @@ use super::whitening::Disturbance;
 /// Effect of weather on one mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeatherEffect {
-    /// Which effects the series determines.
+    /// Effects that the series determines.
     pub known: WeatherKnown,
     /// Relative change per °C, and its standard deviation.
     pub per_c: Option<(f64, f64)>,
-    /// Relative rise per °C below freezing, beside that, and its standard deviation.
+    /// Additional relative rise per °C below freezing, and its standard deviation.
     pub frost_per_c: Option<(f64, f64)>,
     /// Correlation of temperature with time, if it is strong: weather and ageing cannot then be separated.
     pub with_time: Option<f64>,
-    /// The disturbance that is left.
+    /// The remaining disturbance.
     pub disturbance: Disturbance,
 }
 
@@ -28,7 +28,7 @@ pub struct WeatherEffect {
 pub struct WatchedChange {
     /// Step or slope.
     pub form: ChangeForm,
-    /// The first survey that shows it.
+    /// The first survey with the change.
     pub from: usize,
     /// The change came after this survey,
     pub after: usize,
@@ -38,18 +38,18 @@ pub struct WatchedChange {
     pub ratio: f64,
     /// Its standard deviation.
     pub sd: f64,
-    /// Relative change a year, of a slope.
+    /// Relative change per year, for a slope.
     pub per_year: Option<f64>,
-    /// Probability of so strong a change in any mode by chance.
+    /// Probability of such a strong change in any mode by chance.
     pub p_value: f64,
 }
 
-/// How far the last one or two surveys lie off what those before them, weather, works and changes explain.
+/// Deviation of the last one or two surveys from the prediction by earlier ones, weather, works and changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LastOff {
     /// The first of them.
     pub from: usize,
-    /// How many of them show the mode.
+    /// Number of them with the mode.
     pub surveys: usize,
     /// Relative change of the frequency.
     pub ratio: f64,
@@ -71,11 +71,11 @@ pub struct WorkEffect {
 /// One mode through the years.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WatchedMode {
-    /// Where it was found.
+    /// Its track through the surveys.
     pub track: Track,
     /// Effect of weather on the mode; `None` if too few surveys show the mode.
     pub weather: Option<WeatherEffect>,
-    /// For each survey the frequency that weather, works and changes explain, Hz.
+    /// For each survey the frequency explained by weather, works and changes, Hz.
     pub explained_hz: Vec<Option<f64>>,
     /// Changes of the mode.
     pub changes: Vec<WatchedChange>,
@@ -85,33 +85,33 @@ pub struct WatchedMode {
     pub works: Vec<WorkEffect>,
     /// Least lasting step halfway through the years that would have been seen with 80 % probability.
     pub seen_from_ratio: Option<f64>,
-    /// Surveys that stand alone: left out of the search.
+    /// Isolated surveys: left out of the search.
     pub outliers: Vec<usize>,
-    /// Surveys at temperatures that too few others had, or at an unknown temperature at a time of the year with too few known ones: left out of the
-    /// search.
+    /// Surveys at temperatures that too few others had, or with an unknown temperature at a time of the year with too few known ones: left
+    /// out of the search.
     pub strange: Vec<usize>,
-    /// Surveys without a temperature that take part with that of their time of the year, and with the scatter of its weather as their error.
+    /// Surveys without a temperature that use the mean of their time of the year, with the scatter of its weather as their error.
     pub guessed: Vec<usize>,
-    /// Each survey against those before it.
+    /// Each survey compared with earlier ones.
     pub judged: JudgedMode,
     /// The fit to its readings; `None` if too few surveys show the mode.
     pub(super) fitted: Option<FittedMode>,
 }
 
-/// The readings of a mode with the columns that explain them.
+/// The readings of a mode with the explanatory columns.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct FittedMode {
     pub(super) series: Series,
     /// The level, the weather, then works and changes.
     pub(super) columns: Vec<Vec<f64>>,
-    /// How many of them are the level and the weather.
+    /// Number of those for the level and the weather.
     pub(super) of_weather: usize,
     pub(super) disturbance: Disturbance,
     /// Index of each reading's survey.
     pub(super) surveys: Vec<usize>,
 }
 
-/// A change of a frequency at a date that is known from elsewhere, whether or not it is beyond chance.
+/// A change of a frequency at a given date, significant or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChangeThere {
     /// Relative change: of a step, or of a slope up to the last survey.
@@ -152,5 +152,5 @@ impl WatchedMode {
     }
 }
 
-/// Readings on either side of a change that its size needs. Chosen here.
+/// Fewest readings on either side of a change for its size. Our choice.
 const READINGS_LEAST: usize = 2;

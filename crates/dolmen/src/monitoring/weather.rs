@@ -4,12 +4,12 @@ use super::regression::{Fit, restricted_likelihood};
 use super::series::Series;
 use std::f64::consts::TAU;
 
-/// Fewest surveys below freezing for a frost coefficient, and fewest surveys with a temperature for a line. Chosen here.
+/// Fewest surveys below freezing for a frost coefficient, and fewest surveys with a temperature for a line. Our choice.
 pub(super) const FROST_SURVEYS_LEAST: usize = 3;
 const LINE_SURVEYS_LEAST: usize = 6;
 /// Least range of temperatures for a fitted coefficient, °C; as in the comparison of two surveys.
 const SPREAD_LEAST_C: f64 = 2.0;
-/// Fewest surveys and years for a season. Chosen here: two of each.
+/// Fewest surveys and years for a season. Our choice: two of each.
 const SEASON_SURVEYS_LEAST: usize = 12;
 const SEASON_YEARS_LEAST: f64 = 2.0;
 pub(super) const YEAR_DAYS: f64 = 365.25;
@@ -73,7 +73,7 @@ pub enum Wave {
 }
 
 /// Variance of the yearly wave over the surveys below which the wave cannot be separated from the level: all surveys are then within about two
-/// weeks of one day of the year, or of two opposite days. Chosen here.
+/// weeks of one day of the year, or of two opposite days. Our choice.
 pub(super) const WAVE_VARIANCE_LEAST: f64 = 0.05;
 
 /// Which part of a yearly wave the days of a series separate from the level.

@@ -28,7 +28,7 @@ pub enum NumericError {
     NotFinite {
         /// Name of the quantity.
         quantity: &'static str,
-        /// Which one, from 1.
+        /// Its number, from 1.
         number: usize,
         /// The value given.
         given: f64,

@@ -18,7 +18,6 @@ pub(crate) fn integral(k: usize, x: f64) -> f64 {
     }
 }
 
-/// The integral of that.
 pub(crate) fn second_integral(k: usize, x: f64) -> f64 {
     match k {
         0 => 0.5 * (x + 1.0) * (x + 1.0),

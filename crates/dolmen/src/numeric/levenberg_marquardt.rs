@@ -16,7 +16,7 @@ pub(crate) struct Residuals {
     pub(crate) jacobian: Matrix,
 }
 
-/// Where the iteration ended.
+/// The end of the iteration.
 pub(crate) struct LeastSquaresFit {
     pub(crate) x: Vec<f64>,
     pub(crate) at: Residuals,

@@ -44,7 +44,7 @@ impl Minimax {
     }
 }
 
-/// Where the search ended.
+/// The end of the search.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MinimaxPoint {
     pub(crate) x: Vec<f64>,

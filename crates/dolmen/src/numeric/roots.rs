@@ -2,7 +2,7 @@
 
 use super::NumericError;
 
-/// Where a bracketed search stops.
+/// Stop criterion of a bracketed search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bracketing {
     /// Width of the bracket at which the search ends, in the unit of x; 0 (the default) continues to adjacent

@@ -21,7 +21,7 @@ pub enum Baseline {
     },
 }
 
-/// Highest degree of a polynomial: a higher one would remove the motion itself. Chosen here.
+/// Highest degree of a polynomial: a higher one would remove the motion itself. Our choice.
 const DEGREE_MOST: usize = 6;
 const ORDER_MOST: usize = 12;
 

@@ -1,6 +1,6 @@
 //! Faults of a channel in part of its samples: it is stuck, fades, has spikes, or follows another channel.
 
-/// Fewest equal samples in a row that count as a fault, and shortest duration, of one second. Chosen here.
+/// Fewest equal samples in a row that count as a fault, and shortest duration, of one second. Our choice.
 const STUCK_LEAST: usize = 50;
 const STUCK_S: f64 = 1.0;
 /// Factor by which a run must exceed the average run of the channel, because a coarse digitiser also stays at one value in quiet hours. Chosen
@@ -9,21 +9,21 @@ const STUCK_S: f64 = 1.0;
 const STUCK_RUNS: usize = 20;
 const STUCK_BESIDE: usize = 5;
 /// Largest motion, in steps of the digitiser, at which a channel may stay at one value in quiet time, and least fraction of the record that a
-/// run must then have. Chosen here.
+/// run must then have. Our choice.
 const COARSE_STEPS: f64 = 4.0;
 const COARSE_SHARE: f64 = 0.2;
-/// Number of blocks in which strength is compared, fewest other channels, and the smallest change that counts as a fault. Chosen here.
+/// Number of blocks in which strength is compared, fewest other channels, and the smallest change that counts as a fault. Our choice.
 const FADED_BLOCKS: usize = 10;
 const FADED_OTHERS: usize = 2;
 const FADED_FROM: f64 = 10.0;
-/// Smallest rise over the record that counts as a fault, in standard deviations of the motion. Chosen here.
+/// Smallest rise over the record that counts as a fault, in standard deviations of the motion. Our choice.
 const DRIFT_FROM: f64 = 10.0;
 /// Number of samples compared between channels, and the limit of 1 − correlation of their steps below which two channels are the same signal:
-/// noise of a hundredth. Chosen here.
+/// noise of a hundredth. Our choice.
 const ALIKE_SAMPLES: usize = 16_384;
 const ALIKE_MOST: f64 = 1e-4;
 /// A sample is a spike if its distance from the middle of its neighbours is this many times the usual one; the usual one needs this many
-/// samples. Chosen here.
+/// samples. Our choice.
 const SPIKE_FROM: f64 = 25.0;
 const SPIKE_SAMPLES: usize = 65_536;
 /// Standard deviation of a normal variable over the median of its absolute value.
@@ -75,7 +75,7 @@ pub(super) struct StrengthChange {
     pub(super) to: usize,
 }
 
-/// Number of largest steps in a block that are left out: those of a spike or a knock. Chosen here.
+/// Number of largest steps in a block that are left out: those of a spike or a knock. Our choice.
 const FADED_LEAVES_OUT: usize = 100;
 
 /// Strength of a channel in each block of time.

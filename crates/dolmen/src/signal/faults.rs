@@ -5,16 +5,16 @@ use super::fault_runs::{BlockStrengths, alike, drifts, faded, spikes, stuck};
 use crate::numeric::middle;
 use std::fmt;
 
-/// A channel this much weaker than the median of the others (−60 dB) records the noise of the logger, not the structure. Chosen here.
+/// A channel this much weaker than the median of the others (−60 dB) records the noise of the logger, not the structure. Our choice.
 const FAINT: f64 = 1e-3;
-/// Fewest samples in a row at one exact extreme. Chosen here: two occur in coarsely digitised records.
+/// Fewest samples in a row at one exact extreme. Our choice: two occur in coarsely digitised records.
 const RUN_LEAST: usize = 3;
-/// Number of samples in such runs from which a channel counts as clipped. Chosen here.
+/// Number of samples in such runs from which a channel counts as clipped. Our choice.
 const HELD_LEAST: usize = 10;
 /// A clipped channel reaches its extreme this many times more often than the value next to it; the crest of a digitised sine does so 1/(√2 - 1)
-/// = 2.4 times. Chosen here.
+/// = 2.4 times. Our choice.
 const CROWDED: usize = 4;
-/// Two channels are the same if their steps agree to this fraction of the largest step. Chosen here: above the rounding of 32-bit numbers, far
+/// Two channels are the same if their steps agree to this fraction of the largest step. Our choice: above the rounding of 32-bit numbers, far
 /// below the noise of two sensors.
 const SAME: f64 = 1e-6;
 

@@ -8,11 +8,11 @@
 
 use super::{Processing, SignalError};
 
-/// Largest acceleration: no ground moves so, and sums of squares within it are finite. Chosen here, as for records.
+/// Largest acceleration: no ground moves so, and sums of squares within it are finite. Our choice, as for records.
 const ACCELERATION_MOST_M_S2: f64 = 1e100;
-/// Longest time step, s: coarser sampling loses the shaking that matters for stones. Chosen here.
+/// Longest time step, s: coarser sampling loses the shaking that matters for stones. Our choice.
 const TIME_STEP_MOST_S: f64 = 1.0;
-/// Shortest time step, s: below it a minute can no longer be counted exactly. Chosen here.
+/// Shortest time step, s: below it a minute can no longer be counted exactly. Our choice.
 const TIME_STEP_LEAST_S: f64 = 1e-9;
 
 /// Direction of one series of a ground motion.
@@ -74,8 +74,7 @@ impl GroundMotion {
     ///
     /// # Errors
     /// [`SignalError::Empty`] without a series or below 2 samples, [`SignalError::SameName`] for a direction given twice,
-    /// [`SignalError::Ragged`], [`SignalError::TimeStep`],
-    /// [`SignalError::NotFinite`], [`SignalError::TooLarge`].
+    /// [`SignalError::Ragged`], [`SignalError::TimeStep`], [`SignalError::NotFinite`], [`SignalError::TooLarge`].
     pub fn new(
         name: impl Into<String>,
         time_step_s: f64,
@@ -236,8 +235,7 @@ impl GroundMotion {
     /// The motion with all directions multiplied by the one factor that brings one of them to a peak, m/s².
     ///
     /// # Errors
-    /// [`SignalError::Argument`] if the peak is not a number from 0, [`SignalError::NoMotion`] if that direction does not
-    /// move.
+    /// [`SignalError::Argument`] if the peak is not a number from 0, [`SignalError::NoMotion`] if that direction does not move.
     pub fn scaled_to_peak(
         self,
         component: Component,

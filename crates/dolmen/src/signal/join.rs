@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 const HALF_LENGTH: f64 = 18.0;
 /// β of the Kaiser window: stop band at −100 dB (Kaiser 1974, β = 0.1102 (A − 8.7)).
 const SHAPE: f64 = 10.06;
-/// Largest number of filter phases kept for reuse. Chosen here: common ratios of sampling rates need fewer.
+/// Largest number of filter phases kept for reuse. Our choice: common ratios of sampling rates need fewer.
 const PHASES_MOST: usize = 4096;
 /// Fraction of a step to which phases are rounded.
 const PHASE_STEPS: f64 = 1e9;
@@ -22,10 +22,10 @@ const PHASE_STEPS: f64 = 1e9;
 /// Options of [`join`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Join {
-    /// Largest time offset between two channels that is ignored, in steps of the common rate, 0 to 0.5. Default 0.01, chosen here: a phase
+    /// Largest time offset between two channels that is ignored, in steps of the common rate, 0 to 0.5. Default 0.01, our choice: a phase
     /// error of 1.4° at 0.8 of the Nyquist frequency.
     pub offset_most: f64,
-    /// How the start times are known. Default: each channel has its own.
+    /// Source of the start times. Default: each channel has its own.
     pub starts: Starts,
 }
 
@@ -38,7 +38,7 @@ impl Default for Join {
     }
 }
 
-/// How the start times of the channels are known.
+/// Source of the start times of the channels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Starts {
     /// Each channel has a start time by a common clock; a channel without one is refused.
@@ -188,7 +188,7 @@ fn same_rate(piece: &Piece, rate_hz: f64, offset_most: f64) -> bool {
     (piece.sampling_rate_hz / rate_hz - 1.0).abs() * piece.samples.len() as f64 <= offset_most
 }
 
-/// How one channel is converted to the common times.
+/// Conversion of one channel to the common times.
 struct Plan {
     /// First and last step of the common times within the channel.
     first: i64,

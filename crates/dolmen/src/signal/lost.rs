@@ -10,10 +10,10 @@ use super::SignalError;
 use dolmen_linalg::{Matrix, cholesky, solve_lower, solve_lower_transposed};
 use std::ops::Range;
 
-/// Longest run that is filled, samples. Chosen here: a tenth of a period at the upper end of most bands, and the usual size of a gap in
+/// Longest run that is filled, samples. Our choice: a tenth of a period at the upper end of most bands, and the usual size of a gap in
 /// recorders.
 pub const LOST_RUN_MOST: usize = 8;
-/// Largest share of a record that is filled. Chosen here: all spectra then rest on at least 99 % measured samples.
+/// Largest share of a record that is filled. Our choice: all spectra then rest on at least 99 % measured samples.
 pub const LOST_SHARE_MOST: f64 = 0.01;
 /// Order of the prediction: two samples for each of 32 modes and machines.
 const ORDER: usize = 64;

@@ -2,9 +2,9 @@
 
 use super::{Component, GroundMotion, SignalError};
 
-/// Largest whole number of common steps in one step of either motion. Chosen here: steps of 0.01 and 0.0137 s have one of 0.0001 s.
+/// Largest whole number of common steps in one step of either motion. Our choice: steps of 0.01 and 0.0137 s have one of 0.0001 s.
 const PARTS_MOST: u32 = 200;
-/// Relative error allowed for a whole number of common steps: rounding of written files. Chosen here.
+/// Relative error allowed for a whole number of common steps: rounding of written files. Our choice.
 const ROUNDING: f64 = 1e-9;
 
 /// Two motions as one.
@@ -14,7 +14,7 @@ pub struct MotionSequence {
     pub motion: GroundMotion,
     /// Time of still ground between them, s: the given time, rounded up to a whole number of samples.
     pub still_s: f64,
-    /// When the second begins, s.
+    /// Start of the second, s.
     pub second_from_s: f64,
 }
 

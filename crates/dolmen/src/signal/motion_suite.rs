@@ -14,11 +14,11 @@ use super::SignalError;
 pub struct SuiteRule {
     /// Motions of the suite, 1 or more. Default 7.
     pub count: usize,
-    /// Smallest and largest factor on a record. Default 0.25 and 4, chosen here.
+    /// Smallest and largest factor on a record. Default 0.25 and 4, our choice.
     pub factors: [f64; 2],
-    /// Least share of the demand that the mean spectrum may have at any period. Default 0.9, chosen here.
+    /// Least share of the demand that the mean spectrum may have at any period. Default 0.9, our choice.
     pub least_share: f64,
-    /// Largest number of motions from one earthquake, and from one station, where the files name them. Default 2, chosen here.
+    /// Largest number of motions from one earthquake, and from one station, where the files name them. Default 2, our choice.
     pub alike_most: usize,
 }
 
@@ -61,7 +61,7 @@ pub struct MotionSuite {
 
 /// Largest number of passes over all exchanges in a search.
 const PASSES_MOST: usize = 100;
-/// Number of records from which searches begin. Chosen here.
+/// Number of records from which searches begin. Our choice.
 const BEGINNINGS_MOST: usize = 40;
 /// A smaller gain does not count.
 const GAIN_LEAST: f64 = 1e-12;

@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 
 /// Largest number of samples.
 const SAMPLES_MOST: f64 = 1e7;
-/// Length of the ramps to zero at both ends, s. Chosen here.
+/// Length of the ramps to zero at both ends, s. Our choice.
 const EDGE_S: f64 = 0.2;
 
 /// Filter that defines the spectral density of the noise.

@@ -3,7 +3,7 @@
 use super::SignalError;
 use super::processing::Processing;
 
-/// Largest sample: no instrument yields more in any unit, and the sum of squares of any record within it is finite. Chosen here.
+/// Largest sample: no instrument yields more in any unit, and the sum of squares of any record within it is finite. Our choice.
 const SAMPLE_MOST: f64 = 1e100;
 
 /// Measured quantity of a channel. Samples are in its SI unit (m/s², m/s, m), or in counts if the unit is unknown.

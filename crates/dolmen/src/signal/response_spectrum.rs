@@ -14,13 +14,13 @@ use super::{Component, GroundMotion, SignalError};
 use crate::numeric::{Bracketing, bracketed_root};
 use std::f64::consts::{PI, TAU};
 
-/// Largest damping ratio: above it an oscillator hardly oscillates, and the closed form divides by √(1 − ζ²). Chosen here.
+/// Largest damping ratio: above it an oscillator hardly oscillates, and the closed form divides by √(1 − ζ²). Our choice.
 const DAMPING_MOST: f64 = 0.9;
 /// Shortest and longest period, in time steps of the motion: below, one step holds more than 20 cycles, which the record does not resolve;
-/// above, the closed form loses digits (see Limits). Chosen here.
+/// above, the closed form loses digits (see Limits). Our choice.
 const PERIOD_LEAST_STEPS: f64 = 0.05;
 const PERIOD_MOST_STEPS: f64 = 2e4;
-/// Accuracy of the time of a peak, in time steps; the error of the displacement is its square. Chosen here.
+/// Accuracy of the time of a peak, in time steps; the error of the displacement is its square. Our choice.
 const PEAK_WIDTH: f64 = 1e-9;
 
 /// The response of one oscillator.
@@ -62,8 +62,7 @@ impl SpectralOrdinate {
 /// to its peak.
 ///
 /// # Errors
-/// [`SignalError::Argument`] for a damping ratio outside 0 … 0.9; [`SignalError::Period`] for a period outside 0.05 … 20 000
-/// time steps.
+/// [`SignalError::Argument`] for a damping ratio outside 0 … 0.9; [`SignalError::Period`] for a period outside 0.05 … 20 000 time steps.
 ///
 /// # Limits
 /// The base line of the motion is taken as given: an offset of the record shows at long periods. At the samples the relative error of S_d for El
@@ -121,7 +120,6 @@ pub fn response_spectrum(
     Ok(ordinates.collect())
 }
 
-/// An oscillator.
 struct Oscillator {
     zeta_omega: f64,
     omega_d: f64,

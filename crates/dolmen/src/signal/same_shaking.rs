@@ -6,12 +6,12 @@
 //! | l | `lag` | samples by which b begins after a | – |
 //! | r | `likeness` | correlation of the overlap, either sign | – |
 
-/// Correlation from which two accelerograms count as the same. Chosen here: two components of one station, and two stations of one earthquake,
+/// Correlation from which two accelerograms count as the same. Our choice: two components of one station, and two stations of one earthquake,
 /// stay far below.
 pub const SAME_SHAKING: f64 = 0.999;
-/// Smallest share of the energy of each in the overlap. Chosen here.
+/// Smallest share of the energy of each in the overlap. Our choice.
 const OVERLAP_LEAST: f64 = 0.5;
-/// Number of samples to either side of the peak for a first comparison, and the correlation there from which the whole is compared. Chosen here,
+/// Number of samples to either side of the peak for a first comparison, and the correlation there from which the whole is compared. Our choice,
 /// for speed only.
 const NEAR_PEAK: usize = 50;
 const NEAR_LIKENESS: f64 = 0.9;

@@ -12,7 +12,7 @@ use num_complex::Complex64;
 use std::f64::consts::PI;
 
 /// Fraction of a transient that may remain at the beginning of the record: 1 % of an end effect that the steady start and the odd reflection
-/// have already reduced. Chosen here.
+/// have already reduced. Our choice.
 const TRANSIENT_LEFT: f64 = 0.01;
 
 /// The analogue low-pass prototype of a digital filter. Its corner is 1 rad/s.

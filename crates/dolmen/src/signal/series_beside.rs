@@ -9,9 +9,9 @@
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
-/// Lines on either side over which cross spectra are smoothed. Chosen here: with an earthquake of 30 s, 0.13 Hz.
+/// Lines on either side over which cross spectra are smoothed. Our choice: with an earthquake of 30 s, 0.13 Hz.
 const SMOOTHED: usize = 4;
-/// Smallest power of the input over its largest, smoothed: below it a ratio is meaningless. Chosen here.
+/// Smallest power of the input over its largest, smoothed: below it a ratio is meaningless. Our choice.
 const INPUT_LEAST: f64 = 1e-3;
 /// Upper end of the frequencies, as a share of the sampling rate: above it the linear interpolation of the input shows.
 const OF_RATE: f64 = 0.2;

@@ -18,7 +18,7 @@ const SEGMENT_LEAST: usize = 8;
 /// Options of the segments. Neighbours overlap by half, which is nearly optimal for a Hann window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Welch {
-    /// Samples a segment, 8 to the length of the record; 2048 (chosen here: 0.05 Hz at 100 Hz). The longer, the finer the
+    /// Samples a segment, 8 to the length of the record; 2048 (our choice: 0.05 Hz at 100 Hz). The longer, the finer the
     /// lines and the fewer the averages; powers of 2 are fastest.
     pub segment_length: usize,
 }

@@ -12,7 +12,7 @@ use super::{Record, SignalError, Welch, cross_spectra};
 pub struct Spectrogram {
     /// Samples a segment, 8 to the length of the record: the longer, the finer the lines and the coarser the time.
     pub segment_length: usize,
-    /// Largest number of columns; with more segments each column averages several. 100 (chosen here, for a figure).
+    /// Largest number of columns; with more segments each column averages several. 100 (our choice, for a figure).
     pub columns_most: usize,
 }
 

@@ -22,7 +22,7 @@ const GAMMA: [f64; 2] = [1.178, -0.93];
 const WIDTHS: f64 = 3.5;
 /// An oscillation is followed until this fraction of it remains.
 const SWING_LEFT: f64 = 1e-4;
-/// Length of the ramps of wavelets to zero at both ends of the motion, s. Chosen here.
+/// Length of the ramps of wavelets to zero at both ends of the motion, s. Our choice.
 const EDGE_S: f64 = 0.5;
 /// Weight of the amplitudes in the least squares, as a fraction of the largest column of C: its start and its factor of change.
 const WEIGHT: f64 = 0.1;

@@ -46,7 +46,7 @@ pub enum StabilityError {
     /// A block that does not exist.
     #[error("{quantity} name block {given}, but the stack has {count}, from 0")]
     Block {
-        /// Where it is named.
+        /// Its place.
         quantity: &'static str,
         /// The index given.
         given: usize,

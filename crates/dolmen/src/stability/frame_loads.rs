@@ -14,7 +14,7 @@ use crate::numeric::{Bracketing, bracketed_root, maximum_between};
 use crate::structure::{Convention, Frame, StructureError};
 use dolmen_linalg::{Matrix, solve};
 
-/// Number of points of the curve of a storey with columns. Chosen here: smooth on paper.
+/// Number of points of the curve of a storey with columns. Our choice: smooth on paper.
 const CURVE_POINTS: usize = 60;
 
 /// Lateral forces on a frame, and its resistance besides springs.
@@ -310,7 +310,7 @@ fn together(
 enum StoreyLaw {
     /// k − N/l, N/m.
     Springs(f64),
-    /// Free-standing columns, and k − k_b beside them, N/m.
+    /// Free-standing columns, and the additional k − k_b, N/m.
     Columns(FreeColumns, f64),
 }
 

@@ -13,7 +13,7 @@ use crate::modal::{Mode, Modes};
 use crate::numeric::fisher_quantile;
 use dolmen_linalg::Complex64;
 
-/// Probability of a false alarm in a whole survey whose columns move together. Chosen here.
+/// Probability of a false alarm in a whole survey whose columns move together. Our choice.
 const CHANCE: f64 = 0.01;
 /// Degrees of freedom of standard deviations with an unknown number of blocks of time: many.
 const MANY: f64 = 1e4;

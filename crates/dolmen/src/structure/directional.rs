@@ -12,11 +12,11 @@ use crate::modal::{Mode, Modes};
 use crate::signal::Channel;
 use dolmen_linalg::Complex64;
 
-/// A sensor within 15° of the direction (cosine of it) measures it. Chosen here: the error of the cosine is 3 %.
+/// A sensor within 15° of the direction (cosine of it) measures it. Our choice: the error of the cosine is 3 %.
 pub(super) const ALONG_LEAST: f64 = 0.966;
-/// Sensors of one level may differ by this much of the shape's largest component; more is twisting. Chosen here.
+/// Sensors of one level may differ by this much of the shape's largest component; more is twisting. Our choice.
 const TWIST_MOST: f64 = 0.3;
-/// Heights closer than this are one level, m. Chosen here: less than any storey or stone.
+/// Heights closer than this are one level, m. Our choice: less than any storey or stone.
 pub(super) const LEVEL_M: f64 = 0.05;
 
 /// Modes of one direction, and what was kept out.
@@ -75,7 +75,7 @@ fn channels_along(channels: &[Channel], direction: [f64; 3]) -> Vec<Option<(f64,
     channels.iter().map(of).collect()
 }
 
-/// How a mode moves at its sensors.
+/// Motion of a mode at its sensors.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShapeMotion {
     /// Along x, each height as rigid in plan.

@@ -14,7 +14,7 @@ pub enum StructureError {
     NotPositive {
         /// "link", "storey", "joint".
         part: &'static str,
-        /// Which one, from 1 at the bottom.
+        /// Its number, from 1 at the bottom.
         number: usize,
         /// Name of the quantity with its unit.
         quantity: &'static str,
@@ -26,7 +26,7 @@ pub enum StructureError {
         "link {link}: centroid_m is {centroid_m}, but must lie between 0 and the link's length_m, {length_m}"
     )]
     Centroid {
-        /// Which link, from 1 at the bottom.
+        /// Number of the link, from 1 at the bottom.
         link: usize,
         /// The value given, m above the lower joint.
         centroid_m: f64,
@@ -38,11 +38,11 @@ pub enum StructureError {
     Count {
         /// The counted quantity.
         quantity: &'static str,
-        /// How many were given.
+        /// Given number.
         given: usize,
         /// "chain", "frame".
         kind: &'static str,
-        /// How many are needed.
+        /// Required number.
         needed: usize,
         /// "joints", "storeys".
         parts: &'static str,
@@ -58,7 +58,7 @@ pub enum StructureError {
     Negative {
         /// "joint", "side support".
         part: &'static str,
-        /// Which one, from 1 at the bottom.
+        /// Its number, from 1 at the bottom.
         number: usize,
         /// Name of the quantity with its unit.
         quantity: &'static str,
@@ -91,7 +91,7 @@ pub enum StructureError {
          own level and all above: if these are the loads of the levels alone, sum them from the top first"
     )]
     AxialOrder {
-        /// Which storey, from 1 at the bottom.
+        /// Number of the storey, from 1 at the bottom.
         storey: usize,
         /// Its axial force, N.
         given: f64,
@@ -103,7 +103,7 @@ pub enum StructureError {
         "tie {tie} joins levels {lower} and {upper}, but must join two different levels between 0 (ground) and {most}"
     )]
     Tie {
-        /// Which tie, from 1.
+        /// Number of the tie, from 1.
         tie: usize,
         /// One level given.
         lower: usize,
@@ -120,9 +120,9 @@ pub enum StructureError {
         "{given} measured modes are given, but a structure of {most} {parts} has only {most}: give the lowest {most}"
     )]
     ModesMost {
-        /// How many were given.
+        /// Given number.
         given: usize,
-        /// How many the structure has.
+        /// Number in the structure.
         most: usize,
         /// "links", "storeys".
         parts: &'static str,
@@ -133,7 +133,7 @@ pub enum StructureError {
          order, each once"
     )]
     FrequencyOrder {
-        /// Which mode, from 1.
+        /// Number of the mode, from 1.
         mode: usize,
         /// Its frequency, Hz.
         given: f64,
@@ -153,7 +153,7 @@ pub enum StructureError {
     /// A number of a measured mode is refused.
     #[error("mode {mode}: {quantity} is {given}, but must be {allowed}")]
     Mode {
-        /// Which mode, from 1.
+        /// Number of the mode, from 1.
         mode: usize,
         /// Name of the quantity with its unit.
         quantity: &'static str,
@@ -168,15 +168,15 @@ pub enum StructureError {
          exist, and fewer leave a continuous family of solutions"
     )]
     Frequencies {
-        /// How many were given.
+        /// Given number.
         given: usize,
-        /// How many are needed.
+        /// Required number.
         needed: usize,
     },
     /// Too many storeys for every root to be found.
     #[error("the frame has {given} storeys, but every root can be found for at most {most}: give shapes")]
     Storeys {
-        /// How many it has.
+        /// Present number.
         given: usize,
         /// Most allowed.
         most: usize,
@@ -187,7 +187,7 @@ pub enum StructureError {
          another mode, or more than one"
     )]
     Invisible {
-        /// Which storey, from 1 at the bottom.
+        /// Number of the storey, from 1 at the bottom.
         storey: usize,
         /// Extension of its spring.
         extension: f64,
@@ -200,7 +200,7 @@ pub enum StructureError {
 }
 
 impl StructureError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether an iteration ended before it converged: the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Linalg(why) => why.did_not_converge(),

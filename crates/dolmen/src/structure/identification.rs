@@ -87,7 +87,7 @@ impl StiffnessSolution {
     }
 }
 
-/// How far the data select the true solution.
+/// Selection of the true solution by the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -124,7 +124,7 @@ pub struct Visibility {
 pub struct StiffnessSolutions {
     /// Best misfit first; within equal misfit by the first stiffness.
     pub solutions: Vec<StiffnessSolution>,
-    /// How far the data select a solution.
+    /// Selection of a solution by the data.
     pub choice: Choice,
     /// Sensitivity of the data to the stiffnesses, at the first solution; `None` if there is none.
     pub visibility: Option<Visibility>,

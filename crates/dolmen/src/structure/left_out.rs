@@ -1,6 +1,6 @@
 //! Why modes are kept out of a fit.
 
-/// Share of a mode's squared components that must lie along the direction for the mode to be one of it. Chosen here: a
+/// Share of a mode's squared components that must lie along the direction for the mode to be one of it. Our choice: a
 /// mode at 45° has .5 in both.
 pub(super) const SHARE_LEAST: f64 = 0.6;
 

@@ -14,7 +14,7 @@ use super::{Chain, Inertia, StructureError};
 use crate::numeric::{gauss_legendre, integral, legendre, second_integral};
 use dolmen_linalg::{LinalgError, Matrix, generalized_symmetric_eigen};
 
-/// How a beam deforms.
+/// Deformations of a beam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BeamTheory {
     /// Bending alone.

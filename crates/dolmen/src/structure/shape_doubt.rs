@@ -17,7 +17,7 @@ const ALONG_LEAST: f64 = 0.966;
 /// Sensors of one level, m, that differ by more than this share of the largest component twist, as for the modes of a direction.
 const LEVEL_M: f64 = 0.05;
 const TWIST_MOST: f64 = 0.3;
-/// Most parts of a model whose every stiffness for given frequencies is followed here. Ours: 120 solutions of five.
+/// Most parts of a model for which every stiffness at given frequencies is computed here. Our choice: 120 solutions of five.
 const PARTS_MOST: usize = 5;
 /// Fraction of the shapes above which a single change of sensors is searched, and above which the shapes contradict the model if none is found.
 /// Our choice.
@@ -27,9 +27,9 @@ const CONTRADICTS: f64 = 0.2;
 /// on a floor.
 const LESSENS: f64 = 4.0;
 const AS_GOOD: f64 = 2.0;
-/// A share below which two changes are alike. Ours: noise of shapes.
+/// Difference of shares below which two changes are equal. Our choice: noise of shapes.
 const NOISE: f64 = 0.005;
-/// Most changes that the doubt names: of more none is likely. Ours.
+/// Most changes that the doubt names: of more none is likely. Our choice.
 const CHANGES_MOST: usize = 4;
 /// Factors between units and ranges that are often confused. Shapes cannot distinguish 9.8 (g instead of m/s²) from 10, nor 981 (g instead of
 /// gal) from 1000.
@@ -92,7 +92,7 @@ pub fn chain_shape_doubt(chain: &Chain, modes: &Modes) -> Option<ShapeDoubt> {
 /// direction counts.
 ///
 /// # Limits
-/// Models of at most five parts. A change that leaves all modes alike is not seen. Two sensors alone in a direction cannot tell which of them is
+/// Models of at most five parts. A change that leaves all modes alike is not seen. With only two sensors in a direction it is unknown which of them is
 /// turned: the doubt names both.
 pub fn frame_shape_doubt(frame: &Frame, modes: &Modes) -> Option<ShapeDoubt> {
     shape_doubt(frame, modes)

@@ -75,9 +75,9 @@ pub enum StiffnessNote {
     SeveralExplain {
         /// Kind of element with the stiffness.
         spring: Spring,
-        /// How many.
+        /// Their number.
         sets: usize,
-        /// How they were looked for.
+        /// Thoroughness of the search.
         thoroughness: Thoroughness,
         /// Whether points of shapes are among the data.
         with_shapes: bool,
@@ -175,7 +175,7 @@ pub enum StiffnessNote {
     },
     /// The modes used are taken as the lowest of their direction.
     TakenAsLowest {
-        /// How many.
+        /// Their number.
         modes: usize,
         /// Name of the direction.
         direction: String,

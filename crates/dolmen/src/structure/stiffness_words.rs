@@ -43,7 +43,7 @@ impl fmt::Display for Proportion {
     }
 }
 
-/// How far a set of stiffnesses is from the data, root mean square.
+/// Misfit of a set of stiffnesses, root mean square.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Misfit {
     /// As a share of the data, which carry no standard deviation.
@@ -61,12 +61,12 @@ impl fmt::Display for Misfit {
     }
 }
 
-/// How thoroughly solutions were looked for.
+/// Thoroughness of the search for solutions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Thoroughness {
     /// All solutions in complex numbers were followed: for exactly these frequencies there is no other.
     All {
-        /// How many they are.
+        /// Their number.
         solutions_complex: usize,
     },
     /// Searched from starting points: there may be more.

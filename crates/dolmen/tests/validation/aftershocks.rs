@@ -11,7 +11,7 @@ use dolmen::modal::{
 };
 use dolmen::signal::Record;
 
-/// A quiet first part, a shock that leaves nothing, and one that leaves 90 %, each in a record of its own, one behind the other.
+/// A quiet first part, a shock without damage, and a shock that leaves 90 % of the stiffness, each as a record, joined in this order.
 fn two(seed: u64, [first, second]: [f64; 2]) -> Record {
     let shock = |seed: u64, peak_m_s2: f64, softened: [f64; 2]| {
         let made = MadeEarthquake {
@@ -61,7 +61,7 @@ fn holds_a_main_shock_and_its_aftershock_are_two_with_a_change_each() {
             spans[0][1] < 80.5 && spans[1][0] > 100.0 && spans[1][1] < 300.5 && spans[2][0] > 320.0,
             "{spans:?}"
         );
-        // the noise and the mean of each are those of the part before it
+        // the noise and the mean of each are those of the last part before it
         let noise = |event: usize| found.events[event].channels[2].noise;
         assert!(
             (noise(1) / noise(0) - 1.0).abs() < 0.3,
@@ -95,7 +95,7 @@ fn holds_what_a_record_misses_is_at_least() {
     };
     let whole = found(&record, &Losses::default());
     assert_eq!([why(&whole, 0), why(&whole, 1)], [[None; 3], [None; 3]]);
-    // clipped in the larger one alone
+    // clipped only in the larger one
     let clipped = Losses {
         clipped: vec!["roof".to_owned()],
         ..Losses::default()
@@ -125,7 +125,7 @@ fn holds_what_a_record_misses_is_at_least() {
         lost.quiet.iter().all(|of| of.analysis.is_some()),
         "before is used"
     );
-    // a record that begins in it
+    // a record that begins within it
     let rest = dolmen::signal::cut(record, 84.0, 290.0).unwrap();
     let edge = found(&rest, &Losses::default());
     assert_eq!(why(&edge, 0), [Some(AtLeast::Edge); 3]);
@@ -136,7 +136,7 @@ fn holds_what_a_record_misses_is_at_least() {
 
 #[test]
 fn holds_modes_above_the_ground_are_of_one_state() {
-    // the strong phase alone: what follows it moves a structure that is stiffer again, and would show each mode a second time
+    // only the strong phase: after it the structure is stiffer again, and each mode would be found twice
     for seed in 0..4 {
         let made = MadeEarthquake {
             seed,

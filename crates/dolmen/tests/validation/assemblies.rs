@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 const GRAVITY: f64 = 9.81;
 const DENSITY: f64 = 2600.0;
 
-/// Stones as convex polygons in the plane x, z, and where they meet: (stone below or ground, stone above, both ends).
+/// Stones as convex polygons in the plane x, z, and their contacts: (stone below or ground, stone above, both ends).
 struct Plane {
     stones: Vec<Vec<[f64; 2]>>,
     densities: Vec<f64>,
@@ -25,7 +25,6 @@ struct Plane {
     friction: f64,
 }
 
-/// Area and centroid.
 fn area_and_centroid(corners: &[[f64; 2]]) -> (f64, [f64; 2]) {
     let (mut area, mut first) = (0.0, [0.0; 2]);
     for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
@@ -102,11 +101,11 @@ impl Plane {
             }
         };
         let blocks = self.stones.iter().enumerate().map(block).collect();
-        // a stone that nothing carries is refused
+        // a stone without support is refused
         Stack::new(blocks, JointMaterial::with_friction(self.friction), GRAVITY).ok()
     }
 
-    /// The farthest acceleration over gravity that forces at the ends of the meetings balance, from 0 up to `most`; `None` if not
+    /// The largest acceleration over gravity balanced by forces at the ends of the contacts, from 0 up to `most`; `None` if not
     /// even 0.
     fn by_simplex(&self, most: f64) -> Option<f64> {
         let mut problem = Problem::new(OptimizationDirection::Maximize);
@@ -172,7 +171,7 @@ fn verdict(plane: &Plane) -> Verdict {
     })
 }
 
-/// t/R between which the verdict changes.
+/// Interval of t/R in which the verdict changes.
 fn least_thickness(n: usize) -> f64 {
     let (mut falls, mut stands) = (0.08, 0.13);
     while stands - falls > 2e-5 {
@@ -204,7 +203,7 @@ fn reproduces_the_least_thickness_of_arches() {
         let found = least_thickness(n);
         assert!((found - known).abs() < 1e-4, "{n} voussoirs: {found} for {known}");
     }
-    // a little above it an arch stands, and marginally: below 0.02 g; thrice as thick because friction carries it
+    // a little above the least thickness an arch stands marginally: below 0.02 g; at three times the thickness by friction
     let check = |thickness| {
         let stack = Plane::arch(17, thickness, 0.0, 0.7).stack().unwrap();
         check_stack(&stack, &StackCheckOptions::default()).unwrap()
@@ -236,10 +235,10 @@ fn holds_friction_that_carries_is_stable_only_with_a_run_that_stood() {
         let Some(SettleRun::Stood { settlement_m, .. }) = check.settle_run else {
             panic!("{:?}", check.settle_run)
         };
-        // on springs of 1e9 Pa/m; a stone that fell would have gone by half its thickness
+        // on springs of 1e9 Pa/m; a fallen stone would have moved by half its thickness
         assert!((1e-8..0.02 * thickness).contains(&settlement_m), "{settlement_m}");
     }
-    // a little above the least thickness it is marginal, or not known to stand on springs that yield: never stable
+    // a little above the least thickness it is marginal, or unknown on elastic springs, but never stable
     let thin = checked(&Plane::arch(17, 0.109, 0.0, 0.7)).verdict;
     assert!(
         matches!(thin, Verdict::Marginal | Verdict::Unknown | Verdict::Unstable),
@@ -252,7 +251,7 @@ fn holds_friction_that_carries_is_stable_only_with_a_run_that_stood() {
     assert_eq!(many.settle_run, Some(SettleRun::TooMany { stones }));
 }
 
-/// Joints with what they do, and in the plane where they stay closed.
+/// Joints with their motion, and in the plane the fixed point of closed ones.
 type Moving = Vec<(JointMotion, Option<[f64; 2]>)>;
 
 /// The joints of a mechanism.
@@ -287,7 +286,7 @@ fn exact_hinges_of_a_swaying_arch_give_its_limit_by_virtual_work() {
         let [a, b, c, d] = hinges[..] else {
             panic!("{n}: {hinges:?}")
         };
-        // the middle part turns about where a–b and d–c meet
+        // the middle part rotates about the intersection of a–b and d–c
         let (ab, dc) = ([b[0] - a[0], b[1] - a[1]], [c[0] - d[0], c[1] - d[1]]);
         let reach = ((d[0] - a[0]) * dc[1] - (d[1] - a[1]) * dc[0]) / (ab[0] * dc[1] - ab[1] * dc[0]);
         let centre = [a[0] + reach * ab[0], a[1] + reach * ab[1]];
@@ -315,7 +314,7 @@ fn exact_hinges_of_a_swaying_arch_give_its_limit_by_virtual_work() {
 
 #[test]
 fn holds_what_does_not_stand_names_its_mechanism() {
-    // too thin it opens at five joints, even counts at up to six; too smooth its feet slide
+    // an arch that is too thin opens at five joints, with an even number of stones at up to six; with too little friction its feet slide
     for (n, thickness) in [(9, 0.09), (10, 0.1), (17, 0.1), (33, 0.106)] {
         let (status, joints) = moving(&Plane::arch(n, thickness, 0.0, 5.0), &LimitAnalysis::default());
         assert_eq!(status, LimitAnalysisStatus::DoesNotStand);
@@ -343,7 +342,7 @@ fn exact_slabs_that_lean_on_each_other() {
         // L is that of the middle line, 1 that of the inner face
         let thickness = ratio / (1.0 - ratio / (2.0 * cos * sin));
         let slab = |friction: f64| {
-            // length along the inner face from the foot at −cos; the feet level, the meeting at x = 0 upright
+            // length along the inner face from the foot at −cos; the feet are level, the joint at x = 0 is upright
             let across = thickness / sin;
             let left = vec![
                 [-cos, 0.0],
@@ -365,7 +364,7 @@ fn exact_slabs_that_lean_on_each_other() {
         };
         let least = {
             let (_, centroid) = area_and_centroid(&slab(1.0).stones[0]);
-            // moments of one slab about its top: the thrust is largest where it meets highest
+            // moments of one slab about its top: the thrust is largest for the highest contact
             ((-cos - centroid[0]).abs() / (sin + thickness / cos)).max(0.0)
         };
         let (falls, stands) = (slab(0.999 * least), slab(1.001 * least));

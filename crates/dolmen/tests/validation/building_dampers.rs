@@ -9,7 +9,7 @@ use dolmen::signal::Component;
 use dolmen::structure::building::{BuildingDamping, PlanDirection};
 use dolmen_linalg::{Matrix, solve};
 
-/// Matrices in coordinates of the plan, all made here: rows, masses, M, C, K of a column and a column mass.
+/// Matrices in plan coordinates, all computed here: rows, masses, M, C, K of a column and a column mass.
 #[test]
 fn agrees_dampers_of_all_kinds_in_time_by_the_matrix_exponential() {
     let damping = BuildingDamping::Modal(vec![0.02]);
@@ -143,7 +143,7 @@ fn agrees_dampers_of_all_kinds_in_time_by_the_matrix_exponential() {
         for (a, b) in found.iter().zip(expected) {
             worst = worst.max((a - b).abs());
         }
-        // what stands on the floor feels −M⁻¹(C q′ + K q) there, by the equation of motion
+        // dampers on the floor have the base acceleration −M⁻¹(C q′ + K q), by the equation of motion
         let (q, v) = (
             &state[..size],
             state[size..2 * size]

@@ -45,7 +45,7 @@ pub(super) fn exponential(x: &Matrix) -> Matrix {
     (0..halvings).fold(sum, |sum, _| &sum * &sum)
 }
 
-/// The displacements and strokes at every step, from M, C, K of everything in coordinates of the plan.
+/// The displacements and strokes at every step, from M, C, K of the whole system in plan coordinates.
 fn by_exponential(
     vibrating: &VibratingBuilding,
     damping: &BuildingDamping,
@@ -93,7 +93,7 @@ fn by_exponential(
         .iter()
         .fold(0.0_f64, |most, x| most.max(x.abs()))
         .sqrt();
-    // x, x'/fastest, a and b − a of both axes
+    // x, x'/(largest frequency), a and b − a of both axes
     let whole = 2 * size + 4;
     let mut generator = Matrix::zeros(whole, whole);
     for i in 0..size {
@@ -168,7 +168,7 @@ fn agrees_twenty_storeys_with_a_mass_by_the_matrix_exponential() {
     );
 }
 
-/// Three storeys that step back, with P-delta.
+/// Three storeys with setbacks, with P-delta.
 pub(super) fn stepped() -> Building {
     let (mut floors, mut storeys) = (Vec::new(), Vec::new());
     for i in 0..3 {
@@ -241,7 +241,7 @@ fn agrees_masses_of_all_kinds_under_two_components() {
             HistoryMethod::ComplexModes,
         ),
         (many.collect(), HistoryMethod::ComplexModes),
-        // damped beyond swinging, and two masses that are one
+        // overdamped, and two masses with equal properties
         (
             vec![mass(3, 2.0, 37.0, first_hz, 3.0)],
             HistoryMethod::MatrixExponential,
@@ -264,7 +264,7 @@ fn agrees_masses_of_all_kinds_under_two_components() {
 
 #[test]
 fn holds_a_mass_that_hardly_moves_with_a_mode_is_as_exact() {
-    // along x at the middle of a floor that is symmetric but for 1e-9 m: its modes of y move the mass by next to nothing
+    // along x at the middle of a floor with an asymmetry of 1e-9 m only: its y modes hardly move the mass
     for off_m in [1e-9, 1e-6, 0.0] {
         let floor = Floor {
             mass_kg: 1e5,
@@ -378,7 +378,7 @@ fn holds_finer_steps_give_the_same_motion() {
 
 #[test]
 fn exact_absolute_acceleration_and_peaks_between_steps_of_one_mode() {
-    // a step of the ground under a damped floor: u = −(a/ω²)(1 − e^(−ζωt)(cos ω_d t + ζ/√(1−ζ²) sin ω_d t))
+    // a step of the ground acceleration under a damped floor: u = −(a/ω²)(1 − e^(−ζωt)(cos ω_d t + ζ/√(1−ζ²) sin ω_d t))
     let floor = Floor {
         mass_kg: 1.0,
         centre_m: [0.0, 0.0],
@@ -430,7 +430,7 @@ fn exact_absolute_acceleration_and_peaks_between_steps_of_one_mode() {
         .fold(0.0_f64, |most, a| most.max(a.abs()));
     let peak = watched.acceleration_peak_m_s2;
     assert!(peak.value >= largest && peak.value < 1.01 * largest);
-    // its rate 1·(…)=0: tan ω_d t = −√(1−ζ²)(1 − 4ζ²)/(ζ(3 − 4ζ²))… by bisection of the closed form
+    // zero of its rate: tan ω_d t = −√(1−ζ²)(1 − 4ζ²)/(ζ(3 − 4ζ²))… by bisection of the closed form
     let acceleration = |t: f64| {
         let (sin, cos) = (omega * root * t).sin_cos();
         let decay = (-zeta * omega * t).exp();
@@ -503,7 +503,7 @@ fn regress_a_short_pulse_is_followed_into_the_free_swing() {
 
 #[test]
 fn exact_walls_carry_more_than_the_ground_with_p_delta() {
-    // stiffness 1e6 N/m, 1e5 kg 3 m up: (k − W/h) drift holds the building, k drift is in the walls
+    // stiffness 1e6 N/m, 1e5 kg at 3 m: (k − W/h) drift is the resistance of the building, k drift the force in the walls
     let floor = Floor {
         mass_kg: 1e5,
         centre_m: [2.0, -1.0],
@@ -517,7 +517,7 @@ fn exact_walls_carry_more_than_the_ground_with_p_delta() {
     let p_delta = PDelta::Weights { gravity_m_s2: 9.8 };
     let building = Building::new(vec![floor], vec![storey], p_delta).unwrap();
     let rows = building.base_rows();
-    // along x the walls' line is 1.5 m in front of the mass, along y 1 m left of it
+    // along x the line of the walls is 1.5 m in front of the mass, along y 1 m left of it
     let by_hand = [
         [1e6, 0.0, -1.5e6],
         [0.0, 1.1e6, -1.1e6],

@@ -81,14 +81,14 @@ fn exact_mixed_modes_of_one_floor() {
         assert!((mode.omega_rad_s / known.omega_rad_s - 1.0).abs() < 1e-13);
         assert!((mode.centres[0].unwrap().r_x_m / known.radius_m - 1.0).abs() < 1e-12);
     }
-    // energy in rotation: ρ²/(ρ² + r²)
+    // share of energy in rotation: ρ²/(ρ² + r²)
     let share = paper::GYRATION_SQUARED_M2 / (paper::GYRATION_SQUARED_M2 + known[0].radius_m.powi(2));
     assert!((modes[0].energy_shares[2] - share).abs() < 1e-13);
     assert!((modes[0].coupling - 2.0 * share).abs() < 1e-13);
     assert!(modes[1].coupling < 1e-20 && !modes[1].repeated);
 }
 
-/// A building of three floors that step back and turn, with walls at all angles.
+/// A building of three floors with setbacks and rotations, with walls at all angles.
 fn stepped(random: &mut Random, shift: [f64; 2], p_delta: PDelta) -> (Building, Vec<Vec<Element>>) {
     let (mut floors, mut storeys, mut all) = (Vec::new(), Vec::new(), Vec::new());
     for i in 0..3 {
@@ -168,7 +168,7 @@ fn holds_stiffness_is_the_sum_of_springs_between_points() {
 
 #[test]
 fn holds_weight_takes_what_its_columns_take() {
-    // the weight of each floor spread over four columns with its centre and its gyration
+    // the weight of each floor distributed over four columns with the same centre and radius of gyration
     let mut random = Random::new(33, 0);
     let gravity_m_s2 = 9.81;
     let (heavy, _) = stepped(&mut random, [3.0, 4.0], PDelta::Weights { gravity_m_s2 });
@@ -258,7 +258,7 @@ fn holds_frequencies_do_not_depend_on_where_the_plan_has_its_origin() {
     };
     let (near, far) = (frequencies([0.0, 0.0]), frequencies([3.2e5, 4.1e6]));
     for (a, b) in near.modes.iter().zip(&far.modes) {
-        // coordinates of a map hold 1e-9 m there
+        // coordinates of a map have a precision of 1e-9 m there
         assert!((a.omega_rad_s / b.omega_rad_s - 1.0).abs() < 1e-8);
         let centre = |m: &dolmen::structure::building::BuildingMode| m.centres[2].unwrap();
         assert!((centre(a).x_m + 3.2e5 - centre(b).x_m).abs() < 1e-5 * centre(a).r_x_m.abs().max(1.0));

@@ -37,7 +37,7 @@ fn holds_peaks_alone_are_those_of_a_run_that_keeps_everything() {
         alone.watched[0].displacement_peak_m
     );
     assert!(alone.watched[0].displacement_m.is_empty() && kept.watched[0].displacement_m.len() == 3334);
-    // what is kept is what was looked at: no step beyond a peak, and some step near it
+    // stored results are those of the observed steps: no step exceeds a peak, and some step is near it
     let same = |steps: &[f64], peak: dolmen::dynamics::Peak| {
         let most = steps.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         let peak = peak.value.abs();
@@ -90,7 +90,7 @@ fn agrees_the_rate_of_a_stroke_by_differences_and_by_both_methods() {
     assert!((most / rate.value.abs() - 1.0).abs() < 1e-4, "{most} {rate:?}");
 }
 
-/// Two floors that reach further to one side than to the other, the upper one shifted.
+/// Two floors that are asymmetric about the origin, the upper one shifted.
 fn lopsided() -> Building {
     let floor = |centre_m, middle_m, sides: [f64; 2]| Floor {
         mass_kg: 1e5,
@@ -117,7 +117,7 @@ fn corner_drifts(building: &Building, storey: usize, middle: [f64; 2], half: [f6
             let (x, y) = (middle[0] + i * half[0], middle[1] + j * half[1]);
             let mut row = building.point_row(storey, x, y, direction).unwrap();
             if storey == 2 {
-                // of the floor below as of a plate that reaches as far
+                // of the floor below, as a plate of the same extent
                 let centre = building.floors()[0].centre_m;
                 match direction {
                     PlanDirection::X => (row[0], row[2]) = (-1.0, y - centre[1]),
@@ -157,7 +157,7 @@ fn holds_drifts_of_lopsided_edges_are_those_of_the_corners() {
                 (x / x_there - 1.0).abs() < 1e-12 && (y / y_there - 1.0).abs() < 1e-12,
                 "storey {storey}: {x} {x_there}, {y} {y_there}"
             );
-            // and the rows of which response spectra are made: front, back, left, right
+            // and the rows used in response spectra: front, back, left, right
             let edges = building.edge_drift_rows(storey).unwrap().unwrap();
             let [along_x, along_y] = &corners;
             let pairs = [
@@ -245,6 +245,6 @@ fn exact_the_resultant_drift_of_a_round_building_does_not_ask_whence_it_is_shake
         let line = (found.direction_degrees - degrees).rem_euclid(180.0);
         assert!(line.min(180.0 - line) < 1e-9, "{degrees}: {found:?}");
     }
-    // along x and y apart it is less
+    // separately along x and y it is less
     assert!(shaken(45.0).edge_drift_x_m.unwrap().value.abs() < 0.71 * size_m);
 }

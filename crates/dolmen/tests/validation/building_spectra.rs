@@ -147,7 +147,7 @@ fn exact_least_favourable_direction_of_shaking() {
     let cqc = |directional| analysis.largest(&row, ModalCombination::Cqc, directional);
     let both = analysis.least_favourable(&row, 1.0).unwrap();
     assert!((both.largest - cqc(DirectionalCombination::Srss)).abs() < 1e-14);
-    // one component alone, turned: every mode's response is that to the turned shaking
+    // a single rotated component: every mode's response is that to the rotated shaking
     let (x, y) = (analysis.of_modes(&row, 0), analysis.of_modes(&row, 1));
     let modes = vibrating.modes().omegas_rad_s();
     let turned = |degrees: f64| {
@@ -205,7 +205,7 @@ fn agrees_one_floor_with_the_response_spectrum() {
     ] {
         let period_s = std::f64::consts::TAU / (k / 3.0).sqrt();
         let known = response_spectrum(&motion, component, &[period_s], 0.04).unwrap()[0];
-        // between the steps, as the response spectrum finds it there
+        // between the steps, as in the response spectrum
         assert!((found.value.abs() / known.displacement_m - 1.0).abs() < 1e-9);
         assert!(found.value.abs() > known.displacement_at_samples_m);
         let shear = history.peaks.base_shear_n[usize::from(component == Component::Y)]

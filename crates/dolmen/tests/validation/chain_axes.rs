@@ -46,10 +46,10 @@ fn exact_a_bed_passes_its_weight_times_the_way_to_its_edge() {
             (found / expected - 1.0).abs() < 1e-9,
             "{b} {w} {angle}: {found} {expected}"
         );
-        // along the sides it is what one plane says
+        // along the sides it equals the result in one plane
         let along = bed.moment_towards_n_m(n, [1.0, 0.0]);
         assert!((along / bed.moment_n_m(n) - 1.0).abs() < 1e-12);
-        // what grows beside what is there ends at the edge
+        // an additional moment ends at the edge
         let there = [0.3 * n * b / 2.0, -0.2 * n * w / 2.0];
         let times = bed.reach(n, there, d);
         let end = [there[0] + times * d[0], there[1] + times * d[1]];
@@ -123,7 +123,7 @@ fn holds_along_its_sides_the_block_is_that_of_one_plane_and_a_square_is_weaker_t
         assert!((along / bed.moment_n_m(n) - 1.0).abs() < 1e-12);
         assert!((across / bed.across().moment_n_m(n) - 1.0).abs() < 1e-12);
         assert_eq!(bed.across().across(), bed);
-        // what grows ends where the bed passes no more
+        // an additional moment ends at the capacity of the bed
         let there = [0.2 * along, 0.1 * across];
         let growing = [draws.between(0.0, 1.0), draws.between(-1.0, 1.0)];
         let times = bed.reach(n, there, growing);
@@ -143,7 +143,7 @@ fn holds_along_its_sides_the_block_is_that_of_one_plane_and_a_square_is_weaker_t
     let corner = bed.moment_towards_n_m(1.0, [1.0, 1.0]);
     assert!((corner - 2.0_f64.sqrt() / 6.0).abs() < 1e-12, "{corner}");
     assert!((bed.moment_towards_n_m(1.0, [1.0, 0.0]) - 0.25).abs() < 1e-12);
-    // crushed by its weight alone
+    // crushed by its own weight
     assert_eq!(bed.moment_towards_n_m(2.5, [1.0, 1.0]), 0.0);
     assert_eq!(bed.reach(2.5, [0.0; 2], [1.0, 1.0]), 0.0);
 }

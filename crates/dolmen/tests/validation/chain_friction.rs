@@ -104,7 +104,7 @@ fn exact_free_decay_loses_two_f_over_kappa_every_half_cycle() {
         "{}",
         history.friction_events
     );
-    // it holds what spring and weight leave
+    // friction holds the difference of spring and weight
     let held = *history.friction_moment_n_m[0].last().unwrap();
     assert!((held + kappa * rests).abs() < 1e-9, "{held}");
     let friction_j = history.energy.last().unwrap().friction_j;
@@ -115,7 +115,7 @@ fn exact_free_decay_loses_two_f_over_kappa_every_half_cycle() {
 
 #[test]
 fn exact_large_swings_turn_where_the_energy_is_spent() {
-    // ½ k A² − G (1 − cos A) falls by f times the way
+    // ½ k A² − G (1 − cos A) falls by f times the path
     let gravity = one().gravity_moments_n_m_rad()[0];
     let (k, f) = (3.0 * gravity, 0.05 * gravity);
     let model = ChainModel::new(
@@ -175,8 +175,8 @@ fn exact_a_stuck_joint_makes_two_links_one() {
             apart(&two.rotation_rad[0])
         );
         assert_eq!(two.rotation_rad[0], two.rotation_rad[1]);
-        // where the upper link alone is shaken by what its foot does, its joint passes J θ'' + m l (foot'' + …): the moment below
-        // less what the lower link takes is that, so that the balance of the whole holds
+        // if only the upper link is shaken, by the motion of its foot, its joint passes J θ'' + m l (foot'' + …): this equals the
+        // moment below less the share of the lower link, so the balance of the whole holds
         let moments = one.joint_moment_n_m[0].iter().zip(&two.joint_moment_n_m[0]);
         let worst = moments.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(worst < 1e-9 * one.joint_moment_peaks_n_m[0], "{worst:e}");
@@ -185,7 +185,7 @@ fn exact_a_stuck_joint_makes_two_links_one() {
 
 #[test]
 fn exact_joints_hold_until_the_ground_passes_their_limit() {
-    // stuck and upright: q_i = −a Σ_{j≥i} Γ_j; under a = r t the joint of the least f_i/Σ Γ goes first, at f_i/(r Σ Γ)
+    // stuck and upright: q_i = −a Σ_{j≥i} Γ_j; under a = r t the joint with the least f_i/Σ Γ slips first, at f_i/(r Σ Γ)
     let links = vec![
         link(3000.0, 1.5, 0.7, 600.0),
         link(2000.0, 1.0, 0.5, 250.0),
@@ -235,7 +235,7 @@ fn exact_joints_hold_until_the_ground_passes_their_limit() {
 
 #[test]
 fn exact_static_above_kinetic_jumps() {
-    // under a = −r t it goes at f_s/(r Γ) and moves with f_k: θ = (s t' + b)/κ − … in closed form until it stops
+    // under a = −r t it slips at f_s/(r Γ) and moves with f_k: θ = (s t' + b)/κ − … in closed form until it stops
     let (gravity, inertia) = (one().gravity_moments_n_m_rad()[0], one().mass_matrix()[(0, 0)]);
     let gamma = one().base_influence_kg_m()[0];
     let kappa = 3.0 * gravity;
@@ -410,7 +410,7 @@ const THREE_LINKS: [[f64; 3]; 6] = [
 ];
 const THREE_LINKS_EVENTS: usize = 39;
 
-/// Random chains whose joints rub, open and damp, under the whole record.
+/// Random chains with friction, opening and damping in the joints, under the whole record.
 fn shaken(draw: &mut Draws, rotations: ChainRotations) -> ChainHistory {
     let n = 1 + (draw.between(0.0, 6.0) as usize).min(5);
     let chain = draw.chain(n);
@@ -456,7 +456,7 @@ fn shaken(draw: &mut Draws, rotations: ChainRotations) -> ChainHistory {
             most <= static_moment_n_m * (1.0 + 1e-9),
             "{most} {static_moment_n_m}"
         );
-        // between its slips a joint does not turn
+        // between its slips a joint does not rotate
         let across = history.across_rad(i);
         let own: Vec<_> = history.slips.iter().filter(|slip| slip.joint == i).collect();
         let turned: f64 = own.iter().map(|slip| slip.slip_rad).sum();

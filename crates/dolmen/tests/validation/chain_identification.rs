@@ -78,7 +78,7 @@ fn exact_one_mode_with_its_full_shape_gives_every_joint() {
     let k = twice_the_least(&chain);
     let mut modes = measured(&chain, &k, 1, &tops(&chain));
     let found = identify(&chain, &modes);
-    // without deviations each point is off by an assumed 5 %: exact as it is, the joints are only bounded
+    // without deviations each point is assumed to be off by 5 %: although it is exact, the joints are only bounded
     assert_eq!(found.choice, Choice::Bounded, "{:?}", found.notes);
     assert_stiffness(&found.solutions[0].stiffness, &k, 1e-9);
     assert_eq!(found.visibility.unwrap().free_directions, 0);
@@ -154,7 +154,7 @@ fn exact_two_frequencies_of_two_joints_are_the_roots_of_a_quadratic() {
         assert_eq!(found.solutions.len(), 2, "{roots:?}, true {truth:?}");
         assert_eq!(found.choice, Choice::Indistinguishable);
         for (solution, k1) in found.solutions.iter().zip(&roots) {
-            // the quadratic itself loses digits where its roots are near
+            // the quadratic itself loses digits for close roots
             assert!(
                 (solution.stiffness[0] / k1 - 1.0).abs() < 1e-6,
                 "{} {k1}",
@@ -277,7 +277,7 @@ fn holds_a_nearly_rigid_joint_is_not_seen() {
 
 #[test]
 fn holds_data_that_some_stiffness_fits_are_never_called_impossible() {
-    // the prior is far from equal joints: the search from it alone ends beside the data
+    // the prior is far from equal joints: a search from the prior only does not reach the data
     let chain = naju();
     let equal = dolmen::stability::chain_limits(&chain)
         .unwrap()
@@ -497,7 +497,7 @@ fn refuses_bad_modes_and_says_which() {
 
 #[test]
 fn holds_a_top_centred_on_its_joint_does_not_stop_the_search() {
-    // nothing above it turns the top joint: its share of the weight moments is 0
+    // no mass above rotates the top joint: its share of the weight moments is 0
     let link = |centroid_m: f64| Link {
         mass_kg: 1000.0,
         length_m: 2.0,

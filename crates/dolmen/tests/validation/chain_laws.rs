@@ -1,5 +1,5 @@
 // SOURCE     Lagrange's equations of n rigid links (Choi 2021, eqs 3–28), and linear algebra.
-// GOAL       Matrices are those of kinetic and potential energy; every stability number means what it says.
+// GOAL       Matrices are those of kinetic and potential energy; every stability number has its stated meaning.
 //
 //          /θ_i        x_i = Σ_{j<i} L_j θ_j + l_i θ_i        T = Σ ½ m_i x_i'² + ½ J_i θ_i'²
 //         /            z_i = const − ½ (Σ_{j<i} L_j θ_j² + l_i θ_i²)

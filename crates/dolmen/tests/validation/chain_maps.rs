@@ -23,7 +23,7 @@ const CENTROID_M: f64 = 0.9;
 const GAMMA: f64 = MASS_KG * CENTROID_M;
 const INERTIA: f64 = MASS_KG * (LENGTH_M * LENGTH_M / 12.0 + CENTROID_M * CENTROID_M);
 const WEIGHT: f64 = GAMMA * G;
-/// k, three times what gravity takes.
+/// k, three times the stiffness taken by gravity.
 const STIFFNESS: f64 = 3.0 * WEIGHT;
 
 fn shaft(joint: ChainJoint) -> ChainModel {
@@ -91,7 +91,7 @@ fn exact_map_of_sticking_and_turning_against_friction() {
 
 #[test]
 fn holds_the_share_of_opening_is_that_of_the_run() {
-    // strong enough to open the bed each cycle; damped, so that it neither falls nor wanders
+    // strong enough to open the bed in each cycle; damped, so that it neither falls nor drifts
     let model = shaft(ChainJoint {
         damping_n_m_s_rad: 2.0 * 0.2 * own_rad_s() * INERTIA,
         opening: JointOpening::AtBedEdge,
@@ -101,7 +101,7 @@ fn holds_the_share_of_opening_is_that_of_the_run() {
     let map = chain_harmonic_map(&model, &[frequency_hz], &[acceleration], &mut |_| true).unwrap();
     let point = &map[0];
     assert!(point.steady && !point.fell, "{point:?}");
-    // the same of a run of twice the cycles, its last ten
+    // the same for a run of twice the cycles, its last ten
     let load = TimeFunction::Harmonic {
         amplitude: acceleration,
         frequency_hz,
@@ -129,7 +129,7 @@ fn holds_the_share_of_opening_is_that_of_the_run() {
 
 #[test]
 fn holds_a_run_that_ends_on_the_way_down_is_no_verdict() {
-    // half of what stands: it falls by itself, from 1e-3 rad; cosh grows at sqrt((G − k)/I)
+    // half of the critical stiffness: it falls by itself, from 1e-3 rad; cosh grows at sqrt((G − k)/I)
     let model = shaft(ChainJoint::spring(0.5 * WEIGHT));
     let rate = (0.5 * WEIGHT / INERTIA).sqrt();
     let run = |duration_s: f64, start_rad: f64, model: &ChainModel| {
@@ -153,7 +153,7 @@ fn holds_a_run_that_ends_on_the_way_down_is_no_verdict() {
         matches!(ended, ChainOutcome::Fell { link: 0, at_s } if (at_s / falls_s - 1.0).abs() < 1e-9),
         "{ended:?}"
     );
-    // what swings leans out half of the time, and has leaned as far before
+    // an oscillating link leans outwards half of the time, and has leaned as far before
     let stands = shaft(ChainJoint::spring(STIFFNESS));
     for part in [0.6, 0.7, 1.3, 2.9, 7.45] {
         let ended = run(part * TAU / own_rad_s(), 1e-3, &stands);

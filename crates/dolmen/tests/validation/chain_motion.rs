@@ -80,7 +80,7 @@ pub(super) fn el_centro() -> GroundMotion {
     GroundMotion::new("El Centro 1940 NS", 0.02, vec![(Component::X, samples.collect())]).unwrap()
 }
 
-/// The first sample time after which a link leans more than `angle`, made finer by a straight line of logarithms.
+/// The first time at which a link leans more than `angle`, interpolated linearly in the logarithm.
 fn reaches(history: &ChainHistory, link: usize, angle: f64) -> f64 {
     let rows = &history.rotation_rad[link];
     let i = rows.iter().position(|x| x.abs() >= angle).unwrap();
@@ -106,7 +106,7 @@ fn published_critical_stiffness_lets_the_pole_fall_and_weight_times_height_holds
         history.outcome
     );
     assert!(history.energy_left_over_ratio < 1e-12);
-    // whatever the push, the shape that falls fastest grows as the linear equations say
+    // for any push, the shape that falls fastest grows by the linear equations
     let found = chain_growth(&model, &history).unwrap().unwrap();
     let measured = found.measured.unwrap();
     assert!((found.linear_rate_per_s / growth - 1.0).abs() < 1e-12);
@@ -114,7 +114,7 @@ fn published_critical_stiffness_lets_the_pole_fall_and_weight_times_height_holds
     // cosh from 10 to 100: ln 10/(acosh 100 − acosh 10)
     let wanted = 10.0_f64.ln() / (100.0_f64.acosh() - 10.0_f64.acosh());
     assert!((rate - wanted).abs() < 1e-4, "{rate} {wanted}");
-    // pushed along the mode that grows fastest: from 2e-4 to 4e-4 as e^(growth t)
+    // pushed along the fastest growing mode: from 2e-4 to 4e-4 as e^(growth t)
     let mode = modes.vectors.column(0);
     let most = mode
         .iter()
@@ -212,7 +212,7 @@ fn exact_small_rotations_are_a_sum_of_modes() {
 
 #[test]
 fn exact_one_link_is_the_pendulum() {
-    // from 1 rad beside upright through hanging and back, without a spring
+    // from 1 rad from upright through hanging and back, without a spring
     let chain = Chain::new(vec![link(100.0, 3.0, 1.2)], G).unwrap();
     let omega = (chain.gravity_moments_n_m_rad()[0] / chain.mass_matrix()[(0, 0)]).sqrt();
     let period = period_s(PI - 1.0, omega);
@@ -223,11 +223,11 @@ fn exact_one_link_is_the_pendulum() {
     };
     let history = run(&model, &TimeFunction::Zero, &options);
     assert!((history.rotation_peaks[0].rotation_rad - (TAU - 1.0)).abs() < 1e-11);
-    // after whole periods it is back: near the turn only the rate tells the time
+    // after whole periods it is back: near the turning point only the rate indicates the time
     let end = |rows: &[Vec<f64>]| rows[0][rows[0].len() - 1];
     assert!((end(&history.rotation_rad) - 1.0).abs() < 1e-10);
     assert!(end(&history.velocity_rad_s).abs() < 1e-10);
-    // and a quarter period before that it hangs
+    // and a quarter period earlier it hangs
     let options = ChainRun {
         duration_s: Some(4.75 * period),
         ..options
@@ -238,7 +238,7 @@ fn exact_one_link_is_the_pendulum() {
 
 #[test]
 fn exact_first_mode_has_the_damping_ratio_asked_for() {
-    // of one link the oscillator is exact: ln of two turns in a row is 2π ζ/√(1 − ζ²)
+    // for one link it is an exact oscillator: ln of two successive extrema is 2π ζ/√(1 − ζ²)
     let chain = Chain::new(vec![link(1000.0, 3.0, 1.5)], G).unwrap();
     let stiffness = 5.0 * chain.gravity_moments_n_m_rad()[0];
     let model = springs(chain, &[stiffness], ChainRotations::Small);
@@ -252,7 +252,7 @@ fn exact_first_mode_has_the_damping_ratio_asked_for() {
     let last = *history.rotation_rad[0].last().unwrap();
     let wanted = 0.01 * (-TAU * ratio / (1.0 - ratio * ratio).sqrt()).exp();
     assert!((last - wanted).abs() < 1e-14, "{last} {wanted}");
-    // of five the first mode is followed by its share of the whole: measured to a thousandth of the ratio
+    // for five links the first mode is extracted by its share of the motion: measured to a thousandth of the ratio
     let stiffness: Vec<f64> = flagpole().necessary_n_m_rad().iter().map(|k| 5.0 * k).collect();
     let model = springs(flagpole(), &stiffness, ChainRotations::Small).with_first_mode_damping(ratio);
     let model = model.unwrap();
@@ -351,14 +351,14 @@ fn exact_open_joint_closes_when_the_closed_form_says() {
         history.uplifts[0].to_s
     );
     assert_eq!(history.outcome, ChainOutcome::Uplifted { joint: 0, at_s: 0.0 });
-    // nothing is lost: it opens as far on the other side, and comes back
+    // no energy is lost: it opens as far on the other side, and returns
     assert!(history.uplifts.len() > 10 && history.energy_left_over_ratio < 1e-12);
     assert!((history.rotation_peaks[0].rotation_rad.abs() - start).abs() < 1e-11);
     assert_eq!(
         history.joint_moment_peaks_n_m[0],
         model(ChainRotations::Small).moment_most_n_m()[0]
     );
-    // it turns over where sin θ = m/G
+    // it overturns where sin θ = m/G
     let edge = (most / gravity).asin();
     for (part, falls) in [(0.999, false), (1.001, true)] {
         let history = run(
@@ -403,7 +403,7 @@ fn agrees_one_link_with_the_response_spectrum_of_el_centro() {
     }
 }
 
-/// Five links with dashpots and beds that open, under the whole record.
+/// Five links with dashpots and opening beds, under the whole record.
 fn shaken_flagpole(factor: f64) -> ChainHistory {
     let chain = flagpole();
     let joints = weight_times_height().into_iter().map(|k| ChainJoint {
@@ -448,7 +448,7 @@ fn holds_energy_and_bits_through_an_earthquake_with_joints_that_open() {
             "{:e}",
             history.energy_left_over_ratio
         );
-        // at every sample too, which lie inside steps
+        // also at every sample, which lies inside steps
         let kinetic = history.energy.iter().map(|e| e.kinetic_j).fold(0.0, f64::max);
         assert!(
             history

@@ -52,7 +52,7 @@ fn with_spring(k: f64) -> ChainModel {
     ChainModel::new(flagpole(), joints, ChainRotations::Large).unwrap()
 }
 
-/// The chain with the two links beside a joint as one.
+/// The chain with the two links next to a joint merged.
 fn joined(chain: &Chain, joint: usize) -> Chain {
     let mut links = chain.links().to_vec();
     let (upper, lower) = (links.remove(joint), links[joint - 1].clone());
@@ -70,7 +70,7 @@ fn joined(chain: &Chain, joint: usize) -> Chain {
     Chain::new(links, chain.gravity_m_s2()).unwrap()
 }
 
-/// The pole with the two links beside the joint as one.
+/// The pole with the two links next to the joint merged.
 fn without_joint() -> ChainModel {
     let mut stiffness = joints();
     stiffness.remove(STIFF);
@@ -100,7 +100,7 @@ fn exact_a_nearly_rigid_joint_moves_as_the_pole_without_it() {
         let (a, b) = (&stiff.rotation_rad[link], &of_four.rotation_rad[same]);
         assert!(apart(a, b) < 1e-11, "link {link}: {:e}", apart(a, b));
     }
-    // what it costs: the steps of the pole without the joint, as against some tens of thousand
+    // its cost: the steps of the pole without the joint, against some tens of thousand
     assert!(
         stiff.steps < 2 * of_four.steps,
         "{} {}",
@@ -186,7 +186,7 @@ fn agrees_with_springs_that_are_followed_as_their_compliance_goes_to_nothing() {
             "link {link}: {first:e} {second:e}"
         );
     }
-    // the moment too, which only the balance of the links tells of a rigid joint
+    // the moment too, which for a rigid joint follows only from the balance of the links
     let rows = [&mid, &stiff].map(|history| &history.joint_moment_n_m[STIFF]);
     assert!(apart(rows[0], rows[1]) < 0.02, "{:e}", apart(rows[0], rows[1]));
 }

@@ -53,7 +53,7 @@ fn run(model: &ChainModel, start_rad: Vec<f64>, duration_s: f64, load: &TimeFunc
     simulate_chain(model, load, &options, &mut |_| true).unwrap()
 }
 
-/// Period of I θ″ + a θ = 0 within ±b, and with s c² more beyond, from rest at A.
+/// Period of I θ″ + a θ = 0 within ±b, with the additional s c² beyond, from rest at A.
 fn period_s(own_n_m_rad: f64, start_rad: f64) -> f64 {
     let support = stop(0.05);
     let (c, s) = (support.height_m, support.stiffness_n_m);
@@ -64,7 +64,7 @@ fn period_s(own_n_m_rad: f64, start_rad: f64) -> f64 {
     let outside_s = ((b - rest) / (start_rad - rest)).acos() / omega;
     let rate = (start_rad - rest) * omega * (omega * outside_s).sin();
     let own = (own_n_m_rad.abs() / inertia()).sqrt();
-    // from b to 0: a circle where it stands, a hyperbola where it falls
+    // from b to 0: a circle if it is stable, a hyperbola if it is not
     let inside_s = match own_n_m_rad > 0.0 {
         true => (b * own / rate).atan() / own,
         false => (b * own / rate).atanh() / own,
@@ -82,7 +82,7 @@ fn exact_period_between_two_stops_of_a_pole_that_stands_and_of_one_that_falls() 
         let end = whole.rotation_rad[0].last().unwrap();
         assert!((end / start - 1.0).abs() < 1e-9, "{own}: {end}");
         assert!(whole.velocity_rad_s[0].last().unwrap().abs() < 1e-5 * start / period);
-        // it starts outside and meets a stop twice a period
+        // it starts outside and touches a stop twice per period
         assert_eq!(whole.touches.len(), 21, "{:?}", whole.outcome);
         let half = run(&model, vec![start], 0.5 * period, &TimeFunction::Zero);
         let end = half.rotation_rad[0].last().unwrap();
@@ -107,7 +107,7 @@ fn exact_frequency_with_a_support_without_a_gap() {
     let history = run(&model, vec![0.01], 7.25 * TAU / omega, &TimeFunction::Zero);
     let end = history.rotation_rad[0].last().unwrap();
     assert!(end.abs() < 1e-12, "{end}");
-    // it is held from the start to the end
+    // it is in contact from the start to the end
     assert_eq!((history.touches.len(), history.touches[0].from_s), (1, 0.0));
 }
 
@@ -129,14 +129,14 @@ fn exact_a_pole_that_falls_comes_to_rest_against_its_post() {
     assert_eq!(history.outcome, ChainOutcome::Stood);
     let end = history.rotation_rad[0].last().unwrap();
     assert!((end / rest - 1.0).abs() < 1e-9, "{end} {rest}");
-    // with nothing beside it, it falls
+    // without a support it falls
     let history = run(&of(chain), vec![1e-4], 120.0, &TimeFunction::Zero);
     assert!(
         matches!(history.outcome, ChainOutcome::Fell { .. }),
         "{:?}",
         history.outcome
     );
-    // where a leaning pole comes to rest against its post, gaps counted from the lean
+    // the rest position of a leaning pole against its post, with gaps measured from the lean
     let lean = 0.03;
     for rotations in [ChainRotations::Small, ChainRotations::Large] {
         let leaning = pole(1.3 * WEIGHT_N_M, stop(0.05), rotations)
@@ -192,7 +192,7 @@ fn agrees_with_runge_and_kutta_for_three_links_and_two_supports() {
     let history = run(&model, vec![0.0; 3], 4.0, &ground);
     assert!(history.touches.iter().any(|touch| touch.support == 0));
     assert!(history.touches.iter().any(|touch| touch.support == 1));
-    // M_ij of the straight chain, written anew: Σ over links m x_i x_j with x how far it moves
+    // M_ij of the straight chain, computed again: Σ over links of m x_i x_j, where x is the displacement
     let n = links.len();
     let arm = |i: usize, j: usize| match i.cmp(&j) {
         std::cmp::Ordering::Less => links[i].length_m,

@@ -136,7 +136,7 @@ fn holds_joint_moments_of_200_chains_in_wind_are_those_of_a_quadrature() {
                 (j..n).map(on).sum()
             })
             .collect();
-        // and turn by turn: what leans adds the moment of its weight
+        // and by iteration: the lean adds the moment of the weight
         let mut moments = upright.clone();
         for _ in 0..400 {
             let mut theta = vec![0.0; n];

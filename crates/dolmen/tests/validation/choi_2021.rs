@@ -1,6 +1,6 @@
 // SOURCE     Choi, J.-S. (2021) A study on dynamic analysis model and stability of stone cultural properties of
 //            inverted pendulum type with 5 joints. J. Korea Inst. Struct. Maint. Insp.
-// GOAL       Its tables to their last digit; beside them what is true: when the pole stands, and its frequencies.
+// GOAL       Its tables to their last digit, and the true results: when the pole stands, and its frequencies.
 //
 //        |5|          w [kN]  38.95 15.13 6.78 4.51 2.93
 //        (k5          L [m]    3.68  2.61 1.63 1.54 1.37

@@ -1,5 +1,5 @@
 // SOURCE     Park and Min (2010), Figs 4 and 5: the columns of Heunginjimun have one amplitude and one phase in its modes of translation.
-// GOAL       Columns that move as one, or as a floor that turns, raise no alarm beyond the stated chance; one that moves apart is named.
+// GOAL       Columns that move as one, or as a floor that turns, raise no alarm beyond the stated chance; one that moves apart is found.
 //
 //     c1   c2   c3   c4      u_c = a + θ s_c      →  one column with another amplitude, or another phase
 //     |    |    |    |
@@ -32,7 +32,7 @@ fn channels() -> Vec<Channel> {
     each.collect()
 }
 
-/// Shapes of the two modes at all sensors, with a turn of the floors and a factor on the first level's third column.
+/// Shapes of the two modes at all sensors, with a rotation of the floors and a factor on the first level's third column.
 fn shapes(turn_of_13_m: f64, third: f64) -> [Vec<f64>; 2] {
     [[0.85, 1.0], [1.0, -0.75]].map(|levels| {
         let mut shape: Vec<f64> = levels
@@ -76,13 +76,13 @@ fn holds_columns_that_move_as_one_raise_no_alarm_and_one_apart_is_named() {
             as_one.iter().all(|level| level.moves == ColumnsMove::AsOne),
             "{seed}: {as_one:?}"
         );
-        // a floor of an eccentric hall: its columns lie on one line
+        // a floor of an eccentric hall: its columns are on one line
         let turning = seen(seed, shapes(0.3, 1.0));
         assert!(
             turning.iter().all(|level| level.moves == ColumnsMove::Turning),
             "{seed}: {turning:?}"
         );
-        // a foot that is loose: a quarter more than the others
+        // a loose foot: a quarter more motion than the others
         let apart = seen(seed, shapes(0.0, 1.25));
         for level in &apart {
             match level.height_m == HEIGHT_M[0] {
@@ -103,7 +103,7 @@ fn holds_columns_that_move_as_one_raise_no_alarm_and_one_apart_is_named() {
     }
 }
 
-/// One mode with these ordinates at one level of columns, each known to a hundredth.
+/// One mode with these ordinates at one level of columns, each with a deviation of one hundredth.
 fn one_level(ordinates: &[Complex64]) -> ColumnsMove {
     let mode = Mode {
         shape_sd: Some(vec![0.01; ordinates.len()]),
@@ -123,7 +123,7 @@ fn one_level(ordinates: &[Complex64]) -> ColumnsMove {
 #[test]
 fn exact_the_limits_are_those_of_chi_squared() {
     let real = |x: f64| Complex64::new(x, 0.0);
-    // of two: χ² = d²/2 sd², two degrees: exp(−χ²/2) = 0.01 at d = sd √(4 ln 100)
+    // two columns: χ² = d²/2 sd², two degrees of freedom: exp(−χ²/2) = 0.01 at d = sd √(4 ln 100)
     let limit = 0.01 * (4.0 * 100.0_f64.ln()).sqrt();
     assert_eq!(
         one_level(&[real(1.0), real(1.0 - 0.999 * limit)]),
@@ -133,21 +133,21 @@ fn exact_the_limits_are_those_of_chi_squared() {
         one_level(&[real(1.0), real(1.0 - 1.002 * limit)]),
         ColumnsMove::TwoDiffer
     );
-    // a phase is as much as an amplitude
+    // a phase counts like an amplitude
     let behind = |angle: f64| Complex64::from_polar(1.0, angle);
     assert_eq!(
         one_level(&[behind(0.0), behind(0.0), behind(0.3), behind(0.0)]),
         ColumnsMove::Apart { any_of: vec![2] }
     );
-    // four on a line are a floor, and no three are alike
+    // four on a line form a floor, and no three are equal
     let floor = ASIDE_M.map(|x| real(1.0 - 0.05 * x));
     assert_eq!(one_level(&floor), ColumnsMove::Turning);
-    // three that all differ, off a line: no one column explains it
+    // three different ones, not on a line: no single column explains it
     assert_eq!(
         one_level(&[real(1.0), real(0.5), real(0.9)]),
         ColumnsMove::Apart { any_of: vec![] }
     );
-    // a floor that turns, with one column off it
+    // a floor that rotates, with one column off
     let mut off = floor;
     off[1] += real(0.2);
     assert_eq!(one_level(&off), ColumnsMove::Apart { any_of: vec![1] });

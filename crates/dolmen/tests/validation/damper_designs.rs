@@ -1,8 +1,8 @@
 // SOURCE     The floors of dampers.rs; exact tunings of one mode (tuned_mass.rs).
-// GOAL       Plans judge as assembled matrices do; designs of one mode are the exact ones; designs and maps of a floor that twists leave
-//            nothing better beside them.
-// PARAMETERS as in dampers.rs; one mode as a floor that moves along y alone.
-// TOLERANCE  1e-5 between maps and Lyapunov (the lightest damping, far from the frequencies prepared for), 1e-6 beside exact tunings; designs: no neighbour 1 % away is better.
+// GOAL       Plans give the results of assembled matrices; designs for one mode are the exact ones; no neighbour of a design or map of a
+//            twisting floor is better.
+// PARAMETERS as in dampers.rs; one mode as a floor that moves along y only.
+// TOLERANCE  1e-5 between maps and Lyapunov (the lightest damping, far from the prepared frequencies), 1e-6 from exact tunings; designs: no neighbour 1 % away is better.
 
 use crate::dampers::{second_floor, twisting_floor, white_y, with_modal_damping, y_at};
 use dolmen::damper::{
@@ -60,7 +60,7 @@ fn close(given: f64, expected: f64, tolerance: f64) {
     assert!((given - expected).abs() <= tolerance, "{given} {expected}");
 }
 
-/// A floor whose first mode moves along y alone at 1 rad/s, far below the others.
+/// A floor whose first mode moves along y only, at 1 rad/s, far below the others.
 fn one_mode(zeta: f64, base: bool) -> DamperProblem {
     let k = Matrix::from_diagonal(&[900.0, 1.0, 9000.0]);
     let input = match base {
@@ -149,7 +149,7 @@ fn holds_place_and_tuning_together_leave_nothing_better_beside_them() {
     }
     let damper = best.dampers[0];
     let omega = plan.mode_frequency_hz(0).unwrap();
-    // ours: 2.0314 at x = .445 m beside 2.0664 of the fixed tuning at x = .13 m and 4.5851 of the rule's point
+    // here: 2.0314 at x = 0.445 m, against 2.0664 of the fixed tuning at x = 0.13 m and 4.5851 of the rule's point
     close(damper.place_m[0], 0.4447, 5e-5);
     close(damper.frequency_hz / omega, 0.977_345, 5e-6);
     close(damper.damping_ratio, 0.116_530, 5e-6);
@@ -314,7 +314,7 @@ fn refuses_dampers_that_cannot_do_what_is_asked() {
         fault,
         "the damper at x = 6 m, y = 0 m stands 1.000 m outside its floor: move it inside the outline"
     );
-    // mode 2 moves along x alone: a damper along y is not moved
+    // mode 2 moves along x only: a damper along y does not move
     let fault = plan.modal_mass_kg(1, &start).unwrap_err();
     assert!(matches!(fault, DamperError::ModeStill { mode: 2, .. }));
     assert!(fault.to_string().contains("it moves only in x here"), "{fault}");
@@ -342,7 +342,7 @@ fn refuses_dampers_that_cannot_do_what_is_asked() {
 
 #[test]
 fn holds_no_tuning_of_a_fine_grid_is_better_than_that_of_the_map() {
-    // where the damper serves well and where it serves badly, each place by itself and as one of a map
+    // at good and bad places of the damper, each place alone and as part of a map
     for structure in [twisting_floor(), second_floor()] {
         let (plan, start) = plan(structure);
         let options = PositionMapOptions::over_site(&plan, 0, 11, 3).unwrap();
@@ -411,7 +411,7 @@ fn agrees_several_dampers_of_all_kinds_tuned_together_leave_nothing_better_besid
     let found = tune_together(&plan, &given, &options).unwrap();
     let before = cost_of(&plan.exact_attached(&given).unwrap(), Goal::LargestRms);
     assert!(found.cost < before);
-    // beside it, by assembled matrices: 1e-5 is what the prepared frequencies are good for
+    // compared with assembled matrices: 1e-5 is the accuracy of the prepared frequencies
     for k in 0..3 {
         for (df, dz) in [(1.01, 1.0), (0.99, 1.0), (1.0, 1.05), (1.0, 0.95)] {
             let mut other = found.dampers.clone();
@@ -451,7 +451,7 @@ fn agrees_several_dampers_of_all_kinds_tuned_together_leave_nothing_better_besid
 
 #[test]
 fn agrees_dampers_that_stay_are_part_of_the_structure() {
-    // a column and a dashpot to the ground that stay, a mass that is judged: prepared frequencies beside assembled matrices
+    // a column and a dashpot to the ground are fixed, a mass is judged: prepared frequencies against assembled matrices
     for base in [false, true] {
         let mut problem = edges(twisting_floor());
         if base {
@@ -476,7 +476,7 @@ fn agrees_dampers_that_stay_are_part_of_the_structure() {
             close(a / b, 1.0, 1e-6);
         }
         close(exact.stroke_rms_m[0] / near.stroke_rms_m[0], 1.0, 1e-6);
-        // all three as riders of a plan without any
+        // all three as additional dampers on a plan without any
         let bare = Plan::new(
             DamperProblem {
                 fixed: Vec::new(),

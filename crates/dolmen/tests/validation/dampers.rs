@@ -18,7 +18,7 @@ use std::f64::consts::TAU;
 const RHO2: f64 = 164.0 / 12.0;
 const MU: f64 = 0.05;
 
-/// M, C, K with every mode damped alike.
+/// M, C, K with the same damping ratio in every mode.
 pub(crate) fn with_modal_damping(mass: Matrix, stiffness: Matrix, zeta: f64) -> LinearSystem {
     let n = mass.rows();
     let bare = LinearSystem::new(mass.clone(), Matrix::zeros(n, n), stiffness.clone()).unwrap();
@@ -56,7 +56,7 @@ pub(crate) fn y_at(x: f64) -> Vec<f64> {
     vec![0.0, 1.0, x]
 }
 
-/// The paper's damper at x, tuned to mode 1 wherever it stands; ζ on its own frequency.
+/// The paper's damper at x, always tuned to mode 1; ζ relative to its own frequency.
 fn paper_damper(structure: &LinearSystem, x: f64, rule: TuningRule) -> AttachedDamper {
     let modes = structure.modes().unwrap();
     let centre = modes.shapes[(1, 0)]; // modal mass 1: scaled to φ_y = 1 it is 1/φ_y²
@@ -343,7 +343,7 @@ fn exact_integral_is_lyapunov_for_every_rational_spectrum() {
 
 #[test]
 fn exact_loads_that_depend_on_each_other() {
-    // one source that acts on two places alike is one load on their sum; two without coherence are two loads
+    // one source that acts equally on two places is one load on their sum; two sources without coherence are two loads
     let structure = twisting_floor();
     let places = [y_at(-3.0), y_at(4.0)];
     let at: Vec<f64> = (0..=4000).map(|i| f64::from(i) * 0.005).collect();
@@ -390,7 +390,7 @@ fn exact_loads_that_depend_on_each_other() {
 
 #[test]
 fn published_sign_of_eq_5a_for_a_damper_along_x() {
-    // walls off centre both ways: an X damper at (0, Y) rides on u − Yθ; eq. 5a prints + Y
+    // walls eccentric both ways: an X damper at (0, Y) moves with u − Yθ; eq. 5a prints + Y
     let kx = 2.2821 * 2.2821;
     let ky = 0.7 * kx;
     let (ex, ey) = (-1.5, 1.0);
@@ -421,7 +421,7 @@ fn published_sign_of_eq_5a_for_a_damper_along_x() {
         let bare = ResponseRow::displacement(vec![1.0, 0.0, -4.0]);
         with / rms_by_lyapunov(&structure, std::slice::from_ref(&load), &[bare]).unwrap()[0]
     };
-    // a mass at (0, 4): turning by θ moves it by −4 θ along x
+    // a mass at (0, 4): a rotation by θ moves it by −4 θ along x
     close(ratio(vec![1.0, 0.0, -4.0]), 0.588_927, 5e-7);
     close(ratio(vec![1.0, 0.0, 4.0]), 0.517_409, 5e-7); // as published: 12 % better than it is
     // by eq. 12 of the same paper a point at y = r_y does not move along x in its mode; with the sign of eq. 5a it moves twice

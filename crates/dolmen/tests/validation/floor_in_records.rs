@@ -46,7 +46,7 @@ fn channels() -> Vec<Channel> {
     ]
 }
 
-/// What the sensors see of a floor that moves by u, v and turns by θ about its centre of mass, each shape turned in phase.
+/// The sensors' record of a floor that moves by u, v and rotates by θ about its centre of mass, each shape with another phase.
 fn record(frequencies_hz: &[f64], motions: &[[f64; 3]], channels: &[Channel]) -> Modes {
     let mode = |(at, (frequency_hz, [u, v, theta])): (usize, (&f64, &[f64; 3]))| {
         let seen = channels.iter().map(|of| {
@@ -134,7 +134,7 @@ fn holds_a_record_gives_back_stiffness_and_centre_of_rigidity_of_200_storeys() {
         )
         .unwrap();
         assert!(found.sensors == 5 && found.unexplained() < 1e-12, "{case}");
-        // nothing is known of the centre of rigidity
+        // an unknown centre of rigidity
         let unknown = PlanStorey {
             eccentricity_m: [0.0; 2],
             ..of.storey
@@ -147,7 +147,7 @@ fn holds_a_record_gives_back_stiffness_and_centre_of_rigidity_of_200_storeys() {
             let e = one.eccentricity_m.iter().zip(&of.storey.eccentricity_m);
             if let (true, Some(k_sd), Some(e_sd)) = (one.roots_meet, one.stiffness_sd, one.eccentricity_sd_m)
             {
-                // it stands for two that the scatter does not tell apart: the truth is in its interval
+                // it represents two solutions that coincide within the scatter: the truth is in its interval
                 return k.zip(&k_sd).all(|((a, b), sd)| (a - b).abs() <= 1.96 * sd)
                     && e.zip(&e_sd).all(|((a, b), sd)| (a - b).abs() <= 1.96 * sd);
             }
@@ -215,7 +215,7 @@ fn rotation(random: &mut Random) -> [[f64; 3]; 3] {
 
 #[test]
 fn agrees_bounds_with_storeys_drawn_by_rotations_of_their_modes() {
-    // any rotation Q gives K = Q Λ Qᵀ; turning u, v to the axes of their own stiffness makes K_uv 0 and leaves the frequencies
+    // any rotation Q gives K = Q Λ Qᵀ; rotating u, v to the axes of their own stiffness makes K_uv 0 and does not change the frequencies
     let mut random = Random::new(20261126, 3);
     let storey = PlanStorey {
         mass_kg: 150e3,

@@ -60,7 +60,7 @@ fn stepped(
             found.push(y);
         }
         let acceleration = |part: f64, y: &[f64; 3], offset: &[f64; 3], slips: &[f64; 3]| {
-            // inside the step, so that a jump of the load at its end counts to the next
+            // inside the step, so that a jump of the load at its end belongs to the next step
             let t = (step as f64 + 1e-6 + part * (1.0 - 2e-6)) * h / time_step_s;
             let i = t.floor() as usize;
             let ground = match (values.get(i), values.get(i + 1)) {
@@ -216,7 +216,7 @@ fn refuses_rayleigh_damping_that_drives_a_falling_frame() {
 
 #[test]
 fn exact_a_drift_beyond_its_limit_between_steps_ends_the_run() {
-    // y = sin t, peak 1 at π/2 s: steps of a second end at 0.84, 0.91, 0.14; it ends where y = 0.999, not where a step does
+    // y = sin t, peak 1 at π/2 s: steps of a second end at 0.84, 0.91, 0.14; the run ends where y = 0.999, not at the end of a step
     let storeys = frame(&[(1.0, 1.0, 0.0)], Convention::Drift);
     let free = FrictionFrame::new(storeys, vec![1.0], vec![StoreyFriction::None]).unwrap();
     let history = |drift_ratio_most| {
@@ -244,7 +244,7 @@ fn exact_a_drift_beyond_its_limit_between_steps_ends_the_run() {
 
 #[test]
 fn holds_the_share_of_slipping_is_one_of_the_whole_run() {
-    // pushed on from rest, it slips from 0 to 0.3 s without a stop
+    // pushed from rest, it slips from 0 to 0.3 s without a stop
     let storeys = frame(&[(1.0, 1e6, 0.0)], Convention::Drift);
     let slider = FrictionFrame::new(storeys, vec![1.0], vec![StoreyFriction::coulomb(1.0)]).unwrap();
     let load = FrameLoad::of_ground(TimeFunction::Sampled {

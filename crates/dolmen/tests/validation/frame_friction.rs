@@ -100,7 +100,7 @@ fn exact_steady_amplitudes_of_den_hartog() {
             forces_n: vec![sine(1.0)],
         };
         for load in [force, FrameLoad::of_ground(sine(-1.0))] {
-            // the free part dies out by friction alone
+            // only friction damps the transient
             let cycles = 400.0;
             let options = FrameRun {
                 duration_s: Some(cycles * TAU / g),
@@ -127,9 +127,9 @@ fn exact_steady_amplitudes_of_den_hartog() {
 
 #[test]
 fn exact_loop_of_a_jenkins_element() {
-    // no spring beside it, and an inertia that drives it through ±1.5: force = k_s = 2, f = 1
+    // no spring in parallel, and an inertia that moves it through ±1.5: force = k_s = 2, f = 1
     let element = StoreyFriction::jenkins(2.0, 1.0);
-    // a heavy mass on a stiff spring of its own swings at 1 rad/s with 1.5, hardly slowed by the element
+    // a heavy mass on its own stiff spring oscillates at 1 rad/s with 1.5, hardly slowed by the element
     let mass = 1e12;
     let heavy = FrictionFrame::new(frame(&[mass]), vec![mass], vec![element]).unwrap();
     let history = run(&heavy, &FrameLoad::none(), &released(1.5, 19.0));
@@ -139,7 +139,7 @@ fn exact_loop_of_a_jenkins_element() {
         taken.push(at(cycle as f64 + 1.0) - at(cycle as f64));
     }
     for taken in taken {
-        // the samples lie up to .03 s from the turn, in which the slider sticks
+        // the samples are up to 0.03 s from the reversal, in which the slider sticks
         assert!(
             (taken - jenkins_loop_energy_j(1.5, 2.0, 1.0)).abs() < 1e-8,
             "{taken}"
@@ -173,7 +173,7 @@ fn el_centro(gravity: f64) -> TimeFunction {
     }
 }
 
-/// The two storeys of the theory page: κ are what P-delta leaves, so the axial forces enter friction alone.
+/// The two storeys of the theory page: κ is the stiffness after P-delta, so the axial forces enter only the friction.
 fn two_storeys(friction_coefficient: f64) -> FrictionFrame {
     let friction = [5919e3, 3077e3]
         .map(|n| StoreyFriction::coulomb(friction_coefficient * n))
@@ -231,7 +231,7 @@ fn holds_stuck_from_rest_while_the_shaking_is_small() {
 
 #[test]
 fn holds_eq_11_rubs_on_the_displacement() {
-    // with the sliders between levels and ground the two readings differ, and one storey they share
+    // with sliders between levels and to the ground the two definitions differ, except for one storey
     let load = FrameLoad::of_ground(el_centro(9.81));
     let on_drift = run(&two_storeys(0.03), &load, &FrameRun::default());
     let on_displacement = run(
@@ -277,7 +277,7 @@ fn holds_twenty_storeys_balance_their_energy() {
     }
 }
 
-/// Moreau's time stepping of the same equations, first order in its step: a second method that knows no events.
+/// Moreau's time stepping of the same equations, first order in its step: a second method without events.
 fn stepped(frame: &FrictionFrame, slip_n: &[f64], load: &TimeFunction, duration_s: f64, h: f64) -> Vec<f64> {
     let n = slip_n.len();
     let masses: Vec<f64> = frame.frame().storeys().iter().map(|s| s.mass_kg).collect();
@@ -458,7 +458,7 @@ fn exact_apparent_frequency_and_damping_of_a_release() {
     assert!(found.len() > 5);
     for (j, at) in found.iter().enumerate() {
         let amplitude = 2.0 - 0.1 - 0.2 * j as f64;
-        // of the two half swings that the loss lies between, the mean: (2/π) f/(k A) there, to first order
+        // the mean of the two half cycles around the loss: (2/π) f/(k A) there, to first order
         let mean = amplitude - 0.1;
         assert!((at.amplitude_m - mean).abs() < 1e-12, "{at:?}");
         let of_energy = 2.0 / std::f64::consts::PI * 0.1 / mean;
@@ -471,7 +471,7 @@ fn exact_apparent_frequency_and_damping_of_a_release() {
         let ratio = loss / std::f64::consts::PI.hypot(loss);
         assert!((at.equivalent_damping_ratio - ratio).abs() < 1e-12);
     }
-    // a Jenkins element beside a spring: from √k at large amplitude up to √(k + k_s)
+    // a Jenkins element parallel to a spring: from √k at large amplitude up to √(k + k_s)
     let jenkins =
         FrictionFrame::new(frame(&[1.0]), vec![1.0], vec![StoreyFriction::jenkins(3.0, 1.0)]).unwrap();
     let found = amplitude_dependence(&jenkins, 60.0).unwrap();
@@ -509,7 +509,7 @@ fn refuses_to_read_swings_of_a_frame_that_falls() {
         "{}",
         falling(0.5, 1.0)
     );
-    // it stands while it sticks, and falls once the slider has slipped
+    // it stands while it sticks, and falls after the slider has slipped
     let said = falling(0.5, 2.0);
     assert!(
         said.starts_with("let go from 0.05 m, storey 1 of the frame leans beyond"),
@@ -527,7 +527,7 @@ fn exact_map_of_sticking_and_slipping() {
         assert_eq!((still.deformation[0], still.moving_share[0]), (0.0, 0.0));
     }
     assert!(map[1].steady && (map[1].moving_share[0] - 1.0).abs() < 1e-9);
-    // 40 samples a cycle pass the peak by (π/40)²/2 at most
+    // 40 samples per cycle miss the peak by at most (π/40)²/2
     let wanted = forced_amplitude(g, f).unwrap();
     assert!(
         (map[1].deformation[0] / wanted - 1.0).abs() < 4e-3,

@@ -63,7 +63,7 @@ fn together(frames: [&FrictionFrame; 2], grounds: [TimeFunction; 2], run: &Frame
     moved
 }
 
-/// Joints that rub in one direction alone couple nothing either.
+/// Friction in one direction only does not couple the directions.
 #[test]
 fn exact_directions_without_shared_friction_are_two_runs() {
     let coulomb = [StoreyFriction::coulomb(177e3), StoreyFriction::coulomb(92e3)];
@@ -111,7 +111,7 @@ fn holds_equal_directions_under_one_motion_turned_have_its_resultant() {
     }
 }
 
-/// The exact engine runs along the line; the steps run on both axes of the plane, which know nothing of it.
+/// The exact engine runs along the line; the steps run independently on both axes of the plane.
 #[test]
 fn agrees_shared_friction_along_a_line_at_45_degrees_with_the_exact_events() {
     let run = options(35.0);
@@ -153,7 +153,7 @@ fn agrees_shared_friction_along_a_line_at_45_degrees_with_the_exact_events() {
             let left = history.energy_left_over_ratio();
             assert!(left < 1e-9, "{left}");
         }
-        // sliders of their own in each direction would hold √2 as much
+        // separate sliders in each direction would hold √2 as much
         let each = gate(stiffness, friction);
         let box_of = simulate_frame(
             &each,
@@ -256,13 +256,13 @@ fn exact_one_slip_force_is_the_same_in_every_direction() {
         of([1.0, 1.0], [0.99 * FRAC_1_SQRT_2, 0.99 * FRAC_1_SQRT_2]),
         [0.0, 0.0]
     );
-    // an ellipse: just within it holds, just beyond it slips
+    // an ellipse: just inside it sticks, just outside it slips
     let on = [2.0 * 0.6, 1.0 * 0.8];
     assert_eq!(of([2.0, 1.0], on.map(|push| 0.999 * push)), [0.0, 0.0]);
     assert!(of([2.0, 1.0], on.map(|push| 1.01 * push))[1] > 0.0);
 }
 
-/// A still frame that leans stays where its springs hold it; a shaken one moves about that, since springs are linear.
+/// A still frame with a lean stays where its springs hold it; a shaken one moves about that position, because springs are linear.
 #[test]
 fn exact_a_leaning_frame_moves_about_where_it_rests() {
     let frame = gate(SOFT_ABOVE, NONE);
@@ -310,7 +310,7 @@ fn exact_a_leaning_frame_moves_about_where_it_rests() {
             assert!((y - upright - rest[level]).abs() < 1e-10, "{y} {upright}");
         }
     }
-    // what sticks does not start to move
+    // a sticking frame does not start to move
     let sticky = gate(
         SOFT_ABOVE,
         [0.03 * 5919e3, 0.03 * 3077e3].map(StoreyFriction::coulomb),

@@ -50,11 +50,11 @@ fn exact_two_storeys_with_p_delta_and_a_lean() {
         (of.governing_storey, low.end, of.verdict()),
         (2, StoreyEnd::Drift, Verdict::Stable)
     );
-    // a storey that its weight throws over bears nothing
+    // a storey that falls under its weight has no capacity
     let soft = pushed(&gate, &[90e3, 850e3], &[10e3, 20e3], 0.0);
     assert_eq!((soft.factor, soft.storeys[0].drift_m), (0.0, None));
     assert_eq!(soft.verdict(), Verdict::Unstable);
-    // the same way back, and the same without a push
+    // the same in the opposite direction, and without a push
     let back = pushed(&gate, &[1100e3, 850e3], &[-10e3, -20e3], 0.01);
     assert_eq!((back.factor, back.storeys[0].shear_n), (of.factor, -30e3));
     let still = pushed(&gate, &[1100e3, 850e3], &[0.0, 0.0], 0.01);
@@ -136,7 +136,7 @@ fn exact_rigid_columns_alone_hold_n_b_over_h() {
         (over.storeys[0].drift_m, over.verdict()),
         (None, Verdict::Unstable)
     );
-    // rigid columns in a storey of known stiffness: as if the whole were of beds, so that they hold less
+    // rigid columns in a storey of known stiffness: as if the whole stiffness came from beds, so that they hold less
     let whole = on_column(500e3, None, 10e3, 0.0);
     assert!(whole.factor < of.factor && whole.factor > 1.0);
 }
@@ -169,7 +169,7 @@ fn agrees_columns_on_beds_with_a_grid_of_rotations() {
             (of.factor / ((top_n - lean_n) / force_n) - 1.0).abs() < 3e-3,
             "{what}"
         );
-        // in balance: halved until the drift stands
+        // in equilibrium: by bisection until the drift is stationary
         let drift_at = |force_n: f64| {
             let (mut low, mut high) = (0.0, 0.03);
             for _ in 0..60 {
@@ -183,7 +183,7 @@ fn agrees_columns_on_beds_with_a_grid_of_rotations() {
         };
         let drift_m = drift_at(lean_n + force_n) - drift_at(lean_n);
         assert!((storey.drift_m.unwrap() / drift_m - 1.0).abs() < 1e-6, "{what}");
-        // on the way the curve is that of the theory
+        // before that the curve is that of the theory
         for point in &storey.curve {
             assert!(
                 point.force_n <= storey.greatest_n.unwrap() * (1.0 + 1e-9),
@@ -198,13 +198,13 @@ fn agrees_columns_on_beds_with_a_grid_of_rotations() {
     }
 }
 
-/// P-delta summed round by round, as it is done by hand: the drifts make moments, the moments make drifts.
+/// P-delta by iteration, as by hand: the drifts give moments, the moments give drifts.
 fn round_by_round(storeys: &[[f64; 2]], k: &[f64], forces: &[f64], convention: Convention) -> Vec<f64> {
     let n = k.len();
     let mut y = vec![0.0; n];
     for _ in 0..20_000 {
         let drift = |y: &[f64], i: usize| y[i] - if i == 0 { 0.0 } else { y[i - 1] };
-        // what the weight pushes each level with as it leans: N δ/l of its storey less that of the one above
+        // horizontal force of the weight on each level due to its lean: N δ/l of its storey less that of the one above
         let push: Vec<f64> = (0..n)
             .map(|i| storeys[i][1] * drift(&y, i) / storeys[i][0])
             .collect();

@@ -67,7 +67,7 @@ fn exact_a_spring_with_slack_swings_slower_the_smaller_it_swings() {
             before_s = period;
         }
     }
-    // within the slack only the spring beside acts
+    // within the slack only the parallel spring acts
     let options = FrameRun {
         duration_s: Some(60.0),
         start_displacement_m: vec![0.4],
@@ -104,7 +104,7 @@ fn exact_faces_crush_by_what_the_energy_leaves() {
         );
         assert!((right.gap_m / (gap + crushed) - 1.0).abs() < 1e-11);
         assert!((right.stiffness_n_m / (bearing / (1.0 + crushed / half)) - 1.0).abs() < 1e-11);
-        // what the spring of the face gives back takes the other side to its force at most
+        // the energy returned by the spring of one face loads the other side to its force at most
         assert!(
             left.crushed_m < 1e-11 && left.stiffness_n_m > bearing * (1.0 - 1e-10),
             "{left:?}"
@@ -120,8 +120,8 @@ fn exact_faces_crush_by_what_the_energy_leaves() {
     }
 }
 
-/// The area under force and drift, by the trapezoidal rule on accelerations and velocities alone, against what the run says that friction
-/// and crushing took and springs hold.
+/// The area under force and drift, by the trapezoidal rule on accelerations and velocities only, compared with the energy of friction,
+/// crushing and springs in the run.
 #[test]
 fn holds_the_area_of_a_pinched_loop_is_what_it_took() {
     let tenon = Tenon {
@@ -148,7 +148,7 @@ fn holds_the_area_of_a_pinched_loop_is_what_it_took() {
     let end = history.energy.last().unwrap();
     let taken = end.stored_j + end.friction_j + end.crushing_j;
     assert!(end.crushing_j > 1.0 && end.friction_j > 1.0, "{end:?}");
-    // a slider's force jumps within a sample, and the rule is as wrong as half of that sample
+    // a slider's force jumps within a sample, and the error of the rule is half of that sample
     assert!((work / taken - 1.0).abs() < 1e-4, "{work} {taken}");
 }
 
@@ -263,7 +263,7 @@ struct Stepped {
 }
 
 impl Stepped {
-    /// Force at a drift: each face by itself, as a one-sided elastic and plastic spring.
+    /// Force at a drift: each face separately, as a one-sided elastic-plastic spring.
     fn force(&mut self, drift: f64) -> f64 {
         let mut force = 0.0;
         for (side, sign) in [(0, 1.0), (1, -1.0)] {

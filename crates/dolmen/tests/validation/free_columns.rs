@@ -71,7 +71,7 @@ fn agrees_feet_with_strips_of_the_bed() {
         let (bed, normal) = (between(1e7, 1e11), between(1e3, 1e6));
         let rotation = section.uplift_rotation_rad(bed, normal) * between(0.1, 1e4);
         let found = section.pressure(bed, normal, rotation);
-        // where the pressure must begin for the strips to carry N: by halving
+        // start of the pressure for which the strips carry N, by bisection
         let (mut low, mut high) = (-1e3 * width_m, 0.5 * width_m);
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
@@ -125,7 +125,7 @@ fn exact_rigid_columns_at_finite_rotation() {
         (standing.uplift.drift_m, columns.bed_stiffness_n_m()),
         (0.0, None)
     );
-    // the work up to the fall is what the weight rises by: from h to the diagonal
+    // the work up to the fall equals the rise of the weight: from h to the diagonal
     let curve = columns.curve(2001).unwrap();
     let work: f64 = curve
         .windows(2)
@@ -316,7 +316,7 @@ impl Masses {
         -arm * (G * toward.sin() + ground * toward.cos()) / inertia
     }
 
-    /// ω after over ω before: Σ m v·φ is kept, φ the motion about the new edges, in which the impulses at them do no work.
+    /// Ratio of ω after to before the impact: Σ m v·φ is conserved, φ the motion about the new edges, at which the impulses do no work.
     fn kept(&self) -> f64 {
         let of = |x: f64, y: f64, x_new: f64| x * x_new + y * y; // v = ω (y, −x) about an edge
         let spin = self.column * (B * B + H * H) / 12.0;
@@ -346,7 +346,7 @@ fn exact_impacts_of_a_rocking_frame() {
 
 #[test]
 fn agrees_with_steps_in_time_of_a_rocking_frame() {
-    // one second of a sine of 0.3 g and 1 Hz, then free: it lifts off, rocks and falls silent
+    // one second of a sine of 0.3 g and 1 Hz, then free: it lifts off, rocks and comes to rest
     let (beam, column) = (5.0, 1.0);
     let masses = Masses { column, beam };
     let shaking = |t: f64| if t <= 2.0 { 0.3 * G * (TAU * t).sin() } else { 0.0 };
@@ -400,7 +400,7 @@ fn agrees_with_steps_in_time_of_a_rocking_frame() {
         "{worst} {}",
         run.peak_rotation_rad
     );
-    // free: each impact takes 1 − r² of the energy, and between them none is lost
+    // free motion: each impact takes 1 − r² of the energy, and none is lost between impacts
     let free: Vec<f64> = run
         .impacts
         .iter()
@@ -414,7 +414,7 @@ fn agrees_with_steps_in_time_of_a_rocking_frame() {
             "{pair:?}"
         );
     }
-    // shaken harder it falls
+    // under stronger shaking it falls
     let hard = TimeFunction::Sampled {
         time_step_s: 1e-3,
         values: (0..=2000).map(|i| 5.0 * shaking(i as f64 * 1e-3)).collect(),

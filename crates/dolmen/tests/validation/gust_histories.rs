@@ -105,7 +105,7 @@ fn agrees_with_stepping_in_time_for_dampers_of_every_kind() {
     let (structure, dampers) = (twisting(), dampers());
     let face = face(&[[3.0, 6.0], [6.0, 11.0]]);
     let columns = vec![vec![vec![1.0, 0.0, -0.8], vec![1.0, 0.2, 0.5]]];
-    // a period of two minutes: what rings on from rest is 1e-8 of the largest after it
+    // a period of two minutes: the transient from rest is then 1e-8 of the largest value
     let times = GustTimes {
         time_step_s: 0.02,
         samples: 6000,
@@ -222,7 +222,7 @@ fn agrees_with_the_integral_in_a_long_history() {
 fn agrees_with_davenport_in_the_mean_of_many_peaks() {
     // 600 times ten minutes to one side, as Davenport counts
     let face = face(&[[4.0, 9.0]]);
-    // an acceleration at 10 %: swings of less damping come in groups, and what is slow has fewer independent peaks than it has crossings
+    // an acceleration at 10 %: lightly damped motion comes in groups, and slow motion has fewer independent peaks than crossings
     let structure = mass(2e5, 0.5, 0.1);
     let columns = vec![vec![vec![1.0]]];
     let rows = [GustQuantity::Acceleration].map(of_mass);
@@ -262,7 +262,7 @@ fn holds_two_strips_vary_together_as_their_cross_spectra_say() {
         samples: 240_000,
         looked_at: 1,
     };
-    // over the lines that the history has, so that nothing is cut off
+    // over the lines in the history, so that nothing is cut off
     let (mut expected, mut found) = ([0.0; 3], [0.0; 3]);
     let pairs = [(0, 0), (1, 1), (0, 1)];
     for gusts in face.histories(&times, &draws(4)).unwrap() {

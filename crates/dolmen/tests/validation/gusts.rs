@@ -159,14 +159,14 @@ fn agrees_with_annex_b_of_the_eurocode_in_resonance() {
     let still = motion.displacement(&[1.0]).mean;
     let by_code = (TAU * hz).powi(2) * still * 2.0 * wind.intensity * resonant.sqrt();
     let computed = motion.acceleration(&[1.0]).rms;
-    // what is not resonance adds some per cent to the acceleration
+    // the non-resonant part adds some per cent to the acceleration
     assert!((computed / by_code - 1.0).abs() < 0.02, "{computed} {by_code}");
     // displacement: the code's B² is a bound fitted to measured gusts; here ∫ J J S
     let background = 1.0 / (1.0 + 0.9 * ((b + h) / wind.length_m).powf(0.63));
     let by_code = still * 2.0 * wind.intensity * (background + resonant).sqrt();
     let ratio = motion.displacement(&[1.0]).rms / by_code;
     assert!((0.9..1.05).contains(&ratio), "{ratio}");
-    // the code's own peak, 1 + 2 k_p I_v √(B² + R²) over 1 + 7 I_v, beside mean + g σ
+    // the code's own peak, 1 + 2 k_p I_v √(B² + R²) over 1 + 7 I_v, compared with mean + g σ
     let body = WindBody {
         height_m: h,
         breadth_m: b,
@@ -194,7 +194,7 @@ fn exact_a_stiff_mass_follows_the_gusts() {
 
 #[test]
 fn exact_two_floors_under_one_gust_and_under_gusts_apart() {
-    // two alike masses side by side on springs of their own: their sum under one gust is twice, under gusts apart √2
+    // two equal masses on separate springs: the sum is twice under one gust, √2 under independent gusts
     let wind = mean(25.0);
     let alone = mass(2e5, 0.8, 0.02);
     let pair = |matrix: &Matrix| Matrix::from_diagonal(&[matrix[(0, 0)]; 2]);
@@ -295,7 +295,7 @@ fn agrees_with_assembled_matrices_for_dampers_of_every_kind() {
     for (k, (rms, sum)) in found.iter().zip(&sums).enumerate() {
         assert!((rms / sum.sqrt() - 1.0).abs() < 5e-5, "{k}: {rms} {}", sum.sqrt());
     }
-    // the link's ends stand apart in the mean wind, a mass does not
+    // the ends of the link move apart in the mean wind, a mass does not
     let still = motion.strokes[3].mean;
     let ends: f64 = dampers[3].row.iter().zip(&motion.mean).map(|(a, x)| a * x).sum();
     assert!((still / ends - 1.0).abs() < 1e-12 && motion.strokes[0].mean == 0.0);

@@ -12,7 +12,7 @@ use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
 use dolmen::structure::{MeasuredMode, ShapePoint};
 use std::f64::consts::TAU;
 
-/// So little that springs of every factor settle alike.
+/// So small that springs with any factor settle equally.
 pub(super) const LIGHT: f64 = 0.005;
 pub(super) const EARTH: f64 = 9.81;
 const DENSITY: f64 = 2600.0;
@@ -64,7 +64,7 @@ pub(super) fn sways(stack: &Stack, axis: usize) -> Vec<StackMode> {
         .collect()
 }
 
-/// A mode as measured: exact but for what is stated as its deviation; with a shape at the middle and near the top of every stone.
+/// A mode as measured: exact except for its stated deviation; with a shape at the middle and near the top of every stone.
 pub(super) fn measured(
     stack: &Stack,
     axis: usize,
@@ -162,7 +162,7 @@ fn exact_common_factor_of_any_modes() {
     // σ(ln c) = 2/√(1/.01² + 1/.02²)
     let exact = 2.0 / (1.0 / 0.01_f64.powi(2) + 1.0 / 0.02_f64.powi(2)).sqrt();
     assert!((found.common.relative_sd / exact - 1.0).abs() < 1e-9);
-    // two frequencies fix at most two combinations, and none of six factors
+    // two frequencies determine at most two combinations, and none of six factors
     assert!(found.fixed_combinations <= 2);
     assert!(found.factors.iter().all(|factor| factor.best.is_none()));
 }
@@ -193,7 +193,7 @@ fn exact_least_factor_of_a_box_whose_neighbours_are_rigid() {
     let found = found(&stack, &[frequency(StackMotion::X, measured_hz, 1e-7)]);
     let least = found.factors[1].least.unwrap();
     assert!((least / 0.36 - 1.0).abs() < 1e-5, "{least}");
-    // and the lower joint rigid means that both stones rock on it as one: its own bound is that of one body, far below
+    // with a rigid lower joint both stones rock on it as one: its own bound is that of one body, far below
     assert!(found.factors[0].least.unwrap() < least);
 }
 
@@ -229,7 +229,7 @@ fn agrees_ranges_of_two_joints_with_a_grid_of_all_factors() {
             .collect();
         let found = found(&stack, &all);
         assert_eq!(found.modes.len(), count, "{:?}", found.unused);
-        // every pair of a grid over the band, with the modes of the engine itself
+        // every pair on a grid over the band, with the modes of the engine
         let steps = 80;
         let ln = |at: usize| {
             (found.band[0]).ln() + (found.band[1] / found.band[0]).ln() * at as f64 / steps as f64
@@ -293,7 +293,7 @@ fn refuses_modes_that_cannot_be_told() {
         joint_factors(&stack, &[], &options),
         Err(JointFactorsError::NoModes)
     );
-    // the second measured is the third computed: not taken for the second
+    // the second measured mode is the third computed one, and is not paired with the second
     let given = [
         frequency(StackMotion::X, x[0].frequency_hz, 0.01),
         frequency(StackMotion::X, x[2].frequency_hz, 0.01),
@@ -303,7 +303,7 @@ fn refuses_modes_that_cannot_be_told() {
     assert_eq!(of_three.modes.len(), 1);
     assert!(matches!(of_three.unused[0].why, WhyUnused::BetweenModes { .. }));
     assert!(matches!(of_three.unused[1].why, WhyUnused::AfterUnused));
-    // a shape says that it is the third
+    // a shape shows that it is the third
     let given = [
         frequency(StackMotion::X, x[0].frequency_hz, 0.01),
         measured(&stack, 0, &x[2], 0.01, Some(0.02)),
@@ -388,7 +388,7 @@ fn exact_factors_of_beds_where_posts_stand_side_by_side() {
     }
 }
 
-/// The same with the points of one height as one: posts that sway alike.
+/// The same with all points of one height merged: posts that sway equally.
 fn of_levels(stack: &Stack, mut one: MeasuredStackMode) -> MeasuredStackMode {
     let mut levels: Vec<ShapePoint> = Vec::new();
     let mut counts: Vec<f64> = Vec::new();

@@ -1,9 +1,9 @@
-//! A mode as an analysis gives one, for tests of what is done with its shape.
+//! A mode in the form of an analysis, for tests that use its shape.
 
 use dolmen::modal::Mode;
 use dolmen_linalg::Complex64;
 
-/// A mode known by its frequency and shape alone, seen for 600 cycles.
+/// A mode given by its frequency and shape only, with 600 cycles.
 pub(crate) fn made_mode(frequency_hz: f64, shape: Vec<Complex64>) -> Mode {
     Mode {
         frequency_hz,

@@ -27,7 +27,7 @@ fn found(made: &MadeRecord) -> Modes {
         .modes
 }
 
-/// Pairs of truth and finding, in order; panics unless each mode was found and no other.
+/// Pairs of true and found modes, in order; panics unless each mode was found and no other.
 pub(super) fn matched(truth: &[MadeMode], modes: &Modes, seed: u64) {
     let hz: Vec<f64> = modes.modes.iter().map(|m| m.frequency_hz).collect();
     assert_eq!(modes.modes.len(), truth.len(), "seed {seed}: found {hz:?}");
@@ -316,7 +316,7 @@ fn holds_damping_of_separated_modes_from_their_peaks_without_bias() {
                 "{method:?}: bias of ζ {} ± {error}",
                 mean(&zeta)
             );
-            // the window alone would have given half as much again and more
+            // the bias of the window alone would have been half as large again or more
             let window: Vec<f64> = runs.iter().map(|run| run.modes[i].window_bias.unwrap()).collect();
             assert!(mean(&window) > 0.05, "{window:?}");
         }
@@ -344,8 +344,8 @@ fn holds_80_seconds_give_the_first_mode_with_fewer_blocks_and_say_so() {
     );
 }
 
-/// Steel and single stones go below 0.2 %: found where the mode is wider than one and a half lines of the record, and beyond that where the user
-/// says how low.
+/// Steel and single stones have less than 0.2 %. Such modes are found if they are wider than one and a half lines of the record, and
+/// narrower ones if the user gives a smaller limit.
 #[test]
 fn holds_a_mode_damped_by_less_than_usual_is_found_when_asked_for() {
     let mode = |frequency_hz, damping_ratio, shape: [f64; 4]| MadeMode {

@@ -1,4 +1,4 @@
-//! Every published number and every exact law that this crate must reproduce; one file for one source.
+//! Every published number and every exact law that this crate must reproduce; one file per source.
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
 mod aftershocks;
@@ -9,6 +9,7 @@ mod building_history;
 mod building_modes;
 mod building_peaks;
 mod building_spectra;
+mod bumpy_rubble;
 mod chain_axes;
 mod chain_friction;
 mod chain_identification;
@@ -41,6 +42,7 @@ mod joint_factors;
 mod joint_factors_random;
 mod limit_analysis_microlp;
 mod liquid_columns;
+mod loose_stones;
 mod lost_samples;
 mod machines_in_records;
 mod made_mode;

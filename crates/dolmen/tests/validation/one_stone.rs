@@ -25,7 +25,7 @@ fn without_weight(pole: &Pole) -> Pole {
     Pole::new(pole.shafts().to_vec(), GRANITE, 0.0).unwrap()
 }
 
-/// Displacement and rotation at the foot of two motions that leave the top free, as a determinant: 0 at a natural frequency.
+/// Displacement and rotation at the foot for two motions with a free top, as a determinant: 0 at a natural frequency.
 fn foot(pole: &Pole, shear: bool, omega: f64) -> f64 {
     const STEPS: usize = 400; // a shaft
     let ends = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]].map(|mut state: [f64; 4]| {
@@ -150,7 +150,7 @@ fn agrees_with_the_chain_where_stones_are_rigid() {
             mode.frequency_hz
         );
     }
-    // stones that bend are lower in every mode, and one stone is above both
+    // bending stones have lower frequencies in every mode, and one single stone has higher ones than both
     let bending = shafts
         .frequencies(BeamTheory::Timoshenko, jointing, 5)
         .unwrap()

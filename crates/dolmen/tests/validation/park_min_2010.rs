@@ -133,7 +133,7 @@ fn exact_without_counting_p2_twice_k1_is_203_4() {
     let gate = heunginjimun_gate(Convention::Grounded).unwrap();
     let roots = roots(&gate, &paper::WEAK_HZ);
     assert_written(&[roots[1][0]], &[203.4], 0.1);
-    // the difference is P2/l1, all of it in k1
+    // the difference is P2/l1, wholly in k1
     let twice = stiffness_from_frequencies(
         &heunginjimun_gate_as_printed(Convention::Grounded).unwrap(),
         &paper::WEAK_HZ,
@@ -260,7 +260,7 @@ fn holds_a_measured_shape_chooses() {
             assert!((k / root - 1.0).abs() < 1e-3, "{k} {root}"); // the ratio is written to three digits
         }
     }
-    // a sensor half-way up each storey sees half of the drift
+    // a sensor half-way up each storey has half of the drift
     let half = with_shape(
         frequency(1.1, 0.01),
         &[(2.92, 0.5 * 0.843), (9.685, 0.5 * 1.843)],

@@ -22,7 +22,7 @@ fn storey() -> PlanStorey {
     }
 }
 
-/// A storey and its modes as measured with scatter; `None` where two modes move alike.
+/// A storey and its measured modes with scatter; `None` if two modes have the same motion.
 fn surveyed(random: &mut Random) -> Option<([f64; 5], [PlanMode; 3])> {
     let mut within = |low: f64, high: f64| low + (high - low) * random.uniform();
     let k = [within(40e6, 65e6), within(40e6, 65e6), within(250e6, 1000e6)];

@@ -208,7 +208,7 @@ fn agrees_with_newton_on_the_invariants_from_many_starts_in_200_storeys() {
             let Some(k) = newton(&storey, frequencies, start) else {
                 continue;
             };
-            // a start that ended in a minimum of its own equations is no root
+            // an iteration that ended in a minimum of its own equations is no root
             let stands = std::panic::catch_unwind(|| forward(&storey, height_m, k, storey.eccentricity_m));
             let Ok((again, _)) = stands else { continue };
             if apart(&again, &frequencies) < 1e-10 {
@@ -268,7 +268,7 @@ fn exact_without_eccentricity_each_stiffness_is_m_omega_squared() {
     }
 }
 
-/// The three modes labelled by the larger part of their motion; `None` where two would have one label.
+/// The three modes named by the larger part of their motion; `None` if two would have one name.
 fn labelled(frequencies: [f64; 3], shapes: &[[f64; 3]; 3]) -> Option<[PlanMode; 3]> {
     let motion = |shape: &[f64; 3]| {
         let most = (0..3)
@@ -317,7 +317,7 @@ fn holds_twists_give_back_stiffness_and_eccentricity_of_200_storeys() {
             let of = |i: usize| (one[i] - storey.eccentricity_m[i]).abs() / storey.gyration_m;
             of(0).max(of(1))
         };
-        // a solution that stands for two which the scatter does not tell apart has the truth in its interval
+        // a solution that represents two coinciding within the scatter has the truth in its interval
         let holds = |one: &PlanSolution| {
             let [Some(k_sd), Some(e_sd)] = [
                 one.stiffness_sd.map(|sd| sd.to_vec()),
@@ -469,7 +469,7 @@ fn refuses_more_than_three_twins_and_says_what_few_leave_free() {
             ..
         })
     ));
-    // along x the floor is alone, since e_y is 0; y and torsion stay free together
+    // along x the floor is uncoupled, because e_y is 0; y and torsion stay coupled and undetermined
     let few = plan_stiffness(&off, &all[..2]).unwrap();
     assert_eq!(few.free, [PlanMotion::Y, PlanMotion::Torsion]);
     assert_eq!(few.singles.len(), 1);

@@ -202,8 +202,8 @@ fn agrees_with_pyoma2_on_every_pole_of_plscf() {
 
 #[test]
 fn holds_a_record_without_noise_is_decomposed_by_its_samples() {
-    // a channel that another repeats two samples later to 1e-9: the past explains itself, and its sums of products have
-    // lost every digit of what is left
+    // a channel that another repeats two samples later to 1e-9: the past is linearly dependent, and its sums of
+    // products have lost all digits of the remainder
     let y = record();
     let echo: Vec<f64> = (0..SAMPLES)
         .map(|t| y.samples(0)[t.saturating_sub(2)] + 1e-9 * y.samples(2)[t])

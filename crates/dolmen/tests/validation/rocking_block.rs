@@ -57,7 +57,7 @@ fn exact_free_rocking_until_it_rests() {
     assert_eq!(history.peak_rotation_rad, 0.5 * alpha);
 }
 
-/// Smallest a/(α g) of a half sine that makes the block fall, by halving.
+/// Smallest a/(α g) of a half sine that overturns the block, by bisection.
 fn falls_at(q: f64, equation: RockingEquation) -> f64 {
     const SAMPLES: u32 = 4000;
     let block = block();
@@ -153,7 +153,7 @@ fn agrees_el_centro_with_a_vertical_component() {
     assert_eq!(history.outcome, RockingOutcome::Rocked);
     assert!((history.peak_rotation_rad - 0.127_709_605).abs() < 1e-6); // SciPy's is of its steps
     assert!(history.friction_needed > 0.2 && history.friction_needed < 1.0);
-    // turned round it is the mirror image, bit by bit
+    // reversed, it is the mirror image, bit by bit
     let TimeFunction::Sampled { values, .. } = &x else {
         unreachable!()
     };
@@ -170,7 +170,7 @@ fn agrees_el_centro_with_a_vertical_component() {
 
 #[test]
 fn holds_forces_at_the_edge() {
-    // let go at rest, the mass centre falls about the edge with the angular acceleration p² sin φ
+    // released at rest, the centre of mass falls about the edge with the angular acceleration p² sin φ
     let block = block();
     let options = Rocking {
         start_rad: 0.5 * block.slenderness_rad,
@@ -228,7 +228,7 @@ fn refuses_what_is_no_block() {
         message(rock_block(&block(), &zero, &zero, &fallen).unwrap_err()),
         "start_rad is -2, but must be less than π/2 to either side"
     );
-    // in gal instead of m/s² and then some: no motion that can be followed, and no endless loop
+    // gal instead of m/s², and more: the motion cannot be computed, but the loop must end
     let huge = sampled(0.01, vec![0.0, 1e30, 0.0]);
     let outcome = rock_block(&block(), &huge, &zero, &Rocking::default());
     assert!(outcome.is_ok_and(|h| matches!(h.outcome, RockingOutcome::Fell { .. })));

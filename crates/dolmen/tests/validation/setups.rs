@@ -23,7 +23,7 @@ fn truth() -> Vec<MadeMode> {
     modes
 }
 
-/// What the sensors of one setup measure under a shaking of their own.
+/// Record of the sensors of one setup under its own excitation.
 fn record(channels: [usize; 4], seed: u64, gain: f64) -> Record {
     let made = MadeRecord {
         modes: truth(),

@@ -93,7 +93,7 @@ fn holds_shapes_of_the_model_are_not_doubted() {
 #[test]
 fn exact_the_change_that_was_made_of_a_gates_sensors_is_named() {
     let turned = changed(|shape| shape[1] = -shape[1]).unwrap();
-    // of two sensors in a direction either may be the one
+    // with two sensors in a direction either may be the changed one
     for name in ["x1", "x2"] {
         let channel = name.to_owned();
         assert!(
@@ -169,7 +169,7 @@ fn exact_of_a_chains_sensors_the_one_that_is_wrong_is_named_alone() {
 
 #[test]
 fn exact_axes_turned_by_an_angle_are_no_slip_of_one_sensor() {
-    // all sensors read along axes turned by 35°: sin² of it of every mode lies across
+    // all sensors have axes rotated by 35°: sin² of it is the share of every mode across
     let angle = 35_f64.to_radians();
     let (sin, cos) = angle.sin_cos();
     let turned = changed(|shape| {

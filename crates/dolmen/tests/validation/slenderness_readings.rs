@@ -47,7 +47,7 @@ fn centroid(stones: &[[f64; 2]]) -> [f64; 2] {
     [moment / mass, z]
 }
 
-/// tan α of one reading at a slenderness; `None` where the body would end below its top.
+/// tan α of one reading at a slenderness; `None` if the body would end below its top.
 fn reading(shape: &str, of_lambda: &str, part: &str, half: &str, up: &str, lambda: f64) -> Option<f64> {
     // b: width of the first body over the height of all storeys
     let b = match of_lambda {
@@ -161,7 +161,7 @@ fn holds_the_blocks_of_the_product_are_one_of_the_readings() {
     }
 }
 
-/// A body that tapers smoothly, turning about the edge of its first width, has the printed angles at another taper for each: 8° is none.
+/// A smoothly tapering body that rotates about the edge of its first width has the printed angles, but at another taper for each, and none at 8°.
 #[test]
 fn published_a_smooth_body_needs_another_taper_for_each() {
     let of = |lambda: f64, top: f64| {

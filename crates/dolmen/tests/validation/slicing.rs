@@ -1,13 +1,13 @@
-// SOURCE     arithmetic: volumes of boxes and frusta, tipping of what lies above each bed, a/g = half width / height of the centroid above it
+// SOURCE     arithmetic: volumes of boxes and frusta; tipping of the stones above each bed, a/g = half width / height of the centroid above it
 // GOAL       one mesh of a whole tower, cut at its beds, gives the stones, and they begin to move as the tower itself
 // PARAMETERS towers of boxes and frusta as one closed mesh: level rings of 4 n corners, sides in squares of 20 to 60 mm; normal noise of each
-//            vertex along x, y and z; heights of beds as they are, or up to 15 mm off, as a tape gives them
-// TOLERANCE  no noise: 1e-6, rounding and the cut 1 µm beside a step; noise of 0.5 to 2 mm: 2 %, what the joints of noisy stones are held to
+//            vertex along x, y and z; exact heights of beds, or with errors up to 15 mm as from a tape
+// TOLERANCE  no noise: 1e-6 for rounding and for the cut 1 µm from a step; noise of 0.5 to 2 mm: 2 %, the tolerance of joints of noisy stones
 
 use dolmen::assess::{StackCheckOptions, check_stack};
 use dolmen::structure::stack::{Block, JointMaterial, SliceError, Sliced, Solid, Stack, slice};
 
-/// A frustum in the tower: half widths at base and top, height, and where its middle is off the axis along x, m.
+/// A frustum in the tower: half widths at base and top, height, and offset of its middle from the axis along x, m.
 #[derive(Clone, Copy)]
 struct Stone {
     base: f64,
@@ -55,7 +55,7 @@ const PAGODA: [Stone; 5] = [
     },
 ];
 
-/// Draws of a linear congruential generator; normal ones by the sum of twelve.
+/// Random numbers of a linear congruential generator; normal ones as sums of twelve.
 struct Draws(u64);
 
 impl Draws {
@@ -91,7 +91,7 @@ impl Mesh {
         ring
     }
 
-    /// The surface from one ring to the next above it or within it.
+    /// The surface between two rings, the second above or within the first.
     fn join(&mut self, low: &[usize], high: &[usize]) {
         for at in 0..low.len() {
             let next = (at + 1) % low.len();
@@ -100,7 +100,7 @@ impl Mesh {
         }
     }
 
-    /// Closes a ring by smaller and smaller ones to its middle.
+    /// Closes a ring by smaller and smaller rings to its middle.
     fn lid(&mut self, ring: &[usize], place: [f64; 4], up: bool) {
         let [half, z, off, n] = place;
         let n = n as usize;
@@ -191,7 +191,7 @@ fn beds(stones: &[Stone]) -> Vec<f64> {
     all
 }
 
-/// By hand: the least over all beds of half width under what lies above, over the height of its centroid; stones on one axis.
+/// By hand: the least ratio, over all beds, of half width to the height of the centroid above; stones on one axis.
 fn tips_at(stones: &[Stone]) -> f64 {
     let mut least = f64::INFINITY;
     for from in 0..stones.len() {
@@ -221,7 +221,7 @@ fn first_motion(sliced: &Sliced) -> Result<f64, String> {
             density_kg_m3: 2600.0,
         });
     }
-    // much friction: the closed form knows tipping alone
+    // large friction: the closed form has tipping only
     let material = JointMaterial::with_friction(3.0);
     let stack = Stack::new(blocks, material, 9.80665).map_err(|why| why.to_string())?;
     let check = check_stack(&stack, &StackCheckOptions::default()).map_err(|why| why.to_string())?;
@@ -267,7 +267,7 @@ fn exact_stones_of_a_modelled_tower() {
     );
 }
 
-/// A height that is 1.5 cm off is put at the step; without that the upper stone would keep a foot as wide as the lower one.
+/// A height with an error of 1.5 cm is moved to the step; otherwise the upper stone would keep a foot as wide as the lower stone.
 #[test]
 fn exact_beds_from_heights_of_a_tape() {
     let exact = beds(&PAGODA);
@@ -286,7 +286,7 @@ fn exact_beds_from_heights_of_a_tape() {
     }
 }
 
-/// Stones of one width, the upper one 30 mm off: the section keeps its area, and its bed is what both share.
+/// Stones of equal width, the upper one 30 mm off: the section keeps its area, and the bed is the common area.
 #[test]
 fn exact_bed_of_a_displaced_stone() {
     let stones = [
@@ -318,7 +318,7 @@ fn exact_cut_of_a_shaft_without_steps() {
             (volumes[0] - 0.16 * 0.413).abs() < 1e-12 && (volumes[1] - 0.16 * 0.587).abs() < 1e-12,
             "{volumes:?}"
         );
-        // and where vertices lie in the plane
+        // also with vertices in the plane
         let sliced = cut(&tower(&stones, n, 0.5 / n as f64), &[0.5]).unwrap();
         assert!(
             sliced
@@ -330,7 +330,7 @@ fn exact_cut_of_a_shaft_without_steps() {
     }
 }
 
-/// A roof that begins to slope at the bed is no step: the height stays as it was given.
+/// A roof that begins to slope at the bed is not a step: the given height is kept.
 #[test]
 fn exact_height_where_a_slope_begins() {
     let stones = [
@@ -387,7 +387,7 @@ fn exact_first_motion_of_noisy_towers() {
     }
 }
 
-/// Two posts and a lintel, as three meshes laid together: two pieces below the bed.
+/// Two posts and a lintel as three separate meshes: two pieces below the bed.
 #[test]
 fn exact_pieces_of_a_trilithon() {
     let mut whole = Mesh::default();
@@ -473,7 +473,7 @@ fn refuses_what_cannot_be_cut() {
         why.starts_with("a closed piece of the mesh has its outside inside, 0.04"),
         "{why}"
     );
-    // two posts one above the other with air between
+    // two posts one above the other with a gap between
     let mut apart = tower(&[Stone::boxed(0.2, 0.5)], 2, 0.5);
     let above = apart.clone();
     let from = apart.vertices.len();

@@ -1,5 +1,5 @@
 // SOURCE     Hwang & Kim (2002), a sliding model of piled blocks with horizontal rotation; closed forms and event-by-event solutions of
-//            known/sliding.rs and known/twisting.rs; the rigid law of this crate, which knows nothing of modes and groups.
+//            known/sliding.rs and known/twisting.rs; the rigid law of this crate, which does not use modes and groups.
 // GOAL       The second method for sliding: exact in one direction, right in two, no yaw of a perfect block, groups that stay stuck.
 // PARAMETERS blocks 0.3 × 0.2 × 0.1 m of 2600 kg/m³, g 9.81 m/s²; El Centro NS scaled to .5 g along x, .6 of it backwards along y.
 // TOLERANCE  1e-9 m in one direction: the tolerance of the steps is 1e-8 m/s. Torque 1.1 %: 6 × 6 points of a bed.
@@ -80,7 +80,7 @@ fn run(stack: &Stack, motion: Option<&GroundMotion>, options: &Sliding) -> Slidi
 #[test]
 fn exact_a_record_in_one_direction() {
     let x = el_centro();
-    // a joint lets go 1e-6 of its limit late, which tells where less friction then acts
+    // a joint is released with a delay of 1e-6 of its limit, which is visible where less friction acts afterwards
     let cases = [
         (0.2, 0.2, 1.0, 1e-9),
         (0.25, 0.2, 1.0, 1e-8),
@@ -161,7 +161,7 @@ fn agrees_a_disc_slides_and_spins_to_one_end() {
             ..Sliding::default()
         };
         let history = run(&stack, None, &options);
-        // both speeds over the last part of the way: they fall in proportion, so do the ways that are left
+        // both speeds over the last part of the path: they fall in proportion, and so do the remaining paths
         let joint = &history.joints[0];
         let (slip, yaw) = (joint.slip_m.last().unwrap()[0], *joint.yaw_rad.last().unwrap());
         let at = (history.spells[0].to_s / 1e-5) as usize - 20;
@@ -181,7 +181,7 @@ fn holds_one_perfect_block_does_not_yaw() {
     );
 }
 
-/// The rigid law comes to the same motion in proportion to its step: it ends its slips at the ends of steps.
+/// The rigid law converges to the same motion in proportion to its step, because it ends slips at the ends of steps.
 #[test]
 fn agrees_two_blocks_twist_as_under_the_rigid_law() {
     let (stack, shaking) = (frictions(&[0.2, 0.15]), two_axial(6.0));

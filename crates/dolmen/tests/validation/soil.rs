@@ -30,7 +30,7 @@ fn square(x: f64, y: f64, side: f64) -> f64 {
     corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0)
 }
 
-/// Moment over angle of the squares of `side` about these centres, which all stand on the side where x > 0: those at −x press the other way.
+/// Moment over angle of the squares of `side` about these centres, all on the side where x > 0: those at −x press the opposite way.
 fn by_pressures(centres: &[[f64; 2]], side: f64) -> f64 {
     let settles = (1.0 - POISSON_RATIO) / (2.0 * std::f64::consts::PI * SHEAR_MODULUS_PA);
     let n = centres.len();

@@ -22,7 +22,7 @@ const DENSITY_KG_M3: f64 = 2600.0;
 const GRAVITY_M_S2: f64 = 9.81;
 const DEPTH_M: f64 = 0.5;
 
-/// The right half of a round arch, from its crown down, as points and weights of our own.
+/// The right half of a round arch, from its crown down, as separate points and weights.
 struct Half {
     /// Inner and outer end of each joint, the crown first.
     joints: Vec<[[f64; 2]; 2]>,
@@ -61,7 +61,7 @@ impl Half {
         }
     }
 
-    /// Moment about a point of the weights of the first stones.
+    /// Moment of the weights of the first stones about a point.
     fn weights(&self, stones: &[(f64, [f64; 2])], about: [f64; 2]) -> f64 {
         stones
             .iter()
@@ -69,7 +69,7 @@ impl Half {
             .sum()
     }
 
-    /// The thrusts that keep the line inside the arch as drawn if it crosses the crown at this height.
+    /// The thrusts for which the line stays inside the arch as drawn if it crosses the crown at this height.
     fn range(&self, crown: f64) -> [f64; 2] {
         let (mut least, mut most) = (0.0_f64, f64::INFINITY);
         for (joint, [inner, outer]) in self.joints.iter().enumerate().skip(1) {
@@ -85,7 +85,7 @@ impl Half {
         [least, most]
     }
 
-    /// Least and largest thrust of the arch as drawn: the highest, and the lowest crossing of the crown that keeps the line inside.
+    /// Least and largest thrust of the arch as drawn, for the highest and the lowest crossing of the crown with the line inside.
     fn thrusts(&self) -> [f64; 2] {
         let (mut low, mut high) = (1.0 - 0.5 * self.thickness, 1.0 + 0.5 * self.thickness);
         let least = self.range(high)[0];
@@ -101,7 +101,7 @@ impl Half {
         [least, self.range(high)[1]]
     }
 
-    /// The thrust with a hinge at the inner line of joint `k` once the support has moved out by `u`; `None` where the line of thrust then
+    /// The thrust with a hinge at the inner line of joint `k` after the support has moved out by `u`; `None` if the line of thrust then
     /// leaves a joint.
     fn thrust(&self, k: usize, u: f64) -> Option<f64> {
         let (crown, hinge) = (self.joints[0][1], self.joints[k][0]);
@@ -139,12 +139,12 @@ impl Half {
         inside.then_some(thrust)
     }
 
-    /// The thrust at a spread `u` of each support, wherever the hinge is.
+    /// The thrust at a spread `u` of each support, for any place of the hinge.
     fn spread_thrust(&self, u: f64) -> Option<f64> {
         (1..self.joints.len()).find_map(|k| self.thrust(k, u))
     }
 
-    /// The largest `u` that any hinge allows.
+    /// The largest `u` for any hinge.
     fn last(&self) -> f64 {
         let step = 2e-5;
         let mut last = 0.0;
@@ -218,7 +218,7 @@ fn agrees_span_at_collapse_of_spreading_arches() {
     }
 }
 
-/// The arch with its right support moved slowly until it falls: the spread at which it gave way, over that of the thrust line.
+/// The arch with its right support moved slowly until it falls: the spread at the fall over that of the thrust line.
 fn gave_way_at([voussoirs, own_times]: [u32; 2], thickness_m: f64, law: &ContactLaw) -> f64 {
     let exact = 2.0 * Half::new(voussoirs as usize, thickness_m).last();
     let movement = SupportMovement {
@@ -313,7 +313,7 @@ fn holds_a_stone_goes_with_the_ground_under_it() {
         }
         let slip_m = moved.history.joints[0].peak_slip_m;
         assert!(slip_m < 1e-6, "{}: {slip_m}", law.name());
-        // the ground lets it down: − m g × 0.05 m
+        // the ground moves down with it: − m g × 0.05 m
         let energy = moved.history.energy.last().unwrap();
         let weight = 0.12 * DENSITY_KG_M3 * GRAVITY_M_S2;
         assert!(

@@ -108,7 +108,7 @@ fn holds_a_gap_and_a_push_of_one_side_are_no_springs() {
         let found = first_x(&stack);
         assert!((found / hz - 1.0).abs() < 1e-6, "{kinds:?} {found} {hz}");
     }
-    // pushed against one of them, it is held by that one alone
+    // pushed against one of them, it is held by only that one
     let load = dolmen::structure::stack::StaticLoad {
         block: 0,
         position_m: bare().blocks()[0].solid.centroid_m(),

@@ -38,7 +38,7 @@ fn between(random: &mut Random, low: f64, high: f64) -> f64 {
     low + (high - low) * random.uniform()
 }
 
-/// Two or three boxes of random sizes, and three components of random waves that rock, slide and throw them.
+/// Two or three boxes of random sizes, and three components of random waves that make them rock, slide and jump.
 fn random_case(seed: u64) -> (Stack, GroundMotion) {
     let mut random = Random::new(seed, 1);
     let mut z = 0.0;
@@ -90,7 +90,7 @@ fn holds_no_energy_is_made_as_faces_change() {
         let made = history.energy_made_ratio();
         assert!(made < MADE_MOST, "seed {seed}: contacts made {made} of the input");
         let end = history.energy.last().unwrap();
-        // what friction and dashpots share is known to the step: the cut of both to the disc takes from either
+        // the division between friction and dashpots is accurate to a step: the limit of both to the disc reduces either
         assert!(end.friction_j > 0.0, "seed {seed}: {end:?}");
         assert!(end.damping_j > -2e-3 * end.input_j, "seed {seed}: {end:?}");
         fell += usize::from(matches!(history.outcome, Outcome::Fell { .. }));
@@ -206,7 +206,7 @@ fn holds_what_overlaps_as_drawn_is_not_pushed_apart() {
         .map(|energy| energy.kinetic_j)
         .fold(0.0, f64::max);
     assert!(kinetic < 1e-6, "{kinetic} J");
-    // but what presses them together meets the overlap as it is
+    // but a further motion together meets the present overlap
     let push = Start {
         velocity_m_s: [-0.1, 0.0, 0.0],
         ..Start::of(1)
@@ -250,7 +250,7 @@ fn exact_friction_takes_what_a_sliding_stone_has() {
             before = (energy.friction_j, energy.damping_j);
         }
         let (friction, damping) = before;
-        // dashpots take what is in the springs as it stops: ½ (μ m g)² / (k_s A), and the rocking that the braking starts
+        // dashpots dissipate the energy in the springs at the stop: ½ (μ m g)² / (k_s A), and the rocking that braking starts
         assert!((friction / had - 1.0).abs() < 2e-3, "{friction} of {had} J");
         assert!(
             ((friction + damping) / had - 1.0).abs() < 1e-4,
@@ -259,7 +259,7 @@ fn exact_friction_takes_what_a_sliding_stone_has() {
     }
 }
 
-/// A stone that strikes something stiff beside it.
+/// A stone that strikes a stiff side support.
 fn striking() -> Stack {
     let support = SideSupport {
         block: 0,
@@ -288,7 +288,7 @@ fn holds_a_run_that_makes_energy_is_diverged_or_done_again_at_half_the_step() {
         ..Springs::default()
     };
     let longest_step_s = run(&striking(), None, &options).longest_step_s;
-    // a step of .9 of the longest strikes in two steps and cannot be used
+    // with a step of 0.9 of the longest, an impact lasts two steps and the run is unusable
     let given = Springs {
         time_step_s: Some(0.9 * longest_step_s),
         ..options.clone()
@@ -304,7 +304,7 @@ fn holds_a_run_that_makes_energy_is_diverged_or_done_again_at_half_the_step() {
         "{:?}",
         history.outcome
     );
-    // chosen, with samples that are five such steps apart, it is halved
+    // Dolmen's own step, with samples five such steps apart, is halved
     let chosen = Springs {
         output_step_s: 0.9 * longest_step_s * 5.0,
         ..options
@@ -388,7 +388,7 @@ fn holds_a_stone_on_the_brink_is_named() {
         };
         run(&stack, None, &options)
     };
-    // half of the way of its plumb line to the edge is 75 mm
+    // half of the distance of its plumb line to the edge is 75 mm
     assert!(!matches!(slides(0.06).outcome, Outcome::Slid { .. }));
     let history = slides(0.11);
     let Outcome::Slid {
@@ -406,7 +406,7 @@ fn holds_a_stone_on_the_brink_is_named() {
         (margin_ratio - (0.15 - slip_m) / 0.15).abs() < 1e-2,
         "{margin_ratio} after {slip_m}"
     );
-    // on the ground nothing is lost but the place
+    // on the ground only the position changes
     let wide = Springs {
         duration_s: Some(1.2),
         starts: vec![Start {
@@ -427,7 +427,7 @@ fn holds_a_stone_on_the_brink_is_named() {
 
 #[test]
 fn holds_the_joint_that_gave_way_is_named_beside_the_stone_that_falls() {
-    // a tall stone tips with a thin cap on it: the cap rides on it, the tall stone has fallen, and the joint beneath it gave way
+    // a tall stone with a thin cap tips: the cap moves with it, the tall stone has fallen, and the joint beneath it gave way
     let blocks = vec![
         stone("tall", [0.3, 1.0, 1.5], [0.0; 3]),
         stone("cap", [0.3, 1.0, 0.05], [0.0, 0.0, 1.5]),

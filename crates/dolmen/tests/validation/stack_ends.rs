@@ -100,7 +100,7 @@ fn holds_a_run_cut_short_says_that_stones_move() {
         }
         other => panic!("{other:?}"),
     }
-    // rocking far from the edge is no verdict either, and no slip
+    // rocking far from the edge is not a verdict either, and not a slip
     let cut = ContactLaw::Rigid(Rigid {
         duration_s: Some(1.5),
         ..Rigid::default()
@@ -113,7 +113,7 @@ fn holds_a_run_cut_short_says_that_stones_move() {
         "{:?}",
         rests.outcome
     );
-    // where it rests, it lies still: an opening of .1 mm moves the centroid by a quarter of a millimetre
+    // at rest it is still: an opening of 0.1 mm moves the centroid by a quarter of a millimetre
     let last = rests.time_s.len() - 1;
     let half_a_second = last - 50;
     let [before, after] = [half_a_second, last].map(|sample| rests.pose(sample, 0).centroid_m);

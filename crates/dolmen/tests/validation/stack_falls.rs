@@ -36,7 +36,7 @@ fn pushed(blocks: Vec<Block>, friction: f64, starts: Vec<Start>) -> StackHistory
     simulate_springs(&stack, None, &options, &mut |_| true).unwrap()
 }
 
-/// How far the centroid of a block was at most below where it began, m.
+/// Largest drop of the centroid of a block below its start, m.
 fn deepest_m(history: &StackHistory, block: usize) -> f64 {
     let height = |sample: usize| history.pose(sample, block).centroid_m[2];
     let rest = history.poses[block].centroid_m[2];
@@ -46,8 +46,8 @@ fn deepest_m(history: &StackHistory, block: usize) -> f64 {
 
 #[test]
 fn holds_a_slab_that_rides_on_a_rocking_stone_has_not_fallen() {
-    // a stone wider at its top, turned by .1 rad about its edge at x = .15, and a slab of 40 mm on it whose centroid lies beyond that edge, at
-    // x = .25: the slab sinks by .10 sin .1 + 2 (1 − cos .1) = 20 mm, half its thickness, and stays where it lies
+    // a stone wider at its top, rotated by 0.1 rad about its edge at x = 0.15, and a slab of 40 mm on it whose centroid is beyond that
+    // edge, at x = 0.25: the slab drops by 0.10 sin 0.1 + 2 (1 − cos 0.1) = 20 mm, half its thickness, and stays in place
     let stone = Solid::frustum([0.3, 0.6], [0.7, 0.6], 2.0).unwrap();
     let blocks = vec![
         block("stone", stone, [0.0; 3]),
@@ -71,7 +71,7 @@ fn holds_a_slab_that_rides_on_a_rocking_stone_has_not_fallen() {
 
 #[test]
 fn holds_a_cube_that_slid_off_its_slab_has_fallen() {
-    // it comes down by 50 mm, an eighth of its thickness, and stands upright again, beside its slab
+    // it drops by 50 mm, an eighth of its thickness, and stands upright again, beside its slab
     let blocks = vec![
         cuboid("slab", [0.4, 0.4, 0.05], [0.0; 3]),
         cuboid("cube", [0.4, 0.4, 0.4], [0.0, 0.0, 0.05]),
@@ -94,7 +94,7 @@ fn holds_a_cube_that_slid_off_its_slab_has_fallen() {
 
 #[test]
 fn holds_a_prism_that_rolled_to_its_next_face_has_fallen() {
-    // twelve sides, 1 m across: it lies as low on the next face as on the first, turned by 30°
+    // twelve sides, 1 m across: it is as low on the next face as on the first, rotated by 30°
     let radius = 0.5 / (std::f64::consts::PI / 12.0).cos();
     let ring = |y: f64| {
         (0..12).map(move |corner| {
@@ -108,7 +108,8 @@ fn holds_a_prism_that_rolled_to_its_next_face_has_fallen() {
         solid: Solid::convex(&points).unwrap(),
         density_kg_m3: 2600.0,
     }];
-    // over the edge it must rise by 17.6 mm, with I = .398 m about it: ω > .93 rad/s; the impact takes enough of .94 to stay on the next one
+    // over the edge it must rise by 17.6 mm, with I = 0.398 m about it: ω > 0.93 rad/s; with 0.94 the impact takes enough to stay on the
+    // next face
     let roll = Start {
         pivot_m: [radius * (std::f64::consts::PI / 12.0).sin(), 0.0, 0.0],
         velocity_m_s: [0.47, 0.0, 0.1259],

@@ -81,7 +81,7 @@ fn exact_a_leaning_stone_slides_and_tips_down_its_own_bed() {
     }
 }
 
-/// A block 0.6 × 0.8 × 1.1 m on a base 1.2 × 1.4 × 0.5 m, both turned by the angle and given by their corners in whole units.
+/// A block 0.6 × 0.8 × 1.1 m on a base 1.2 × 1.4 × 0.5 m, both rotated by the angle and given by their corners in whole units.
 fn turned_pair(yaw_rad: f64, unit_m: f64, ridge_m: f64) -> Result<Stack, StackError> {
     let block = |name: &str, [width, depth, height]: [f64; 3], z: f64| {
         let solid = Solid::cuboid(width, depth, height).unwrap();

@@ -252,7 +252,7 @@ fn holds_150_random_towers_bear_what_moments_about_edges_say() {
         let found = load_factor(&stack, &steady, &growing).unwrap();
         let exact = by_edges(&all, &own);
         if found.slides() {
-            // friction 20 and a load that lifts: the edges say no more than the cones
+            // friction 20 and an uplifting load: the limit by edges is not below that by cones
             assert!(found.factor < exact * (1.0 + 1e-6), "case {case}");
             continue;
         }
@@ -264,7 +264,8 @@ fn holds_150_random_towers_bear_what_moments_about_edges_say() {
 
 #[test]
 fn holds_what_presses_downwards_never_makes_a_wall_bear_more_wind() {
-    // 6 kN of snow on the wall, which may be gone when it blows: λ = W b/2 / M; as it is (W + R) b/2 / M, growing with the wind still more
+    // 6 kN of snow on the wall, which may be absent in the wind: λ = W b/2 / M; with snow (W + R) b/2 / M, or more if the snow grows with
+    // the wind
     let (b, h, p, snow) = (0.5, 2.0, 600.0, 6e3);
     let stack = boxes(&[([b, 1.0, h], [0.0; 3])], 0.9);
     let load = StaticLoad {
@@ -316,7 +317,7 @@ fn exact_the_flagpole_as_five_stones_bears_what_the_chain_says() {
     };
     let pressure = gust.pressure(&body).unwrap();
     let found = bears(&stack, &surfaces(&stack, 2.0), &pressure);
-    // joint by joint: N b/2 against the wind on what stands above
+    // joint by joint: N b/2 against the wind on the part above
     let by_joint = (0..shafts.len()).map(|joint| {
         let (mut weight, mut moment, mut z) = (0.0, 0.0, 0.0);
         for (own, length, width) in &shafts[joint..] {
@@ -333,7 +334,7 @@ fn exact_the_flagpole_as_five_stones_bears_what_the_chain_says() {
         1e-6,
     );
     near(68.30e3, shafts.iter().map(|shaft| shaft.0 * 1e3).sum(), 1e-9);
-    // with a mean width of 0.4 m, as the published number has it: 1.19 of what it bears
+    // with a mean width of 0.4 m, as in the published number: 1.19 of its capacity
     let instead = shafts.iter().map(|(_, length, _)| {
         let area_m2 = 0.4 * length;
         Some(WindArea {
@@ -354,7 +355,7 @@ fn exact_the_flagpole_as_five_stones_bears_what_the_chain_says() {
 
 #[test]
 fn holds_blocks_behind_others_are_not_met_twice() {
-    // two pillars behind each other and one beside; a stone of three in a course
+    // two pillars one behind the other and one beside them; a stone of three in a course
     let all = [
         ([0.5, 0.5, 2.0], [0.0, 0.0, 0.0]),
         ([0.5, 0.5, 2.0], [3.0, 0.0, 0.0]),
@@ -366,13 +367,13 @@ fn holds_blocks_behind_others_are_not_met_twice() {
     near(seen[0], 1.0, 1e-9);
     assert_eq!(seen[1], 0.0);
     near(seen[2], 0.5, 1e-9);
-    // the other way the far one is met, and from the side both
+    // in the opposite direction the far one is exposed, and from the side both
     assert_eq!(areas([-1.0, 0.0])[0], 0.0);
     let beside = areas([0.0, 1.0]);
     near(beside[0], 1.0, 1e-9);
     near(beside[1], 1.0, 1e-9);
     assert_eq!(beside[2], 0.0);
-    // half hidden: the seen part is what stands out, and its middle lies there
+    // half hidden: the visible part is exposed, with its own middle
     let half = boxes(
         &[
             ([0.5, 0.6, 1.0], [0.0, 0.0, 0.0]),
@@ -386,7 +387,7 @@ fn holds_blocks_behind_others_are_not_met_twice() {
     let up = (0.3 * 0.5 + 0.6 * 1.5) / 0.9;
     near(seen[1].centroid_m[0], across, 1e-2);
     near(seen[1].centroid_m[1], up, 1e-2);
-    // an octagon is met as wide as its outline is
+    // an octagon is exposed over the width of its outline
     let drum = Solid::prism_frustum(8, 1.0, 1.0, 1.5).unwrap();
     let octagon = Stack::new(
         vec![Block {

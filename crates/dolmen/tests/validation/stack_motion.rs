@@ -20,7 +20,7 @@ use dolmen::structure::stack::{Block, JointMaterial, Placement, SideSupport, Sol
 
 const STONE_M: [f64; 3] = [0.3, 0.2, 0.1];
 const GRAVITY_M_S2: f64 = 9.81;
-/// Largest energy that contacts may make, over the input.
+/// Largest energy created by contacts, over the input.
 const MADE_MOST: f64 = 1e-3;
 
 fn stone(name: &str, size: [f64; 3], position_m: [f64; 3]) -> Block {
@@ -68,7 +68,7 @@ fn motion(step_s: f64, series: Vec<(Component, Vec<f64>)>) -> GroundMotion {
     GroundMotion::new("test", step_s, series).unwrap()
 }
 
-/// El Centro along x, and the same seven tenths as strong and a second later along y.
+/// El Centro along x, and the same motion with a factor of 0.7 and a delay of a second along y.
 fn two_axial(peak_m_s2: f64) -> GroundMotion {
     let x = el_centro(peak_m_s2);
     let mut y: Vec<f64> = vec![0.0; 50];
@@ -118,8 +118,8 @@ fn agrees_sliding_under_a_record() {
     };
     let exact = record_slip(&base, 0.02, &friction).unwrap();
     let motion = motion(0.02, vec![(Component::X, base.clone())]);
-    // residual: each stop rings on the springs, a shift that falls with 1/√k: 1.26 % of the peak at 1e9, .23 % at 1e11, .07 % at
-    // 1e12; a mass on one spring has the same but for .20 %, which the step makes, and .03 % at steps of 20 µs
+    // residual slip: after each stop the stone vibrates on the springs, which shifts the slip in proportion to 1/√k: 1.26 % of the peak at 1e9,
+    // .23 % at 1e11, .07 % at 1e12; a mass on one spring has the same shift except for .20 % due to the step, and .03 % at steps of 20 µs
     for (normal_stiffness_pa_m, time_step_s, residual_part, of_springs_part) in [
         (1e9, None, 0.014, 0.0025),
         (1e9, Some(2e-5), 0.012, 0.0005),
@@ -155,7 +155,7 @@ fn agrees_sliding_under_a_record() {
     }
 }
 
-/// A hundredth of the radian of the stone on its shear spring: halving it moves the residual by less than 2 µm.
+/// A hundredth of 1/ω of the stone on its shear spring: half of it changes the residual by less than 2 µm.
 fn residual_step_s(normal_stiffness_pa_m: f64) -> f64 {
     1e-5 / (normal_stiffness_pa_m / 1e9).sqrt()
 }
@@ -222,7 +222,7 @@ fn exact_twist_of_a_spinning_stone() {
             history.time_s[stop]
         );
     }
-    // corners only stop it almost twice as fast: why they are not the default
+    // with corners only it stops almost twice as fast: the reason why this is not the default
     let corners = run(&pile(1, 0.5), None, &options(ContactRule::Corners));
     assert!(corners.joints[0].peak_yaw_rad < 0.55 * angle);
 }
@@ -268,7 +268,7 @@ fn holds_one_stone_does_not_yaw_and_two_do() {
         perfect.joints[0].peak_yaw_rad
     );
     // nor with its mass 5 mm off the middle (a hole of a tenth of its volume 45 mm from it): pressure balances the weight and
-    // the inertia, so friction of one coefficient passes beneath the mass wherever it is
+    // the inertia, so uniform friction acts beneath the centre of mass wherever that is
     let hole = Solid::cuboid(0.06, 0.1, 0.1).unwrap().placed(&Placement {
         position_m: [0.045, 0.0, 0.0],
         ..Placement::default()
@@ -336,7 +336,7 @@ fn holds_a_quiet_pagoda_stays_quiet_and_settles_by_its_springs() {
             assert!(moved.abs() < 1e-12, "block {block}: {moved}");
         }
     }
-    // the top stone sinks by the weight over each joint on its springs
+    // the top stone settles by the weight over each joint on its springs
     let mut above = 0.0;
     let mut sunk = 0.0;
     for (block, joint) in stack.blocks().iter().zip(stack.joints()).rev() {
@@ -488,7 +488,7 @@ fn refuses_what_cannot_be_simulated() {
             .starts_with("time_step_s is 1.000e-2, but the stiffest joint allows at most 5."),
         "{fault}"
     );
-    // the upper stone's middle lies beyond the lower's edge
+    // the upper stone's middle is beyond the lower's edge
     let blocks = vec![
         stone("low", STONE_M, [0.0; 3]),
         stone("high", STONE_M, [0.2, 0.0, 0.1]),

@@ -22,13 +22,13 @@ const HALF_WIDTH_M: f64 = 0.2;
 const HALF_HEIGHT_M: f64 = 1.0;
 const STONE_M: [f64; 3] = [0.3, 0.2, 0.1];
 const GRAVITY_M_S2: f64 = 9.81;
-/// Depth that stones may lie in each other, m.
+/// Largest penetration of stones, m.
 const PENETRATION_MOST_M: f64 = 1e-6;
-/// The same of stones that fall about each other: corners meet edges that are looked for again only now and then.
+/// The same for falling stones: contacts of corners with edges are updated only at intervals.
 const FALLING_PENETRATION_MOST_M: f64 = 2e-5;
-/// Distance from the law, m/s, that a step may have at its end.
+/// Largest residual of the law at the end of a step, m/s.
 const RESIDUAL_MOST_M_S: f64 = 1e-6;
-/// Energy that contacts may make, over the input.
+/// Largest energy created by contacts, over the input.
 const MADE_MOST: f64 = 1e-5;
 
 fn stone(name: &str, size: [f64; 3], z: f64) -> Block {
@@ -123,7 +123,7 @@ fn exact_velocity_ratio_as_given() {
     let alpha = slenderness_rad(HALF_WIDTH_M, HALF_HEIGHT_M);
     let p = frequency_parameter_rad_s(HALF_WIDTH_M, HALF_HEIGHT_M, GRAVITY_M_S2);
     let start = 0.5 * alpha;
-    // two below Housner's, for which the joint takes a couple, and two above it, for which it rebounds; falls have no part in it
+    // two below Housner's, for which a couple brakes the joint, and two above it, for which it rebounds; falls are not involved
     for (given, falls) in [
         (None, 0.9),
         (Some(0.5), 0.0),
@@ -144,7 +144,7 @@ fn exact_velocity_ratio_as_given() {
         ));
         // energy E ∝ sin²(α/2) − sin²((α − θ)/2): its ratio from one impact to the next is r²
         let energy = |peak: f64| (0.5 * alpha).sin().powi(2) - (0.5 * (alpha - peak)).sin().powi(2);
-        // an impact of which the middle of the bed closes at less than g times the step is part of a step
+        // an impact in which the middle of the bed closes at less than g times the step is part of a step
         let closes_m_s = |peak: f64| 2.0 * p * energy(peak).sqrt() * HALF_WIDTH_M;
         let hard = peaks
             .windows(2)
@@ -263,7 +263,7 @@ fn two_axial(peak_m_s2: f64) -> GroundMotion {
 
 #[test]
 fn exact_no_motion_below_the_threshold() {
-    // P10 rocks from .324 g on: at .3 g the exact answer is that nothing moves, not by a bit
+    // P10 rocks from 0.324 g on: at 0.3 g the exact answer is no motion at all, to the last bit
     let stack = p10(JointMaterial::default(), GRAVITY_M_S2).unwrap();
     let history = run(&stack, Some(&two_axial(0.3 * GRAVITY_M_S2)), &Rigid::default());
     assert_eq!(history.outcome, Outcome::Stood);
@@ -318,7 +318,7 @@ fn holds_a_pagoda_that_rocks_gives_the_same_bits_and_converges_with_the_step() {
 
 #[test]
 fn holds_a_tower_that_rocks_and_slides_in_all_joints_is_followed() {
-    // 6 m high on .4 m: it rocks from .067 g on, here ten times that; edges strike, slide and turn in all joints at once
+    // 6 m high and 0.4 m wide: it rocks from 0.067 g on, here at ten times that; edges strike, slide and rotate in all joints at once
     let stones = (0..10).map(|i| stone(&format!("stone {i}"), [0.4, 0.4, 0.6], 0.6 * f64::from(i)));
     let tower = Stack::new(stones.collect(), JointMaterial::default(), GRAVITY_M_S2).unwrap();
     let options = Rigid {
@@ -344,7 +344,7 @@ fn holds_a_tower_that_rocks_and_slides_in_all_joints_is_followed() {
     assert!(history.energy_made_ratio() < MADE_MOST);
 }
 
-/// Whether the block falls without having struck its other edge.
+/// Whether the block falls without striking its other edge.
 fn falls_at_once(shape: Pulse, q: f64, amplitude: f64) -> bool {
     let options = Rigid {
         duration_s: Some(4.0),
@@ -447,7 +447,7 @@ fn refuses_bonds_and_steps_too_long_for_a_dowel() {
     assert!(run(1e-3).unwrap_err().to_string().contains("time_step_s"));
 }
 
-/// A stone on ice, held by a dowel to the ground: m x'' = -k x. Its strength ends the motion of the spring, and the stone slides on.
+/// A stone on ice with a dowel to the ground: m x'' = -k x. The dowel breaks at its strength, and the stone slides on.
 #[test]
 fn exact_a_dowel_swings_a_stone_and_breaks_at_its_strength() {
     const STIFFNESS_N_M: f64 = 2e5;
@@ -491,16 +491,16 @@ fn exact_a_dowel_swings_a_stone_and_breaks_at_its_strength() {
     let ups: Vec<f64> = ups.map(|i| swings.time_s[i]).collect();
     let period = (ups[ups.len() - 1] - ups[0]) / (ups.len() - 1) as f64;
     near("period", period, std::f64::consts::TAU / omega, 0.01);
-    // half the energy of the stone is in the dowel as it breaks
+    // half the energy of the stone is in the dowel when it breaks
     let breaks = run_with(SPEED_M_S / omega * STIFFNESS_N_M * 0.5_f64.sqrt(), 0.5);
     assert_eq!(breaks.broken_ties, [0]);
     let [first, last] = [breaks.time_s.len() / 2, breaks.time_s.len() - 1];
     let slides = (x(&breaks, last) - x(&breaks, first)) / (breaks.time_s[last] - breaks.time_s[first]);
-    // its strength is looked at once a step: it breaks half a step late in the mean
+    // its strength is checked once per step: on average it breaks half a step late
     near("speed after it broke", slides, SPEED_M_S * 0.5_f64.sqrt(), 0.03);
 }
 
-/// It meets something soft beside it and comes back as fast as it came, after half a period of the spring.
+/// It strikes a soft side support and returns with the same speed, after half a period of the spring.
 #[test]
 fn exact_a_side_support_sends_a_stone_back() {
     let mass = 2600.0 * STONE_M.iter().product::<f64>();

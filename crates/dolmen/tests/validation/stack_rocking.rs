@@ -119,7 +119,7 @@ pub(crate) fn pulse(shape: Pulse, q: f64, amplitude: f64) -> GroundMotion {
     GroundMotion::new("pulse", STEP_S, vec![(Component::X, acceleration.collect())]).unwrap()
 }
 
-/// Whether the block falls without having struck its other edge.
+/// Whether the block falls without striking its other edge.
 fn falls_at_once(shape: Pulse, q: f64, amplitude: f64) -> bool {
     let options = Springs {
         duration_s: Some(4.0),
@@ -130,7 +130,7 @@ fn falls_at_once(shape: Pulse, q: f64, amplitude: f64) -> bool {
     fell_at_once(&history)
 }
 
-/// Whether it did.
+/// Whether it fell in this way.
 pub(crate) fn fell_at_once(history: &StackHistory) -> bool {
     let first = tilts(history).into_iter().find(|tilt| tilt.abs() > 0.01);
     let struck = tilts(history)
@@ -157,7 +157,7 @@ fn agrees_overturning_by_pulses() {
     }
 }
 
-/// Spring and dashpot that part where their force is 0, in steps of time: velocity after over that before.
+/// Spring and dashpot that separate where their force is 0, in time steps: ratio of velocities after and before.
 fn rebound_by_steps(damping_ratio: f64) -> f64 {
     let (h, mut x, mut v) = (1e-5, 0.0, 1.0);
     let force = |x: f64, v: f64| x + 2.0 * damping_ratio * v;
@@ -189,7 +189,7 @@ fn exact_rebound_of_springs_and_dashpots() {
     );
 }
 
-/// Velocity after over that before of a stone that falls flat.
+/// Ratio of velocities after and before of a stone that falls flat.
 fn rebound_on_springs(restitution: f64, fall_m: f64) -> f64 {
     let material = JointMaterial {
         normal_restitution: restitution,
@@ -218,7 +218,7 @@ fn rebound_on_springs(restitution: f64, fall_m: f64) -> f64 {
     (heights.fold(0.0, f64::max) / fall_m).sqrt()
 }
 
-/// A stone keeps up to 2 % less than stated, never more: weight and steps take it.
+/// A stone keeps up to 2 % less than stated, never more: its weight and the steps reduce it.
 #[test]
 fn agrees_rebound_of_a_stone_that_falls_flat_on_springs() {
     for restitution in [0.9, 0.6, 0.45] {

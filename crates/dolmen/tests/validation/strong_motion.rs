@@ -1,4 +1,4 @@
-//! Records that hold an earthquake, told from those that do not, and what they say of the structure.
+//! Records with an earthquake, distinguished from those without, and their results for the structure.
 //!
 //! SOURCE      made records whose times and stiffness are known; El Centro 1940 NS, Chopra (2017) Dynamics of Structures, 5th ed., sec. 6.1
 //! GOAL        no earthquake missed, none seen where there is none, frequencies before, in and after it within their deviations

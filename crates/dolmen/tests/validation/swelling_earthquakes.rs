@@ -188,14 +188,14 @@ fn gust(seed: u64) -> Record {
     Record::new(channels.to_vec(), samples, 100.0).unwrap()
 }
 
-/// How many of these seeds hold an earthquake.
+/// Number of these seeds with an earthquake.
 fn taken(seeds: std::ops::Range<u64>, made: impl Fn(u64) -> Record) -> usize {
     seeds
         .filter(|seed| earthquake_in(&made(*seed), &[]).is_some())
         .count()
 }
 
-/// How many of these seeds hold one beyond doubt, once the modes at rest are known.
+/// Number of these seeds with a certain earthquake, once the modes at rest are known.
 fn sure(seeds: std::ops::Range<u64>, made: impl Fn(u64) -> Record) -> usize {
     let found = |seed: u64| strong_motion(&made(seed), &Identify::default(), &Losses::default());
     seeds

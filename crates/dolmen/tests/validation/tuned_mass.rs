@@ -1,6 +1,6 @@
 // SOURCE     Den Hartog (1956) Mechanical Vibrations, sec. 3.3; Warburton (1982) EESD 10(3):381-401; Nishihara & Asami
 //            (2002) J. Vib. Acoust. 124(4):576-582; Sadek et al. (1997) EESD 26(6):617-635; Villaverde (1985).
-// GOAL       The closed forms are what they say, and the search finds them and the optimum of a damped structure.
+// GOAL       The closed forms are the stated optima, and the search finds them and the optimum of a damped structure.
 //
 //   F(t) or ground
 //      |      k = 1          k_d = μ f²

@@ -1,5 +1,5 @@
 // SOURCE     Made histories with exact truth (`made_history`): three modes, temperature ± 12 °C, AR(1) 0.3, readings known to 0.12 %.
-// GOAL       Two surveys of a history differ by chance as often as stated, their weather taken out; a step between them has its size.
+// GOAL       Two surveys of a history differ by chance as often as stated, without the effect of weather; a step between them has its size.
 // TOLERANCE  5 % of unchanged pairs called changed, and 95 % of intervals with the truth, each within its Clopper-Pearson interval (99 %).
 
 use dolmen::assess::{SurveyChange, SurveyChangeOptions, Surveyed, TemperatureKnowledge, survey_change};

@@ -45,7 +45,7 @@ fn history(surveys: Vec<HistorySurvey>) -> History {
     }
 }
 
-/// What goes with the time of the year, mm/m.
+/// Seasonal part, mm/m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Wave {
     None,

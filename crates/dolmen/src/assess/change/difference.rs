@@ -33,11 +33,11 @@ pub struct Evidence {
     pub detectable: f64,
 }
 
-/// How a number differs between two surveys.
+/// The difference of a number between two surveys.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Difference {
-    /// (after - expected) / before; what temperature explains is taken out of it.
+    /// (after - expected) / before; without the effect of temperature.
     pub relative: f64,
     /// Result of the test; `None` if a standard deviation is unknown.
     pub evidence: Option<Evidence>,

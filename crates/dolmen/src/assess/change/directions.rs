@@ -8,9 +8,9 @@
 use super::swapped::ONE_FREQUENCY;
 use crate::modal::{ObservedMode, ObservedPoint, Pairing, assurance, shared};
 
-/// Fewest modes of the same frequency for a decision. Chosen here, as for exchanged channels.
+/// Fewest modes of the same frequency for a decision. Our choice, as for exchanged channels.
 const MODES_LEAST: usize = 2;
-/// Mean similarity above which the directions are not questioned, and below which an exchange explains nothing. Chosen here, as for exchanged
+/// Mean similarity above which the directions are not questioned, and below which an exchange explains nothing. Our choice, as for exchanged
 /// channels.
 const UNLIKE: f64 = 0.8;
 const ALIKE: f64 = 0.95;

@@ -1,9 +1,9 @@
-//! What many surveys of a structure say of the difference between two of them.
+//! The difference between two surveys of a structure, by many surveys.
 
 use super::difference::welch;
 use crate::modal::ObservedMode;
 
-/// Relative difference within which a frequency of a history is that of a survey. Chosen here: several records of a day count as their median.
+/// Relative difference within which a frequency of a history is that of a survey. Our choice: several records of a day count as their median.
 const SAME_READING: f64 = 0.01;
 
 /// What the weather and the scatter of a mode through many surveys say of its difference between two of them.
@@ -33,7 +33,7 @@ pub struct HistoryEffect {
 }
 
 impl HistoryEffect {
-    /// Of several the one that is nearest to a pair of modes, if it is theirs.
+    /// The history nearest to a pair of modes, if it belongs to the pair.
     pub(super) fn of_pair<'a>(all: &'a [Self], from: &ObservedMode, to: &ObservedMode) -> Option<&'a Self> {
         let off = |of: &Self| {
             let both = [(of.from_hz, from), (of.to_hz, to)];

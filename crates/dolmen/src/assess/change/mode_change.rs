@@ -9,7 +9,7 @@ use crate::modal::{ModePair, ObservedMode};
 /// Knowledge of the temperatures of two surveys.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TemperatureKnowledge {
-    /// One of them, or both, are not known: a change may be the weather's.
+    /// One of them, or both, are unknown: a change may be the weather's.
     NotMeasured,
     /// The temperatures are equal.
     Same,
@@ -38,7 +38,7 @@ impl TemperatureKnowledge {
 /// One mode in both surveys.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModeChange {
-    /// How sure it is that they are one mode.
+    /// Confidence that they are one mode.
     pub pair: ModePair,
     /// Before.
     pub from: ObservedMode,
@@ -48,11 +48,11 @@ pub struct ModeChange {
     pub frequency: Difference,
     /// Change of the damping ratio, relative to the earlier one; `None` if one of them is unknown.
     pub damping: Option<Difference>,
-    /// Relative change of the frequency that temperature explains, or the season in a history without temperatures; `None` where it is not known.
+    /// Relative change of the frequency that temperature explains, or the season in a history without temperatures; `None` where it is unknown.
     pub explained_by_temperature: Option<f64>,
     /// The line over temperature, where one was fitted.
     pub fitted: Option<FittedTemperature>,
-    /// What a history of many surveys says of it, where it is taken.
+    /// Its difference by a history of many surveys, if in use.
     pub history: Option<HistoryEffect>,
     /// The coefficient that would explain the whole change, relative per °C; `None` where temperatures do not differ.
     pub explaining_per_c: Option<f64>,

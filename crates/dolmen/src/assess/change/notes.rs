@@ -53,14 +53,14 @@ pub enum ChangeNote {
         factor: f64,
         /// The sampling rates, Hz.
         rates_hz: [f64; 2],
-        /// How many modes.
+        /// Number of modes.
         modes: usize,
     },
     /// No mode has a partner, and all frequencies differ by one factor.
     OneFactor {
         /// After over before.
         factor: f64,
-        /// How many modes.
+        /// Number of modes.
         modes: usize,
     },
 }

@@ -18,10 +18,10 @@ use super::temperature::{FitPoint, FittedTemperature, TemperatureEffect, line};
 use crate::assess::AssessError;
 use crate::modal::{ModePair, ObservedMode, Pairing, pair_modes};
 
-/// Scatter about a line over temperature beyond this many times what surveys state is no chance. Chosen here: with two degrees of freedom one in a
+/// Scatter about a line over temperature beyond this many times what surveys state is no chance. Our choice: with two degrees of freedom one in a
 /// thousand goes beyond 2.6.
 const SCATTER_BEYOND: f64 = 3.0;
-/// Correlation of temperature with the order of the surveys from which weather and ageing cannot be separated. Chosen here.
+/// Correlation of temperature with the order of the surveys from which weather and ageing cannot be separated. Our choice.
 const WITH_TIME: f64 = 0.7;
 
 /// One survey: its modes, and how warm it was.
@@ -38,7 +38,7 @@ pub struct Surveyed {
 /// Options of [`survey_change`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurveyChangeOptions {
-    /// How modes are paired.
+    /// The pairing of modes.
     pub pairing: Pairing,
     /// Known effect of temperature.
     pub temperature: TemperatureEffect,
@@ -210,7 +210,7 @@ fn knowledge(
     }
 }
 
-/// Whether what temperature does is taken out of a mode.
+/// Whether the effect of temperature is removed from a mode.
 fn is_corrected(mode: &ModeChange, options: &SurveyChangeOptions) -> bool {
     let is_given = matches!(options.temperature, TemperatureEffect::Coefficient { .. });
     let history = mode.history.as_ref();
@@ -261,7 +261,7 @@ struct Covariate {
     /// Standard deviation of κ, 1/°C; of a fitted line `spread` is taken instead.
     sd_per_c: f64,
     fitted: Option<FittedTemperature>,
-    /// What a history says; its scatter is taken instead.
+    /// Result of a history, whose scatter is used instead.
     history: Option<HistoryEffect>,
     /// For a fitted line: variance of f' - f - b ΔT, Hz², its degrees of freedom, and the part of it that the surveys state, Hz².
     spread: Option<(f64, f64, f64)>,

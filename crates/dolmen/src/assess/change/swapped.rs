@@ -48,16 +48,16 @@ enum Change {
     Turned(usize),
 }
 
-/// Relative difference of frequencies that count as one. Chosen here: a hundredth, above what surveys of an unchanged structure differ by.
+/// Relative difference of frequencies that count as one. Our choice: a hundredth, above what surveys of an unchanged structure differ by.
 pub(super) const ONE_FREQUENCY: f64 = 0.01;
-/// Fewest modes that may say so: one shape can be turned into another by chance. Chosen here.
+/// Fewest modes that may say so: one shape can be turned into another by chance. Our choice.
 const MODES_LEAST: usize = 2;
-/// Fewest places: of two, every exchange is a change of the shape that damage or noise could make. Chosen here.
+/// Fewest places: of two, every exchange is a change of the shape that damage or noise could make. Our choice.
 const PLACES_LEAST: usize = 3;
-/// Mean assurance above which shapes need no explanation, and below which an exchange explains nothing. Chosen here.
+/// Mean assurance above which shapes need no explanation, and below which an exchange explains nothing. Our choice.
 const UNLIKE: f64 = 0.8;
 const ALIKE: f64 = 0.95;
-/// Least ratio of the unexplained part, 1 - MAC, of the second-best exchange to that of the best. Chosen here.
+/// Least ratio of the unexplained part, 1 - MAC, of the second-best exchange to that of the best. Our choice.
 const CLEARLY: f64 = 3.0;
 
 /// The two channels whose exchange, or the one whose change of sign, makes the shapes of two surveys alike, if one such change alone does.

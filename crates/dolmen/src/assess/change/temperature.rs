@@ -11,13 +11,13 @@ use crate::assess::AssessError;
 
 /// Fewest surveys with a temperature for a fit: four leave two degrees of freedom.
 pub const TEMPERATURE_SURVEYS_LEAST: usize = 4;
-/// Least range of their temperatures, °C. Chosen here: a line over a smaller range says nothing about the seasons.
+/// Least range of their temperatures, °C. Our choice: a line over a smaller range says nothing about the seasons.
 const SPREAD_LEAST_C: f64 = 2.0;
 
 /// Known effect of temperature on the frequencies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TemperatureEffect {
-    /// The effect is not known.
+    /// The effect is unknown.
     Unknown,
     /// The same relative change per °C for every frequency.
     Coefficient {

@@ -1,4 +1,4 @@
-//! Which part of a structure explains how its frequencies changed.
+//! The part of a structure that explains the changes of its frequencies.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -8,7 +8,7 @@
 
 use crate::numeric::{chi_squared_above, chi_squared_quantile, maximum_between};
 
-/// Range of the search for the stiffness of a part, relative to its earlier value. Chosen here.
+/// Range of the search for the stiffness of a part, relative to its earlier value. Our choice.
 pub const FACTOR_SOUGHT: [f64; 2] = [0.02, 5.0];
 /// Factors tried before the least is refined.
 const TRIED: usize = 33;
@@ -28,7 +28,7 @@ pub struct FrequencyChange {
     pub sd: f64,
 }
 
-/// How well one part explains all changes.
+/// Fit of one part to all changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartFit {
     /// Its place among the parts; `None` for all parts alike.
@@ -50,7 +50,7 @@ impl PartFit {
     }
 }
 
-/// Which part explains a change.
+/// The part that explains a change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WhichPart {
     /// Each part, the best first.

@@ -19,9 +19,9 @@ use crate::stability::stack::{
 use crate::structure::stack::Stack;
 use glam::{DMat3, DVec3};
 
-/// Modes with less of the mass, along x and along y, are left out. Chosen here: a thousand such have a thousandth.
+/// Modes with less of the mass, along x and along y, are left out. Our choice: a thousand such have a thousandth.
 const MASS_LEAST: f64 = 1e-6;
-/// Largest number of modes that are combined, lowest first; the higher ones move with the ground. Chosen here: all modes of a hundred stones on top
+/// Largest number of modes that are combined, lowest first; the higher ones move with the ground. Our choice: all modes of a hundred stones on top
 /// of each other.
 const MODES_MOST: usize = 400;
 
@@ -39,7 +39,6 @@ pub struct ModalRatio {
     pub verdict: DemandVerdict,
 }
 
-/// A mode under the spectrum.
 struct ModeUnderSpectrum<'a> {
     shape: &'a [[f64; 6]],
     /// Γ along x and y.
@@ -102,7 +101,7 @@ impl<'a> ModalDemand<'a> {
         })
     }
 
-    /// How much is borne when shaken along x, along y, and anywhere.
+    /// Capacity under shaking along x, along y, and in any direction.
     pub(super) fn ratios(&self, limits: &StackLimits) -> Result<[ModalRatio; 3], AssessError> {
         let directions = [ShakenDirection::X, ShakenDirection::Y, ShakenDirection::Any];
         let mut least = directions.map(|_| (f64::INFINITY, None));

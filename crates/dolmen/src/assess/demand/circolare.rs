@@ -46,7 +46,7 @@ pub struct LocalMechanismCapacity {
     pub activation_m_s2: f64,
     /// Capacity by the force-based check: peak ground acceleration, m/s²; `None` if a joint slides.
     pub by_force_m_s2: Option<f64>,
-    /// Capacity by the displacement-based check; `None` if d₀* is not known.
+    /// Capacity by the displacement-based check; `None` if d₀* is unknown.
     pub displacement: Option<DisplacementCapacity>,
 }
 
@@ -68,9 +68,9 @@ pub struct DisplacementCapacity {
 pub struct LocalMechanismDemand {
     /// Peak ground acceleration of the site, m/s².
     pub ground_m_s2: f64,
-    /// Ratio of capacity to demand by the force-based check; `None` if the capacity is not known.
+    /// Ratio of capacity to demand by the force-based check; `None` if the capacity is unknown.
     pub by_force: Option<f64>,
-    /// The displacement-based check; `None` if d₀* is not known, or if the spectrum is a table that ends before T_SLV.
+    /// The displacement-based check; `None` if d₀* is unknown, or if the spectrum is a table that ends before T_SLV.
     pub by_displacement: Option<DisplacementDemand>,
 }
 

@@ -28,7 +28,7 @@ const PLATEAU: f64 = 2.5;
 /// Vertical over horizontal ground acceleration of type 1 and 2, quoted from memory and not compared with the text of the
 /// code.
 const VERTICAL: [f64; 2] = [0.9, 0.45];
-/// Largest accepted a_g, g: a larger value has a wrong unit. Chosen here.
+/// Largest accepted a_g, g: a larger value has a wrong unit. Our choice.
 const GROUND_MOST_G: f64 = 2.0;
 
 /// Type of the spectrum.

@@ -15,12 +15,11 @@ use crate::structure::stack::Stack;
 pub struct StackDemandRow {
     /// The direction.
     pub direction: ShakenDirection,
-    /// Least acceleration at which it begins to move there, without vertical shaking; `None` if it does not stand, or is
-    /// wedged.
+    /// Least acceleration at which it begins to move there, without vertical shaking; `None` if it does not stand, or is wedged.
     pub capacity: Option<Threshold>,
     /// Capacity while the vertical acceleration of the site reduces gravity; equal to `capacity` if the site has none.
     pub capacity_with_vertical: Option<Threshold>,
-    /// First period there, s; in any direction that of the larger S_a; `None` if it is not known.
+    /// First period there, s; in any direction that of the larger S_a; `None` if it is unknown.
     pub period_s: Option<f64>,
     /// Largest Γ φ of the stones in that mode; in any direction the larger of both.
     pub amplification: Option<f64>,

@@ -1,6 +1,6 @@
-//! Where a stack is shaken.
+//! Direction of the shaking of a stack.
 
-/// Where the shaking goes.
+/// Direction of the shaking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShakenDirection {
     /// Along x, to both sides.

@@ -12,7 +12,7 @@ use crate::assess::AssessError;
 const BUILDINGS_YEARS: u32 = 2400;
 /// Damping ratio of the plateaus of codes.
 const CODE_DAMPING: f64 = 0.05;
-/// Largest accepted importance factor. Chosen here: codes have 0.8 to 1.4.
+/// Largest accepted importance factor. Our choice: codes have 0.8 to 1.4.
 const IMPORTANCE_MOST: f64 = 3.0;
 
 /// Location of a structure and code for its assessment.

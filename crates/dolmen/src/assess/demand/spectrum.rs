@@ -12,7 +12,7 @@ pub(super) use crate::known::STANDARD_GRAVITY_M_S2;
 use crate::numeric::NumericError;
 use std::fmt;
 
-/// Range of damping ratios for which the damping factors of codes hold. Chosen here.
+/// Range of damping ratios for which the damping factors of codes hold. Our choice.
 const DAMPING_LEAST: f64 = 0.005;
 const DAMPING_MOST: f64 = 0.3;
 
@@ -130,7 +130,7 @@ pub(super) struct Branches {
     pub(super) damping: DampingFactor,
 }
 
-/// How a code changes the plateau with damping.
+/// Effect of damping on the plateau in a code.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum DampingFactor {
     /// (6.42/(1.42 + ξ))^0.48. From T = 0 to T_0 the factor varies linearly from 1 to this value.

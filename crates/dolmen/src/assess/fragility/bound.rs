@@ -33,7 +33,7 @@ pub enum FragilityBound {
     Middle {
         /// Half of the capacities at least lie above; 0 if that is known of none.
         above: f64,
-        /// Half of them at least lie at or below; infinite if that is not known.
+        /// Half of them at least lie at or below; infinite if that is unknown.
         at_most: f64,
     },
 }

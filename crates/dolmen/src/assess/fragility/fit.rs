@@ -10,11 +10,11 @@ use std::collections::BTreeMap;
 
 /// Fewest motions that a curve is fitted to.
 pub(super) const MOTIONS_LEAST: usize = 3;
-/// Newton's steps, the one that is small enough, and the one that is too large for an end.
+/// Most Newton steps, the step of convergence, and the step too large for convergence.
 const STEPS_MOST: usize = 200;
 const STEP_LEAST: f64 = 1e-13;
 const STEP_MOST: f64 = 1e-6;
-/// Standard error of β over β from which there is no curve: nothing is known of its steepness. Chosen here.
+/// Standard error of β over β from which there is no curve: nothing is known of its steepness. Our choice.
 const BETA_ERROR_MOST: f64 = 3.0;
 
 /// The likeliest lognormal curve of observations of any kind, mixed as they come.
@@ -114,7 +114,7 @@ pub fn fit_fragility_of_motions(
     })
 }
 
-/// Where the likelihood is largest.
+/// Maximum of the likelihood.
 #[derive(Clone, Copy, Debug)]
 struct LikelihoodMaximum {
     /// Middle of the logarithms of intensities.

@@ -4,7 +4,7 @@ use super::curve::Fragility;
 use crate::assess::AssessError;
 use crate::numeric::{Interval, chi_squared_quantile, ln_normal_probability, student_two_sided_quantile};
 
-/// Least degrees of freedom of β. Chosen here.
+/// Least degrees of freedom of β. Our choice.
 const FREEDOM_LEAST: f64 = 0.2;
 
 /// A fitted curve with the evidence for it.
@@ -18,13 +18,13 @@ pub struct FragilityFit {
     pub beta_error: f64,
     /// Covariance of ln θ and β.
     pub covariance: f64,
-    /// Logarithm of the likelihood; `None` of a fit by moments.
+    /// Logarithm of the likelihood; `None` for a fit by moments.
     pub log_likelihood: Option<f64>,
-    /// Different motions it rests on: of stripes those of the largest.
+    /// Number of different motions; for stripes of the largest stripe.
     pub motions: usize,
-    /// Observations that reached the state, of all.
+    /// Number of observations that reached the state.
     pub reached: usize,
-    /// All observations: of stripes every motion at every intensity.
+    /// Number of all observations; for stripes every motion at every intensity.
     pub observations: usize,
 }
 
@@ -96,7 +96,7 @@ impl FragilityFit {
         self.log_likelihood.is_none()
     }
 
-    /// Standard errors to each side of an interval of a confidence.
+    /// Standard errors to each side of an interval with a confidence.
     fn times(&self, confidence: f64) -> Result<f64, AssessError> {
         let n = self.motions as f64;
         let likeliest = if self.is_by_moments() { 1.0 } else { n / (n - 1.0) };

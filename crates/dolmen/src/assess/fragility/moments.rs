@@ -40,7 +40,7 @@ pub fn fit_fragility_by_moments(capacities: &[f64]) -> Result<FragilityFit, Asse
     })
 }
 
-/// How many motions make the standard error of ln θ as small as is asked: (β/σ)².
+/// Number of motions for a requested standard error of ln θ: (β/σ)².
 ///
 /// # Errors
 /// [`AssessError::FragilityParameter`] unless both are positive.

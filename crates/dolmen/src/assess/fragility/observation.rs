@@ -10,9 +10,9 @@ pub enum Observation {
     Stripe {
         /// The intensity.
         intensity: f64,
-        /// How many motions were run at it.
+        /// Number of motions run at it.
         motions: usize,
-        /// How many of them reached the state.
+        /// Number of them that reached the state.
         reached: usize,
     },
     /// A motion first reached the state at this intensity.
@@ -26,7 +26,7 @@ pub enum Observation {
 }
 
 impl Observation {
-    /// How many motions it speaks of.
+    /// Number of its motions.
     pub(super) fn motions(&self) -> usize {
         match self {
             Observation::Stripe { motions, .. } => *motions,
@@ -34,7 +34,7 @@ impl Observation {
         }
     }
 
-    /// How many of them reached the state.
+    /// Number of them that reached the state.
     pub(super) fn reached(&self) -> usize {
         match self {
             Observation::Stripe { reached, .. } => *reached,
@@ -130,7 +130,7 @@ pub(super) fn bound(observations: &[Observation]) -> Option<FragilityBound> {
     separated(observations)
 }
 
-/// Part by which two intensities may differ and yet be one: peaks that are products of a record and a factor differ by rounding. Chosen here.
+/// Part by which two intensities may differ and yet be one: peaks that are products of a record and a factor differ by rounding. Our choice.
 const SAME: f64 = 1e-9;
 
 /// The largest intensity that was survived, and the least at which the state was reached.

@@ -3,7 +3,7 @@
 use crate::structure::stack::{Joint, JointMaterial, PagodaFactors, Stack};
 use std::fmt;
 
-/// Part by which a material may differ from that of the designs and count as the same. Chosen here: granite is 2600 to 2700 kg/m³.
+/// Part by which a material may differ from that of the designs and count as the same. Our choice: granite is 2600 to 2700 kg/m³.
 const ALIKE: f64 = 0.05;
 
 /// One way in which a stack is unlike the pagodas that the score was trained on.

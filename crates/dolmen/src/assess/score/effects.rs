@@ -6,9 +6,9 @@ use crate::assess::AssessError;
 use crate::numeric::{normal_quantile, quantile};
 use crate::structure::stack::{PagodaFactors, PagodaSlenderness};
 
-/// Share of the designs below the lower place, and above the upper, that a factor is moved between. Chosen here.
+/// Share of the designs below the lower place, and above the upper, that a factor is moved between. Our choice.
 const TAIL: f64 = 0.1;
-/// Confidence with which a direction is called seen. Chosen here.
+/// Confidence with which a direction is called seen. Our choice.
 const CONFIDENCE: f64 = 0.9;
 
 /// Significance of the effect of a factor.

@@ -57,7 +57,7 @@ impl StiffnessDraws {
         let own = self.ln_ratios.iter().zip(&self.weights);
         let weights: Vec<f64> = own.map(|(ln_ratio, prior)| prior * weight(ln_ratio)).collect();
         let sum: f64 = weights.iter().sum();
-        if !(sum > 0.0) {
+        if sum.is_nan() || sum <= 0.0 {
             return Err(AssessError::Factor {
                 factor: "frequency_ratio",
                 given: frequency_ratio,

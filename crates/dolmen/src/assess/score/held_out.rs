@@ -1,4 +1,4 @@
-//! How well a score ranks pagodas that it has not seen.
+//! Ranking by a score of pagodas outside its training data.
 
 use super::factors::Factor;
 use super::kriging::Kriging;
@@ -8,7 +8,7 @@ use crate::assess::{AssessError, trend};
 /// The worst part that must be found: the lowest fifth.
 const WORST: f64 = 0.2;
 
-/// How well predicted capacities put pagodas into the order of the simulated ones.
+/// Agreement of the order by predicted capacities with that by simulated ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Ranking {

@@ -12,7 +12,7 @@ use crate::assess::AssessError;
 use crate::numeric::{normal_quantile, quantile};
 use dolmen_linalg::{Matrix, SymmetricEigen, symmetric_eigen};
 
-/// Lengths that are tried along all axes alike, then along each times these factors. Chosen here.
+/// Lengths that are tried along all axes alike, then along each times these factors. Our choice.
 const LENGTHS: [f64; 6] = [1.0, 1.5, 2.0, 3.0, 4.5, 7.0];
 const FACTORS: [f64; 5] = [0.5, 0.7, 1.4, 2.0, 4.0];
 const SWEEPS: usize = 2;
@@ -28,7 +28,7 @@ const PARTS: usize = 5;
 /// Share of those designs that intervals are made to hold.
 const HELD: f64 = 0.9;
 
-/// How a surface was chosen: with these it is made again without a search.
+/// Parameters of a chosen surface, which reproduce it without a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceSettings {
     /// Correlation length along each factor, in standard deviations of the designs.
@@ -161,7 +161,7 @@ impl Kriging {
         Self::with(x, y, best.lengths, best.noise)
     }
 
-    /// How the surface through these points is chosen, and what its deviations lack.
+    /// Choice of the surface through these points, and the missing part of its deviations.
     ///
     /// # Errors
     /// As [`Kriging::fit`].

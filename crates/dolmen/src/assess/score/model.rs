@@ -7,10 +7,10 @@ use super::surface::Surface;
 use crate::assess::{AssessError, Fragility};
 use crate::numeric::{Interval, normal_quantile};
 
-/// Fewest designs a score is trained on: as many as a quadratic surface of six factors has terms. Chosen here; 150 are wanted.
+/// Fewest designs a score is trained on: as many as a quadratic surface of six factors has terms. Our choice; 150 are wanted.
 const DESIGNS_LEAST: usize = 28;
 /// A factor may lie above the trained range by this factor, or below it by its inverse, where extrapolation is allowed: farther off its unit is wrong, or the
-/// score knows nothing. Chosen here.
+/// score knows nothing. Our choice.
 const FARTHEST: f64 = 1.5;
 /// The coalition of all six factors.
 const ALL: u32 = 0b11_1111;
@@ -43,7 +43,7 @@ pub struct PagodaScore {
     /// Standard deviation of ln θ: what the surface misses of designs it has not seen, and where this one lies.
     pub ln_capacity_sd: f64,
     /// Standard deviation of ln θ that all designs share, for the same few motions shook them all: β/√motions, the most that it can be. It moves
-    /// θ and not the order. 0 where the number of motions is not known.
+    /// θ and not the order. 0 where the number of motions is unknown.
     pub ln_shared_sd: f64,
     /// Mean β of the designs: scatter from motion to motion.
     pub beta: f64,

@@ -12,7 +12,7 @@ use super::kriging::{dot, variance_left_out};
 use crate::assess::AssessError;
 use dolmen_linalg::{Matrix, solve};
 
-/// Candidate penalties, in units of the number of points: from a negligible one to one that makes the surface flat. Chosen here.
+/// Candidate penalties, in units of the number of points: from a negligible one to one that makes the surface flat. Our choice.
 const PENALTIES: [f64; 9] = [1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 3e-2, 1e-1, 3e-1];
 /// Standard deviation below which a coordinate counts as constant.
 const SPREAD_LEAST: f64 = 1e-12;

@@ -1,4 +1,4 @@
-//! The runs that go side by side, step by step.
+//! The runs computed side by side, step by step.
 
 use super::super::forces::Forces;
 use super::bodies::{BodyLanes, Load, step_all};
@@ -10,9 +10,9 @@ use crate::signal::MotionCursor;
 use glam::{DMat3, DVec3};
 use pulp::Simd;
 
-/// Runs of one number of bodies, each in its lane.
+/// Runs with the same number of bodies, one per lane.
 ///
-/// Aligned, as the frame of [`Self::drive`] then is, whose loads and stores would else cross lines of the cache.
+/// Aligned, so that the frame of [`Self::drive`] is aligned too: its loads and stores would otherwise cross cache lines.
 #[repr(C, align(64))]
 pub(super) struct Batch<'a, S: Simd> {
     h: Real<S>,
@@ -27,13 +27,13 @@ pub(super) struct Batch<'a, S: Simd> {
     lane_runs: Vec<Option<LaneRun<'a>>>,
     bodies: Vec<BodyLanes<S>>,
     loads: Vec<Load<S>>,
-    /// Whether no body that ever was in a lane has products of inertia.
+    /// Whether no body in any lane has had products of inertia.
     diagonal: bool,
     joints: Vec<JointLanes<S>>,
     watches: Vec<WatchLanes<S>>,
     /// Whether a lane has become free.
     freed: bool,
-    /// One a lane.
+    /// One per lane.
     clocks: Vec<Clock<'a>>,
     /// For each lane, whether its patches are in position.
     placed: Vec<bool>,
@@ -49,11 +49,11 @@ struct Clock<'a> {
     motion: Option<MotionCursor<'a>>,
     h: f64,
     step: usize,
-    /// Whether its joints are seen with those of the other lanes.
+    /// Whether its joints are observed together with those of the other lanes.
     watched: bool,
     /// Next step at which the run is observed.
     look_at: usize,
-    /// The steps after which it is judged next.
+    /// Number of steps before the next verdict.
     judge_after: usize,
 }
 
@@ -74,7 +74,7 @@ impl<'a, S: Simd> Batch<'a, S> {
     pub(super) fn new(simd: S, first: LaneRun<'a>) -> Self {
         let zero = Real::all(simd, 0.0);
         let nowhere = Vector::all(simd, DVec3::ZERO);
-        // the ground in every lane, so that lanes without a run have one thing that moves nowhere
+        // the ground in every lane, so that empty lanes have a body that does not move
         let ground = &first.run.assembly.bodies[0];
         let bodies = first.run.assembly.bodies.iter();
         let watched = first.run.observer.watches();
@@ -177,7 +177,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         Some(lane_run)
     }
 
-    /// Looks again at pairs of runs in which some have moved too far.
+    /// Examines again pairs of runs in which some bodies have moved too far.
     #[inline(always)]
     fn search_pairs_where_moved(&mut self, drifted: Mask<S>) {
         let mut farthest = Real::all(self.h.0, 0.0);
@@ -218,7 +218,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         self.lay_out();
     }
 
-    /// Writes a lane back to its run: its bodies, and what its patches remember.
+    /// Writes a lane back to its run: its bodies, and the state of its patches.
     fn write_back(&mut self, lane: usize) {
         let Some(lane_run) = &mut self.lane_runs[lane] else {
             return;
@@ -237,7 +237,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         }
     }
 
-    /// Loads the patches of a lane of the pairs that `changed`, if all have a place with room enough.
+    /// Loads the patches of the pairs `changed` of a lane, if all have a large enough place.
     fn load_patches(&mut self, lane: usize, changed: impl Fn(usize) -> bool) {
         let Some(lane_run) = &self.lane_runs[lane] else {
             return;
@@ -258,7 +258,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         self.placed[lane] = contacts.next().is_none();
     }
 
-    /// Makes places for the patches of all lanes, if one has none.
+    /// Makes places for the patches of all lanes, if any has none.
     fn lay_out(&mut self) {
         if self.placed.iter().all(|placed| *placed) {
             return;
@@ -300,7 +300,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         }
     }
 
-    /// The forces of all contacts; where a patch has drifted.
+    /// The forces of all contacts; returns the lanes where a patch has drifted.
     #[inline(always)]
     fn contact_forces(&mut self) -> Mask<S> {
         let zero = Real::all(self.h.0, 0.0);
@@ -333,7 +333,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         drifted
     }
 
-    /// Lets the observers of runs that are due look; those that are over leave.
+    /// Calls the observers of runs that are due; runs that end leave their lanes.
     #[inline(always)]
     fn look(&mut self, queue: &mut Queue<'a, '_>) {
         if !self.clocks.iter().any(|clock| clock.step == clock.look_at) {
@@ -392,7 +392,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         }
     }
 
-    /// Velocities and places of all bodies.
+    /// Velocities and positions of all bodies.
     #[inline(always)]
     fn step(&mut self) {
         let zero = Real::all(self.h.0, 0.0);
@@ -413,7 +413,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         self.kick = self.h;
     }
 
-    /// Counts the step; runs that have done their last leave, and their lanes are filled.
+    /// Counts the step; completed runs leave, and new runs take their lanes.
     #[inline(always)]
     fn end_step(&mut self, queue: &mut Queue<'a, '_>) {
         for lane in 0..S::F64_LANES {

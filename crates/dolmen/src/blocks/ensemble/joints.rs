@@ -31,8 +31,8 @@ macro_rules! four {
     };
 }
 
-/// Which bodies a patch joins: its place among the pairs of the assembly, the body of its plane, that of its points, and
-/// how many groups of points there is room for.
+/// The bodies of a patch: its place among the pairs of the assembly, the body of its plane, that of its points, and the
+/// available number of groups of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place {
     pub(super) pair: usize,
@@ -55,14 +55,14 @@ struct PointLanes<S: Simd> {
     held: Real<S>,
 }
 
-/// How the axes of a patch lie in those of its two bodies.
+/// Orientation of the axes of a patch in those of its two bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Axes {
     /// No patch.
     None,
     /// Both are equal: a level joint, in the plane of the stone below.
     Same,
-    /// Half a turn about the first: a level joint, the plane of the stone above.
+    /// Half a rotation about the first: a level joint, in the plane of the stone above.
     Turned,
     /// Any.
     Any,
@@ -84,7 +84,7 @@ pub(super) struct JointLanes<S: Simd> {
     points: Vec<PointLanes<S>>,
 }
 
-/// Where the plane and the points of a patch are on their bodies, its law, and how they lay when it was clipped.
+/// Positions of the plane and of the points of a patch on their bodies, its law, and its pose when it was clipped.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 struct FrameLanes<S: Simd> {
@@ -154,7 +154,7 @@ impl<S: Simd> JointLanes<S> {
         }
     }
 
-    /// The patch of one run; it looks again beyond `most`, shift in m and lean as sine.
+    /// Loads the patch of one run; it is examined again beyond `most`, shift in m and inclination as sine.
     pub(super) fn load(&mut self, lane: usize, patch: &Patch, outline: &Outline, most: [f64; 2]) {
         let frame = &mut self.frame;
         frame.plane_origin.set(lane, patch.plane_origin);
@@ -206,7 +206,7 @@ impl<S: Simd> JointLanes<S> {
         }
     }
 
-    /// Takes the patch of one run away.
+    /// Removes the patch of one run.
     pub(super) fn clear(&mut self, lane: usize) {
         for point in &mut self.points {
             point.area.set(lane, 0.0);
@@ -248,8 +248,8 @@ impl<S: Simd> JointLanes<S> {
         }
     }
 
-    /// Adds the contact forces of a step to the loads of the two bodies; returns the friction loss, and where the patch has
-    /// drifted.
+    /// Adds the contact forces of a step to the loads of the two bodies; returns the friction loss, and the lanes where the
+    /// patch has drifted.
     #[inline(always)]
     pub(super) fn add_contact_forces(
         &mut self,
@@ -279,7 +279,7 @@ impl<S: Simd> JointLanes<S> {
         }
     }
 
-    /// As the function above, from the axes of the plane and the first two axes of the points, in the axes of the ground.
+    /// As [`Self::add_contact_forces`], from the axes of the plane and the first two axes of the points, in the axes of the ground.
     #[inline(always)]
     fn press_along(
         &mut self,
@@ -364,8 +364,8 @@ impl<S: Simd> JointLanes<S> {
     }
 }
 
-/// The law at four points: what each drags along the two axes, presses, turns about the three axes (the second with the opposite
-/// sign), and loses in friction.
+/// The law at four points: shear along the two axes, pressure, moments about the three axes (the second with the opposite sign),
+/// and friction loss.
 ///
 /// Stage by stage for four points: while one waits for its operands, the processor continues with another.
 #[inline(always)]

@@ -1,7 +1,7 @@
-//! Numbers, vectors and turns of several runs side by side, a run a lane.
+//! Numbers, vectors and rotations of several runs side by side, one run per lane.
 //!
-//! Every operation is that of one run, lane by lane and in the same order, without fused products: the bits of a run do not
-//! depend on its neighbours, on how many there are, or on the machine's width.
+//! Every operation is that of a single run, lane by lane and in the same order, without fused products: the bits of a run
+//! do not depend on the other lanes, on their number, or on the width of the machine's vectors.
 
 use glam::{DMat3, DQuat, DVec3};
 use pulp::{Simd, bytemuck};
@@ -141,7 +141,7 @@ impl<S: Simd> Mask<S> {
         Real(self.0, self.0.select_f64s(self.1, yes.1, no.1))
     }
 
-    /// 1 where it holds, 0 elsewhere.
+    /// 1 where the mask is true, 0 elsewhere.
     #[inline(always)]
     pub(super) fn ones(self) -> Real<S> {
         self.select(Real::all(self.0, 1.0), Real::all(self.0, 0.0))

@@ -10,7 +10,7 @@ use std::collections::VecDeque;
 /// One of many runs: the arguments of [`simulate_springs`].
 #[derive(Clone, Copy, Debug)]
 pub struct StackRun<'a> {
-    /// The stack; runs that share one share its settlement.
+    /// The stack; runs of the same stack share its settlement.
     pub stack: &'a Stack,
     /// The motion of its ground.
     pub motion: Option<&'a GroundMotion>,
@@ -18,7 +18,7 @@ pub struct StackRun<'a> {
     pub options: &'a Springs,
 }
 
-/// Runs of one number of bodies that wait for a lane.
+/// Runs with the same number of bodies that wait for a lane.
 pub(super) struct Queue<'a, 'w> {
     pub(super) waiting: VecDeque<(usize, StackRun<'a>)>,
     /// Runs that start again with a shorter step.
@@ -28,7 +28,7 @@ pub(super) struct Queue<'a, 'w> {
     pub(super) each: &'w mut dyn FnMut(usize, Result<StackHistory, BlocksError>),
 }
 
-/// A run on its way, with its index and the attempt it is at.
+/// An active run, with its index and the number of its attempt.
 pub(super) struct LaneRun<'a> {
     pub(super) index: usize,
     given: StackRun<'a>,
@@ -63,7 +63,7 @@ impl<'a> Queue<'a, '_> {
         }
     }
 
-    /// Hands the history of a run on, or has it start again with a shorter step.
+    /// Passes on the history of a run, or restarts it with a shorter step.
     pub(super) fn end(&mut self, lane_run: LaneRun<'a>) {
         let StackRun {
             stack,

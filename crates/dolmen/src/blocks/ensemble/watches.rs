@@ -17,7 +17,7 @@ pub(super) struct WatchLanes<S: Simd> {
     axes: Columns<S>,
     /// Whether the axes of all runs are those of the ground.
     level: bool,
-    /// As many as the run with most has; others have their last again.
+    /// As many as in the run with most corners; other runs repeat their last one.
     corners: Vec<[Real<S>; 2]>,
     settled: [Real<S>; 3],
     settled_opening: Real<S>,
@@ -79,7 +79,7 @@ impl<S: Simd> WatchLanes<S> {
         self.settled_opening.set(lane, watch.settled_opening);
     }
 
-    /// Sees how it lies in all runs.
+    /// Observes the pose in all runs.
     #[inline(always)]
     pub(super) fn see(&mut self, bodies: &[BodyLanes<S>]) {
         let (p, s) = (&bodies[self.lower], &bodies[self.upper]);

@@ -1,12 +1,12 @@
-//! Factors that the modes cannot tell apart, such as those of two equal posts.
+//! Factors that the modes cannot distinguish, such as those of two equal posts.
 
 use super::model::FactorModel;
 use super::result::FactorRange;
 
-/// Sensitivities that differ by less, relative to the largest, are equal. Chosen here: far above rounding, far below any difference in shape.
+/// Relative difference to the largest below which sensitivities are equal. Our choice: far above rounding, far below any difference in shape.
 const EQUAL_WITHIN: f64 = 1e-6;
 
-/// Of each factor the first one to which every datum is equally sensitive where all factors are equal: itself if there is none.
+/// For each factor the first one to which every datum is equally sensitive when all factors are equal; itself if there is none.
 pub(super) fn alike(model: &FactorModel, centre: f64) -> Vec<usize> {
     let n = model.unknowns;
     let Some(found) = model.residuals(&vec![centre; n]) else {
@@ -36,7 +36,7 @@ fn first_alike(columns: &[Vec<f64>]) -> Vec<usize> {
     (0..columns.len()).map(first).collect()
 }
 
-/// Gives factors that are alike the same range, which holds all of theirs, and a best value only if every one of them has it.
+/// Gives indistinguishable factors one common range that contains all their ranges, and a best value only if each of them has one.
 pub(super) fn say_alike(alike: &[usize], determined: &mut [Option<[f64; 2]>], ranges: &mut [FactorRange]) {
     let of = |first: usize| {
         let all = alike.iter().enumerate().filter(move |(_, of)| **of == first);

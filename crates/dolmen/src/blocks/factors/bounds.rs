@@ -9,10 +9,10 @@ use super::model::{Datum, FactorModel};
 use crate::numeric::{Bracketing, bracketed_root};
 use std::f64::consts::TAU;
 
-/// A joint this many times stiffer than the common factor counts as rigid. Chosen here: the flexibility that remains changes a bound by less than
+/// A joint this many times stiffer than the common factor counts as rigid. Our choice: the flexibility that remains changes a bound by less than
 /// 1e-4, and the rounding of the eigendecomposition by 1e-7.
 pub(super) const RIGID: f64 = 1e6;
-/// Softest factor in the search, relative to the common factor: a softer joint is open. Chosen here.
+/// Softest factor in the search, relative to the common factor: a softer joint is open. Our choice.
 const OPEN: f64 = 1e-6;
 /// Number of standard deviations below the measured frequency at which a factor is excluded.
 const EXCLUDED_SD: f64 = 2.0;

@@ -4,16 +4,16 @@ use super::super::error::BlocksError;
 use super::result::UnusedMode;
 use dolmen_linalg::LinalgError;
 
-/// Why measured modes lead to no factor on the springs of a stack.
+/// Why measured modes give no factor on the springs of a stack.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum JointFactorsError {
     /// No mode is given.
     #[error("no measured mode along x, along y or of torsion is given: give at least one frequency")]
     NoModes,
-    /// A number of a mode that cannot be.
+    /// An impossible number of a mode.
     #[error("{quantity} of the mode at {frequency_hz} Hz is {given}, but must be {allowed}")]
     Mode {
-        /// Which number.
+        /// The quantity.
         quantity: &'static str,
         /// Its value.
         given: f64,
@@ -32,7 +32,7 @@ pub enum JointFactorsError {
         /// The allowed range.
         allowed: &'static str,
     },
-    /// No measured mode has a computed one that it certainly is.
+    /// No measured mode can be paired with certainty.
     #[error(
         "none of the measured modes can be told to be one of those of the stack: measure their shapes, or state the lowest of each direction"
     )]
@@ -40,7 +40,7 @@ pub enum JointFactorsError {
         /// The modes, and why.
         unused: Vec<UnusedMode>,
     },
-    /// The stack finds no rest, or cannot be.
+    /// The stack does not come to rest, or is impossible.
     #[error(transparent)]
     Blocks(#[from] BlocksError),
     /// A decomposition failed.

@@ -1,4 +1,4 @@
-//! Uncoupled families of motion: a symmetric stack sways along x, sways along y, twists and bounces independently.
+//! Uncoupled families of motion: a symmetric stack sways along x, sways along y, twists and moves vertically independently.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -6,7 +6,7 @@
 //! | P_x | `toward_x` | mass of motion along x alone, [6n × 6n] |
 //! | V | `basis` | eigenvectors of a mixture of all K_g and P_x, Vᵀ M V = 1 |
 //!
-//! Eigenvectors of a mixture with weights that nothing relates span the common invariant subspaces of all that is mixed: Vᵀ K_g V has a block for each.
+//! Eigenvectors of a mixture with unrelated weights span the common invariant subspaces of all its matrices: Vᵀ K_g V has a block for each.
 //! Within a family the frequency of each order rises with every factor (Courant–Fischer), and modes of two families may cross.
 
 use super::super::matrices::SpringsBetween;
@@ -16,22 +16,22 @@ use dolmen_linalg::{
     LinalgError, Matrix, SymmetricEigen, generalized_symmetric_eigen, symmetric_eigen, symmetric_eigenvalues,
 };
 
-/// Coupling that counts as none, over the geometric mean of the stiffness of both motions. Chosen here: the rest of a stack is found to
-/// 1e-7 of its weight, and what this leaves out of a frequency is its square.
+/// Coupling that counts as zero, over the geometric mean of the stiffness of both motions. Our choice: the rest of a stack is accurate
+/// to 1e-7 of its weight, and the error of a frequency is the square of this.
 const COUPLED: f64 = 1e-5;
 
-/// Energy of a motion, over all of it, from which a mode of a family of several motions is one of that motion: the greater part.
+/// Share of the energy from which a mode of a family with several motions belongs to one of them: the greater part.
 const MOSTLY: f64 = 0.5;
 
-/// Motions that couple with each other and with no others.
+/// Motions that are coupled with each other and with no others.
 pub(super) struct Family {
     /// Basis, [6n × d], orthonormal in M.
     pub(super) basis: Matrix,
-    /// Stiffness that no factor multiplies, [d × d].
+    /// Stiffness without a factor, [d × d].
     others: Matrix,
     /// Stiffness of each factor's springs, [d × d].
     pub(super) groups: Vec<Matrix>,
-    /// Kinetic energy of motion in the plane of x, in that of y, and of turning about the vertical, [d × d] each.
+    /// Kinetic energy of motion in the plane of x, in that of y, and of rotation about the vertical, [d × d] each.
     motions: [Matrix; 3],
 }
 
@@ -70,13 +70,13 @@ impl Family {
         self.motions[index_of(motion)].form(mode, mode)
     }
 
-    /// Orders of the modes that are mostly of a motion, ascending.
+    /// Orders of the modes in which a motion predominates, ascending.
     pub(super) fn orders_of(&self, modes: &SymmetricEigen, motion: StackMotion) -> Vec<usize> {
         let is_of = |order: &usize| self.share(modes.vectors.column(*order), motion) > MOSTLY;
         (0..modes.values.len()).filter(is_of).collect()
     }
 
-    /// A mode of this basis as displacements and turns of the stones.
+    /// A mode of this basis as displacements and rotations of the stones.
     pub(super) fn displacements(&self, mode: &[f64]) -> Vec<f64> {
         self.basis.times(mode)
     }
@@ -90,7 +90,7 @@ pub(super) fn families(unknowns: &Unknowns) -> Result<Vec<Family>, LinalgError> 
         add(&mut mixture, springs, 1.0);
     }
     for (at, group) in unknowns.groups.iter().enumerate() {
-        // parts of the golden section: no two alike, none related to another
+        // multiples of the golden section: no two equal or related
         let weight = 0.5 + (0.618_033_988_749_895 * (at + 1) as f64).fract();
         for springs in &group.springs {
             add(&mut mixture, springs, weight);
@@ -138,7 +138,7 @@ pub(super) fn families(unknowns: &Unknowns) -> Result<Vec<Family>, LinalgError> 
     Ok(families.collect())
 }
 
-/// Vᵀ M V over these rows of every block alone.
+/// Vᵀ M V over only these rows of every block.
 fn energy_in(mass: &Matrix, vectors: &Matrix, rows: &[usize]) -> Matrix {
     let size = mass.rows();
     let momentum = mass * vectors;

@@ -2,10 +2,10 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | c_j | `factor` | what K_n and K_s of joint j are multiplied by | – |
+//! | c_j | `factor` | factor on K_n and K_s of joint j | – |
 //! | x_j | | ln c_j | – |
 //! | K_j, M | | stiffness of joint j as drawn, mass | |
-//! | B | `band` | how far every factor may lie from the common one, a factor each way | – |
+//! | B | `band` | largest ratio of every factor to the common one, either way | – |
 
 use super::super::contact_points::ContactRule;
 use super::super::error::BlocksError;
@@ -24,16 +24,16 @@ use dolmen_linalg::LinalgError;
 /// Options of the search for joint factors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointFactorsOptions {
-    /// How joints are made of springs. Default four points: exact for faces that stay closed.
+    /// Contact points of the joints. Default four per side: exact for faces that stay closed.
     pub contact_rule: ContactRule,
-    /// How many times softer or stiffer than the common factor every factor may be; above 1. Default 10, our choice: values published for joints of
+    /// Largest ratio of every factor to the common factor, either way; above 1. Default 10, our choice: published values for joints of
     /// dressed stone differ by about that, with the pressure on them and the mortar or earth between.
     pub band: f64,
-    /// Standard deviation taken for a frequency without one, relative. Default 0.005, as for chains and frames.
+    /// Relative standard deviation assumed for a frequency without one. Default 0.005, as for chains and frames.
     pub frequency_sd_assumed: f64,
-    /// Standard deviation taken for a point of a shape without one, over the largest displacement. Default 0.05, as for chains and frames.
+    /// Standard deviation assumed for a point of a shape without one, over the largest displacement. Default 0.05, as for chains and frames.
     pub shape_sd_assumed: f64,
-    /// Joints with a factor of their own, at most: above that all joints of a plane share one. Default 24, our choice: a second of computing.
+    /// Largest number of joints with their own factors: above it all joints of a plane share one. Default 24, our choice: a second of computing.
     pub joints_most: usize,
     /// Largest number of factors with ranges; above it only the common factor, the least factors and the energies are computed. Default 24.
     pub ranges_most: usize,
@@ -197,7 +197,7 @@ fn each_factor(
     each.collect()
 }
 
-/// The modes that went in; `None` if one has no frequency.
+/// The modes in use; `None` if one has no frequency.
 fn paired_modes(
     model: &FactorModel,
     common: &CommonFactor,
@@ -233,7 +233,7 @@ fn paired_modes(
     each.collect()
 }
 
-/// How much, most, a frequency changes as the stack settles anew on these springs: by Rayleigh's quotient of the mode.
+/// Largest change of a frequency as the stack settles again on these springs, by Rayleigh's quotient of the mode.
 fn resettled(
     stack: &Stack,
     options: &JointFactorsOptions,

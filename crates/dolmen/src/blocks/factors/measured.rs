@@ -1,4 +1,4 @@
-//! Modes of a stack as they were measured.
+//! Measured modes of a stack.
 
 use super::error::JointFactorsError;
 use super::stack_motion::StackMotion;
@@ -7,7 +7,7 @@ use crate::structure::MeasuredMode;
 /// A measured mode of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredStackMode {
-    /// How the stack moves in it.
+    /// Its motion.
     pub motion: StackMotion,
     /// Frequency, its deviation, and points of the shape along the direction; those of torsion are not used.
     pub mode: MeasuredMode,
@@ -21,7 +21,7 @@ pub(super) struct Assumed {
     pub(super) shape_sd: f64,
 }
 
-/// Refuses numbers that cannot be.
+/// Rejects impossible numbers.
 pub(super) fn check_measured(measured: &[MeasuredStackMode], height_m: f64) -> Result<(), JointFactorsError> {
     if measured.is_empty() {
         return Err(JointFactorsError::NoModes);

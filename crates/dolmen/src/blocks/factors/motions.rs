@@ -1,17 +1,17 @@
-//! How a stack moves in a computed mode: along an axis, or about the vertical.
+//! Motion of a stack in a computed mode: along an axis, or about the vertical.
 
 use super::stack_motion::StackMotion;
 use crate::structure::stack::{Block, Stack};
 use dolmen_linalg::Matrix;
 
-/// Least share of the kinetic energy along an axis for a mode that sways along it: as for the first sway.
+/// Least share of the kinetic energy along an axis for a sway mode along it, as for the first sway.
 const SWAY_LEAST: f64 = 0.25;
-/// Least share of the kinetic energy in rotation about the vertical for a mode of torsion. Chosen here: half.
+/// Least share of the kinetic energy in rotation about the vertical for a mode of torsion. Our choice: half.
 const TWIST_LEAST: f64 = 0.5;
-/// Heights closer than this count as equal, m. Chosen here: far below the height of any stone.
+/// Difference below which heights are equal, m. Our choice: far below the height of any stone.
 const AT_BED_M: f64 = 1e-6;
 
-/// Whether a mode of unit modal mass has this motion. `displacements`: of each block three of its centroid, then three rotations.
+/// Whether a mode of unit modal mass has this motion. `displacements`: for each block three of its centroid, then three rotations.
 pub(super) fn moves(stack: &Stack, mass: &Matrix, displacements: &[f64], motion: StackMotion) -> bool {
     match motion.axis() {
         Some(axis) => sway_share(mass, displacements, axis) >= SWAY_LEAST,

@@ -1,4 +1,4 @@
-//! Which computed mode a measured one is.
+//! The computed mode that corresponds to a measured one.
 
 use super::families::Family;
 use super::measured::{Assumed, MeasuredStackMode};
@@ -11,25 +11,25 @@ use crate::structure::stack::Stack;
 use dolmen_linalg::{LinalgError, Matrix};
 use std::f64::consts::TAU;
 
-/// Modal assurance below which a shape is like no mode. Chosen here: shapes of joints several times softer than drawn keep more.
+/// Least modal assurance of a shape with its mode. Our choice: shapes of joints several times softer than drawn keep more.
 const ALIKE_LEAST: f64 = 0.6;
-/// Modal assurance by which one mode must be more like the shape than any other. Chosen here.
+/// Least difference of modal assurance to that with any other mode. Our choice.
 const FAVOUR_LEAST: f64 = 0.1;
-/// Kinetic energy of a motion from which a mode of several is clearly of that one. Chosen here.
+/// Share of kinetic energy from which a mode with several motions clearly belongs to one. Our choice.
 const CLEAR_LEAST: f64 = 0.75;
-/// Modes of one motion that a shape is compared with. Chosen here: nobody has measured higher ones on a stack.
+/// Most modes of one motion to compare with a shape. Our choice: nobody has measured higher ones on a stack.
 const COMPARED_MOST: usize = 8;
 
-/// Data of the modes paired, how each was, and the modes that were not.
+/// Data of the paired modes, how each was paired, and the modes without a pair.
 pub(super) struct Pairing {
     pub(super) data: Vec<Datum>,
     pub(super) paired: Vec<Paired>,
     pub(super) unused: Vec<UnusedMode>,
 }
 
-/// How a measured mode was paired.
+/// The pairing of a measured mode.
 pub(super) struct Paired {
-    /// Among the computed modes of its motion, 0 the lowest.
+    /// Its number among the computed modes of its motion, 0 the lowest.
     pub(super) number: usize,
     pub(super) by: PairedBy,
     pub(super) is_sd_assumed: bool,
@@ -46,8 +46,9 @@ struct Computed {
 
 /// Pairs measured modes with those of the springs as drawn.
 ///
-/// A shape of two points or more says which mode it is, if it is like one and clearly less like the others. Without such a shape modes are counted from the
-/// lowest of their motion; above the first the frequency must say the same: multiplied by the ratio of the lowest modes, that counted is the nearest.
+/// A shape with two points or more identifies the mode, if it is similar to one mode and clearly less similar to the others. Without such a
+/// shape modes are counted from the lowest of their motion; above the first the frequency must agree: multiplied by the ratio of the lowest
+/// modes, it must be nearest to that of the counted mode.
 pub(super) fn pair(
     stack: &Stack,
     mass: &Matrix,
@@ -103,7 +104,7 @@ pub(super) fn pair(
     Ok(pairing)
 }
 
-/// By its order in the family, unless the family also has modes of other motions and this mode clearly belongs to one motion.
+/// Its order in the family, unless the family also has modes of other motions and this mode clearly belongs to one motion.
 fn which(family: &Family, at: &Computed, motion: StackMotion) -> Result<ModeOfFamily, LinalgError> {
     let modes = family.modes(&vec![1.0; family.groups.len()])?;
     let others = [StackMotion::X, StackMotion::Y, StackMotion::Torsion];
@@ -151,9 +152,9 @@ fn computed(
 /// The measured modes of one motion, counted from the lowest.
 #[derive(Default)]
 struct Counting {
-    /// Number after that of the last one paired.
+    /// The number after that of the last paired mode.
     next: usize,
-    /// ln measured/computed of the first one paired.
+    /// ln measured/computed of the first paired mode.
     ratio: Option<f64>,
     has_gap: bool,
 }
@@ -200,7 +201,7 @@ impl Counting {
             .get(1)
             .filter(|(_, second)| assurance - second < FAVOUR_LEAST);
         if let Some(&(_, second)) = second {
-            // too few points to tell: counted, if it is like the one counted
+            // too few points: counted, if the shape is similar to that of the counted mode
             let (counted, by) = self.by_order(computed, measured_hz)?;
             let is_alike = |(at, of): &(usize, f64)| *at == counted && assurance - of < FAVOUR_LEAST;
             return match alike.iter().any(is_alike) {
@@ -241,7 +242,7 @@ impl Counting {
     }
 }
 
-/// Measured points of a sway, and rows that give the same of a computed mode.
+/// Measured points of a sway, and rows that give the same points of a computed mode.
 struct Shape {
     points: Vec<ShapePoint>,
     rows: Vec<Vec<f64>>,
@@ -293,7 +294,7 @@ impl Shape {
     }
 }
 
-/// Modal assurance of two shapes; 0 where one does not move.
+/// Modal assurance of two shapes; 0 if one is zero.
 pub(super) fn assurance(a: &[f64], b: &[f64]) -> f64 {
     let squares = product(a, a) * product(b, b);
     match squares > 0.0 {

@@ -1,4 +1,4 @@
-//! Where each factor can lie if all lie in a band, and the factors themselves where the modes determine them.
+//! The possible range of each factor if all lie in a band, and the factors themselves if the modes determine them.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -9,9 +9,9 @@
 //! x_j is possible if  min over the other x in the band of χ²(x) ≤ χ²_least + 3.84 w²,   w² = max(1, χ²_least/(data − unknowns))
 //! ```
 //!
-//! With one frequency the ends are exact: all other factors are then at one bound. If the best fit is a single point from every start, the ends are
-//! followed outwards from it. Otherwise the farthest possible x_j is searched from outside inwards, each time from several starts, because different
-//! factors may explain the same modes.
+//! With one frequency the ends are exact: all other factors are then at one bound. If the best fit is a single point from every start, the search
+//! for the ends goes outwards from it. Otherwise the farthest possible x_j is searched from outside inwards, each time from several starts, because
+//! different factors may explain the same modes.
 
 use super::alike::{alike, say_alike};
 use super::bounds::crossing;
@@ -22,44 +22,45 @@ use crate::numeric::{BoundedFit, BoundedStop, Random, bounded_least_squares, chi
 use dolmen_linalg::{Matrix, svd};
 use rayon::prelude::*;
 
-/// χ² of one factor beyond the least, 95 % of one degree of freedom.
+/// χ² of one factor above the least, for 95 % and one degree of freedom.
 const CHI_SQUARED_95: f64 = 3.841_458_820_694_124;
-/// χ² that chance exceeds in one of a thousand surveys: beyond that nothing in the band explains the modes. Chosen here.
+/// Probability of a smaller χ² by chance, beyond which nothing in the band explains the modes: one of a thousand surveys exceeds it. Our choice.
 const EXPLAINED: f64 = 0.999;
-/// Starts of the best fit beside that at the common factor, and their seed. Chosen here.
+/// Starts of the best fit besides that at the common factor, and their seed. Our choice.
 const STARTS: usize = 6;
 const SEED: u64 = 1;
-/// Points between the outermost bound and a possible factor at which it is asked whether a factor is possible. Chosen here.
+/// Points between the outermost bound and a possible factor that are tested. Our choice.
 const SCAN: usize = 5;
-/// Tolerance in ln c of the ends that are searched from outside. Chosen here: one per cent.
+/// Tolerance in ln c of the ends searched from outside. Our choice: one per cent.
 const END_WITHIN: f64 = 0.01;
-/// Relative tolerance of the ends that are followed from the best fit, and largest number of trials. Chosen here.
+/// Relative tolerance of the ends found from the best fit, and largest number of trials. Our choice.
 const END_NEAR: f64 = 0.01;
 const GUESSES: usize = 30;
-/// Where the fit of the others stops while one is held. Chosen here: far closer than ends are found.
+/// Stop criterion of the fit of the others while one factor is fixed. Our choice: far closer than the tolerance of the ends.
 const PROFILE: BoundedStop = BoundedStop {
     evaluations_most: 30,
     enough: 0.0,
     decrease_least: 1e-3,
 };
-/// Deviation of ln c above which no best value is stated: its interval would reach below 0.
+/// Largest deviation of ln c with a stated best value: a larger interval would reach below 0.
 const RELATIVE_SD_MOST: f64 = 0.5;
-/// Part of a factor in combinations that the data do not see, from which they do not determine it. Chosen here.
+/// Largest share of a factor in undetermined combinations; beyond it the data do not determine the factor. Our choice.
 const UNSEEN_MOST: f64 = 1e-6;
-/// Two fits whose ln c differ by less are one point. Chosen here.
+/// Difference in ln c below which two fits are one point. Our choice.
 const ONE_POINT: f64 = 0.01;
-/// Singular values below this part of the largest are rounding.
+/// Ratio to the largest singular value below which one is rounding.
 const RANK: f64 = 1e-10;
-/// Factor on the linear interval of 95 % within which the range must lie for a best value to be stated: else another choice explains the modes as well. Chosen here.
+/// Most ratio of the range to the linear interval of 95 % with a stated best value; beyond it another choice explains the modes as well.
+/// Our choice.
 const LINEAR_WITHIN: f64 = 2.0;
 
-/// The band, and what was found in it.
+/// The band, and the results in it.
 pub(super) struct Ranges {
     pub(super) best: Vec<f64>,
     pub(super) squares: f64,
-    /// Whether the best explains the modes within what chance allows.
+    /// Whether the best fit explains the modes within chance.
     pub(super) explains: bool,
-    /// Best value and deviation of ln c of each factor that is determined.
+    /// Best value and deviation of ln c of each determined factor.
     pub(super) determined: Vec<Option<[f64; 2]>>,
     /// Range of each factor; empty if no factors in the band explain the modes.
     pub(super) ranges: Vec<FactorRange>,
@@ -150,7 +151,7 @@ struct Search<'a> {
     upper: Vec<f64>,
     /// Sum of squares up to which a choice is possible.
     allowed: f64,
-    /// The best, where all starts lead to it.
+    /// The best fit, if all starts lead to it.
     one_point: Option<Vec<f64>>,
     /// The least sum of squares.
     squares: f64,
@@ -172,7 +173,7 @@ impl Search<'_> {
         bounded_least_squares(start, [&lower, &upper], stop, |x| self.model.residuals(x))
     }
 
-    /// Choices in the band that explain the modes as well as any near them, from several starts.
+    /// Local minima in the band from several starts.
     fn minima(&self, centre: f64) -> Vec<BoundedFit> {
         let stop = BoundedStop {
             evaluations_most: 200,
@@ -215,8 +216,8 @@ impl Search<'_> {
         }
     }
 
-    /// The end on a side, followed outwards from the best fit: √(χ² − χ²_least) grows about as the distance, so that the next guess is where it meets
-    /// the bound, kept away from ends that are known.
+    /// The end on a side, searched outwards from the best fit: √(χ² − χ²_least) grows about linearly with the distance, so the next guess
+    /// is its intersection with the bound, at a distance from known ends.
     fn end_from(&self, best: &[f64], side: &Side, bound: f64, sd: Option<f64>) -> f64 {
         let from = best[side.j];
         let far = (bound - from).abs();
@@ -303,7 +304,7 @@ impl Search<'_> {
 
     /// The farthest x_j on one side at which each frequency alone is possible for some values of the other factors: an outer bound.
     fn bound_of_each_frequency(&self, side: &Side) -> f64 {
-        // to be soft, the others must be stiff
+        // if this one is soft, the others must be stiff
         let (edge, others) = match side.sign < 0.0 {
             true => (self.lower[side.j], &self.upper),
             false => (self.upper[side.j], &self.lower),
@@ -311,7 +312,7 @@ impl Search<'_> {
         let band = [self.lower[side.j], self.upper[side.j]];
         let mut bound = edge;
         for datum in &self.model.data {
-            // only the frequency of an order rises with every factor
+            // only frequencies of a fixed order rise with every factor
             let ModeOfFamily::Order(order) = datum.which else {
                 continue;
             };
@@ -328,7 +329,7 @@ impl Search<'_> {
         bound
     }
 
-    /// Whether some choice of the others in the band explains the modes with x_j held.
+    /// Whether some choice of the others in the band explains the modes with x_j fixed.
     fn is_possible(&self, side: &Side, at: f64, possible: &mut Vec<Vec<f64>>) -> bool {
         let stop = BoundedStop {
             enough: self.allowed,
@@ -338,7 +339,7 @@ impl Search<'_> {
         let nearest = possible
             .iter()
             .min_by(|a, b| (a[j] - at).abs().total_cmp(&(b[j] - at).abs()));
-        // where one is soft the others are stiff
+        // if one is soft, the others are stiff
         let others = match side.sign < 0.0 {
             true => &self.upper,
             false => &self.lower,

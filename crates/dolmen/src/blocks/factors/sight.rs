@@ -1,11 +1,11 @@
-//! Which joint a mode sees, and how many combinations of factors all modes fix.
+//! Sensitivity of each mode to joints, and the number of combinations of factors that all modes determine.
 
 use super::model::{Datum, FactorModel, product};
 use super::result::CommonFactor;
 use crate::numeric::{BoundedStop, Residuals, bounded_least_squares};
 use dolmen_linalg::{LinalgError, Matrix, svd};
 
-/// Range of the common factor in the search: e^±18, a factor of 7e7. Chosen here: far beyond stone on stone.
+/// Range of the common factor in the search: e^±18, a factor of 7e7. Our choice: far beyond stone on stone.
 const COMMON_MOST: f64 = 18.0;
 /// Half-width of a two-sided interval of 95 %, in deviations.
 pub(super) const TWO_SIDED_95: f64 = 1.959_963_984_540_054;
@@ -26,7 +26,7 @@ impl FactorModel {
         self.data.iter().map(of).collect()
     }
 
-    /// The factor for all that fits the data best; `None` if the modes have no frequencies.
+    /// The common factor that fits the data best; `None` if the modes have no frequencies.
     pub(super) fn common(&self) -> Option<CommonFactor> {
         let at = |x: &[f64]| {
             let all = self.residuals(&vec![x[0]; self.unknowns])?;
@@ -58,7 +58,7 @@ impl FactorModel {
         })
     }
 
-    /// Singular values of the derivatives at x, descending; those that there are fewer data than factors for are left out.
+    /// Singular values of the derivatives at x, descending, as many as there are data.
     pub(super) fn singular_values(&self, x: &[f64]) -> Result<Vec<f64>, LinalgError> {
         let Some(at) = self.residuals(x) else {
             return Ok(Vec::new());
@@ -68,7 +68,7 @@ impl FactorModel {
     }
 }
 
-/// Combinations of factors whose interval of 95 % is narrower than the band, which reaches `half_band` in ln c to each side.
+/// Number of combinations of factors whose 95 % interval is narrower than the band, which reaches `half_band` in ln c to each side.
 pub(super) fn fixed_combinations(singular_values: &[f64], half_band: f64) -> usize {
     let is_fixed = |s: &&f64| TWO_SIDED_95 / **s < half_band;
     singular_values.iter().filter(is_fixed).count()

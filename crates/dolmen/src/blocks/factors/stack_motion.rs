@@ -1,6 +1,6 @@
-//! How a stack moves in a mode.
+//! Motion of a stack in a mode.
 
-/// How the stack moves in a mode.
+/// Motion of the stack in a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum StackMotion {
@@ -13,7 +13,7 @@ pub enum StackMotion {
 }
 
 impl StackMotion {
-    /// Axis along which it sways; `None` of torsion.
+    /// Axis of a sway; `None` for torsion.
     pub(super) fn axis(self) -> Option<usize> {
         match self {
             StackMotion::X => Some(0),

@@ -14,10 +14,10 @@ use crate::structure::stack::{Joint, Stack};
 use dolmen_linalg::Matrix;
 use glam::DVec3;
 
-/// Distance between the planes of two joints below which they belong to one bed, m. Chosen here: the stones of a course are levelled to a
+/// Distance between the planes of two joints below which they belong to one bed, m. Our choice: the stones of a course are levelled to a
 /// millimetre in a file.
 const ONE_BED_M: f64 = 1e-3;
-/// Sine of the largest angle between normals of one bed. Chosen here: a millimetre per metre.
+/// Sine of the largest angle between normals of one bed. Our choice: a millimetre per metre.
 const ONE_BED_SINE: f64 = 1e-3;
 
 /// Springs that one factor multiplies.

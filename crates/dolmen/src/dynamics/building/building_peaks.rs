@@ -28,13 +28,13 @@ pub struct StoreyPeak {
     pub drift_x_m: Peak,
     /// Drift at the centre of mass of the floor above along y, m.
     pub drift_y_m: Peak,
-    /// Largest drift along x anywhere on the floor above: at one of its edges. `None` if its outline is not known.
+    /// Largest drift along x anywhere on the floor above: at one of its edges. `None` if its outline is unknown.
     pub edge_drift_x_m: Option<Peak>,
     /// Largest drift along y anywhere on the floor above.
     pub edge_drift_y_m: Option<Peak>,
     /// Twist of the storey, rad.
     pub twist_rad: Peak,
-    /// Largest drift in any direction at a corner of the floor above, or at its centre of mass if its outline is not known.
+    /// Largest drift in any direction at a corner of the floor above, or at its centre of mass if its outline is unknown.
     pub resultant: ResultantDrift,
 }
 

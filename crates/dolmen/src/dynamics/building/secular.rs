@@ -153,7 +153,6 @@ impl<'a> Secular<'a> {
     ///
     /// Aberth (1973) Math. Comp. 27:339-344, on ∏ (s² + 2ζω s + ω²) det F, whose roots come in conjugate pairs; differences of roots are
     /// computed from their shifts.
-    /// roots from their shifts.
     pub(super) fn roots(&self) -> Option<Vec<Root>> {
         let mut roots = self.starts();
         let mut found = vec![false; roots.len()];

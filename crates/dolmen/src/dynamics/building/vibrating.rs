@@ -54,7 +54,6 @@ impl VibratingBuilding {
     ///
     /// [`DynamicsError::Building`] for invalid damping or a position off the floor; [`DynamicsError::Argument`] for a mass, frequency or
     /// damping ratio out of its range.
-    /// ratio out of its range.
     pub fn new(
         building: Building,
         damping: &BuildingDamping,

@@ -18,7 +18,7 @@ const REACH: f64 = 0.1;
 /// Number of refits of the prediction, each with less weight for samples that it does not predict.
 const ROUNDS: usize = 4;
 /// Factors by which the prediction error must increase, relative to itself and to the motion, and by which the motion
-/// must increase; powers. Chosen here.
+/// must increase; powers. Our choice.
 const ERROR_RISES: f64 = 20.0;
 const ERROR_SHARE: f64 = 0.02;
 const MOTION_RISES: f64 = 1.5;
@@ -147,7 +147,7 @@ mod tests {
     use crate::signal::Channel;
     use std::f64::consts::PI;
 
-    /// Two channels of three modes, 20 s at 100 Hz, struck anew at these times.
+    /// Two channels of three modes, 20 s at 100 Hz, with blows at these times.
     fn record(modes: &[(f64, f64, [f64; 2])], struck_s: &[f64], noise: f64) -> Record {
         let mut random = Random::new(3, 0);
         let mut at = |c: usize, i: u32| -> f64 {

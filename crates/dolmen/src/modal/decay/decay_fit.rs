@@ -30,7 +30,7 @@ pub(super) struct Fit {
     pub(super) over_white: Vec<f64>,
 }
 
-/// Modes that white noise does not make: the weakest of the others is left out and the rest fitted again.
+/// Modes that are stronger than white noise: the weakest other mode is removed and the rest fitted again.
 ///
 /// ```text
 /// E_k = Σ_c Σ_t (Re a_kc e^(μ_k t))²/σ_c² > 2 l + 6 ln N        noise alone passes once in N² records: P(χ²₂ > 6 ln N) = N⁻³
@@ -56,7 +56,7 @@ pub(super) fn significant(
     Err(ModalError::NoDecay { order, samples })
 }
 
-/// Roots fitted to all samples, from these on.
+/// Roots fitted to all samples, starting from these.
 fn fitted(record: &Record, mut roots: Vec<Complex64>) -> Result<Fit, ModalError> {
     const STEPS: usize = 12;
     const FAR: f64 = 0.02; // of a root: a longer step leaves what the realization found
@@ -102,7 +102,7 @@ fn fitted(record: &Record, mut roots: Vec<Complex64>) -> Result<Fit, ModalError>
     })
 }
 
-/// Everything that is linear once the roots are given.
+/// The linear part of the fit for given roots.
 struct Linear {
     amplitudes: Vec<Vec<Complex64>>,
     noise: Vec<f64>,
@@ -148,7 +148,7 @@ impl Linear {
             let (power, rest) = (squares(y), squares(&left));
             found.power += 1.0;
             found.left += rest / power.max(f64::MIN_POSITIVE);
-            // an exact decay leaves rounding: weights stay finite
+            // an exact decay leaves only rounding: weights stay finite
             let variance = (rest / free)
                 .max((1e-15_f64).powi(2) * power / samples as f64)
                 .max(f64::MIN_POSITIVE);

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 const FILTER_ORDER: usize = 3;
 /// Fewest extrema for one value: two full cycles.
 const EXTREMA_LEAST: usize = 5;
-/// Least ratio of an extremum to the noise. Chosen here.
+/// Least ratio of an extremum to the noise. Our choice.
 const ABOVE_NOISE: f64 = 5.0;
 
 /// Options of [`decrement`].
@@ -75,7 +75,7 @@ impl AtAmplitude {
 /// Frequency and damping of one mode as functions of its amplitude, largest amplitude first.
 ///
 /// ```text
-/// ln u_k = c - δ t_k,   k = ω_d t_k/π + c'                      least squares over so many extrema, half of them new each time
+/// ln u_k = c - δ t_k,   k = ω_d t_k/π + c'                      least squares over windows of extrema, which overlap by half
 /// ω = √(ω_d² + δ²),   f = ω/2π,   ζ = δ/ω,   σ_ζ = √(c r²/((n − 2) Σ (t − t̄)²))/ω,   c = 2 f/(width of the band), 1 at least
 /// ```
 /// Extrema are refined by the parabola through three samples. With a band, the extrema within its ringing time (3 over its width) of both

@@ -1,4 +1,4 @@
-//! Free decays after a blow or a release: eigensystem realization, then least squares to what was measured.
+//! Free decays after a blow or a release: eigensystem realization, then a least-squares fit to the samples.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
@@ -15,7 +15,7 @@ use dolmen_linalg::{Complex64, Matrix, Svd, eigen, svd};
 
 /// Hankel matrices of more rows take many seconds.
 const ROWS_MOST: usize = 500;
-/// Columns for each row: what comes later has mostly died away.
+/// Columns per row: later samples have mostly decayed.
 const COLUMNS_A_ROW: usize = 3;
 /// Fewest samples.
 const SAMPLES_LEAST: usize = 32;
@@ -25,11 +25,11 @@ const SAMPLES_LEAST: usize = 32;
 pub struct Era {
     /// Block rows p; `None` (default): two fifths of the samples, or as many as keep the rows below 500.
     pub block_rows: Option<usize>,
-    /// Order of the model; `None` (default): singular values above what noise alone gives.
+    /// Order of the model; `None` (default): number of singular values above those of noise.
     pub order: Option<usize>,
-    /// Largest damping ratio of a mode; default 0.3 (ours).
+    /// Largest damping ratio of a mode; default 0.3 (our choice).
     pub damping_ratio_most: f64,
-    /// Least modal amplitude coherence, 0 to 1; default 0.9 (ours; noise stays below 0.8).
+    /// Least modal amplitude coherence, 0 to 1; default 0.9 (our choice; noise stays below 0.8).
     pub coherence_least: f64,
 }
 
@@ -73,8 +73,8 @@ pub struct FreeDecay {
 /// ```text
 /// H₀ = U S Vᵀ,  A = S^-½ Uᵀ H₁ V S^-½,  μ = ln(λ(A)) f_s                     first n singular values
 /// y(t) = Re Σ_k a_k e^(μ_k t)                                                 least squares in a and μ, from the μ above
-/// cov μ = v (Σ_c Dᵀ(I - BB⁺)D/σ_c²)⁻¹                                         the Cramér–Rao bound, σ_c² from what is left
-/// v ≥ 1: what is left as each mode sees it is white noise and the answer of that mode to white forces, each as strong as is likeliest
+/// cov μ = v (Σ_c Dᵀ(I - BB⁺)D/σ_c²)⁻¹                                         the Cramér–Rao bound, σ_c² from the residual
+/// v ≥ 1: the residual near each mode is white noise plus the response of that mode to white forces, with the most likely powers
 /// ```
 /// The order is the number of singular values above the optimal threshold for white noise, ω(β) times their median. A pole is a mode if it
 /// oscillates, its damping is within bounds and it is coherent: its time series in V equals its own exponential. Frequencies, damping ratios and
@@ -232,7 +232,7 @@ fn realized(
     Ok(roots)
 }
 
-/// Modal amplitude coherence: how much the motion of a mode over the columns is an exponential.
+/// Modal amplitude coherence: similarity of the motion of a mode over the columns to an exponential.
 fn coherence(weights: &[Complex64], v: &Matrix, lambda: Complex64) -> f64 {
     let (mut inner, mut own, mut ideal) = (Complex64::ZERO, 0.0, 0.0);
     let mut power = Complex64::ONE;

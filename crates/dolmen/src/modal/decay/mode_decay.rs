@@ -15,7 +15,7 @@ pub struct Decay {
     pub modes: Vec<ModeDecay>,
 }
 
-/// How one mode dies away.
+/// The decay of one mode.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModeDecay {
     /// Its frequency, Hz.
@@ -24,12 +24,12 @@ pub struct ModeDecay {
     /// exponential: frequency and damping depend on the amplitude. The mode then has the frequency of the strongest pole and the median damping of
     /// its swings, if there are any, without a standard deviation. With one channel all shapes are equal, so there may be several modes.
     pub poles_hz: Vec<f64>,
-    /// Its deviations over those in white noise of the same power: far above 1 where the structure is still shaken.
+    /// Its deviations over those for white noise of the same power: far above 1 if the structure is still shaken.
     pub over_white: f64,
-    /// Whether its damping follows the size of its swings, beyond chance and by more than a fifth: friction, or a joint that works. Its one damping
-    /// ratio is then a mean without a deviation.
+    /// Whether its damping depends on the amplitude, beyond chance and by more than a fifth: friction, or a joint that slips. Its one
+    /// damping ratio is then a mean without a deviation.
     pub damping_follows: bool,
-    /// Frequency and damping by the size of its swings, largest first, at the channel that shows most of it; empty where another mode
-    /// is too near, where there are too few swings, and where swings of several poles grow on the way: they beat.
+    /// Frequency and damping at each amplitude, largest first, at the channel with most of the mode. Empty where another mode is too
+    /// near, where there are too few swings, and where swings of several poles grow with time (beats).
     pub swings: Vec<AtAmplitude>,
 }

@@ -7,23 +7,23 @@ use super::responses::FrequencyResponses;
 pub struct Driven {
     /// Names of the input channels.
     pub inputs: Vec<String>,
-    /// Samples that the observer looks back, at the rate of the settings.
+    /// Number of past samples in the observer, at the rate of the settings.
     pub lags: usize,
-    /// Noise taken for granted in every channel, over its standard deviation.
+    /// Noise assumed in every channel, over its standard deviation.
     pub noise: f64,
-    /// How each channel follows the inputs, line by line; `None` where the record is too short to tell.
+    /// Response of each channel to the inputs, line by line; `None` if the record is too short.
     pub responses: Option<FrequencyResponses>,
     /// Each mode, by frequency.
     pub modes: Vec<DrivenMode>,
 }
 
-/// One mode of a structure on a base that is measured.
+/// One mode of a structure on a measured base.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrivenMode {
-    /// Its frequency with that base held, Hz.
+    /// Its frequency on the fixed base, Hz.
     pub frequency_hz: f64,
-    /// Share of the motion at that frequency that follows the inputs, 0 to 1: multiple coherence of the channel that moves most. `None` where the
-    /// record has too few segments to tell.
+    /// Share of the motion at that frequency due to the inputs, 0 to 1: multiple coherence of the channel with the largest motion. `None`
+    /// if the record has too few segments.
     pub explained: Option<f64>,
     /// Frequency, Hz, and standard deviation of the mode with a similar shape from the record without inputs: structure and ground together.
     /// `None` if there is no similar mode.

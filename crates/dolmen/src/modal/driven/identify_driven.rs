@@ -17,45 +17,45 @@ use crate::numeric::quantile;
 use crate::signal::{Channel, CrossSpectra, Record, Welch, cross_spectra, decimate, leave_out};
 use dolmen_linalg::{Complex64, ComplexMatrix, hermitian_eigen};
 
-/// Coefficients of an observer: more take seconds. Chosen here.
+/// Most coefficients of an observer: more take seconds. Our choice.
 const COEFFICIENTS_MOST: usize = 600;
-/// Samples for each coefficient, at least. Chosen here.
+/// Fewest samples per coefficient. Our choice.
 const SAMPLES_A_COEFFICIENT: usize = 8;
-/// Samples in the period of the highest mode: the ground follows the structure within a sample, which moves the frequencies of a made frame by 0.1 % with
-/// 4 of them, 0.03 % with 6 and less than 0.01 % with 13.
+/// Samples in the period of the highest mode. The ground follows the structure within a sample, which changes the frequencies of a
+/// simulated frame by 0.1 % with 4 samples, 0.03 % with 6 and less than 0.01 % with 13.
 const SAMPLES_A_PERIOD: f64 = 10.0;
-/// Blocks of time: their scores are independent however short they are.
+/// Blocks of time: their scores are independent even if the blocks are short.
 const BLOCKS: usize = 100;
-/// Noise taken for granted, over the standard deviation of a channel: the first with which the observer is that of a structure. A made frame with 2 %
-/// of noise gives the same frequencies to 1e-4 with all three.
+/// Noise assumed, over the standard deviation of a channel: the first value with a stable observer is used. A simulated frame with 2 % of
+/// noise gives the same frequencies to 1e-4 with all three.
 const NOISE: [f64; 3] = [0.003, 0.01, 0.03];
-/// Noise that the sensors may have, over the standard deviation of a channel. It biases least squares, most where the ground is still: at the
-/// frequencies of the structure on a base that is held. Nobody knows it; what it would change is counted in the deviations. Chosen here.
+/// Possible noise of the sensors, over the standard deviation of a channel. It biases least squares, most where the ground is still: at the
+/// frequencies of the structure on a fixed base. Its true size is unknown; the deviations include its effect. Our choice.
 const NOISE_ALLOWED: f64 = 0.02;
-/// Deviation of a frequency over the floor of ambient vibration: structure and ground together are no resonance at the frequency of the held base, which is
-/// known less well where wind shakes more than the ground. Chosen here; poles that fit noise start near 10.
+/// Largest deviation of a frequency over the floor of ambient vibration. Structure and ground together have no resonance at the frequency
+/// of the fixed base, which is less accurate where wind shakes more than the ground. Our choice; poles that fit noise start near 10.
 const FLOOR_MOST: f64 = 8.0;
-/// Share of the motion at the frequency of a mode that must follow the inputs, of the mode that follows them most: by chance less than this does. Chosen here.
+/// Least share of the motion due to the inputs, at the frequency of the mode with the largest share: chance gives less. Our choice.
 const FOLLOWS_LEAST: f64 = 0.15;
-/// Share of the inputs' motion that is not shared, below which what each does cannot be told apart. Chosen here.
+/// Least share of the inputs' motion that is not common to all, to distinguish their effects. Our choice.
 const APART_LEAST: f64 = 0.05;
 
-/// Modes with the motion of the inputs taken as given: of the structure on a base that is held where they are measured.
+/// Modes with the motion of the inputs as given: those of the structure on a base that is fixed at the inputs.
 ///
 /// ```text
 /// y_t = Σ_{i=1..p} A_i y_{t-i} + Σ_{k=0..p} B_k u_{t-k} + e_t                  least squares over all samples
 /// ```
-/// Past outputs and inputs stand side by side, so that it does not matter how the ground came to move, by waves or by the structure itself:
+/// The regression contains past outputs and inputs, so the cause of the ground motion does not matter, be it waves or the structure itself:
 /// an input that the structure moves a sample later is as good as any other.
 ///
-/// `ambient` identifies the record without regard to its inputs.
+/// `ambient` identifies the record without its inputs.
 ///
 /// # Errors
 /// As `ambient`; [`ModalError::InputsAlike`], [`ModalError::InputsSine`], [`ModalError::NoObserver`].
 ///
 /// # Limits
-/// What the inputs do not measure is not held: on a base that rocks and has no sensor for that, the modes are those of the structure that rocks.
-/// Rotation and translation of one base are both driven by the one shaking, and cannot be told apart as inputs (refused).
+/// Motions that no input measures are not fixed: on a base that rocks without a sensor for rocking, the modes are those of the rocking structure.
+/// Rotation and translation of one base come from the same shaking, and cannot be distinguished as inputs (refused).
 pub(crate) fn of_driven(
     (record, options): (&Record, &Identify),
     mut notes: Vec<Note>,
@@ -108,7 +108,7 @@ pub(crate) fn of_driven(
         clustering: &clustering,
         duration_s: record.duration_s(),
     };
-    // a peak of the spectrum is one of structure and ground together: the poles alone tell what stands there
+    // a peak of the spectrum belongs to structure and ground together: only the poles give the modes
     let mut no_peaks = peaks.modes.clone();
     no_peaks.modes.clear();
     let refused = candidates(options, (&no_peaks, &[]), &diagram, &mut found)?;
@@ -157,7 +157,7 @@ pub(crate) fn of_driven(
     Ok(analysis)
 }
 
-/// As asked, else the factor that leaves [`SAMPLES_A_PERIOD`] in a period of the highest peak.
+/// The requested factor, else the one that gives [`SAMPLES_A_PERIOD`] in a period of the highest peak.
 fn dense_decimation(record: &Record, options: &Identify, peaks: &Modes) -> Option<usize> {
     let highest = peaks.modes.last().map(|mode| mode.frequency_hz);
     let highest_hz = options.frequency_high_hz.or(highest);
@@ -165,7 +165,7 @@ fn dense_decimation(record: &Record, options: &Identify, peaks: &Modes) -> Optio
     options.decimation.or(fast.map(|factor| factor.max(1)))
 }
 
-/// How far each mode follows the inputs, and the mode of ambient vibration (`together`) that it is.
+/// The share of each mode due to the inputs, and the corresponding mode of ambient vibration (`together`).
 fn driven_modes(
     (record, inputs): (&Record, &[usize]),
     modes: &Modes,
@@ -179,7 +179,7 @@ fn driven_modes(
     modes.modes.iter().map(of_mode).collect()
 }
 
-/// Samples looked back: as far as the correlations of a subspace method reach, or as many as the record and the time allow.
+/// Number of past samples: the reach of correlations in a subspace method, limited by the record and the computing time.
 fn lags_within(record: &Record, inputs: usize, settings: &mut Settings) -> usize {
     let outputs = record.channels().len() - inputs;
     let most = COEFFICIENTS_MOST.min(record.length() / SAMPLES_A_COEFFICIENT);
@@ -194,7 +194,7 @@ fn lags_within(record: &Record, inputs: usize, settings: &mut Settings) -> usize
     lags
 }
 
-/// The state realized with the least noise taken for granted with which it is that of a structure, and that noise.
+/// The realized state with the least assumed noise for which it is that of a structure, and that noise.
 fn realized(
     record: &Record,
     (options, lags): (&Identify, usize),
@@ -241,7 +241,7 @@ fn realized(
     Err(ModalError::NoObserver)
 }
 
-/// Refuses inputs of which each has nearly all of its power about one line of 32 segments.
+/// Refuses inputs if each has nearly all of its power near one line of 32 segments.
 fn refuse_sine(record: &Record, inputs: &[usize]) -> Result<(), ModalError> {
     const AROUND: usize = 2; // lines that Hann's window fills
     const SHARE_MOST: f64 = 0.95; // chosen here: a noise with a resonance damped by 5 % has less than 0.3
@@ -265,7 +265,7 @@ fn refuse_sine(record: &Record, inputs: &[usize]) -> Result<(), ModalError> {
     }
 }
 
-/// Refuses inputs of which one follows from the others at most lines.
+/// Refuses inputs if one is a combination of the others at most lines.
 fn refuse_alike(record: &Record, inputs: &[usize], [low_hz, high_hz]: [f64; 2]) -> Result<(), ModalError> {
     if inputs.len() < 2 {
         return Ok(());
@@ -289,7 +289,7 @@ fn refuse_alike(record: &Record, inputs: &[usize], [low_hz, high_hz]: [f64; 2]) 
     }
 }
 
-/// Refuses inputs that no mode follows: the modes would be those of structure and ground together, under the name of a held base.
+/// Refuses inputs without effect on any mode: the modes would be those of structure and ground together, misnamed as those of a fixed base.
 fn refuse_unrelated<'a>(modes: impl Iterator<Item = &'a DrivenMode>) -> Result<(), ModalError> {
     let shares: Option<Vec<f64>> = modes.map(|mode| mode.explained).collect();
     let most = shares.and_then(|of| of.into_iter().reduce(f64::max));
@@ -304,7 +304,7 @@ fn averaged(record: &Record, wished: usize) -> Result<CrossSpectra, ModalError> 
     Ok(cross_spectra(record, &Welch { segment_length })?)
 }
 
-/// Multiple coherence of the channel that moves most with the inputs, at the mode's frequency.
+/// Multiple coherence of the inputs with the channel of largest motion, at the mode's frequency.
 fn explained(record: &Record, inputs: &[usize], (mode, channels): (&Mode, &[Channel])) -> Option<f64> {
     let spectra = averaged(record, segment_for(record, inputs, width_hz(mode))).ok()?;
     if spectra.segments < SEGMENTS_AN_INPUT * inputs.len() {
@@ -317,7 +317,7 @@ fn explained(record: &Record, inputs: &[usize], (mode, channels): (&Mode, &[Chan
     Some(of_inputs.followed_by(&spectra, at).1)
 }
 
-/// Segments that each input needs: with fewer a coherence of nothing is above 1/8.
+/// Segments per input: with fewer, a coherence by chance is above 1/8.
 const SEGMENTS_AN_INPUT: usize = 8;
 
 /// Half of the half-power width of a mode, Hz.
@@ -325,13 +325,13 @@ fn width_hz(mode: &Mode) -> f64 {
     mode.damping_ratio.unwrap_or(0.01) * mode.frequency_hz
 }
 
-/// Samples of a segment that tells a mode so wide, or of as many segments as coherence needs.
+/// Samples of a segment that resolves a mode of this width, limited by the number of segments for coherence.
 fn segment_for(record: &Record, inputs: &[usize], width_hz: f64) -> usize {
     let fine = (2.0 * record.sampling_rate_hz() / width_hz).ceil() as usize;
     fine.min(2 * record.length() / (9 * inputs.len()))
 }
 
-/// How each channel follows the inputs, fine enough for the narrowest mode as far as the record allows.
+/// Response of each channel to the inputs, fine enough for the narrowest mode as far as the record allows.
 fn responses(record: &Record, inputs: &[usize], modes: &Modes) -> Option<FrequencyResponses> {
     let narrowest = modes.modes.iter().map(width_hz).reduce(f64::min)?;
     let segment = segment_for(record, inputs, narrowest).clamp(8, record.length().max(8));
@@ -339,7 +339,7 @@ fn responses(record: &Record, inputs: &[usize], modes: &Modes) -> Option<Frequen
     (found.segments >= SEGMENTS_AN_INPUT * inputs.len()).then_some(found)
 }
 
-/// The mode of like shape that the record has without regard to the inputs: the ground gives way, so that it is no higher.
+/// The mode with a similar shape in the record without inputs: its frequency is not higher, because the ground is elastic.
 fn alike(mode: &Mode, of: &Modes, together: &Modes) -> Option<(f64, Option<f64>)> {
     const ALIKE: f64 = 0.9; // chosen here: a base that gives way adds its own motion to the shape
     const RATIO: std::ops::RangeInclusive<f64> = 0.3..=1.05;
@@ -390,7 +390,7 @@ mod tests {
         ..QUAKE
     };
 
-    /// The roof follows a force at 5.1 Hz that is `wide` of a noise beside its sine, with its own ambient motion.
+    /// The roof is shaken by a force at 5.1 Hz, with noise of `wide` times its sine, and by its own ambient motion.
     fn on_a_shaker(wide: f64) -> Result<ModalAnalysis, ModalError> {
         let made = crate::modal::ReferenceCase::ShearChain.made(3)?.make()?;
         let mut random = crate::numeric::Random::new(8, 0);

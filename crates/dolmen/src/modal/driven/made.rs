@@ -12,20 +12,20 @@ const FOOTING_KG: f64 = 25e3;
 const GROUND: f64 = 8e7;
 /// N s/m: 0.08 of critical with all masses on the ground's spring.
 const GROUND_DAMPING: f64 = 3.5e5;
-/// Rate at which forces and motion are computed, samples a record's sample.
+/// Rate of the computation of forces and motion, in samples per sample of the record.
 const FINER: usize = 4;
 const RATE_HZ: f64 = 100.0;
 
-/// How a made frame of two storeys on a footing in soft ground is shaken: 20 and 15 t on 22 and 15 MN/m, a footing of 25 t on 80 MN/m.
+/// Excitation of a simulated two-storey frame on a footing in soft ground: 20 and 15 t on 22 and 15 MN/m, a footing of 25 t on 80 MN/m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MadeOnGround {
     /// Seed of its random forces and noise.
     pub seed: u64,
     /// Duration, s.
     pub duration_s: f64,
-    /// Force of the waves on the footing, kN, root mean square at its strongest.
+    /// Root mean square force of the waves on the footing at its strongest, kN.
     pub waves_kn: f64,
-    /// How long the waves are strong, from a tenth of the record on, s; `None`: always.
+    /// Duration of strong waves, from a tenth of the record on, s; `None`: always.
     pub quake_s: Option<f64>,
     /// Force of the wind on each storey, kN, root mean square.
     pub wind_kn: f64,
@@ -34,10 +34,10 @@ pub struct MadeOnGround {
 }
 
 impl MadeOnGround {
-    /// Damping ratio of both modes on a base that is held.
+    /// Damping ratio of both modes on a fixed base.
     pub const DAMPING: f64 = 0.02;
 
-    /// Frequencies on a base that is held, Hz, in closed form.
+    /// Frequencies on a fixed base, Hz, in closed form.
     pub fn held_hz() -> [f64; 2] {
         let ([m1, m2], [k1, k2]) = (MASS_KG, STIFFNESS);
         let (a, b) = ((k1 + k2) / m1, k2 / m2);
@@ -140,19 +140,19 @@ impl MadeOnGround {
     }
 }
 
-/// Footing and the storeys relative to it, m/s².
+/// Acceleration of the footing, and of the storeys relative to it, m/s².
 ///
 /// ```text
 /// m_i (x_i'' + u'') + (C x')_i + (K x)_i = w_i;   m_f u'' + c_g u' + k_g u = F + shear of the first storey
 /// ```
-/// C is that of modes damped alike in the frame that is held: C = a M + b K with 2 ζ ω = a + b ω² for both.
+/// C gives equal damping ratios on the fixed base: C = a M + b K with 2 ζ ω = a + b ω² for both.
 fn acceleration([x, v]: &[[f64; 3]; 2], [waves, w1, w2]: [f64; 3]) -> [f64; 3] {
     let [a, b] = of_mass_and_stiffness();
     let ([m1, m2], [k1, k2]) = (MASS_KG, STIFFNESS);
     let [r1, r2] = [x[1] + b * v[1], x[2] + b * v[2]];
     let on_1 = w1 - (k1 + k2) * r1 + k2 * r2 - a * m1 * v[1];
     let on_2 = w2 + k2 * r1 - k2 * r2 - a * m2 * v[2];
-    // the mass-proportional part stands on the footing too, so that forces within the frame add to nothing
+    // the mass-proportional part also acts on the footing, so that internal forces of the frame are in balance
     let shear = k1 * r1 + a * (m1 * v[1] + m2 * v[2]);
     let u = (waves + shear - GROUND * x[0] - GROUND_DAMPING * v[0]) / FOOTING_KG;
     [u, on_1 / m1 - u, on_2 / m2 - u]

@@ -2,10 +2,10 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | l, m, p | `outputs`, `inputs`, `lags` | channels, inputs, samples that are looked back | |
+//! | l, m, p | `outputs`, `inputs`, `lags` | channels, inputs, past samples | |
 //! | z_t | a row of `regressors` | past of the outputs, then present and past of the inputs | K = p l + (p + 1) m |
 //! | Θ | `coefficients` | y_t = Θᵀ z_t + e_t | K × l |
-//! | dΘ | `changes` | what one block of time moves Θ by | K × l |
+//! | dΘ | `changes` | change of Θ by one block of time | K × l |
 //! | Σ | `innovation` | covariance of e | l × l |
 
 use crate::modal::ModalError;
@@ -24,22 +24,22 @@ pub(super) struct Observer {
     pub(super) inputs: usize,
     pub(super) lags: usize,
     pub(super) coefficients: Matrix,
-    /// One a block of time; their squares sum to the variance.
+    /// One per block of time; their squares sum to the variance.
     pub(super) changes: Vec<Matrix>,
     pub(super) innovation: Matrix,
     /// Correlations of the inputs at lag 0, m × m.
     pub(super) of_inputs: Matrix,
 }
 
-/// How an observer is fitted.
+/// Settings of the fit of an observer.
 pub(super) struct Fit {
     pub(super) lags: usize,
     pub(super) blocks: usize,
-    /// Noise taken for granted in every channel, over its standard deviation: it keeps exact records from an observer that grows.
+    /// Noise assumed in every channel, over its standard deviation: it prevents an unstable observer for exact records.
     pub(super) noise: f64,
 }
 
-/// Coefficients of an observer of this size.
+/// Number of coefficients of an observer of this size.
 pub(super) fn coefficients_of(outputs: usize, inputs: usize, lags: usize) -> usize {
     lags * (outputs + inputs) + inputs
 }
@@ -105,7 +105,7 @@ pub(super) fn observe(of: &Measured, fit: &Fit) -> Result<Observer, ModalError> 
     })
 }
 
-/// Samples that have a whole past, in blocks of time.
+/// Samples with a complete past, in blocks of time.
 fn spans(samples: usize, fit: &Fit) -> Vec<Range<usize>> {
     let whole = samples - fit.lags;
     let edge = |b: usize| fit.lags + whole * b / fit.blocks;

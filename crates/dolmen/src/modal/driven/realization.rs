@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | H | `hankel` | H(i, j) = h_{i+j+1} W: what the past of inputs and innovations makes of the future | l r × q r |
+//! | H | `hankel` | H(i, j) = h_{i+j+1} W: effect of past inputs and innovations on the future | l r × q r |
 //! | W | `weights` | Cholesky factors of the covariances of inputs and innovations | q × q |
 //! | U, S, V | `u`, `svd` | of H | n columns |
 //! | O↑, O↓ | `upper`, `shifted` | U without its last, first block row | l (r - 1) × n |
@@ -27,20 +27,20 @@ pub(super) struct Realization {
     /// By order, then by frequency; shapes in the units of the channels.
     pub(super) poles: Vec<Pole>,
     pub(super) singular_values: Vec<f64>,
-    /// Poles with as much more noise as the sensors may have.
+    /// Poles with the additional noise that the sensors may have.
     pub(super) noisier: Vec<Pole>,
     rate_hz: f64,
     svd: Svd,
     upper: Qr,
     shifted: Matrix,
     block_rows: usize,
-    /// Change of the weighted answers by each block of time.
+    /// Change of the weighted responses by each block of time.
     changes: Vec<MarkovParameters>,
     /// State matrices decomposed so far, by order.
     orders: Vec<Option<Order>>,
 }
 
-/// How answers become poles.
+/// Settings of the realization.
 pub(super) struct Realize<'a> {
     pub(super) block_rows: usize,
     pub(super) order_most: usize,
@@ -49,14 +49,14 @@ pub(super) struct Realize<'a> {
     pub(super) scales: &'a [f64],
 }
 
-/// `None` where the answers grow: the observer is not that of a structure.
+/// `None` if the responses grow: the observer is not that of a structure.
 ///
 /// # Errors
 /// [`ModalError::Linalg`].
 ///
 /// # Source
-/// Juang, Phan, Horta & Longman (1993) J. Guid. Control Dyn. 16(2):320-329. Differs from the source: innovations are inputs too, weighted as they
-/// are strong, so that the forces nobody measures show modes as well; all orders are realized, from one QR (Döhler & Mevel 2012).
+/// Juang, Phan, Horta & Longman (1993) J. Guid. Control Dyn. 16(2):320-329. Differs from the source: innovations are inputs too, weighted by their
+/// strength, so that unmeasured forces show modes as well; all orders are realized, from one QR (Döhler & Mevel 2012).
 pub(super) fn realize(observer: &Observer, how: &Realize<'_>) -> Result<Option<Realization>, ModalError> {
     const GROWTH_MOST: f64 = 10.0; // over the largest of the first samples
     let (l, r) = (observer.outputs, how.block_rows);

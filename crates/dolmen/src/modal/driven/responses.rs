@@ -1,4 +1,4 @@
-//! How each channel follows the inputs, line by line: frequency response functions and coherence.
+//! Response of each channel to the inputs, line by line: frequency response functions and coherence.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -12,18 +12,18 @@ use dolmen_linalg::{Complex64, ComplexMatrix, hermitian_eigen};
 /// Fraction of the largest eigenvalue of S_xx below which an eigenvalue is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Responses of all channels that are no inputs.
+/// Responses of all channels except the inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrequencyResponses {
     /// Frequency of each line, Hz, from 0.
     pub frequency_hz: Vec<f64>,
-    /// Segments averaged: a coherence of nothing comes out at inputs over segments on average.
+    /// Number of averaged segments: without any relation the mean coherence is inputs over segments.
     pub segments: usize,
     /// Each output.
     pub outputs: Vec<FrequencyResponse>,
 }
 
-/// How one channel follows the inputs.
+/// Response of one channel to the inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrequencyResponse {
     /// Its name.
@@ -39,8 +39,8 @@ pub struct FrequencyResponse {
 /// ```text
 /// H₁ = S_yx S_xx⁻¹ = Σ_k (S_yx v_k) v_k* / λ_k,      γ² = Σ_k |S_yx v_k|²/λ_k / S_yy
 /// ```
-/// H₁ is not biased by noise of the output; noise of the input makes it small by 1 + noise over input. With one input H₂ = H₁/γ² is not biased by that,
-/// and by noise of the output instead: the truth lies between both.
+/// Noise of the output does not bias H₁; noise of the input reduces it by 1 + noise over input. With one input, H₂ = H₁/γ² is biased by noise of the
+/// output instead of the input: the true value lies between both.
 ///
 /// # Errors
 /// [`ModalError::Record`] for a segment that is longer than the record; [`ModalError::Linalg`].

@@ -1,19 +1,19 @@
-//! The modes of one band of the spectrum and all else that moves there, as numbers that are free.
+//! The modes of one band of the spectrum and all other motion in it, as free parameters.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | D | `Spectra` | expected cross spectra of the modes under forces of density 1 | m × m |
-//! | Ψ, P, B | `shapes`, `forces`, `noise` | shapes in these coordinates, spectral densities of the modal forces, of all else | r × m, m × m, r × r |
-//! | a | `rise` | power of the frequency by which the forces rise | - |
+//! | Ψ, P, B | `shapes`, `forces`, `noise` | shapes in these coordinates; spectral densities of the modal forces, and of all other motion | r × m, m × m, r × r |
+//! | a | `rise` | exponent of the frequency in the density of the forces | - |
 //! | S | | (f/f_m)^a Ψ (P ∘ D) Ψ* + B | r × r |
 
 use super::band_motion::{Oscillator, Spectra};
 use super::hermitian::{Part, add_hermitian, adjoint, hermitian, plus, scaled, times};
 use dolmen_linalg::{Complex64, ComplexMatrix};
 
-/// Damping ratios beyond are no mode's.
+/// Largest damping ratio of a mode.
 const DAMPING_MOST: f64 = 0.5;
-/// Forces rise or fall no faster with the frequency.
+/// Largest exponent of the frequency, of either sign.
 const RISE_MOST: f64 = 20.0;
 /// Largest coherence of two modes' forces.
 const COHERENCE_MOST: f64 = 0.999;
@@ -25,13 +25,13 @@ pub(super) struct Band {
     pub(super) shapes: ComplexMatrix,
     pub(super) forces: ComplexMatrix,
     pub(super) noise: ComplexMatrix,
-    /// Lowest and highest line, Hz: at their geometric mean the forces are `forces`.
+    /// Lowest and highest line, Hz: `forces` holds at their geometric mean.
     pub(super) range_hz: [f64; 2],
-    /// Power of the frequency by which they rise from there.
+    /// Exponent of the frequency in the density of the forces.
     pub(super) rise: f64,
 }
 
-/// One real number that is free.
+/// One real free parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Free {
     Frequency(usize),
@@ -133,7 +133,7 @@ impl Band {
         times(&times(&self.shapes, x), &adjoint(&self.shapes))
     }
 
-    /// ∂S by one free number.
+    /// ∂S by one free parameter.
     pub(super) fn derivative(
         &self,
         free: Free,

@@ -2,8 +2,8 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | z | `product` (mean of z z*) | Fourier sums of the channels, seen along the shapes | r |
-//! | S | `Band::expected` | what the modes, other modes and all else put there | r × r |
+//! | z | `product` (mean of z z*) | Fourier sums of the channels, projected on the shapes | r |
+//! | S | `Band::expected` | expected contribution of the modes, other modes and all other motion | r × r |
 //! | F | | Fisher information | free parameters, squared |
 
 use super::band::{Band, Free};
@@ -22,7 +22,7 @@ pub(super) struct Cell {
     pub(super) others: ComplexMatrix,
 }
 
-/// The estimate and how well it is known.
+/// The estimate with its covariance.
 #[derive(Clone, Debug)]
 pub(super) struct BandFit {
     pub(super) band: Band,
@@ -32,18 +32,18 @@ pub(super) struct BandFit {
     recorded: Recorded,
 }
 
-/// Steps of the search; ten are the rule.
+/// Most steps of the search; ten are usual.
 const STEPS_MOST: usize = 80;
 /// Damping at which no step increases the likelihood: its maximum is outside the possible values.
 const DAMP_MOST: f64 = 1e9;
-/// The search ends where the step promises less than this of the log-likelihood: a hundredth of a deviation.
+/// The search ends when the expected gain of a step in log-likelihood is below this: a hundredth of a deviation.
 const PROMISE_LEAST: f64 = 1e-4;
 
-/// The band at which the lines are most likely, from `start`; `None` where the search finds no top or the top is flat.
+/// The band with the highest likelihood of the lines, from `start`; `None` if the search finds no maximum or the maximum is flat.
 ///
 /// ```text
 /// ln L = - Σ n (ln det S + tr S⁻¹ zz*),   step (F + λ diag F) δ = g
-/// g_a = Σ n tr(S⁻¹ ∂_a S S⁻¹ (zz* - S)),  F_ab = Σ n tr(S⁻¹ ∂_a S S⁻¹ ∂_b S)       one largest component of each shape is held
+/// g_a = Σ n tr(S⁻¹ ∂_a S S⁻¹ (zz* - S)),  F_ab = Σ n tr(S⁻¹ ∂_a S S⁻¹ ∂_b S)       one largest component of each shape is fixed
 /// ```
 ///
 /// # Source
@@ -82,7 +82,7 @@ pub(super) fn fit(cells: &[Cell], start: Band, recorded: Recorded) -> Option<Ban
     None
 }
 
-/// Of (F + λ diag F) δ = g, in the scale of each free number.
+/// δ of (F + λ diag F) δ = g, in the scale of each free parameter.
 fn step(gradient: &[f64], information: &Matrix, damp: f64) -> Option<Vec<f64>> {
     let n = gradient.len();
     let scale: Vec<f64> = (0..n).map(|i| 1.0 / information[(i, i)].sqrt()).collect();
@@ -139,7 +139,7 @@ impl BandFit {
             .collect()
     }
 
-    /// Part of S that is of the modes, seen through `across` (their shapes in other coordinates).
+    /// Part of S due to the modes, transformed by `across` (their shapes in other coordinates).
     pub(super) fn motion(
         &self,
         spectra: &Spectra,
@@ -278,7 +278,7 @@ mod tests {
         }
     }
 
-    /// Cells that hold just what the band makes expect.
+    /// Cells with exactly the expected spectrum of the band.
     fn exact(band: &Band) -> Vec<Cell> {
         let spectra = Spectra::new(&band.oscillators, RECORDED);
         let [low, high] = band.range_hz;
@@ -306,7 +306,7 @@ mod tests {
         start.noise = matrix([[(1.0, 0.0), (0.0, 0.0)], [(0.0, 0.0), (1.0, 0.0)]]);
         start.rise = 0.0;
         let found = fit(&exact(&truth), start, RECORDED).unwrap().band;
-        // the search ends a hundredth of a deviation from the top
+        // the search ends a hundredth of a deviation from the maximum
         for (found, truth) in found.oscillators.iter().zip(&truth.oscillators) {
             assert!(
                 (found.frequency_hz / truth.frequency_hz - 1.0).abs() < 2e-5,

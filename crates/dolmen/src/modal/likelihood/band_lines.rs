@@ -1,10 +1,10 @@
-//! The Fourier lines about a few modes, seen along their shapes.
+//! The Fourier lines near a few modes, projected on their shapes.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | y | `sums` | Fourier sums of the channels, line by line | channels × lines |
-//! | Φ | `shapes` | shapes of the modes of a band, as they were found before | channels × m |
-//! | N | `noise` | what each channel has beside them | diagonal |
+//! | Φ | `shapes` | initial shapes of the modes of a band | channels × m |
+//! | N | `noise` | other motion of each channel | diagonal |
 //! | z | `seen` | (Φ* N⁻¹ Φ)⁻¹ Φ* N⁻¹ y, or N^(-1/2) y where there are no more channels than modes | r × lines |
 
 use super::band::Band;
@@ -20,18 +20,18 @@ use rustfft::FftPlanner;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// Half-power widths that a band reaches to each side.
+/// Half-power widths of a band to each side.
 const HALF_WIDTHS: f64 = 20.0;
-/// And no further than this share of the frequency.
+/// Largest reach of a band to each side, as a share of the frequency.
 const REACH_MOST: f64 = 0.6;
 /// Modes closer than this many sums of their half-power widths are fitted together.
 const TOGETHER: f64 = 5.0;
 const TOGETHER_MOST: usize = 3;
-/// Width of a cell over its distance from the nearest pole: the spectrum is straight there to a thousandth.
+/// Width of a cell over its distance from the nearest pole: the spectrum is linear within it to a thousandth.
 const CELL: f64 = 0.05;
-/// Lines within the half-power widths that are needed.
+/// Fewest lines within the half-power widths.
 const LINES_LEAST: f64 = 4.0;
-/// Lines to each side of a tone that are left out, and their share of its frequency.
+/// Lines removed on each side of a tone, and their share of its frequency.
 const TONE_LINES: f64 = 3.0;
 const TONE_SHARE: f64 = 2e-3;
 /// Largest change of a mode from the subspace result, in standard deviations of that result; a mode farther away is a different one.
@@ -62,11 +62,11 @@ impl Fitted {
     }
 }
 
-/// The lines of the record: all its samples but the last few, for the sake of the transform.
+/// The lines of the record: of all its samples except the last few, for a fast transform.
 pub(super) struct Lines {
     length: usize,
     pub(super) recorded: Recorded,
-    /// Derivatives by which each channel is brought to the recorded quantity.
+    /// Derivatives that convert each channel to the recorded quantity.
     raised: Vec<i32>,
     dt: f64,
 }
@@ -97,7 +97,7 @@ impl Lines {
         line as f64 / self.recorded.duration_s
     }
 
-    /// One channel after the other is transformed whole; the lines of the bands are kept.
+    /// Transforms each whole channel in turn, and stores the lines of the bands.
     pub(super) fn fill(&self, record: &Record, bands: &mut [BandLines]) {
         let transform = RealFftPlanner::<f64>::new().plan_fft_forward(self.length);
         let mut input = transform.make_input_vec();
@@ -124,7 +124,7 @@ impl Lines {
     }
 }
 
-/// Largest even product of 2, 3 and 5 that is no larger.
+/// Largest even product of 2, 3 and 5 that is not larger.
 fn smooth_below(length: usize) -> usize {
     let smooth = |n: usize| {
         let mut left = n;
@@ -142,20 +142,20 @@ fn smooth_below(length: usize) -> usize {
 pub(super) struct BandLines {
     pub(super) modes: Range<usize>,
     oscillators: Vec<Oscillator>,
-    /// One a mode.
+    /// One per mode.
     shapes: Vec<Vec<Complex64>>,
     lines: Range<usize>,
     sums: Vec<Vec<Complex64>>,
-    /// From the channels to the coordinates that the modes are seen in.   shape: r × channels
+    /// Transformation from the channels to the coordinates of the fit.   shape: r × channels
     along: ComplexMatrix,
     /// z of each line, one column each.   shape: r × lines
     seen: ComplexMatrix,
     pub(super) cells: Vec<Cell>,
-    /// Cell of each line; `None` where a tone stands.
+    /// Cell of each line; `None` for a line near a tone.
     cell_of: Vec<Option<usize>>,
 }
 
-/// Modes that lie close stand in one band; bands end halfway to the next.
+/// Close modes form one band; bands end halfway to the next mode.
 pub(super) fn bands_of(modes: &[Mode], range_hz: [f64; 2], lines: &Lines) -> Vec<BandLines> {
     let half_hz = |m: &Mode| m.damping_ratio.unwrap_or(0.0) * m.frequency_hz;
     let mut groups: Vec<Range<usize>> = (0..modes.len()).map(|i| i..i + 1).collect();
@@ -218,7 +218,7 @@ pub(super) fn bands_of(modes: &[Mode], range_hz: [f64; 2], lines: &Lines) -> Vec
 }
 
 impl BandLines {
-    /// Chooses the coordinates: those in which the noise of the channels counts least, found in three rounds.
+    /// Chooses the coordinates in which the noise of the channels has the least effect, in three iterations.
     pub(super) fn look_along_shapes(&mut self) {
         const ROUNDS: usize = 3;
         const LEAST: f64 = 1e-6; // of a channel's power: its noise is not known better
@@ -278,7 +278,7 @@ impl BandLines {
         })
     }
 
-    /// Gathers the lines into cells, those beside tones left out.
+    /// Sorts the lines into cells, without those near tones.
     pub(super) fn gather(&mut self, lines: &Lines, tones_hz: &[f64]) {
         let r = self.seen.rows();
         let line_hz = lines.hz(1);
@@ -327,7 +327,7 @@ impl BandLines {
         self.cell_of = cell_of;
     }
 
-    /// Where the search begins; `None` where there are too few lines or the shapes are alike.
+    /// Start of the search; `None` with too few lines or similar shapes.
     pub(super) fn start(&self, lines: &Lines) -> Option<Band> {
         let (r, m) = (self.along.rows(), self.shapes.len());
         let duration_s = lines.recorded.duration_s;
@@ -420,12 +420,12 @@ impl BandLines {
         }
     }
 
-    /// The modes of the band, and what each block of time changes of them.
+    /// The modes of the band, and their changes by each block of time.
     pub(super) fn answers(&self, fit: &BandFit, time_blocks: usize) -> Option<Vec<Fitted>> {
         let (r, m, count) = (self.along.rows(), self.shapes.len(), self.lines.len());
         let spectra = fit.spectra();
         let length = (count.max(4 * time_blocks)).next_power_of_two();
-        // the lines as they are, and as each number weighs them
+        // the lines, unweighted and weighted for each parameter
         let mut series = vec![vec![Complex64::default(); length]; (1 + 2 * m) * r];
         let mut influence: (usize, Vec<ComplexMatrix>) = (usize::MAX, Vec::new());
         for (k, cell) in self.cell_of.iter().enumerate() {
@@ -459,7 +459,7 @@ impl BandLines {
             let unbiased = (blocks / (blocks - 1.0)).sqrt();
             sums.iter().map(|s| unbiased * (s - mean)).collect()
         };
-        // blocks hardly longer than the motion remembers scatter less than the whole: never below the information
+        // blocks hardly longer than the decay of the mode scatter too little: the variance is never below the information
         let known = |changes: Vec<f64>, variance: f64| -> Vec<f64> {
             let scatter = changes.iter().map(|d| d * d).sum::<f64>();
             let by = (variance / scatter.max(f64::MIN_POSITIVE)).sqrt().max(1.0);
@@ -474,7 +474,7 @@ impl BandLines {
         Some(answers.collect())
     }
 
-    /// Whether each mode is still where it was found, and known as well as a record of this length knows one.
+    /// Whether each mode is still near its initial value, with an accuracy possible for a record of this length.
     pub(super) fn are_the_same(&self, fit: &BandFit, modes: &[Mode]) -> bool {
         let shapes = self.shapes_found(fit);
         let alike = |i: usize| assurance(shapes.column(i), &self.shapes[i]) >= ALIKE_LEAST;

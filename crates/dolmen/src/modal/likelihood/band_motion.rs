@@ -90,7 +90,7 @@ pub(super) fn root(of: Oscillator) -> Complex64 {
 pub(super) struct Spectra {
     count: usize,
     pairs: Vec<CrossSpectrum>,
-    /// For each frequency and damping ratio in turn: all pairs with it a little larger, all with it a little smaller, and the difference.
+    /// For each frequency and damping ratio in turn: all pairs with a slightly larger value, with a slightly smaller value, and the difference.
     beside: Vec<([Vec<CrossSpectrum>; 2], f64)>,
 }
 

@@ -1,4 +1,4 @@
-//! Frequencies and damping ratios as sharp as the record allows: the modes that a subspace method finds, fitted to the Fourier lines about them.
+//! Frequencies and damping ratios with the accuracy that the record allows: the modes of a subspace method, fitted to the nearby Fourier lines.
 
 use super::band_fit::{BandFit, fit};
 use super::band_lines::{BandLines, DEVIATIONS_MOST, Fitted, Lines, bands_of};
@@ -12,9 +12,10 @@ use crate::modal::subspace::Criteria;
 use crate::signal::Record;
 use dolmen_linalg::ComplexMatrix;
 
-/// Rounds in which each band is given what the others' modes put there: after three nothing changes any more.
+/// Iterations with the contributions of other bands' modes: after three nothing changes any more.
 const ROUNDS: usize = 3;
-/// Deviations of the misfit: of records made by the model, it lies between -2.3 and 2 (one of 130 at 4); with a mode unseen in the band, above 10.
+/// Largest misfit, in deviations: for records made by the model it is between -2.3 and 2 (one of 130 at 4); with an undetected mode in the
+/// band above 10.
 const MISFIT_MOST: f64 = 4.0;
 
 /// Result for the modes of a record.
@@ -27,15 +28,15 @@ struct Refined {
     left_hz: Vec<f64>,
 }
 
-/// Where and how finely they are looked for.
+/// Settings of the fit.
 struct Refine<'a> {
     /// Range in which modes are accepted, Hz.
     range_hz: [f64; 2],
-    /// Which damping ratios are those of modes.
+    /// Criteria for damping ratios of modes.
     criteria: &'a Criteria,
-    /// Machines, whose lines are left out, Hz.
+    /// Frequencies of machines, whose lines are removed, Hz.
     tones_hz: &'a [f64],
-    /// Blocks of the record: each change of a frequency is that of one of them, as for the subspace methods.
+    /// Number of blocks of the record: each change of a frequency belongs to one block, as in the subspace methods.
     time_blocks: usize,
 }
 
@@ -48,7 +49,7 @@ enum Source {
     Peak,
 }
 
-/// Fits all modes, and peaks of the spectrum that none of them explains, with the width of each, Hz: those that fit are modes too.
+/// Fits all modes, and unexplained peaks of the spectrum with their widths, Hz: peaks that fit become modes.
 fn refine(record: &Record, mut modes: Vec<Mode>, peaks: &[(&Mode, f64)], how: &Refine<'_>) -> Refined {
     let mut candidates: Vec<Mode> = peaks
         .iter()
@@ -97,7 +98,7 @@ fn refine(record: &Record, mut modes: Vec<Mode>, peaks: &[(&Mode, f64)], how: &R
     }
 }
 
-/// The modes fitted to their lines, with those of the peaks that none explained and that fit.
+/// The modes fitted to their lines, and the unexplained peaks that fit.
 pub(crate) fn refined(
     record: &Record,
     modes: Vec<Mode>,
@@ -131,7 +132,7 @@ pub(crate) fn refined(
     refined.modes
 }
 
-/// A peak as a mode that is hardly known: it may lie anywhere within its half-power width.
+/// A peak as a mode with a large uncertainty: its half-power width.
 fn candidate(peak: &Mode, width_hz: f64) -> Mode {
     const DAMPING_RANGE: [f64; 2] = [0.003, 0.05];
     let damping_ratio = (0.5 * width_hz / peak.frequency_hz).clamp(DAMPING_RANGE[0], DAMPING_RANGE[1]);
@@ -269,7 +270,7 @@ mod tests {
             (refined.left_hz, &refined.modes[0]),
             (vec![before.frequency_hz], &before)
         );
-        // and where its peak is known, it is found again
+        // and if its peak is known, it is found again
         let refined = refine(&record, less, &[(&unseen, 0.05)], &how);
         assert_eq!(refined.modes.len(), 3, "{:?}", refined.left_hz);
         for (again, whole) in refined.modes.iter().zip(&whole.modes) {

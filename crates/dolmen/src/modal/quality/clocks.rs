@@ -3,7 +3,7 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | C_jq | `turns` | Σ z_c z_r* of part q at mode j: channel c with the reference r | – |
-//! | d | `ppm` | what the clock of c runs fast against that of r | 1e-6 |
+//! | d | `ppm` | rate of the clock of c relative to that of r, positive if fast | 1e-6 |
 //! | ω_j, t_q | `omega`, `at_s` | circular frequency of the mode, middle of the part | rad/s, s |
 
 use crate::modal::{Mode, Modes, Note};
@@ -13,23 +13,23 @@ use std::f64::consts::{PI, TAU};
 
 /// Number of parts of the record, each with its own phase.
 const PARTS: usize = 12;
-/// Cycles of a Hann segment: narrow enough to part modes a tenth apart.
+/// Cycles of a Hann segment: narrow enough to separate modes a tenth apart.
 const CYCLES: f64 = 24.0;
 /// Number of modes in the check: those with the smallest standard deviations.
 const MODES_MOST: usize = 4;
-/// Mean coherence below which a mode gives no information about a channel. Chosen here.
+/// Mean coherence below which a mode gives no information about a channel. Our choice.
 const COHERENCE_LEAST: f64 = 0.5;
-/// Drifts looked for. Chosen here: quartz clocks of recorders stay within 100 ppm.
+/// Largest drift in the search. Our choice: quartz clocks of recorders stay within 100 ppm.
 const PPM_MOST: f64 = 300.0;
-/// Phase of the highest mode in one step of the search, rad.
+/// Phase change of the highest mode in one step of the search, rad.
 const TURN_STEP: f64 = PI / 6.0;
 const STEPS_MOST: f64 = 4000.0;
-/// Deviations of a drift from none, and the turn of the highest mode's phase along the record, rad (10°), from which it counts.
-/// Chosen here.
+/// Least drift that counts: in standard deviations, and as rotation of the highest mode's phase along the record, rad (10°).
+/// Our choice.
 const DEVIATIONS: f64 = 5.0;
 const TURN_LEAST: f64 = PI / 18.0;
 
-/// How fast the clock of one channel runs against that of the reference.
+/// Rate of the clock of one channel relative to that of the reference.
 #[derive(Clone, Copy)]
 struct Drift {
     ppm: f64,
@@ -44,7 +44,7 @@ impl Drift {
     }
 }
 
-/// Leaves channels out of the shapes whose clock drifts against that of most, and names them. Frequencies and damping stay.
+/// Removes channels whose clock drifts relative to most others from the shapes, and names them. Frequencies and damping stay.
 pub(crate) fn leave_out_other_clocks(record: &Record, modes: &mut Modes, notes: &mut Vec<Note>) {
     let l = record.channels().len();
     if l < 2 || modes.channels.len() != l {
@@ -96,7 +96,7 @@ pub(crate) fn leave_out_other_clocks(record: &Record, modes: &mut Modes, notes: 
     });
 }
 
-/// Real modes that no other overlaps, those of the best known frequencies.
+/// Real modes without overlap, with the most accurate frequencies.
 fn best_known(modes: &[Mode]) -> Vec<Mode> {
     const REAL: f64 = 0.5; // of 1; a drift turns shapes
     let alone = |i: usize| {
@@ -186,7 +186,7 @@ fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<PhaseTu
     })
 }
 
-/// The drift that turns the phases of all modes back to one each: the largest Σ_j |Σ_q C_jq e^(iω_j d t_q)|, then least squares about it.
+/// The drift that makes the phases of each mode constant: the largest Σ_j |Σ_q C_jq e^(iω_j d t_q)|, then least squares about it.
 fn drift(seen: &[(f64, Vec<Complex64>)], duration_s: f64) -> Option<Drift> {
     let highest = seen.iter().map(|(omega, _)| *omega).reduce(f64::max)?;
     let at_s = |q: usize| ((q as f64 + 0.5) / PARTS as f64 - 0.5) * duration_s;
@@ -201,7 +201,7 @@ fn drift(seen: &[(f64, Vec<Complex64>)], duration_s: f64) -> Option<Drift> {
     };
     let steps = (PPM_MOST * 1e-6 * highest * duration_s / TURN_STEP).clamp(1.0, STEPS_MOST) as i64;
     let ppm_of = |i: i64| PPM_MOST * i as f64 / steps as f64;
-    // from none outwards, so that none is taken where all are alike
+    // from zero outwards, so that the drift is zero where all are equally good
     let order = (0..=steps).flat_map(|i| [i, -i]);
     let best = order.map(|i| (ppm_of(i), gathered(ppm_of(i))));
     let (ppm, _) = best.reduce(|a, b| if b.1 > a.1 * (1.0 + 1e-9) { b } else { a })?;

@@ -1,4 +1,4 @@
-//! Blocks of time that are not equally strong: how many of them a standard deviation rests on.
+//! Blocks of time with unequal power: the effective number of blocks for a standard deviation.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -13,17 +13,17 @@ use crate::signal::Record;
 pub(crate) struct Unequal {
     /// Factor on variances from the blocks; 1 if all blocks have equal power.
     pub(crate) widening: f64,
-    /// Equally strong blocks that would tell as much, 2 at least.
+    /// Effective number of blocks with equal power, at least 2.
     pub(crate) time_blocks: usize,
 }
 
-/// Variances from the scatter of blocks of unequal strength.
+/// Variances from the scatter of blocks with unequal power.
 ///
 /// ```text
 /// x = Σ w_b x_b,   E Σ w_b² (x_b − x)² = σ² Σ u_b,   var x = σ² Σ w²:      widening = (b−1)/b Σ w² / Σ u,   ν = (Σ u)² / Σ u² − 1
 /// ```
-/// A block that alone is strong is the mean, and its own deviation from it is nothing: without this a record of gusts seems known far better
-/// than it is. Of stationary records the widening is 1.00 to 1.02.
+/// A single strong block equals the mean, so its own deviation is zero: without this correction a record of gusts would seem far more accurate
+/// than it is. For stationary records the widening is 1.00 to 1.02.
 ///
 /// # Source
 /// Satterthwaite (1946) Biom. Bull. 2:110-114 for ν. The expectation by hand.
@@ -60,7 +60,7 @@ fn of_shares(share: impl Iterator<Item = f64> + Clone) -> Unequal {
     }
 }
 
-/// Widens every deviation that comes from the blocks.
+/// Increases every deviation that comes from the blocks.
 pub(crate) fn widen<'a>(modes: impl IntoIterator<Item = &'a mut Mode>, widening: f64) {
     let by = widening.max(1.0).sqrt();
     for mode in modes {

@@ -18,19 +18,19 @@ use std::f64::consts::PI;
 
 /// Kurtosis of a Gaussian motion.
 const GAUSSIAN: f64 = 3.0;
-/// Lengths of the parts: the record over these. Long parts see a weak tone, short ones one that wanders.
+/// Lengths of the parts: the record over these. Long parts show a weak tone, short ones a tone of variable frequency.
 const PARTS: [usize; 2] = [64, 256];
-/// A part must hold this many cycles, or the sum sees the mean and the mirrored frequency.
+/// Fewest cycles in a part; with fewer the sum includes the mean and the mirrored frequency.
 const CYCLES_LEAST: f64 = 8.0;
-/// Blocks of time that a machine may run in and rest in: the record over these. Long blocks tell a slow machine, short ones one that
-/// runs briefly. Chosen here.
+/// Blocks of time with or without the machine: the record over these. Long blocks show a machine with long runs, short ones a
+/// machine with brief runs. Our choice.
 const BLOCKS: [usize; 3] = [12, 24, 48];
-/// A block must hold this many independent strengths. Chosen here.
+/// Fewest independent strengths in a block. Our choice.
 const INDEPENDENT_LEAST: f64 = 4.0;
-/// A machine runs in the blocks that have this share of the power of the strongest. Chosen here: it lets blocks in that it fills to three
-/// quarters.
+/// Share of the power of the strongest block from which a machine runs in a block. Our choice: this includes blocks with three quarters
+/// of machine time.
 const RUNS_FROM: f64 = 0.75;
-/// Deviations below the Gaussian value at which a motion is no longer taken for random.
+/// Deviations below the Gaussian value at which a motion no longer counts as random.
 const DEVIATIONS: f64 = 3.0;
 
 /// Kurtosis of the motion in a narrow band.
@@ -40,9 +40,9 @@ pub struct Kurtosis {
     pub frequency_hz: f64,
     /// 3 if the motion is random (Gaussian), 1.5 if it is one sine.
     pub kurtosis: f64,
-    /// Standard deviation of it if the motion is that of a mode under random forces.
+    /// Its standard deviation for a mode under random forces.
     pub deviation: f64,
-    /// Share of the record that it is of, 0 to 1: below 1 of a machine that runs for a part of the time.
+    /// Its share of the record, 0 to 1: below 1 for a machine that runs for a part of the time.
     pub share: f64,
 }
 
@@ -157,7 +157,7 @@ pub(super) struct Parts {
     pub(super) count: usize,
 }
 
-/// z_s of every part and channel, each channel over its own strength here: units and gains of sensors do not choose the direction.
+/// z_s of every part and channel, each channel over its own strength, so that units and gains of sensors do not affect the direction.
 pub(super) fn fourier_sums(
     record: &Record,
     channels: &[usize],
@@ -198,7 +198,7 @@ fn strengths(parts: &[Vec<Complex64>]) -> Result<Vec<f64>, ModalError> {
     Ok(along.into_iter().map(|a| a.norm_sqr()).collect())
 }
 
-/// a_s of the parts, in the direction in which most moves in them.
+/// a_s of the parts, in the direction with the most motion.
 pub(super) fn along_the_strongest(parts: &[Vec<Complex64>]) -> Result<Vec<Complex64>, ModalError> {
     let l = parts.first().map_or(0, Vec::len);
     let power = ComplexMatrix::from_fn(l, l, |i, j| {
@@ -288,7 +288,7 @@ mod tests {
         assert!(!beside.harmonic(), "{beside:?}");
     }
 
-    /// A sine of `amplitude` in noise that runs for the first `on` seconds of every `period`.
+    /// A sine of `amplitude` in noise, present in the first `on` seconds of every `period`.
     fn in_spells(amplitude: f64, on: f64, period: f64) -> Record {
         let (still, running) = (record(0.0), record(amplitude));
         let samples = (0..2).map(|c| {

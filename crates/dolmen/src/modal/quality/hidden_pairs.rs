@@ -1,12 +1,12 @@
-//! Two modes under one peak: where the second singular value of the spectrum rises with the first, and one mode alone was found.
+//! Two modes under one peak: the second singular value of the spectrum has a peak near the first, and only one mode was found.
 
 use crate::modal::spectrum::{SingularSpectrum, decibel, peaks};
 use crate::modal::{Modes, Note};
 
-/// Least share of the second singular value in the first at its peak. Chosen here: one mode and 20 dB of noise leave less than a thirtieth.
+/// Least share of the second singular value in the first at its peak. Our choice: one mode and 20 dB of noise leave less than a thirtieth.
 const SECOND_LEAST: f64 = 0.1;
-/// Least share of the first at that line in its top near the mode: between two modes that stand apart the second rises too, in the saddle of
-/// the first. Chosen here.
+/// Least ratio of the first singular value at that line to its maximum near the mode: between two separate modes the second also rises, in
+/// the saddle of the first. Our choice.
 const NEAR_TOP: f64 = 0.35;
 
 /// Adds a note on modes that may be two: near them the second singular value has its own peak below that of the first.

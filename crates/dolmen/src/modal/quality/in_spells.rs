@@ -1,11 +1,11 @@
-//! A mode that is there while somebody walks alone.
+//! A mode that is visible only while somebody walks.
 
-/// A mode that is there in spells alone.
+/// A mode that is visible only in some periods.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InSpells {
     /// Its frequency, Hz.
     pub frequency_hz: f64,
-    /// Its power over that beside it, in the whole record.
+    /// Ratio of its power to that of its surroundings, in the whole record.
     pub stands_out: f64,
     /// The same, in the quiet half.
     pub stands_out_quiet: f64,

@@ -1,10 +1,10 @@
-//! Recorders that begin late by the same time throughout: a phase between channels that grows with the frequency of the mode is a delay.
+//! Recorders with a constant delay: a phase between channels that grows with the frequency of the mode is a delay.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | φ_j | `phase` | angle of a channel in mode j against the channels that agree, mod π: signs are not known | rad |
+//! | φ_j | `phase` | angle of a channel in mode j relative to the channels that agree, mod π, because signs are unknown | rad |
 //! | σ_j | `sd` | standard deviation of φ_j | rad |
-//! | τ | `delay_s` | what the clock of the channel is late | s |
+//! | τ | `delay_s` | delay of the channel's clock | s |
 
 use super::remarks::explained;
 use super::shape_checks::{has_phase, is_no_shapes};
@@ -12,17 +12,18 @@ use crate::modal::noted::LateClock;
 use crate::modal::{Mode, Modes, Note};
 use std::f64::consts::{PI, TAU};
 
-/// Angle that shapes of structures have of themselves, rad (3°): lightly damped ones lie within it. Chosen here.
+/// Largest usual phase in shapes of structures, rad (3°): lightly damped shapes are within it. Our choice.
 const OWN_PHASE: f64 = 3.0 * TAU / 360.0;
-/// Channels whose phases differ by less in every mode have one clock, rad (15°). Chosen here.
+/// Phase difference in every mode below which channels have one clock, rad (15°). Our choice.
 const ONE_CLOCK: f64 = 15.0 * TAU / 360.0;
-/// Delays looked for where three modes or more show one, s; two modes fit too many, and theirs is below half a period of the lower. Chosen here.
+/// Largest delay in the search with three modes or more, s; two modes fit too many delays, so with two the limit is half a period of the
+/// lower mode. Our choice.
 const DELAY_MOST_S: f64 = 2.0;
-/// Mean square of the residuals over their deviations up to which a delay explains the phases. Chosen here.
+/// Largest mean square of the residuals over their deviations for a delay that explains the phases. Our choice.
 const EXPLAINED: f64 = 4.0;
-/// Deviations of a delay from none from which it counts. Chosen here.
+/// Least delay that counts, in standard deviations. Our choice.
 const DEVIATIONS: f64 = 5.0;
-/// Phase of the highest mode in one step of the search, rad (5°).
+/// Phase change of the highest mode in one step of the search, rad (5°).
 const TURN_STEP: f64 = PI / 36.0;
 
 /// The phase of one channel in one mode.
@@ -40,9 +41,9 @@ impl Phase {
     }
 }
 
-/// Leaves channels out of the shapes whose clock is late or early by one time throughout, and those that are a quarter turn off at every
-/// frequency, and names them. Frequencies and damping stay. `peaks` are those of the spectrum: a delay turns the shapes of some modes so far
-/// that no pole passes for a mode, but the peaks show their phases.
+/// Removes channels with a constant delay of their clock, and channels with a phase of 90° at every frequency, from the shapes, and names
+/// them. Frequencies and damping stay. `peaks` are those of the spectrum: a delay changes the shapes of some modes so much
+/// that no pole passes as a mode, but the peaks show their phases.
 ///
 /// ```text
 /// y_c(t + τ) = φ_c q(t)   →   arg φ_c = 2π f_j τ + k π          in every mode j, k whole
@@ -52,7 +53,7 @@ impl Phase {
 /// the other channels, the delay comes from the filter of a channel.
 ///
 /// # Limits
-/// Forces that are not random alike, and machines, give peaks phases of their own: a delay counts that turns two of them or more.
+/// Correlated forces and machines also give peaks a phase: a delay that affects two of them or more counts.
 pub(crate) fn leave_out_late_clocks(modes: &mut Modes, peaks: &Modes, notes: &mut Vec<Note>) {
     let l = modes.channels.len();
     let seen = seen(modes, peaks);
@@ -116,7 +117,7 @@ pub(crate) fn leave_out_late_clocks(modes: &mut Modes, peaks: &Modes, notes: &mu
     }
 }
 
-/// Modes that no other overlaps, and the peaks that none of these explains.
+/// Modes without overlap, and the peaks that none of these explains.
 fn seen(modes: &Modes, peaks: &Modes) -> Vec<Mode> {
     let all = &modes.modes;
     let alone = |i: &usize| {
@@ -170,7 +171,7 @@ fn angle_sd(mode: &Mode, c: usize) -> f64 {
     mode.shape_sd.as_ref().map_or(0.0, |sd| sd[c]) / mode.shape[c].norm()
 }
 
-/// The phase of a channel against those that agree; `None` where it has none or they have none.
+/// The phase of a channel relative to those that agree; `None` if either has none.
 fn phase(mode: &Mode, c: usize, agreeing: &[usize]) -> Option<Phase> {
     let base = agreeing.iter().filter(|r| has_phase(mode, **r));
     let squares = base
@@ -183,14 +184,14 @@ fn phase(mode: &Mode, c: usize, agreeing: &[usize]) -> Option<Phase> {
     })
 }
 
-/// Velocities beside accelerations are a quarter turn apart in every mode: a phase that does not grow with the frequency is no delay.
+/// Velocities among accelerations have a phase of 90° in every mode: a phase that does not grow with the frequency is not a delay.
 fn is_quarter_turn(channels: &[&[Phase]]) -> bool {
     let off = |p: &Phase| ((p.phase.abs() - 0.5 * PI) / p.sd).powi(2);
     let fits = |of: &&[Phase]| of.iter().map(off).sum::<f64>() <= EXPLAINED * of.len() as f64;
     at_hz(channels).len() > 1 && channels.iter().all(fits)
 }
 
-/// Frequencies at which the phases are known.
+/// Frequencies of the known phases.
 fn at_hz(channels: &[&[Phase]]) -> Vec<f64> {
     let mut all: Vec<f64> = channels
         .iter()
@@ -201,7 +202,7 @@ fn at_hz(channels: &[&[Phase]]) -> Vec<f64> {
     all
 }
 
-/// The least delay that explains the phases of these channels together and of each, and the next that does as well.
+/// The smallest delay that explains the phases of these channels together and of each one, and the next such delay.
 fn delay(channels: &[&[Phase]]) -> Option<LateClock> {
     let phases: Vec<Phase> = channels.iter().flat_map(|of| of.iter().copied()).collect();
     let angles: Vec<f64> = phases.iter().map(|p| p.phase.abs()).collect();
@@ -418,7 +419,7 @@ mod tests {
                 Note::QuarterTurn { channels, .. } => Some(channels.clone()),
                 _ => None,
             });
-            // of two halves either may be the one that differs
+            // with two halves either may be the different one
             let count = velocities.len();
             assert_eq!(named.map(|of| of.len()), Some(count), "{:?}", found.notes);
             let clocks = |note: &Note| matches!(note, Note::LateClocks { .. });

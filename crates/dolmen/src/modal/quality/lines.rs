@@ -4,8 +4,8 @@
 //! |:--|:--|:--|:--|
 //! | P_i | `power` | periodogram of the whole record (Hann) along the shape, lines 1/T apart | |
 //! | w | `half_width` | half of the half-power width of a mode, ζ f T | lines |
-//! | m_i | `model` | expected P_i: a mode over even noise, S (1/(1 + ((i − c)/w)²) + β) | |
-//! | Λ | `gain` | what a sine at one line gains in the logarithm of Whittle's likelihood | – |
+//! | m_i | `model` | expected P_i: a mode over white noise, S (1/(1 + ((i − c)/w)²) + β) | |
+//! | Λ | `gain` | increase of the logarithm of Whittle's likelihood by a sine at one line | – |
 
 use crate::modal::Mode;
 use crate::modal::subspace::HALF_WIDTH_LEAST;
@@ -16,27 +16,27 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Lines on each side of the frequency, at least and at most.
+/// Fewest and most lines on each side of the frequency.
 const REACH: [usize; 2] = [64, 512];
-/// Half widths of a mode on each side of it within which its skirts hide the noise.
+/// Half widths of a mode on each side in which it hides the noise.
 const SKIRTS: f64 = 4.0;
-/// Lines on each side of a sine that Hann's window fills.
+/// Lines on each side of a sine in the main lobe of Hann's window.
 const LOBE: usize = 2;
 /// Gain from which a line is a sine. Chosen on the development seeds of `unkind_modes`: neighbours share two thirds of their amplitude under
 /// Hann's window, so that what chance does at one line counts about three times.
 const GAIN_LEAST: f64 = 30.0;
-/// Least ratio of a mode under a sine to the noise beside it, and its least width in lines; below these there is no mode.
+/// Least ratio of a mode under a sine to the surrounding noise, and its least width in lines; below these there is no mode.
 const MODE_OVER_NOISE: f64 = 10.0;
 const MODE_WIDE: f64 = 4.0;
 
 /// Result of the finest spectral lines for a peak or mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LineTest {
-    /// The line that stands out most, Hz.
+    /// The line with the largest excess, Hz.
     pub(crate) frequency_hz: f64,
     /// Λ of a sine there.
     pub(crate) gain: f64,
-    /// Damping ratio of the mode that fits the lines, the sine left out.
+    /// Damping ratio of the mode that fits the lines without the sine.
     pub(crate) damping_ratio: f64,
     /// Power of the sine over that of this mode.
     pub(crate) strength: f64,
@@ -86,7 +86,7 @@ impl<'a> FineLines<'a> {
         })
     }
 
-    /// Powers of the lines about the middle one along a shape, and how many stand on each side of it; `None` where the record has too few.
+    /// Powers of the lines near the middle one along a shape, and their number on each side of it; `None` if the record has too few.
     fn about(
         &mut self,
         shape: &[Complex64],
@@ -111,16 +111,16 @@ impl<'a> FineLines<'a> {
         Some((reach, along.iter().map(|z| z.norm_sqr()).collect()))
     }
 
-    /// Whether a sine stands at a mode, seen along its shape; `None` where the record has too few lines there.
+    /// Whether there is a sine at a mode, along its shape; `None` if the record has too few lines there.
     ///
     /// ```text
     /// Λ = max_(S, A, w') Σ (ln p₀ of lines under two modes)  against  Σ (ln p₁ of lines under one mode and a sine),  w, w' ≥ 1.5
     /// ```
-    /// Under random forces P_i/m_i is exponential with mean 1, in gusts too. A second mode may stand where the sine would: a pair is no sine.
+    /// Under random forces P_i/m_i is exponential with mean 1, also in gusts. The alternative to a sine is a second mode: a pair of modes is no sine.
     ///
     /// # Source
     /// Whittle (1953) Ark. Mat. 2:423-434 for the likelihood; Fisher (1929) Proc. R. Soc. A 125:54-59 for a line that is too strong for chance.
-    /// Differs from Fisher: the spectrum beside the line is a mode's, not even.
+    /// Differs from Fisher: the surrounding spectrum is that of a mode, not white.
     pub(crate) fn test(&mut self, mode: &Mode) -> Option<LineTest> {
         const CHANNELS: usize = 4;
         let duration_s = self.record.length() as f64 / self.record.sampling_rate_hz();
@@ -132,7 +132,7 @@ impl<'a> FineLines<'a> {
         let (mut reach, mut power) = self.about(&mode.shape, &channels, middle, 2.0 * half_width)?;
         let mut found = judged(&power)?;
         if SKIRTS * found.half_width > reach as f64 {
-            // the noise beside a mode is seen beyond its skirts
+            // the noise near a mode is visible only beyond its skirts
             (reach, power) = self.about(&mode.shape, &channels, middle, SKIRTS * found.half_width)?;
             found = judged(&power)?;
         }
@@ -148,7 +148,7 @@ impl<'a> FineLines<'a> {
     }
 }
 
-/// Place of a sine between the lines, from Hann's main lobe: amplitudes of neighbours 1 and (1 + δ)/(2 − δ).
+/// Position of a sine between the lines, from Hann's main lobe: amplitudes of neighbours 1 and (1 + δ)/(2 − δ).
 fn offset(power: &[f64], line: usize) -> f64 {
     let amplitude = |i: usize| power.get(i).copied().unwrap_or(0.0).sqrt();
     let (before, at, after) = (
@@ -169,7 +169,7 @@ struct Judged {
     mode_remains: bool,
 }
 
-/// A mode over even noise, fitted.
+/// A mode over white noise, fitted.
 struct OneMode {
     model: Vec<f64>,
     half_width: f64,
@@ -177,7 +177,7 @@ struct OneMode {
     over_noise: f64,
     /// S.
     top: f64,
-    /// Line of its top.
+    /// Line of its maximum.
     centre: f64,
 }
 
@@ -189,7 +189,7 @@ fn judged(power: &[f64]) -> Option<Judged> {
     }
     let power: Vec<f64> = power.iter().map(|p| p.max(floor)).collect();
     let whole = fitted(&power, &[]);
-    // where one mode explains least, away from the edges
+    // the largest excess over one mode, away from the edges
     let stands_out = |i: &usize| power[*i] / whole.model[*i];
     let mut line = (LOBE + 1..n - LOBE - 1).max_by(|a, b| stands_out(a).total_cmp(&stands_out(b)))?;
     let top = (LOBE + 1..n - LOBE - 1).max_by(|a, b| power[*a].total_cmp(&power[*b]))?;
@@ -224,7 +224,7 @@ fn at_line(power: &[f64], line: usize, whole: &OneMode) -> Judged {
     let around: Vec<usize> = (0..power.len()).filter(|i| near(*i)).collect();
     let ln_rest: f64 = around.iter().map(|&i| rest.model[i].ln()).sum();
     let mut with_mode = f64::INFINITY;
-    // modes side by side are damped alike: the second not much less than the first
+    // neighbouring modes have similar damping: the second not much less than the first
     let narrowest = HALF_WIDTH_LEAST.max(0.8 * rest.half_width.min(40.0));
     for half_width in [1.0, 1.5, 2.5, 4.0].map(|times| times * narrowest) {
         for shift in [-1.0, -0.5, 0.0, 0.5, 1.0] {
@@ -258,7 +258,7 @@ fn at_line(power: &[f64], line: usize, whole: &OneMode) -> Judged {
     }
 }
 
-/// A mode's power `line`s from its centre, 1 at the top.
+/// Power of a mode `line`s from its centre, relative to its maximum.
 fn lorentz(line: usize, centre: f64, half_width: f64) -> f64 {
     1.0 / (1.0 + ((line as f64 - centre) / half_width).powi(2))
 }
@@ -280,10 +280,10 @@ fn sum_of_logarithms(mut values: impl Iterator<Item = f64>) -> f64 {
     }
 }
 
-/// The likeliest mode over even noise, these lines left out.
+/// The most likely mode over white noise, without these lines.
 fn fitted(power: &[f64], without: &[usize]) -> OneMode {
     let used: Vec<usize> = (0..power.len()).filter(|i| !without.contains(i)).collect();
-    // power of the lines before each one, those left out without any
+    // power of the lines before each one, zero for excluded lines
     let mut before = vec![0.0];
     for (i, p) in power.iter().enumerate() {
         before.push(before[i] + if without.contains(&i) { 0.0 } else { *p });

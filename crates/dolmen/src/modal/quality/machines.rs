@@ -1,4 +1,4 @@
-//! Peaks and modes that machines make: told by their width, by how steady they are, and by how they wander.
+//! Peaks and modes caused by machines, detected by their width, steadiness and variation.
 
 use super::harmonics::{Kurtosis, band_kurtosis};
 use super::in_spells::InSpells;
@@ -12,10 +12,11 @@ use crate::modal::spectrum::FddResult;
 use crate::modal::{Method, ModalError, Mode, Modes, Note, Refusal, Tone, ToneOnMode};
 use crate::signal::Record;
 
-/// Power of a sine over that of the mode under it up to which Dolmen tells both apart. Chosen here: beyond, the skirts of the sine pass for a mode.
+/// Largest power of a sine over that of the mode under it with a separate result for each. Our choice: beyond it, the skirts of the sine
+/// look like a mode.
 const STRENGTH_MOST: f64 = 15.0;
 
-/// Peaks that were taken for something else than modes.
+/// Peaks that are not modes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SetAside {
     /// Frequencies of machines, and of lines that cannot be distinguished from machines, Hz.
@@ -24,8 +25,8 @@ pub(crate) struct SetAside {
     pub(crate) peaks: Vec<Candidate>,
 }
 
-/// Takes the peaks out that are narrower than a mode damped by the least, where the lines are fine enough to tell, or too steady for random
-/// forces; returns them. Those of one phase for the whole record, or too steady, are machines; of the rest nobody can say.
+/// Removes and returns the peaks that are too steady for random forces, or narrower than a mode with the least damping where the lines are
+/// fine enough. Those with one phase for the whole record, or too steady, are machines; the others are undecided.
 pub(crate) fn split_tones(
     record: &Record,
     peaks: &mut FddResult,
@@ -47,13 +48,13 @@ pub(crate) fn split_tones(
             damping_ratio: Some(damping_ratio),
             ..mode.clone()
         };
-        // a free decay is in spells by its nature
+        // a free decay is always limited to a period
         let found = in_spells(record, &as_wide).filter(|_| options.method != Method::Era);
         let kurtosis = kurtosis(record, &mode, USUAL_LEAST.max(damping_ratio_least))?;
         let looks_steady = kurtosis.as_ref().is_some_and(Kurtosis::harmonic);
         let is_sine = (looks_steady || damping_ratio < USUAL_LEAST)
             && lines.test(&mode).is_some_and(|line| line.is_sine());
-        // what looks too steady for a mode damped as usual is a machine if it is a sine too, comes and goes, or is too steady for its own width
+        // a peak that looks too steady for usual damping is a machine if it is also a sine, intermittent, or too steady for its own width
         let is_steady = looks_steady
             && (is_sine
                 || found.is_some()
@@ -118,16 +119,15 @@ pub(crate) fn split_tones(
     })
 }
 
-/// A peak that was taken out.
 struct RemovedPeak {
     prominence_db: f64,
     tone: Tone,
     is_machine: bool,
-    /// Narrower than a mode of this damping ratio, where it is narrow.
+    /// The damping ratio of the mode than which it is narrower, if it is.
     damping_ratio_least: f64,
 }
 
-/// Names the sines on the modes that were found and on the peaks of the spectrum that none explains, where a mode is left beside the sine.
+/// Names the sines at the modes and at unexplained peaks of the spectrum, if a mode remains without the sine.
 pub(crate) fn note_tones_on_modes(record: &Record, (modes, peaks): (&Modes, &Modes), notes: &mut Vec<Note>) {
     if modes.channels.len() != record.channels().len() || modes.method == Method::Era {
         return;
@@ -153,10 +153,10 @@ pub(crate) fn note_tones_on_modes(record: &Record, (modes, peaks): (&Modes, &Mod
     }
 }
 
-/// Lines on each side of a tone that its leakage fills with small peaks.
+/// Lines on each side of a tone with small peaks due to leakage.
 const SKIRT_LINES: f64 = 20.0;
 
-/// The tones, by frequency, without those that lie within `skirt_hz` of a stronger one.
+/// The tones, by frequency, without those within `skirt_hz` of a stronger one.
 fn strongest(mut tones: Vec<RemovedPeak>, skirt_hz: f64) -> Vec<RemovedPeak> {
     tones.sort_by(|a, b| b.prominence_db.total_cmp(&a.prominence_db));
     let mut kept: Vec<RemovedPeak> = Vec::new();
@@ -175,12 +175,12 @@ fn is_steady_at(record: &Record, peak: &Mode, damped: [f64; 2]) -> Result<bool, 
     Ok(kurtosis(record, peak, follows_itself(damped))?.is_some_and(|k| k.harmonic()))
 }
 
-/// Damping ratio for the correlation time of the motion of a mode: half of the found value, but at least the least damping ratio. Chosen here.
+/// Damping ratio for the correlation time of the motion of a mode: half of the found value, but at least the least damping ratio. Our choice.
 fn follows_itself([least, found]: [f64; 2]) -> f64 {
     (0.5 * found).min(USUAL_LEAST).max(least)
 }
 
-/// The sensors that see most of a mode.
+/// The sensors with the largest motion in a mode.
 fn seeing_most(mode: &Mode) -> Vec<usize> {
     const CHANNELS: usize = 4;
     let mut channels: Vec<usize> = (0..mode.shape.len()).collect();
@@ -189,7 +189,7 @@ fn seeing_most(mode: &Mode) -> Vec<usize> {
     channels
 }
 
-/// Kurtosis near a mode at the sensors that see most of it.
+/// Kurtosis near a mode at the sensors with its largest motion.
 fn kurtosis(record: &Record, mode: &Mode, damping_ratio_least: f64) -> Result<Option<Kurtosis>, ModalError> {
     let channels = seeing_most(mode);
     if mode.frequency_hz < 0.5 * record.sampling_rate_hz() {
@@ -199,8 +199,8 @@ fn kurtosis(record: &Record, mode: &Mode, damping_ratio_least: f64) -> Result<Op
     }
 }
 
-/// Gives each mode the kurtosis of its band and how its motion wanders, the least and the furthest of all records, and names or takes out those
-/// that are too steady, or wander as no random motion does. Each record stands with the components of the shapes that its channels are.
+/// Gives each mode the kurtosis of its band and its variation (the least and the most extreme of all records), and names or removes modes
+/// that are too steady, or vary in a way impossible under random forces. Each record has the components of the shapes at its channels.
 pub(crate) fn test_for_machines(
     records: &[(&Record, Vec<usize>)],
     options: &Identify,
@@ -239,8 +239,8 @@ pub(crate) fn test_for_machines(
     Ok(())
 }
 
-/// Names what wanders as a machine does. What is damped so little as only machines and the lightest structures are is left out, unless the user
-/// admits such modes.
+/// Names modes that vary like machines. Those with as little damping as machines and the lightest structures are left out, unless the user
+/// allows such modes.
 fn note_wandering(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) {
     let admitted = options.criteria.damping_ratio_least.is_some();
     let is_left_out = |mode: &Mode| {
@@ -269,7 +269,7 @@ pub(crate) fn of_steady(mode: &Mode) -> Refusal {
 }
 
 /// Leaves out modes with as little damping as machines and the lightest structures, if their amplitude is steady as for a machine, even with few
-/// independent amplitudes; unless the user allows such modes. Chosen here: the tone of Palisaden at 20.5 Hz has 1.57.
+/// independent amplitudes; unless the user allows such modes. Our choice: the tone of Palisaden at 20.5 Hz has 1.57.
 fn leave_out_steady_light(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) {
     const KURTOSIS_LEAST: f64 = 2.0;
     if options.criteria.damping_ratio_least.is_some() {

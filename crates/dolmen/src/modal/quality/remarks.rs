@@ -5,7 +5,7 @@ use crate::modal::{Method, Mode, Modes, Note, Refusal, RefusedPeak};
 /// Few modes are damped less.
 pub(super) const USUAL_LEAST: f64 = 0.002;
 
-/// Frequencies that were left out with a reason of their own.
+/// Frequencies that were left out with their own reason.
 fn in_spells_hz(note: &Note) -> Vec<f64> {
     match note {
         Note::InSpells { modes } => modes.iter().map(|mode| mode.frequency_hz).collect(),
@@ -13,7 +13,7 @@ fn in_spells_hz(note: &Note) -> Vec<f64> {
     }
 }
 
-/// `why` tells what refused a peak of the spectrum that is no mode.
+/// `why` gives the test that refused a peak of the spectrum.
 pub(crate) fn remark(
     modes: &Modes,
     (peaks, why): (&Modes, &dyn Fn(f64) -> Option<Refusal>),
@@ -76,14 +76,14 @@ pub(crate) fn remark(
     }
 }
 
-/// Whether one of the modes lies where the spectrum has this peak.
+/// Whether one of the modes is at this peak of the spectrum.
 pub(crate) fn explained(peak: &Mode, modes: &[Mode]) -> bool {
     modes
         .iter()
         .any(|mode| near(mode.frequency_hz, peak.frequency_hz))
 }
 
-/// A line of the spectrum lies so near its mode.
+/// Whether a line of the spectrum is this near its mode.
 pub(crate) fn near(frequency_hz: f64, peak_hz: f64) -> bool {
     const NEAR: f64 = 0.03;
     (frequency_hz / peak_hz - 1.0).abs() <= NEAR

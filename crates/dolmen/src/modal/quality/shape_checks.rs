@@ -11,18 +11,19 @@ use crate::signal::{Channel, Quantity};
 use dolmen_linalg::Complex64;
 use std::f64::consts::TAU;
 
-/// A channel below this share of the largest in every mode stands still. Chosen here: a foundation on soil moves by a few per cent.
+/// Share of the largest component in every mode below which a channel stands still. Our choice: a foundation on soil moves by a few per cent.
 const STILL: f64 = 0.01;
-/// Components below this share, or this many of their deviations, have no phase. Chosen here.
+/// Least share of the largest component, and least number of its deviations, for a component with a phase. Our choice.
 const PHASE_FROM: f64 = 0.1;
 const PHASE_DEVIATIONS: f64 = 4.0;
-/// Angles from the real axis that are no mode's, rad: 45° in one mode, or 30° in two. Chosen here: lightly damped shapes lie within 10°.
+/// Angles from the real axis that are impossible for a mode, rad: 45° in one mode, or 30° in two. Our choice: lightly damped shapes are
+/// within 10°.
 const PHASE_ONCE: f64 = 45.0 * TAU / 360.0;
 const PHASE_TWICE: f64 = 30.0 * TAU / 360.0;
 
 /// Measured quantities of the channels of a record, if they differ.
 pub(crate) struct Quantities {
-    /// How often each differentiates displacement, and what most do; `None` where one is not known or all measure the same.
+    /// Number of derivatives of displacement for each, and the quantity of most; `None` if one is unknown or all measure the same.
     orders: Option<(Vec<i32>, ShapeQuantity)>,
 }
 
@@ -40,7 +41,7 @@ impl Quantities {
         }
     }
 
-    /// Poles are judged by how real their shape is in one quantity: the shape of velocities and accelerations is a quarter turn off a real one.
+    /// Judges poles by the phase of their shape in one quantity: the shape of mixed velocities and accelerations has phases of 90°.
     pub(crate) fn judge_as_one(&self, poles: &mut [Pole]) {
         let Some((orders, target)) = &self.orders else {
             return;
@@ -54,7 +55,7 @@ impl Quantities {
     }
 }
 
-/// Brings shapes of channels that measure different quantities to one: that of most channels.
+/// Converts shapes of channels with different quantities to one quantity: that of most channels.
 ///
 /// ```text
 /// acceleration = λ velocity = λ² displacement        at the pole, exactly
@@ -69,7 +70,7 @@ pub(crate) fn to_one_quantity(modes: &mut Modes, notes: &mut Vec<Note>) {
     notes.push(Note::OneQuantity { quantity: target });
 }
 
-/// How often displacement is differentiated; `None` where it is not known.
+/// Number of derivatives of displacement, if known.
 fn order(quantity: Quantity) -> Option<i32> {
     match quantity {
         Quantity::Displacement => Some(ShapeQuantity::Displacement.order()),
@@ -79,7 +80,7 @@ fn order(quantity: Quantity) -> Option<i32> {
     }
 }
 
-/// Powers of λ that bring each channel to the quantity of most.
+/// Powers of λ that convert each channel to the quantity of most.
 fn factors(frequency_hz: f64, damping_ratio: f64, (orders, target): (&[i32], i32)) -> Vec<Complex64> {
     let zeta = damping_ratio.clamp(0.0, 1.0);
     let root = Complex64::new(-zeta, (1.0 - zeta * zeta).sqrt()) * (TAU * frequency_hz);
@@ -104,7 +105,7 @@ fn convert(mode: &mut Mode, orders: &[i32], target: i32) {
     }
 }
 
-/// Channels that stand still in every mode, and those whose phase is no shape's.
+/// Channels without motion in every mode, and channels with a phase impossible in a shape.
 pub(crate) fn doubt_channels(modes: &Modes, notes: &mut Vec<Note>) {
     for (c, channel) in modes.channels.iter().enumerate() {
         let most = modes
@@ -130,19 +131,19 @@ pub(crate) fn doubt_channels(modes: &Modes, notes: &mut Vec<Note>) {
     }
 }
 
-/// Whether the angles of one channel from the real axis, 0 to π/2, are no shape's.
+/// Whether the angles of one channel from the real axis, 0 to π/2, are impossible in a shape.
 pub(super) fn is_no_shapes(angles: &[f64]) -> bool {
     let twice = angles.iter().filter(|angle| **angle >= PHASE_TWICE).count() > 1;
     twice || angles.iter().any(|angle| *angle >= PHASE_ONCE)
 }
 
-/// Frequency, Hz, and angle of a component from the real axis, 0 to π/2; `None` where the component has no phase worth the name.
+/// Frequency, Hz, and angle of a component from the real axis, 0 to π/2; `None` if its phase is too uncertain.
 fn phase_off(mode: &Mode, c: usize) -> Option<(f64, f64)> {
     let z = mode.shape[c];
     has_phase(mode, c).then(|| (mode.frequency_hz, z.im.abs().atan2(z.re.abs())))
 }
 
-/// Whether a component is large enough, and known well enough, to have a phase worth the name.
+/// Whether a component is large and accurate enough to have a phase.
 pub(super) fn has_phase(mode: &Mode, c: usize) -> bool {
     let size = mode.shape[c].norm();
     let sd = mode
@@ -201,7 +202,7 @@ mod tests {
         identify(record, &options).unwrap()
     }
 
-    /// φ of a velocity is that of the acceleration over λ: brought back, the shape is the one that was put in.
+    /// φ of a velocity is that of the acceleration over λ: after the conversion, the shape is the original one.
     #[test]
     fn exact_velocities_and_accelerations_make_one_shape() {
         let analysis = found(&decay(&[2]));

@@ -20,8 +20,8 @@ const BESIDE: RangeInclusive<usize> = 4..=12;
 /// from footsteps 36 have less than 1.7.
 const STANDS_OUT: f64 = 2.0;
 
-/// Leaves out the modes that are there in spells alone, and says so: footsteps and other blows that follow each other make lines of their own,
-/// which a subspace method takes for modes.
+/// Removes modes that are visible only in some periods, and names them: footsteps and other repeated blows make spectral lines that a
+/// subspace method identifies as modes.
 pub(crate) fn leave_out_spells(record: &Record, modes: &mut Modes, notes: &mut Vec<Note>) {
     if modes.channels.len() != record.channels().len() {
         return;
@@ -67,10 +67,10 @@ pub(super) fn note_spells(found: Vec<InSpells>, notes: &mut Vec<Note>) {
 ///           or of each line in the half in which it is weakest (spells much shorter than the record),
 ///           or in the third whose neighbours, two windows before and after, are weakest at this line (spells as long as the rest)
 /// ```
-/// Windows are as long as the mode remembers, 1/(ζf), an eighth of the record at most.
+/// The length of windows is the decay time of the mode, 1/(ζf), at most an eighth of the record.
 ///
 /// # Limits
-/// A mode that is seen only while something passes, and drowns in noise at all other times, is taken for one that is there in spells.
+/// A mode that is visible only while something passes, and hidden by noise at all other times, counts as one of such periods.
 pub(super) fn in_spells(record: &Record, mode: &Mode) -> Option<InSpells> {
     let lines = Lines::of(record, mode)?;
     let windows = lines.strengths.len();
@@ -99,11 +99,11 @@ pub(super) fn in_spells(record: &Record, mode: &Mode) -> Option<InSpells> {
     })
 }
 
-/// Powers of the lines about a mode, window by window.
+/// Powers of the lines near a mode, window by window.
 struct Lines {
-    /// Power of all motion along the shape, one a window.
+    /// Power of all motion along the shape, one per window.
     strengths: Vec<f64>,
-    /// Powers of each line in the windows: of those below, the mode's, those above.
+    /// Powers of each line in the windows: lines below the mode, its own, and lines above.
     powers: Vec<Vec<f64>>,
 }
 
@@ -144,7 +144,7 @@ impl Lines {
         Some(Lines { strengths, powers })
     }
 
-    /// p/q, each line's power taken from those of its windows by `of`.
+    /// p/q; `of` gives each line's power from those of its windows.
     fn stands_out(&self, of: impl Fn(&[f64]) -> f64) -> f64 {
         let each: Vec<f64> = self.powers.iter().map(|powers| of(powers)).collect();
         let middle = BESIDE.count();
@@ -158,7 +158,7 @@ impl Lines {
     }
 }
 
-/// The motion along a mode's shape, of the sensors that see most of it.
+/// The motion along a mode's shape, at the sensors with its largest motion.
 fn along(record: &Record, mode: &Mode) -> Vec<f64> {
     const CHANNELS: usize = 4;
     let mut channels: Vec<usize> = (0..mode.shape.len()).collect();

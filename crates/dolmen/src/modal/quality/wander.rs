@@ -4,8 +4,8 @@
 //! |:--|:--|:--|
 //! | a_s | `motion` | complex amplitude of part s of the record at the frequency |
 //! | ρ | `rho` | Σ a_(s+1) a_s* / Σ |a_s|², of [`RUN`] parts |
-//! | w_s | | what part s + 1 adds, a_(s+1) − ρ a_s |
-//! | ψ_s | | angle of w_s against ρ a_s |
+//! | w_s | | new motion in part s + 1, a_(s+1) − ρ a_s |
+//! | ψ_s | | angle of w_s relative to ρ a_s |
 //! | R | `along` | mean cos 2ψ |
 
 use super::harmonics::{Parts, along_the_strongest, fourier_sums};
@@ -14,28 +14,28 @@ use crate::signal::Record;
 use dolmen_linalg::Complex64;
 use std::f64::consts::TAU;
 
-/// Fewest and most parts of the record. Chosen here: fewer tell nothing, and more are as short as the cycles allow in any record.
+/// Fewest and most parts of the record. Our choice: fewer allow no conclusion, and more are as short as the cycles allow in any record.
 const PARTS: [usize; 2] = [64, 2048];
-/// Cycles in a part, at least: its band then reaches an eighth to either side.
+/// Fewest cycles in a part: its band then reaches an eighth to either side.
 const CYCLES_LEAST: f64 = 16.0;
-/// Parts over which one ρ is taken: a frequency that moves with the strength or the temperature does so more slowly. Chosen here.
+/// Parts with one ρ: the frequency changes more slowly with amplitude or temperature. Our choice.
 const RUN: usize = 32;
-/// Deviations from none at which a motion is a machine's. Chosen here: by chance one in a million modes.
+/// Deviation from zero, in standard deviations, that indicates a machine. Our choice: by chance one in a million modes.
 const DEVIATIONS: f64 = 5.0;
 
-/// Whether the motion near a frequency changes in strength and in phase alike.
+/// Whether the motion near a frequency changes equally in amplitude and in phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wander {
     /// Middle of the band, Hz.
     pub frequency_hz: f64,
-    /// 0 if strength and phase change alike, as under random forces; 1 if the strength alone does, −1 if the phase alone does.
+    /// 0 if amplitude and phase change equally, as under random forces; 1 if only the amplitude changes, −1 if only the phase does.
     pub along: f64,
-    /// Standard deviation of it under random forces.
+    /// Its standard deviation under random forces.
     pub deviation: f64,
 }
 
 impl Wander {
-    /// Whether no random forces do that: five deviations from 0.
+    /// Whether random forces cannot cause this: five deviations from 0.
     pub fn is_machine(&self) -> bool {
         self.beyond() > DEVIATIONS
     }
@@ -57,8 +57,8 @@ impl std::fmt::Display for Wander {
     }
 }
 
-/// How the motion of some channels near a frequency changes from one part of the record to the next, in the direction in which most moves there;
-/// `None` where the record is too short to tell.
+/// Change of the motion of some channels near a frequency from one part of the record to the next, in the direction with the most motion;
+/// `None` if the record is too short.
 ///
 /// ```text
 /// w_s = a_(s+1) − ρ a_s,   R = mean cos 2 arg(w_s (ρ a_s)*),   sd R = 1/√(2n)
@@ -71,7 +71,7 @@ impl std::fmt::Display for Wander {
 /// [`ModalError::Linalg`].
 ///
 /// # Limits
-/// A sine that changes in nothing has w of noise alone, and a machine that changes in both alike looks as a mode does: R = 0.
+/// For a constant sine w is only noise, and a machine that changes both equally looks like a mode: R = 0.
 pub(super) fn wander(
     record: &Record,
     channels: &[usize],
@@ -170,8 +170,8 @@ mod tests {
         assert!(found.along > 0.99 && found.is_machine(), "{found:?}");
     }
 
-    /// Four sensors for half an hour: modes at 1.1, 4.9 and 8.3 Hz and, `strength` times as strong as all motion, a machine at 3.5 Hz whose
-    /// strength wanders by half within 20 s and whose phase walks, as wide as a mode damped by 0.06 %.
+    /// Four sensors for half an hour: modes at 1.1, 4.9 and 8.3 Hz, and a machine at 3.5 Hz with `strength` times the total motion. Its
+    /// amplitude varies by half within 20 s and its phase drifts randomly, with the width of a mode with 0.06 % damping.
     fn with_a_machine(strength: f64, seed: u64, options: &Identify) -> ModalAnalysis {
         const HALF_WIDTH_HZ: f64 = 0.002;
         let shapes = [
@@ -232,7 +232,7 @@ mod tests {
         for seed in 0..6 {
             let found = with_a_machine(0.3, seed, &Identify::default());
             let [(machine_hz, true)] = wandering(&found)[..] else {
-                // one that five deviations do not tell stays, as a mode that is too light for random forces
+                // a machine within five deviations stays, as a mode that is too light for random forces
                 let is_light = |note: &Note| matches!(note, Note::LightModes { .. });
                 assert!(found.notes.iter().any(is_light), "{seed}: {:?}", found.notes);
                 continue;
@@ -245,7 +245,7 @@ mod tests {
             }
         }
         assert!(count >= 4, "{count} of 6");
-        // who admits modes so light gets it, marked
+        // a user who allows such light modes gets it, marked
         let mut admitting = Identify::default();
         admitting.criteria.damping_ratio_least = Some(0.0001);
         let found = with_a_machine(0.3, 0, &admitting);

@@ -7,24 +7,24 @@ use crate::numeric::chi_squared_above;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Agreement {
-    /// Deviation of the single setups about their mean, √(Σ (x - mean)²/(S - 1)).
+    /// Deviation of the setups from their mean, √(Σ (x - mean)²/(S - 1)).
     pub spread: f64,
-    /// Σ (x - mean)²/σ²; `None` where a deviation is not known.
+    /// Σ (x - mean)²/σ²; `None` where a deviation is unknown.
     pub chi_squared: Option<f64>,
     /// Probability of a χ² at least this large by chance, with S - 1 degrees of freedom.
     pub p: Option<f64>,
 }
 
 impl Agreement {
-    /// Whether the setups differ beyond chance: in about 1 of 100 cases; in 2 where deviations come from 30 blocks of time, in up to 6 from 10,
-    /// for χ² takes them as known.
+    /// Whether the setups differ beyond chance: by chance in about 1 of 100 cases; in 2 if deviations come from 30 blocks of time, and up
+    /// to 6 from 10, because χ² assumes exact deviations.
     pub fn differs(&self) -> bool {
         const CHANCE: f64 = 0.01; // ours: ten modes and no change give a false alarm in one of ten surveys
         self.p.is_some_and(|p| p < CHANCE)
     }
 }
 
-/// A number of one setup and its deviation, if that is known.
+/// A number of one setup and its deviation, if known.
 pub(super) type Estimate = (f64, Option<f64>);
 
 /// A number of several setups.
@@ -36,7 +36,7 @@ pub(super) struct Mean {
     pub(super) agreement: Agreement,
 }
 
-/// By inverse variance where all deviations are known, else the plain mean with the deviation of its parts.
+/// By inverse variance if all deviations are known, else the plain mean with its deviation from the scatter.
 pub(super) fn mean(all: &[Estimate]) -> Result<Mean, ModalError> {
     let n = all.len() as f64;
     let known: Option<Vec<f64>> = all.iter().map(|(_, sd)| sd.filter(|sd| *sd > 0.0)).collect();

@@ -2,11 +2,11 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | H_s^ref, H_s^mov | `Setup::whole` | Hankel matrices of the sensors that stay, that move, with those that stay; not formed | r br × r br, m_s br × r br |
+//! | H_s^ref, H_s^mov | `Setup::whole` | Hankel matrices of fixed and of moved sensors with the fixed ones; not formed | r br × r br, m_s br × r br |
 //! | U | `basis` | left singular vectors of [H_1^ref … H_S^ref] | r br × n |
-//! | Z_s | | Uᵀ H_s^ref: what shook setup s | n × r br |
+//! | Z_s | | Uᵀ H_s^ref: excitation of setup s | n × r br |
 //! | Z_s⁺ = Q R⁻ᵀ | `Excitation` | from the QR of Z_sᵀ | r br × n |
-//! | T | `Setup::seen` | H_s^mov Z_s⁺: what the sensors that move see where those that stay see U | m_s br × n |
+//! | T | `Setup::seen` | H_s^mov Z_s⁺: motion of the moved sensors where the fixed ones have U | m_s br × n |
 //! | X | `x` | singular vectors of the stacked matrix over its singular values | r br × n |
 
 use super::sensor_places::ChannelPlace;
@@ -17,17 +17,17 @@ use crate::modal::{Method, ModalError};
 use crate::signal::Record;
 use dolmen_linalg::{LinalgError, Matrix, Operator, qr, solve_lower, solve_lower_transposed};
 
-/// Hankel matrices of one setup, sensors turned as the first setup has them; those that stay come first, in the order of their places.
+/// Hankel matrices of one setup, with the signs of the first setup; fixed sensors come first, in the order of their places.
 pub(super) struct Setup {
     whole: FuturePast,
     /// Deviation of each block of time.
     deviations: Vec<BlockHankel>,
     channels: usize,
-    /// Sensors that stay.
+    /// Number of fixed sensors.
     references: usize,
     /// Places of the others.
     moved_places: Vec<usize>,
-    /// Mean square of the sensors that stay.
+    /// Mean square of the fixed sensors.
     pub(super) power: f64,
     step_s: f64,
 }
@@ -66,7 +66,7 @@ impl Setup {
         }
     }
 
-    /// Rows of the sensors that stay, and of those that move.
+    /// Rows of the fixed sensors, and of the moved ones.
     fn parted(&self, y: &Matrix) -> [Matrix; 2] {
         let (l, n) = (self.channels, self.references);
         let blocks = y.rows() / l;
@@ -75,7 +75,7 @@ impl Setup {
                 y[(i / count * l + from + i % count, j)]
             })
         };
-        // a setup may have no sensor that moves
+        // a setup may have no moved sensor
         let moved = match l - n {
             0 => Matrix::zeros(0, y.columns()),
             count => of(n, count),
@@ -83,7 +83,7 @@ impl Setup {
         [of(0, n), moved]
     }
 
-    /// Rows of the sensors that stay, zeros for those that move.
+    /// Rows of the fixed sensors, zeros for the moved ones.
     fn lifted(&self, y: &Matrix) -> Matrix {
         let (l, n) = (self.channels, self.references);
         Matrix::from_fn(y.rows() / n * l, y.columns(), |i, j| match i % l {
@@ -172,7 +172,7 @@ struct Stacked<'a> {
     first_x: Matrix,
 }
 
-/// Poles of the stacked correlations, and what each block of time changes in them.
+/// Poles of the stacked correlations, and their changes by each block of time.
 pub(super) fn stacked(
     setups: &[Setup],
     places: usize,
@@ -233,7 +233,7 @@ pub(super) fn stacked(
         // each setup has its own mean: b/(b - 1) of its own blocks, not of all
         let share = (count / (count - 1.0) * (blocks as f64 - 1.0) / blocks as f64).sqrt();
         let own: Vec<usize> = stay.iter().chain(&setup.moved_places).copied().collect();
-        // the first setup's shaking is the one that all are brought to
+        // the common excitation is that of the first setup
         let touched: Vec<usize> = if index == 0 { (0..places).collect() } else { own };
         let rows = Rows::of((&found.u, &found.upper), places, &touched);
         for deviation in &setup.deviations {
@@ -252,7 +252,7 @@ pub(super) fn stacked(
     Ok(found)
 }
 
-/// A change of some rows, and the places of their sensors; `None`: of those that stay.
+/// A change of some rows, and the places of their sensors; `None`: of the fixed ones.
 type Change<'a> = (Matrix, Option<&'a [usize]>);
 
 impl Stacked<'_> {
@@ -291,7 +291,7 @@ impl Stacked<'_> {
     }
 }
 
-/// Rows of one setup at their places among all: of each block row one for each of `at`.
+/// Rows of one setup at their places among all: in each block row one for each of `at`.
 fn placed(whole: &mut Matrix, part: &Matrix, (at, places): (&[usize], usize)) {
     for j in 0..part.columns() {
         let column = whole.column_mut(j);
@@ -340,7 +340,7 @@ mod tests {
             .collect()
     }
 
-    /// Sensors 0 and 1 stay, one of them turned round in the second setup; each setup is shaken in its own way.
+    /// Sensors 0 and 1 are fixed, one of them reversed in the second setup; each setup has its own excitation.
     fn setups(more: f64) -> (Vec<Setup>, Ssi) {
         let ssi = Ssi {
             block_rows: BLOCK_ROWS,
@@ -414,7 +414,7 @@ mod tests {
                 two.plus(&found.moved[4 + sign])
             })
             .collect();
-        // they were scaled by √(2/1 × 5/6): taken out
+        // without their factor √(2/1 × 5/6)
         let share = (2.0_f64 * 5.0 / 6.0).sqrt();
         let mut propagation = Propagation::new(&together);
         let mut changes = Vec::new();

@@ -1,4 +1,4 @@
-//! Several setups as one identification: their correlations brought to one shaking and stacked (PreGER).
+//! Several setups in one identification: their correlations transformed to one excitation and stacked (PreGER).
 
 use super::common_excitation::{Setup, stacked};
 use super::merge_setups::{MergeSetups, MergedSetups};
@@ -18,33 +18,33 @@ use crate::modal::subspace::{Cluster, Clustering};
 use crate::modal::{Identify, Method, ModalError, Mode, Modes, Note, Propagation};
 use crate::signal::Record;
 
-/// Peaks of two setups so near, relative, are one.
+/// Relative difference below which peaks of two setups are one.
 const ONE_PEAK: f64 = 0.03;
 
-/// Frequencies of one mode in several setups lie so near, relative. Chosen here.
+/// Largest relative difference of the frequencies of one mode in several setups. Our choice.
 const ONE_MODE: f64 = 0.01;
 
-/// Several setups identified as one.
+/// Several setups identified together.
 #[derive(Clone, Debug)]
 pub struct JointSetups {
     /// The modes at all sensors.
     pub modes: Modes,
-    /// Indices, in `modes.channels`, of the sensors that every setup has.
+    /// Indices, in `modes.channels`, of the sensors in every setup.
     pub references: Vec<usize>,
     /// Every pole with its verdict.
     pub stabilization: Stabilization,
     /// Every group of poles with its fate.
     pub clusters: Vec<Cluster>,
-    /// What was chosen from the data.
+    /// Settings chosen from the data.
     pub settings: Settings,
-    /// Strength of the motion of the sensors that stay in each setup over that of the first: root of their mean squares.
+    /// Root mean square of the fixed sensors in each setup over that in the first.
     pub strength: Vec<f64>,
-    /// What must be known beside the modes.
+    /// Notes on the modes.
     pub notes: Vec<Note>,
 }
 
 impl JointSetups {
-    /// Frequencies, Hz, of the modes of `merged` that no mode of this identification is, those that single setups show too.
+    /// Frequencies, Hz, of the modes of `merged` that this identification lacks, including those found only in single setups.
     ///
     /// # Errors
     /// As [`pair_modes`].
@@ -55,7 +55,7 @@ impl JointSetups {
         let paired = pair_modes(&together, &own, &options)?;
         let lost = paired.only_first.iter().map(|&i| together[i].frequency_hz);
         let mut frequency_hz: Vec<f64> = lost.collect();
-        // a mode of some setups has no shape at all sensors: by frequency, beside those that are taken
+        // a mode of some setups has no shape at all sensors: by frequency, among modes without a pair
         let mut free: Vec<f64> = paired.only_second.iter().map(|&j| own[j].frequency_hz).collect();
         for mode in &merged.partial {
             let near = |hz: &f64| (hz / mode.frequency_hz - 1.0).abs() <= ONE_PEAK;
@@ -75,25 +75,25 @@ impl JointSetups {
 ///
 /// ```text
 /// [H_1^ref … H_S^ref] = U S Vᵀ,   Z_s = Uᵀ H_s^ref                         first n columns of U
-/// H = [U Z_1; H_1^mov Z_1⁺ Z_1; H_2^mov Z_2⁺ Z_1; … H_S^mov Z_S⁺ Z_1]             shape: l br × r br, l all sensors, r those that stay
+/// H = [U Z_1; H_1^mov Z_1⁺ Z_1; H_2^mov Z_2⁺ Z_1; … H_S^mov Z_S⁺ Z_1]             shape: l br × r br, l all sensors, r fixed ones
 /// ```
-/// then as [`ssi_cov`](crate::modal::ssi_cov()). The sensors that stay see U in every setup and only Z_s differs with the shaking, so that
-/// Z_s⁺ Z_1 turns what the moved sensors saw into what they had seen in the first setup. The settings are chosen from the
-/// peaks of all setups. Standard deviations: first order, the blocks of time of each setup by themselves.
+/// then as [`ssi_cov`](crate::modal::ssi_cov()). The fixed sensors have U in every setup and only Z_s differs with the excitation, so that
+/// Z_s⁺ Z_1 transforms the motion of the moved sensors to that under the excitation of the first setup. The settings are chosen from the
+/// peaks of all setups. Standard deviations: first order, with the blocks of time of each setup separately.
 ///
 /// # Errors
 /// [`ModalError::Setups`] with fewer than two; [`ModalError::NoCommonReference`], [`ModalError::SetupRate`]; else as
 /// [`identify`](crate::modal::identify()).
 ///
 /// # Limits
-/// The setups are one structure: frequencies that moved between them (weather, moved mass) do not show, each mode is smeared over them; putting
-/// them together after identification (`merge_setups`) tells. A mode that none of the sensors that stay sees is lost. The spectrum of each
-/// setup and the least kurtosis of all reveal machines. A sensor that several setups have, but not all, counts as the last of them shows it.
+/// The setups are assumed to be one structure: frequencies that change between them (weather, moved mass) are not detected, and smear each mode;
+/// merging after identification (`merge_setups`) shows them. A mode without motion at the fixed sensors is lost. The spectrum of each
+/// setup and the least kurtosis of all reveal machines. A sensor in several setups, but not all, has the component of the last one.
 ///
 /// # Source
 /// Mevel, Basseville, Benveniste & Goursat (2002) Mech. Syst. Signal Process. 16:759-783; Döhler, Andersen & Mevel (2010) Proc. IMAC
 /// XXVIII, the strategy called PreGER there. Differs from the sources: Z_s⁺ from a QR; in the deviations of the
-/// moved sensors U is held (its change cancels to first order).
+/// moved sensors U is fixed (its change cancels to first order).
 pub fn joint_setups(
     records: &[Record],
     options: &Identify,
@@ -119,7 +119,7 @@ pub fn joint_setups(
     let shortest = records.iter().min_by_key(|r| r.length()).unwrap_or(first);
     let mut settings = choose(shortest, &options, (&peaks, &tones_hz), &mut notes)?;
     let ssi = check_ssi(&settings.ssi(), places.channels.len())?;
-    // counted among all sensors, not among those that stay
+    // counted among all sensors, not among the fixed ones
     settings.references.clone_from(&references);
     let duration_s: f64 = records.iter().map(Record::duration_s).sum();
     let mut setups = Vec::with_capacity(records.len());
@@ -130,13 +130,13 @@ pub fn joint_setups(
         .iter()
         .map(|s| (s.power / setups[0].power).sqrt())
         .collect();
-    // each setup alone must explain how well a pole is known: the floor is that of the mean setup
+    // the deviation of a pole is compared with the floor of the mean setup
     let mean_s = duration_s / records.len() as f64;
     let found = stacked(&setups, places.channels.len(), &ssi, mean_s)?;
     let channels = records.iter().map(|r| r.channels().len()).sum::<usize>() as f64 / records.len() as f64;
     let past = channels / references.len() as f64;
     let clustering = Clustering {
-        // the past of those that stay alone: where it is a third of all, deviations are up to three times as large
+        // the past has only the fixed sensors: with a third of all, deviations are up to three times as large
         deviation_over_floor_most: past.sqrt() * options.clustering.deviation_over_floor_most,
         ..options.clustering.clone()
     };
@@ -153,7 +153,7 @@ pub fn joint_setups(
         clustering: &clustering,
         duration_s,
     };
-    // no setup shows the whole shape of a peak: the poles alone tell what stands there
+    // no setup shows the whole shape of a peak: only the poles give the modes
     let no_peaks = Modes {
         modes: Vec::new(),
         ..peaks.clone()
@@ -224,7 +224,7 @@ fn common_places(
     Ok((places, channel_places))
 }
 
-/// Peaks of the spectra of all setups that are no machines, each once, and the machines' frequencies, Hz.
+/// Peaks in the spectra of all setups, each once and without machines, and the machines' frequencies, Hz.
 fn peaks_of_all(
     records: &[Record],
     options: &Identify,
@@ -233,7 +233,7 @@ fn peaks_of_all(
     let mut all: Option<Modes> = None;
     let mut tones_hz = Vec::new();
     for record in records {
-        // references are counted among the sensors that stay, and the spectrum takes all
+        // references are counted among the fixed sensors, and the spectrum uses all
         check(record, options)?;
         notes.extend(judge_channels(record)?);
         note_filter(record, options, notes);

@@ -11,7 +11,7 @@ use crate::modal::{ModalError, Modes};
 /// Options of [`merge_setups`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct MergeSetups {
-    /// How modes of two setups are paired; default 5 % of frequency, else as [`Pairing`].
+    /// Pairing of the modes of two setups; default 5 % of frequency, else as [`Pairing`].
     pub pairing: Pairing,
 }
 
@@ -26,33 +26,33 @@ impl Default for MergeSetups {
     }
 }
 
-/// A mode that not every setup shows.
+/// A mode found in only some setups.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartialMode {
-    /// Its frequency, Hz, in the first setup that shows it.
+    /// Its frequency, Hz, in the first setup that has it.
     pub frequency_hz: f64,
-    /// Setups that show it, from 0.
+    /// Setups that have it, from 0.
     pub setups: Vec<usize>,
-    /// Setups that show a mode of that frequency (2 %) whose shape at the references is another, or that had another partner.
+    /// Setups with a mode of that frequency (2 %) that has another shape at the references, or another partner.
     pub unlike_in: Vec<usize>,
 }
 
-/// Several setups as one.
+/// Several setups, merged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MergedSetups {
-    /// The modes that every setup shows, at all sensors.
+    /// The modes found in every setup, at all sensors.
     pub modes: Modes,
-    /// How each came together, in the same order.
+    /// The merging of each mode, in the same order.
     pub merged: Vec<MergedMode>,
-    /// Modes that some setups do not show: left out.
+    /// Modes missing in some setups: left out.
     pub partial: Vec<PartialMode>,
-    /// Indices, in `modes.channels`, of the sensors that more than one setup has.
+    /// Indices, in `modes.channels`, of the sensors in more than one setup.
     pub references: Vec<usize>,
-    /// References whose gain or sense is not the same in all setups.
+    /// References whose gain or sign differs between setups.
     pub reference_faults: Vec<ReferenceFault>,
 }
 
-/// Relative difference up to which frequencies of two setups may belong to one mode whatever the shapes. Chosen here.
+/// Largest relative difference of the frequencies of two setups for one mode, whatever the shapes. Our choice.
 const ONE_FREQUENCY: f64 = 0.02;
 
 /// Modes of several setups put together (post-separate estimation re-scaling).

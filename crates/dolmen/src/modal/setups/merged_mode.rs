@@ -13,7 +13,7 @@ use crate::modal::indicators::{assurance, normalized, phase_collinearity};
 use crate::modal::{ModalError, Mode};
 use dolmen_linalg::Complex64;
 
-/// How one mode came together.
+/// The merging of one mode.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MergedMode {
     /// Frequency in each setup, Hz.

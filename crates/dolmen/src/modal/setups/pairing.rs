@@ -12,15 +12,15 @@ use crate::numeric::assignment;
 use crate::signal::Channel;
 use dolmen_linalg::Complex64;
 
-/// A pair costs as much as two modes without a partner: dearer ones are not made.
+/// A pair costs as much as two modes without a partner: more expensive pairs are not made.
 const UNPAIRED: f64 = 1.0;
 /// Cost of a forbidden pair: more than any sum of other costs.
 const FORBIDDEN: f64 = 1e6;
-/// Cost of a mode without a partner if the number of pairs is to be as large as possible.
+/// Cost of a mode without a partner for the largest possible number of pairs.
 const UNPAIRED_AT_ALL: f64 = 1e3;
-/// MAC from which two modes may be one, however far their frequencies are apart. Chosen here.
+/// MAC from which two modes may be one, for any difference of frequency. Our choice.
 const LIKE_LEAST: f64 = 0.8;
-/// Directions of two sensors are the same, or opposite, if their cosine is so near 1: 2.6°.
+/// Least cosine of the angle between two sensors for the same, or opposite, direction: 2.6°.
 const PARALLEL: f64 = 0.999;
 /// Fewest common places for comparing shapes: with a single place any two shapes are equal.
 const PLACES_LEAST: usize = 2;
@@ -28,12 +28,12 @@ const PLACES_LEAST: usize = 2;
 /// Options of [`pair_modes`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pairing {
-    /// Largest relative difference of the frequencies of a pair; default 0.15 (ours).
+    /// Largest relative difference of the frequencies of a pair; default 0.15 (our choice).
     pub frequency_within: f64,
     /// Least MAC of the shapes of a pair with at least two common places; default 0.4 (our choice: two close modes rotate in the plane of their
     /// shapes, and unrelated shapes have less with four sensors or more).
     pub assurance_least: f64,
-    /// How far apart two sensors may stand that are taken for one, m; default 0.1 (ours).
+    /// Largest distance between two sensors that count as one, m; default 0.1 (our choice).
     pub place_within_m: f64,
 }
 
@@ -57,7 +57,7 @@ pub struct ObservedPoint {
 }
 
 impl ObservedPoint {
-    /// A point that moves in phase, or against it.
+    /// A point that moves in phase or in opposite phase.
     pub fn real(channel: Channel, displacement: f64) -> Self {
         ObservedPoint {
             channel,
@@ -66,24 +66,24 @@ impl ObservedPoint {
     }
 }
 
-/// A mode as one occasion shows it, whoever found it.
+/// A mode on one occasion, from any source.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ObservedMode {
     /// Natural frequency, Hz.
     pub frequency_hz: f64,
-    /// Its standard deviation, Hz; `None` if not known.
+    /// Its standard deviation, Hz, if known.
     pub frequency_sd_hz: Option<f64>,
     /// Damping ratio.
     pub damping_ratio: Option<f64>,
     /// Its standard deviation.
     pub damping_ratio_sd: Option<f64>,
-    /// Degrees of freedom of the standard deviations; infinite where they are taken as known.
+    /// Degrees of freedom of the standard deviations; infinite if these are assumed exact.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub degrees_of_freedom: f64,
     /// Known direction of the motion, or "torsion": modes of two different directions are never a pair. `None`: unknown.
     pub direction: Option<String>,
-    /// Whether the user insists on it though a test refused it.
+    /// Whether the user requested it although a test refused it.
     pub accepted: bool,
     /// Its shape; empty if only the frequency is known.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -91,14 +91,14 @@ pub struct ObservedMode {
 }
 
 impl ObservedMode {
-    /// As [`identify`](crate::modal::identify) found it; `time_blocks` are those behind its deviations, below 2 where these are taken as known.
+    /// From a mode of [`identify`](crate::modal::identify); `time_blocks` is the number of blocks for its deviations, below 2 if these are assumed exact.
     ///
     /// ```text
     /// 1/ν = 2/(b − 1) + (sd ζ/ζ)²/2        b blocks of time, ν one at least
     /// ```
-    /// The order that is shown is one of those that seem to know the mode best, so that its deviation is low by chance: 8 % in one minute of
-    /// 1.5 to 6 Hz, 5 % in three, none in ten (measured); half of the degrees make up for it. A deviation of a frequency goes with √ζ, and is
-    /// known no better than ζ.
+    /// The selected order is one with a small deviation, so that its deviation is low by chance: 8 % in one minute of
+    /// 1.5 to 6 Hz, 5 % in three, none in ten (measured); half of the degrees of freedom compensate for this. The deviation of a frequency is
+    /// proportional to √ζ, and its relative error is that of √ζ.
     pub fn of(mode: &Mode, channels: &[Channel], time_blocks: usize) -> Self {
         let points = channels.iter().zip(&mode.shape);
         ObservedMode {
@@ -139,9 +139,9 @@ pub struct ModePair {
     pub first: usize,
     /// Index in the second list.
     pub second: usize,
-    /// Assurance of the two shapes at the places that both show; `None` with fewer than two such places: by frequency alone.
+    /// Assurance of the two shapes at their common places; `None` with fewer than two: paired by frequency only.
     pub assurance: Option<f64>,
-    /// Places that both show.
+    /// Number of common places.
     pub places: usize,
     /// Increase of the cost of the whole pairing if these two must not be a pair, 0 to 1.
     pub margin: f64,
@@ -167,7 +167,7 @@ pub struct PairedModes {
     /// Modes of the first list without a partner, each with a possible counterpart in the second list that moved further than allowed for a
     /// pair.
     pub moved_further: Vec<MovedFurther>,
-    /// The pairing with the most pairs, where it has more of them than this one: indices in both lists. Else empty.
+    /// The pairing with the most pairs, if it has more than this one: indices in both lists. Else empty.
     pub most_pairs: Vec<[usize; 2]>,
 }
 
@@ -176,27 +176,27 @@ pub struct PairedModes {
 pub struct MovedFurther {
     /// Index in the first list.
     pub first: usize,
-    /// Index in the second list, without a partner there; `None` if nothing is like it.
+    /// Index in the second list, without a partner there; `None` if none is similar.
     pub second: Option<usize>,
     /// Their MAC, where shapes are known.
     pub assurance: Option<f64>,
 }
 
-/// Modes of two occasions paired so that the sum of their differences is least.
+/// Pairs the modes of two occasions so that the sum of their differences is smallest.
 ///
 /// ```text
 /// d = |f - f'| / (½ (f + f') w),   w = frequency_within            c = d + 1 - MAC, or d where fewer than two places are the same
 /// minimise Σ_pairs c + Σ_first without a partner 1                 d > 1, c > 1 or MAC < assurance_least: no pair
 /// ```
-/// Two sensors are one place if they stand within `place_within_m` and point along one line (the sign is turned where they point against
-/// each other); where place or direction of either is not known, if they have one name.
+/// Two sensors are at one place if their distance is at most `place_within_m` and their directions are parallel (the sign changes if these are
+/// opposite); with an unknown place or direction, if their names are equal.
 ///
 /// # Errors
 /// [`ModalError::Option`] for an option out of its range; [`ModalError::Compared`] for a frequency that is not positive.
 ///
 /// # Limits
-/// A mode whose frequency moved by more than `frequency_within` is lost and found new. Two modes as near as their bandwidths share the
-/// plane of their shapes: which is which may be chance, and [`ModePair::doubtful`] says so.
+/// A mode whose frequency changed by more than `frequency_within` appears as lost and as new. Two modes closer than their bandwidths share the
+/// plane of their shapes: their pairing may be chance, which [`ModePair::doubtful`] indicates.
 pub fn pair_modes(
     first: &[ObservedMode],
     second: &[ObservedMode],
@@ -324,12 +324,12 @@ fn check<'a>(modes: impl Iterator<Item = &'a ObservedMode>, options: &Pairing) -
     Ok(())
 }
 
-/// How alike two modes are.
+/// Similarity of two modes.
 struct Likeness {
     cost: f64,
     assurance: Option<f64>,
     places: usize,
-    /// The two point along different directions.
+    /// Whether the two have different directions.
     strangers: bool,
 }
 
@@ -356,7 +356,7 @@ impl Likeness {
     }
 }
 
-/// Components of two shapes at the places that both show, each place once.
+/// Components of two shapes at their common places, each place once.
 pub(crate) fn shared(a: &[ObservedPoint], b: &[ObservedPoint], within_m: f64) -> [Vec<Complex64>; 2] {
     let mut free = vec![true; b.len()];
     let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
@@ -374,7 +374,7 @@ pub(crate) fn shared(a: &[ObservedPoint], b: &[ObservedPoint], within_m: f64) ->
     [of_a, of_b]
 }
 
-/// 1 if two sensors measure the same thing, -1 if its opposite, `None` if something else.
+/// 1 if two sensors measure the same motion, -1 if the opposite, `None` if another one.
 pub(crate) fn same_place(a: &Channel, b: &Channel, within_m: f64) -> Option<f64> {
     if let (Some(p), Some(q), Some(u), Some(v)) = (a.position_m, b.position_m, a.direction, b.direction) {
         let apart_m = p.iter().zip(q).map(|(x, y)| (x - y).powi(2)).sum::<f64>().sqrt();

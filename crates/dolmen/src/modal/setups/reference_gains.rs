@@ -11,11 +11,11 @@ use super::pairing::{ObservedMode, Pairing, pair_modes, same_place};
 use crate::modal::{ModalError, Mode, Modes};
 use dolmen_linalg::Complex64;
 
-/// Deviation of a component beside that stated, of the largest of its mode: weather and modes that lie close. Chosen here.
+/// Deviation of a component beside that stated, of the largest of its mode: weather and modes that lie close. Our choice.
 const BESIDE: f64 = 0.03;
-/// Standard deviation assumed if none is stated. Chosen here.
+/// Standard deviation assumed if none is stated. Our choice.
 const NOT_STATED: f64 = 0.05;
-/// Least change of a factor that a note names, beside four of its deviations. Chosen here: well above what sensors of one kind differ by.
+/// Least change of a factor that a note names, beside four of its deviations. Our choice: well above what sensors of one kind differ by.
 const CHANGE_LEAST: f64 = 0.15;
 const DEVIATIONS: f64 = 4.0;
 /// Factor by which one sensor's factor must reduce the unexplained variance, compared with no factor and with a factor of any other

@@ -1,4 +1,4 @@
-//! Where the sensors of several setups stand, and which are one.
+//! Places of the sensors of several setups, with common ones identified.
 
 use super::pairing::same_place;
 use crate::modal::ModalError;
@@ -11,7 +11,7 @@ pub(super) struct SensorPlaces {
     seen: Vec<usize>,
 }
 
-/// Where a channel of a setup stands among all places, and whether it points the other way.
+/// Index of the place of a channel among all places, and whether it points the opposite way.
 #[derive(Clone, Copy)]
 pub(super) struct ChannelPlace {
     pub(super) place: usize,

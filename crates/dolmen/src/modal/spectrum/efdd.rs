@@ -17,11 +17,10 @@ use crate::signal::Record;
 use dolmen_linalg::{Complex64, hermitian_eigen};
 use std::f64::consts::PI;
 
-/// Where the fit of the decay begins and ends, parts of its start: before, what the cut sides of the bell make of it;
-/// after, noise.
+/// Where the fit of the decay begins and ends, parts of its start: before, what the cut sides of the bell make of it; after, noise.
 const FIT_FROM: f64 = 0.85;
 const FIT_TO: f64 = 0.25;
-/// The window is taken out of the decay down to this value of it: further out it multiplies noise.
+/// The effect of the window is removed from the decay down to this value of the window: beyond it noise would be multiplied.
 const WINDOW_LEAST: f64 = 0.12;
 /// Points of the decay that a fit needs.
 const POINTS_LEAST: usize = 5;
@@ -32,7 +31,7 @@ const POINTS_A_WIDTH: f64 = 40.0;
 /// the twisting building, which are cut above a quarter.
 const CUT_MOST: f64 = 0.06;
 
-/// Lines by which the frequency of a decay may lie beside its peak, or half the width of the peak if that is more. Chosen here.
+/// Lines by which the frequency of a decay may lie beside its peak, or half the width of the peak if that is more. Our choice.
 const LINES_AWAY: f64 = 4.0;
 
 /// Options of [`efdd`].
@@ -64,7 +63,7 @@ impl Default for Efdd {
 /// a(τ) = Σ b(f) e^(2πi f τ) / w(τ)
 /// ln |a| falls with -ζωτ;  arg a turns with ω√(1-ζ²) τ                straight lines from |a| = 0.85 to 0.25 of a(0)
 /// ```
-/// The window's own decay is taken out (÷ w), and with it most of the bias that short correlations give to damping:
+/// The window's own decay is removed (÷ w), and with it most of the bias that short correlations give to damping:
 /// `Mode::window_bias` tells how large it would have been.
 ///
 /// # Errors
@@ -77,7 +76,7 @@ impl Default for Efdd {
 /// # Source
 /// Brincker, Ventura & Andersen (2001) Proc. 19th IMAC (EFDD); Zhang, Wang & Tamura (2010) Mech. Syst. Signal Process.
 /// 24:1227-1239 (FSDD). Differs from the sources: the complex correlation instead of extremes and zero crossings; S is
-/// transformed, not √S; its window is taken out.
+/// transformed, not √S; its window is removed.
 pub fn efdd(record: &Record, options: &Efdd) -> Result<FddResult, ModalError> {
     if !(options.assurance_least > 0.0 && options.assurance_least < 1.0) {
         return refused("assurance_least", options.assurance_least, "between 0 and 1");
@@ -114,7 +113,7 @@ fn bell(matrices: &SpectralMatrices, peak: usize, options: &Efdd) -> Result<Bell
     let value = |line: usize| -> Result<Option<f64>, ModalError> {
         let s = matrices.at(line);
         let e = hermitian_eigen(&s)?;
-        // of the two largest, the one that is like φ: bells of two modes may cross
+        // the one of the two largest similar to φ: the bells of two modes may cross
         let like = (0..channels.min(2))
             .map(|k| channels - 1 - k)
             .find(|&k| assurance(e.vectors.column(k), &phi) >= options.assurance_least);

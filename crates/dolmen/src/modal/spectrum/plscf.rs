@@ -21,7 +21,7 @@ use crate::signal::Record;
 pub struct MatrixFraction {
     /// All poles that swing and whose windowed correlation dies away, by order, then by frequency.
     pub poles: Vec<Pole>,
-    /// How the poles were found.
+    /// The method of identification.
     pub method: Method,
     /// Reference channels, by index.
     pub references: Vec<usize>,

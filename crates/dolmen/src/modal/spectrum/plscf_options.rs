@@ -14,7 +14,7 @@ pub struct Plscf {
     /// Reference channels, by index; empty (default): all.
     pub references: Vec<usize>,
     /// Exponential window at the last lag, above 0 and at most 1; default 0.01 (Peeters & Van der Auweraer 2005 take 0.1 to 1 %).
-    /// Its decay is taken out of the damping.
+    /// Its decay is removed from the damping.
     pub window_end: f64,
     /// Lowest line that is fitted, Hz; default 0.
     pub frequency_low_hz: f64,

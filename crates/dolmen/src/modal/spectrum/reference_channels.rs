@@ -7,7 +7,7 @@
 
 use dolmen_linalg::Matrix;
 
-/// Channels are selected until the residual motion at the peaks is at most this fraction. Chosen here, on the records of the book: a
+/// Channels are selected until the residual motion at the peaks is at most this fraction. Our choice, on the records of the book: a
 /// tenth selects 2 of 8 channels for close pairs, a hundredth nearly all.
 const LEFT_MOST: f64 = 0.1;
 /// Fewest channels: two modes of the same frequency need two references.

@@ -6,38 +6,38 @@ use super::shaking::{Shaking, ShakingKind};
 use crate::signal::Record;
 
 /// Least value of the largest score. Of 200 simulated records with lorries, gusts and footsteps the highest has 11.5, and one with an equally sudden
-/// onset 9.8; of 100 simulated earthquakes of 20 times the noise and more the lowest has 12.7. Chosen here.
+/// onset 9.8; of 100 simulated earthquakes of 20 times the noise and more the lowest has 12.7. Our choice.
 const SCORE_LEAST: f64 = 11.0;
-/// Least growth of the score within two seconds on the way to its peak: an earthquake begins suddenly, a lorry or a gust gradually. Chosen here.
+/// Least growth of the score within two seconds on the way to its peak: an earthquake begins suddenly, a lorry or a gust gradually. Our choice.
 const GROWTH_LEAST: f64 = 3.5;
-/// Score from which a gradual onset is accepted, as for a distant earthquake: no traffic is so strong. Chosen here.
+/// Score from which a gradual onset is accepted, as for a distant earthquake: no traffic is so strong. Our choice.
 const SCORE_SURE: f64 = 100.0;
 /// Conditions for accepting a gradual onset at a lower score: the weakest peak, m/s² and m/s (1 % of g, which traffic hardly causes in a monument);
 /// the longest strong phase, s; and power in more than a few lines, because a gust shakes a structure only in its lowest modes. A storm lasts longer.
 /// Of 200 simulated earthquakes with a gradual onset 131 have the score; 114 of them grow suddenly enough, and 127 are accepted with this condition.
-/// Chosen here.
+/// Our choice.
 const SWELLS_LEAST_M_S2: f64 = 0.1;
 const SWELLS_LEAST_M_S: f64 = 0.005;
 const SWELLS_MOST_S: f64 = 120.0;
 /// A free decay has its peak on every channel at its beginning, and grows again only through beating of close modes. So an earthquake must have its
-/// latest channel peak at least this long after the first sample above the noise, or grow again by this ratio. Chosen here.
+/// latest channel peak at least this long after the first sample above the noise, or grow again by this ratio. Our choice.
 const LATEST_PEAK_S: f64 = 2.0;
 const REGROWTH_LEAST: f64 = 3.0;
 /// Time within which every channel reaches its peak after a blow or a release, with all power in a few lines. Of 331 simulated earthquakes the
-/// smallest value is 0.94 s; of nine simulated decays with beating close modes, five have at most 0.11 s. Chosen here.
+/// smallest value is 0.94 s; of nine simulated decays with beating close modes, five have at most 0.11 s. Our choice.
 const AT_ONCE_S: f64 = 0.3;
 /// Fraction of the power in the four highest lines of the spectrum, each with two on either side, for the channel with the smallest fraction. A decay
 /// has all its power there, an earthquake has not. Of 33 simulated decays the lowest has 0.65; of the simulated earthquakes with an early peak the
-/// highest has 0.55. Chosen here.
+/// highest has 0.55. Our choice.
 const IN_LINES_MOST: f64 = 0.6;
 /// Least and largest duration of the strong phase, s: a machine that was switched on continues.
 const STRONG_LEAST_S: f64 = 1.5;
 const STRONG_MOST_S: f64 = 300.0;
-/// Weakest peak of an earthquake, m/s² and m/s: 0.2 % of g, hardly felt indoors; traffic near a monument stays below. Chosen here.
+/// Weakest peak of an earthquake, m/s² and m/s: 0.2 % of g, hardly felt indoors; traffic near a monument stays below. Our choice.
 const ACCELERATION_LEAST_M_S2: f64 = 0.02;
 const VELOCITY_LEAST_M_S: f64 = 0.001;
 /// Ratio of the motion from 0.5 to 2 Hz to that of the quiet part from which a motion is certainly an earthquake: nearby traffic excites the ground
-/// above 5 Hz. Chosen here, from simulated records: of 62 earthquakes the lowest has 9, of 28 trains and lorries the highest 2.3.
+/// above 5 Hz. Our choice, from simulated records: of 62 earthquakes the lowest has 9, of 28 trains and lorries the highest 2.3.
 const LOW_GROWTH_LEAST: f64 = 4.0;
 /// Peak from which this ratio is not required: 5 % of g, which neither traffic nor wind causes in a monument, m/s².
 pub(super) const SURE_M_S2: f64 = 0.5;

@@ -1,4 +1,4 @@
-//! How far each second of a record stands over its noise.
+//! Level of each second of a record over its noise.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -10,7 +10,7 @@ use crate::numeric::quantile;
 use crate::signal::Record;
 use std::ops::Range;
 
-/// Length of a window, s: longer than a footfall, shorter than the strong part of an earthquake. Chosen here.
+/// Length of a window, s: longer than a footfall, shorter than the strong part of an earthquake. Our choice.
 const WINDOW_S: f64 = 1.0;
 /// Period above which motion counts as drift of the sensor, s.
 const SLOW_S: f64 = 4.0;
@@ -100,7 +100,7 @@ impl Levels {
         self.steady = (0..self.noise.len()).map(|c| steady(record, c, lost_s)).collect();
     }
 
-    /// When a window begins, s.
+    /// Start of a window, s.
     pub(super) fn time_s(&self, window: usize) -> f64 {
         (window * self.hop) as f64 / self.rate_hz
     }

@@ -19,18 +19,18 @@ const RATE_HZ: f64 = 100.0;
 /// Highest frequency of the shaking, Hz.
 const CORNER_HZ: f64 = 12.0;
 
-/// How a made earthquake goes.
+/// Time course of a simulated earthquake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MadeEarthquake {
     /// Seed of all that is random.
     pub seed: u64,
     /// Duration of the record, s.
     pub duration_s: f64,
-    /// When the earthquake arrives, s.
+    /// Arrival of the earthquake, s.
     pub arrival_s: f64,
-    /// How long it takes to its largest, s.
+    /// Rise time, s.
     pub rise_s: f64,
-    /// How long it stays there, s.
+    /// Duration of the strong part, s.
     pub plateau_s: f64,
     /// Time in which it then falls to 1/e, s.
     pub fall_s: f64,

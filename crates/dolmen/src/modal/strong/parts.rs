@@ -12,7 +12,7 @@ use crate::modal::{Method, Mode, Modes};
 use crate::signal::Record;
 use dolmen_linalg::Complex64;
 
-/// Shortest part for identifying modes, s. Chosen here: in shorter parts standard deviations from blocks of time are unreliable.
+/// Shortest part for identifying modes, s. Our choice: in shorter parts standard deviations from blocks of time are unreliable.
 const PART_LEAST_S: f64 = 40.0;
 /// Seconds that are kept from the earthquake: before it the length of a window; after it what a structure at 2 Hz and 2 % of damping takes to
 /// forget a swing of twice the noise.
@@ -21,12 +21,12 @@ const SETTLES_S: f64 = 5.0;
 /// Largest relative difference of two frequencies, and least likeness of two shapes, that are taken for one mode.
 const FREQUENCY_WITHIN: f64 = 0.35;
 const ALIKE: f64 = 0.8;
-/// As above, within one part of a record. Chosen here.
+/// As above, within one part of a record. Our choice.
 const TWICE_WITHIN: f64 = 0.25;
 const TWICE_ALIKE: f64 = 0.9;
-/// Ratio of the standard deviation in a state with little motion to that in the state with motion, from which the former is dropped. Chosen here.
+/// Ratio of the standard deviation in a state with little motion to that in the state with motion, from which the former is dropped. Our choice.
 const LITTLE_MOVED: f64 = 4.0;
-/// The strong phase with the quiet time before it, which weighs little beside it, s: a record of that length can be identified. Chosen here.
+/// The strong phase with the quiet time before it, which weighs little beside it, s: a record of that length can be identified. Our choice.
 const DRIVEN_S: f64 = 30.0;
 
 /// Modes above the measured ground in one state of the structure, and when.
@@ -47,7 +47,7 @@ pub enum During {
     Driven(Box<DrivenPart>),
     /// The lowest mode, window by window.
     Tracked(Tracked),
-    /// Nothing can be told.
+    /// No statement is possible.
     Unknown,
 }
 
@@ -64,12 +64,12 @@ pub struct LastingChange {
     pub after_sd_hz: Option<f64>,
     /// After over before, less 1.
     pub ratio: f64,
-    /// Standard deviation of it; `None` where one of both is not known.
+    /// Standard deviation of it; `None` where one of both is unknown.
     pub ratio_sd: Option<f64>,
 }
 
 impl LastingChange {
-    /// Standard deviations beyond which a change is one. Chosen here: two identifications differ by as much once in 370 times.
+    /// Standard deviations beyond which a change is one. Our choice: two identifications differ by as much once in 370 times.
     pub const BEYOND: f64 = 3.0;
 
     /// Whether it is more than both identifications scatter.

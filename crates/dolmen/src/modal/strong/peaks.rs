@@ -12,11 +12,11 @@ use crate::signal::{
 const LOW_HZ: [f64; 4] = [0.1, 0.2, 0.5, 1.0];
 const HIGH_OF_RATE: f64 = 0.4;
 const ORDER: usize = 4;
-/// Seconds before the arrival that the measures begin with.
+/// Start of the measures before the arrival, s.
 const LEAD_S: f64 = 2.0;
-/// Seconds before it from which the velocity is integrated: longer than the filter rings.
+/// Start of the integration of the velocity before the arrival, s: longer than the transient of the filter.
 const RUN_UP_S: f64 = 30.0;
-/// A clipped channel is at the end of its range in an earthquake in which it comes so near to its largest of all.
+/// Share of its largest value of all from which a clipped channel is at the end of its range in an earthquake.
 const NEAR_RANGE: f64 = 0.9;
 /// Periods of the response spectrum, s, and its damping ratio.
 const PERIODS_S: [f64; 2] = [0.05, 4.0];
@@ -32,9 +32,9 @@ pub struct StrongChannel {
     pub quantity: Quantity,
     /// Largest distance from the mean of that part, in its unit.
     pub peak: f64,
-    /// When that is, s from the first sample of the record.
+    /// Its time, s from the first sample of the record.
     pub peak_at_s: f64,
-    /// Why it may have been larger, and every measure below with it; `None` where the channel shows all of it.
+    /// Why the peak and every measure below may be too small; `None` if the channel contains the whole earthquake.
     pub at_least: Option<AtLeast>,
     /// Root mean square in the quiet part before it, else after it.
     pub noise: f64,
@@ -46,7 +46,7 @@ pub struct StrongChannel {
     pub velocity_band_hz: Option<[f64; 2]>,
     /// Arias intensity, m/s.
     pub arias_intensity_m_s: Option<f64>,
-    /// Pseudo-acceleration at 5 % damping over periods: what an oscillator standing where the sensor stands would feel. Empty unless it measures
+    /// Pseudo-acceleration at 5 % damping over periods, of an oscillator at the place of the sensor. Empty unless the sensor measures
     /// acceleration.
     pub spectrum: Vec<SpectralOrdinate>,
 }
@@ -91,7 +91,7 @@ impl<'a> Strength<'a> {
         each.collect()
     }
 
-    /// Samples of a quiet part beside an earthquake, the one before it first; all of the channel where both last less than a second.
+    /// Samples of a quiet part next to an earthquake, preferably the one before it; the whole channel where both last less than a second.
     fn still(&self, event: usize, at: usize) -> &[f64] {
         let rate_hz = self.record.sampling_rate_hz();
         let samples = self.record.samples(at);

@@ -14,7 +14,7 @@ use crate::signal::{Quantity, Record};
 /// One earthquake of a record.
 #[derive(Clone, Debug)]
 pub struct StrongEvent {
-    /// When it was and how it was told.
+    /// Its time, and how it was detected.
     pub shaking: Shaking,
     /// Peak values of each channel.
     pub channels: Vec<StrongChannel>,

@@ -13,7 +13,7 @@ use crate::modal::Mode;
 use crate::signal::{Channel, Record};
 use std::f64::consts::PI;
 
-/// Periods of a window. Chosen here.
+/// Periods of a window. Our choice.
 const PERIODS: f64 = 12.0;
 /// Range of the frequencies in the search, relative to the frequency before: a structure softens in an earthquake, and hardly stiffens.
 const BAND: [f64; 2] = [0.45, 1.15];

@@ -1,11 +1,11 @@
-//! Products with a Hankel matrix of blocks that is not formed: by FFT along its antidiagonals.
+//! Products with a block Hankel matrix, without forming the matrix: by FFT along its antidiagonals.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | R_k | `block(k)` | what stands on antidiagonal k - 1 | l × r |
+//! | R_k | `block(k)` | block on antidiagonal k - 1 | l × r |
 //! | H | `BlockHankel` | block (i, j) is R_(i+j+1), i, j = 0 … br - 1 | l br × r br |
-//! | R̂, X̂ | `bins`, `Transformed` | discrete Fourier transforms over k - 1, over the block rows of X | l × r, r × n a bin |
-//! | P | `points` | points of each transform, at least 2 br - 1: nothing wraps round | |
+//! | R̂, X̂ | `bins`, `Transformed` | discrete Fourier transforms over k - 1, over the block rows of X | l × r, r × n per bin |
+//! | P | `points` | points of each transform, at least 2 br - 1, so that nothing wraps around | |
 
 use super::hankel::side_by_side;
 use crate::modal::correlations::{Correlations, Ends};
@@ -14,7 +14,7 @@ use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::sync::Arc;
 
-/// H, by the transforms of its blocks.
+/// H as the transforms of its blocks.
 pub(crate) struct BlockHankel {
     /// Rows and columns of a block.
     size: [usize; 2],
@@ -55,7 +55,7 @@ impl BlockHankel {
         self.times_transformed(&self.transformed(x))
     }
 
-    /// H X, of an X that [`transformed`](Self::transformed) made ready.
+    /// H X, for an X transformed by [`transformed`](Self::transformed).
     ///
     /// ```text
     /// (H X)_i = Σ_j R_(i+j+1) X_j   ⇒   Ŷ = R̂ conj(X̂)
@@ -64,7 +64,7 @@ impl BlockHankel {
         let (l, n) = (self.size[0], x.columns);
         let products: Vec<Matrix> = self.bins.iter().zip(&x.bins).map(|(a, b)| a * b).collect();
         let entry = |bin: &Matrix, i: usize, j: usize| {
-            // Re and Im of R̂ stand above each other, those of X̂ beside each other
+            // Re and Im of R̂ are stacked vertically, those of X̂ horizontally
             Complex {
                 re: bin[(i, j)] + bin[(l + i, n + j)],
                 im: bin[(l + i, j)] - bin[(i, n + j)],
@@ -73,7 +73,7 @@ impl BlockHankel {
         self.back(&products, [l, n], entry)
     }
 
-    /// The transforms of X, r br × n: one X serves many H.
+    /// The transforms of X, r br × n: one X is used with many H.
     pub(super) fn transformed(&self, x: &Matrix) -> Transformed {
         let r = self.size[1];
         Transformed {
@@ -106,7 +106,7 @@ impl BlockHankel {
         })
     }
 
-    /// Transforms over the block rows of each entry of the blocks, put into a matrix a bin.
+    /// Transforms each entry of the blocks over the block rows; one matrix per bin.
     fn blocks_transformed(
         &self,
         x: &Matrix,
@@ -128,7 +128,7 @@ impl BlockHankel {
         bins
     }
 
-    /// The first br blocks, size rows × n, of which `entry` gives the transforms.
+    /// The first br blocks, size rows × n, from their transforms in `entry`.
     fn back(
         &self,
         products: &[Matrix],
@@ -153,14 +153,14 @@ impl BlockHankel {
     }
 }
 
-/// X̂: of each bin Re beside Im, r × 2n.
+/// X̂: for each bin Re and Im side by side, r × 2n.
 pub(super) struct Transformed {
     columns: usize,
     bins: Vec<Matrix>,
 }
 
-/// Y⁺ Y⁻ᵀ / S as [`future_past`](super::hankel::future_past) has it, not formed: the Hankel matrix of its lags, and what other windows gain
-/// and lose.
+/// Y⁺ Y⁻ᵀ / S of [`future_past`](super::hankel::future_past) without forming it: the Hankel matrix of its lags, and the differences at the
+/// edges of the windows.
 ///
 /// ```text
 /// G(a, b) = R_(a-b) + 1/S Σ_u [y(S + a - u) ŷ(S + b - u)ᵀ - y(a - u) ŷ(b - u)ᵀ],   u = 1 … b
@@ -168,7 +168,7 @@ pub(super) struct Transformed {
 /// The sums are products of two thin matrices, (l br) × (br - 1) and (r br) × (br - 1) each.
 pub(crate) struct FuturePast {
     hankel: BlockHankel,
-    /// Pairs of thin matrices A, B: Σ A Bᵀ is added.
+    /// Pairs of thin matrices A, B; their Σ A Bᵀ is added.
     thin: Vec<[Matrix; 2]>,
 }
 
@@ -196,7 +196,7 @@ impl FuturePast {
     }
 }
 
-/// Block row i, column u - 1: the samples at `at(i)` - u of the chosen channels, nothing before the first.
+/// Block row i, column u - 1: the samples at `at(i)` - u of the chosen channels, zero before the first.
 fn shifted(
     samples: &[f64],
     l: usize,
@@ -243,7 +243,7 @@ struct Buffers {
 }
 
 impl Transform {
-    /// At least `least` points, an even number with factors 2, 3 and 5 alone.
+    /// At least `least` points: an even number with prime factors 2, 3 and 5 only.
     fn of(least: usize) -> Self {
         let fast = |n: &usize| {
             let mut left = *n;
@@ -290,7 +290,7 @@ impl Transform {
 
     fn back(&self, buffers: &mut Buffers) {
         let Buffers { time, bins, scratch } = buffers;
-        // the first and the last are real but for rounding, and the plan asks for zeros
+        // the first and the last are real except for rounding, and the plan requires zero imaginary parts
         let last = bins.len() - 1;
         (bins[0].im, bins[last].im) = (0.0, 0.0);
         let _ = self.inverse.process_with_scratch(bins, time, scratch); // lengths are the plan's own

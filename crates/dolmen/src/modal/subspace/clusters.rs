@@ -15,7 +15,7 @@ use dolmen_linalg::Complex64;
 /// Options of [`clusters`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clustering {
-    /// Largest distance d of a pole from the medoid of its cluster; default 0.05 (ours: several times the scatter of
+    /// Largest distance d of a pole from the medoid of its cluster; default 0.05 (our choice: several times the scatter of
     /// a pole between orders, and far below the distance 1 of two shapes at right angles).
     pub distance_most: f64,
     /// Least share of the model orders from the first that shows the mode to the highest, 0 to 1; default 0.2 (ours).

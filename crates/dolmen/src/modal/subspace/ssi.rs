@@ -1,5 +1,4 @@
-//! Stochastic subspace identification, covariance-driven and data-driven: poles of every even model order from one
-//! decomposition.
+//! Stochastic subspace identification, covariance-driven and data-driven: poles of every even model order from one decomposition.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
@@ -29,7 +28,7 @@ pub(crate) const RANK_LEAST: f64 = 1e-13;
 /// One pole of one model order: upper half plane only, its conjugate is implied.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pole {
-    /// Model order it was found at.
+    /// Its model order.
     pub order: usize,
     /// Natural (undamped) frequency, Hz.
     pub frequency_hz: f64,
@@ -59,16 +58,16 @@ impl Pole {
     }
 }
 
-/// Poles of every even order, with the decomposition they came from.
+/// Poles of every even order, with their decomposition.
 #[derive(Clone, Debug)]
 pub struct Subspace {
     /// All oscillating poles, by order, then by frequency.
     pub poles: Vec<Pole>,
-    /// Singular values of H, descending: all of them, or of a large H the first `order_most`.
+    /// Singular values of H, descending: all, or for a large H the first `order_most`.
     pub singular_values: Vec<f64>,
-    /// How the poles were found.
+    /// The method of identification.
     pub method: Method,
-    /// Channels whose past was used, by index.
+    /// Reference channels, by index.
     pub references: Vec<usize>,
     /// Block rows.
     pub block_rows: usize,
@@ -87,7 +86,7 @@ pub struct Subspace {
     pub(crate) upper: Qr,
     /// Qᵀ O↓.
     pub(crate) shifted: Matrix,
-    /// dH X of each block of time, projected, where the correlations do not hold them: of setups put together.
+    /// dH X of each block of time, projected, for merged setups, whose correlations do not contain it.
     pub(crate) moved: Vec<Block>,
 }
 
@@ -101,8 +100,7 @@ pub struct Subspace {
 /// The correlation at lag 0 is left out, so that white sensor noise does not enter.
 ///
 /// # Errors
-/// [`ModalError::Order`], [`ModalError::Rank`], [`ModalError::Option`], [`ModalError::TooShort`],
-/// [`ModalError::Linalg`].
+/// [`ModalError::Order`], [`ModalError::Rank`], [`ModalError::Option`], [`ModalError::TooShort`], [`ModalError::Linalg`].
 ///
 /// # Limits
 /// With fewer than fs/(2 f1) block rows the first mode is lost or its damping is wrong by several times; see
@@ -140,8 +138,7 @@ pub fn ssi_cov(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
 ///
 /// # Source
 /// Peeters & De Roeck (1999), as above; sums of products instead of samples: Van Overschee & De Moor (1996) Subspace
-/// Identification for Linear Systems, section 4.4. Differs from the sources: displacement instead of products of the
-/// stacked matrix.
+/// Identification for Linear Systems, section 4.4. Differs from the sources: displacement instead of products of the stacked matrix.
 pub fn ssi_data(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
     let (options, correlations) = correlated(record, options, true)?;
     let parts = of_data(record, &correlations, &options)?;
@@ -153,7 +150,7 @@ pub fn ssi_data(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> 
     )
 }
 
-/// Options with the reference channels written out, and the correlations that they ask for; those of the past with itself want `is_padded`.
+/// Options with the reference channels as a list, and the correlations that they need; `is_padded` is for those of the past with itself.
 fn correlated(record: &Record, options: &Ssi, is_padded: bool) -> Result<(Ssi, Correlations), ModalError> {
     let channels = record.channels().len();
     let options = check_ssi(options, channels)?;

@@ -14,7 +14,7 @@ pub struct Ssi {
     /// is then itself known to 13 %); at least 2.
     pub time_blocks: usize,
     /// Channels whose past is correlated with the future of all, by index; empty (default): all. Few make the work
-    /// smaller; a mode that none of them sees is lost.
+    /// smaller; a mode without motion at any of them is lost.
     pub references: Vec<usize>,
 }
 

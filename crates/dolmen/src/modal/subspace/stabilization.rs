@@ -1,4 +1,4 @@
-//! Which poles can be modes at all, and which come back from one model order to the next.
+//! Tests of poles: criteria for modes, and stability from one model order to the next.
 
 use super::uncertainty::Deviations;
 use crate::modal::indicators::assurance;
@@ -15,18 +15,17 @@ pub struct Criteria {
     pub damping_ratio_least: Option<f64>,
     /// Largest damping ratio; default 0.15: above any structure in ambient motion without dampers (ours).
     pub damping_ratio_most: f64,
-    /// Least modal phase collinearity, 0 to 1; default 0.4 (ours: of two modes 2 % apart, 10 minutes show shapes
+    /// Least modal phase collinearity, 0 to 1; default 0.4 (our choice: of two modes 2 % apart, 10 minutes show shapes
     /// that are not quite real).
     pub phase_collinearity_least: f64,
     /// Largest mean phase deviation over a right angle, 0 to 1; default 0.45 (ours).
     pub phase_deviation_most: f64,
-    /// Largest standard deviation of the frequency over its floor √(ζ/2πN_c); default 8 (ours: modes of the made
+    /// Largest standard deviation of the frequency over its floor √(ζ/2πN_c); default 8 (our choice: modes of the made
     /// records reach 1 to 2, entangled with a noise pole 5 to 8; poles that fit noise 10 to 100).
     pub deviation_over_floor_most: f64,
     /// Largest change of frequency to the order below, relative; default 0.01 (Peeters & De Roeck 1999).
     pub frequency_change_most: f64,
-    /// Largest change of damping ratio to the order below, relative; default 0.3 (ours: its scatter is that wide in
-    /// 10 minutes).
+    /// Largest change of damping ratio to the order below, relative; default 0.3 (our choice: its scatter is that wide in 10 minutes).
     pub damping_change_most: f64,
     /// Least assurance of the shape with the order below; default 0.95 (ours; Peeters & De Roeck take 0.98).
     pub assurance_least: f64,

@@ -306,7 +306,7 @@ impl Order {
     }
 }
 
-/// Which of the eigenvalues is nearest.
+/// Index of the nearest eigenvalue.
 pub(crate) fn nearest(values: &[Complex64], to: Complex64) -> usize {
     let apart = |k: usize| (values[k] - to).norm_sqr();
     (0..values.len())

@@ -38,7 +38,7 @@ pub struct UnkindRecord {
 
 impl UnkindMode {
     /// Whether the record has enough energy for this mode: 10 dB above everything else, and a damping ratio that can be known to
-    /// 30 %. Chosen here.
+    /// 30 %. Our choice.
     pub fn has_enough_energy(&self) -> bool {
         self.signal_over_rest >= 10.0 && self.damping_floor <= 0.3
     }

@@ -1,4 +1,4 @@
-//! The structures of unkind records: masts, storeyed buildings with twist, and ones of any shapes.
+//! The structures of unkind records: masts, storeyed buildings with twist, and structures with random shapes.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -12,12 +12,12 @@ use std::f64::consts::PI;
 /// βL of a cantilever's first modes (Blevins 1979, table 8-1); from the fifth on (2n − 1) π/2.
 const BETA: [f64; 4] = [1.875_104_07, 4.694_091_13, 7.854_757_44, 10.995_540_73];
 
-/// Evenly distributed between two numbers.
+/// Uniformly distributed between two numbers.
 pub(super) fn between(random: &mut Random, low: f64, high: f64) -> f64 {
     low + (high - low) * random.uniform()
 }
 
-/// Evenly distributed in its logarithm.
+/// With a uniformly distributed logarithm.
 pub(super) fn log_between(random: &mut Random, low: f64, high: f64) -> f64 {
     between(random, low.ln(), high.ln()).exp()
 }
@@ -31,7 +31,7 @@ pub(super) fn chance(random: &mut Random, share: f64) -> bool {
     random.uniform() < share
 }
 
-/// Modes of a structure drawn at random, by frequency, none above `highest_hz`, none damped outside of 0.05 to 8 %.
+/// Modes of a random structure, by frequency, at most `highest_hz`, with damping ratios of 0.05 to 8 %.
 pub(super) fn structure(
     random: &mut Random,
     channels: usize,
@@ -53,7 +53,7 @@ pub(super) fn structure(
     modes
 }
 
-/// Frequency over that of the first mode, and deflection at height s, of a cantilever's mode n = 0, 1, …
+/// Frequency over that of the first mode, and deflection at height s, of mode n = 0, 1, … of a cantilever.
 fn cantilever(n: usize, s: f64) -> (f64, f64) {
     let beta = BETA.get(n).copied().unwrap_or((n as f64 + 0.5) * PI);
     let sigma = (beta.sinh() - beta.sin()) / (beta.cosh() + beta.cos());
@@ -64,13 +64,13 @@ fn cantilever(n: usize, s: f64) -> (f64, f64) {
     )
 }
 
-/// As above, for a shear building.
+/// The same for a shear building.
 fn storeyed(n: usize, s: f64) -> (f64, f64) {
     let odd = (2 * n + 1) as f64;
     (odd, (0.5 * PI * odd * s).sin())
 }
 
-/// Pairs along two axes 0.5 to 30 % apart, turned against the sensors, and twist where three sensors stand on a floor.
+/// Pairs along two axes, 0.5 to 30 % apart, rotated relative to the sensors, and twist where a floor has three sensors.
 fn swaying(
     random: &mut Random,
     (channels, each, first_hz): (usize, usize, f64),
@@ -113,7 +113,7 @@ fn swaying(
     modes
 }
 
-/// Frequencies and shapes at random, some of them 0.5 to 3 % apart: walls, arches, timber gates.
+/// Random frequencies and shapes, some frequencies 0.5 to 3 % apart: walls, arches, timber gates.
 fn of_any_shape(random: &mut Random, (channels, count, first_hz): (usize, usize, f64)) -> Vec<MadeMode> {
     let mut frequency_hz = first_hz;
     (0..count)

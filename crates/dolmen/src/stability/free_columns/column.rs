@@ -45,7 +45,7 @@ pub struct ColumnStanding {
     pub falls: ColumnPoint,
 }
 
-/// Ratio of the ends of an interval of e(θ) beyond uplift that is integrated by one rule. Chosen here: accurate to 1e-14.
+/// Ratio of the ends of an interval of e(θ) beyond uplift that is integrated by one rule. Our choice: accurate to 1e-14.
 const PANEL: f64 = 2.0;
 
 impl FreeColumns {

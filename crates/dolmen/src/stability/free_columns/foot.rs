@@ -38,9 +38,9 @@ pub struct FootPressure {
     pub contact_m: f64,
 }
 
-/// Half angle of the contact arc below which the closed forms of the circle lose digits. Chosen here.
+/// Half angle of the contact arc below which the closed forms of the circle lose digits. Our choice.
 const PHI_SMALL: f64 = 0.5;
-/// Newton steps for φ; five are usual. Chosen here.
+/// Newton steps for φ; five are usual. Our choice.
 const STEPS_MOST: usize = 60;
 
 impl FootSection {
@@ -151,7 +151,7 @@ fn integral(high: f64, f: impl Fn(f64) -> f64) -> f64 {
     nodes.iter().map(|node| node.weight * f(node.x)).sum()
 }
 
-/// φ at which n(φ) is `force`, from 0 to π: Newton's steps, halved where they leave the bracket.
+/// φ with n(φ) = `force`, from 0 to π: Newton steps, halved if they leave the bracket.
 fn half_angle(force: f64) -> f64 {
     let (mut low, mut high) = (0.0, PI);
     let mut phi = (7.5 * force).powf(0.2).min(0.9 * PI); // n = 2 φ⁵/15 near 0

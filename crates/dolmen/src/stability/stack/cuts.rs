@@ -4,9 +4,9 @@ use crate::structure::stack::{BED_GAP_M, Body, Joint, Stack};
 use glam::DVec3;
 
 /// Least sine of the inclination of a joint from the vertical for which it carries load (about 6°); a steeper joint is only a side contact.
-/// Chosen here: an upright face may lean by 5°.
+/// Our choice: an upright face may lean by 5°.
 const CARRIES_LEAST: f64 = 0.1;
-/// Cosine of 1°, the largest angle between joints in one plane. Chosen here.
+/// Cosine of 1°, the largest angle between joints in one plane. Our choice.
 const PARALLEL: f64 = 0.999_847_7;
 
 /// A part of the stack that can tip or slide on the rest as one rigid body.
@@ -122,7 +122,7 @@ fn same_plane(a: &Joint, b: &Joint) -> bool {
     normal.dot(other) >= PARALLEL && normal.dot(between).abs() <= BED_GAP_M
 }
 
-/// Which blocks rest on each other.
+/// The pairs of blocks that rest on each other.
 pub(super) struct SupportRelation {
     /// The blocks on each block.
     on: Vec<Vec<usize>>,
@@ -146,7 +146,7 @@ impl SupportRelation {
         carriers
     }
 
-    /// These blocks and all blocks that they carry, ascending.
+    /// These blocks and all blocks above them, ascending.
     pub(super) fn carried(&self, start: Vec<usize>) -> Vec<usize> {
         let mut above = vec![false; self.on.len()];
         let mut next = start;

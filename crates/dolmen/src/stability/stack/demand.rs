@@ -89,7 +89,7 @@ pub struct Comparison {
 pub struct DemandComparison {
     /// As if every joint were rigid: against the peak ground acceleration.
     pub rigid: Comparison,
-    /// On elastic joints, which amplify: against S_a(T₁, ζ). `None` if the first period is not known.
+    /// On elastic joints, which amplify: against S_a(T₁, ζ). `None` if the first period is unknown.
     pub elastic: Option<Comparison>,
     /// The worse of both. Without the elastic one it is at best "unknown": a stack like P10 (first frequency 4.7 Hz) amplifies the ground
     /// motion.

@@ -10,7 +10,7 @@ use super::mechanism::Mechanism;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
-/// Largest number of rounds in which further joints begin to slide. Chosen here.
+/// Largest number of rounds in which further joints begin to slide. Our choice.
 pub(crate) const ROUNDS: usize = 6;
 
 /// The lower of the limits with and without friction in upright joints that slide.

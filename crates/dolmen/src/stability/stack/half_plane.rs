@@ -37,7 +37,7 @@ impl HalfPlane {
         }
     }
 
-    /// Where it is reached soonest.
+    /// The place where it is reached first.
     pub(super) fn threshold(&self, gravity: f64) -> Threshold {
         let lever = self.lever[0].hypot(self.lever[1]);
         let direction = if lever > 0.0 {

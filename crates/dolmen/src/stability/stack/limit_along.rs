@@ -9,7 +9,7 @@ use super::limit_region::Nearest;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
-/// Acceleration over gravity that a rough solution, accurate to 1e-6, must exceed for the piece to stand. Chosen here.
+/// Acceleration over gravity that a rough solution, accurate to 1e-6, must exceed for the piece to stand. Our choice.
 const CLEAR: f64 = 1e-3;
 
 /// Result for a piece along one direction.

@@ -12,7 +12,7 @@ use crate::stability::StabilityError;
 use crate::structure::stack::{Body, Joint, Stack};
 use glam::DVec3;
 
-/// Motions of a joint below this fraction of the largest are not reported. Chosen here: the solver is accurate to 1e-8.
+/// Motions of a joint below this fraction of the largest are not reported. Our choice: the solver is accurate to 1e-8.
 const NAMED_LEAST: f64 = 1e-3;
 
 /// A direction of shaking for pieces that fall under any shaking.

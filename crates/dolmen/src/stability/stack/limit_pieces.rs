@@ -11,9 +11,9 @@ use crate::structure::stack::{Body, Stack};
 use clarabel::solver::DefaultSettings;
 use glam::DVec3;
 
-/// Coefficients (of order 1) below this are rounding and left out. Chosen here.
+/// Coefficients (of order 1) below this are rounding and left out. Our choice.
 const ROUNDING: f64 = 1e-13;
-/// Relative difference below which places and loads are equal. Chosen here: a limit changes by no more.
+/// Relative difference below which places and loads are equal. Our choice: a limit changes by no more.
 const SAME: f64 = 1e-9;
 
 /// Possible forces of a joint or tie at one point: on a block, with their opposites on the body below.
@@ -230,7 +230,7 @@ impl PiecePushes {
 /// Balances that a possible force acts on, with its sign in each.
 type Incidence = Vec<(usize, f64)>;
 
-/// How a stack divides: each block with its links and with what it carries.
+/// Division of a stack: each block with its links and the blocks that it carries.
 struct Division {
     /// The joints, then the ties.
     links: Vec<Link>,

@@ -12,15 +12,15 @@ use crate::stability::StabilityError;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 
-/// Acceleration over gravity that counts as unlimited. Chosen here: far above any ground motion.
+/// Acceleration over gravity that counts as unlimited. Our choice: far above any ground motion.
 pub(super) const ACCELERATION_MOST: f64 = 10.0;
-/// Tolerance of the solver, over the weight. Chosen here: one or two steps more than its default 1e-8.
+/// Tolerance of the solver, over the weight. Our choice: one or two steps more than its default 1e-8.
 const SOUGHT: f64 = 1e-10;
-/// Tolerance for a rough result. Chosen here: several steps fewer.
+/// Tolerance for a rough result. Our choice: several steps fewer.
 const SOUGHT_ROUGH: f64 = 1e-7;
-/// Largest accepted error of the force balance, of the cones and of the gap between both bounds, over the weight. Chosen here; 1e-9 is usual.
+/// Largest accepted error of the force balance, of the cones and of the gap between both bounds, over the weight. Our choice; 1e-9 is usual.
 const MISSED_MOST: f64 = 1e-6;
-/// Coefficients (of order 1) below this are rounding errors and are left out. Chosen here.
+/// Coefficients (of order 1) below this are rounding errors and are left out. Our choice.
 const ROUNDING: f64 = 1e-13;
 
 /// Possible forces of a joint or tie at one point: columns of the force balance, one per unknown component.

@@ -13,15 +13,15 @@ use crate::structure::stack::Polygon;
 /// A rotation or mirror of the plane, by rows.
 pub(super) type Symmetry = [[f64; 2]; 2];
 
-/// Relative difference of both bounds at which the search ends. Chosen here: a solution is accurate to 1e-8.
+/// Relative difference of both bounds at which the search ends. Our choice: a solution is accurate to 1e-8.
 const SAME: f64 = 1e-6;
-/// Tolerance after [`ENOUGH`] directions, because a smooth boundary would need very many. Chosen here.
+/// Tolerance after [`ENOUGH`] directions, because a smooth boundary would need very many. Our choice.
 const NEAR: f64 = 0.02;
-/// Number of directions before [`NEAR`] suffices. Chosen here: straight edges are found with fewer.
+/// Number of directions before [`NEAR`] suffices. Our choice: straight edges are found with fewer.
 const ENOUGH: usize = 12;
-/// Distance below which points are equal, over gravity: the line through them would be rounding. Chosen here.
+/// Distance below which points are equal, over gravity: the line through them would be rounding. Our choice.
 const APART: f64 = 1e-5;
-/// Largest number of directions; about 20 are usual. Chosen here.
+/// Largest number of directions; about 20 are usual. Our choice.
 const DIRECTIONS_MOST: usize = 200;
 
 /// The smallest acceleration outside the region.

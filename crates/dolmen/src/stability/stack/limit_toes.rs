@@ -10,21 +10,21 @@
 use super::toe::toe;
 use crate::structure::stack::Polygon;
 
-/// Shares of a patch that lines cut off, for its blocks of full stress in stacks of few joints. Chosen here: up to 0.6 of the full capacity, the
+/// Shares of a patch that lines cut off, for its blocks of full stress in stacks of few joints. Our choice: up to 0.6 of the full capacity, the
 /// moment of a rectangle is at most 1.3 % too small about an edge, or 3.7 % askew.
 const MANY: [f64; 12] = [
     0.85, 0.7, 0.57, 0.46, 0.36, 0.27, 0.19, 0.12, 0.07, 0.03, 0.006, 0.000_1,
 ];
-/// Fewer values for stacks of many joints: the error is 6.3 %, and 12.2 % with half of the directions. Chosen here.
+/// Fewer values for stacks of many joints: the error is 6.3 %, and 12.2 % with half of the directions. Our choice.
 const FEW: [f64; 9] = [0.75, 0.5, 0.3, 0.18, 0.1, 0.05, 0.02, 0.004, 0.000_05];
-/// Largest number of joints of a "few". Chosen here: a check of such an arch takes some seconds.
+/// Largest number of joints of a "few". Our choice: a check of such an arch takes some seconds.
 const JOINTS_FEW: usize = 25;
-/// Values relative to a known force in the joint, for shaking, which hardly changes that force. Chosen here.
+/// Values relative to a known force in the joint, for shaking, which hardly changes that force. Our choice.
 const ABOUT_KNOWN: [f64; 5] = [1.0, 0.9, 1.1, 0.25, 4.0];
-/// And for growing loads, which may change it. Chosen here, as [`MANY`].
+/// And for growing loads, which may change it. Our choice, as [`MANY`].
 const FROM_KNOWN: [f64; 12] = [1.0, 0.25, 0.7, 1.19, 1.41, 1.68, 2.0, 2.83, 4.0, 5.7, 8.0, 16.0];
 /// Number of directions between the normals of adjacent edges: for few joints, for many, and for patches with so many edges that their normals
-/// suffice. Chosen here.
+/// suffice. Our choice.
 const BETWEEN_FEW: usize = 4;
 const BETWEEN_MANY: usize = 2;
 const EDGES_SUFFICE: usize = 12;

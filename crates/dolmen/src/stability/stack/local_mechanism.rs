@@ -21,9 +21,9 @@ use crate::stability::StabilityError;
 use crate::structure::stack::{Block, Stack};
 use glam::DVec3;
 
-/// Relative difference below which velocities are equal. Chosen here: the solver is accurate to 1e-8.
+/// Relative difference below which velocities are equal. Our choice: the solver is accurate to 1e-8.
 const SAME: f64 = 1e-4;
-/// Largest sine of the inclination of a level axis of rotation, and largest share of motion along it. Chosen here.
+/// Largest sine of the inclination of a level axis of rotation, and largest share of motion along it. Our choice.
 const LEVEL: f64 = 1e-3;
 
 /// Blocks that move as one rigid body in a mechanism.

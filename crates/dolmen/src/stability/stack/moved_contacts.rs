@@ -11,7 +11,7 @@ use glam::{DMat3, DVec3};
 
 /// Smallest cosine between the normal of a face and that of its joint: 6°.
 const FACES_JOINT: f64 = 0.9945;
-/// Relative difference between the overlap of two faces and the joint's patch up to which the faces are used. Chosen here; otherwise the patch
+/// Relative difference between the overlap of two faces and the joint's patch up to which the faces are used. Our choice; otherwise the patch
 /// itself replaces both.
 const SAME_AREA: f64 = 0.01;
 

@@ -15,9 +15,9 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use glam::DVec3;
 
-/// Largest error of the force balance and cones, over the weight. Chosen here, as in the limit analysis.
+/// Largest error of the force balance and cones, over the weight. Our choice, as in the limit analysis.
 const MISSED_MOST: f64 = 1e-6;
-/// Coefficients (of order 1) below this are rounding errors. Chosen here.
+/// Coefficients (of order 1) below this are rounding errors. Our choice.
 const ROUNDING: f64 = 1e-13;
 
 /// Constant loads on a block: force at its centroid and moment about it.
@@ -60,7 +60,7 @@ pub(super) struct Stage<'a> {
 /// ```text
 /// minimise   −Σ (F·d + M·θ)   over d, θ of every block
 ///            (g + n·Δ, μ t·Δ) in the cone |across| ≤ along at every corner, Δ = d₂ + θ₂ × r₂ − d₁ − θ₁ × r₁ − u
-/// its dual   maximise what the ground's forces do on its movement, less Σ f₀ g, over forces f in Coulomb's cones that balance the weight
+/// its dual   maximise the work of the ground's forces on its movement, less Σ f₀ g, over forces f in Coulomb's cones that balance the weight
 /// ```
 ///
 /// So with spreading supports the thrust is the smallest possible, with closing supports the largest. Open corners (g > 0) carry no force

@@ -9,13 +9,13 @@ use crate::structure::stack::{Body, Stack, Tie};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Number of directions between two neighbouring edges in which a toe of finite strength is computed. Chosen here: 5.6° on a square.
+/// Number of directions between two neighbouring edges in which a toe of finite strength is computed. Our choice: 5.6° on a square.
 const TOES: usize = 16;
-/// Distance from the edge that counts as on it, over the size of the contact. Chosen here: rounding of coordinates.
+/// Distance from the edge that counts as on it, over the size of the contact. Our choice: rounding of coordinates.
 const ON_EDGE: f64 = 1e-9;
-/// Number of directions of sliding before refinement. Chosen here.
+/// Number of directions of sliding before refinement. Our choice.
 const SLIDES: usize = 72;
-/// Number of directions in which the resistance to sliding is given. Chosen here: the worst lies at most 1° beside one, 1.5e-4 of it.
+/// Number of directions in which the resistance to sliding is given. Our choice: the worst lies at most 1° beside one, 1.5e-4 of it.
 const RESISTS: usize = 180;
 
 /// Rotation of the soil under the base.

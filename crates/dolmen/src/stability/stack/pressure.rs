@@ -15,7 +15,7 @@ use crate::structure::stack::Polygon;
 pub struct JointPressure {
     /// Greatest pressure, at a corner, Pa.
     pub peak_pa: f64,
-    /// Where it is, m.
+    /// Its place, m.
     pub peak_at_m: [f64; 2],
     /// Area in contact over area of the joint.
     pub contact_share: f64,
@@ -29,9 +29,9 @@ pub struct JointPressure {
     pub residual: f64,
 }
 
-/// Largest number of iterations; fewer than 20 are needed. Chosen here.
+/// Largest number of iterations; fewer than 20 are needed. Our choice.
 const STEPS_MOST: usize = 200;
-/// Residual at which it ends. Chosen here.
+/// Residual at which it ends. Our choice.
 const RESIDUAL: f64 = 1e-12;
 
 /// Pressure under a force on one or several convex patches of a plane: linear, no tension; `None` if the resultant lies

@@ -13,12 +13,12 @@ use glam::DVec3;
 pub struct SupportMovementOptions {
     /// Loads besides the weight, constant in direction. Default none.
     pub loads: StackLoads,
-    /// Largest rotation of a stone, rad, and largest displacement over the size of the stack, in one step. Default 0.004, chosen here: half of
+    /// Largest rotation of a stone, rad, and largest displacement over the size of the stack, in one step. Default 0.004, our choice: half of
     /// it changes the collapse of an arch of t/R 0.15 by less than 0.1 %.
     pub step: f64,
-    /// Movement at which the analysis ends, over the size of the stack. Default 0.5, chosen here: far beyond any repair.
+    /// Movement at which the analysis ends, over the size of the stack. Default 0.5, our choice: far beyond any repair.
     pub movement_most: f64,
-    /// Largest number of steps, including rejected ones. Default 1000, chosen here.
+    /// Largest number of steps, including rejected ones. Default 1000, our choice.
     pub steps_most: usize,
 }
 
@@ -90,19 +90,19 @@ pub struct MovedSupports {
 }
 
 impl MovedSupports {
-    /// Slip in closed joints, over the size of the stack, from which the movement at collapse depends on friction. Chosen here.
+    /// Slip in closed joints, over the size of the stack, from which the movement at collapse depends on friction. Our choice.
     pub const SLIP_TELLS: f64 = 1e-3;
-    /// Factor on the given movement below which a standing stack is marginal. Chosen here, as that on a load.
+    /// Factor on the given movement below which a standing stack is marginal. Our choice, as that on a load.
     pub const MARGINAL_BELOW: f64 = 1.5;
 }
 
-/// The movement of a first state, over the size of the stack. Chosen here: joints open by about as much.
+/// The movement of a first state, over the size of the stack. Our choice: joints open by about as much.
 const SMALL: f64 = 1e-4;
-/// Smallest step of the movement, over the size of the stack: if it needs a smaller one, it falls. Chosen here: 0.02 mm a metre.
+/// Smallest step of the movement, over the size of the stack: if it needs a smaller one, it falls. Our choice: 0.02 mm a metre.
 const STEP_LEAST: f64 = 2e-5;
-/// Gaps and slips below this fraction of the largest are not reported. Chosen here, as in the limit analysis.
+/// Gaps and slips below this fraction of the largest are not reported. Our choice, as in the limit analysis.
 const NAMED_LEAST: f64 = 1e-3;
-/// And so are those below this fraction of the movement, if that is larger. Chosen here.
+/// And so are those below this fraction of the movement, if that is larger. Our choice.
 const NAMED_OF_MOVEMENT: f64 = 0.1;
 
 /// Follows a stack while the ground under some of its stones moves, from its drawn shape until no forces in its joints balance its weight.

@@ -30,7 +30,7 @@ pub struct Element {
     pub stiffness_y_n_m: f64,
     /// Its own stiffness against rotation about itself, N·m/rad: 0 for thin walls and columns.
     pub stiffness_rotation_n_m_rad: f64,
-    /// How far its axes are turned from x and y, degrees, counterclockwise.
+    /// Rotation of its axes from x and y, degrees, counterclockwise.
     pub angle_degrees: f64,
 }
 

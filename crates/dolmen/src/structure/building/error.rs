@@ -19,7 +19,7 @@ pub enum BuildingError {
     Value {
         /// "floor", "storey", "mode".
         part: &'static str,
-        /// Which one, from 1 at the bottom.
+        /// Its number, from 1 at the bottom.
         number: usize,
         /// Name of the quantity with its unit.
         quantity: &'static str,
@@ -31,9 +31,9 @@ pub enum BuildingError {
     /// A refused number of a wall or column.
     #[error("storey {storey}, element {element}: {quantity} is {given}, but must be {allowed}")]
     Element {
-        /// Which storey, from 1 at the bottom.
+        /// Number of the storey, from 1 at the bottom.
         storey: usize,
-        /// Which element, from 1.
+        /// Number of the element, from 1.
         element: usize,
         /// Name of the quantity with its unit.
         quantity: &'static str,
@@ -48,7 +48,7 @@ pub enum BuildingError {
          springs give equal numbers there"
     )]
     Asymmetric {
-        /// Which storey, from 1 at the bottom.
+        /// Number of the storey, from 1 at the bottom.
         storey: usize,
         /// Row, from 1.
         row: usize,
@@ -56,7 +56,7 @@ pub enum BuildingError {
         column: usize,
         /// The number there.
         upper: f64,
-        /// The number across the diagonal.
+        /// The opposite number across the diagonal.
         lower: f64,
     },
     /// A storey without stiffness against sway in some direction.
@@ -65,7 +65,7 @@ pub enum BuildingError {
          {stiffness_n_m} N/m; give a wall or column that does"
     )]
     Sways {
-        /// Which storey, from 1 at the bottom.
+        /// Number of the storey, from 1 at the bottom.
         storey: usize,
         /// The direction, degrees from x.
         direction_degrees: f64,
@@ -78,13 +78,13 @@ pub enum BuildingError {
          {stiffness_n_m_rad} N·m/rad; its walls all point at that place, or the matrix is not that of springs"
     )]
     Twists {
-        /// Which storey, from 1 at the bottom.
+        /// Number of the storey, from 1 at the bottom.
         storey: usize,
         /// Centre of rigidity, x, m.
         x_m: f64,
         /// Centre of rigidity, y, m.
         y_m: f64,
-        /// Stiffness against turning about it, N·m/rad.
+        /// Stiffness against rotation about it, N·m/rad.
         stiffness_n_m_rad: f64,
     },
     /// P-delta exceeds the stiffness of a storey.
@@ -111,13 +111,13 @@ pub enum BuildingError {
         "the point ({x_m}, {y_m}) m lies {beyond_m:.3} m outside the outline of floor {floor}: give a point on the floor"
     )]
     Outside {
-        /// Which floor, from 1 at the bottom.
+        /// Number of the floor, from 1 at the bottom.
         floor: usize,
         /// The point, m.
         x_m: f64,
         /// The point, m.
         y_m: f64,
-        /// How far outside, m.
+        /// Distance outside, m.
         beyond_m: f64,
     },
     /// A part that does not exist.
@@ -143,13 +143,13 @@ pub enum BuildingError {
     /// Damping that adds energy to a mode.
     #[error("mode {mode} at {frequency_hz:.4} Hz would have a damping ratio of {damping_ratio:.5}: {why}")]
     Damping {
-        /// Which mode, from 1.
+        /// Number of the mode, from 1.
         mode: usize,
         /// Its frequency, Hz.
         frequency_hz: f64,
-        /// The ratio it would have.
+        /// Its damping ratio.
         damping_ratio: f64,
-        /// Why, and what to do.
+        /// The reason and the remedy.
         why: &'static str,
     },
     /// A decomposition failed.

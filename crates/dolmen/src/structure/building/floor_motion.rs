@@ -13,14 +13,14 @@ use crate::signal::Channel;
 use crate::structure::directional::real_shape;
 use dolmen_linalg::{Complex64, Matrix, solve};
 
-/// Sensors within this vertical distance of the floor belong to it, m. Chosen here, as for sensors that contradict each other.
+/// Sensors within this vertical distance of the floor belong to it, m. Our choice, as for sensors that contradict each other.
 const ON_FLOOR_M: f64 = 0.5;
-/// A sensor whose direction has a larger vertical part than this is not horizontal. Chosen here.
+/// A sensor whose direction has a larger vertical part than this is not horizontal. Our choice.
 const VERTICAL_MOST: f64 = 0.1;
 /// Fewest sensors that determine three motions.
 const SENSORS_LEAST: usize = 3;
 /// Smallest fraction of each of the three motions, as seen by the sensors, that must be independent of the other two. Below it the motions cannot be
-/// distinguished. Chosen here: sensors within 5 cm of one line on a floor of 10 m have less.
+/// distinguished. Our choice: sensors within 5 cm of one line on a floor of 10 m have less.
 const APART_LEAST: f64 = 1e-4;
 /// All orders of three motions.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
@@ -41,7 +41,7 @@ pub struct FloorPlace {
 pub struct FloorMode {
     /// Frequency, Hz.
     pub frequency_hz: f64,
-    /// Its standard deviation, Hz; 0 if it is not known.
+    /// Its standard deviation, Hz; 0 if it is unknown.
     pub frequency_sd_hz: f64,
     /// u, v, ρθ of the centre of mass; the sum of their squares is 1.
     pub shape: [f64; 3],
@@ -163,8 +163,8 @@ impl FloorModes {
         lowest.map(|mode| mode.unexplained).sum::<f64>() / count
     }
 
-    /// The lowest three modes, with shapes. Each is named for its largest motion, if that gives three different names. The modes along x and y also
-    /// have their twist.
+    /// The lowest three modes, with shapes. Each has the name of its largest motion, if that gives three different names. The modes along x
+    /// and y also have their twist.
     pub fn plan_modes(&self) -> Vec<PlanMode> {
         let lowest: Vec<&FloorMode> = self.modes.iter().take(3).collect();
         let share = |order: &[usize; 3]| -> f64 {

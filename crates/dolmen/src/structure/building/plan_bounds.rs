@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 
 /// Largest twist: ρθ has twice the energy of the sway; beyond it the mode is one of torsion. √2, in agreement with the rule on motions.
 const TWIST_MOST: f64 = std::f64::consts::SQRT_2;
-/// Twists of each mode in a round, and number of rounds, each on a finer grid about the best of the one before. Chosen here: accurate to four
+/// Twists of each mode in a round, and number of rounds, each on a finer grid about the best of the one before. Our choice: accurate to four
 /// digits.
 const NET: i32 = 20;
 const ROUNDS: usize = 6;

@@ -19,12 +19,12 @@ use std::f64::consts::TAU;
 /// removed: 95 %, and 1 in 400 as for other evidence.
 const REAL_WITHIN: f64 = 1.96;
 const LOST_WITHIN: f64 = 3.0;
-/// Points of the interval of p at which the storey is computed. Chosen here.
+/// Points of the interval of p at which the storey is computed. Our choice.
 const SAMPLES: usize = 33;
-/// Step of a numerical derivative, in standard deviations. Chosen here: accurate to 1e-4 of a deviation.
+/// Step of a numerical derivative, in standard deviations. Our choice: accurate to 1e-4 of a deviation.
 const STEP: f64 = 1e-3;
 const ROUNDS: usize = 20;
-/// An inflection counts as flat if the cubic term of p is at least this fraction of the linear one over the scatter. Chosen here.
+/// An inflection counts as flat if the cubic term of p is at least this fraction of the linear one over the scatter. Our choice.
 const LINEAR: f64 = 0.5;
 
 /// A storey near which roots coincide.

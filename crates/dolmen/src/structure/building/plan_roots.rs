@@ -17,7 +17,6 @@ pub(super) const SIDEWAYS_MOST: f64 = 1e3;
 /// The six orders of three.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
-/// One root.
 pub(super) struct PlanRoot {
     /// k_x, k_y, N/m, k_θ about the centre of rigidity, N·m/rad.
     pub(super) stiffness: [f64; 3],

@@ -86,11 +86,11 @@ impl PlanSolution {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SingleStiffness {
-    /// Which stiffness.
+    /// The stiffness.
     pub motion: PlanMotion,
     /// k_x, k_y, N/m, or k_θ, N·m/rad.
     pub stiffness: f64,
-    /// Its standard deviation; `None` where that of the frequency is not known.
+    /// Its standard deviation; `None` where that of the frequency is unknown.
     pub stiffness_sd: Option<f64>,
 }
 

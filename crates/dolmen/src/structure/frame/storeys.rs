@@ -11,7 +11,7 @@
 
 use crate::structure::StructureError;
 
-/// Which displacement the spring k_i acts on.
+/// The displacement that the spring k_i acts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -140,7 +140,7 @@ impl Frame {
         &self.storeys
     }
 
-    /// Which displacements the springs act on.
+    /// The displacements that the springs act on.
     pub fn convention(&self) -> Convention {
         self.convention
     }

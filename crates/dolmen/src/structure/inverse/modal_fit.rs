@@ -239,7 +239,7 @@ impl ModalFit {
 }
 
 /// Standard deviation of the point that sets the scale of a shape, as a fraction of the smallest one of the others, because it has no
-/// scatter. Small enough to fix the scale, large enough for a well-conditioned problem. Chosen here.
+/// scatter. Small enough to fix the scale, large enough for a well-conditioned problem. Our choice.
 const EXACT_SHARE: f64 = 1e-3;
 /// A standard deviation below this share of the largest displacement is rounding of 0.
 const ROUNDING: f64 = 1e-12;

@@ -63,7 +63,7 @@ impl StiffnessSearch {
     }
 }
 
-/// How the data are weighted.
+/// Weights of the data.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Weighting {
     /// Frequencies only, without standard deviations: relative differences.

@@ -14,7 +14,6 @@ pub(super) const EXACT: f64 = 1e-9;
 /// Singular values below this share of the largest are 0.
 const RANK_LEAST: f64 = 1e-8;
 
-/// One minimum.
 pub(super) struct Minimum {
     pub(super) x: Vec<f64>,
     pub(super) misfit: f64,

@@ -12,7 +12,7 @@ use super::dimension::{all_positive, refused};
 use super::{Block, Solid, StackError};
 use std::f64::consts::FRAC_PI_2;
 
-/// Largest number of voussoirs. Chosen here: a check of that many takes a second.
+/// Largest number of voussoirs. Our choice: a check of that many takes a second.
 const VOUSSOIRS_MOST: u32 = 400;
 
 /// Dimensions of an arch.

@@ -4,15 +4,15 @@
 use super::{Polygon, Solid};
 use glam::DVec3;
 
-/// Largest depth of stone behind the face of a hull that is still in contact, m. Chosen here: dressed stone is not flatter.
+/// Largest depth of stone behind the face of a hull that is still in contact, m. Our choice: dressed stone is not flatter.
 const BEHIND_M: f64 = 0.001;
 /// Cosine of 5°, the largest angle between the face of a hull and triangles in contact: as between two beds.
 const ALIGNED: f64 = 0.996_194_7;
 /// Least area of the convex outline of the stone in contact, as a fraction of the hulls' contact: a stone tips about this
-/// outline. Chosen here.
+/// outline. Our choice.
 pub(super) const OUTLINE_LEAST: f64 = 1.0 - 1e-3;
 /// Least area of stone, as a fraction of the hulls' contact. Springs and bonds use the full area: with less stone a frequency
-/// would be more than 5 % too high. Chosen here.
+/// would be more than 5 % too high. Our choice.
 pub(super) const AREA_LEAST: f64 = 0.9;
 
 /// The stone in a contact, as fractions of the common area of the hulls.

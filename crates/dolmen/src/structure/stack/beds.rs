@@ -1,24 +1,23 @@
-//! Where two convex solids touch: the pair of faces with the largest common patch.
+//! Contact of two convex solids: the pair of faces with the largest common patch.
 
 use super::bearing::{Bearing, bearing};
 use super::{Body, Joint, JointMaterial, Polygon, ScannedJoint, Solid};
 use glam::DVec3;
 
-/// Beds closer than this touch, m: surveyed dimensions and dressed stone are not better. Chosen here. What is left of a
+/// Beds closer than this touch, m: surveyed dimensions and dressed stone are not better. Our choice. What is left of a
 /// gap or wedge counts as bedded (mortar, shims): contact begins as drawn.
 pub const BED_GAP_M: f64 = 0.005;
-/// Cosine of the largest angle between faces that still count as bedded, 5°. Chosen here: a stone that leans more does
-/// not lie on its bed.
+/// Cosine of the largest angle between faces that still count as bedded, 5°. Our choice: a stone that leans more does not lie on its bed.
 const PARALLEL: f64 = 0.996_194_7;
-/// Patches smaller than this part of the smaller face are an edge or corner that touches. Chosen here.
+/// Patches smaller than this part of the smaller face are an edge or corner that touches. Our choice.
 const PATCH_LEAST: f64 = 1e-6;
 
-/// Beds of scans touch up to this many standard deviations of their noise. Chosen here.
+/// Beds of scans touch up to this many standard deviations of their noise. Our choice.
 const GAP_NOISE: f64 = 3.0;
-/// Least part of a patch that must be flat stone of both scans. Chosen here: less is an edge, or a guess.
+/// Least part of a patch that must be flat stone of both scans. Our choice: less is an edge, or a guess.
 pub(super) const USED_LEAST: f64 = 0.3;
 
-/// Least part of the area of all patches of two bodies that their joint, the largest, must have. Chosen here: with less,
+/// Least part of the area of all patches of two bodies that their joint, the largest, must have. Our choice: with less,
 /// the stones touch on a bed that is not flat, and one facet of it is not where they turn.
 pub(super) const FACET_LEAST: f64 = 0.98;
 
@@ -128,8 +127,7 @@ impl Bed {
     }
 }
 
-/// Two unit vectors in the plane of a normal, the first as near to x as can be, so that (first, second, normal) is right
-/// handed.
+/// Two unit vectors in the plane of a normal, the first as near to x as can be, so that (first, second, normal) is right handed.
 pub(crate) fn plane_axes(normal: DVec3) -> [DVec3; 3] {
     let near = if normal.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
     let first = (near - normal * normal.dot(near)).normalize();

@@ -5,7 +5,7 @@ use super::{Solid, StackError};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Fraction of the solid below which a part counts as empty. Chosen here, for rounding.
+/// Fraction of the solid below which a part counts as empty. Our choice, for rounding.
 const NOTHING: f64 = 1e-9;
 
 impl Solid {

@@ -21,9 +21,9 @@ pub enum StackError {
     Far {
         /// "a tie", "a side support" or "a static load".
         piece: &'static str,
-        /// Where it is.
+        /// Its place.
         position_m: [f64; 3],
-        /// How far off the bounds of what it holds, m.
+        /// Distance from the bounds of its stone, m.
         beyond_m: f64,
         /// Names of the blocks in the stack.
         blocks: Vec<String>,
@@ -33,7 +33,7 @@ pub enum StackError {
     /// A dimension that must be positive and finite is not.
     #[error("{quantity} is {given}, but must be {allowed}")]
     Dimension {
-        /// Which dimension, with its unit.
+        /// The dimension, with its unit.
         quantity: &'static str,
         /// The value given.
         given: f64,
@@ -55,7 +55,7 @@ pub enum StackError {
     Opening {
         /// The corner that lies farthest out, m.
         corner: [f64; 3],
-        /// How far, m.
+        /// The distance, m.
         beyond_m: f64,
     },
     /// Two openings in the same place.
@@ -69,7 +69,7 @@ pub enum StackError {
     /// Too few points for a solid.
     #[error("a convex solid needs at least 4 points, but {given} points are given")]
     Points {
-        /// How many there are.
+        /// Their number.
         given: usize,
     },
     /// Points without a thickness.
@@ -91,7 +91,7 @@ pub enum StackError {
         triangle: usize,
         /// The vertex it names.
         given: usize,
-        /// How many there are.
+        /// Their number.
         vertices: usize,
     },
     /// A triangle with two corners in one place.
@@ -116,15 +116,15 @@ pub enum StackError {
         fault: &'static str,
         /// First vertex of the edge.
         from: usize,
-        /// Where it lies, m.
+        /// Its place, m.
         from_m: [f64; 3],
         /// Second vertex of the edge.
         to: usize,
-        /// Where it lies, m.
+        /// Its place, m.
         to_m: [f64; 3],
-        /// How many triangles share the edge.
+        /// Number of triangles at the edge.
         triangles: usize,
-        /// How many edges have this fault.
+        /// Number of edges with this fault.
         count: usize,
         /// What to do.
         remedy: &'static str,
@@ -137,13 +137,13 @@ pub enum StackError {
     MeshTurned {
         /// First vertex of the edge.
         from: usize,
-        /// Where it lies, m.
+        /// Its place, m.
         from_m: [f64; 3],
         /// Second vertex of the edge.
         to: usize,
-        /// Where it lies, m.
+        /// Its place, m.
         to_m: [f64; 3],
-        /// How many edges have this fault.
+        /// Number of edges with this fault.
         count: usize,
     },
     /// A mesh of several bodies.
@@ -151,7 +151,7 @@ pub enum StackError {
         "the mesh is in {count} pieces, of {largest} triangles down to {smallest}: keep one, or give each as a stone of its own"
     )]
     MeshPieces {
-        /// How many pieces.
+        /// Number of pieces.
         count: usize,
         /// Triangles of the largest.
         largest: usize,
@@ -173,6 +173,17 @@ pub enum StackError {
         volume_m3: f64,
         /// Volume of the convex hull, m³.
         hull_volume_m3: f64,
+    },
+    /// A loose stone that is too hollow for its hull to carry its contact.
+    #[error(
+        "the stone fills {:.1} % of its convex hull, which carries the contact of loose stones, but must fill {:.0} %: divide it into convex parts",
+        100.0 * filled, 100.0 * allowed
+    )]
+    MeshHull {
+        /// Volume of the mesh over that of its hull.
+        filled: f64,
+        /// The least.
+        allowed: f64,
     },
     /// A scan whose flat faces bound no body like it.
     #[error(
@@ -263,7 +274,7 @@ pub enum StackError {
         "{quantity} is {given:.4}, but with the other factors of this pagoda its limit is {allowed:.4}: change it or them"
     )]
     Pagoda {
-        /// Which factor.
+        /// The factor.
         quantity: &'static str,
         /// The value given.
         given: f64,
@@ -349,13 +360,13 @@ pub enum StackError {
     NoJoint {
         /// The index given.
         given: usize,
-        /// How many there are.
+        /// Their number.
         count: usize,
     },
     /// A vector that must have a direction has none.
     #[error("{quantity} is {given:?}, but must be a vector of finite, not all zero numbers")]
     Direction {
-        /// Which vector.
+        /// The vector.
         quantity: &'static str,
         /// The value given.
         given: [f64; 3],
@@ -363,7 +374,7 @@ pub enum StackError {
     /// A place that is not finite.
     #[error("{quantity} is {given:?}, but must be three finite numbers")]
     Position {
-        /// Which place.
+        /// The place.
         quantity: &'static str,
         /// The value given, m.
         given: [f64; 3],

@@ -3,9 +3,9 @@
 use super::{Block, Body, Joint, Solid, Stack};
 use glam::DVec3;
 
-/// A gap wider than this is more than the roughness of dressed stone, m. Chosen here.
+/// A gap wider than this is more than the roughness of dressed stone, m. Our choice.
 pub const GAP_CLOSED_M: f64 = 0.001;
-/// As above, in standard deviations of the noise of scans: the scatter of both beds of a joint. Chosen here.
+/// As above, in standard deviations of the noise of scans: the scatter of both beds of a joint. Our choice.
 const GAP_NOISE: f64 = 3.0;
 
 /// The widest gap of joints that are drawn with one.
@@ -17,7 +17,7 @@ pub struct WidestGap {
     pub upper: String,
     /// Its width, m.
     pub gap_m: f64,
-    /// How many joints have one.
+    /// Number of joints with one.
     pub joints: usize,
 }
 

@@ -18,13 +18,13 @@ use std::collections::{BTreeMap, BTreeSet};
 const GRID: f64 = 1_099_511_627_776.0;
 
 /// Distance from a plane within which corners lie in it, relative to the largest extent; corners closer to each other are
-/// one; a thinner solid is flat. A micrometre for a stone of one metre. Chosen here.
+/// one; a thinner solid is flat. A micrometre for a stone of one metre. Our choice.
 pub(super) const FLAT: f64 = 1e-6;
 
-/// Units that coordinates are rounded to, m: where all are whole multiples, none is better known. Chosen here: surveys and
+/// Units that coordinates are rounded to, m: where all are whole multiples, none is better known. Our choice: surveys and
 /// drawings give 1 mm to 0.01 mm.
 const UNITS_M: [f64; 3] = [1e-3, 1e-4, 1e-5];
-/// A face is never flattened by more than this part of the largest extent. Chosen here: 5 mm of a stone of one metre.
+/// A face is never flattened by more than this part of the largest extent. Our choice: 5 mm of a stone of one metre.
 const FLATTENED_MOST: f64 = 0.005;
 
 type Cell = [i64; 3];

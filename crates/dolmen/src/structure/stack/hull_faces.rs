@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Cosine of the largest angle between a triangle and the face with rounded corners that it joins. Chamfers are steeper and stay separate faces.
 const ALIGNED_LEAST: f64 = 0.5;
 /// Height of a corner above the current plane, in tolerances, up to which the plane is fitted again with that corner. The fourth corner of a
-/// parallelogram can be this far off, because it carries the rounding of the other three. Chosen here.
+/// parallelogram can be this far off, because it carries the rounding of the other three. Our choice.
 const REACH: f64 = 4.0;
 
 /// Joins triangles of one plane into faces; `None` if the edges of a face do not form one loop.

@@ -1,4 +1,4 @@
-//! Where two bodies of a stack touch.
+//! Contact of two bodies of a stack.
 
 use super::{JointMaterial, Polygon};
 

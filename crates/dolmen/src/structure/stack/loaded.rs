@@ -3,7 +3,7 @@
 use super::{Stack, StackError, StaticLoad};
 use glam::DVec3;
 
-/// How far off the bounds of its stone a load may act, m: at the end of a bracket or a pole. Chosen here.
+/// How far off the bounds of its stone a load may act, m: at the end of a bracket or a pole. Our choice.
 const REACH_M: f64 = 3.0;
 
 impl Stack {

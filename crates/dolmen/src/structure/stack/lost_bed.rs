@@ -3,10 +3,10 @@
 use super::{Block, JointMaterial, Solid, Stack, StackError};
 use glam::DVec3;
 
-/// Inclination of the foot beyond the remaining bed, 30°. Chosen here: far steeper than the tolerance for parallel beds (5°), and a stone that has
+/// Inclination of the foot beyond the remaining bed, 30°. Our choice: far steeper than the tolerance for parallel beds (5°), and a stone that has
 /// rotated so far has fallen.
 const RISE_RAD: f64 = std::f64::consts::FRAC_PI_6;
-/// Least rise of the normal of a bed, as cosine: 45°. Chosen here; what leans more is a side.
+/// Least rise of the normal of a bed, as cosine: 45°. Our choice; what leans more is a side.
 const UPRIGHT_LEAST: f64 = 0.7;
 /// Gravity for the look at the joints alone: no answer depends on it.
 const GRAVITY_M_S2: f64 = 9.806_65;

@@ -20,7 +20,7 @@ pub struct JointMaterial {
     /// Shear stiffness per area, Pa/m. Default 4e8 (the same).
     pub shear_stiffness_pa_m: f64,
     /// Dashpots of the springs, as a fraction of the critical damping of the two stones on the springs of the
-    /// whole joint; 0 to 20. Default 0.3, chosen here. It does not alone set what is lost when a stone rocks: see `docs/stack-engine.md`.
+    /// whole joint; 0 to 20. Default 0.3, our choice. It does not alone set what is lost when a stone rocks: see `docs/stack-engine.md`.
     pub damping_ratio: f64,
     /// Restitution of falls under the rigid law: mean normal velocity of the points that touch after an impact of faces that were apart, over
     /// that before; 0 to 1. Default 0, plastic. Contact springs bounce by `damping_ratio`: see [`damping_ratio_of`](Self::damping_ratio_of).

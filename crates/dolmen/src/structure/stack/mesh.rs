@@ -6,8 +6,10 @@ use super::{Scan, Solid, StackError};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// A mesh must fill at least this part of its convex hull. Chosen here: less is rounding; a real stone fills half.
+/// A mesh must fill at least this part of its convex hull. Our choice: less is rounding; a real stone fills half.
 const FILL_LEAST: f64 = 1e-6;
+/// A loose stone must fill at least this part of its hull, which carries its contact. Chosen here.
+const HULL_FILLED_LEAST: f64 = 0.9;
 /// And at most this part: the hull is flat within 1e-6 of its size, and a stone at least 1/10 as thick as long. Chosen here.
 const FILL_MOST: f64 = 1.0 + 1e-4;
 
@@ -37,6 +39,30 @@ impl Solid {
     /// # Ok::<(), dolmen::structure::stack::StackError>(())
     /// ```
     pub fn mesh(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<Self, StackError> {
+        Solid::of_mesh(vertices_m, triangles, true)
+    }
+
+    /// As [`Solid::mesh`], with its convex hull as contact even where the mesh carries noise: for loose stones, which have no beds.
+    ///
+    /// # Errors
+    /// As [`Solid::mesh`]; [`StackError::MeshHull`] for a stone that fills less than 0.9 of its hull.
+    pub fn loose_mesh(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<Self, StackError> {
+        let solid = Solid::of_mesh(vertices_m, triangles, false)?;
+        let filled = solid.volume_m3() / solid.hull_volume_m3();
+        if filled < HULL_FILLED_LEAST {
+            return Err(StackError::MeshHull {
+                filled,
+                allowed: HULL_FILLED_LEAST,
+            });
+        }
+        Ok(solid)
+    }
+
+    fn of_mesh(
+        vertices_m: &[[f64; 3]],
+        triangles: &[[usize; 3]],
+        has_beds: bool,
+    ) -> Result<Self, StackError> {
         check_corners(vertices_m, triangles)?;
         check_edges(vertices_m, triangles)?;
         check_pieces(triangles)?;
@@ -59,7 +85,11 @@ impl Solid {
         }
         let [low, high] = hull.bounds_m().map(DVec3::from);
         let flat_m = 2.0 * super::hull::FLAT * (high - low).max_element();
-        let (contact, scan) = match fitted(vertices_m, triangles, &hull, volume, flat_m)? {
+        let fit = match has_beds {
+            true => fitted(vertices_m, triangles, &hull, volume, flat_m)?,
+            false => None,
+        };
+        let (contact, scan) = match fit {
             None => (hull, None),
             Some(fit) => {
                 let (noise_m, triangles) = (fit.noise_m, fit.triangles);

@@ -11,6 +11,7 @@ mod hull;
 mod hull_faces;
 mod joint;
 mod loaded;
+mod loose;
 mod lost_bed;
 mod material;
 mod mesh;

@@ -6,7 +6,7 @@ use super::{Solid, StackError};
 use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
 
-/// How far an opening may stick out, relative to the solid's size: rounding of coordinates. Chosen here.
+/// How far an opening may stick out, relative to the solid's size: rounding of coordinates. Our choice.
 const STICKS_OUT: f64 = 1e-9;
 
 impl Solid {

@@ -1,4 +1,4 @@
-//! How deep two convex solids lie in each other: separating axes.
+//! Penetration of two convex solids, by separating axes.
 
 use super::Solid;
 use glam::DVec3;

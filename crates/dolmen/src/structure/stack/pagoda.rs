@@ -11,17 +11,17 @@
 
 use super::{Block, Placement, Solid, StackError};
 
-/// Width of an eave over that of the body below. Chosen here, as in the stack P20.
+/// Width of an eave over that of the body below. Our choice, as in the stack P20.
 const EAVE: f64 = 1.68;
 /// The two bases and their cover stones: width, relative to that of the first body, and fraction of the height of the base.
-/// Chosen here, as in the stack P20.
+/// Our choice, as in the stack P20.
 const BASE: [(&str, f64, f64); 4] = [
     ("lower base", 2.24, 0.45 / 1.85),
     ("lower base cover", 2.40, 0.25 / 1.85),
     ("upper base", 1.84, 0.90 / 1.85),
     ("upper base cover", 2.00, 0.25 / 1.85),
 ];
-/// Range of λ in the search for tan α. Chosen here: pagodas have 2 to 6.
+/// Range of λ in the search for tan α. Our choice: pagodas have 2 to 6.
 const SLENDERNESS_RANGE: [f64; 2] = [0.2, 50.0];
 
 /// Which of the two slenderness factors is given; it determines the other.

@@ -179,7 +179,7 @@ impl Polygon {
         reach
     }
 
-    /// How far a point lies inside the nearest edge, m; negative outside.
+    /// Distance of a point inside the nearest edge, m; negative outside.
     pub fn depth_m(&self, point_m: [f64; 2]) -> f64 {
         let mut depth = f64::INFINITY;
         let edges = self.corners_m.iter().zip(self.corners_m.iter().cycle().skip(1));

@@ -11,11 +11,11 @@ use super::{Solid, StackError};
 use glam::{DMat3, DVec3};
 use std::f64::consts::{PI, TAU};
 
-/// Number of sides of the polygon that replaces the circle of a drum in contact. Chosen here: its corners are on the
+/// Number of sides of the polygon that replaces the circle of a drum in contact. Our choice: its corners are on the
 /// circle, so its area is 0.64 % and its extent at most 0.48 % smaller, which is conservative.
 const DRUM_SIDES: u32 = 32;
 
-/// Most sides of a prism. Chosen here: more are a drum.
+/// Most sides of a prism. Our choice: more are a drum.
 const SIDES_MOST: u32 = 64;
 
 impl Solid {

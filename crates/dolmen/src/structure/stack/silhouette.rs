@@ -8,7 +8,7 @@
 use super::Stack;
 use glam::DVec3;
 
-/// Number of cells along the longer side of the grid on which blocks hide each other. Chosen here: the error of the hidden area is about
+/// Number of cells along the longer side of the grid on which blocks hide each other. Our choice: the error of the hidden area is about
 /// half a per cent.
 const CELLS: f64 = 500.0;
 /// Where in its cell a ray goes: not in the middle, where edges of round numbers lie.

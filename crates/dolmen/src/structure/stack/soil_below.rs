@@ -90,7 +90,6 @@ impl Stack {
         self.soil.as_ref()
     }
 
-    /// Its one joint on the ground.
     fn ground_joint(&self) -> Result<usize, StackError> {
         let on_ground = |joint: &usize| self.joints[*joint].lower == Body::Ground;
         let all: Vec<usize> = (0..self.joints.len()).filter(on_ground).collect();

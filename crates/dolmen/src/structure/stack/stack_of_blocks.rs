@@ -9,7 +9,7 @@ use glam::DVec3;
 /// Ties and side supports lie no farther than this from the bounds of the blocks that they hold, m. Our choice: clamps lie on the outside of stones.
 const PIECE_REACH_M: f64 = 0.1;
 
-/// A block lies on a joint whose normal rises at least this much, as sine; with a steeper one it leans. Chosen here.
+/// A block lies on a joint whose normal rises at least this much, as sine; with a steeper one it leans. Our choice.
 const RISE_LEAST: f64 = 0.05;
 
 /// One stone.
@@ -37,10 +37,9 @@ pub struct Tie {
     pub lower: Body,
     /// The other.
     pub upper: usize,
-    /// Where it crosses the joint, m.
+    /// Point at which it crosses the joint, m.
     pub position_m: [f64; 3],
-    /// Its axis: a vertical dowel [0, 0, 1]; need not be of unit length, and is taken to point from the lower body to the
-    /// upper one.
+    /// Its axis: a vertical dowel [0, 0, 1]; need not be of unit length, and is taken to point from the lower body to the upper one.
     pub axis: [f64; 3],
     /// Stiffness along the axis, N/m; 0 for a dowel that can slip out.
     pub axial_stiffness_n_m: f64,
@@ -61,7 +60,7 @@ pub struct SideSupport {
     pub position_m: [f64; 3],
     /// Direction in which the block must move to meet it; need not be of unit length.
     pub direction: [f64; 3],
-    /// How far it must move, m.
+    /// The distance that it must move, m.
     pub gap_m: f64,
     /// Stiffness once met, N/m.
     pub stiffness_n_m: f64,
@@ -77,6 +76,8 @@ pub struct Stack {
     pub(super) support_movements: Vec<SupportMovement>,
     pub(super) static_loads: Vec<StaticLoad>,
     pub(super) soil: Option<SoilBelow>,
+    /// What acts where loose stones meet; `None` for stones in joints.
+    pub(super) loose: Option<JointMaterial>,
     gravity_m_s2: f64,
 }
 
@@ -138,7 +139,14 @@ impl Stack {
             }
         }
         joints.sort_by_key(|joint| (joint.upper, joint.lower));
-        let stack = Stack {
+        let stack = Stack::bare(blocks, joints, gravity_m_s2).without_joints_through_blocks();
+        stack.check_carried()?;
+        Ok(stack)
+    }
+
+    /// Blocks with these joints and nothing else.
+    pub(super) fn bare(blocks: Vec<Block>, joints: Vec<Joint>, gravity_m_s2: f64) -> Self {
+        Stack {
             blocks,
             joints,
             ties: Vec::new(),
@@ -146,11 +154,9 @@ impl Stack {
             support_movements: Vec::new(),
             static_loads: Vec::new(),
             soil: None,
+            loose: None,
             gravity_m_s2,
-        };
-        let stack = stack.without_joints_through_blocks();
-        stack.check_carried()?;
-        Ok(stack)
+        }
     }
 
     /// The same stack with another material in one joint.
@@ -416,7 +422,7 @@ fn check_used(bed: &Bed, lower: &str, upper: &str) -> Result<(), StackError> {
     }
 }
 
-fn overlap(first: &str, second: &str, depth_m: f64) -> StackError {
+pub(super) fn overlap(first: &str, second: &str, depth_m: f64) -> StackError {
     StackError::Overlap {
         first: first.to_owned(),
         second: second.to_owned(),
@@ -426,7 +432,7 @@ fn overlap(first: &str, second: &str, depth_m: f64) -> StackError {
 }
 
 /// Whether the bounding boxes of two solids are farther apart than a bed's gap.
-fn apart(a: &Solid, b: &Solid) -> bool {
+pub(super) fn apart(a: &Solid, b: &Solid) -> bool {
     let gap_m = gap_allowed_m(a).max(gap_allowed_m(b));
     let (a, b) = (a.bounds_m(), b.bounds_m());
     (0..3).any(|axis| a[0][axis] > b[1][axis] + gap_m || b[0][axis] > a[1][axis] + gap_m)
@@ -447,7 +453,7 @@ fn check_finite(quantity: &'static str, given: [f64; 3]) -> Result<(), StackErro
     Err(StackError::Position { quantity, given })
 }
 
-fn check_values(blocks: &[Block], gravity_m_s2: f64) -> Result<(), StackError> {
+pub(super) fn check_values(blocks: &[Block], gravity_m_s2: f64) -> Result<(), StackError> {
     if blocks.is_empty() {
         return Err(StackError::Empty);
     }

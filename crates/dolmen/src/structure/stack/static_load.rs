@@ -5,7 +5,7 @@
 pub struct StaticLoad {
     /// The block.
     pub block: usize,
-    /// Where it acts while the stack stands as drawn, m.
+    /// Point of application in the stack as drawn, m.
     pub position_m: [f64; 3],
     /// The force, N, z up. It has no mass: an earthquake does not shake it.
     pub force_n: [f64; 3],

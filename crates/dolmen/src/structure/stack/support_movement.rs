@@ -1,6 +1,6 @@
 //! Movements of the ground under single stones of a stack.
 
-/// How far the ground under one block moves: an abutment that gives way, a footing that settles.
+/// Movement of the ground under one block: an abutment that yields, a footing that settles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportMovement {
     /// The block; it stands on the ground.

@@ -10,9 +10,9 @@ use super::dimension::{all_positive, refused};
 use super::{Block, Placement, Solid, StackError};
 use std::f64::consts::TAU;
 
-/// Largest number of stones. Chosen here, as for walls: a check then takes several seconds.
+/// Largest number of stones. Our choice, as for walls: a check then takes several seconds.
 const STONES_MOST: u32 = 600;
-/// Most courses. Chosen here.
+/// Most courses. Our choice.
 const COURSES_MOST: u32 = 200;
 
 /// Plan of a tower.

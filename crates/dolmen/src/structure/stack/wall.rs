@@ -3,11 +3,11 @@
 use super::dimension::{all_positive, refused};
 use super::{Block, Placement, Solid, StackError};
 
-/// Largest number of stones. Chosen here: a check then takes several seconds.
+/// Largest number of stones. Our choice: a check then takes several seconds.
 const STONES_MOST: f64 = 600.0;
-/// A stone shorter than this part of a whole one joins that beside it. Chosen here: masons do not lay slivers.
+/// A stone shorter than this part of a whole one joins that beside it. Our choice: masons do not lay slivers.
 const SLIVER: f64 = 0.25;
-/// Least core between leaves, m: faces nearer than half of it may touch, and friction between them is nothing to rely on. Chosen here.
+/// Least core between leaves, m: faces nearer than half of it may touch, and friction between them is nothing to rely on. Our choice.
 const CORE_LEAST_M: f64 = 0.01;
 /// Length that counts as none, over that of a stone: rounding.
 const NOTHING: f64 = 1e-9;
@@ -46,9 +46,9 @@ pub struct WallOpening {
     pub width_m: f64,
     /// Its lowest course, from 1.
     pub first_course: u32,
-    /// How many courses it is high.
+    /// Number of courses.
     pub courses: u32,
-    /// How far the lintel lies on either side, m.
+    /// Bearing of the lintel on either side, m.
     pub bearing_m: f64,
 }
 

@@ -14,7 +14,7 @@ pub enum WindError {
     Height {
         /// Height of the top, m.
         given: f64,
-        /// Where the profile ends, m.
+        /// End of the profile, m.
         most_m: f64,
     },
     /// The code needs to know whether the wind makes the body vibrate, and its frequency is unknown.

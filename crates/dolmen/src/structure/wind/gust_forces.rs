@@ -67,7 +67,7 @@ impl GustTimes {
 pub struct GustDraw {
     /// Seed of the history; any number will do.
     pub seed: u64,
-    /// Which history of that seed: winds at other times or from other sides.
+    /// Number of the history with that seed, for winds at other times or from other sides.
     pub stream: u64,
 }
 

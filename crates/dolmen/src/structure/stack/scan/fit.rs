@@ -16,13 +16,13 @@ const TOLERANCE_NOISE: f64 = 4.0;
 const OUTERMOST_NOISE: f64 = 2.0;
 /// Triangle normals are taken as they are where noise turns them by less than this, rad.
 const TURN_RAW_RAD: f64 = 0.03;
-/// Volume of the fitted body over that of the mesh, less 1, at most: more is a stone that is not convex. Chosen here.
+/// Volume of the fitted body over that of the mesh, less 1, at most: more is a stone that is not convex. Our choice.
 const VOLUME_MOST: f64 = 0.02;
 /// Rounds in which worn edges and corners are cut.
 const BEVELS: usize = 8;
-/// A rounded edge is one whose faces end this much before it, as a part of the stone's size. Chosen here.
+/// A rounded edge is one whose faces end this much before it, as a part of the stone's size. Our choice.
 const ROUNDED_LEAST: f64 = 0.004;
-/// Cosine of 10°, the largest inclination of a face whose edges are examined: the beds of the stone in its position. Chosen here.
+/// Cosine of 10°, the largest inclination of a face whose edges are examined: the beds of the stone in its position. Our choice.
 const LEVEL_LEAST: f64 = 0.985;
 /// Planes of a fitted body at most.
 const PLANES_MOST: usize = 400;

@@ -1,4 +1,4 @@
-//! Planes of least squares, of triangles by their area or of points.
+//! Least-squares planes: of triangles, weighted by area, or of points.
 
 use super::surface::Surface;
 use glam::DVec3;
@@ -11,12 +11,12 @@ pub(in crate::structure::stack) struct Plane {
 }
 
 impl Plane {
-    /// Height of a point over it, m; positive outside.
+    /// Height of a point above it, m; positive outside.
     pub(in crate::structure::stack) fn height_m(&self, point: DVec3) -> f64 {
         self.normal.dot(point) - self.offset_m
     }
 
-    /// The plane of least squares of the heights of the corners of triangles, each with a third of its area.
+    /// The least-squares plane of the corners of triangles, each corner weighted by a third of the area.
     pub(super) fn of(surface: &Surface, triangles: &[usize], before: DVec3) -> Option<Plane> {
         let corners = || {
             triangles.iter().flat_map(|&t| {
@@ -27,10 +27,10 @@ impl Plane {
         Plane::weighted(corners, before)
     }
 
-    /// The plane of least squares of points with weights.
+    /// The least-squares plane of weighted points.
     ///
     /// ```text
-    /// min over a, b, c of Σ w (z − a x − b y − c)²      in axes about the normal before, x and y from the centroid
+    /// min over a, b, c of Σ w (z − a x − b y − c)²      in axes about the earlier normal, x and y from the centroid
     /// ```
     pub(in crate::structure::stack) fn weighted<I>(points: impl Fn() -> I, before: DVec3) -> Option<Plane>
     where

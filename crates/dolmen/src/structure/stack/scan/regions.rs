@@ -6,12 +6,12 @@ use super::surface::Surface;
 use glam::DVec3;
 use std::collections::VecDeque;
 
-/// Cosine of 15°, the largest angle between a region and a normal that joins it. Chosen here: smoothed normals
+/// Cosine of 15°, the largest angle between a region and a normal that joins it. Our choice: smoothed normals
 /// scatter by 3° to 5°.
 const JOINS: f64 = 0.965_9;
 /// Cosine of 45°, the largest angle between a plane face and a smoothed normal on it.
 const FACES: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// Smallest region that counts as a face, as a fraction of the surface. Chosen here: smaller regions are worn
+/// Smallest region that counts as a face, as a fraction of the surface. Our choice: smaller regions are worn
 /// corners.
 const AREA_LEAST: f64 = 0.004;
 /// Cosine of 8°, the angle between normals below which two regions may be one face.

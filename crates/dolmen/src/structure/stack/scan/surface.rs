@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-/// Angle between adjacent triangles below which a mesh has no modelled edge, rad: 3°, a cylinder of 120 sides. Chosen here.
+/// Angle between adjacent triangles below which a mesh has no modelled edge, rad: 3°, a cylinder of 120 sides. Our choice.
 const TURN_MODELLED_RAD: f64 = 0.052;
 /// As above for triangles that may be part of a bed, rad: 8°. Neighbours on the side of a drum may differ by less, those on a modelled bed do not
-/// differ. Chosen here.
+/// differ. Our choice.
 const TURN_BED_RAD: f64 = 0.14;
 /// Least vertical component of the unit normal of a triangle that may be part of a bed: a slope of 20°.
 const BED_RISE: f64 = 0.94;

@@ -8,10 +8,10 @@ use std::collections::BTreeMap;
 
 /// A vertex this near to the plane lies in it, as a part of the size of the mesh.
 const IN_PLANE: f64 = 1e-10;
-/// Corners of a section at most. Chosen here: the cap takes time as their square.
+/// Corners of a section at most. Our choice: the cap takes time as their square.
 const CORNERS_MOST: usize = 20_000;
 
-/// Which side is kept.
+/// The side that is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     Below,
@@ -21,9 +21,9 @@ pub(super) enum Side {
 /// A level plane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane {
-    /// Where the mesh is cut, m.
+    /// Height of the cut through the mesh, m.
     pub(super) cut_m: f64,
-    /// Where the cut is put, m: the bed.
+    /// Height of the bed, m.
     pub(super) at_m: f64,
 }
 

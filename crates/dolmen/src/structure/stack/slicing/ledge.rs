@@ -3,7 +3,7 @@
 use super::section::{Body, Section};
 use glam::DVec2;
 
-/// A step is looked for this far from the height given, m. Chosen here: a height taken with a tape is no better than 1 or 2 cm.
+/// A step is looked for this far from the height given, m. Our choice: a height taken with a tape is no better than 1 or 2 cm.
 pub(super) const LOOKED_M: f64 = 0.02;
 /// And no farther than this part of the way to the next bed.
 const LOOKED_SHARE: f64 = 0.25;

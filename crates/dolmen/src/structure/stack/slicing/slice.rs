@@ -12,7 +12,7 @@ use glam::DVec3;
 
 /// How far the volume of all stones may be from that of the whole, as a part of it.
 const VOLUME_OFF_MOST: f64 = 0.005;
-/// Noise that is reckoned with at most, m. Chosen here: what scatters more is shape.
+/// Noise that is reckoned with at most, m. Our choice: what scatters more is shape.
 const NOISE_MOST_M: f64 = 0.002;
 
 /// A tower cut into stones.
