@@ -4,6 +4,7 @@
 //! The palette of Okabe and Ito (2008), *Color Universal Design*.
 
 use dolmen::stability::Verdict;
+use dolmen_words::printed_label;
 
 pub(crate) const BLACK: &str = "#000000";
 pub(crate) const TEXT: &str = "#1f2328";
@@ -137,9 +138,9 @@ impl Label {
     }
 }
 
-/// Estimated width of a text, px, from its letters.
+/// Estimated width of a text as it is printed, px, from its letters.
 pub(crate) fn text_width(text: &str, size: f64) -> f64 {
-    let ems: f64 = text
+    let ems: f64 = printed_label(text)
         .chars()
         .map(|c| match c {
             ' ' | '\u{202f}' | '.' | ',' | ':' | 'i' | 'l' | '|' | '\'' | '(' | ')' => 0.3,
@@ -149,4 +150,24 @@ pub(crate) fn text_width(text: &str, size: f64) -> f64 {
         })
         .sum();
     ems * size
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_words::{Language, PrintedName, print_names};
+
+    /// Legends are laid out by the names that they print: the file's own are shorter.
+    #[test]
+    fn exact_a_label_is_as_wide_as_what_it_prints() {
+        let printed = PrintedName {
+            name: "roof".into(),
+            language: Language::Korean,
+            printed: "1층 탑신 옥개석".into(),
+        };
+        let wide = text_width("1층 탑신 옥개석 / ground", 12.0);
+        assert!(text_width("roof / ground", 12.0) < wide);
+        print_names(&[printed], Language::Korean);
+        assert_eq!(text_width("roof / ground", 12.0), wide);
+    }
 }
