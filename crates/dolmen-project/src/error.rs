@@ -4,6 +4,7 @@ use super::written_at::written_at;
 use super::wrong::Framed;
 use dolmen_words::message::{Argument, Both, Run};
 use dolmen_words::{Language, nearest};
+use std::collections::HashSet;
 use std::fmt;
 use std::ops::Range;
 use unicode_width::UnicodeWidthChar;
@@ -145,18 +146,18 @@ pub(super) struct Fault {
 
 /// A misspelt key is one fault: faults that it causes in its table (missing keys, other units) are dropped.
 fn leave_out_what_follows(faults: &mut Vec<Fault>) {
-    let keys: Vec<String> = faults
-        .iter()
-        .filter(|fault| fault.is_of_key)
-        .map(|fault| fault.path.clone())
-        .collect();
+    let keys = faults.iter().filter(|fault| fault.is_of_key);
+    let keys: Vec<String> = keys.map(|fault| fault.path.clone()).collect();
     let units = keys.iter().any(|key| nearest(key, ["units"]).is_some());
+    let tables: HashSet<&str> = keys
+        .iter()
+        .filter_map(|key| Some(key.rsplit_once('.')?.0))
+        .collect();
+    let of_file = keys.iter().any(|key| !key.contains('.'));
     let follows = |fault: &Fault| {
-        let of_its_table = |key: &String| match key.rsplit_once('.') {
-            Some((table, _)) => fault.path == table,
-            None => fault.span.is_empty() && fault.span.start == 0,
-        };
-        units || keys.iter().any(of_its_table)
+        units
+            || tables.contains(fault.path.as_str())
+            || of_file && fault.span.is_empty() && fault.span.start == 0
     };
     faults.retain(|fault| fault.is_of_key || !follows(fault));
 }

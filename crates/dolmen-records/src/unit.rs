@@ -19,6 +19,8 @@ pub enum Unit {
     Gravity,
     /// 0.001 of standard gravity.
     MilliGravity,
+    /// 0.01 of standard gravity.
+    PercentGravity,
     /// m/s.
     MetrePerSecond,
     /// cm/s.
@@ -36,13 +38,14 @@ pub enum Unit {
 }
 
 /// Each unit with its spellings; the first is printed.
-const SPELLINGS: [(Unit, &[&str]); 13] = [
+const SPELLINGS: [(Unit, &[&str]); 14] = [
     (Unit::Unknown, &["", "unknown", "counts", "V", "mV"]),
     (Unit::MetrePerSecondSquared, &["m/s2", "m/s²", "m/s^2", "m/s/s"]),
     (Unit::Gal, &["cm/s2", "cm/s²", "cm/s^2", "gal", "Gal"]),
     (Unit::MillimetrePerSecondSquared, &["mm/s2", "mm/s²", "mm/s^2"]),
     (Unit::Gravity, &["g"]),
     (Unit::MilliGravity, &["mg"]),
+    (Unit::PercentGravity, &["%g"]),
     (Unit::MetrePerSecond, &["m/s"]),
     (Unit::CentimetrePerSecond, &["cm/s"]),
     (Unit::MillimetrePerSecond, &["mm/s"]),
@@ -76,6 +79,7 @@ impl Unit {
             Unit::MicrometrePerSecond => 1e-6,
             Unit::Gravity => STANDARD_GRAVITY_M_S2,
             Unit::MilliGravity => 1e-3 * STANDARD_GRAVITY_M_S2,
+            Unit::PercentGravity => 1e-2 * STANDARD_GRAVITY_M_S2,
         }
     }
 
@@ -87,7 +91,8 @@ impl Unit {
             | Unit::Gal
             | Unit::MillimetrePerSecondSquared
             | Unit::Gravity
-            | Unit::MilliGravity => Quantity::Acceleration,
+            | Unit::MilliGravity
+            | Unit::PercentGravity => Quantity::Acceleration,
             Unit::MetrePerSecond
             | Unit::CentimetrePerSecond
             | Unit::MillimetrePerSecond

@@ -1,7 +1,7 @@
 //! The basis of a verdict as parts of the headline: what the model leaves out, made-up surveys, assumed inputs.
 
 use crate::engineer::damage_words;
-use dolmen_words::{Sentence, Template, messages};
+use dolmen_words::{Quantity, Sentence, Template, messages};
 use dolmen_work::judgement::{AssumedInputs, Basis};
 
 /// Made-up surveys and severe damages that a headline names before it counts the rest.
@@ -19,6 +19,18 @@ messages! {
         CapLeftOut => {
             en: "not in it: the cap stone (on the unsafe side)",
             ko: "옥개석 미반영(불안전측)",
+        },
+        WindLeftOut => {
+            en: "not in it: the wind of the file, which no combination counts",
+            ko: "하중조합에 없는 풍하중 미반영",
+        },
+        LoadsLeftOut => {
+            en: "not in it: static loads of the file, which no combination counts",
+            ko: "하중조합에 없는 정하중 미반영",
+        },
+        HeldBySupports { factor: Quantity } => {
+            en: "held by its side supports alone (load factor {factor} without them)",
+            ko: "측면 지지에만 의지함(지지 없이는 하중계수 {factor})",
         },
         MadeUp { surveys: Vec<String> } => {
             en: "made up, not measured: survey {surveys}",
@@ -52,6 +64,16 @@ pub(crate) fn left_out(basis: &Basis) -> Vec<Sentence> {
         all.push(HeadlineBasis::SevereLeftOut { found }.into());
     }
     all.extend(basis.is_cap_left_out.then(|| HeadlineBasis::CapLeftOut.into()));
+    all.extend(basis.is_wind_left_out.then(|| HeadlineBasis::WindLeftOut.into()));
+    all.extend(
+        basis
+            .is_loads_left_out
+            .then(|| HeadlineBasis::LoadsLeftOut.into()),
+    );
+    let held = basis
+        .load_factor_without_supports
+        .map(|factor| Quantity::beside_one(factor, 3));
+    all.extend(held.map(|factor| HeadlineBasis::HeldBySupports { factor }.into()));
     all
 }
 

@@ -20,6 +20,7 @@ use crate::version::Version;
 use crate::{building, chain, frame, stack};
 use dolmen::blocks::ContactRule;
 use dolmen::dynamics::ChainRotations;
+use dolmen::signal::Component;
 use dolmen::stability::Verdict;
 use dolmen_project::{Project, Quantity, Structure, parse_angle_rad};
 use dolmen_records::Files;
@@ -408,6 +409,10 @@ fn run_one(
             answer.simulations.extend(runs);
         }
         (Structure::Stack(part), Some(motion)) => {
+            if !motion.motion.has(Component::X) && !motion.motion.has(Component::Y) {
+                let name = motion.motion.name().to_owned();
+                return Err(WorkError::NoHorizontalOf { name });
+            }
             let how = stack_options(options);
             match stack::simulate::simulate(version, part, motion, &how, progress)? {
                 StackOutcome::Simulated(run) => answer.simulations.push(Simulation::Stack(run)),

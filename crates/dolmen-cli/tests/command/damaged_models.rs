@@ -381,3 +381,46 @@ fn refuses_damage_that_the_model_cannot_have_with_the_reason() {
         }
     }
 }
+
+#[test]
+fn refuses_two_damages_that_only_a_name_tells_apart() {
+    let scratch = Scratch::new("damaged-twice");
+    let stones = "schema = 1\nkind = \"stack\"\nname = \"a\"\ndensity = 2600\njoint = { friction = 0.6 }\nblocks = [{ name = \"b\", width = 1.0, height = 0.5 }, { name = \"p\", width = 0.4, height = 2.2 }]\n";
+    let loss = |name: &str, lost: &str, side: &str| {
+        format!(
+            "{{ part = \"p\", what = \"spalling\", {name}model = {{ bed_lost = {lost}, side = \"{side}\" }} }}"
+        )
+    };
+    let survey =
+        |day: &str, items: &[String]| format!("[survey.{day}]\ninspections = [{}]\n", items.join(", "));
+    let in_one = survey("2024-05-01", &[loss("", "0.45", "x-"), loss("", "0.2", "x+")]);
+    let in_two =
+        survey("2023-05-01", &[loss("", "0.45", "x-")]) + &survey("2024-05-01", &[loss("", "0.2", "x+")]);
+    for tables in [&in_one, &in_two] {
+        write(&scratch, "project.toml", &(stones.to_owned() + tables));
+        let answer = scratch.dolmen("check .");
+        assert_eq!(answer.status, 2, "{}", answer.stdout);
+        assert!(
+            answer.stderr.contains("give each its own name"),
+            "{}",
+            answer.stderr
+        );
+    }
+    // named, both count: (0.2 - 0.45 0.4) / 1.1 towards x- is what is left
+    let named = survey(
+        "2024-05-01",
+        &[
+            loss("name = \"a\", ", "0.45", "x-"),
+            loss("name = \"b\", ", "0.2", "x+"),
+        ],
+    );
+    write(&scratch, "project.toml", &(stones.to_owned() + &named));
+    let checked = scratch.briefly("check .").words();
+    assert!(checked.contains("begins to move at 0.018"), "{checked}");
+    // the same damage, grown
+    let grown =
+        survey("2023-05-01", &[loss("", "0.2", "x-")]) + &survey("2024-05-01", &[loss("", "0.45", "x-")]);
+    write(&scratch, "project.toml", &(stones.to_owned() + &grown));
+    let checked = scratch.briefly("check .").words();
+    assert!(checked.contains("begins to move at 0.018"), "{checked}");
+}

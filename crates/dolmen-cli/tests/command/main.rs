@@ -59,6 +59,7 @@ mod looked_safe;
 mod loose_tenons;
 mod made_up_surveys;
 mod measured_beside;
+mod misread;
 mod mistaken_inputs;
 mod modes_lost;
 mod motion_suites;

@@ -18,7 +18,8 @@ use std::collections::BTreeMap;
 /// it then has.
 ///
 /// A damage applies from its inspection until a later one gives the same damage another effect, or as mended. A later inspection without it
-/// does not remove it: it may not have been looked for.
+/// does not remove it: it may not have been looked for. Two damages of one kind on one part need names, because the later would replace
+/// the earlier.
 pub(crate) fn damaged(
     reader: &mut Reader,
     chosen: Option<&At<String>>,
@@ -47,7 +48,16 @@ pub(crate) fn damaged(
                 effect,
                 path: format!("survey.{}.inspections[{number}].model", survey.name),
             };
-            now.insert((&item.part, &item.what, item.name.as_deref()), of);
+            let key = (item.part.as_str(), &item.what, item.name.as_deref());
+            if let Some(earlier) = now.get(&key)
+                && (earlier.survey == of.survey || !effect.may_follow(earlier.effect))
+            {
+                let why = WrongDamage::Twice {
+                    earlier: earlier.survey.clone(),
+                };
+                refused(reader, &of, why, WrongDamage::NameEach);
+            }
+            now.insert(key, of);
         }
     }
     let mut all: Vec<ModelDamage> = now.into_values().collect();

@@ -59,3 +59,20 @@ pub enum InModel {
     /// An earlier inspection gave one of these effects, and it was repaired since.
     Mended,
 }
+
+impl InModel {
+    /// Whether it can be what a later inspection found of a damage that had this effect: the same effect on the same side, the loss of the
+    /// stone, or its repair.
+    pub(super) fn may_follow(self, earlier: InModel) -> bool {
+        match (earlier, self) {
+            (InModel::Mended, _) | (_, InModel::Mended | InModel::Lost) => true,
+            (InModel::BedLost { side, .. }, InModel::BedLost { side: later, .. }) => side == later,
+            (InModel::StiffnessLeft(_), InModel::StiffnessLeft(_))
+            | (InModel::TiesBroken, InModel::TiesBroken) => true,
+            (
+                InModel::BedLost { .. } | InModel::StiffnessLeft(_) | InModel::TiesBroken | InModel::Lost,
+                InModel::BedLost { .. } | InModel::StiffnessLeft(_) | InModel::TiesBroken,
+            ) => false,
+        }
+    }
+}

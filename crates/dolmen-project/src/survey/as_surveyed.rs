@@ -16,10 +16,21 @@ pub(crate) fn as_surveyed<'a>(
     let tilted = || surveys.iter().filter(|survey| !survey.tilt.is_empty());
     match given.map(|given| given.value.as_str()) {
         Some("none") => None,
-        None | Some("latest") => tilted()
-            .filter_map(|survey| Some((date_of(&survey.name)?, survey)))
-            .max_by_key(|(day, _)| *day)
-            .map(|(_, survey)| survey),
+        None | Some("latest") => {
+            let dated = || tilted().filter_map(|survey| Some((date_of(&survey.name)?, survey)));
+            let last = dated().map(|(day, _)| day).max()?;
+            let of_day: Vec<&Survey> = dated()
+                .filter(|(day, _)| *day == last)
+                .map(|(_, of)| of)
+                .collect();
+            if of_day.iter().any(|survey| survey.tilt != of_day[0].tilt) {
+                let path = format!("survey.{}.tilt", of_day[of_day.len() - 1].name);
+                let surveys = of_day.iter().map(|survey| survey.name.clone()).collect();
+                let fault = Fault::new(reader.place(&path), &path, WrongStack::TiltsOfOneDay { surveys });
+                reader.fault(fault.help(WrongStack::SayAsSurveyed));
+            }
+            of_day.last().copied()
+        }
         Some(name) => {
             let found = tilted().find(|survey| survey.name == name);
             if found.is_none()

@@ -20,6 +20,14 @@ messages! {
             en: "the damage of \"{part}\" in survey {survey} cannot be carried into the model: {why}",
             ko: "{survey} 조사의 \"{part}\" 손상을 모델에 반영할 수 없다: {why}",
         },
+        Twice { earlier: String } => {
+            en: "survey {earlier} has another damage of this kind on this part, with the same name or none, and the model would have only the later one",
+            ko: "{earlier} 조사에 같은 부재, 같은 종류의 손상이 이름 없이 또는 같은 이름으로 또 있어 나중 것만 모델에 반영된다",
+        },
+        NameEach => {
+            en: "if they are two damages, give each its own name = \"…\" in every inspection; if they are one, give it one effect (on one side)",
+            ko: "서로 다른 손상이면 모든 점검에서 각각 name = \"…\"을 주고, 같은 손상이면 하나의 효과(한쪽 방향)로 적는다",
+        },
         NoModel => { en: "the file has no model of it", ko: "파일에 이 부재의 모델이 없다" },
         NoDate => {
             en: "the name of the survey begins with no date, so that it is not known which inspection came last",

@@ -88,6 +88,14 @@ messages! {
             en: "check the number and its unit; else give each block its own tilt, or leave this one out of the model with as_surveyed = \"none\"",
             ko: "값과 단위를 확인한다. 맞으면 부재마다 tilt를 주거나 as_surveyed = \"none\"으로 모델에서 뺀다",
         },
+        TiltsOfOneDay { surveys: Vec<String> } => {
+            en: "the surveys {surveys} are of one day, the latest, and their tilts differ",
+            ko: "가장 최근인 같은 날의 조사 {surveys}의 기울기가 서로 다르다",
+        },
+        SayAsSurveyed => {
+            en: "say which one the model leans by: as_surveyed = \"…\" at top level",
+            ko: "모델에 반영할 조사를 파일 맨 위에 as_surveyed = \"…\"로 지정한다",
+        },
         AsSurveyedButNo { name: String } => {
             en: "as_surveyed = \"{name}\", but no survey of this name has a tilt",
             ko: "as_surveyed = \"{name}\"인데 기울기(tilt)가 있는 조사 중에 이 이름이 없다",

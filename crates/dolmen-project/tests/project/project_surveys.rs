@@ -30,7 +30,7 @@ error: survey.a.records.unit = "kN" is no unit of vibration
     |
  14 | unit = "kN"
     |        ^^^^ unknown unit
-    = help: the unit "kN" is not known: write m/s2, cm/s2 (gal), mm/s2, g, mg, m/s, cm/s, mm/s, um/s, m, cm, mm, or "unknown" to keep the numbers as they are
+    = help: the unit "kN" is not known: write m/s2, cm/s2 (gal), mm/s2, g, mg, %g, m/s, cm/s, mm/s, um/s, m, cm, mm, or "unknown" to keep the numbers as they are
 
 error: survey.a.records.channels[1].column = 0 is outside its range
    --> project.toml:16:14

@@ -220,6 +220,7 @@ mod tests {
             ("HNE", None, east),
             ("동서 [cm/s²]", Some(Unit::Gal), east),
             ("남북（g）", Some(Unit::Gravity), Some(Orientation::NORTH)),
+            ("EW (%g)", Some(Unit::PercentGravity), Some(Orientation::EAST)),
             (
                 "상하_m_s2",
                 Some(Unit::MetrePerSecondSquared),

@@ -16,8 +16,8 @@ pub enum FileUnit {
 }
 
 impl Unit {
-    /// The unit a text names: "m/s2", "cm/s2" or "gal", "mm/s2", "g", "mg", "m/s", "cm/s", "mm/s", "um/s", "m", "cm",
-    /// "mm"; "unknown", "counts", "V" and "mV" say that the numbers are no SI quantity. Upper and lower case differ.
+    /// The unit a text names: "m/s2", "cm/s2" or "gal", "mm/s2", "g", "mg", "%g", "m/s", "cm/s", "mm/s", "um/s", "m",
+    /// "cm", "mm"; "unknown", "counts", "V" and "mV" say that the numbers are no SI quantity. Upper and lower case differ.
     ///
     /// # Errors
     /// [`RecordError::UnknownUnit`].
@@ -51,6 +51,7 @@ pub(super) fn unit_of_label(label: &str) -> FileUnit {
     let plain = match plain.as_str() {
         "G" => "g",
         "mG" => "mg",
+        "%G" => "%g",
         "GAL" => "gal",
         plain => plain,
     };
@@ -76,6 +77,7 @@ mod tests {
             ("mm/s2", 0.001, Quantity::Acceleration),
             ("g", 9.80665, Quantity::Acceleration),
             ("mg", 0.00980665, Quantity::Acceleration),
+            ("%g", 0.0980665, Quantity::Acceleration),
             ("mm/s", 0.001, Quantity::Velocity),
             ("mm", 0.001, Quantity::Displacement),
             ("", 1.0, Quantity::Unknown),
@@ -90,7 +92,7 @@ mod tests {
     fn refuses_a_unit_that_is_not_known() {
         assert_eq!(
             Unit::parse("ft/s2").unwrap_err().to_string(),
-            "the unit \"ft/s2\" is not known: write m/s2, cm/s2 (gal), mm/s2, g, mg, m/s, cm/s, mm/s, um/s, m, cm, mm, \
+            "the unit \"ft/s2\" is not known: write m/s2, cm/s2 (gal), mm/s2, g, mg, %g, m/s, cm/s, mm/s, um/s, m, cm, mm, \
              or \"unknown\" to keep the numbers as they are"
         );
     }

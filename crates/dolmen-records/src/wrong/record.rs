@@ -30,8 +30,8 @@ sentences! {
             ko: "파일이 UTF-16 텍스트이다. UTF-8로 저장한다(스프레드시트의 \"CSV UTF-8\")",
         },
         UnknownUnit { given } as { given: shown(given) } => {
-            en: "the unit \"{given}\" is not known: write m/s2, cm/s2 (gal), mm/s2, g, mg, m/s, cm/s, mm/s, um/s, m, cm, mm, or \"unknown\" to keep the numbers as they are",
-            ko: "알 수 없는 단위 \"{given}\"이다. m/s2, cm/s2 (gal), mm/s2, g, mg, m/s, cm/s, mm/s, um/s, m, cm, mm 중 하나를 쓴다. 수를 그대로 두려면 \"unknown\"으로 한다",
+            en: "the unit \"{given}\" is not known: write m/s2, cm/s2 (gal), mm/s2, g, mg, %g, m/s, cm/s, mm/s, um/s, m, cm, mm, or \"unknown\" to keep the numbers as they are",
+            ko: "알 수 없는 단위 \"{given}\"이다. m/s2, cm/s2 (gal), mm/s2, g, mg, %g, m/s, cm/s, mm/s, um/s, m, cm, mm 중 하나를 쓴다. 수를 그대로 두려면 \"unknown\"으로 한다",
         },
         NotANumber { line, column, text } as { line, column: shown(column), text: shown(text) } => {
             en: "line {line}, column \"{column}\": \"{text}\" is not a number; correct it, leave the column out, or cut the file",

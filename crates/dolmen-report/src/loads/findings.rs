@@ -130,11 +130,10 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
             None => Finding::key(Tone::Warn, Found::CarriedFalls { weight, factor }),
         });
     }
-    let in_none = |of: fn(&CombinationAnswer) -> f64| answer.combinations.iter().all(|each| of(each) == 0.0);
-    if answer.has_wind && in_none(|of| of.wind) && !answer.combinations.is_empty() {
+    if answer.leaves_wind_out() {
         all.push(Finding::key(Tone::Warn, Found::WindInNone));
     }
-    if answer.has_loads && in_none(|of| of.loads) && !answer.combinations.is_empty() {
+    if answer.leaves_loads_out() {
         let said = match &state.check {
             Check::Stack(_) => Found::LoadsInNoneOfStack,
             _ => Found::LoadsInNone,

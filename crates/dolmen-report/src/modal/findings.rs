@@ -64,6 +64,10 @@ messages! {
             en: "The mode at {mode} has no single frequency: {from} in the largest swings and {to} in the smallest. Loose joints do that.",
             ko: "{mode} 모드의 진동수는 하나로 정해지지 않는다. 가장 큰 진폭에서 {from}, 가장 작은 진폭에서 {to}이다. 헐거운 접합면에서 나타나는 현상이다.",
         },
+        Falls { mode: Quantity, from: Quantity, to: Quantity } => {
+            en: "The mode at {mode} has no single frequency: {from} in the largest swings and {to} in the smallest. Loose joints do the opposite: are these two modes close together?",
+            ko: "{mode} 모드의 진동수는 하나로 정해지지 않는다. 가장 큰 진폭에서 {from}, 가장 작은 진폭에서 {to}이다. 헐거운 접합면에서는 반대로 나타나므로 가까운 두 모드일 수 있다.",
+        },
         OneChannel => { en: "1 channel", ko: "1채널" },
         Channels { count: usize } => { en: "{count} channels", ko: "{count}채널" },
         ByHand => {
@@ -83,9 +87,13 @@ messages! {
             en: "Below the lowest mode found, {lowest}, the spectrum has peaks that a test refused: {peaks}. The first mode may be among them; the section of the record says which test, and what admits it.",
             ko: "찾은 최저차 모드 {lowest} 아래에 판정 기준에서 제외된 피크가 있다: {peaks}. 1차 모드일 수 있다. 제외 사유와 채택 방법은 기록 항목에 있다.",
         },
-        Faults { count: usize } => {
-            en: "{count} faults were seen in its channels; they are named with the record.",
-            ko: "채널에서 이상 {count}건이 발견되었다(기록 항목 참조).",
+        OneMoreFault { first: Sentence } => {
+            en: "{first} One more fault of its channels is named with the record.",
+            ko: "{first} 그 외 채널 이상 1건은 기록 항목에 있다.",
+        },
+        MoreFaults { first: Sentence, more: usize } => {
+            en: "{first} {more} more faults of its channels are named with the record.",
+            ko: "{first} 그 외 채널 이상 {more}건은 기록 항목에 있다.",
         },
         Unconfirmed { file: String, column: String } => {
             en: "Record {file}: column \"{column}\" could not be read as times, so nothing in the file confirms the sampling rate given. If that is wrong, every frequency is wrong by the same factor.",
@@ -203,10 +211,15 @@ fn following(record: &RecordAnswer) -> Vec<Finding> {
     let bent = each.filter(|mode| mode.poles_hz.len() > 1);
     let said = bent.filter_map(|mode| {
         let (first, last) = (mode.swings.first()?, mode.swings.last()?);
+        let rises = last.frequency_hz > first.frequency_hz;
         let [from, to] =
             [first, last].map(|at| Quantity::new(at.frequency_hz, Unit::si("Hz"), Digits::Significant(3)));
         let mode = hertz(mode.frequency_hz);
-        Some(Finding::key(Tone::Warn, Found::Follows { mode, from, to }))
+        let said = match rises {
+            true => Found::Follows { mode, from, to },
+            false => Found::Falls { mode, from, to },
+        };
+        Some(Finding::key(Tone::Warn, said))
     });
     said.collect()
 }
@@ -365,9 +378,13 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
     let faults = match record.faults.as_slice() {
         [] => None,
         [one] => Some(fault_words(one)),
-        several => {
-            let count = several.len();
-            Some(Found::Faults { count }.into())
+        [first, _] => {
+            let first = fault_words(first);
+            Some(Found::OneMoreFault { first }.into())
+        }
+        [first, more @ ..] => {
+            let (first, more) = (fault_words(first), more.len());
+            Some(Found::MoreFaults { first, more }.into())
         }
     };
     all.extend(faults.map(|found| Finding::key(Tone::Warn, found).with_code("channel-fault")));

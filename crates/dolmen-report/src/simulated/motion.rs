@@ -44,6 +44,10 @@ messages! {
             en: "PROBABLY A SLIP: with a step of {step} {component} swings at {swings} on average, and earthquakes swing at 0.5 to 25 Hz. Is the step in s, and not a rate in Hz or in ms?",
             ko: "입력 오류 의심: 표본 간격 {step}에서 {component} 성분은 평균 {swings}(으)로 진동하며 지진동은 0.5~25 Hz이다. 표본 간격이 초 단위가 맞는가(표본화 진동수 Hz 또는 ms가 아닌가)?",
         },
+        Offset { component: String, away: Quantity } => {
+            en: "PROBABLY A SLIP: with {component} the ground ends {away} away, farther than in any earthquake. Its acceleration has an offset: take it off with --baseline or --high-pass.",
+            ko: "입력 오류 의심: {component} 성분에서 지반이 {away} 떨어진 곳에서 멈추며 어떤 지진에서도 이만큼 이동하지 않는다. 가속도 기록에 영점 오차가 있으므로 --baseline 또는 --high-pass로 제거한다.",
+        },
         TurnRadians { degrees: Quantity, meant: Quantity } => {
             en: "PROBABLY A SLIP: it is turned by {degrees}°, a round part of π. If that is in radians, write {meant}.",
             ko: "입력 오류 의심: {degrees}° 회전하였으며 이는 π의 배수이다. 라디안이라면 {meant}°로 적는다.",
@@ -58,11 +62,15 @@ messages! {
 /// The motion and notes on its baseline.
 pub(crate) fn motion_section(document: &mut Document<'_>, answer: &MotionAnswer) {
     document.put(Block::Table(motion_table(answer)));
-    for doubt in answer.doubts() {
-        document.note(doubted(&doubt));
-    }
+    let doubts = answer.doubts();
     for (component, away_m) in answer.drifting_m() {
-        document.note(drift(component.name(), away_m));
+        let is_doubted = |doubt: &MotionDoubt| matches!(doubt, MotionDoubt::Offset { component: of, .. } if *of == component);
+        if !doubts.iter().any(is_doubted) {
+            document.note(drift(component.name(), away_m));
+        }
+    }
+    for doubt in doubts {
+        document.note(doubted(&doubt));
     }
 }
 
@@ -99,6 +107,10 @@ pub(crate) fn doubted(doubt: &MotionDoubt) -> Motion {
             component: name(component),
             step: Quantity::new(step_s, Unit::si("s"), Digits::Significant(3)),
             swings: Quantity::new(swings_hz, Unit::si("Hz"), Digits::Significant(3)),
+        },
+        MotionDoubt::Offset { component, away_m } => Motion::Offset {
+            component: name(component),
+            away: Quantity::new(away_m, Unit::si("m"), Digits::Significant(3)),
         },
         MotionDoubt::TurnRadians { degrees } => Motion::TurnRadians {
             degrees: Quantity::ratio(degrees, 4),

@@ -6,9 +6,10 @@ use super::mechanism::moving;
 use super::notes::{is_less, note};
 use super::verdict::banner;
 use super::words::{at, direction, first_with_ties, joint_moves, moves_together};
-use super::{soil, supports};
+use super::{narrow_beds, soil, supports};
 use crate::document::{Finding, Tone};
 use dolmen::assess::StackNote;
+use dolmen::stability::stack::Governing;
 use dolmen::structure::stack::Stack;
 use dolmen_words::{Sentence, messages};
 use dolmen_work::state::StackAnswer;
@@ -62,8 +63,17 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
             };
             all.push(Finding::key(Tone::Plain, found));
         }
-        (None, None) => {}
+        // stones share their load, and a cut is what moves at the capacity
+        (None, None) => {
+            let cuts = [&check.limits.uplift, &check.limits.sliding];
+            let moves_first = |cut: &&Governing| check.capacity == Some(cut.threshold);
+            if let Some(first) = cuts.into_iter().flatten().find(moves_first) {
+                let (moves, at) = (joint_moves(&check.limits, first), at(&first.threshold));
+                all.push(Finding::key(Tone::Plain, Found::First { moves, at }));
+            }
+        }
     }
+    all.extend(narrow_beds::finding(&answer.stack));
     all.extend(crushing::findings(answer));
     if let Some(with) = first_with_ties(&check.limits) {
         let (moves, at) = (joint_moves(&check.limits, with), at(&with.threshold));

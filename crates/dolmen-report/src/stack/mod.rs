@@ -9,6 +9,7 @@ mod lean;
 mod limits;
 mod local_mechanisms;
 mod mechanism;
+mod narrow_beds;
 mod notes;
 mod soil;
 mod standing;
@@ -71,9 +72,10 @@ messages! {
 }
 
 /// Templates of the sentences on stacks.
-pub(crate) const TEMPLATES: [&[Template]; 17] = [
+pub(crate) const TEMPLATES: [&[Template]; 18] = [
     verdict::Judged::TEMPLATES,
     findings::Found::TEMPLATES,
+    narrow_beds::Narrow::TEMPLATES,
     lean::Leaning::TEMPLATES,
     standing::Reason::TEMPLATES,
     notes::Notes::TEMPLATES,

@@ -9,8 +9,6 @@ use dolmen_work::state::VariantAnswer;
 
 /// Digits of an acceleration, a margin or a distance.
 pub(super) const DIGITS: usize = 3;
-/// Directions closer to an axis than this are that axis, rad.
-const ON_AXIS: f64 = 1e-6;
 
 messages! {
     /// Parts of sentences on stacks.
@@ -89,15 +87,15 @@ pub(super) fn place(above: &str) -> Sentence {
     }
 }
 
-/// "+x", "-y", or degrees from +x towards +y.
+/// "+x", "-y", or whole degrees from +x towards +y.
 pub(crate) fn direction(of: [f64; 2]) -> Sentence {
     let [x, y] = of;
-    let axis = |along: f64, plus, minus| Sentence::of_symbol(if along > 0.0 { plus } else { minus });
-    match (y.abs() < ON_AXIS, x.abs() < ON_AXIS) {
-        (true, _) => axis(x, "+x", "-x"),
-        (false, true) => axis(y, "+y", "-y"),
-        // never −0°
-        (false, false) => Sentence::of_symbol(&format!("{:.0}°", y.atan2(x).to_degrees().round() + 0.0)),
+    match y.atan2(x).to_degrees().round() as i32 {
+        0 => Sentence::of_symbol("+x"),
+        90 => Sentence::of_symbol("+y"),
+        180 | -180 => Sentence::of_symbol("-x"),
+        -90 => Sentence::of_symbol("-y"),
+        degrees => Sentence::of_symbol(&format!("{degrees}°")),
     }
 }
 

@@ -1,5 +1,6 @@
 //! The basis of a judgement: assumed inputs, surveys that nobody measured, and known things that the model leaves out on the unsafe side.
 
+use crate::state::{Check, State};
 use crate::survey_dates::date;
 use dolmen_project::{Cap, DamageKind, Inspection, Project, Severity, Structure, Survey};
 
@@ -14,6 +15,12 @@ pub struct Basis {
     pub severe_damage: Vec<SevereDamage>,
     /// Whether the model of a flagpole leaves out its cap stone.
     pub is_cap_left_out: bool,
+    /// Whether the file gives a wind that no combination counts.
+    pub is_wind_left_out: bool,
+    /// Whether the file gives static loads that no combination counts.
+    pub is_loads_left_out: bool,
+    /// Load factor of a pole without its side supports, if it would fall without them.
+    pub load_factor_without_supports: Option<f64>,
 }
 
 /// Inputs of a version.
@@ -48,12 +55,31 @@ impl Basis {
                 Some(_) => Vec::new(),
             },
             is_cap_left_out: matches!(&project.structure, Structure::Chain(part) if part.cap == Cap::LeftOut),
+            ..Basis::default()
         }
+    }
+
+    /// The basis of a checked project.
+    pub(crate) fn of_checked(project: &Project, variant: Option<&str>, state: &State) -> Self {
+        let mut basis = Basis::of(project, variant);
+        if let Some(loads) = &state.loads {
+            basis.is_wind_left_out = loads.leaves_wind_out();
+            // the weight of a stack is judged with its static loads
+            basis.is_loads_left_out = loads.leaves_loads_out() && !matches!(state.check, Check::Stack(_));
+        }
+        if let Check::Chain(check) = &state.check {
+            let without = check.load_factor_without_supports;
+            basis.load_factor_without_supports = without.filter(|factor| *factor <= 1.0);
+        }
+        basis
     }
 
     /// Whether something known is missing from the model on the unsafe side.
     pub fn is_unsafe(&self) -> bool {
-        self.is_cap_left_out || !self.severe_damage.is_empty()
+        self.is_cap_left_out
+            || self.is_wind_left_out
+            || self.is_loads_left_out
+            || !self.severe_damage.is_empty()
     }
 }
 

@@ -265,7 +265,7 @@ pub(super) fn version(
         version.earthquake = of_before.map(EarthquakeFinding::before_supports_moved).collect();
     }
     version.solution = Solution::of(project);
-    version.basis = Basis::of(project, variant);
+    version.basis = Basis::of_checked(project, variant, state);
     version.damage.clone_from(&project.damage);
     version
 }

@@ -296,6 +296,20 @@ impl ChainCombination {
 }
 
 impl LoadsAnswer {
+    /// Whether the file gives a wind that no combination counts.
+    pub fn leaves_wind_out(&self) -> bool {
+        self.has_wind && self.is_in_none(|of| of.wind)
+    }
+
+    /// Whether the file gives static loads that no combination counts.
+    pub fn leaves_loads_out(&self) -> bool {
+        self.has_loads && self.is_in_none(|of| of.loads)
+    }
+
+    fn is_in_none(&self, factor: fn(&CombinationAnswer) -> f64) -> bool {
+        !self.combinations.is_empty() && self.combinations.iter().all(|each| factor(each) == 0.0)
+    }
+
     /// The combination with the worst verdict, then with the smallest factor.
     pub fn worst(&self) -> Option<&CombinationAnswer> {
         self.combinations.iter().min_by(|a, b| {

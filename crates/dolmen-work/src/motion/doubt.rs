@@ -41,6 +41,13 @@ pub enum MotionDoubt {
         /// Number of oscillations a second.
         swings_hz: f64,
     },
+    /// The ground ends farther away than in any earthquake: the acceleration has an offset.
+    Offset {
+        /// The component.
+        component: Component,
+        /// Its displacement at the end, m.
+        away_m: f64,
+    },
     /// Its angle in degrees is a round multiple of π.
     TurnRadians {
         /// The angle, degrees.
@@ -53,6 +60,8 @@ const STRONG_G: f64 = 1.5;
 /// Peak of a file, and of an acting motion, below which it is suspicious, g. Our choice: people feel 0.003 g.
 const READ_WEAK_G: f64 = 0.004;
 const ACTS_WEAK_G: f64 = 0.0005;
+/// Displacement of the ground at the end that no record has, m. Our choice: some metres beside a fault are the most.
+const AWAY_M: f64 = 12.0;
 /// Range of the mean frequency of zero crossings, Hz. Our choice: records of earthquakes have 0.5 to 25.
 const SWINGS_HZ: [f64; 2] = [0.1, 32.0];
 
@@ -73,6 +82,11 @@ impl MotionAnswer {
         }
         let given = self.files.iter().map(|(component, _)| *component);
         doubts.extend(given.filter_map(|component| step(&self.motion, component)));
+        let far = self
+            .drifting_m()
+            .into_iter()
+            .filter(|(_, away_m)| away_m.abs() > AWAY_M);
+        doubts.extend(far.map(|(component, away_m)| MotionDoubt::Offset { component, away_m }));
         if let Some(degrees) = self
             .turned_rad
             .map(f64::to_degrees)

@@ -30,12 +30,21 @@ const ANY_WAY: [f64; 2] = [1.0, 0.0];
 pub(super) fn falling(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>, StabilityError> {
     // no pull prevents crushing
     if piece.crushes() {
-        let mut programme = piece.programme(AccelerationSet::Line(ANY_WAY))?;
-        let velocities = programme.falling_velocities(ANY_WAY)?;
-        return Ok(velocities.and_then(|velocities| moving_with(stack, piece, &velocities)));
+        return certified(stack, piece);
     }
-    let found = least_pull(piece.at_rest(), piece.pushes(), piece.units())?;
-    Ok(found.and_then(|velocities| named(stack, &piece.motions(&velocities, stack.blocks().len()))))
+    match least_pull(piece.at_rest(), piece.pushes(), piece.units()) {
+        Ok(found) => Ok(found.and_then(|velocities| moving_with(stack, piece, &velocities))),
+        // no pull at the corners holds it: a stone that slips down between two others
+        Err(StabilityError::ConicProgramme { .. }) => certified(stack, piece),
+        Err(other) => Err(other),
+    }
+}
+
+/// The mechanism that certifies that a piece falls.
+fn certified(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>, StabilityError> {
+    let mut programme = piece.programme(AccelerationSet::Line(ANY_WAY))?;
+    let velocities = programme.falling_velocities(ANY_WAY)?;
+    Ok(velocities.and_then(|velocities| moving_with(stack, piece, &velocities)))
 }
 
 /// The mechanism in which a piece begins to move under shaking in one direction.

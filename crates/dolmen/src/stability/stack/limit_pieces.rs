@@ -451,28 +451,32 @@ fn swayed(blocks: &[usize], axis: DVec3, loads: &[Load], swaying: &[SwayingForce
     sum
 }
 
-/// The mirrors in plan that map a piece onto itself, and their products.
+/// The mirrors and the quarter turn in plan that map a piece onto itself, and their products.
 fn symmetries(
     blocks: &[usize],
     balances: &[&Balance],
     acts: &[(&PossibleForce, Incidence)],
     scale: &Scale,
 ) -> Vec<Symmetry> {
-    let mirrors = [
+    let generators = [
         [[-1.0, 0.0], [0.0, 1.0]],
         [[1.0, 0.0], [0.0, -1.0]],
         [[0.0, 1.0], [1.0, 0.0]],
+        [[0.0, -1.0], [1.0, 0.0]],
+        [[-1.0, 0.0], [0.0, -1.0]],
     ];
     let loads: Vec<Load> = balances.iter().map(|balance| balance.load).collect();
     let middle = together(&loads, &(0..loads.len()).collect::<Vec<_>>()).centroid();
-    let holds = |mirror: &Symmetry| {
+    let holds = |symmetry: &Symmetry| {
         let way = |vector: DVec3| {
-            let [x, y] = turned(mirror, [vector.x, vector.y]);
+            let [x, y] = turned(symmetry, [vector.x, vector.y]);
             DVec3::new(x, y, vector.z)
         };
+        // a mirror reverses moments, a turn does not
+        let handed = symmetry[0][0] * symmetry[1][1] - symmetry[0][1] * symmetry[1][0];
         let place = |point: DVec3| middle + way(point - middle);
         let near = |a: DVec3, b: DVec3, unit: f64| (a - b).abs().max_element() <= SAME * unit;
-        // images of the blocks; moments are mirrored with the opposite sign
+        // images of the blocks
         let mut image = Vec::with_capacity(balances.len());
         for from in balances {
             let own = |balance: &Balance| balance.load.moment - balance.about.cross(balance.load.force);
@@ -482,7 +486,7 @@ fn symmetries(
                     && (from.load.mass - to.load.mass).abs() <= SAME * from.load.mass
                     && (from.weight - to.weight).abs() <= SAME * from.weight
                     && near(way(from.load.force), to.load.force, from.weight)
-                    && near(-way(own(from)), own(to), from.weight * scale.length)
+                    && near(way(own(from)) * handed, own(to), from.weight * scale.length)
             });
             match to {
                 Some(to) => image.push(blocks[to]),
@@ -504,7 +508,7 @@ fn symmetries(
             })
         })
     };
-    group(&mirrors.into_iter().filter(holds).collect::<Vec<_>>())
+    group(&generators.into_iter().filter(holds).collect::<Vec<_>>())
 }
 
 /// The joint under a block, if nothing else connects the block's load to the rest.
