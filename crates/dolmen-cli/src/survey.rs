@@ -9,13 +9,13 @@ use crate::wrong::CommandError;
 use anyhow::{Context as _, Result};
 use dolmen_folder::Found;
 use dolmen_follow::{add_project, export_project, now_us, take_over};
+use dolmen_report::as_json;
 use dolmen_report::kept::{
     ListFormat, Listing, StructureList, SurveyList, added_text, exported_text, imported_text, marked_text,
     store_fault, structure_text, verified_text,
 };
 use dolmen_store::{Act, Place, Search, Store, StoreError};
 use dolmen_work::Progress;
-use serde_json::json;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -108,7 +108,7 @@ fn add_one(store: &mut Store, options: &Add, found: &Found, at: &StoreAccess<'_>
     let added = add_project(store, found, options.name.as_deref(), &at.who(), progress)?;
     // printed only when it is on disk
     match at.manner.json {
-        true => say(&format!("{}\n", json!(added))),
+        true => say(&format!("{}\n", as_json!(added))),
         false => say(&added_text(&added, at.manner.style())),
     }
 }
@@ -186,7 +186,7 @@ fn show(options: &Show, at: &StoreAccess<'_>) -> Result<Outcome> {
     let kept = store.structure(&options.name, options.survey.as_deref());
     let kept = kept.map_err(|fault| at.store_failure(fault))?;
     match at.manner.json {
-        true => say_json(&json!(kept))?,
+        true => say_json(&as_json!(kept))?,
         false => say(&structure_text(&kept, at.manner.style()))?,
     }
     Ok(Outcome::Done)
@@ -203,7 +203,7 @@ fn export_one(name: &str, options: &Export, at: &StoreAccess<'_>) -> Result<Outc
     let files = export_project(&mut at.open()?, name, &options.output)?;
     let folder = options.output.display().to_string();
     match at.manner.json {
-        true => say_json(&json!({ "structure": name, "folder": folder, "files": files }))?,
+        true => say_json(&as_json!({ "structure": name, "folder": folder, "files": files }))?,
         false => say(&exported_text(name, &folder, files.len(), at.manner.style()))?,
     }
     Ok(Outcome::Done)
@@ -239,7 +239,7 @@ fn taken_over(mut from: Store, into: &Place, at: &StoreAccess<'_>) -> Result<Out
         &at.who(),
     )?;
     match at.manner.json {
-        true => say_json(&json!(done))?,
+        true => say_json(&as_json!(done))?,
         false => say(&imported_text(&done, at.manner.style()))?,
     }
     Ok(Outcome::Done)
@@ -248,7 +248,7 @@ fn taken_over(mut from: Store, into: &Place, at: &StoreAccess<'_>) -> Result<Out
 fn verify(at: &StoreAccess<'_>) -> Result<Outcome> {
     let found = at.open()?.verify().map_err(|fault| at.store_failure(fault))?;
     match at.manner.json {
-        true => say_json(&json!(found))?,
+        true => say_json(&as_json!(found))?,
         false => say(&verified_text(&found, at.manner.style()))?,
     }
     match found.faults.is_empty() {
@@ -272,7 +272,7 @@ fn remove(options: &Remove, at: &StoreAccess<'_>) -> Result<Outcome> {
         .mark(&options.name, is_removed, &options.why, &act)
         .map_err(store_failure)?;
     match at.manner.json {
-        true => say_json(&json!({ "structure": options.name, "is_removed": is_removed }))?,
+        true => say_json(&as_json!({ "structure": options.name, "is_removed": is_removed }))?,
         false => say(&marked_text(&options.name, is_removed, at.manner.style()))?,
     }
     Ok(Outcome::Done)

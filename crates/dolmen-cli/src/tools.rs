@@ -12,6 +12,7 @@ use clap::{Command, CommandFactory as _};
 use clap_mangen::Man;
 use dolmen_folder::Outputs;
 use dolmen_project::json_schema;
+use dolmen_report::as_json;
 use dolmen_report::explain::{
     EXPLANATIONS, explain as look_up, explained_text, explanation_in, nearest_code,
 };
@@ -20,7 +21,6 @@ use dolmen_report::sentences::sentences_csv;
 use dolmen_words::Language;
 use dolmen_words::message::Both;
 use dolmen_work::{complaint, did_not_converge, told_by};
-use serde_json::json;
 use std::path::Path;
 
 /// Exit status of a computation that did not converge or finish.
@@ -68,9 +68,9 @@ pub(crate) fn explain(code: Option<&str>, manner: &Manner) -> Result<Outcome> {
     if manner.json {
         let list: Vec<_> = chosen
             .iter()
-            .map(|e| json!({ "code": e.code, "title": e.title, "text": e.text }))
+            .map(|e| as_json!({ "code": e.code, "title": e.title, "text": e.text }))
             .collect();
-        say_json(&json!(list))?;
+        say_json(&as_json!(list))?;
     } else {
         let language = manner.language();
         let told = chosen.iter().filter_map(|e| explanation_in(e.code, language));

@@ -11,12 +11,12 @@ use anyhow::Result;
 use dolmen::damper::Goal;
 use dolmen_folder::Outputs;
 use dolmen_report::against_text;
+use dolmen_report::as_json;
 use dolmen_report::files::tune_files;
 use dolmen_report::json::{together_json, tune_json};
 use dolmen_report::text::{together_text, tune_text};
 use dolmen_work::building::{TuneLoad, TuneOptions, tune};
 use dolmen_work::{FlagVerb, evidence_of};
-use serde_json::json;
 
 fn options_of(options: &Options) -> TuneOptions {
     TuneOptions {
@@ -53,7 +53,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     if manner.json {
         let each: Vec<_> = answers.tunings.iter().map(tune_json).collect();
         let of_all: Vec<_> = answers.together.iter().map(together_json).collect();
-        say_json(&json!({ "dampers": each, "together": of_all }))?;
+        say_json(&as_json!({ "dampers": each, "together": of_all }))?;
     } else {
         say(&against_text(
             &found.opened.project,

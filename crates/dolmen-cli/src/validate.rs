@@ -9,17 +9,17 @@ use crate::wrong::CommandError;
 use anyhow::Result;
 use dolmen::comparisons::Case;
 use dolmen_project::parse_project;
+use dolmen_report::as_json;
 use dolmen_report::text::validation_text;
 use dolmen_words::{Digits, Quantity, Unit};
 use dolmen_work::validate;
-use serde_json::json;
 use std::time::Instant;
 
 pub(crate) fn run(as_json: bool) -> Result<Outcome> {
     let cases = all_cases()?;
     if as_json {
         let list: Vec<_> = cases.iter().map(case_json).collect();
-        say_json(&json!(list))?;
+        say_json(&as_json!(list))?;
     } else {
         say(&validation_text(&cases))?;
     }
@@ -40,7 +40,7 @@ fn all_cases() -> Result<Vec<Case>> {
 }
 
 fn case_json(case: &Case) -> serde_json::Value {
-    json!({
+    as_json!({
         "source": case.source, "what": case.what, "unit": case.unit, "published": case.published,
         "computed": case.computed, "difference": case.difference(), "tolerance": case.tolerance,
         "corrected": case.corrected, "agrees": case.agrees(), "note": case.note,

@@ -1,5 +1,6 @@
 //! Two motions one after the other: the state after each, and whether the structure was at rest between them.
 
+use crate::as_json;
 use crate::document::{
     Block, Cell, Column, Document, Finding, Table, TextStyle, Tone, document_text, findings_text,
 };
@@ -10,7 +11,7 @@ use dolmen_words::message::{Both, Run};
 use dolmen_words::{Digits, Quantity, Sentence, Template, Unit, messages};
 use dolmen_work::judgement::judge_simulation;
 use dolmen_work::simulation::{AfterFirst, SPEED_AT_REST_M_S, Second, SimulateAnswer, Simulation};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 messages! {
     /// Two motions.
@@ -321,7 +322,7 @@ impl StateLeft {
                 left_m,
                 left_ratio,
                 opening_m,
-            } => json!({
+            } => as_json!({
                 "damage_state": state, "residual_slip_m": left_m, "residual_slip_ratio": left_ratio, "peak_opening_m": opening_m,
             }),
             StateLeft::Chain {
@@ -330,7 +331,7 @@ impl StateLeft {
                 left_rad,
                 most_rad,
                 turned_rad,
-            } => json!({
+            } => as_json!({
                 "fell": fell, "opened_or_turned": moved, "residual_rotation_rad": left_rad, "peak_rotation_rad": most_rad,
                 "slipped_rad": turned_rad,
             }),
@@ -339,7 +340,7 @@ impl StateLeft {
                 left_m,
                 drift_m,
                 slipped_m,
-            } => json!({
+            } => as_json!({
                 "fell": fell, "residual_displacement_m": left_m, "peak_drift_m": drift_m, "slipped_way_m": slipped_m,
             }),
             StateLeft::Other => Value::Null,
@@ -354,7 +355,7 @@ pub(crate) fn after_first_json(answer: &SimulateAnswer) -> Value {
     };
     let states = |simulations: &[Simulation]| -> Vec<Value> {
         let each = simulations.iter();
-        each.map(|one| json!({ "direction": direction(one), "left": StateLeft::of(one).json() }))
+        each.map(|one| as_json!({ "direction": direction(one), "left": StateLeft::of(one).json() }))
             .collect()
     };
     let (still_s, speed_m_s, from_s) = match after.second {
@@ -365,7 +366,7 @@ pub(crate) fn after_first_json(answer: &SimulateAnswer) -> Value {
         } => (Some(still_s), Some(speed_m_s), Some(from_s)),
         Second::FellBefore | Second::NoVerdictBefore => (None, None, None),
     };
-    json!({
+    as_json!({
         "first_motion": after.first_motion,
         "second_motion": after.second_motion,
         "second_acted": after.second.began_at_rest().is_some(),

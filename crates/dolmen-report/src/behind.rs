@@ -2,7 +2,8 @@
 
 use crate::document::{Block, Document};
 use crate::html::Imprint;
-use crate::html::front::{closing, sources};
+use crate::html::front::sources;
+use crate::html::fronted::{Fronted, InputsGiven};
 use crate::html::given::{survey_head, survey_lines};
 use crate::inputs_by_part::by_part;
 use crate::surveys_given::{inputs_listed, is_tabled};
@@ -17,11 +18,9 @@ use dolmen_work::answer::ProjectReport;
 pub(crate) fn behind_document(answer: &ProjectReport, imprint: &Imprint) -> Document<'static> {
     let mut document = Document::default();
     given(&mut document, answer);
-    document.heading(said(|language| {
-        language.pick("Evidence and sources", "근거와 출처")
-    }));
+    document.heading(Fronted::Sources);
     document.put(list(|language| sources(answer, language, imprint)));
-    document.note(said(closing));
+    document.note(Fronted::Closing);
     document
 }
 
@@ -44,14 +43,12 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
     // many surveys are already in a table above
     if !is_tabled(project) {
         for survey in &project.surveys {
-            document.subheading(said(|language| survey_head(survey, language)));
+            document.subheading(survey_head(survey));
             document.put(list(|language| survey_lines(survey, language)));
         }
     }
     if !project.warnings.is_empty() {
-        document.subheading(said(|language| {
-            language.pick("Warnings on reading the file", "입력 파일에 대한 경고")
-        }));
+        document.subheading(InputsGiven::Warnings);
         let warnings = project.warnings.iter();
         document.put(Block::List(
             warnings.map(|warning| warned(project, warning)).collect(),

@@ -62,6 +62,10 @@ messages! {
         AtOther { said: Sentence } => { en: "Earthquake: {said}", ko: "지진: {said}" },
         Wind { said: Sentence } => { en: "Wind: {said}", ko: "풍응답: {said}" },
         StaticLoads { said: Sentence } => { en: "Static loads: {said}", ko: "정하중: {said}" },
+        WithEarthquake { said: Sentence } => {
+            en: "Combinations with the earthquake: {said}",
+            ko: "지진을 포함한 하중조합: {said}",
+        },
         WindAndLoads { said: Sentence } => { en: "Wind and static loads: {said}", ko: "풍하중·정하중: {said}" },
         WordAcceleration { word: Both, ratio: Quantity } => {
             en: "{word} (limit/acceleration {ratio})",
@@ -388,6 +392,7 @@ fn wind(judged: &VersionJudgement) -> Option<Sentence> {
             MovedBy::Wind => Headline::Wind { said },
             MovedBy::Loads => Headline::StaticLoads { said },
             MovedBy::Both => Headline::WindAndLoads { said },
+            MovedBy::WithEarthquake => Headline::WithEarthquake { said },
         }
         .into(),
     )

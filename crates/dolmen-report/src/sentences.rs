@@ -34,6 +34,9 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(chain::TEMPLATES);
     groups.extend(loads::TEMPLATES);
     groups.push(dolmen_work::loads::Governed::TEMPLATES);
+    groups.extend(dolmen_work::judgement::SAID);
+    groups.push(dolmen_work::portfolio::BasisSaid::TEMPLATES);
+    groups.push(dolmen_work::study::Method::TEMPLATES);
     groups.extend(check::TEMPLATES);
     groups.push(headline::TEMPLATES);
     groups.push(headline_basis::TEMPLATES);
@@ -75,6 +78,7 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(figures::TEMPLATES);
     groups.extend(figures::OF_SINGLE_FIGURES);
     groups.extend(engineer::TEMPLATES);
+    groups.extend(crate::html::fronted::TEMPLATES);
     groups.push(document::Framed::TEMPLATES);
     groups.push(warned::Noted::TEMPLATES);
     groups.push(Label::TEMPLATES);

@@ -156,7 +156,14 @@ fn model<'a>(whole: &mut Document<'a>, answer: &'a ProjectReport, state: &'a Sta
                 loads::Loaded::Stack(&check.stack),
             ));
         }
-        (_, Check::Building(check)) => whole.append(building::sections(check, &answer.project.loads)),
+        (_, Check::Building(check)) => {
+            whole.append(building::sections(check, &answer.project.loads));
+            whole.append(loads::sections(
+                &answer.project.loads,
+                state.loads.as_ref(),
+                loads::Loaded::Building(&check.floors),
+            ));
+        }
         (_, Check::Chain(_) | Check::Frame(_)) => {}
     }
 }

@@ -26,7 +26,7 @@ impl Argument for String {
 }
 
 /// A text in both languages.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Both {
     /// English.
     pub english: String,

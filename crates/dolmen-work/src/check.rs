@@ -12,7 +12,7 @@ use crate::stack::shared_courses::heights_that_others_share;
 use crate::state::{Check, FrequencyContradiction, Sampled, SensitivityOf, State, TiltCheck, VariantAnswer};
 use crate::survey_dates::date;
 use crate::wrong::Place;
-use dolmen::assess::{Sensitivity, elasticity, probability};
+use dolmen::assess::{NoElasticity, Sensitivity, elasticity, probability};
 use dolmen::numeric::Random;
 use dolmen::stability::Verdict;
 use dolmen_project::{Pick, Project, Quantity, Structure};
@@ -353,10 +353,16 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
                 .flatten()
                 .unwrap_or(f64::NAN))
         })?;
+        let elasticity = elasticity.is_finite().then_some(elasticity);
+        let why = match input.value == 0.0 {
+            true => NoElasticity::Zero,
+            false => NoElasticity::NoResult,
+        };
         Ok(Sensitivity {
             input: input.path.clone(),
             value: input.value,
             elasticity,
+            unknown: elasticity.is_none().then_some(why),
             cov: input.cov,
         })
     };
@@ -364,11 +370,8 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
         .par_iter()
         .map(|input| of_input(input))
         .collect::<Result<Vec<_>, _>>()?;
-    // an input of 0 has no elasticity: it comes last
-    let strength = |of: &Sensitivity| match of.elasticity.is_finite() {
-        true => of.elasticity.abs(),
-        false => -1.0,
-    };
+    // without an elasticity it comes last
+    let strength = |of: &Sensitivity| of.elasticity.map_or(-1.0, f64::abs);
     all.sort_by(|a, b| strength(b).total_cmp(&strength(a)));
     Ok(all)
 }

@@ -10,7 +10,7 @@ use dolmen_words::message::Both;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct LeftOutOfRuns {
     pub(crate) wind: bool,
-    /// Forces and moments of static loads on a chain or frame; for a stack they act.
+    /// Forces and moments of static loads on a chain, frame or building; for a stack they act.
     pub(crate) forces: bool,
     /// Crushing of the edges of a stack.
     pub(crate) crushing: bool,
@@ -24,8 +24,10 @@ impl LeftOutOfRuns {
     pub(crate) fn of(project: &Project) -> Self {
         LeftOutOfRuns {
             wind: project.loads.wind().is_some(),
-            forces: matches!(project.structure, Structure::Chain(_) | Structure::Frame(_))
-                && project.loads.loads.iter().any(LoadPart::pushes),
+            forces: matches!(
+                project.structure,
+                Structure::Chain(_) | Structure::Frame(_) | Structure::Building(_)
+            ) && project.loads.loads.iter().any(LoadPart::pushes),
             crushing: matches!(&project.structure, Structure::Stack(part) if part.crushes()),
             loosened: match &project.structure {
                 Structure::Stack(part) => part.loosened_beds.iter().map(|bed| bed.block.clone()).collect(),

@@ -150,6 +150,9 @@ pub(crate) fn loads(
             frame::loads::loads(part, &project.loads, checks, pick)
         }
         (_, Check::Stack(answer)) => stack::loads::loads(&project.loads, answer, pick),
+        (Structure::Building(part), Check::Building(answer)) => {
+            building::loads::loads(project, part, answer, pick)
+        }
         _ => Ok(None),
     }
 }

@@ -104,19 +104,18 @@ impl RecordSeen {
 impl ChannelSeen {
     fn of(record: &Record, at: usize, time: &RecordTime) -> Self {
         let (channel, samples): (&Channel, &[f64]) = (&record.channels()[at], record.samples(at));
-        let count = samples.len() as f64;
-        let mean = samples.iter().sum::<f64>() / count;
-        let square = samples.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count;
-        let far = samples.iter().map(|x| (x - mean).abs()).enumerate();
-        let (sample, largest) = far.fold((0, 0.0), |most, one| if one.1 > most.1 { one } else { most });
+        let (mean, envelope) = (record.mean(at), envelope(samples, PARTS));
+        let ends = envelope.least.iter().chain(&envelope.most);
+        let largest = ends.map(|x| (x - mean).abs()).fold(0.0, f64::max);
+        let sample = samples.iter().position(|x| (x - mean).abs() == largest);
         ChannelSeen {
             name: channel.name.clone(),
             quantity: channel.quantity,
             mean,
-            deviation: square.sqrt(),
+            deviation: record.mean_square(at).sqrt(),
             largest,
-            largest_at_s: time.from_s + sample as f64 * time.step_s,
-            envelope: envelope(samples, PARTS),
+            largest_at_s: time.from_s + sample.unwrap_or(0) as f64 * time.step_s,
+            envelope,
         }
     }
 }

@@ -3,10 +3,12 @@
 
 mod accepted_modes;
 mod aftershocks;
+mod anchors;
 mod answers;
 mod assemblies;
 mod both_directions;
 mod brief;
+mod building_loads;
 mod building_studies;
 mod buildings;
 mod by_velocity;

@@ -163,7 +163,11 @@ fn refuses_an_earthquake_that_only_lifts() {
     fs::write(scratch.path().join("z.csv"), format!("time_s,a (m/s2)\n{rows}")).unwrap();
     let answer = scratch.briefly("simulate . --motion-file z=z.csv");
     assert_eq!(answer.status, 2, "{}", answer.words());
-    assert!(answer.stderr.contains("has no horizontal component"), "{}", answer.stderr);
+    assert!(
+        answer.stderr.contains("has no horizontal component"),
+        "{}",
+        answer.stderr
+    );
 }
 
 #[test]

@@ -185,6 +185,22 @@ impl BuildingPart {
         Building::new(floors, storeys, p_delta)
     }
 
+    /// As [`BuildingPart::vibrating`], its P-delta that of the weight times this factor.
+    ///
+    /// # Errors
+    /// As [`BuildingPart::vibrating`].
+    pub fn vibrating_under(&self, weight: f64, pick: Pick<'_>) -> Result<VibratingBuilding, DynamicsError> {
+        let (floors, storeys) = self.floors_and_storeys(pick)?;
+        let p_delta = match self.p_delta {
+            true => PDelta::Weights {
+                gravity_m_s2: self.gravity_m_s2 * weight,
+            },
+            false => PDelta::LeftOut,
+        };
+        let building = Building::new(floors, storeys, p_delta)?;
+        VibratingBuilding::new(building, &self.damping(pick), Vec::new())
+    }
+
     /// The building with its damping, without its dampers.
     ///
     /// # Errors

@@ -184,14 +184,16 @@ pub(crate) struct LoadRaw {
     pub(super) at: Option<At<String>>,
     /// Height above the ground at which it acts; the top of the part if not given.
     pub(super) height: Option<At<QuantityRaw>>,
-    /// Of a stack: the point at which it acts, [x, y, z], z up from the ground; the middle of the stone at height if not given.
+    /// The point at which it acts. Of a stack [x, y, z], z up from the ground; the middle of the stone at height if not given. Of a building [x, y] in plan; the centre of mass of the floor if not given.
     pub(super) position: Option<At<Vec<At<QuantityRaw>>>>,
-    /// Force from the side; its sign is a direction. Of a chain of two directions [x, y], along and across; of a frame of several directions [x, y]; of a stack [x, y, z], z upwards.
+    /// Force from the side; its sign is a direction. Of a chain of two directions [x, y], along and across; of a frame of several directions and of a building [x, y]; of a stack [x, y, z], z upwards.
     pub(super) force: Option<At<ForceRaw>>,
     /// Weight that it adds.
     pub(super) weight: Option<At<QuantityRaw>>,
     /// Overturning moment, in the direction of force.
     pub(super) moment: Option<At<QuantityRaw>>,
+    /// Of a building: torque about the vertical, from x towards y.
+    pub(super) torque: Option<At<QuantityRaw>>,
 }
 
 /// Factors of a combination of loads: [combination.NAME].
@@ -204,4 +206,6 @@ pub(crate) struct CombinationRaw {
     pub(super) wind: Option<At<f64>>,
     /// On the static loads; 0 if not given.
     pub(super) loads: Option<At<f64>>,
+    /// Of a building: on its drifts under the spectrum of the site; 0 if not given.
+    pub(super) earthquake: Option<At<f64>>,
 }

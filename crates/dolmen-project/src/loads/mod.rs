@@ -6,6 +6,7 @@ mod part;
 mod parts;
 mod read;
 mod read_in_time;
+mod read_on_floor;
 mod read_wind;
 mod slips;
 

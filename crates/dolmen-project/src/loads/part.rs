@@ -1,6 +1,7 @@
 //! Loads on a structure besides its own weight, checked.
 
 use crate::quantity::{Pick, Quantity};
+use dolmen::structure::building::FloorLoad;
 use dolmen::structure::wind::{
     EurocodeTerrain, EurocodeWind, Kds41Exposure, Kds41Wind, TurbulenceSpectrum, Wind,
 };
@@ -128,9 +129,11 @@ pub struct LoadPart {
     pub height: Option<Quantity>,
     /// The loaded point of a stack, m; `None`: the middle of the stone in plan, at that height.
     pub position: Option<[Quantity; 3]>,
-    /// Horizontal force, N: of a chain; of a frame with one direction along it, of a frame with several along x.
+    /// The loaded point of a floor in plan, m; `None`: its centre of mass.
+    pub place: Option<[Quantity; 2]>,
+    /// Horizontal force, N: of a chain; of a frame with one direction along it, of a frame with several and of a building along x.
     pub force: Option<Quantity>,
-    /// Force across, N: of a chain with two directions; of a frame with several along y.
+    /// Force across, N: of a chain with two directions; of a frame with several and of a building along y.
     pub force_across: Option<Quantity>,
     /// Force along x, y and upwards, N, of a stack.
     pub components: Option<[Quantity; 3]>,
@@ -138,12 +141,14 @@ pub struct LoadPart {
     pub weight: Option<Quantity>,
     /// Overturning moment, N m.
     pub moment: Option<Quantity>,
+    /// Torque about the vertical on a floor, N m, from x towards y.
+    pub torque: Option<Quantity>,
 }
 
 impl LoadPart {
-    /// Whether it applies a force or moment to a link of a chain.
+    /// Whether it applies a force, moment or torque.
     pub fn pushes(&self) -> bool {
-        let both = [&self.force, &self.force_across, &self.moment];
+        let both = [&self.force, &self.force_across, &self.moment, &self.torque];
         both.into_iter().flatten().any(|of| of.value != 0.0)
     }
 
@@ -153,6 +158,20 @@ impl LoadPart {
         self.height.as_ref().map_or(length_m, |height| {
             (pick(height) - chain.joint_heights_m()[self.part]).clamp(0.0, length_m)
         })
+    }
+
+    /// The load on a floor of a building.
+    pub fn on_floor(&self, pick: Pick<'_>) -> FloorLoad {
+        let mut number = |of: &Option<Quantity>| of.as_ref().map_or(0.0, &mut *pick);
+        FloorLoad {
+            floor: self.part + 1,
+            force_n: [number(&self.force), number(&self.force_across)],
+            torque_n_m: number(&self.torque),
+            at_m: self
+                .place
+                .as_ref()
+                .map(|place| [pick(&place[0]), pick(&place[1])]),
+        }
     }
 }
 
@@ -167,6 +186,8 @@ pub struct CombinationPart {
     pub wind: f64,
     /// On the static loads.
     pub loads: f64,
+    /// On the earthquake of the site, for a building; 0 for others.
+    pub earthquake: f64,
 }
 
 /// All loads besides the weight of the parts.
@@ -290,6 +311,8 @@ impl LoadsPart {
                     .chain(&load.force_across)
                     .chain(&load.weight)
                     .chain(&load.moment)
+                    .chain(&load.torque)
+                    .chain(load.place.iter().flatten())
                     .chain(load.position.iter().flatten())
                     .chain(load.components.iter().flatten()),
             );

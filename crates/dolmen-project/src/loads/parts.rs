@@ -23,7 +23,7 @@ pub(super) struct Parts {
     pub(super) are_stones: bool,
     /// Whether forces act on them in two directions, along and across.
     pub(super) have_two_axes: bool,
-    /// Whether they are the floors of a building, with wind only.
+    /// Whether they are the floors of a building.
     pub(super) are_floors: bool,
     /// The directions of a frame and the component along each; `None` for other structures.
     pub(super) directions: Option<Vec<(String, Option<Component>)>>,
@@ -71,7 +71,7 @@ pub(super) fn parts(structure: &Structure) -> Option<Parts> {
             directions: None,
             above_m: 0.0,
             list: "floors",
-            names: part.floors.iter().map(|floor| floor.name.clone()).collect(),
+            names: part.floor_names().into_iter().map(Some).collect(),
             ends_m: Vec::new(),
             has_width: part.floors.iter().map(|floor| floor.outline.is_some()).collect(),
         }),
@@ -132,9 +132,14 @@ pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: 
     let named: Vec<usize> = (0..parts.names.len())
         .filter(|i| parts.names[*i].as_deref() == Some(written))
         .collect();
-    let numbered = written
-        .strip_prefix(parts.list)
-        .and_then(|rest| rest.strip_prefix('[')?.strip_suffix(']')?.parse::<usize>().ok())
+    let number = match parts.are_floors {
+        true => Some(written), // an entry of the list may be several floors
+        false => written
+            .strip_prefix(parts.list)
+            .and_then(|rest| rest.strip_prefix('[')?.strip_suffix(']')),
+    };
+    let numbered = number
+        .and_then(|number| number.parse::<usize>().ok())
         .and_then(|number| number.checked_sub(1))
         .filter(|i| *i < parts.names.len());
     match (named.as_slice(), numbered) {
@@ -158,6 +163,10 @@ pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: 
                 }
                 .into(),
                 _ if parts.are_stones => WrongLoads::WriteNameOfStone.into(),
+                _ if parts.are_floors => WrongLoads::WriteFloor {
+                    count: parts.names.len().to_string(),
+                }
+                .into(),
                 _ => WrongLoads::WriteForLowestTo {
                     list: parts.list.to_string(),
                     count: parts.names.len().to_string(),

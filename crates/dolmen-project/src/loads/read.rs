@@ -4,6 +4,7 @@ use super::file::{CombinationRaw, LoadRaw};
 use super::file_force::ForceRaw;
 use super::part::{CombinationPart, LoadPart, LoadsPart, WindPart};
 use super::parts::{Parts, on_part, part_of, parts};
+use super::read_on_floor::floor_load;
 use super::read_wind::wind;
 use crate::content::Structure;
 use crate::error::Fault;
@@ -36,15 +37,9 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
         return LoadsPart::none();
     };
     let parts = parts(structure);
-    // a building takes wind alone
-    let read = match &parts {
-        None => 0,
-        Some(parts) if parts.are_floors => 1,
-        Some(_) => keys.len(),
-    };
     let foreign = keys
         .iter()
-        .skip(read)
+        .filter(|_| parts.is_none())
         .filter_map(|(key, span)| Some((key, span.clone()?)));
     for (key, span) in foreign {
         let fault = Fault::new(
@@ -63,26 +58,20 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
     let Some(parts) = parts else {
         return LoadsPart::none();
     };
-    if parts.are_floors {
-        let wind = raw.wind.as_ref().and_then(|raw| wind(reader, raw, &parts));
-        return LoadsPart {
-            wind: wind.unwrap_or(WindPart::NotSaid),
-            ..LoadsPart::none()
-        };
-    }
     let wind = match &raw.wind {
         None => WindPart::NotSaid,
         Some(raw) => wind(reader, raw, &parts).unwrap_or(WindPart::NotSaid),
     };
     let list = raw.loads.as_ref().map(|list| list.value.as_slice());
-    let loads = listed(reader, list, "loads", |reader, raw, path| {
-        load(reader, raw, path, &parts)
+    let loads = listed(reader, list, "loads", |reader, raw, path| match structure {
+        Structure::Building(building) => floor_load(reader, raw, path, (&parts, building)),
+        _ => load(reader, raw, path, &parts),
     });
     let mut combinations = Vec::new();
     let mut written: Vec<_> = raw.combination.iter().flatten().collect();
     written.sort_by_key(|(_, raw)| raw.span.start);
     for (name, raw) in written {
-        combinations.extend(combination(reader, name, raw));
+        combinations.extend(combination(reader, name, raw, &parts));
     }
     judge_factors(reader, raw);
     let answer = LoadsPart {
@@ -90,13 +79,16 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
         loads: loads.unwrap_or_default(),
         combinations,
     };
-    match (answer.is_empty(), answer.combinations.is_empty()) {
+    // the wind on a building alone is judged without a combination
+    let is_alone = parts.are_floors && answer.loads.is_empty();
+    match (answer.is_empty() || is_alone, answer.combinations.is_empty()) {
         (false, true) => LoadsPart {
             combinations: vec![CombinationPart {
                 name: None,
                 weight: 1.0,
                 wind: 1.0,
                 loads: 1.0,
+                earthquake: 0.0,
             }],
             ..answer
         },
@@ -109,11 +101,16 @@ fn judge_factors(reader: &mut Reader, raw: &FileRaw) {
     let missing = [
         ("wind", raw.wind.is_none(), WrongLoads::WriteWindSpeedMeans),
         ("loads", raw.loads.is_none(), WrongLoads::WriteLoadsNameAt),
+        ("site", raw.site.is_none(), WrongLoads::WriteSite),
     ];
     for (name, raw) in raw.combination.iter().flatten() {
-        for ((key, is_missing, help), factor) in missing.iter().zip([&raw.value.wind, &raw.value.loads]) {
+        let factors = [&raw.value.wind, &raw.value.loads, &raw.value.earthquake];
+        for ((key, is_missing, help), factor) in missing.iter().zip(factors) {
             if let Some(factor) = factor.as_ref().filter(|factor| *is_missing && factor.value > 0.0) {
-                let path = format!("combination.{name}.{key}");
+                let path = match *key {
+                    "site" => format!("combination.{name}.earthquake"),
+                    key => format!("combination.{name}.{key}"),
+                };
                 let message = WrongLoads::ButFileHasNo {
                     path: path.to_string(),
                     factor: short(factor.value),
@@ -172,11 +169,13 @@ fn load(reader: &mut Reader, raw: &At<LoadRaw>, path: &str, parts: &Parts) -> Op
         part: part?,
         height,
         position,
+        place: None,
         force,
         force_across,
         components,
         weight,
         moment,
+        torque: None,
     })
 }
 
@@ -264,8 +263,9 @@ fn directed(reader: &mut Reader, both: &[Option<Quantity>; 2], parts: &Parts) {
 fn foreign(reader: &mut Reader, of: &LoadRaw, path: &str, parts: &Parts) {
     let span = |at: &Option<At<QuantityRaw>>| at.as_ref().map(|at| at.span.clone());
     let position = of.position.as_ref().map(|at| at.span.clone());
+    let torque = span(&of.torque);
     let both = position.clone().filter(|_| of.height.is_some());
-    let keys = match parts.are_stones {
+    let mut keys = match parts.are_stones {
         true => vec![
             ("weight", span(&of.weight), WrongLoads::WeightOfStoneIs),
             ("moment", span(&of.moment), WrongLoads::MomentOfStoneIs),
@@ -277,6 +277,7 @@ fn foreign(reader: &mut Reader, of: &LoadRaw, path: &str, parts: &Parts) {
         ],
         false => vec![("position", position, WrongLoads::GiveHeightInstead)],
     };
+    keys.push(("torque", torque, WrongLoads::TorqueOfBuilding));
     for (key, span, help) in keys {
         if let Some(span) = span {
             let path = format!("{path}.{key}");
@@ -286,9 +287,21 @@ fn foreign(reader: &mut Reader, of: &LoadRaw, path: &str, parts: &Parts) {
     }
 }
 
-fn combination(reader: &mut Reader, name: &str, raw: &At<CombinationRaw>) -> Option<CombinationPart> {
+fn combination(
+    reader: &mut Reader,
+    name: &str,
+    raw: &At<CombinationRaw>,
+    parts: &Parts,
+) -> Option<CombinationPart> {
     let path = format!("combination.{name}");
     let of = &raw.value;
+    if let Some(factor) = of.earthquake.as_ref().filter(|_| !parts.are_floors) {
+        let path = format!("{path}.earthquake");
+        let message = WrongLoads::IsNotReadHere { path: path.clone() };
+        let fault = Fault::new(factor.span.clone(), &path, message);
+        reader.fault(fault.help(WrongLoads::EarthquakeOfBuilding));
+        return None;
+    }
     let mut factor = |raw: &Option<At<f64>>, key: &str, otherwise: f64| match raw {
         None => Some(otherwise),
         Some(_) => reader.within(raw.as_ref(), &format!("{path}.{key}"), 0.0, FACTOR_MOST),
@@ -298,6 +311,7 @@ fn combination(reader: &mut Reader, name: &str, raw: &At<CombinationRaw>) -> Opt
         weight: factor(&of.weight, "weight", 1.0)?,
         wind: factor(&of.wind, "wind", 0.0)?,
         loads: factor(&of.loads, "loads", 0.0)?,
+        earthquake: factor(&of.earthquake, "earthquake", 0.0)?,
     };
     if part.weight > 0.0 {
         return Some(part);

@@ -457,6 +457,7 @@ impl StackPart {
             StackError::Floating { block: name, .. }
             | StackError::JointUsed { upper: name, .. }
             | StackError::JointFacets { upper: name, .. }
+            | StackError::JointRounded { rounded: name, .. }
             | StackError::JointHollow { upper: name, .. }
             | StackError::Name { name } => index(name).map(|i| format!("blocks[{}]", i + 1)),
             StackError::Material { .. } => Some("joint".to_owned()),

@@ -87,8 +87,56 @@ messages! {
             ko: "이 종류의 구조물에는 {key}을(를) 쓰지 않는다",
         },
         TakeItOutWind => {
-            en: "take it out: static loads are for kind = \"chain\", \"stack\" and \"frame\", wind for these and kind = \"building\"",
-            ko: "삭제한다. 정하중은 kind = \"chain\", \"stack\", \"frame\"에, 풍하중은 이 셋과 kind = \"building\"에만 쓴다",
+            en: "take it out: wind and static loads are for kind = \"chain\", \"stack\", \"frame\" and \"building\"",
+            ko: "삭제한다. 풍하중과 정하중은 kind = \"chain\", \"stack\", \"frame\", \"building\"에만 쓴다",
+        },
+        WriteFloor { count: String } => {
+            en: "write the name of a floor as it is in the file, or its number from the ground, \"1\" to \"{count}\"",
+            ko: "파일에 있는 바닥의 이름이나 지반에서 센 번호 \"1\"~\"{count}\"을(를) 쓴다",
+        },
+        ForceOnFloorNeedsDirection { path: String } => {
+            en: "{path} is one number, but a floor is pushed in two directions",
+            ko: "{path}이(가) 수 하나이나 바닥에 작용하는 힘은 두 방향 성분이 필요하다",
+        },
+        GiveForceOfFloor => {
+            en: "give force = [x, y], as [20, 0] along x, with position = [x, y] where it does not act at the centre of mass, or torque = …",
+            ko: "force = [x, y]로 입력한다. [20, 0]은 x 방향이다. 작용점이 질량중심이 아니면 position = [x, y]을 함께 쓰거나 torque = …을 입력한다",
+        },
+        HasNoForceTorque { path: String } => {
+            en: "{path} has no force or torque",
+            ko: "{path}에 force도 torque도 없다",
+        },
+        PlaceBesideFloor { path: String, beyond: String, floor: String } => {
+            en: "{path} lies {beyond} beside floor {floor}",
+            ko: "{path}이(가) {floor}번 바닥에서 {beyond} 벗어나 있다",
+        },
+        GiveTorqueBeside => {
+            en: "positions are in the axes of the plan; for a force that acts beside the floor give it at the edge and what is left of its torque as torque",
+            ko: "position은 평면 좌표계의 값이다. 바닥 밖에 작용하는 힘은 단부에 입력하고 나머지 비틀림모멘트를 torque로 쓴다",
+        },
+        HeightOfFloorIs => {
+            en: "take it out: a load acts on a floor. Give what acts between two floors to both, by the distances",
+            ko: "삭제한다. 하중은 바닥에 작용한다. 두 바닥 사이의 하중은 거리에 따라 두 바닥에 나누어 입력한다",
+        },
+        WeightOfFloorIs => {
+            en: "take it out: what rests on a floor and moves with it belongs to the mass of the floor",
+            ko: "삭제한다. 바닥에 놓여 함께 움직이는 무게는 바닥의 mass에 포함한다",
+        },
+        MomentOfFloorIs => {
+            en: "take it out: floors of this model do not tilt, so that an overturning moment moves nothing. A moment about the vertical is torque = …",
+            ko: "삭제한다. 이 모델의 바닥은 기울지 않으므로 전도모멘트로 움직이지 않는다. 연직축에 대한 모멘트는 torque = …으로 쓴다",
+        },
+        TorqueOfBuilding => {
+            en: "take it out: only the floors of kind = \"building\" turn about the vertical",
+            ko: "삭제한다. 연직축에 대한 비틀림은 kind = \"building\"의 바닥에만 있다",
+        },
+        EarthquakeOfBuilding => {
+            en: "take it out: only the drifts of kind = \"building\" are combined with those of an earthquake. The earthquake of [site] is judged by itself",
+            ko: "삭제한다. 지진에 의한 층간변위와의 조합은 kind = \"building\"에만 있다. [site]의 지진은 따로 판정한다",
+        },
+        WriteSite => {
+            en: "write [site] with its spectrum",
+            ko: "[site]에 지점의 스펙트럼을 입력한다",
         },
         WriteWindSpeedMeans => {
             en: "write wind = {{ speed, means, force_coefficient }}, or wind = \"sheltered\"",

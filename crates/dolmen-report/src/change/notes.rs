@@ -2,14 +2,16 @@
 
 use super::quantities::{hertz, percent, temperature};
 use dolmen::assess::ChangeNote;
+use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Unit, Values, messages};
+use dolmen_work::told_both;
 
 messages! {
     /// Notes of a comparison.
     pub(crate) enum Noted in "change.notes" {
-        NotFitted { frequency: Quantity, why: String } => {
+        NotFitted { frequency: Quantity, why: Both } => {
             en: "No coefficient of temperature could be fitted for the mode at {frequency}, so that its change is not corrected: {why}.",
-            ko: "{frequency} 모드는 기온 계수를 추정할 수 없어 변화를 보정하지 않았다([영문] {why}).",
+            ko: "{frequency} 모드는 기온 계수를 추정할 수 없어 변화를 보정하지 않았다. {why}.",
         },
         BeyondTheLine { temperature: Quantity, coldest: Quantity, warmest: Quantity } => {
             en: "{temperature} lies beyond the {coldest} to {warmest} that the coefficients were fitted to: a line need not hold there.",
@@ -60,7 +62,7 @@ pub(super) fn note(note: &ChangeNote) -> Noted {
     match note {
         ChangeNote::NotFitted { frequency_hz, why } => Noted::NotFitted {
             frequency: hertz(*frequency_hz),
-            why: why.clone(),
+            why: told_both(&**why),
         },
         ChangeNote::BeyondTheLine {
             temperature_c,

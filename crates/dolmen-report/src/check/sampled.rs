@@ -3,7 +3,7 @@
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Series, Table, Tone};
 use crate::figures::load_factor_distribution;
 use crate::html::words::{input_words, path_words};
-use dolmen::assess::Probability;
+use dolmen::assess::{NoElasticity, Probability, Sensitivity};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
@@ -56,6 +56,14 @@ messages! {
         SensitivityMeaning => {
             en: "Elasticity at the values given, by central difference; inputs that change it by less are left out.",
             ko: "주어진 값에서 중앙차분으로 구한 탄성도이며, 영향이 거의 없는 입력은 생략하였다.",
+        },
+        OfZero { inputs: Vec<Both> } => {
+            en: "Not computed for {inputs}: they are 0, of which no share can be taken.",
+            ko: "민감도를 구하지 않은 입력: {inputs}. 값이 0이어서 비율로 바꿀 수 없다.",
+        },
+        NotAlone { inputs: Vec<Both> } => {
+            en: "Not known for {inputs}: with one of them changed alone there is no such structure, or no such result. Their effect may be large.",
+            ko: "민감도를 알 수 없는 입력: {inputs}. 하나만 바꾸면 구조물이 성립하지 않거나 결과가 없다. 영향이 클 수도 있다.",
         },
         Input => { en: "Input", ko: "입력" },
         InputName { input: Both } => { en: "{input}", ko: "{input}" },
@@ -148,15 +156,12 @@ fn overloaded(of: Share) -> Scatter {
 /// The most important inputs of the result, if requested.
 pub(super) fn sensitive(answer: &CheckAnswer) -> Option<Finding> {
     const NAMED: usize = 3;
-    let shown = answer.sensitivities.iter();
-    let mut shown: Vec<_> = shown
-        .filter(|of| of.elasticity.abs() >= ELASTICITY_SHOWN_LEAST)
-        .collect();
-    shown.sort_by(|a, b| b.elasticity.abs().total_cmp(&a.elasticity.abs()));
+    let mut shown = listed(answer);
+    shown.sort_by(|(_, a), (_, b)| b.abs().total_cmp(&a.abs()));
     let result = result(answer);
-    let inputs = shown.iter().take(NAMED).map(|of| {
+    let inputs = shown.iter().take(NAMED).map(|(of, elasticity)| {
         let input = Both::of(|language| input_words(&answer.project.structure, &of.input, language));
-        let change = signed(of.elasticity, Digits::Significant(2)).into();
+        let change = signed(*elasticity, Digits::Significant(2)).into();
         Scatter::OfInput { input, change }.into()
     });
     let said = match shown.is_empty() {
@@ -167,6 +172,33 @@ pub(super) fn sensitive(answer: &CheckAnswer) -> Option<Finding> {
         },
     };
     (!answer.sensitivities.is_empty()).then(|| Finding::key(Tone::Plain, said).with_code("sensitivity"))
+}
+
+/// The inputs that change the result, with their elasticities.
+fn listed(answer: &CheckAnswer) -> Vec<(&Sensitivity, f64)> {
+    let known = answer.sensitivities.iter();
+    let known = known.filter_map(|of| Some((of, of.elasticity?)));
+    known
+        .filter(|(_, elasticity)| elasticity.abs() >= ELASTICITY_SHOWN_LEAST)
+        .collect()
+}
+
+/// The inputs without an elasticity, by the reason.
+fn unknown(answer: &CheckAnswer) -> Vec<Scatter> {
+    let of = |why: NoElasticity| {
+        let without = answer
+            .sensitivities
+            .iter()
+            .filter(move |of| of.unknown == Some(why));
+        without
+            .map(|of| Both::of(|language| input_words(&answer.project.structure, &of.input, language)))
+            .collect::<Vec<_>>()
+    };
+    let zero = of(NoElasticity::Zero);
+    let alone = of(NoElasticity::NoResult);
+    let zero = (!zero.is_empty()).then_some(Scatter::OfZero { inputs: zero });
+    let alone = (!alone.is_empty()).then_some(Scatter::NotAlone { inputs: alone });
+    zero.into_iter().chain(alone).collect()
 }
 
 /// A change with its sign.
@@ -200,6 +232,9 @@ pub(crate) fn sections(answer: &CheckAnswer) -> Document<'_> {
     if !answer.sensitivities.is_empty() {
         // without scatter, two columns are empty
         document.put(Block::Table(table(answer).without_empty_columns()));
+        for why in unknown(answer) {
+            document.note(why);
+        }
     }
     document
 }
@@ -239,15 +274,12 @@ fn samples<'a>(document: &mut Document<'a>, sampled: &'a Sampled, nominal: Optio
 }
 
 fn table(answer: &CheckAnswer) -> Table {
-    let shown = answer
-        .sensitivities
-        .iter()
-        .filter(|of| of.elasticity.abs() >= ELASTICITY_SHOWN_LEAST);
+    let shown = listed(answer).into_iter();
     let share = |value: f64| Quantity::new(value, Unit::percent(), Digits::Significant(2));
     let rows: Vec<Vec<Cell>> = shown
-        .map(|of| {
-            let signed = signed(of.elasticity, Digits::Fixed(4));
-            let scatter = of.cov.map(|cov| share(cov * of.elasticity.abs()));
+        .map(|(of, elasticity)| {
+            let signed = signed(elasticity, Digits::Fixed(4));
+            let scatter = of.cov.map(|cov| share(cov * elasticity.abs()));
             vec![
                 Cell::words(Scatter::InputName {
                     input: Both::of(|language| input_words(&answer.project.structure, &of.input, language)),

@@ -150,7 +150,14 @@ fn variant_text(
                 ),
                 style,
             ),
-            (_, Check::Building(check), Some(Check::Building(base))) if check == base => String::new(),
+            (_, Check::Building(check), Some(Check::Building(base))) if check == base => document_text(
+                &loads::sections(
+                    &own.project.loads,
+                    variant.state.loads.as_ref(),
+                    loads::Loaded::Building(&check.floors),
+                ),
+                style,
+            ),
             _ => sections_text(&own.project, &variant.state, style),
         };
         out += &document_text(&sampled::of_state(&variant.state), style);
@@ -190,6 +197,7 @@ fn sections_text(project: &Project, state: &State, style: TextStyle) -> String {
         (Structure::Chain(part), _) => Some(loads::Loaded::Chain(chain::joint_heights_m(part))),
         (Structure::Frame(part), Check::Frame(_)) => Some(loads::Loaded::of_frame(part)),
         (_, Check::Stack(answer)) => Some(loads::Loaded::Stack(&answer.stack)),
+        (_, Check::Building(answer)) => Some(loads::Loaded::Building(&answer.floors)),
         _ => None,
     };
     let loaded = of.map(|of| loads::sections(&project.loads, state.loads.as_ref(), of));

@@ -45,8 +45,12 @@ fn class(tone: Tone) -> &'static str {
 /// One block, in a language.
 pub(crate) fn block_html(block: &Block<'_>, language: Language, numbers: &mut Numbers) -> Markup {
     match block {
-        Block::Heading(head) => html! { h2 { (numbered(&numbers.section(), &head.text(language))) } },
-        Block::Subheading(head) => html! { h3 { (numbered(&numbers.part(), &head.text(language))) } },
+        Block::Heading(head) => {
+            html! { h2 id=(numbers.anchor(head)) { (numbered(&numbers.section(), &head.text(language))) } }
+        }
+        Block::Subheading(head) => {
+            html! { h3 id=(numbers.anchor(head)) { (numbered(&numbers.part(), &head.text(language))) } }
+        }
         Block::Paragraph(sentences) => html! { p { (joined(sentences, language)) } },
         Block::Warning(sentence) => html! { div.wrong { p { (sentence.text(language)) } } },
         Block::Note(sentence) => html! { p.note { (sentence.text(language)) } },
@@ -102,7 +106,8 @@ fn piece_html(piece: &Math) -> Markup {
 /// The image is embedded in the page; its name if it was not read.
 fn photo_html(photo: &Photo<'_>, language: Language, numbers: &mut Numbers) -> Markup {
     let label = photo.image.map(|_| figure_label(&numbers.figure(), language));
-    html! { figure.photo {
+    let anchor = photo.caption.first().map(|lead| numbers.anchor(lead));
+    html! { figure.photo id=[anchor] {
         @match photo.image {
             Some(image) => {
                 @let data = base64::engine::general_purpose::STANDARD.encode(&image.bytes);
@@ -145,11 +150,13 @@ fn figure_html(figure: &Figure<'_>, language: Language, numbers: &mut Numbers) -
     let label = figure_label(&numbers.figure(), language);
     // the texts of a figure are escaped when drawn
     let svg = PreEscaped((figure.draw)(language));
-    html! { figure { (svg) figcaption { (caption_html(&label, &figure.caption, language)) } } }
+    let anchor = figure.caption.first().map(|lead| numbers.anchor(lead));
+    html! { figure id=[anchor] { (svg) figcaption { (caption_html(&label, &figure.caption, language)) } } }
 }
 
 fn table_html(table: &Table, language: Language, numbers: &mut Numbers) -> Markup {
     let label = table_label(&numbers.table(), language);
+    let anchor = table.caption.first().map(|lead| numbers.anchor(lead));
     let class = |column: usize, cell: Option<&Cell>| {
         let words = table.columns.get(column).is_some_and(|column| column.is_words);
         match (words, cell.is_some_and(Cell::is_bad)) {
@@ -160,7 +167,7 @@ fn table_html(table: &Table, language: Language, numbers: &mut Numbers) -> Marku
         }
     };
     html! {
-        div class=(if table.rows.len() <= WHOLE_ROWS { "scroll short" } else { "scroll" }) { table {
+        div class=(if table.rows.len() <= WHOLE_ROWS { "scroll short" } else { "scroll" }) { table id=[anchor] {
             caption { (caption_html(&label, &table.caption, language)) }
             thead { tr { @for (i, column) in table.columns.iter().enumerate() {
                 th class=[class(i, None)] scope="col" { (column.text(language)) }

@@ -1,6 +1,7 @@
 //! Numbers of sections, tables and figures: the same on the page, in documents and in print.
 
 use dolmen_words::{Language, Sentence, messages};
+use std::collections::BTreeSet;
 
 messages! {
     /// What stands before a caption.
@@ -21,6 +22,7 @@ pub(crate) struct Numbers {
     part: usize,
     tables: usize,
     figures: usize,
+    anchors: BTreeSet<String>,
 }
 
 impl Numbers {
@@ -63,6 +65,23 @@ impl Numbers {
     pub(crate) fn figure(&mut self) -> String {
         self.figures += 1;
         dotted(&[self.chapter(), Some(self.figures)])
+    }
+
+    /// The identifier of a block, from the message at its head, so that a link to it holds in each language and after the next run. A message
+    /// that heads several blocks counts them.
+    pub(crate) fn anchor(&mut self, head: &Sentence) -> String {
+        let message = head.id.replace(['/', '.'], "-");
+        let message = match self.project {
+            Some(number) => format!("report-{number}-{message}"),
+            None => message,
+        };
+        let mut anchor = message.clone();
+        let mut count = 1;
+        while !self.anchors.insert(anchor.clone()) {
+            count += 1;
+            anchor = format!("{message}-{count}");
+        }
+        anchor
     }
 
     /// Prefix of the numbers of tables and figures; `None` before the first section.
@@ -110,6 +129,19 @@ mod tests {
         assert_eq!(counted, ["3.1", "3.1", "3.1.1"]);
         let counted = [numbers.section(), numbers.table(), numbers.figure()];
         assert_eq!(counted, ["3.2", "3.2", "3.1"]);
+    }
+
+    #[test]
+    fn exact_an_anchor_is_of_the_message_and_counts_its_blocks() {
+        let head = |number: &str| {
+            let number = Sentence::of_symbol(number);
+            Sentence::from(Label::Table { number })
+        };
+        let mut numbers = Numbers::alone();
+        let anchors = [numbers.anchor(&head("1")), numbers.anchor(&head("2"))];
+        assert_eq!(anchors, ["document-label-table", "document-label-table-2"]);
+        let of_second = Numbers::of_project(2).anchor(&head("1"));
+        assert_eq!(of_second, "report-2-document-label-table");
     }
 
     #[test]

@@ -91,7 +91,7 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
     let of_wind = (wind != WindWord::NotAsked).then(|| {
         let word = Both::of(|language| wind.word(language));
         let asks = match WindFinding::deciding(&headline.wind).map(|of| of.by) {
-            Some(MovedBy::Loads | MovedBy::Both) => Front::Loads,
+            Some(MovedBy::Loads | MovedBy::Both | MovedBy::WithEarthquake) => Front::Loads,
             Some(MovedBy::Wind) | None => Front::Wind,
         };
         answered(asks, tone(wind.colour()), word)

@@ -3,6 +3,7 @@
 mod assess;
 mod axis;
 mod building;
+mod building_drifts;
 mod building_histories;
 mod chain;
 mod chain_histories;
@@ -65,6 +66,7 @@ use dolmen_words::Template;
 
 pub use assess::{VariantDot, load_factor_distribution, variants_compared};
 pub use building::building_plan;
+pub(crate) use building_drifts::building_drifts;
 pub(crate) use building_histories::BuildingPlot;
 pub use building_histories::building_histories;
 pub use chain::{centroid_effect, chain_elevation, stiffness_limits};

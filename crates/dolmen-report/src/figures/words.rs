@@ -91,6 +91,7 @@ messages! {
         PeakGroundAcceleration => { en: "Peak ground acceleration (g)", ko: "최대지반가속도 (g)" },
         Probability => { en: "Probability", ko: "확률" },
         Drift => { en: "Drift (mm)", ko: "층간변위 (mm)" },
+        DriftOfHeight => { en: "Drift (% of the storey height)", ko: "층간변위 (층고의 %)" },
         DriftAlong { direction: String } => { en: "Drift along {direction} (mm)", ko: "{direction} 방향 층간변위 (mm)" },
         Force => { en: "Force (kN)", ko: "힘 (kN)" },
         ForceOfTheStorey => { en: "Force of the storey (kN)", ko: "층 전단력 (kN)" },
@@ -158,6 +159,7 @@ messages! {
         DisplacementInTheWind => { en: "Displacement in the wind by height", ko: "높이별 풍응답 변위" },
         TravelOfTheDampers => { en: "Travel of the dampers", ko: "감쇠기의 행정" },
         ElevationOfTheChainWithItsJoints => { en: "Elevation of the chain with its joints", ko: "접합면을 표시한 입면도" },
+        DriftsOfTheStoreys => { en: "Drifts of the storeys and their limit", ko: "층간변위와 허용값" },
         MomentsOfTheJoints => { en: "Moments of the joints and what the beds pass", ko: "접합면 모멘트와 한계" },
         StiffnessLimitsOfEachJoint => { en: "Stiffness limits of each joint", ko: "접합면별 강성 한계" },
         EffectOfALowerCentreOfMass => { en: "Effect of a lower centre of mass", ko: "무게 중심을 낮춘 효과" },
@@ -236,6 +238,8 @@ messages! {
 messages! {
     /// Legends and words in the figures of a structure.
     pub(crate) enum Signs in "figure.sign" {
+        DriftAlong { axis: String } => { en: "along {axis}", ko: "{axis} 방향" },
+        LimitOfDrift => { en: "allowed", ko: "허용값" },
         WindAlong { axis: String } => { en: "wind along {axis}", ko: "{axis} 방향 바람" },
         WindWithoutDampers { axis: String } => {
             en: "wind along {axis}, without dampers",

@@ -3,6 +3,7 @@
 use super::named::NamedFile;
 use super::paraview::paraview;
 use crate::after_first::after_first_json;
+use crate::as_json;
 use crate::figures::{self, building_histories, chain_histories, frame_histories, wind_histories};
 use crate::film::{stack_film, supports_film};
 use crate::json::{
@@ -19,21 +20,21 @@ use dolmen_words::{Language, keeping_names};
 use dolmen_work::judgement::{judge_run, judge_simulation};
 use dolmen_work::simulation::{SimulateAnswer, Simulation};
 use dolmen_work::stack::{StackRuns, StackSimulation, SupportsSimulation};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The result of `dolmen simulate` as JSON: each direction of a frame, and one judgement of all.
 pub fn simulate_answer_value(answer: &SimulateAnswer) -> Value {
     if let Some(why) = &answer.does_not_stand {
-        let outcome = json!({ "kind": "does_not_stand", "why": why.to_string() });
-        return json!({ "file": answer.file, "outcome": outcome });
+        let outcome = as_json!({ "kind": "does_not_stand", "why": why.to_string() });
+        return as_json!({ "file": answer.file, "outcome": outcome });
     }
     match answer.simulations.as_slice() {
-        [] => json!({ "simulations": [] }),
+        [] => as_json!({ "simulations": [] }),
         [Simulation::Frame(_), ..] | [Simulation::Chain(_), Simulation::Chain(_), ..] => {
             let each = answer.simulations.iter();
             let all: Vec<Value> = each.map(|run| simulation_value(run, answer)).collect();
             let after = after_first_json(answer);
-            json!({ "judgement": judgement(&judge_simulation(answer)), "after": after, "simulations": all })
+            as_json!({ "judgement": judgement(&judge_simulation(answer)), "after": after, "simulations": all })
         }
         [one, ..] => simulation_value(one, answer),
     }

@@ -1,5 +1,6 @@
 //! The parts before and after the sections of a report, in a language: its kind and name, the answers, method and sources.
 
+use super::fronted::{Fronted, hertz, text};
 use super::imprint::Imprint;
 use super::words::{judgement_sign, thresholds};
 use crate::check::{doubtful, title};
@@ -10,7 +11,7 @@ use dolmen::stability::Verdict;
 use dolmen_project::Structure;
 use dolmen_words::message::Both;
 use dolmen_words::number::beside_one;
-use dolmen_words::{Language, Sentence, printed_name};
+use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{
     AssumedInputs, Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
@@ -91,22 +92,21 @@ fn reason(of: &EarthquakeFinding, structure: &Structure, language: Language) -> 
     let word = of.word.word(language);
     let motion = of.motion.as_deref();
     match (&of.decided_by, motion) {
-        (DecidedBy::Fall, Some(motion)) if matches!(structure, Structure::Stack(_)) => language.pick(
-            format!("a stone falls under {motion}"),
-            format!("{motion} 작용 시 낙하"),
-        ),
-        (DecidedBy::Fall, Some(motion)) => language.pick(
-            format!("it falls under {motion}"),
-            format!("{motion} 작용 시 전도"),
-        ),
-        (DecidedBy::Drift, Some(motion)) if of.word == Earthquake::BelowDemand => language.pick(
-            format!("it leans too far under {motion}"),
-            format!("{motion} 작용 시 과대 변위"),
-        ),
+        (DecidedBy::Fall, Some(motion)) => {
+            let motion = Both::from(motion);
+            match structure {
+                Structure::Stack(_) => text(Fronted::StoneFalls { motion }, language),
+                _ => text(Fronted::Falls { motion }, language),
+            }
+        }
+        (DecidedBy::Drift, Some(motion)) if of.word == Earthquake::BelowDemand => {
+            let motion = Both::from(motion);
+            text(Fronted::LeansTooFar { motion }, language)
+        }
         (DecidedBy::Room, motion) => {
             let word = match of.word {
-                Earthquake::BelowDemand => language.pick("beyond its room", "여유 공간 초과"),
-                _ => word,
+                Earthquake::BelowDemand => text(Fronted::BeyondRoom, language),
+                _ => word.to_owned(),
             };
             let under: Vec<&str> = [of.part.as_deref(), motion].into_iter().flatten().collect();
             format!("{word} ({})", under.join(", "))
@@ -147,12 +147,8 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
     };
     let factor_words = || match state.load_factor().filter(|_| verdict != Verdict::Unknown) {
         Some(load_factor) => format!("λ = {}.", beside_one(load_factor, 4)),
-        None if state.load_factor() == Some(f64::INFINITY) => language
-            .pick("No gravity load is given.", "축력이 주어지지 않음.")
-            .into(),
-        None => language
-            .pick("Stiffness is not given.", "강성이 주어지지 않음.")
-            .into(),
+        None if state.load_factor() == Some(f64::INFINITY) => text(Fronted::NoGravityLoad, language),
+        None => text(Fronted::NoStiffness, language),
     };
     let sentence = stack.map_or_else(factor_words, |answer| stack::banner(answer).text(language));
     let inputs = judged
@@ -163,28 +159,20 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
     let worse = worse(answer, &judgement, language).into_iter();
     first.extend(worse.map(|line| format!("{line}.")));
     if !shaken.is_empty() {
-        let lead = language.pick(
-            "The verdict on its own weight is without shaking. With shaking: ",
-            "자중에 대한 판정은 지진이 없을 때의 것이다. 지진을 고려한 판정: ",
-        );
-        first.push(format!("{lead}{}.", shaken.join("; ")));
+        let reasons = Both::from(shaken.join("; "));
+        first.push(text(Fronted::Shaken { reasons }, language));
     }
     let deciding = state
         .contradictions
         .iter()
         .filter(|of| !of.is_too_rough && of.superseded_by.is_none());
     first.extend(deciding.map(|c| {
-        let survey = printed_name(&c.survey, language);
-        language.pick(
-            format!(
-                "A survey contradicts this model: {} measured {:.3} Hz, the model has {:.3} Hz.",
-                survey, c.measured_hz, c.computed_hz
-            ),
-            format!(
-                "조사 결과가 이 모델과 일치하지 않는다. {} 조사의 실측 {:.3} Hz, 모델 {:.3} Hz.",
-                survey, c.measured_hz, c.computed_hz
-            ),
-        )
+        let said = Fronted::Contradicted {
+            survey: c.survey.clone(),
+            measured: hertz(c.measured_hz),
+            computed: hertz(c.computed_hz),
+        };
+        text(said, language)
     }));
     Banner {
         colour: judgement.colour(),
@@ -194,12 +182,7 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
         sentence,
         assumed: inputs
             .filter(|of| of.assumed > 0)
-            .map(|AssumedInputs { assumed, all }| {
-                language.pick(
-                    format!("This rests on assumed inputs, {assumed} of {all}; see the findings."),
-                    format!("입력 {all}개 중 가정값 {assumed}개에 의존한다(결과 요약 참조)."),
-                )
-            }),
+            .map(|AssumedInputs { assumed, all }| text(Fronted::RestsOnAssumed { assumed, all }, language)),
         scale: match stack {
             Some(_) => stack::thresholds().text(language),
             None => thresholds(language),
@@ -209,40 +192,65 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
 
 /// The program, the seed, the input and the papers behind a report.
 pub(crate) fn sources(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Vec<String> {
-    let mut all = vec![format!(
-        "{}{}",
-        language.pick("Computed by ", "계산 프로그램: "),
-        imprint.program
-    )];
+    let program = Both::from(imprint.program.as_str());
+    let mut all = vec![text(Fronted::ComputedBy { program }, language)];
     if let Some(sampled) = answer.state().and_then(|state| state.sampled.as_ref()) {
-        let lead = language.pick("Seed of the samples: ", "표본 추출 시드: ");
-        all.push(format!("{lead}{}", sampled.unstable.seed));
+        let seed = sampled.unstable.seed;
+        all.push(text(Fronted::SamplesFrom { seed }, language));
     }
     if !answer.fingerprint.is_empty() {
         let print = answer.fingerprint.clone();
         all.push(Sentence::from(Given::Fingerprint { print }).text(language));
     }
     if let Some(source) = &answer.project.source {
-        all.push(format!("{}{source}", language.pick("Input: ", "입력 자료: ")));
+        let source = Both::from(source.as_str());
+        all.push(text(Fronted::InputFrom { source }, language));
     }
     all.extend(papers(&answer.project.structure, language));
     all
 }
 
+/// The works that a kind of structure rests on.
+const CHAIN_WORK: &str = "최재성 (2021) 5개의 연결부를 가지는 역진자형 석조문화재의 동적 해석모델 및 안정성 연구 / Choi, J.-S. (2021) A study on dynamic analysis model and stability of stone cultural properties of inverted pendulum type with 5 joints.";
+const FRAME_WORK: &str = "박성아, 민경원 (2010) 흥인지문의 쿨롱 마찰력을 도입한 단순 해석모델 / Park, S.-A., Min, K.-W. (2010) Simple structural model of Heunginjimun with Coulomb friction.";
+const STACK_WORK: &str = "Kim, N., Koo, I. Y. & Hong, S. G. (2018) Assessment factors for seismic performance of multi-block stone pagodas.";
+const ROCKING_WORK: &str = "Housner, G. W. (1963) The behavior of inverted pendulum structures during earthquakes. Bull. Seism. Soc. Am. 53(2):403–417.";
+const BUILDING_WORK: &str = "황재승, 민경원, 홍성목: 동적 하중을 받는 횡-비틀림 방향이 조합된 고층건물의 진동 제어에 관한 연구 / Hwang, J.-S., Min, K.-W. & Hong, S.-M. Control of coupled lateral torsional vibration of tall building under dynamic lateral loads.";
+const RANDOM_VIBRATION_WORK: &str = "Der Kiureghian, A. (1981) A response spectrum method for random vibration analysis of MDF systems. Earthquake Engng Struct. Dyn. 9:419–435.";
+
 fn papers(structure: &Structure, language: Language) -> Vec<String> {
-    match structure {
-        Structure::Chain(_) => vec![["최재성 (2021) 5개의 연결부를 가지는 역진자형 석조문화재의 동적 해석모델 및 안정성 연구 / Choi, J.-S. (2021) A study on dynamic analysis model and stability of stone cultural properties of inverted pendulum type with 5 joints. ", language.pick("The published criterion: eqs 38–43, Tables 1–3.", "발표된 기준: 식 38–43, 표 1–3.")].concat()],
-        Structure::Frame(_) => vec![["박성아, 민경원 (2010) 흥인지문의 쿨롱 마찰력을 도입한 단순 해석모델 / Park, S.-A., Min, K.-W. (2010) Simple structural model of Heunginjimun with Coulomb friction. ", language.pick("The printed stiffness: eq. 7.", "논문의 강성: 식 7.")].concat()],
-        Structure::Stack(_) => vec![["Kim, N., Koo, I. Y. & Hong, S. G. (2018) Assessment factors for seismic performance of multi-block stone pagodas. ", language.pick("Rocking and sliding of joints: sec. 3, Figs 10 and 12; joint stiffness: Fig. 17.", "접합면의 로킹과 미끄러짐: 3절, 그림 10, 12; 접합면 강성: 그림 17.")].concat(), "Housner, G. W. (1963) The behavior of inverted pendulum structures during earthquakes. Bull. Seism. Soc. Am. 53(2):403–417.".to_owned()],
-        Structure::Building(_) => vec![["황재승, 민경원, 홍성목: 동적 하중을 받는 횡-비틀림 방향이 조합된 고층건물의 진동 제어에 관한 연구 / Hwang, J.-S., Min, K.-W. & Hong, S.-M. Control of coupled lateral torsional vibration of tall building under dynamic lateral loads. ", language.pick("Mode centre: eq. 12.", "모드 중심: 식 12.")].concat(), "Der Kiureghian, A. (1981) A response spectrum method for random vibration analysis of MDF systems. Earthquake Engng Struct. Dyn. 9:419–435.".to_owned()],
-        Structure::Survey => Vec::new(),
-    }
+    let (said, further) = match structure {
+        Structure::Chain(_) => (
+            Fronted::ChainPaper {
+                work: CHAIN_WORK.into(),
+            },
+            None,
+        ),
+        Structure::Frame(_) => (
+            Fronted::FramePaper {
+                work: FRAME_WORK.into(),
+            },
+            None,
+        ),
+        Structure::Stack(_) => (
+            Fronted::StackPaper {
+                work: STACK_WORK.into(),
+            },
+            Some(ROCKING_WORK),
+        ),
+        Structure::Building(_) => (
+            Fronted::BuildingPaper {
+                work: BUILDING_WORK.into(),
+            },
+            Some(RANDOM_VIBRATION_WORK),
+        ),
+        Structure::Survey => return Vec::new(),
+    };
+    let own = text(said, language);
+    [own].into_iter().chain(further.map(str::to_owned)).collect()
 }
 
 /// The closing text of every report.
-pub(crate) fn closing(language: Language) -> &'static str {
-    language.pick(
-            "The same input gives the same numbers. This page supports the judgement of an engineer; it does not replace it.",
-            "입력이 같으면 결과도 같다. 이 보고서는 기술자의 판단을 돕기 위한 것이며 이를 대신하지 않는다.",
-        )
+pub(crate) fn closing(language: Language) -> String {
+    text(Fronted::Closing, language)
 }

@@ -1,14 +1,16 @@
 //! What was given: every input with its unit, scatter and source, and what rests on assumptions.
 
+use super::fronted::{InputsGiven, text};
 use super::table::{Cell, table};
 use super::words::{evidence_word, input_words, unit_text};
 use crate::check::title;
-use crate::document::{Block, Numbers, block_html, numbered, table_label};
+use crate::document::{Block, Numbers, block_html, table_label};
 use crate::surveys_given::{Given, inputs_listed, surveys_table};
 use crate::warned::warned;
 use dolmen_project::{Quantity, Structure, Survey};
+use dolmen_words::message::Both;
 use dolmen_words::number;
-use dolmen_words::{Language, Sentence, printed_name};
+use dolmen_words::{Digits, Language, Quantity as Shown, Sentence, Unit};
 use dolmen_work::answer::ProjectReport;
 use maud::{Markup, html};
 
@@ -17,34 +19,25 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
     let project = &answer.project;
     let inputs = inputs_listed(project);
     html! {
-        h2 { (numbered(&numbers.section(), language.pick("Appendix: What was given", "부록: 입력 자료"))) }
+        (block_html(&Block::Heading(InputsGiven::Head.into()), language, numbers))
         @if let Some(description) = &project.description { p { (language.pick(description.english(), description.korean())) } }
         @if inputs.is_empty() {
-            p { (language.pick(
-                "No dimensions were given: only what was measured is reported.",
-                "치수가 주어지지 않아 계측 결과만 보고한다.",
-            )) }
+            p { (text(InputsGiven::NoDimensions, language)) }
         } @else {
-            @let gravity = format!("g = {}{}m/s²", number::trimmed(project.gravity_m_s2, 6), number::NARROW_SPACE);
-            @let caption = language.pick(
-                format!("Inputs. Values marked as assumed are tinted; {gravity}."),
-                format!("입력값. 가정한 값은 바탕색으로 표시하였다; {gravity}."),
-            );
+            @let gravity = Shown::new(project.gravity_m_s2, Unit::si("m/s²"), Digits::Trimmed(6));
+            @let caption = InputsGiven::Tinted { gravity }.into();
             (inputs_table(&caption, (&project.structure, &inputs), language, numbers))
         }
         @for variant in answer.variants() {
             @if !variant.own_inputs.is_empty() {
                 @let inputs: Vec<&Quantity> = variant.own_inputs.iter().collect();
-                @let title = title(variant);
-                (inputs_table(&language.pick(
-                    format!("Inputs that the variant “{}” changes; values marked as assumed are tinted.", title.text(language)),
-                    format!("대안 ‘{}’에서 달라지는 입력값. 가정한 값은 바탕색으로 표시하였다.", title.text(language)),
-                ), (&project.structure, &inputs), language, numbers))
+                @let caption = InputsGiven::OfVariant { variant: title(variant) }.into();
+                (inputs_table(&caption, (&project.structure, &inputs), language, numbers))
             }
         }
         (surveys(answer, language, numbers))
         @if !project.warnings.is_empty() {
-            h3 { (numbered(&numbers.part(), language.pick("Warnings on reading the file", "입력 파일에 대한 경고"))) }
+            (block_html(&Block::Subheading(InputsGiven::Warnings.into()), language, numbers))
             ul { @for warning in &project.warnings {
                 li { (warned(project, warning).text(language)) }
             } }
@@ -53,7 +46,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
 }
 
 fn inputs_table(
-    caption: &str,
+    caption: &Sentence,
     (structure, inputs): (&Structure, &[&Quantity]),
     language: Language,
     numbers: &mut Numbers,
@@ -103,8 +96,9 @@ fn inputs_table(
         })
         .collect();
     table(
+        &numbers.anchor(caption),
         &table_label(&numbers.table(), language),
-        caption,
+        &caption.text(language),
         words,
         &head,
         &rows,
@@ -115,17 +109,17 @@ fn surveys(answer: &ProjectReport, language: Language, numbers: &mut Numbers) ->
     let project = &answer.project;
     if let Some(table) = surveys_table(project, answer.surveys()) {
         return html! {
-            h3 { (numbered(&numbers.part(), &Sentence::from(Given::Surveys).text(language))) }
+            (block_html(&Block::Subheading(Given::Surveys.into()), language, numbers))
             (block_html(&Block::Table(table.without_empty_columns()), language, numbers))
         };
     }
     html! {
         @for survey in &project.surveys {
-            h3 { (numbered(&numbers.part(), &survey_head(survey, language))) }
+            (block_html(&Block::Subheading(survey_head(survey)), language, numbers))
             ul {
                 @for line in survey_lines(survey, language) { li { (line) } }
                 @if let Some(records) = &survey.records {
-                    li { (language.pick("Vibration records: ", "진동 기록: ")) code { (records.file) } }
+                    li { (text(InputsGiven::Records, language)) ": " code { (records.file) } }
                 }
             }
         }
@@ -133,38 +127,36 @@ fn surveys(answer: &ProjectReport, language: Language, numbers: &mut Numbers) ->
 }
 
 /// The head over what was given with a survey.
-pub(crate) fn survey_head(survey: &Survey, language: Language) -> String {
-    let name = printed_name(&survey.name, language);
-    language.pick(format!("Survey {name}"), format!("{name} 조사"))
+pub(crate) fn survey_head(survey: &Survey) -> Sentence {
+    let name = survey.name.clone();
+    InputsGiven::Survey { name }.into()
 }
 
 /// What was given with a survey beside its records.
 pub(crate) fn survey_lines(survey: &Survey, language: Language) -> Vec<String> {
     let mut lines: Vec<String> = survey.note.iter().cloned().collect();
     if let Some(source) = &survey.source {
-        lines.push(format!("{}{source}", language.pick("Source: ", "출처: ")));
+        let source = Both::from(source.as_str());
+        lines.push(text(InputsGiven::Source { source }, language));
     }
     lines.push(match survey.temperature_c {
-        Some(temperature) => format!(
-            "{}{}\u{202f}°C",
-            language.pick("Air temperature ", "기온 "),
-            number::significant(temperature, 3)
-        ),
-        None => language.pick("Air temperature: unknown", "기온: 미상").to_owned(),
+        Some(temperature) => {
+            let temperature = Shown::new(temperature, Unit::si("°C"), Digits::Significant(3));
+            text(InputsGiven::Temperature { temperature }, language)
+        }
+        None => text(InputsGiven::NoTemperature, language),
     });
     if let Some(datum) = &survey.datum {
-        lines.push(format!("{}{datum}", language.pick("Datum: ", "기준점: ")));
+        let datum = Both::from(datum.as_str());
+        lines.push(text(InputsGiven::Datum { datum }, language));
     }
     if !survey.tilt.is_empty() {
         let each = survey.tilt.iter();
         let each: Vec<String> = each
             .map(|(direction, tilt)| format!("{direction} {}", tilt.written))
             .collect();
-        lines.push(format!(
-            "{}{}",
-            language.pick("Tilt: ", "기울기: "),
-            each.join(", ")
-        ));
+        let tilt = Both::from(each.join(", "));
+        lines.push(text(InputsGiven::Tilt { tilt }, language));
     }
     lines
 }

@@ -1,6 +1,7 @@
 //! One self-contained HTML page, English or Korean, that an engineer hands over.
 
 pub(crate) mod front;
+pub(crate) mod fronted;
 pub(crate) mod given;
 mod imprint;
 pub(crate) mod method;

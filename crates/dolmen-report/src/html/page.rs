@@ -1,11 +1,12 @@
 //! The page: head, verdict, findings, sections, method, evidence.
 
 use super::front::{Banner, banner, closing, has_headline, headline_line, kind_words, project_name, sources};
+use super::fronted::{Fronted, text};
 use super::given;
 use super::imprint::{Imprint, NotReported};
 use super::style::STYLE;
 use super::words::colour_class;
-use crate::document::{Numbers, block_html, document_html, findings_html, numbered};
+use crate::document::{Block, Numbers, block_html, document_html, findings_html, numbered};
 use crate::engineer::{cover_rows, front, report_title};
 use crate::mark::GENERATOR;
 use crate::whole::{all_findings, whole_document};
@@ -25,7 +26,7 @@ pub fn html(
 ) -> String {
     let title = match (answers, others) {
         ([one], []) => project_name(one, language).to_string(),
-        _ => language.pick("Reports", "보고서 모음").to_string(),
+        _ => text(Fronted::Reports, language),
     };
     let body = markup! {
         @if answers.len() + others.len() > 1 { (contents(answers, others, language)) }
@@ -71,7 +72,7 @@ pub(super) fn whole(title: &str, language: Language, body: &Markup) -> String {
 fn contents(answers: &[ProjectReport], others: &[NotReported], language: Language) -> Markup {
     markup! {
         nav {
-            h1 { (language.pick("Reports", "보고서 모음")) }
+            h1 { (text(Fronted::Reports, language)) }
             ol { @for (i, answer) in answers.iter().enumerate() {
                 li {
                     a href=(format!("#report-{}", i + 1)) { (project_name(answer, language)) }
@@ -80,7 +81,7 @@ fn contents(answers: &[ProjectReport], others: &[NotReported], language: Languag
             } }
             @for other in others {
                 p.note {
-                    (language.pick("Not reported on: ", "보고서에서 제외됨: ")) code { (other.file) } ": "
+                    (text(Fronted::NotReported, language)) ": " code { (other.file) } ": "
                     (other.why)
                 }
             }
@@ -109,15 +110,15 @@ fn article(answer: &ProjectReport, language: Language, imprint: &Imprint, number
                 (imprint.program)
             } }
         }
-        @if let Some((head, block)) = &front.signatures { h2 { (head.text(language)) } (block_html(block, language, &mut numbers)) }
+        @if let Some((head, block)) = &front.signatures { h2 id=(numbers.anchor(head)) { (head.text(language)) } (block_html(block, language, &mut numbers)) }
         @if let Some(state) = answer.state() { (banner_html(&banner(answer, state, language))) }
         @if let Some(block) = &front.answers { (block_html(block, language, &mut numbers)) }
-        h2 { (language.pick("Findings", "검토 결과 요약")) }
+        h2 id=(numbers.anchor(&Fronted::Findings.into())) { (text(Fronted::Findings, language)) }
         (findings_html(&all_findings(answer), language))
-        @if let Some((head, block)) = &front.to_do { h3 { (head.text(language)) } (block_html(block, language, &mut numbers)) }
+        @if let Some((head, block)) = &front.to_do { h3 id=(numbers.anchor(head)) { (head.text(language)) } (block_html(block, language, &mut numbers)) }
         (document_html(&whole_document(answer), language, &mut numbers))
         (given::section(answer, language, &mut numbers))
-        h2 { (numbered(&numbers.section(), language.pick("Evidence and sources", "근거와 출처"))) }
+        (block_html(&Block::Heading(Fronted::Sources.into()), language, &mut numbers))
         ul { @for line in sources(answer, language, imprint) { li { (line) } } }
         footer { (closing(language)) }
     }

@@ -40,11 +40,18 @@ impl<T: Into<String>> From<T> for Cell {
 }
 
 /// A table whose first `words` columns contain words, the others numbers.
-pub(super) fn table(label: &str, caption: &str, words: usize, head: &[String], rows: &[Vec<Cell>]) -> Markup {
+pub(super) fn table(
+    anchor: &str,
+    label: &str,
+    caption: &str,
+    words: usize,
+    head: &[String],
+    rows: &[Vec<Cell>],
+) -> Markup {
     let side = |column: usize| if column < words { "t" } else { "" };
     html! {
         @let whole = rows.len() <= WHOLE_ROWS;
-        div class=(if whole { "scroll short" } else { "scroll" }) { table {
+        div class=(if whole { "scroll short" } else { "scroll" }) { table id=(anchor) {
             caption { span.no { (label) } " " (strong_lead(caption)) }
             thead { tr { @for (i, name) in head.iter().enumerate() { th class=[filled(side(i))] scope="col" { (name) } } } }
             tbody { @for row in rows { tr {

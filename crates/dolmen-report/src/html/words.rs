@@ -1,10 +1,10 @@
 //! The fixed words: verdicts with their thresholds, sources of numbers, names of parts.
 
+use super::fronted::{Fronted, text};
 use dolmen::stability::Verdict;
 use dolmen::structure::Convention;
 use dolmen_project::{Evidence, Structure};
-use dolmen_words::number;
-use dolmen_words::{Language, printed_name};
+use dolmen_words::{Language, Quantity, printed_name};
 use dolmen_work::judgement::{Colour, Judgement, Weight};
 
 pub(crate) fn verdict_word(verdict: Verdict, language: Language) -> &'static str {
@@ -38,16 +38,8 @@ pub(crate) fn judgement_sign(judgement: &Judgement) -> &'static str {
 
 /// The meaning of the words, with their thresholds.
 pub(crate) fn thresholds(language: Language) -> String {
-    let limit = number::significant(Verdict::MARGINAL_BELOW, 2);
-    language.pick(
-        format!(
-            "stable: λ ≥ {limit} · marginal: 1 < λ < {limit} · unstable: λ ≤ 1 · unknown: not enough is given. λ is the \
-             factor on gravity at which the structure falls."
-        ),
-        format!(
-            "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 전도되는 중력의 배수(하중배율)이다."
-        ),
-    )
+    let limit = Quantity::ratio(Verdict::MARGINAL_BELOW, 2);
+    text(Fronted::Thresholds { limit }, language)
 }
 
 /// Source of a number.

@@ -3,6 +3,7 @@
 use super::building_wind::building_wind;
 use super::simulation::motion_json;
 use super::with::with;
+use crate::as_json;
 use crate::limits::parts_json;
 use dolmen::damper::DamperKind;
 use dolmen::dynamics::{BuildingPeaks, HistoryMethod};
@@ -12,7 +13,7 @@ use dolmen_work::building::BuildingSimulation;
 use dolmen_work::building::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
 };
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The check of a building.
 pub(super) fn building(answer: &BuildingAnswer) -> Value {
@@ -20,7 +21,7 @@ pub(super) fn building(answer: &BuildingAnswer) -> Value {
     let storeys = storeys.map(|(i, (storey, fall))| {
         let floor = &answer.elastic.floors()[i];
         let centre = storey.stiffness.centre_of_rigidity_m();
-        json!({
+        as_json!({
             "floor": answer.floors[i],
             "mass_kg": floor.mass_kg, "centre_of_mass_m": floor.centre_m, "gyration_m": floor.gyration_m,
             "height_m": storey.height_m,
@@ -30,7 +31,7 @@ pub(super) fn building(answer: &BuildingAnswer) -> Value {
             "falling_drift": fall.drift,
         })
     });
-    json!({
+    as_json!({
         "load_factor": answer.load_factor(),
         "storeys": storeys.collect::<Vec<_>>(),
         "standing": answer.stands.as_ref().map(|standing| self::standing(standing)),
@@ -39,11 +40,11 @@ pub(super) fn building(answer: &BuildingAnswer) -> Value {
 
 fn standing(standing: &StandingBuilding) -> Value {
     let modes = standing.modes.modes.iter().zip(&standing.damping_ratios);
-    let modes = modes.map(|(mode, damping_ratio)| with(mode, json!({ "damping_ratio": damping_ratio })));
-    json!({
+    let modes = modes.map(|(mode, damping_ratio)| with(mode, as_json!({ "damping_ratio": damping_ratio })));
+    as_json!({
         "modes": modes.collect::<Vec<_>>(),
         "total_mass": standing.modes.total_mass,
-        "modes_with_dampers": standing.damped_modes.iter().map(|mode| json!({
+        "modes_with_dampers": standing.damped_modes.iter().map(|mode| as_json!({
             "frequency_hz": mode.frequency_hz, "damping_ratio": mode.damping_ratio, "share_of_own_modes": mode.share,
         })).collect::<Vec<_>>(),
         "dampers": standing.dampers.iter().map(damper).collect::<Vec<_>>(),
@@ -53,17 +54,17 @@ fn standing(standing: &StandingBuilding) -> Value {
         "wind_refused": standing.wind_refused.as_ref().map(|why| why.text(Language::English)),
         "spectral_with_dampers": standing.damped.as_ref().map(damped),
         "spectral_with_dampers_refused": standing.damped_refused,
-        "against_without": standing.against_without().iter().map(|of| json!({
+        "against_without": standing.against_without().iter().map(|of| as_json!({
             "what": of.what[0], "ratio": of.ratio,
         })).collect::<Vec<_>>(),
-        "beyond_room": standing.beyond_room().iter().map(|beyond| json!({
+        "beyond_room": standing.beyond_room().iter().map(|beyond| as_json!({
             "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
         })).collect::<Vec<_>>(),
     })
 }
 
 pub(super) fn damper(damper: &BuiltDamper) -> Value {
-    let value = json!({
+    let value = as_json!({
         "name": damper.name, "kind": damper.word(),
         "floor": damper.floor, "x_m": damper.place_m[0], "y_m": damper.place_m[1], "direction": damper.direction.unit(),
         "mode": damper.tuned_to.map(|tuned| tuned.mode), "mass_ratio": damper.tuned_to.map(|tuned| tuned.mass_ratio),
@@ -72,19 +73,19 @@ pub(super) fn damper(damper: &BuiltDamper) -> Value {
         "tuning": damper.tuning.map(|tuning| tuning.name()), "room_m": damper.room_m, "liquid_room_m": damper.liquid_room_m,
     });
     let rest = match damper.kind {
-        DamperKind::TunedMass { .. } => json!({}),
-        DamperKind::LiquidColumn { length_ratio, .. } => json!({ "length_ratio": length_ratio }),
+        DamperKind::TunedMass { .. } => as_json!({}),
+        DamperKind::LiquidColumn { length_ratio, .. } => as_json!({ "length_ratio": length_ratio }),
         DamperKind::LiquidColumnMass {
             liquid_mass_kg,
             length_ratio,
             liquid_frequency_hz,
             liquid_damping_ratio,
             ..
-        } => json!({
+        } => as_json!({
             "length_ratio": length_ratio, "liquid_mass_kg": liquid_mass_kg,
             "liquid_frequency_hz": liquid_frequency_hz, "liquid_damping_ratio": liquid_damping_ratio,
         }),
-        DamperKind::Viscous { coefficient_n_s_m } => json!({
+        DamperKind::Viscous { coefficient_n_s_m } => as_json!({
             "coefficient_n_s_m": coefficient_n_s_m,
             "to_floor": damper.to.map(|to| to.0), "to_place_m": damper.to.map(|to| to.1),
         }),
@@ -94,27 +95,27 @@ pub(super) fn damper(damper: &BuiltDamper) -> Value {
 
 fn spectral(spectral: &BuildingSpectral) -> Value {
     let [sum, srss, cqc] = spectral.base_shear_n;
-    json!({
+    as_json!({
         "modes": spectral.modes,
         "base_shear_n": { "absolute_sum": sum, "srss": srss, "cqc": cqc },
         "base_torque_n_m": spectral.base_torque_n_m,
-        "base_shear_least_favourable": spectral.least_favourable.map(|of| json!({
+        "base_shear_least_favourable": spectral.least_favourable.map(|of| as_json!({
             "base_shear_n": of.largest, "direction_degrees": of.direction_degrees, "minor_ratio": MINOR_RATIO,
         })),
         "displacement_m": spectral.displacement_m,
         "edge_drift_m": spectral.edge_drift_m,
-        "points": spectral.points_m.iter().map(|(name, at)| json!({ "name": name, "displacement_m": at })).collect::<Vec<_>>(),
+        "points": spectral.points_m.iter().map(|(name, at)| as_json!({ "name": name, "displacement_m": at })).collect::<Vec<_>>(),
     })
 }
 
 fn damped(damped: &DampedSpectral) -> Value {
-    json!({
+    as_json!({
         "modes": damped.modes,
         "base_shear_n": damped.base_shear_n,
         "base_torque_n_m": damped.base_torque_n_m,
         "displacement_m": damped.displacement_m,
         "edge_drift_m": damped.edge_drift_m,
-        "points": damped.points_m.iter().map(|(name, at)| json!({ "name": name, "displacement_m": at })).collect::<Vec<_>>(),
+        "points": damped.points_m.iter().map(|(name, at)| as_json!({ "name": name, "displacement_m": at })).collect::<Vec<_>>(),
         "strokes_m": damped.strokes_m,
     })
 }
@@ -123,13 +124,13 @@ fn damped(damped: &DampedSpectral) -> Value {
 pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
     let history = &simulation.history;
     let points = simulation.points.iter().map(|point| {
-        json!({
+        as_json!({
             "name": point.name, "floor": point.floor, "place_m": point.place_m,
             "peak_displacement_m": point.along.each_ref().map(|along| along.displacement_peak_m.value.abs()),
             "peak_acceleration_m_s2": point.along.each_ref().map(|along| along.acceleration_peak_m_s2.value.abs()),
         })
     });
-    json!({
+    as_json!({
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
@@ -148,12 +149,12 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
         "limits": parts_json(&simulation.parts(), simulation.drift_limit.as_ref()),
         "drift_ratio": simulation.drift().ratio,
         "drift_at": if simulation.drift().at_corner { "corner" } else { "centre_of_mass" },
-        "against_without": simulation.without_dampers.is_some().then(|| simulation.against_without().iter().map(|of| json!({
+        "against_without": simulation.without_dampers.is_some().then(|| simulation.against_without().iter().map(|of| as_json!({
             "what": of.what[0], "ratio": of.ratio,
         })).collect::<Vec<_>>()),
         "grows_at_the_end": history.grows_at_the_end(),
         "dampers_across_the_motion": simulation.across_the_motion().iter().map(|damper| &damper.name).collect::<Vec<_>>(),
-        "beyond_room": simulation.beyond_room().iter().map(|beyond| json!({
+        "beyond_room": simulation.beyond_room().iter().map(|beyond| as_json!({
             "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
         })).collect::<Vec<_>>(),
     })
@@ -162,7 +163,7 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
 fn peaks(peaks: &BuildingPeaks, simulation: &BuildingSimulation) -> Value {
     let floors = peaks.floors.iter().zip(&peaks.storeys).zip(&simulation.floors);
     let floors = floors.map(|((floor, storey), name)| {
-        json!({
+        as_json!({
             "floor": name,
             "displacement_x_m": floor.displacement_x_m, "displacement_y_m": floor.displacement_y_m,
             "rotation_rad": floor.rotation_rad,
@@ -171,7 +172,7 @@ fn peaks(peaks: &BuildingPeaks, simulation: &BuildingSimulation) -> Value {
             "resultant_drift": storey.resultant,
         })
     });
-    json!({
+    as_json!({
         "floors": floors.collect::<Vec<_>>(),
         "strokes_m": peaks.strokes_m,
         "stroke_rates_m_s": peaks.stroke_rates_m_s,

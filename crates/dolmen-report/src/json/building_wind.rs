@@ -1,15 +1,16 @@
 //! A building in the wind as JSON.
 
+use crate::as_json;
 use dolmen::damper::GustPeak;
 use dolmen::structure::wind::TurbulenceSpectrum;
 use dolmen_work::building::{
     BuildingWind, FloorInWind, FloorMet, StandingBuilding, WIND_DURATION_S, WindAlong, WindMotion,
 };
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Means, standard deviations and peaks, for wind along x and along y.
 pub(super) fn building_wind(standing: &StandingBuilding, wind: &BuildingWind) -> Value {
-    json!({
+    as_json!({
         "spectrum": match wind.spectrum {
             TurbulenceSpectrum::Kaimal => "kaimal",
             TurbulenceSpectrum::VonKarman => "von_karman",
@@ -22,14 +23,14 @@ pub(super) fn building_wind(standing: &StandingBuilding, wind: &BuildingWind) ->
         "largest_peak_drift_ratio": wind.largest_drift(&standing.building).map(|(_, _, ratio)| ratio),
         "along_x": along(&wind.along[0]),
         "along_y": along(&wind.along[1]),
-        "beyond_room": wind.beyond_room(&standing.dampers).iter().map(|beyond| json!({
+        "beyond_room": wind.beyond_room(&standing.dampers).iter().map(|beyond| as_json!({
             "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
         })).collect::<Vec<_>>(),
     })
 }
 
 fn along(of: &WindAlong) -> Value {
-    json!({
+    as_json!({
         "met": of.met.iter().map(met).collect::<Vec<_>>(),
         "without_dampers": motion(&of.without),
         "with_dampers": of.with.as_ref().map(motion),
@@ -37,14 +38,14 @@ fn along(of: &WindAlong) -> Value {
 }
 
 fn met(of: &FloorMet) -> Value {
-    json!({
+    as_json!({
         "height_m": of.height_m, "mean_speed_m_s": of.wind.mean_speed_m_s, "turbulence_intensity": of.wind.intensity,
         "turbulence_length_m": of.wind.length_m, "breadth_m": of.breadth_m, "mean_force_n": of.mean_force_n,
     })
 }
 
 fn motion(of: &WindMotion) -> Value {
-    json!({
+    as_json!({
         "floors": of.floors.iter().map(floor).collect::<Vec<_>>(),
         "base_shear_n": peak(&of.base_shear_n),
         "base_torque_n_m": peak(&of.base_torque_n_m),
@@ -54,7 +55,7 @@ fn motion(of: &WindMotion) -> Value {
 }
 
 fn floor(of: &FloorInWind) -> Value {
-    json!({
+    as_json!({
         "displacement_m": peak(&of.displacement_m), "edge_drift_m": peak(&of.drift_m),
         "acceleration_m_s2": peak(&of.acceleration_m_s2), "acceleration_across_m_s2": peak(&of.across_m_s2),
         "rotation_rad_s2": peak(&of.rotation_rad_s2), "corner_m_s2": peak(&of.corner_m_s2),
@@ -62,7 +63,7 @@ fn floor(of: &FloorInWind) -> Value {
 }
 
 pub(super) fn peak(of: &GustPeak) -> Value {
-    json!({
+    as_json!({
         "mean": of.mean, "rms": of.rms, "up_crossing_hz": of.up_crossing_hz,
         "peak_factor": of.peak_factor, "peak": of.peak(),
     })

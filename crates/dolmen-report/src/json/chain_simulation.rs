@@ -1,10 +1,11 @@
 //! A simulation of a chain, as JSON.
 
 use super::simulation::motion_json;
+use crate::as_json;
 use crate::limits::parts_json;
 use dolmen::dynamics::{ChainOutcome, ChainRotations, JointFriction};
 use dolmen_work::chain::ChainSimulation;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// A simulation without its histories.
 pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
@@ -17,14 +18,14 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
             model.joints()[i],
         );
         let most = model.moment_most_n_m()[i];
-        json!({
+        as_json!({
             "name": name,
             "stiffness_n_m_rad": joint.stiffness_n_m_rad,
             "damping_n_m_s_rad": joint.damping_n_m_s_rad,
             "opening_moment_n_m": most.is_finite().then_some(most),
             "friction": match joint.friction {
                 JointFriction::None => Value::Null,
-                JointFriction::Coulomb { static_moment_n_m, kinetic_moment_n_m } => json!({
+                JointFriction::Coulomb { static_moment_n_m, kinetic_moment_n_m } => as_json!({
                     "static_moment_n_m": static_moment_n_m, "kinetic_moment_n_m": kinetic_moment_n_m,
                 }),
             },
@@ -37,19 +38,19 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
             "residual_rotation_rad": history.rotation_rad[i].last(),
         })
     });
-    json!({
+    as_json!({
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
         "motion": simulation.motion.as_ref().map(|(motion, _)| motion_json(motion)),
         "component": simulation.motion.as_ref().map(|(_, component)| component.name()),
         "direction": simulation.direction.map(|axis| axis.name()),
-        "together": simulation.together.map(|of| json!({
+        "together": simulation.together.map(|of| as_json!({
             "peak_rotation_rad": of.lean_rad, "link": simulation.links.get(of.link), "at_s": of.at_s, "top_peak_m": of.top_m,
         })),
         "push_rad": simulation.push_rad,
         "pushed_from_link": simulation.links[simulation.pushed_from],
-        "lean_as_surveyed": simulation.lean.as_ref().map(|lean| json!({
+        "lean_as_surveyed": simulation.lean.as_ref().map(|lean| as_json!({
             "survey": lean.survey, "written": lean.written, "lean_rad": lean.lean_rad,
         })),
         "rotations": match model.rotations() {
@@ -63,7 +64,7 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
         "loads_left_out": simulation.loads_left_out,
         "duration_s": simulation.duration_s(),
         "first_frequency_hz": simulation.first_frequency_hz,
-        "growth": simulation.growth.as_ref().map(|growth| json!({
+        "growth": simulation.growth.as_ref().map(|growth| as_json!({
             "linear_rate_per_s": growth.linear_rate_per_s,
             "rate_per_s": growth.measured.map(|m| m.rate_per_s),
             "from_s": growth.measured.map(|m| m.from_s),
@@ -75,7 +76,7 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
         "friction_events": history.friction_events,
         "steps": history.steps,
         "links": links.collect::<Vec<_>>(),
-        "side_supports": simulation.supports_met().iter().map(|met| json!({
+        "side_supports": simulation.supports_met().iter().map(|met| as_json!({
             "height_m": met.support.height_m, "gap_m": met.support.gap_m, "stiffness_n_m": met.support.stiffness_n_m,
             "times_met": met.times, "first_met_s": met.first_s,
             "peak_displacement_m": met.peak.displacement_m, "peak_force_n": met.peak.force_n, "peak_at_s": met.peak.at_s,
@@ -91,23 +92,25 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
 fn outcome(simulation: &ChainSimulation) -> Value {
     let until_then = ending(simulation);
     match simulation.ended_before_the_motion_s() {
-        Some(end_s) => json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then }),
+        Some(end_s) => {
+            as_json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then })
+        }
         None => until_then,
     }
 }
 
 fn ending(simulation: &ChainSimulation) -> Value {
     match simulation.history.outcome {
-        ChainOutcome::Stood => json!({ "kind": "stood" }),
+        ChainOutcome::Stood => as_json!({ "kind": "stood" }),
         ChainOutcome::Uplifted { joint, at_s } => {
-            json!({ "kind": "opened", "joint_below": simulation.links.get(joint), "at_s": at_s })
+            as_json!({ "kind": "opened", "joint_below": simulation.links.get(joint), "at_s": at_s })
         }
         ChainOutcome::Fell { link, at_s } => {
-            json!({ "kind": "fell", "link": simulation.links.get(link), "at_s": at_s })
+            as_json!({ "kind": "fell", "link": simulation.links.get(link), "at_s": at_s })
         }
         ChainOutcome::StillLeaning { link, at_s } => {
-            json!({ "kind": "still leaning", "link": simulation.links.get(link), "at_s": at_s })
+            as_json!({ "kind": "still leaning", "link": simulation.links.get(link), "at_s": at_s })
         }
-        ChainOutcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
+        ChainOutcome::Stopped { at_s } => as_json!({ "kind": "stopped", "at_s": at_s }),
     }
 }

@@ -3,6 +3,7 @@
 use super::changed_part::{changed_part, model_off};
 use super::check::project;
 use super::earthquake::modes_of;
+use crate::as_json;
 use crate::engineer::damage_words;
 use dolmen::assess::{ModeChange, SurveyChange, TemperatureKnowledge};
 use dolmen_words::Language;
@@ -11,23 +12,23 @@ use dolmen_work::answer::CompareAnswer;
 use dolmen_work::compared_history::{ComparedHistory, Course, LastingChange};
 use dolmen_work::compared_readings::{ComparedItem, ComparedReadings, ItemCourse};
 use dolmen_work::events_between::EventBetween;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The change between two surveys; without modes in one of them, it contains no frequencies.
 pub fn change_json(answer: &CompareAnswer) -> Value {
-    let mut all = json!({
+    let mut all = as_json!({
         "project": project(&answer.project, &answer.file),
         "from": answer.from,
         "to": answer.to,
-        "earthquakes": answer.shaken.iter().map(|(survey, of)| json!({ "survey": survey, "modes_of": modes_of(*of) })).collect::<Vec<_>>(),
+        "earthquakes": answer.shaken.iter().map(|(survey, of)| as_json!({ "survey": survey, "modes_of": modes_of(*of) })).collect::<Vec<_>>(),
         "between": answer.between().iter().map(|of| match of {
-            EventBetween::Work(work) => json!({ "date": work.date, "kind": work.kind.word(), "what": work.what }),
-            EventBetween::Earthquake(survey) => json!({ "date": survey, "kind": "earthquake", "what": Value::Null }),
+            EventBetween::Work(work) => as_json!({ "date": work.date, "kind": work.kind.word(), "what": work.what }),
+            EventBetween::Earthquake(survey) => as_json!({ "date": survey, "kind": "earthquake", "what": Value::Null }),
         }).collect::<Vec<_>>(),
         "history": answer.history.as_ref().map(history),
         "tilts": tilts(&answer.readings),
         "inspections": answer.readings.items.iter().map(item).collect::<Vec<_>>(),
-        "unread": answer.unread.iter().map(|(survey, why)| json!({ "survey": survey, "why": why.english })).collect::<Vec<_>>(),
+        "unread": answer.unread.iter().map(|(survey, why)| as_json!({ "survey": survey, "why": why.english })).collect::<Vec<_>>(),
         "without_modes": answer.readings.without_modes,
         "parts": answer.parts.iter().map(changed_part).collect::<Vec<_>>(),
         "model_off": answer.model_off.as_ref().map(model_off),
@@ -47,7 +48,7 @@ fn modes(change: &SurveyChange) -> Value {
         TemperatureKnowledge::Unexplained { step_c } => ("unexplained", Some(*step_c)),
         TemperatureKnowledge::Corrected { step_c } => ("corrected", Some(*step_c)),
     };
-    json!({
+    as_json!({
         "temperature": temperature,
         "temperature_step_c": step_c,
         "may_be_the_weather": change.temperature.leaves_doubt(),
@@ -61,7 +62,7 @@ fn modes(change: &SurveyChange) -> Value {
         "modes": change.modes.iter().map(mode).collect::<Vec<_>>(),
         "lost": change.lost,
         "new": change.new,
-        "not_compared": change.not_compared.iter().map(|lost| json!({
+        "not_compared": change.not_compared.iter().map(|lost| as_json!({
             "from": lost.from,
             "is_lowest": lost.is_lowest,
             "may_be": lost.may_be,
@@ -75,7 +76,7 @@ fn modes(change: &SurveyChange) -> Value {
 }
 
 fn mode(mode: &ModeChange) -> Value {
-    json!({
+    as_json!({
         "from": mode.from,
         "to": mode.to,
         "assurance": mode.pair.assurance,
@@ -93,7 +94,7 @@ fn mode(mode: &ModeChange) -> Value {
 }
 
 fn history(of: &ComparedHistory) -> Value {
-    json!({
+    as_json!({
         "surveys": of.surveys,
         "first": of.span[0],
         "last": of.span[1],
@@ -107,7 +108,7 @@ fn lasting(of: &LastingChange) -> Value {
         Course::Drift { since } => ("slope", since, None),
         Course::Repair(work) => ("repair", &work.date, Some(&work.date)),
     };
-    json!({
+    as_json!({
         "frequency_hz": of.frequency_hz,
         "form": form,
         "after": after,
@@ -119,7 +120,7 @@ fn lasting(of: &LastingChange) -> Value {
 
 fn tilts(readings: &ComparedReadings) -> Value {
     let each = readings.tilts.iter().map(|tilt| {
-        json!({
+        as_json!({
             "direction": tilt.direction,
             "from": tilt.from.ratio,
             "to": tilt.to.ratio,
@@ -138,7 +139,7 @@ fn item(item: &ComparedItem) -> Value {
         ItemCourse::NoSize => ("no size", None, None),
         ItemCourse::Several { .. } => ("several", None, None),
     };
-    json!({
+    as_json!({
         "part": item.part,
         "what": damage_words(&item.what).text(Language::English),
         "name": item.name,

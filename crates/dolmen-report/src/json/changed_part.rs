@@ -1,13 +1,14 @@
 //! Which part of a model explains changes of frequencies, as JSON.
 
+use crate::as_json;
 use dolmen::assess::PartFit;
 use dolmen_work::changed_part::{ChangedPart, ModelOff};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Every part with the stiffness that it would need, in one direction.
 pub(super) fn changed_part(of: &ChangedPart) -> Value {
     let fit = |fit: &PartFit| {
-        json!({
+        as_json!({
             "part": fit.part.and_then(|at| of.parts.get(at)).map(|part| part.name()),
             "stiffness_left": fit.factor,
             "stiffness_left_lower": fit.factor_interval[0],
@@ -16,7 +17,7 @@ pub(super) fn changed_part(of: &ChangedPart) -> Value {
             "p": fit.p_value,
         })
     };
-    json!({
+    as_json!({
         "direction": of.direction,
         "modes_hz": of.modes_hz,
         "candidates": of.found.candidates().len(),
@@ -28,7 +29,7 @@ pub(super) fn changed_part(of: &ChangedPart) -> Value {
 
 /// Why no part is sought.
 pub(super) fn model_off(of: &ModelOff) -> Value {
-    json!({
+    as_json!({
         "measured_hz": of.measured_hz,
         "model_hz": of.model_hz,
         "factor": of.factor(),

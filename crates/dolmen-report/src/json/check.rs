@@ -6,6 +6,7 @@ use super::demand::demand;
 use super::judgement::judgement;
 use super::loads::loads;
 use super::stack::stack;
+use crate::as_json;
 use dolmen::assess::FrameCheck;
 use dolmen_project::{Project, WhyNotIdentified};
 use dolmen_words::Language;
@@ -13,15 +14,15 @@ use dolmen_work::answer::CheckAnswer;
 use dolmen_work::frame::{SECANT_DRIFT_RATIO, Springs, StoreyColumns};
 use dolmen_work::judgement::judge_check;
 use dolmen_work::state::{Check, DirectionCheck, SensitivityOf, State};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// A project's whole check.
 pub fn check_json(answer: &CheckAnswer) -> Value {
     let variants = answer
         .variants
         .iter()
-        .map(|variant| json!({ "name": variant.name, "state": state(&variant.state) }));
-    json!({
+        .map(|variant| as_json!({ "name": variant.name, "state": state(&variant.state) }));
+    as_json!({
         "project": project(&answer.project, &answer.file),
         "judgement": judgement(&judge_check(answer)),
         "state": answer.state.as_ref().map(state),
@@ -32,7 +33,7 @@ pub fn check_json(answer: &CheckAnswer) -> Value {
             SensitivityOf::FirstMotion => "first_motion_m_s2",
         },
         "sensitivities": answer.sensitivities,
-        "unreadable_motions": answer.unreadable_motions.iter().map(|of| json!({
+        "unreadable_motions": answer.unreadable_motions.iter().map(|of| as_json!({
             "motion": of.motion, "why": of.why.text(Language::English),
         })).collect::<Vec<_>>(),
     })
@@ -42,28 +43,28 @@ pub fn check_json(answer: &CheckAnswer) -> Value {
 pub(super) fn project(project: &Project, file: &str) -> Value {
     let inputs = project.inputs();
     let inputs = inputs.iter().map(|q| {
-        json!({
+        as_json!({
             "path": q.path, "value": q.value, "unit": q.unit, "written": q.written, "cov": q.cov,
             "source": q.source.map(|s| s.word()),
         })
     });
     let warnings = project.warnings.iter();
-    json!({
+    as_json!({
         "file": file,
         "schema": project.schema,
         "name": { "en": project.name.en, "ko": project.name.ko },
         "source": project.source,
         "gravity_m_s2": project.gravity_m_s2,
         "inputs": inputs.collect::<Vec<_>>(),
-        "from_surveys": project.from_surveys.as_ref().map(|told| json!({
+        "from_surveys": project.from_surveys.as_ref().map(|told| as_json!({
             "solution": told.number,
             "solutions": told.of,
-            "parts": told.parts.iter().map(|part| json!({
+            "parts": told.parts.iter().map(|part| as_json!({
                 "path": part.path, "survey": part.survey, "unknown": part.unknown.map(why_word),
             })).collect::<Vec<_>>(),
         })),
         "damage": project.damage.iter().map(damage).collect::<Vec<_>>(),
-        "warnings": warnings.map(|w| json!({ "line": w.line, "path": w.path, "message": w.message.text(Language::English) })).collect::<Vec<_>>(),
+        "warnings": warnings.map(|w| as_json!({ "line": w.line, "path": w.path, "message": w.message.text(Language::English) })).collect::<Vec<_>>(),
     })
 }
 
@@ -82,22 +83,24 @@ fn why_word(why: WhyNotIdentified) -> &'static str {
 
 fn state(state: &State) -> Value {
     let check = match &state.check {
-        Check::Chain(check) => json!({ "chain": check }),
-        Check::Frame(directions) => json!({ "frame": directions.iter().map(direction).collect::<Vec<_>>() }),
-        Check::Stack(check) => json!({ "stack": stack(check) }),
-        Check::Building(check) => json!({ "building": building(check) }),
+        Check::Chain(check) => as_json!({ "chain": check }),
+        Check::Frame(directions) => {
+            as_json!({ "frame": directions.iter().map(direction).collect::<Vec<_>>() })
+        }
+        Check::Stack(check) => as_json!({ "stack": stack(check) }),
+        Check::Building(check) => as_json!({ "building": building(check) }),
     };
-    json!({
+    as_json!({
         "verdict": state.verdict(),
         "check": check,
-        "tilts": state.tilts.iter().map(|t| json!({
+        "tilts": state.tilts.iter().map(|t| as_json!({
             "survey": t.survey, "direction": t.direction, "tilt": t.tilt, "uplift_tilt": t.uplift_tilt,
             "verdict": t.verdict(),
         })).collect::<Vec<_>>(),
         "contradictions": state.contradictions,
-        "spring_fits": state.spring_fits.iter().map(|fit| json!({
+        "spring_fits": state.spring_fits.iter().map(|fit| as_json!({
             "survey": fit.survey, "factor": fit.factor, "not_compared": fit.not_compared,
-            "frequencies": fit.frequencies.iter().map(|(direction, found)| json!({
+            "frequencies": fit.frequencies.iter().map(|(direction, found)| as_json!({
                 "direction": direction, "measured_hz": found.measured_hz, "computed_hz": found.computed_hz,
             })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
@@ -108,13 +111,13 @@ fn state(state: &State) -> Value {
 }
 
 fn direction(direction: &DirectionCheck) -> Value {
-    json!({
+    as_json!({
         "direction": direction.direction,
         "check": frame(&direction.check),
         "slipping": direction.slipping.as_ref().map(frame),
-        "tenons": direction.tenons.as_ref().map(|tenons| json!({
+        "tenons": direction.tenons.as_ref().map(|tenons| as_json!({
             "bearing": frame(&tenons.bearing),
-            "storeys": tenons.storeys.iter().map(|of| json!({
+            "storeys": tenons.storeys.iter().map(|of| as_json!({
                 "storey": of.storey + 1,
                 "slack_m": of.tenon.slack_m,
                 "within_slack_n_m": of.within_slack_n_m,
@@ -127,14 +130,14 @@ fn direction(direction: &DirectionCheck) -> Value {
             })).collect::<Vec<_>>(),
         })),
         "columns": direction.columns.iter().map(columns).collect::<Vec<_>>(),
-        "lean": direction.lean.as_ref().map(|lean| json!({
+        "lean": direction.lean.as_ref().map(|lean| as_json!({
             "tilt": lean.tilt, "at_rest": lean.at_rest, "falls_from": lean.most,
         })),
     })
 }
 
 fn frame(check: &FrameCheck) -> Value {
-    json!({
+    as_json!({
         "geometric_n_m": check.geometric_n_m,
         "level_load_ratios": check.level_load_ratios,
         "stability": check.stability,
@@ -148,7 +151,7 @@ fn columns(columns: &StoreyColumns) -> Value {
         Springs::Beside { stiffness_n_m } => Some(stiffness_n_m),
         Springs::Unknown | Springs::RigidBed | Springs::Grounded | Springs::LessThanBeds { .. } => None,
     };
-    json!({
+    as_json!({
         "storey": columns.storey,
         "count": columns.count,
         "axial_n": columns.axial_n,

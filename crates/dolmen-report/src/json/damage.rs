@@ -1,7 +1,8 @@
 //! Damage of inspections in a model, as JSON.
 
+use crate::as_json;
 use dolmen_project::{InModel, ModelDamage};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The effect of a damage on the model.
 pub(super) fn damage(of: &ModelDamage) -> Value {
@@ -10,7 +11,7 @@ pub(super) fn damage(of: &ModelDamage) -> Value {
         InModel::StiffnessLeft(left) => (None, None, Some(left)),
         InModel::TiesBroken | InModel::Lost | InModel::Mended => (None, None, None),
     };
-    json!({
+    as_json!({
         "survey": of.survey,
         "part": of.part,
         "bed_lost": bed_lost,

@@ -1,31 +1,32 @@
 //! The seismic demand, as JSON.
 
 use super::local_mechanisms::local_mechanisms_demand;
+use crate::as_json;
 use crate::demand::{ground_word, type_word};
 use crate::limits::parts_json;
 use dolmen::assess::demand::{ShakenDirection, SiteParameters, StackDemandCheck};
 use dolmen::stability::stack::{DemandVerdict, LimitKind, Threshold};
 use dolmen_work::part_limit::{NotCompared, WhyNotCompared};
 use dolmen_work::state::DemandAnswer;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The site, its numbers, and the demand on the structure.
 pub(super) fn demand(answer: &DemandAnswer) -> Value {
     let site = &answer.site;
     let spectrum = &site.spectrum;
-    json!({
+    as_json!({
         "source": spectrum.source,
         "parameters": parameters(&site.parameters),
         "damping_ratio": site.damping_ratio,
         "peak_ground_acceleration_m_s2": site.peak_ground_acceleration_m_s2,
-        "vertical": site.vertical.map(|v| json!({ "ratio": v.ratio, "verified": v.verified })),
+        "vertical": site.vertical.map(|v| as_json!({ "ratio": v.ratio, "verified": v.verified })),
         "unverified": spectrum.unverified.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "limits": parts_json(&answer.compared.parts, answer.drift_limit.as_ref()),
         "not_compared": answer.compared.not_compared.iter().map(not_compared).collect::<Vec<_>>(),
         "spectral": answer.spectral,
         "refused": answer.refused.as_ref().map(|why| &why.english),
         "stack": answer.stack.as_ref().map(stack),
-        "by_velocity": answer.by_velocity.as_ref().map(|of| json!({
+        "by_velocity": answer.by_velocity.as_ref().map(|of| as_json!({
             "spectral_velocity_m_s": of.velocity.velocity_m_s,
             "period_s": of.velocity.period_s,
             "slenderness_rad": of.block.slenderness_rad,
@@ -42,7 +43,7 @@ pub(super) fn demand(answer: &DemandAnswer) -> Value {
 }
 
 fn not_compared(of: &NotCompared) -> Value {
-    json!({
+    as_json!({
         "direction": of.direction,
         "why": match of.why {
             WhyNotCompared::StiffnessUnknown => "stiffness unknown",
@@ -64,7 +65,7 @@ fn parameters(parameters: &SiteParameters) -> Value {
             amplification,
             design,
             branches,
-        } => json!({ "korea": {
+        } => as_json!({ "korea": {
             "zone_factor_g": zone_factor_g,
             "return_period_years": return_period_years,
             "risk_factor": risk_factor,
@@ -83,7 +84,7 @@ fn parameters(parameters: &SiteParameters) -> Value {
             ground,
             soil_factor,
             branches,
-        } => json!({ "eurocode": {
+        } => as_json!({ "eurocode": {
             "ground_acceleration_g": ground_acceleration_g,
             "importance_factor": importance_factor,
             "spectrum_type": type_word(*spectrum),
@@ -95,16 +96,16 @@ fn parameters(parameters: &SiteParameters) -> Value {
             rows,
             least_s,
             most_s,
-        } => json!({ "table": { "rows": rows, "least_s": least_s, "most_s": most_s } }),
+        } => as_json!({ "table": { "rows": rows, "least_s": least_s, "most_s": most_s } }),
     }
 }
 
 fn stack(stack: &StackDemandCheck) -> Value {
     let at = |threshold: &Option<Threshold>| threshold.as_ref().map(|t| t.acceleration_m_s2);
-    json!({
+    as_json!({
         "verdict": stack.verdict,
         "vertical_acceleration_m_s2": stack.vertical_acceleration_m_s2,
-        "rows": stack.rows.iter().map(|row| json!({
+        "rows": stack.rows.iter().map(|row| as_json!({
             "direction": match row.direction {
                 ShakenDirection::X => "x",
                 ShakenDirection::Y => "y",
@@ -116,10 +117,10 @@ fn stack(stack: &StackDemandCheck) -> Value {
             "amplification": row.amplification,
             "rigid": row.comparison.rigid,
             "elastic_published": row.comparison.elastic,
-            "elastic_by_modes": row.by_modes.as_ref().map(|by_modes| json!({
+            "elastic_by_modes": row.by_modes.as_ref().map(|by_modes| as_json!({
                 "ratio": by_modes.ratio,
                 "verdict": by_modes.verdict,
-                "first": by_modes.first.as_ref().map(|(kind, above)| json!({
+                "first": by_modes.first.as_ref().map(|(kind, above)| as_json!({
                     "kind": match kind {
                         LimitKind::Uplift => "tipping",
                         LimitKind::Sliding => "sliding",

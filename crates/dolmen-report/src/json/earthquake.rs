@@ -1,11 +1,13 @@
 //! Earthquakes in a record as JSON.
 
 use super::identified::identified;
+use crate::as_json;
+use crate::finite::JsonObject;
 use dolmen::modal::{
     AtLeast, During, LastingChange, Mode, Part, ShakingKind, StrongChannel, StrongEvent, TrackPoint,
 };
 use dolmen_work::surveyed::{Earthquake, ModesOf};
-use serde_json::{Map, Value, json};
+use serde_json::Value;
 
 /// Of which part of a record that holds an earthquake the modes are.
 pub(super) fn modes_of(of: ModesOf) -> &'static str {
@@ -22,45 +24,44 @@ pub(super) fn modes_of(of: ModesOf) -> &'static str {
 pub(super) fn earthquake(of: &Earthquake) -> Value {
     let found = &of.found;
     let part = |of: &Part| {
-        json!({
+        as_json!({
             "from_s": of.span_s[0],
             "to_s": of.span_s[1],
             "modes": of.analysis.as_ref().map(|of| identified(&of.modes)),
         })
     };
-    let mut all = event(found.strongest());
-    all.insert("modes_of".into(), modes_of(of.modes_of).into());
-    all.insert("events".into(), found.events.iter().map(event).collect());
-    all.insert("before".into(), part(found.before()));
-    all.insert("after".into(), part(found.after()));
-    all.insert("parts".into(), found.quiet.iter().map(part).collect());
-    all.insert("changes".into(), found.changes.iter().map(change).collect());
-    all.insert("compared_parts".into(), json!(found.compared));
-    all.into()
+    let mut all = JsonObject::default();
+    all.append(event(found.strongest()));
+    all.append(as_json!({
+        "modes_of": modes_of(of.modes_of),
+        "events": found.events.iter().map(event).collect::<Vec<_>>(),
+        "before": part(found.before()),
+        "after": part(found.after()),
+        "parts": found.quiet.iter().map(part).collect::<Vec<_>>(),
+        "changes": found.changes.iter().map(change).collect::<Vec<_>>(),
+        "compared_parts": found.compared,
+    }));
+    all.done()
 }
 
-fn event(of: &StrongEvent) -> Map<String, Value> {
+fn event(of: &StrongEvent) -> Value {
     let shaking = &of.shaking;
     let taken = match shaking.kind {
         ShakingKind::Earthquake => "earthquake",
         ShakingKind::EarthquakeOrTraffic => "earthquake_or_traffic",
     };
-    let during = during(&of.during);
-    let each = [
-        ("taken_for", taken.into()),
-        ("arrival_s", shaking.arrival_s.into()),
-        ("strong_from_s", shaking.strong_from_s.into()),
-        ("strong_to_s", shaking.strong_to_s.into()),
-        ("end_s", shaking.end_s.into()),
-        ("over_noise", shaking.over_noise.into()),
-        ("growth", shaking.growth.into()),
-        ("channels", of.channels.iter().map(channel).collect()),
-        ("during", during),
-        ("changes", of.changes.iter().map(change).collect()),
-    ];
-    each.into_iter()
-        .map(|(key, value)| (key.to_owned(), value))
-        .collect()
+    as_json!({
+        "taken_for": taken,
+        "arrival_s": shaking.arrival_s,
+        "strong_from_s": shaking.strong_from_s,
+        "strong_to_s": shaking.strong_to_s,
+        "end_s": shaking.end_s,
+        "over_noise": shaking.over_noise,
+        "growth": shaking.growth,
+        "channels": of.channels.iter().map(channel).collect::<Vec<_>>(),
+        "during": during(&of.during),
+        "changes": of.changes.iter().map(change).collect::<Vec<_>>(),
+    })
 }
 
 fn channel(of: &StrongChannel) -> Value {
@@ -69,7 +70,7 @@ fn channel(of: &StrongChannel) -> Value {
         AtLeast::Lost => "lost_samples",
         AtLeast::Edge => "edge_of_record",
     });
-    json!({
+    as_json!({
         "name": of.name,
         "peak_acceleration_m_s2": of.peak_acceleration_m_s2,
         "peak_at_least": at_least,
@@ -83,7 +84,7 @@ fn channel(of: &StrongChannel) -> Value {
 }
 
 fn change(of: &LastingChange) -> Value {
-    json!({
+    as_json!({
         "before_hz": of.before_hz,
         "before_sd_hz": of.before_sd_hz,
         "after_hz": of.after_hz,
@@ -95,8 +96,8 @@ fn change(of: &LastingChange) -> Value {
 }
 
 fn during(of: &During) -> Value {
-    let window = |of: &TrackPoint| json!({ "at_s": of.at_s, "frequency_hz": of.frequency_hz, "frequency_sd_hz": of.frequency_sd_hz });
-    let mode = |hz: f64, sd: Option<f64>, zeta: Option<f64>, zeta_sd: Option<f64>| json!({ "frequency_hz": hz, "frequency_sd_hz": sd, "damping_ratio": zeta, "damping_ratio_sd": zeta_sd });
+    let window = |of: &TrackPoint| as_json!({ "at_s": of.at_s, "frequency_hz": of.frequency_hz, "frequency_sd_hz": of.frequency_sd_hz });
+    let mode = |hz: f64, sd: Option<f64>, zeta: Option<f64>, zeta_sd: Option<f64>| as_json!({ "frequency_hz": hz, "frequency_sd_hz": sd, "damping_ratio": zeta, "damping_ratio_sd": zeta_sd });
     let (how, modes, windows): (&str, Vec<Value>, Vec<Value>) = match of {
         During::Driven(of) => {
             let each = of.analysis.modes.modes.iter().map(|of: &Mode| {
@@ -115,5 +116,5 @@ fn during(of: &During) -> Value {
         }
         During::Unknown => ("unknown", Vec::new(), Vec::new()),
     };
-    json!({ "how": how, "modes": modes, "windows": windows })
+    as_json!({ "how": how, "modes": modes, "windows": windows })
 }

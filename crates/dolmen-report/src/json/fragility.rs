@@ -1,8 +1,9 @@
 //! Fragility and risk of a study, as JSON.
 
+use crate::as_json;
 use dolmen::assess::{AssessError, FragilityFit};
 use dolmen_work::study::{CrossingSide, StateFragility, StudyAnswer};
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 /// Confidence of intervals.
 const CONFIDENCE: f64 = 0.95;
@@ -14,7 +15,7 @@ const CONFIDENCE: f64 = 0.95;
 pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
     let each = answer.fragilities().iter().map(|one| {
         let states = one.states.iter().map(|state| {
-            Ok(json!({
+            Ok(as_json!({
                 "state": answer.kind.states()[state.state],
                 "scans": state.scans(),
                 "scans_reached": state.reached(),
@@ -25,8 +26,8 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
                 "beta_of_motions": state.scatter.map(|split| split.of_motions),
                 "beta_of_inputs": state.scatter.map(|split| split.of_inputs),
                 "beta_of_inputs_95": match &state.scatter {
-                    Some(split) => { let found = split.of_inputs_interval(CONFIDENCE)?; json!([found.lower, found.upper]) }
-                    None => Value::Null,
+                    Some(split) => { let found = split.of_inputs_interval(CONFIDENCE)?; Some([found.lower, found.upper]) }
+                    None => None,
                 },
                 "samples_without_curve": state.scatter.map(|split| split.without_curve),
                 "motions_enough": state.motions_enough(),
@@ -39,7 +40,7 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
             }))
         });
         let crossings = one.crossings().into_iter().map(|of| {
-            json!({
+            as_json!({
                 "states": [answer.kind.states()[of.milder], answer.kind.states()[of.worse]],
                 "peak_acceleration_m_s2": of.at.intensity, "probability": of.at.probability,
                 "worse_state_likelier": match of.likelier_is_worse {
@@ -48,7 +49,7 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
                 },
             })
         });
-        Ok(json!({
+        Ok(as_json!({
             "combination": one.combination + 1,
             "inputs": answer.combination_words(one.job),
             "scans_usable": one.usable,
@@ -75,10 +76,10 @@ pub(super) fn measures_json(answer: &StudyAnswer) -> Vec<Value> {
         let measures = measures.map(|((name, within), together)| {
             (
                 name.clone(),
-                json!({ "beta": within, "beta_of_all_as_one": together }),
+                as_json!({ "beta": within, "beta_of_all_as_one": together }),
             )
         });
-        json!({
+        as_json!({
             "state": answer.kind.states()[row.state],
             "combinations": row.combinations,
             "measures": measures.collect::<Map<_, _>>(),
@@ -94,14 +95,14 @@ pub(super) fn sufficiency_json(answer: &StudyAnswer) -> Vec<Value> {
     let each = answer.sufficiencies().into_iter().map(|own| {
         let by_measure = own.by_measure.as_ref().map(|all| {
             let each = names.iter().zip(all).map(|(name, of)| {
-                let of = json!({
+                let of = as_json!({
                     "slope": of.slope, "slope_error": of.slope_error, "p_value": of.p_value, "motions": of.motions,
                 });
                 (name.clone(), of)
             });
             each.collect::<Map<_, _>>()
         });
-        json!({
+        as_json!({
             "state": answer.kind.states()[own.state],
             "against": own.predictor.key(),
             "measures": by_measure.as_ref().ok(),
@@ -118,14 +119,14 @@ pub(super) fn sufficiency_json(answer: &StudyAnswer) -> Vec<Value> {
 pub(super) fn joints_json(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
     let joints = answer.joint_fragilities().iter().map(|one| {
         let states = one.states.iter().map(|state| {
-            Ok(json!({
+            Ok(as_json!({
                 "state": answer.kind.states()[state.state],
                 "median_above_m_s2": state.median_between[0],
                 "median_at_most_m_s2": state.median_between[1],
                 "by_peak_acceleration_m_s2": match state.fit { Some(fit) => fit_json(&Ok(fit))?, None => Value::Null },
             }))
         });
-        Ok(json!({
+        Ok(as_json!({
             "combination": one.combination + 1, "joint": one.joint + 1, "name": one.name, "gave_way": one.gave_way,
             "states": states.collect::<Result<Vec<_>, AssessError>>()?,
         }))
@@ -136,10 +137,10 @@ pub(super) fn joints_json(answer: &StudyAnswer) -> Result<Vec<Value>, AssessErro
 fn fit_json(fit: &Result<FragilityFit, AssessError>) -> Result<Value, AssessError> {
     let fit = match fit {
         Ok(fit) => fit,
-        Err(why) => return Ok(json!({ "why_not": why.to_string() })),
+        Err(why) => return Ok(as_json!({ "why_not": why.to_string() })),
     };
     let (theta, beta) = (fit.theta_interval(CONFIDENCE)?, fit.beta_interval(CONFIDENCE)?);
-    Ok(json!({
+    Ok(as_json!({
         "theta": fit.curve.theta(), "theta_q025": theta.lower, "theta_q975": theta.upper,
         "beta": fit.curve.beta(), "beta_q025": beta.lower, "beta_q975": beta.upper,
         "ln_theta_error": fit.ln_theta_error, "beta_error": fit.beta_error, "covariance": fit.covariance,

@@ -1,10 +1,11 @@
 //! A simulation of a frame, as JSON.
 
 use super::simulation::motion_json;
+use crate::as_json;
 use crate::limits::parts_json;
 use dolmen::dynamics::{FrameOutcome, FrictionActsOn, RockingOutcome, StoreyFriction, TenonFace};
 use dolmen_work::frame::{ColumnsInMotion, FrameBeside, FrameSimulation, FrameTogether, SensorBeside};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// A simulation without its histories.
 pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
@@ -13,7 +14,7 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
     let storeys = simulation.storeys.iter().enumerate().map(|(i, name)| {
         let (drift, level) = (history.drift_peaks[i], history.displacement_peaks[i]);
         let below = i.checked_sub(1).map_or(0.0, |j| history.rest_m[j]);
-        json!({
+        as_json!({
             "name": name,
             "stiffness_n_m": simulation.frame.stiffness_n_m()[i],
             "friction": friction(&simulation.frame.friction()[i]),
@@ -28,7 +29,7 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
             "slipping_share": history.slipping_share(i),
         })
     });
-    json!({
+    as_json!({
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
@@ -47,7 +48,7 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         "leaves_columns_out": simulation.columns != ColumnsInMotion::Absent,
         "columns_alone": columns_alone(&simulation.columns),
         "together": simulation.together.as_ref().map(together),
-        "lean": simulation.lean.as_ref().map(|lean| json!({
+        "lean": simulation.lean.as_ref().map(|lean| as_json!({
             "survey": lean.survey, "tilt": lean.written, "tilt_in_direction": simulation.tilt,
         })),
         "duration_s": history.time_s.last(),
@@ -72,8 +73,8 @@ fn tenons(simulation: &FrameSimulation, storey: usize) -> Value {
         return Value::Null;
     };
     let faces = simulation.history.tenons.get(storey).copied().flatten();
-    let face = |face: TenonFace| json!({ "slack_m": face.gap_m, "crushed_m": face.crushed_m, "stiffness_n_m": face.stiffness_n_m });
-    json!({
+    let face = |face: TenonFace| as_json!({ "slack_m": face.gap_m, "crushed_m": face.crushed_m, "stiffness_n_m": face.stiffness_n_m });
+    as_json!({
         "slack_m": tenon.slack_m,
         "stiffness_n_m": tenon.stiffness_n_m,
         "crushing_force_n": tenon.crushing_force_n,
@@ -86,7 +87,7 @@ fn tenons(simulation: &FrameSimulation, storey: usize) -> Value {
 fn beside(of: &FrameBeside) -> Value {
     let sensor = |sensor: &SensorBeside| {
         let beside = &sensor.beside;
-        json!({
+        as_json!({
             "channel": sensor.channel,
             "height_m": sensor.height_m,
             "follows": sensor.follows(),
@@ -100,7 +101,7 @@ fn beside(of: &FrameBeside) -> Value {
             "frequency_simulated_hz": beside.frequency_simulated_hz,
         })
     };
-    json!({
+    as_json!({
         "survey": of.survey,
         "follows": of.follows(),
         "left_out": of.left_out,
@@ -110,13 +111,13 @@ fn beside(of: &FrameBeside) -> Value {
 
 fn together(of: &FrameTogether) -> Value {
     let storeys = of.storeys.iter().map(|storey| {
-        json!({ "peak_drift_m": storey.drift_m, "at_s": storey.at_s, "drift_x_m": storey.parts_m[0], "drift_y_m": storey.parts_m[1] })
+        as_json!({ "peak_drift_m": storey.drift_m, "at_s": storey.at_s, "drift_x_m": storey.parts_m[0], "drift_y_m": storey.parts_m[1] })
     });
-    json!({
+    as_json!({
         "directions": of.directions,
         "storeys": storeys.collect::<Vec<_>>(),
         "peak_top_displacement_m": of.top_m,
-        "shared_friction": of.shared.map(|shared| json!({ "step_s": shared.step_s, "change_of_peaks": shared.change })),
+        "shared_friction": of.shared.map(|shared| as_json!({ "step_s": shared.step_s, "change_of_peaks": shared.change })),
     })
 }
 
@@ -131,7 +132,7 @@ fn columns_alone(columns: &ColumnsInMotion) -> Value {
         RockingOutcome::Fell { at_s } => ("fell", Some(at_s)),
         RockingOutcome::LeftTheGround { at_s } => ("left_the_ground", Some(at_s)),
     };
-    json!({
+    as_json!({
         "count": alone.count,
         "width_m": alone.width_m,
         "height_m": alone.height_m,
@@ -151,18 +152,20 @@ fn columns_alone(columns: &ColumnsInMotion) -> Value {
 fn outcome(simulation: &FrameSimulation) -> Value {
     let until_then = ending(simulation);
     match simulation.ended_before_the_motion_s() {
-        Some(end_s) => json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then }),
+        Some(end_s) => {
+            as_json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then })
+        }
         None => until_then,
     }
 }
 
 fn ending(simulation: &FrameSimulation) -> Value {
     match simulation.history.outcome {
-        FrameOutcome::Finished => json!({ "kind": "finished" }),
+        FrameOutcome::Finished => as_json!({ "kind": "finished" }),
         FrameOutcome::DriftLimit { storey, at_s } => {
-            json!({ "kind": "drift_limit", "storey": simulation.storeys.get(storey), "at_s": at_s })
+            as_json!({ "kind": "drift_limit", "storey": simulation.storeys.get(storey), "at_s": at_s })
         }
-        FrameOutcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
+        FrameOutcome::Stopped { at_s } => as_json!({ "kind": "stopped", "at_s": at_s }),
     }
 }
 
@@ -173,13 +176,13 @@ fn friction(friction: &StoreyFriction) -> Value {
             static_force_n,
             kinetic_force_n,
         } => {
-            json!({ "law": "coulomb", "static_force_n": static_force_n, "kinetic_force_n": kinetic_force_n })
+            as_json!({ "law": "coulomb", "static_force_n": static_force_n, "kinetic_force_n": kinetic_force_n })
         }
         StoreyFriction::Jenkins {
             stuck_stiffness_n_m,
             static_force_n,
             kinetic_force_n,
-        } => json!({
+        } => as_json!({
             "law": "jenkins", "stuck_stiffness_n_m": stuck_stiffness_n_m,
             "static_force_n": static_force_n, "kinetic_force_n": kinetic_force_n,
         }),

@@ -1,8 +1,9 @@
 //! Identified modes as JSON.
 
+use crate::as_json;
 use dolmen::modal::{Accepted, Method, Mode, Modes, RefusedPeak};
 use dolmen::signal::Channel;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Why a mode was accepted by the user.
 fn accepted(frequency_hz: f64, of: &Accepted) -> Value {
@@ -10,7 +11,7 @@ fn accepted(frequency_hz: f64, of: &Accepted) -> Value {
         frequency_hz,
         refusal: of.refusal,
     };
-    json!({ "asked_hz": of.asked_hz, "refused": refused.to_string() })
+    as_json!({ "asked_hz": of.asked_hz, "refused": refused.to_string() })
 }
 
 /// Identified modes; shapes as one [re, im] per channel.
@@ -19,7 +20,7 @@ pub(super) fn identified(modes: &Modes) -> Value {
     // the noise floor is that of ambient vibration
     let has_floor = !matches!(modes.method, Method::Era | Method::Okid);
     let mode = |mode: &Mode| {
-        json!({
+        as_json!({
             "frequency_hz": mode.frequency_hz,
             "frequency_sd_hz": mode.frequency_sd_hz,
             "damping_ratio": mode.damping_ratio,
@@ -41,8 +42,8 @@ pub(super) fn identified(modes: &Modes) -> Value {
         })
     };
     let channel =
-        |c: &Channel| json!({ "name": c.name, "position_m": c.position_m, "direction": c.direction });
-    json!({
+        |c: &Channel| as_json!({ "name": c.name, "position_m": c.position_m, "direction": c.direction });
+    as_json!({
         "method": modes.method.name(),
         "duration_s": modes.duration_s,
         "channels": modes.channels.iter().map(channel).collect::<Vec<_>>(),

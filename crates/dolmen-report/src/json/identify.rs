@@ -4,6 +4,7 @@ use super::check::project;
 use super::earthquake::earthquake;
 use super::identified::identified;
 use super::with::with;
+use crate::as_json;
 use crate::modal::{decay_remarks, setup_remarks};
 use dolmen::blocks::JointFactor;
 use dolmen::modal::{
@@ -22,11 +23,11 @@ use dolmen_work::stack::FactorsAnswer;
 use dolmen_work::surveyed::{
     RecordAnswer, SetupsAnswer, StiffnessAnswer, StiffnessDoubt, SurveyAnswer, SurveyColumns,
 };
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The identification of every survey.
 pub fn identification_json(answer: &IdentifyAnswer) -> Value {
-    json!({
+    as_json!({
         "project": project(&answer.project, &answer.file),
         "made_up_surveys": answer.project.surveys.iter().filter(|of| of.is_made_up).map(|of| &of.name).collect::<Vec<_>>(),
         "surveys": answer.surveys.iter().map(survey).collect::<Vec<_>>(),
@@ -36,13 +37,13 @@ pub fn identification_json(answer: &IdentifyAnswer) -> Value {
 /// The values written into the project file, by path.
 pub fn written_back_json(written: &WrittenBack) -> Value {
     let each = written.numbers.iter().map(|(path, number)| {
-        json!({ "path": path, "value": number.value, "sd": number.sd, "unit": number.unit, "before": number.before })
+        as_json!({ "path": path, "value": number.value, "sd": number.sd, "unit": number.unit, "before": number.before })
     });
-    json!({ "survey": written.survey, "numbers": each.collect::<Vec<_>>() })
+    as_json!({ "survey": written.survey, "numbers": each.collect::<Vec<_>>() })
 }
 
 fn survey(survey: &SurveyAnswer) -> Value {
-    json!({
+    as_json!({
         "name": survey.name,
         "records": survey.records.as_ref().map(record),
         "setups": survey.setups.as_ref().map(setups),
@@ -67,14 +68,14 @@ fn columns(of: &SurveyColumns) -> Value {
             ColumnsMove::Apart { any_of } => ("apart", any_of.as_slice()),
         };
         let columns = level.columns.iter().map(|column| {
-            json!({
+            as_json!({
                 "channel": column.channel,
                 "amplitude_of_others": column.of_others.norm(),
                 "phase_from_others_deg": column.of_others.arg().to_degrees(),
                 "amplitude_sd": column.of_others_sd,
             })
         });
-        json!({
+        as_json!({
             "frequency_hz": level.frequency_hz,
             "height_m": level.height_m,
             "moves": moves,
@@ -82,23 +83,23 @@ fn columns(of: &SurveyColumns) -> Value {
             "columns": columns.collect::<Vec<_>>(),
         })
     };
-    json!({ "direction": of.direction, "levels": of.levels.iter().map(level).collect::<Vec<_>>() })
+    as_json!({ "direction": of.direction, "levels": of.levels.iter().map(level).collect::<Vec<_>>() })
 }
 
 /// Shapes of a record that the model does not have, and changes of sensors that would make them agree.
 fn shape_doubt(doubt: &ShapeDoubt) -> Value {
     let change = |of: &ChannelChange| match of {
         ChannelChange::Turned { channel } => {
-            json!({ "kind": "turned", "channels": [channel], "factor": -1.0 })
+            as_json!({ "kind": "turned", "channels": [channel], "factor": -1.0 })
         }
         ChannelChange::Exchanged { channels } => {
-            json!({ "kind": "exchanged", "channels": channels, "factor": null })
+            as_json!({ "kind": "exchanged", "channels": channels, "factor": null })
         }
         ChannelChange::Scaled { channel, factor } => {
-            json!({ "kind": "scaled", "channels": [channel], "factor": factor })
+            as_json!({ "kind": "scaled", "channels": [channel], "factor": factor })
         }
     };
-    json!({
+    as_json!({
         "unexplained": doubt.unexplained,
         "unexplained_along": doubt.unexplained_along,
         "changed": doubt.changed,
@@ -109,16 +110,16 @@ fn shape_doubt(doubt: &ShapeDoubt) -> Value {
 /// Measured modes compared with those of the model; modes of the model by their number, from 1.
 fn model(model: &ModelModes) -> Value {
     let number = |place: &usize| model.of_model[*place].first + 1;
-    let of_model = |of: &ModelMode| json!({ "number": of.first + 1, "count": of.count, "frequency_hz": of.frequency_hz });
+    let of_model = |of: &ModelMode| as_json!({ "number": of.first + 1, "count": of.count, "frequency_hz": of.frequency_hz });
     let measured = |of: &BesideModel| {
         let (is, numbers) = match &of.is {
             WhichMode::One(place) => ("one", vec![number(place)]),
             WhichMode::Several(places) => ("several", places.iter().map(number).collect()),
             WhichMode::None(best) => ("none", best.iter().map(number).collect()),
         };
-        json!({ "frequency_hz": of.frequency_hz, "assurance": of.assurance, "is": is, "of_model": numbers })
+        as_json!({ "frequency_hz": of.frequency_hz, "assurance": of.assurance, "is": is, "of_model": numbers })
     };
-    json!({
+    as_json!({
         "of_model": model.of_model.iter().map(of_model).collect::<Vec<_>>(),
         "measured": model.measured.iter().map(measured).collect::<Vec<_>>(),
         "channels": model.channels,
@@ -129,9 +130,9 @@ fn model(model: &ModelModes) -> Value {
 }
 
 fn setups(setups: &SetupsAnswer) -> Value {
-    let agreement = |of: &Agreement| with(of, json!({ "differs": of.differs() }));
+    let agreement = |of: &Agreement| with(of, as_json!({ "differs": of.differs() }));
     let merged = |m: &MergedMode| {
-        json!({
+        as_json!({
             "frequency_hz": m.frequency_hz,
             "damping_ratio": m.damping_ratio,
             "scale": m.scale.iter().map(|z| [z.re, z.im]).collect::<Vec<_>>(),
@@ -142,16 +143,16 @@ fn setups(setups: &SetupsAnswer) -> Value {
         })
     };
     let found = &setups.merged;
-    json!({
+    as_json!({
         "records": setups.records.iter().map(record).collect::<Vec<_>>(),
         "modes": identified(&found.modes),
         "merged": found.merged.iter().map(merged).collect::<Vec<_>>(),
-        "partial": found.partial.iter().map(|p| json!({
+        "partial": found.partial.iter().map(|p| as_json!({
             "frequency_hz": p.frequency_hz,
             "setups": p.setups.iter().map(|s| s + 1).collect::<Vec<_>>(),
             "unlike_in": p.unlike_in.iter().map(|s| s + 1).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
-        "reference_faults": found.reference_faults.iter().map(|fault| json!({
+        "reference_faults": found.reference_faults.iter().map(|fault| as_json!({
             "setup": fault.setups[0] + 1,
             "against_setup": fault.setups[1] + 1,
             "channels": fault.channels,
@@ -160,7 +161,7 @@ fn setups(setups: &SetupsAnswer) -> Value {
             "modes": fault.modes,
         })).collect::<Vec<_>>(),
         "references": found.references.iter().map(|&c| &found.modes.channels[c].name).collect::<Vec<_>>(),
-        "joint": setups.joint.as_ref().map(|joint| json!({
+        "joint": setups.joint.as_ref().map(|joint| as_json!({
             "modes": identified(&joint.modes),
             "references": joint.references.iter().map(|&c| &joint.modes.channels[c].name).collect::<Vec<_>>(),
             "strength": joint.strength,
@@ -178,7 +179,7 @@ fn english(sentences: Vec<Sentence>) -> Vec<String> {
 
 fn record(record: &RecordAnswer) -> Value {
     let analysis = &record.analysis;
-    json!({
+    as_json!({
         "file": record.file,
         "channels": record.channels,
         "samples": record.samples,
@@ -200,9 +201,9 @@ fn record(record: &RecordAnswer) -> Value {
 
 /// The record as used.
 fn seen(seen: &RecordSeen) -> Value {
-    let channel = |of: &ChannelSeen| json!({ "name": of.name, "mean": of.mean, "deviation": of.deviation, "largest": of.largest, "largest_at_s": of.largest_at_s });
+    let channel = |of: &ChannelSeen| as_json!({ "name": of.name, "mean": of.mean, "deviation": of.deviation, "largest": of.largest, "largest_at_s": of.largest_at_s });
     let spectrogram = |drawn: &SpectrogramSeen| {
-        json!({
+        as_json!({
             "channel": seen.channels[drawn.channel].name,
             "asked": drawn.is_asked,
             "resolution_hz": drawn.of.resolution_hz,
@@ -210,7 +211,7 @@ fn seen(seen: &RecordSeen) -> Value {
             "columns": drawn.of.columns.len(),
         })
     };
-    json!({
+    as_json!({
         "used_s": [seen.time.from_s, seen.time.to_s],
         "file_s": seen.time.whole_s,
         "channels": seen.channels.iter().map(channel).collect::<Vec<_>>(),
@@ -220,7 +221,7 @@ fn seen(seen: &RecordSeen) -> Value {
 
 fn settings(settings: &Settings, modes: &Modes) -> Value {
     let name = |&c: &usize| modes.channels.get(c).map(|channel| &channel.name);
-    json!({
+    as_json!({
         "lowest_hz": settings.lowest_hz,
         "highest_hz": settings.highest_hz,
         "decimation": settings.decimation,
@@ -239,8 +240,8 @@ fn settings(settings: &Settings, modes: &Modes) -> Value {
 
 /// Further results from a measured input.
 fn driven(driven: &Driven) -> Value {
-    let mode = |m: &DrivenMode| json!({ "frequency_hz": m.frequency_hz, "explained": m.explained, "with_base_hz": m.with_base_hz.map(|of| of.0), "with_base_sd_hz": m.with_base_hz.and_then(|of| of.1) });
-    json!({
+    let mode = |m: &DrivenMode| as_json!({ "frequency_hz": m.frequency_hz, "explained": m.explained, "with_base_hz": m.with_base_hz.map(|of| of.0), "with_base_sd_hz": m.with_base_hz.and_then(|of| of.1) });
+    as_json!({
         "inputs": driven.inputs,
         "lags": driven.lags,
         "noise": driven.noise,
@@ -249,9 +250,9 @@ fn driven(driven: &Driven) -> Value {
 }
 
 fn decay(decay: &Decay) -> Value {
-    let at = |of: &AtAmplitude| with(of, json!({ "half_width_95": of.half_width_95().ok() }));
-    let mode = |m: &ModeDecay| json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "sd_over_white": m.over_white, "damping_follows": m.damping_follows, "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
-    json!({
+    let at = |of: &AtAmplitude| with(of, as_json!({ "half_width_95": of.half_width_95().ok() }));
+    let mode = |m: &ModeDecay| as_json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "sd_over_white": m.over_white, "damping_follows": m.damping_follows, "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
+    as_json!({
         "explained": decay.explained,
         "left_peaks_hz": decay.left_peaks_hz,
         "modes": decay.modes.iter().map(mode).collect::<Vec<_>>(),
@@ -263,7 +264,7 @@ fn decay(decay: &Decay) -> Value {
 fn plan(answer: &PlanAnswer) -> Value {
     let found = &answer.found;
     let mode = |mode: &PlanMode| {
-        json!({
+        as_json!({
             "frequency_hz": mode.frequency_hz,
             "frequency_sd_hz": mode.frequency_sd_hz,
             "motion": mode.motion,
@@ -272,8 +273,8 @@ fn plan(answer: &PlanAnswer) -> Value {
             "shape": mode.shape,
         })
     };
-    let solution = |one: &PlanSolution| with(one, json!({ "energy_shares": one.energy_shares() }));
-    json!({
+    let solution = |one: &PlanSolution| with(one, as_json!({ "energy_shares": one.energy_shares() }));
+    as_json!({
         "modes": answer.modes.iter().map(mode).collect::<Vec<_>>(),
         "centre_of_mass_m": answer.centre_of_mass_m,
         "written_stiffness": answer.written.stiffness,
@@ -289,7 +290,7 @@ fn plan(answer: &PlanAnswer) -> Value {
         "bounds": answer.bounds,
         "sensors_off_the_floor": answer.off_floor,
         "beside_file": answer.beside_file,
-        "from_record": answer.from_record.map(|of| json!({
+        "from_record": answer.from_record.map(|of| as_json!({
             "sensors": of.sensors,
             "modes_found": of.modes_found,
             "unexplained": of.unexplained,
@@ -304,14 +305,14 @@ fn joint_factors(answer: &FactorsAnswer) -> Value {
         let [upper, lower] = answer.names(at);
         with(
             one,
-            json!({
+            as_json!({
                 "upper": upper,
                 "lower": lower,
                 "stiffness_in_file_pa_m": answer.drawn_stiffness_pa_m(at),
             }),
         )
     };
-    json!({
+    as_json!({
         "of": found.of,
         "common": found.common,
         "band": found.band,
@@ -332,7 +333,7 @@ fn joint_factors(answer: &FactorsAnswer) -> Value {
 
 fn stiffness(answer: &StiffnessAnswer) -> Value {
     let found = &answer.solutions;
-    json!({
+    as_json!({
         "direction": answer.direction,
         "convention": answer.convention,
         "unit": if answer.convention.is_some() { "N/m" } else { "N m/rad" },
@@ -343,8 +344,8 @@ fn stiffness(answer: &StiffnessAnswer) -> Value {
         "peaks_below_hz": answer.peaks_below_hz,
         "is_chosen": answer.is_chosen(),
         "doubted": answer.doubted.map(|of| match of {
-            StiffnessDoubt::Sensors => json!({ "of": "sensors", "unexplained": null }),
-            StiffnessDoubt::Shapes { unexplained } => json!({ "of": "shapes", "unexplained": unexplained }),
+            StiffnessDoubt::Sensors => as_json!({ "of": "sensors", "unexplained": null }),
+            StiffnessDoubt::Shapes { unexplained } => as_json!({ "of": "shapes", "unexplained": unexplained }),
         }),
         "beside_file": answer.beside_file,
         "solutions": found.solutions,

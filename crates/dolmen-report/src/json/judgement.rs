@@ -1,6 +1,7 @@
 //! The judgement as JSON: words, colours and the quantities that decided.
 
 use super::damage::damage;
+use crate::as_json;
 use crate::engineer::damage_words;
 use crate::headline::headline;
 use dolmen_words::Language;
@@ -8,11 +9,11 @@ use dolmen_work::judgement::{
     DecidedBy, EarthquakeFinding, Evidence, Judgement, MissedMode, MovedBy, SevereDamage, VersionJudgement,
     Weight, WindFinding, WindLimit,
 };
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The judgement of an answer, the structure as it is first.
 pub(crate) fn judgement(judgement: &Judgement) -> Value {
-    json!({
+    as_json!({
         "colour": judgement.colour().word(),
         "words": words(judgement),
         "headline": judgement.headline().map(|of| headline(of, Language::English)),
@@ -33,7 +34,7 @@ fn words(judgement: &Judgement) -> Option<Vec<String>> {
 
 fn version(version: &VersionJudgement) -> Value {
     let earthquake = version.earthquake_word();
-    json!({
+    as_json!({
         "variant": version.variant,
         "words": version.words(Language::English),
         "colour": version.colour().word(),
@@ -52,11 +53,11 @@ fn version(version: &VersionJudgement) -> Value {
             "reasons": version.wind.iter().map(in_wind).collect::<Vec<_>>(),
         },
         "evidence": evidence(&version.evidence),
-        "tilt_left_out": version.tilt_left_out.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.written })),
+        "tilt_left_out": version.tilt_left_out.as_ref().map(|of| as_json!({ "survey": of.survey, "tilt": of.written })),
         "tilt_beyond_limit": version.tilt_beyond_limit,
-        "leans": version.leans.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.tilt })),
-        "solution": version.solution.map(|of| json!({ "number": of.number, "of": of.of })),
-        "after": version.after.as_ref().map(|of| json!({ "first": of.first, "second": of.second })),
+        "leans": version.leans.as_ref().map(|of| as_json!({ "survey": of.survey, "tilt": of.tilt })),
+        "solution": version.solution.map(|of| as_json!({ "number": of.number, "of": of.of })),
+        "after": version.after.as_ref().map(|of| as_json!({ "first": of.first, "second": of.second })),
         "undamped": version.is_undamped,
         "damage": version.damage.iter().map(damage).collect::<Vec<_>>(),
         "severe_damage_left_out": version.basis.severe_damage.iter().map(severe).collect::<Vec<_>>(),
@@ -72,7 +73,7 @@ fn version(version: &VersionJudgement) -> Value {
 
 fn severe(of: &SevereDamage) -> Value {
     let what = damage_words(&of.what).text(Language::English);
-    json!({ "survey": of.survey, "part": of.part, "what": what })
+    as_json!({ "survey": of.survey, "part": of.part, "what": what })
 }
 
 fn weight(weight: Weight) -> Value {
@@ -80,7 +81,7 @@ fn weight(weight: Weight) -> Value {
         Weight::Unknown { load_factor_if_right } => load_factor_if_right,
         _ => None,
     };
-    json!({
+    as_json!({
         "word": weight.word(Language::English),
         "colour": weight.colour().word(),
         "load_factor_if_right": load_factor_if_right,
@@ -92,7 +93,7 @@ fn finding(finding: &EarthquakeFinding) -> Value {
         DecidedBy::DamageState(state) | DecidedBy::DamageOfRuns { state, .. } => Some(state),
         _ => None,
     };
-    json!({
+    as_json!({
         "word": finding.word.word(Language::English),
         "decided_by": finding.decided_by.key(),
         "motion": finding.motion,
@@ -103,13 +104,14 @@ fn finding(finding: &EarthquakeFinding) -> Value {
 }
 
 fn in_wind(finding: &WindFinding) -> Value {
-    json!({
+    as_json!({
         "word": finding.word.word(Language::English),
         "decided_by": finding.limit.map(WindLimit::key),
         "moved_by": match finding.by {
             MovedBy::Wind => "wind",
             MovedBy::Loads => "loads",
             MovedBy::Both => "wind and loads",
+            MovedBy::WithEarthquake => "combination with the earthquake",
         },
         "part": finding.part,
         "limit_over_peak": finding.ratio,
@@ -117,7 +119,7 @@ fn in_wind(finding: &WindFinding) -> Value {
 }
 
 fn missed_mode(of: &MissedMode) -> Value {
-    json!({ "direction": of.direction, "mode": of.number, "computed_hz": of.computed_hz })
+    as_json!({ "direction": of.direction, "mode": of.number, "computed_hz": of.computed_hz })
 }
 
 fn evidence(evidence: &Evidence) -> Value {
@@ -140,7 +142,7 @@ fn evidence(evidence: &Evidence) -> Value {
         _ => None,
     };
     let mode = doubt.and_then(|of| of.mode.as_ref());
-    json!({
+    as_json!({
         "word": evidence.key(),
         "colour": evidence.colour().word(),
         "survey": survey,
@@ -151,7 +153,7 @@ fn evidence(evidence: &Evidence) -> Value {
         "mode": mode.map(|of| of.number),
         "modes_in_doubt": doubt.map(|of| of.modes),
         "modes_missed": doubt.map(|of| of.missed.iter().map(missed_mode).collect::<Vec<_>>()),
-        "unexplained": doubt.and_then(|of| of.unexplained.as_ref()).map(|of| json!({
+        "unexplained": doubt.and_then(|of| of.unexplained.as_ref()).map(|of| as_json!({
             "direction": of.direction,
             "deviations": of.deviations,
         })),

@@ -1,7 +1,8 @@
 //! Wind and static loads as JSON.
 
-use dolmen_work::loads::{CombinationAnswer, Combined, LoadsAnswer};
-use serde_json::{Value, json};
+use crate::as_json;
+use dolmen_work::loads::{CombinationAnswer, Combined, LoadsAnswer, StoreyCombined};
+use serde_json::Value;
 
 /// The effect of wind and static loads.
 pub(super) fn loads(answer: &LoadsAnswer) -> Value {
@@ -10,8 +11,8 @@ pub(super) fn loads(answer: &LoadsAnswer) -> Value {
         Some(Ok(met)) => (Some(met), None),
         Some(Err(why)) => (None, Some(why.to_string())),
     };
-    json!({
-        "with_their_weight": answer.carried.map(|of| json!({
+    as_json!({
+        "with_their_weight": answer.carried.map(|of| as_json!({
             "weight_n": of.weight_n,
             "load_factor": of.load_factor,
             "frequency_hz": of.frequency_hz,
@@ -28,7 +29,7 @@ pub(super) fn loads(answer: &LoadsAnswer) -> Value {
 }
 
 fn combination(of: &CombinationAnswer) -> Value {
-    let mut value = json!({
+    let mut value = as_json!({
         "name": of.name,
         "weight": of.weight,
         "wind": of.wind,
@@ -37,18 +38,31 @@ fn combination(of: &CombinationAnswer) -> Value {
         "load_factor": of.factor().filter(|factor| factor.is_finite()),
     });
     let own = match &of.of {
-        Combined::Chain(chain) => json!({
+        Combined::Chain(chain) => as_json!({
             "wind_reversed": chain.wind_reversed,
             "weight_factor": chain.weight_factor.filter(|factor| factor.is_finite()),
             "under": chain.under,
             "across": chain.across,
         }),
-        Combined::Frame(frame) => json!({
+        Combined::Frame(frame) => as_json!({
             "weight_factor": frame.weight_factor.filter(|factor| factor.is_finite()),
             "directions": frame.directions,
             "directions_unknown": frame.unknown,
         }),
-        Combined::Stack(stack) => json!({
+        Combined::Building(building) => as_json!({
+            "earthquake": building.earthquake,
+            "weight_factor": Some(building.weight_factor).filter(|factor| factor.is_finite()),
+            "storeys": building.storeys.iter().map(storey).collect::<Vec<_>>(),
+            "largest_drift": building.largest().map(|of| as_json!({
+                "floor": of.storey.floor,
+                "axis": if of.axis == 0 { "x" } else { "y" },
+                "drift_ratio": of.ratio,
+            })),
+            "drift_limit": building.drift_limit,
+            "limit_over_drift": building.drift_margin(),
+            "unknown": building.unknown,
+        }),
+        Combined::Stack(stack) => as_json!({
             "dilating_factor": stack.dilating_factor.filter(|factor| factor.is_finite()),
             "uncrushed_factor": stack.uncrushed_factor.filter(|factor| factor.is_finite()),
             "at_least": Some(stack.found.at_least).filter(|factor| factor.is_finite()),
@@ -60,6 +74,15 @@ fn combination(of: &CombinationAnswer) -> Value {
     };
     if let (Value::Object(all), Value::Object(own)) = (&mut value, own) {
         all.extend(own);
+    }
+    value
+}
+
+/// A floor and the storey below it, with the sum of its drifts over the height.
+fn storey(of: &StoreyCombined) -> Value {
+    let mut value = as_json!(of);
+    if let Value::Object(all) = &mut value {
+        all.insert("drift_ratio".to_owned(), as_json!(of.drift_ratios()));
     }
     value
 }

@@ -1,8 +1,9 @@
 //! Local mechanisms of a stack as codes require, as JSON.
 
+use crate::as_json;
 use dolmen::stability::stack::RigidPart;
 use dolmen_work::state::{LocalMechanismAgainstSite, StackAnswer};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The code of the formulas.
 const CODE: &str = "Circolare 7/2019 to NTC 2018, C8.7.1.2.1";
@@ -14,7 +15,7 @@ pub(super) fn local_mechanisms(answer: &StackAnswer) -> Value {
         let capacity = row.capacity.as_ref();
         let mechanism = capacity.map(|capacity| &capacity.mechanism);
         let displacement = capacity.and_then(|capacity| capacity.displacement);
-        json!({
+        as_json!({
             "direction": row.direction,
             "multiplier": mechanism.map(|mechanism| mechanism.multiplier),
             "parts": mechanism.map(|mechanism| mechanism.parts.iter().map(|of| part(answer, of)).collect::<Vec<_>>()),
@@ -29,13 +30,13 @@ pub(super) fn local_mechanisms(answer: &StackAnswer) -> Value {
             "period_s": displacement.map(|of| of.period_s),
         })
     });
-    json!({ "code": CODE, "verified": false, "rows": rows.collect::<Vec<_>>() })
+    as_json!({ "code": CODE, "verified": false, "rows": rows.collect::<Vec<_>>() })
 }
 
 fn part(answer: &StackAnswer, part: &RigidPart) -> Value {
     let blocks = answer.stack.blocks();
     let name = |block: &usize| blocks.get(*block).map(|block| block.name.as_str());
-    json!({
+    as_json!({
         "blocks": part.blocks.iter().map(name).collect::<Vec<_>>(),
         "weight_n": part.weight_n,
         "centroid_m": part.centroid_m,
@@ -48,7 +49,7 @@ fn part(answer: &StackAnswer, part: &RigidPart) -> Value {
 pub(super) fn local_mechanisms_demand(all: &[LocalMechanismAgainstSite]) -> Value {
     let rows = all.iter().map(|against| {
         let displacement = against.demand.by_displacement;
-        json!({
+        as_json!({
             "direction": against.capacity.mechanism.direction,
             "ground_m_s2": against.demand.ground_m_s2,
             "ratio_by_force": against.demand.by_force,
@@ -57,5 +58,5 @@ pub(super) fn local_mechanisms_demand(all: &[LocalMechanismAgainstSite]) -> Valu
             "damping_ratio": displacement.map(|of| of.damping_ratio),
         })
     });
-    json!({ "code": CODE, "verified": false, "rows": rows.collect::<Vec<_>>() })
+    as_json!({ "code": CODE, "verified": false, "rows": rows.collect::<Vec<_>>() })
 }

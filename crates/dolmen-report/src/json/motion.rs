@@ -1,18 +1,19 @@
 //! Results of `dolmen motion`, as JSON.
 
+use crate::as_json;
 use dolmen_records::motions::{ComponentReading, Orientation};
 use dolmen_work::motion::{MotionReport, MotionSeries};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Everything except the samples: files and channels, measures, spectra, the match.
 pub fn motion_report_json(report: &MotionReport) -> Value {
     let files = report.files.iter().map(|(file, channels)| {
-        json!({ "file": file, "channels": channels.iter().map(channel).collect::<Vec<_>>() })
+        as_json!({ "file": file, "channels": channels.iter().map(channel).collect::<Vec<_>>() })
     });
-    json!({
+    as_json!({
         "files": files.collect::<Vec<_>>(),
         "series": report.series.iter().map(series).collect::<Vec<_>>(),
-        "match": report.matched.as_ref().map(|answer| json!({
+        "match": report.matched.as_ref().map(|answer| as_json!({
             "demand": answer.demand,
             "component": answer.component.name(),
             "damping_ratio": answer.damping_ratio,
@@ -39,7 +40,7 @@ fn channel(channel: &ComponentReading) -> Value {
         Some(Orientation::Down) => Some("down"),
         _ => None,
     };
-    json!({
+    as_json!({
         "format": channel.format.name(),
         "name": channel.name,
         "title": channel.title,
@@ -55,7 +56,7 @@ fn channel(channel: &ComponentReading) -> Value {
 
 fn series(series: &MotionSeries) -> Value {
     let (motion, m) = (&series.motion, &series.measures);
-    json!({
+    as_json!({
         "name": series.name,
         "motion": motion.name(),
         "component": series.component.name(),
@@ -75,7 +76,7 @@ fn series(series: &MotionSeries) -> Value {
         "significant_from_s": m.significant_from_s,
         "mean_period_s": m.mean_period_s,
         "predominant_period_s": m.predominant_period_s,
-        "spectrum": series.spectrum.iter().map(|ordinate| json!({
+        "spectrum": series.spectrum.iter().map(|ordinate| as_json!({
             "period_s": ordinate.period_s,
             "damping_ratio": ordinate.damping_ratio,
             "displacement_m": ordinate.displacement_m,

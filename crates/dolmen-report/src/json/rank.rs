@@ -1,11 +1,13 @@
 //! A ranked portfolio as JSON.
 
+use crate::as_json;
+use crate::finite::JsonObject;
 use crate::rank::not_by_rate;
 use dolmen::assess::{Factor, RankedBy};
 use dolmen_words::Language;
 use dolmen_work::portfolio::{Basis, PortfolioAnswer, known_word, probability_in_years};
 use dolmen_work::score::SCORE_STATES;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 /// The whole ranking.
 pub fn rank_json(answer: &PortfolioAnswer) -> Value {
@@ -16,7 +18,7 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
             .zip(SCORE_STATES)
             .map(|(known, name)| {
                 let value = known.as_ref().map(|known| {
-                    json!({
+                    as_json!({
                         "theta_m_s2": known.fragility.theta(), "beta": known.fragility.beta(),
                         "ln_theta_sd": known.ln_theta_sd, "known": known_word(known.known),
                         "falls_by_itself": known.falls_alone,
@@ -30,22 +32,22 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
                 name,
                 scans,
                 fell_alone,
-            } => json!({ "kind": "study", "study": name, "scans": scans, "scans_fell_by_themselves": fell_alone }),
+            } => as_json!({ "kind": "study", "study": name, "scans": scans, "scans_fell_by_themselves": fell_alone }),
             Basis::Score {
                 reasons,
                 outside,
                 unlike,
             } => {
-                let names = Factor::ALL.iter().map(|factor| factor.name().to_owned());
-                let reasons: Map<_, _> = names.zip(reasons.iter().map(|reason| json!(reason))).collect();
-                json!({
+                let names = Factor::ALL.iter().map(|factor| factor.name());
+                let reasons = names.zip(reasons).collect::<JsonObject>().done();
+                as_json!({
                     "kind": "score", "reasons_ln": reasons,
                     "outside_training": outside.iter().map(|factor| factor.name()).collect::<Vec<_>>(),
                     "unlike_the_designs": unlike.iter().map(|one| one.to_string()).collect::<Vec<_>>(),
                 })
             }
         };
-        json!({
+        as_json!({
             "place": place.rank,
             "place_interval_90": [place.rank_interval.lower, place.rank_interval.upper],
             "name": entry.name,
@@ -58,7 +60,7 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
         })
     });
     let left_out = answer.left_out.iter();
-    json!({
+    as_json!({
         "source": answer.source,
         "state": SCORE_STATES[answer.state],
         "ranked_by": match answer.ranked.by { RankedBy::AnnualRate => "annual_rate", RankedBy::Capacity => "capacity" },
@@ -67,6 +69,6 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
         "draws": answer.draws,
         "structures": rows.collect::<Vec<_>>(),
         "columns_left_out": answer.columns_left_out,
-        "left_out": left_out.map(|one| json!({ "name": one.name, "why": one.why.english })).collect::<Vec<_>>(),
+        "left_out": left_out.map(|one| as_json!({ "name": one.name, "why": one.why.english })).collect::<Vec<_>>(),
     })
 }

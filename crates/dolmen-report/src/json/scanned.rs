@@ -1,14 +1,15 @@
 //! A scan cut into stones as JSON.
 
+use crate::as_json;
 use dolmen_work::scanned::ScanAnswer;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The cuts and the stones; the meshes are separate files.
 pub fn scan_json(answer: &ScanAnswer) -> Value {
     let sliced = &answer.sliced;
     let stones = answer.stones.iter().zip(&sliced.stones);
     let stones = stones.map(|(stone, cut)| {
-        json!({
+        as_json!({
             "name": stone.name,
             "file": stone.file,
             "course": cut.course + 1,
@@ -17,14 +18,14 @@ pub fn scan_json(answer: &ScanAnswer) -> Value {
         })
     });
     let beds = sliced.beds.iter().map(|bed| {
-        json!({
+        as_json!({
             "given_m": bed.named_m,
             "cut_m": bed.at_m,
             "area_below_m2": bed.area_below_m2,
             "area_above_m2": bed.area_above_m2,
         })
     });
-    json!({
+    as_json!({
         "scan": answer.file,
         "unit": answer.unit.symbol(),
         "unit_is_recognised": answer.is_unit_recognised,

@@ -1,19 +1,22 @@
 //! The six-factor score as JSON.
 
+use crate::as_json;
+use crate::finite::JsonObject;
 use dolmen::assess::Factor;
 use dolmen_work::score::{GIVEN_PEAKS_G, GivenAnswer, SCORE_STATES, ScoreAnswer, ScoreQuality};
-use serde_json::{Map, Value, json};
+use serde::Serialize;
+use serde_json::Value;
 
-fn by_factor(values: impl IntoIterator<Item = Value>) -> Value {
-    let names = Factor::ALL.iter().map(|factor| factor.name().to_owned());
-    Value::Object(names.zip(values).collect::<Map<_, _>>())
+fn by_factor<T: Serialize>(values: impl IntoIterator<Item = T>) -> Value {
+    let names = Factor::ALL.iter().map(|factor| factor.name());
+    names.zip(values).collect::<JsonObject>().done()
 }
 
 /// The score of one pagoda.
 pub fn score_json(answer: &ScoreAnswer) -> Value {
     let states = answer.states.iter().map(|one| {
         let score = &one.score;
-        json!({
+        as_json!({
             "state": SCORE_STATES[one.state],
             "capacity_m_s2": score.capacity_m_s2,
             "interval_90_m_s2": [one.interval_m_s2.lower, one.interval_m_s2.upper],
@@ -23,17 +26,17 @@ pub fn score_json(answer: &ScoreAnswer) -> Value {
             "beta": score.beta,
             "percentile": score.percentile,
             "percentile_interval_90": [score.percentile_interval.lower, score.percentile_interval.upper],
-            "reasons_ln": by_factor(score.reasons.iter().map(|reason| json!(reason))),
+            "reasons_ln": by_factor(score.reasons),
             "outside_training": score.outside.iter().map(|one| one.factor.name()).collect::<Vec<_>>(),
         })
     });
-    json!({
+    as_json!({
         "file": answer.file,
         "name": { "en": answer.name.en, "ko": answer.name.ko },
         "designs": answer.designs,
         "unlike_the_designs": answer.unlike.iter().map(|one| one.to_string()).collect::<Vec<_>>(),
-        "factors": by_factor(answer.factors.values().into_iter().map(|value| json!(value))),
-        "trained": by_factor(answer.trained.iter().map(|range| json!([range.lower, range.upper]))),
+        "factors": by_factor(answer.factors.values()),
+        "trained": by_factor(answer.trained.iter().map(|range| [range.lower, range.upper])),
         "states": states.collect::<Vec<_>>(),
     })
 }
@@ -41,20 +44,20 @@ pub fn score_json(answer: &ScoreAnswer) -> Value {
 /// The score of one pagoda with a measured frequency: that of [`score_json`], and `given`.
 pub fn score_given_json(answer: &GivenAnswer) -> Value {
     let of = &answer.frequency;
-    let capacity = |[median, lower, upper]: [f64; 3]| json!({ "capacity_m_s2": median, "interval_90_m_s2": [lower, upper] });
+    let capacity = |[median, lower, upper]: [f64; 3]| as_json!({ "capacity_m_s2": median, "interval_90_m_s2": [lower, upper] });
     let states = answer.states.iter().map(|one| {
         let pairs = one.probability_unknown.iter().zip(&one.probability_given);
         let reached = GIVEN_PEAKS_G.iter().zip(pairs).map(|(peak, (unknown, given))| {
-            json!({ "peak_g": peak, "stiffness_unknown": unknown, "frequency_given": given })
+            as_json!({ "peak_g": peak, "stiffness_unknown": unknown, "frequency_given": given })
         });
-        json!({
+        as_json!({
             "state": SCORE_STATES[one.state],
             "stiffness_unknown": capacity(one.unknown_m_s2),
             "frequency_given": capacity(one.given_m_s2),
             "probability": reached.collect::<Vec<_>>(),
         })
     });
-    let given = json!({
+    let given = as_json!({
         "survey": of.survey,
         "direction": of.direction,
         "measured_hz": of.measured_hz,
@@ -76,13 +79,13 @@ pub fn score_given_json(answer: &GivenAnswer) -> Value {
 pub fn score_quality_json(qualities: &[ScoreQuality], designs: usize) -> Value {
     let states = qualities.iter().map(|one| {
         let shares = one.shares.shares.iter();
-        json!({
+        as_json!({
             "state": SCORE_STATES[one.state],
             "designs": one.designs,
             "weights": by_factor(shares.map(|share| {
-                json!({ "share": share.share, "interval_90": [share.interval.lower, share.interval.upper] })
+                as_json!({ "share": share.share, "interval_90": [share.interval.lower, share.interval.upper] })
             })),
-            "effects": one.effects.iter().map(|effect| json!({
+            "effects": one.effects.iter().map(|effect| as_json!({
                 "factor": effect.factor.name(),
                 "from": effect.from,
                 "to": effect.to,
@@ -95,5 +98,5 @@ pub fn score_quality_json(qualities: &[ScoreQuality], designs: usize) -> Value {
             "held_out": one.held_out,
         })
     });
-    json!({ "designs": designs, "states": states.collect::<Vec<_>>() })
+    as_json!({ "designs": designs, "states": states.collect::<Vec<_>>() })
 }

@@ -1,7 +1,8 @@
 //! A plan for sensors as JSON.
 
+use crate::as_json;
 use dolmen_work::sensors::{Axis, SensorsAnswer, SensorsOf, Side};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The whole plan.
 pub fn sensors_json(answer: &SensorsAnswer) -> Value {
@@ -10,7 +11,7 @@ pub fn sensors_json(answer: &SensorsAnswer) -> Value {
             Axis::InPlane => "in_plane",
             other => other.key().unwrap_or_default(),
         });
-        json!({
+        as_json!({
             "part": sensor.site.part,
             "place": place(sensor.site.side),
             "position_m": sensor.site.position_m,
@@ -19,16 +20,16 @@ pub fn sensors_json(answer: &SensorsAnswer) -> Value {
         })
     });
     let modes = answer.modes.iter().map(|mode| {
-        json!({
+        as_json!({
             "frequency_hz": mode.frequency_hz,
             "direction": mode.direction,
             "energy_along": mode.along,
             "seen_ratio": mode.seen_ratio,
             "is_hardly_seen": mode.is_hardly_seen(),
-            "most_alike": mode.most_alike.map(|(other, mac)| json!({ "mode": other + 1, "mac": mac })),
+            "most_alike": mode.most_alike.map(|(other, mac)| as_json!({ "mode": other + 1, "mac": mac })),
         })
     });
-    json!({
+    as_json!({
         "file": answer.file,
         "name": { "en": answer.project.name.english(), "ko": answer.project.name.korean() },
         "places": answer.sites,

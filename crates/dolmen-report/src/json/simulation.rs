@@ -3,6 +3,7 @@
 use super::judgement::judgement;
 use super::stack::lean;
 use super::with::with;
+use crate::as_json;
 use crate::stack_simulation::points_a_side;
 use dolmen::blocks::{Outcome, SlidingOutcome, StackHistory};
 use dolmen::signal::Component;
@@ -10,16 +11,16 @@ use dolmen::structure::stack::{Body, Stack};
 use dolmen_work::judgement::judge_stack_run;
 use dolmen_work::motion::MotionAnswer;
 use dolmen_work::stack::{LeftOut, Repeat, Repeats, SlidingMode, SlidingRun, StackRuns, StackSimulation};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The decisive run, as [`simulation_json`], with that of the other contact law.
 pub fn stack_runs_json(runs: &StackRuns) -> Value {
     let left_out = runs.left_out.as_ref().map(|why| match why {
         LeftOut::TooLong { updates, most } => {
-            json!({ "kind": "too_long", "updates": updates, "updates_most": most })
+            as_json!({ "kind": "too_long", "updates": updates, "updates_most": most })
         }
-        LeftOut::Refused { why } => json!({ "kind": "refused", "why": why }),
-        LeftOut::NoSolution { at_s } => json!({ "kind": "no_solution", "at_s": at_s }),
+        LeftOut::Refused { why } => as_json!({ "kind": "refused", "why": why }),
+        LeftOut::NoSolution { at_s } => as_json!({ "kind": "no_solution", "at_s": at_s }),
     });
     let mut value = simulation_json(&runs.deciding);
     value["other_law"] = runs.other.as_ref().map(simulation_json).into();
@@ -45,7 +46,7 @@ fn sliding(run: &SlidingRun, runs: &StackRuns) -> Value {
         SlidingOutcome::Stopped { at_s } => ("stopped", Some(at_s)),
     };
     let beds = history.joints.iter().enumerate().map(|(i, joint)| {
-        json!({
+        as_json!({
             "above": runs.deciding.joint_names(i)[0],
             "mode": match run.mode(i) {
                 SlidingMode::Stick => "stick",
@@ -60,7 +61,7 @@ fn sliding(run: &SlidingRun, runs: &StackRuns) -> Value {
             "moving_s": run.moving_s(i),
         })
     });
-    json!({
+    as_json!({
         "outcome": outcome,
         "ended_at_s": at_s,
         "beds": beds.collect::<Vec<_>>(),
@@ -75,14 +76,14 @@ fn sliding(run: &SlidingRun, runs: &StackRuns) -> Value {
 fn repeats(of: &Repeats) -> Value {
     let spread = |value: fn(&Repeat) -> f64| {
         let found = of.spread(value);
-        found.map(|of| json!({ "least": of.least, "median": of.median, "most": of.most }))
+        found.map(|of| as_json!({ "least": of.least, "median": of.median, "most": of.most }))
     };
     let edge_m = if of.moves_edges {
         of.differences.bed_edge_m
     } else {
         0.0
     };
-    json!({
+    as_json!({
         "runs": of.runs.len(),
         "is_stopped": of.is_stopped,
         "undecided": of.undecided,
@@ -100,7 +101,7 @@ fn repeats(of: &Repeats) -> Value {
 /// A simulation without its histories: inputs, outcome, peaks and residuals, the energy balance.
 pub fn simulation_json(simulation: &StackSimulation) -> Value {
     let (history, law) = (&simulation.history, &simulation.law);
-    json!({
+    as_json!({
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
@@ -122,7 +123,7 @@ pub fn simulation_json(simulation: &StackSimulation) -> Value {
         "blocks": blocks(simulation),
         "broken_ties": history.broken_ties,
         "energy": energy(simulation),
-        "rigid": history.rigid.map(|rigid| json!({
+        "rigid": history.rigid.map(|rigid| as_json!({
             "residual_most_m_s": rigid.residual_most_m_s,
             "penetration_most_m": rigid.penetration_most_m,
             "impacts": rigid.impacts,
@@ -147,12 +148,12 @@ pub(super) fn motion_json(answer: &MotionAnswer) -> Value {
         found.map(|(_, peak)| *peak)
     };
     let components = Component::ALL.iter().filter(|component| motion.has(**component));
-    json!({
+    as_json!({
         "name": motion.name(),
         "time_step_s": motion.time_step_s(),
         "samples": motion.length(),
         "duration_s": motion.duration_s(),
-        "components": components.map(|component| json!({
+        "components": components.map(|component| as_json!({
             "component": component.name(),
             "file": file(component),
             "peak_read_m_s2": read(component),
@@ -165,7 +166,9 @@ pub(super) fn motion_json(answer: &MotionAnswer) -> Value {
 fn outcome(simulation: &StackSimulation) -> Value {
     let until_then = ending(simulation);
     match simulation.ended_before_the_motion_s() {
-        Some(end_s) => json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then }),
+        Some(end_s) => {
+            as_json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then })
+        }
         None => until_then,
     }
 }
@@ -182,32 +185,34 @@ pub(super) fn outcome_of(stack: &Stack, history: &StackHistory) -> Value {
         None => ["", ""],
     };
     match history.outcome {
-        Outcome::Stood => json!({ "kind": "stood" }),
+        Outcome::Stood => as_json!({ "kind": "stood" }),
         Outcome::Uplifted { joint, at_s } => {
             let [upper, lower] = joint_names(joint);
-            json!({ "kind": "rocked_and_stood", "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
+            as_json!({ "kind": "rocked_and_stood", "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
         }
         Outcome::Slid {
             block,
             slip_m,
             margin_ratio,
-        } => json!({ "kind": "slid", "block": name(block), "slip_m": slip_m, "margin_ratio": margin_ratio }),
+        } => {
+            as_json!({ "kind": "slid", "block": name(block), "slip_m": slip_m, "margin_ratio": margin_ratio })
+        }
         Outcome::Fell { block, joint, at_s } => {
             let [upper, lower] = joint_names(joint);
-            json!({ "kind": "fell", "block": name(block), "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
+            as_json!({ "kind": "fell", "block": name(block), "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
         }
         Outcome::StillMoving {
             block,
             at_s,
             margin_ratio,
         } => {
-            json!({ "kind": "still_moving", "block": name(block), "at_s": at_s, "margin_ratio": margin_ratio })
+            as_json!({ "kind": "still_moving", "block": name(block), "at_s": at_s, "margin_ratio": margin_ratio })
         }
-        Outcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
+        Outcome::Stopped { at_s } => as_json!({ "kind": "stopped", "at_s": at_s }),
         Outcome::NotConverged { at_s, residual_m_s } => {
-            json!({ "kind": "not_converged", "at_s": at_s, "residual_m_s": residual_m_s })
+            as_json!({ "kind": "not_converged", "at_s": at_s, "residual_m_s": residual_m_s })
         }
-        Outcome::Diverged { at_s } => json!({ "kind": "diverged", "at_s": at_s }),
+        Outcome::Diverged { at_s } => as_json!({ "kind": "diverged", "at_s": at_s }),
     }
 }
 
@@ -215,7 +220,7 @@ fn joints(simulation: &StackSimulation) -> Vec<Value> {
     let each = simulation.history.joints.iter().enumerate();
     each.map(|(number, joint)| {
         let [upper, lower] = simulation.joint_names(number);
-        json!({
+        as_json!({
             "upper": upper, "lower": lower,
             "peak_opening_m": joint.peak_opening_m,
             "peak_slip_m": joint.peak_slip_m,
@@ -234,7 +239,7 @@ fn blocks(simulation: &StackSimulation) -> Vec<Value> {
     each.zip(rest)
         .map(|((block, now), rest)| {
             let moved: [f64; 3] = std::array::from_fn(|axis| now.centroid_m[axis] - rest.centroid_m[axis]);
-            json!({ "name": block.name, "residual_displacement_m": moved, "rotation": now.rotation })
+            as_json!({ "name": block.name, "residual_displacement_m": moved, "rotation": now.rotation })
         })
         .collect()
 }
@@ -244,6 +249,6 @@ fn energy(simulation: &StackSimulation) -> Value {
     let end = history.energy.last().copied().unwrap_or_default();
     with(
         &end,
-        json!({ "made_j": history.energy_made_j, "made_ratio": history.energy_made_ratio() }),
+        as_json!({ "made_j": history.energy_made_j, "made_ratio": history.energy_made_ratio() }),
     )
 }

@@ -1,12 +1,13 @@
 //! The check of a stack, as JSON.
 
 use super::local_mechanisms::local_mechanisms;
+use crate::as_json;
 use dolmen::assess::{Crushing, SettleRun};
 use dolmen::stability::stack::{CutLimits, MovedStack, MovedSupports, MovementEnding};
 use dolmen::structure::stack::{Body, Solid, Stack};
 use dolmen_project::SurveyedLean;
 use dolmen_work::state::{MODES_SHOWN, StackAnswer, StackFrequencies};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Blocks, joints and limits.
 pub(super) fn stack(answer: &StackAnswer) -> Value {
@@ -14,8 +15,8 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
     let limits = &check.limits;
     let name = |block: &usize| stack.blocks().get(*block).map(|block| block.name.as_str());
     let names = |group: &Vec<usize>| group.iter().map(name).collect::<Vec<_>>();
-    json!({
-        "blocks": stack.blocks().iter().map(|block| json!({
+    as_json!({
+        "blocks": stack.blocks().iter().map(|block| as_json!({
             "name": block.name, "mass_kg": block.mass_kg(), "volume_m3": block.solid.volume_m3(),
             "centroid_m": block.solid.centroid_m(), "bounds_m": block.solid.bounds_m(),
         })).collect::<Vec<_>>(),
@@ -32,9 +33,9 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "capacity": check.capacity,
         "crushing": check.crushing.as_ref().map(crushing),
         "frequencies": answer.frequencies.as_ref().map(frequencies),
-        "frequency_by_height": answer.frequency_by_height.iter().map(|of| json!({
+        "frequency_by_height": answer.frequency_by_height.iter().map(|of| as_json!({
             "storeys": of.storeys,
-            "points": of.points.iter().map(|point| json!({
+            "points": of.points.iter().map(|point| as_json!({
                 "body_height_m": point.body_height_m, "height_m": point.height_m, "frequency_hz": point.frequency_hz,
             })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
@@ -55,12 +56,12 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
 
 /// The survey, and the slope that the model takes from it.
 pub(super) fn lean(of: &SurveyedLean) -> Value {
-    json!({ "survey": of.survey, "slope": of.slope })
+    as_json!({ "survey": of.survey, "slope": of.slope })
 }
 
 /// The capacity without crushing edges.
 fn crushing(of: &Crushing) -> Value {
-    json!({
+    as_json!({
         "strength_pa": of.strength_pa,
         "governs": of.governs(),
         "moves_at_g": of.moves_at_g,
@@ -76,14 +77,14 @@ fn settle_run(of: &SettleRun) -> Value {
             settlement_m,
             length_s,
         } => {
-            json!({ "kind": "stood", "settlement_m": settlement_m, "length_s": length_s })
+            as_json!({ "kind": "stood", "settlement_m": settlement_m, "length_s": length_s })
         }
-        SettleRun::Fell { block } => json!({ "kind": "fell", "block": block }),
+        SettleRun::Fell { block } => as_json!({ "kind": "fell", "block": block }),
         SettleRun::NoRest { why } => {
-            json!({ "kind": "no_rest", "why": why.as_ref().map(ToString::to_string) })
+            as_json!({ "kind": "no_rest", "why": why.as_ref().map(ToString::to_string) })
         }
         SettleRun::TooMany { stones } => {
-            json!({ "kind": "too_many", "stones": stones, "stones_most": SettleRun::STONES_MOST })
+            as_json!({ "kind": "too_many", "stones": stones, "stones_most": SettleRun::STONES_MOST })
         }
     }
 }
@@ -96,9 +97,9 @@ pub(super) fn supports(stack: &Stack, supports: &MovedSupports) -> Value {
         MovementEnding::NotFollowed => ("not_followed", None),
     };
     let state = |moved: &MovedStack| {
-        json!({
+        as_json!({
             "factor": moved.factor,
-            "reactions": moved.reactions.iter().map(|reaction| json!({
+            "reactions": moved.reactions.iter().map(|reaction| as_json!({
                 "under": stack.name(Body::Block(reaction.block)), "force_n": reaction.force_n,
             })).collect::<Vec<_>>(),
             "mechanism": moved.mechanism,
@@ -106,8 +107,8 @@ pub(super) fn supports(stack: &Stack, supports: &MovedSupports) -> Value {
             "corners_m": moved.solids.iter().map(Solid::vertices_m).collect::<Vec<_>>(),
         })
     };
-    json!({
-        "movements": stack.support_movements().iter().map(|movement| json!({
+    as_json!({
+        "movements": stack.support_movements().iter().map(|movement| as_json!({
             "under": stack.name(Body::Block(movement.block)), "movement_m": movement.movement_m,
         })).collect::<Vec<_>>(),
         "ending": kind,
@@ -123,21 +124,21 @@ pub(super) fn supports(stack: &Stack, supports: &MovedSupports) -> Value {
 
 fn frequencies(frequencies: &StackFrequencies) -> Value {
     match frequencies {
-        StackFrequencies::Known { modes, sways } => json!({
-            "modes": modes.iter().take(MODES_SHOWN).map(|mode| json!({
+        StackFrequencies::Known { modes, sways } => as_json!({
+            "modes": modes.iter().take(MODES_SHOWN).map(|mode| as_json!({
                 "frequency_hz": mode.frequency_hz, "effective_mass_ratio": mode.effective_mass_ratio, "shape": mode.shape,
             })).collect::<Vec<_>>(),
             "sway_x_hz": sways[0].map(|(_, hz)| hz),
             "sway_y_hz": sways[1].map(|(_, hz)| hz),
         }),
-        StackFrequencies::Refused(why) => json!({ "refused": why.english }),
+        StackFrequencies::Refused(why) => as_json!({ "refused": why.english }),
     }
 }
 
 fn joints(stack: &Stack) -> Vec<Value> {
     let of = |joint: &dolmen::structure::stack::Joint| {
         let material = &joint.material;
-        json!({
+        as_json!({
             "lower": stack.name(joint.lower), "upper": stack.name(Body::Block(joint.upper)),
             "origin_m": joint.origin_m, "axes": joint.axes, "corners_m": joint.patch.corners_m,
             "area_m2": joint.patch.moments().area_m2,
@@ -155,7 +156,7 @@ fn joints(stack: &Stack) -> Vec<Value> {
 }
 
 fn cut(cut: &CutLimits, blocks: Vec<Option<&str>>) -> Value {
-    json!({
+    as_json!({
         "above": cut.above,
         "blocks": blocks,
         "weight_n": cut.weight_n,

@@ -2,10 +2,12 @@
 
 use super::damage::damage;
 use super::fragility::{fragilities_json, joints_json, measures_json, sufficiency_json};
+use crate::as_json;
+use crate::finite::JsonObject;
 use dolmen::assess::{AssessError, Direction, Reached};
 use dolmen_work::simulation::SPEED_AT_REST_M_S;
 use dolmen_work::study::{RunMeasures, StudyAnswer};
-use serde_json::{Map, Value, json};
+use serde_json::Value;
 
 /// A study without its single runs.
 ///
@@ -13,19 +15,19 @@ use serde_json::{Map, Value, json};
 /// As [`StudyAnswer::trends`].
 pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
     let study = &answer.study;
-    let outcomes: Map<String, Value> = answer
-        .outcomes()
-        .into_iter()
-        .map(|(outcome, count)| (outcome.word().to_owned(), json!(count)))
-        .collect();
+    let outcomes = answer.outcomes().into_iter();
+    let outcomes = outcomes
+        .map(|(outcome, count)| (outcome.word(), count))
+        .collect::<JsonObject>()
+        .done();
     let refusals = answer
         .refusals()
         .into_iter()
-        .map(|(why, count)| json!({ "why": why, "count": count }));
+        .map(|(why, count)| as_json!({ "why": why.english, "count": count }));
     let inputs = answer.inputs.iter().map(|input| {
-        json!({ "path": input.path, "column": input.column, "unit": input.unit, "drawn": input.is_drawn })
+        as_json!({ "path": input.path, "column": input.column, "unit": input.unit, "drawn": input.is_drawn })
     });
-    Ok(json!({
+    Ok(as_json!({
         "file": answer.file,
         "name": { "en": answer.name.en, "ko": answer.name.ko },
         "study": study.name,
@@ -35,7 +37,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "contact_points_a_joint": answer.law().map(|_| study.points),
         "rest_s": answer.rest_s(),
         "halvings": study.refine,
-        "damage": answer.law().map(|_| json!({
+        "damage": answer.law().map(|_| as_json!({
             "slip_begun_m": study.damage.slip_begun_m, "offset_ratio": study.damage.offset_ratio, "offset_m": study.damage.offset_m,
             "severe_offset_ratio": study.damage.severe_offset_ratio, "severe_rocking_ratio": study.damage.severe_rocking_ratio,
         })),
@@ -45,7 +47,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "left_out_of_runs": answer.left_out_of_runs.iter().map(|said| &said.english).collect::<Vec<_>>(),
         "undamped": answer.is_undamped,
         "after": after(answer),
-        "copies": answer.copies.iter().map(|copy| json!({ "motion": copy.motion, "of": copy.of })).collect::<Vec<_>>(),
+        "copies": answer.copies.iter().map(|copy| as_json!({ "motion": copy.motion, "of": copy.of })).collect::<Vec<_>>(),
         "inputs": inputs.collect::<Vec<_>>(),
         "cases": answer.cases.len(),
         "samples": study.samples,
@@ -55,7 +57,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "scans": answer.jobs(),
         "scans_missing": answer.missing.len(),
         "scans_left_out": left_out(answer),
-        "allowed_drift": answer.allowed_drift().map(|of| json!({
+        "allowed_drift": answer.allowed_drift().map(|of| as_json!({
             "limit": of.limit, "lean": of.lean, "before": of.before, "scans": of.scans, "beyond": of.beyond, "least_m_s2": of.least_m_s2,
         })),
         "runs": answer.runs.len(),
@@ -76,7 +78,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
 /// The hazard at the site; `None` if unknown.
 fn hazard(answer: &StudyAnswer) -> Option<Vec<Value>> {
     let points = answer.hazard.as_ref()?.curve.points().iter();
-    let point = |[peak, rate]: &[f64; 2]| json!({ "peak_acceleration_m_s2": peak, "annual_rate": rate });
+    let point = |[peak, rate]: &[f64; 2]| as_json!({ "peak_acceleration_m_s2": peak, "annual_rate": rate });
     Some(points.map(point).collect())
 }
 
@@ -87,7 +89,7 @@ fn after(answer: &StudyAnswer) -> Value {
     };
     let number = |value: f64| value.is_finite().then_some(value);
     let each = answer.before.iter().map(|of| {
-        json!({
+        as_json!({
             "case": of.case + 1,
             "peak_ground_acceleration_m_s2": number(of.peak_m_s2),
             "outcome": of.outcome.word(),
@@ -97,12 +99,12 @@ fn after(answer: &StudyAnswer) -> Value {
             "part": of.part,
             "still_s": number(of.still_s),
             "speed_at_rest_m_s": number(of.speed_m_s),
-            "why": of.why,
+            "why": of.why.english,
             "measures": RunMeasures::names(answer.kind).iter()
-                .map(|name| ((*name).to_owned(), json!(of.measures.named(name).and_then(number)))).collect::<Map<String, Value>>(),
+                .map(|name| (*name, of.measures.named(name).and_then(number))).collect::<JsonObject>().done(),
         })
     });
-    json!({
+    as_json!({
         "motion": after.motion,
         "speed_at_rest_most_m_s": SPEED_AT_REST_M_S,
         "states": each.collect::<Vec<_>>(),
@@ -113,7 +115,7 @@ fn after(answer: &StudyAnswer) -> Value {
 fn left_out(answer: &StudyAnswer) -> Vec<Value> {
     let scans = answer.capacities().into_iter();
     let each = scans.filter(|scan| !scan.verdict.is_usable()).map(|scan| {
-        json!({
+        as_json!({
             "scan": scan.job + 1,
             "verdict": scan.verdict.word(),
             "survived_m_s2": scan.survived_m_s2(),
@@ -126,7 +128,8 @@ fn left_out(answer: &StudyAnswer) -> Vec<Value> {
 fn levels(answer: &StudyAnswer) -> Vec<Value> {
     let each = answer.levels().into_iter().map(|row| {
         // `null` if only known to be larger; the second key gives the largest tried value
-        let mut object = json!({
+        let mut object = JsonObject::default();
+        object.append(as_json!({
             "input": row.input.map(|input| answer.inputs[input].path.clone()),
             "text": row.text,
             "value": row.value,
@@ -137,7 +140,7 @@ fn levels(answer: &StudyAnswer) -> Vec<Value> {
             "not_fallen": row.usable() - row.fell(),
             "first_fall_least_m_s2": row.least_m_s2().filter(|least| least.is_reached()).map(Reached::value),
             "survived_above": row.survived_above(),
-        });
+        }));
         for (name, state, probability) in [
             ("first_fall_q05", 3, 0.05),
             ("first_fall_median", 3, 0.5),
@@ -149,10 +152,10 @@ fn levels(answer: &StudyAnswer) -> Vec<Value> {
             let found = row.quantile_m_s2(state, probability);
             let at = found.filter(|found| found.is_reached()).map(Reached::value);
             let above = found.filter(|found| !found.is_reached()).map(Reached::value);
-            object[format!("{name}_m_s2")] = json!(at);
-            object[format!("{name}_above_m_s2")] = json!(above);
+            object.put(&format!("{name}_m_s2"), &at);
+            object.put(&format!("{name}_above_m_s2"), &above);
         }
-        object
+        object.done()
     });
     each.collect()
 }
@@ -165,7 +168,7 @@ fn trends(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
     let each = answer.trends()?.into_iter().map(|trend| {
         let tau = trend.of_pairs;
         let expected = trend.expected.as_ref();
-        json!({
+        as_json!({
             "input": answer.inputs[trend.input].path,
             "tau": tau.tau,
             "tau_by_chance": tau.tau_by_chance,

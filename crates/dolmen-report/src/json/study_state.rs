@@ -1,7 +1,8 @@
 //! Progress of a study, as JSON.
 
+use crate::as_json;
 use dolmen_work::study::Plan;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// A finished shard: its result is the journal.
 pub fn shard_json(
@@ -10,7 +11,7 @@ pub fn shard_json(
     [runs, missing]: [usize; 2],
     journal: &str,
 ) -> Value {
-    json!({
+    as_json!({
         "study": plan.study.name, "shard": format!("{}/{}", shard.0, shard.1), "runs": runs,
         "scans_missing": missing, "journal": journal,
     })
@@ -20,8 +21,8 @@ pub fn shard_json(
 pub fn missing_json(plan: &Plan<'_>, runs: usize, missing: &[usize]) -> Value {
     let scans = missing
         .iter()
-        .map(|&job| json!({ "scan": job + 1, "inputs": plan.scan_words(job) }));
-    json!({
+        .map(|&job| as_json!({ "scan": job + 1, "inputs": plan.scan_words(job) }));
+    as_json!({
         "study": plan.study.name, "scans": plan.jobs(), "runs": runs, "missing": scans.collect::<Vec<_>>(),
     })
 }

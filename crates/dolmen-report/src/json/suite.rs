@@ -1,17 +1,18 @@
 //! A suite of motions, as JSON.
 
+use crate::as_json;
 use dolmen_records::motions::Orientation;
 use dolmen_work::motion::{NotTaken, SuiteAnswer, SuiteMember};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Everything but the samples.
 pub fn suite_json(answer: &SuiteAnswer) -> Value {
     let not_taken = answer.not_taken.iter().map(|(file, why)| match why {
-        NotTaken::Vertical => json!({ "file": file, "kind": "vertical", "why": null }),
-        NotTaken::CopyOf { file: first } => json!({ "file": file, "kind": "copy", "why": first }),
-        NotTaken::Refused { why } => json!({ "file": file, "kind": "refused", "why": why.english }),
+        NotTaken::Vertical => as_json!({ "file": file, "kind": "vertical", "why": null }),
+        NotTaken::CopyOf { file: first } => as_json!({ "file": file, "kind": "copy", "why": first }),
+        NotTaken::Refused { why } => as_json!({ "file": file, "kind": "refused", "why": why.english }),
     });
-    json!({
+    as_json!({
         "demand": answer.demand,
         "damping_ratio": answer.damping_ratio,
         "count": answer.rule.count,
@@ -37,7 +38,7 @@ fn member(member: &SuiteMember) -> Value {
         Some(Orientation::Horizontal { azimuth_deg }) => Some(azimuth_deg),
         _ => None,
     };
-    json!({
+    as_json!({
         "name": member.name,
         "file": member.file,
         "channel": member.channel,

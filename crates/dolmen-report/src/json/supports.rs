@@ -2,12 +2,13 @@
 
 use super::simulation::outcome_of;
 use super::stack::{lean, supports};
+use crate::as_json;
 use dolmen_work::stack::{SupportsRun, SupportsSimulation};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The movement of the supports, the result of each run, and that of the static check.
 pub(crate) fn supports_json(of: &SupportsSimulation) -> Value {
-    json!({
+    as_json!({
         "file": of.file,
         "name": { "en": of.name.en, "ko": of.name.ko },
         "variant": of.variant,
@@ -17,7 +18,7 @@ pub(crate) fn supports_json(of: &SupportsSimulation) -> Value {
         "factor_most": of.factor_most,
         "limit_analysis": supports(&of.stack, &of.followed),
         "runs": of.runs.iter().map(|run| run_json(of, run)).collect::<Vec<_>>(),
-        "laws_left_out": of.left_out.iter().map(|refused| json!({
+        "laws_left_out": of.left_out.iter().map(|refused| as_json!({
             "law": refused.law.name(), "why": refused.why,
         })).collect::<Vec<_>>(),
     })
@@ -25,7 +26,7 @@ pub(crate) fn supports_json(of: &SupportsSimulation) -> Value {
 
 fn run_json(of: &SupportsSimulation, run: &SupportsRun) -> Value {
     let (moved, history) = (&run.moved, &run.moved.history);
-    json!({
+    as_json!({
         "law": run.law.name(),
         "speed_m_s": moved.slow.ground.speed_m_s(),
         "own_time_s": moved.slow.own_time_s,

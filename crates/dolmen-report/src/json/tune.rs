@@ -1,14 +1,15 @@
 //! A damper compared with the rule and the optimum, as JSON.
 
+use crate::as_json;
 use dolmen::damper::{Compared, Goal, MapCell, RobustnessPoint};
 use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The whole result.
 pub fn tune_json(answer: &TuneAnswer) -> Value {
     let comparison = &answer.comparison;
     let tunings = comparison.tunings.iter().map(|row| {
-        json!({
+        as_json!({
             "rule": row.rule.map(|rule| rule.name()),
             "exact_for": row.aim.map(|aim| aim.name()),
             "source": row.rule.map(|rule| rule.source()),
@@ -31,7 +32,7 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
         points
             .iter()
             .map(|point| {
-                json!({
+                as_json!({
                     "factor": point.factor, "cost": point.cost,
                     "point_rms": point.point_rms,
                     "stroke_rms_m": point.stroke_rms_m[0],
@@ -39,8 +40,8 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
             })
             .collect()
     };
-    let curves = |of: &[Vec<RobustnessPoint>; 2]| json!({ "given": curve(&of[0]), "best": curve(&of[1]) });
-    json!({
+    let curves = |of: &[Vec<RobustnessPoint>; 2]| as_json!({ "given": curve(&of[0]), "best": curve(&of[1]) });
+    as_json!({
         "file": answer.file,
         "name": { "en": answer.name.en, "ko": answer.name.ko },
         "variant": answer.variant,
@@ -60,7 +61,7 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
         "goal": answer.goal,
         "stroke_most": answer.stroke_most, "off_by": answer.off_by,
         "prepared_frequencies_apart": comparison.apart,
-        "points": answer.points.iter().zip(&comparison.without).map(|(point, without)| json!({
+        "points": answer.points.iter().zip(&comparison.without).map(|(point, without)| as_json!({
             "name": point.name, "floor": point.floor, "place_m": point.place_m,
             "direction_degrees": answer.direction_degrees, "without_damper": without,
         })).collect::<Vec<_>>(),
@@ -77,7 +78,7 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
 }
 
 fn row_json(answer: &TuneAnswer, row: &Compared) -> Value {
-    json!({
+    as_json!({
         "choice": row.choice.name(),
         "damper": row.damper,
         "point_rms": row.judged.point_rms,
@@ -91,7 +92,7 @@ fn row_json(answer: &TuneAnswer, row: &Compared) -> Value {
 }
 
 fn cell_json(answer: &TuneAnswer, cell: &MapCell) -> Value {
-    json!({
+    as_json!({
         "place_m": cell.damper.place_m, "frequency_hz": cell.damper.frequency_hz, "damping_ratio": cell.damper.damping_ratio,
         "point_rms_ratio": answer.over_without(&cell.point_rms), "cost": cell.cost, "at_limit": cell.at_limit,
     })
@@ -100,7 +101,7 @@ fn cell_json(answer: &TuneAnswer, cell: &MapCell) -> Value {
 /// All dampers at once.
 pub fn together_json(answer: &TogetherAnswer) -> Value {
     let rows = answer.rows.iter().map(|row| {
-        json!({
+        as_json!({
             "choice": row.choice.name(),
             "damper": match &row.choice {
                 TogetherChoice::Only(name) | TogetherChoice::AllBut(name) => Some(name),
@@ -112,14 +113,14 @@ pub fn together_json(answer: &TogetherAnswer) -> Value {
             "end": row.end,
         })
     });
-    json!({
+    as_json!({
         "file": answer.file,
         "name": { "en": answer.name.en, "ko": answer.name.ko },
         "variant": answer.variant,
         "load": { "kind": answer.load.name(), "directions_degrees": answer.load_directions_degrees },
         "goal": answer.goal,
         "stroke_most": answer.stroke_most,
-        "points": answer.points.iter().map(|(point, degrees)| json!({
+        "points": answer.points.iter().map(|(point, degrees)| as_json!({
             "name": point.name, "floor": point.floor, "place_m": point.place_m, "direction_degrees": degrees,
         })).collect::<Vec<_>>(),
         "rows": rows.collect::<Vec<_>>(),
@@ -129,7 +130,7 @@ pub fn together_json(answer: &TogetherAnswer) -> Value {
 
 fn room_json(room: &RoomCheck) -> Vec<Value> {
     let each = room.strokes.iter().map(|of| {
-        json!({
+        as_json!({
             "row": of.row, "damper": of.damper, "motion": of.motion, "stroke_m": of.stroke_m, "room_m": of.room_m,
             "beyond_room": of.stroke_m > of.room_m,
         })

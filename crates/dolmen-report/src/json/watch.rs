@@ -4,12 +4,13 @@ use super::change_form::form;
 use super::changed_part::{changed_part, model_off};
 use super::check::project;
 use super::inspected::inspected;
+use crate::as_json;
 use dolmen::monitoring::{AlarmKind, NoSlope, NotJudged, TiltTrend, WatchedMode, WeatherKnown};
 use dolmen_project::LogKind;
 use dolmen_work::date_text;
 use dolmen_work::watched::WatchAnswer;
 use dolmen_work::watched_log::WatchedLog;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// The result of a history.
 pub fn watch_json(answer: &WatchAnswer) -> Value {
@@ -17,7 +18,7 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
     let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.clone());
     let frequency = |mode: usize| watched.modes.get(mode).map(|mode| mode.track.frequency_hz);
     let lost = watched.lost.iter().map(|lost| {
-        json!({
+        as_json!({
             "mode": lost.mode + 1,
             "frequency_hz": frequency(lost.mode),
             "since": name(lost.since),
@@ -28,25 +29,25 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
             "began_hz": lost.began_hz,
         })
     });
-    json!({
+    as_json!({
         "modes_lost": lost.collect::<Vec<_>>(),
         "is_mode_lost": watched.is_mode_lost(),
         "project": project(&answer.project, &answer.file),
-        "surveys": answer.surveys.iter().map(|survey| json!({
+        "surveys": answer.surveys.iter().map(|survey| as_json!({
             "name": survey.name,
             "temperature_c": survey.temperature_c,
         })).collect::<Vec<_>>(),
         "left_out": answer.left_out,
-        "sensors_left_out": answer.sensors_left_out.iter().map(|(survey, channels)| json!({ "survey": survey, "channels": channels })).collect::<Vec<_>>(),
-        "without_modes": answer.without_modes.iter().map(|(survey, why)| json!({ "survey": survey, "why": why.english })).collect::<Vec<_>>(),
-        "several_of_one_day": answer.several.iter().map(|(day, surveys)| json!({ "day": day, "surveys": surveys })).collect::<Vec<_>>(),
-        "works": answer.works.iter().map(|(_, work)| json!({
+        "sensors_left_out": answer.sensors_left_out.iter().map(|(survey, channels)| as_json!({ "survey": survey, "channels": channels })).collect::<Vec<_>>(),
+        "without_modes": answer.without_modes.iter().map(|(survey, why)| as_json!({ "survey": survey, "why": why.english })).collect::<Vec<_>>(),
+        "several_of_one_day": answer.several.iter().map(|(day, surveys)| as_json!({ "day": day, "surveys": surveys })).collect::<Vec<_>>(),
+        "works": answer.works.iter().map(|(_, work)| as_json!({
             "date": work.date,
             "what": work.what,
             "kind": work.kind.word(),
         })).collect::<Vec<_>>(),
         "last_far_off": answer.last_far_off(),
-        "earthquakes": answer.earthquakes.iter().map(|of| json!({
+        "earthquakes": answer.earthquakes.iter().map(|of| as_json!({
             "survey": of.survey,
             "peak_acceleration_m_s2": of.part.peak_m_s2,
             "peak_at_least": of.part.is_at_least,
@@ -63,24 +64,24 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         "changes": changes(answer),
         "alarms": alarms(answer),
         "modes": watched.modes.iter().map(|each| mode(each, answer)).collect::<Vec<_>>(),
-        "leans": answer.leans().iter().map(|lean| json!({
+        "leans": answer.leans().iter().map(|lean| as_json!({
             "datum": lean.datum, "directions": lean.directions, "now": lean.size, "limit": lean.limit, "is_beyond": lean.is_beyond(),
         })).collect::<Vec<_>>(),
         "temperatures_of_log": answer.temperatures_of_log,
         "logs": answer.logs.iter().map(|found| log(found, answer)).collect::<Vec<_>>(),
         "model_off": answer.model_off.as_ref().map(model_off),
-        "changed_parts": answer.parts.iter().map(|of| json!({
+        "changed_parts": answer.parts.iter().map(|of| as_json!({
             "form": form(of.form), "date_earliest": name(of.after), "date_latest": name(of.before),
             "parts": of.parts.iter().map(changed_part).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
         "inspected": inspected(&answer.inspected),
         "tilts": watched.tilts.iter().map(|trend| tilt(trend, answer)).collect::<Vec<_>>(),
-        "sensors": watched.tracked.sensors.iter().map(|change| json!({
+        "sensors": watched.tracked.sensors.iter().map(|change| as_json!({
             "date": name(change.survey),
             "channel": change.channel,
             "assurance": change.assurance,
         })).collect::<Vec<_>>(),
-        "jumped": watched.tracked.jumped.iter().map(|jumped| json!({
+        "jumped": watched.tracked.jumped.iter().map(|jumped| as_json!({
             "from_hz": jumped.from_hz,
             "to_hz": jumped.to_hz,
             "date": name(jumped.at),
@@ -95,7 +96,7 @@ fn changes(answer: &WatchAnswer) -> Vec<Value> {
     let mut changes = Vec::new();
     for (number, mode) in answer.watched.modes.iter().enumerate() {
         for change in &mode.changes {
-            changes.push(json!({
+            changes.push(as_json!({
                 "mode": number + 1,
                 "frequency_hz": mode.track.frequency_hz,
                 "form": form(change.form),
@@ -123,7 +124,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Value> {
         .iter()
         .map(|found| {
             let alarm = &found.alarm;
-            let value = json!({
+            let value = as_json!({
                 "date": name(alarm.survey),
                 "since": name(alarm.since),
                 "mode": found.mode + 1,
@@ -141,7 +142,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Value> {
         })
         .collect();
     for found in watched.t_squared.iter().filter(|found| found.value > found.limit) {
-        let value = json!({
+        let value = as_json!({
             "date": name(found.survey),
             "since": Value::Null,
             "mode": Value::Null,
@@ -156,7 +157,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Value> {
     }
     alarms.sort_by_key(|(survey, _)| *survey);
     let sensors = answer.sensor_alarms.iter().map(|alarm| {
-        json!({
+        as_json!({
             "date": alarm.last,
             "since": alarm.since,
             "mode": Value::Null,
@@ -182,8 +183,8 @@ fn mode(mode: &WatchedMode, answer: &WatchAnswer) -> Value {
     let weather = mode.weather.as_ref();
     let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.clone());
     let names =
-        |surveys: &[usize]| -> Vec<Value> { surveys.iter().map(|survey| json!(name(*survey))).collect() };
-    json!({
+        |surveys: &[usize]| -> Vec<Value> { surveys.iter().map(|survey| as_json!(name(*survey))).collect() };
+    as_json!({
         "frequency_hz": mode.track.frequency_hz,
         "direction": mode.track.direction,
         "found": mode.track.found() - answer.accepted_in(&mode.track),
@@ -202,16 +203,16 @@ fn mode(mode: &WatchedMode, answer: &WatchAnswer) -> Value {
         "disturbance_sd": weather.map(|weather| weather.disturbance.sd),
         "disturbance_correlation": weather.map(|weather| weather.disturbance.correlation),
         "seen_from_ratio": mode.seen_from_ratio,
-        "last_off": mode.last_off.map(|off| json!({ "from": off.from, "surveys": off.surveys, "ratio": off.ratio, "sd": off.sd })),
+        "last_off": mode.last_off.map(|off| as_json!({ "from": off.from, "surveys": off.surveys, "ratio": off.ratio, "sd": off.sd })),
         "outliers": names(&mode.outliers),
         "not_searched": names(&mode.strange),
         "temperature_of_season": names(&mode.guessed),
-        "works": mode.works.iter().map(|effect| json!({
+        "works": mode.works.iter().map(|effect| as_json!({
             "work": effect.work + 1,
             "change_ratio": effect.ratio,
             "sd": effect.sd,
         })).collect::<Vec<_>>(),
-        "surveys": mode.judged.judged.iter().map(|judged| json!({
+        "surveys": mode.judged.judged.iter().map(|judged| as_json!({
             "date": name(judged.survey),
             "frequency_hz": mode.track.modes.get(judged.survey).copied().flatten()
                 .and_then(|j| answer.surveys[judged.survey].frequencies_hz.get(j)),
@@ -237,7 +238,7 @@ fn tilt(trend: &TiltTrend, answer: &WatchAnswer) -> Value {
     let slope = trend.slope.as_ref();
     let reach = slope.and_then(|slope| slope.reach);
     let carried = trend.carried.and_then(|slope| slope.reach);
-    json!({
+    as_json!({
         "direction": trend.series.direction,
         "datum": trend.series.datum,
         "readings": trend.series.ratios.len(),
@@ -245,14 +246,14 @@ fn tilt(trend: &TiltTrend, answer: &WatchAnswer) -> Value {
         "sd_per_year": slope.map(|slope| slope.sd_per_year),
         "p_value": slope.map(|slope| slope.p_value),
         "beyond_chance": trend.is_beyond_chance(),
-        "changes": trend.changes.iter().map(|of| json!({
+        "changes": trend.changes.iter().map(|of| as_json!({
             "form": form(of.form), "date": date(of.from), "date_earliest": date(of.after), "date_latest": date(of.before),
             "size": of.size, "sd": of.sd,
         })).collect::<Vec<_>>(),
-        "outliers": trend.outliers.iter().map(|of| json!({
+        "outliers": trend.outliers.iter().map(|of| as_json!({
             "date": date(of.at), "tilt": trend.series.ratios.get(of.at), "expected": of.expected,
         })).collect::<Vec<_>>(),
-        "works": trend.works.iter().map(|of| json!({ "work": of.work + 1, "change": of.size, "sd": of.sd })).collect::<Vec<_>>(),
+        "works": trend.works.iter().map(|of| as_json!({ "work": of.work + 1, "change": of.size, "sd": of.sd })).collect::<Vec<_>>(),
         "seen_from_per_year": slope.map(|slope| slope.seen_from_per_year),
         "now": slope.map(|slope| slope.now),
         "sign_in_question": trend.is_sign_in_question(),
@@ -274,7 +275,7 @@ fn log(log: &WatchedLog, answer: &WatchAnswer) -> Value {
         LogKind::Tilt { direction } => Some(direction),
         LogKind::Crack | LogKind::Temperature => None,
     };
-    json!({
+    as_json!({
         "name": log.part.name,
         "kind": if log.is_tilt() { "tilt" } else { "crack" },
         "direction": direction,
@@ -308,20 +309,20 @@ fn log(log: &WatchedLog, answer: &WatchAnswer) -> Value {
         "years_to_limit": reach.and_then(|reach| reach.years),
         "years_to_limit_earliest": reach.and_then(|reach| reach.years_earliest),
         "years_to_limit_latest": reach.and_then(|reach| reach.years_latest),
-        "shifts": trend.levels.iter().map(|level| json!({
+        "shifts": trend.levels.iter().map(|level| as_json!({
             "work": level.work + 1,
             "date": answer.works.get(level.work).map(|(_, work)| work.date.clone()),
             "shift": level.shift,
             "sd": level.sd,
             "p_value": level.p_value,
         })).collect::<Vec<_>>(),
-        "changes": trend.changes.iter().map(|of| json!({
+        "changes": trend.changes.iter().map(|of| as_json!({
             "form": form(of.form), "date": date_text(of.day), "date_earliest": date_text(of.after), "date_latest": date_text(of.before),
             "size": of.size, "sd": of.sd,
         })).collect::<Vec<_>>(),
         "stuck_since": trend.stuck_since.map(date_text),
         "silent_since": log.silent_since(answer.newest_day()).map(date_text),
-        "jump": trend.jump.map(|jump| json!({
+        "jump": trend.jump.map(|jump| as_json!({
             "after": date_text(jump.after), "before": date_text(jump.before), "by": jump.by,
         })),
         "days_of_spikes": trend.spikes.iter().map(|day| date_text(*day)).collect::<Vec<_>>(),

@@ -1,19 +1,20 @@
 //! A building in histories of the wind as JSON.
 
+use crate::as_json;
 use dolmen_work::building::{InTime, MotionInTime, WindSimulation};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// A simulation in the wind without its histories.
 pub fn wind_simulation_json(run: &WindSimulation) -> Value {
     let along = |axis: usize| {
         let of = &run.along[axis];
-        json!({
+        as_json!({
             "without_dampers": motion(&of.without),
             "with_dampers": of.with.as_ref().map(motion),
         })
     };
     let strokes = dolmen_project::strokes_of(&run.dampers).into_iter();
-    json!({
+    as_json!({
         "file": run.file,
         "name": { "en": run.name.en, "ko": run.name.ko },
         "variant": run.variant,
@@ -31,17 +32,17 @@ pub fn wind_simulation_json(run: &WindSimulation) -> Value {
         "along_x": along(0),
         "along_y": along(1),
         "as_long_as_its_wind": run.is_as_long_as_its_wind(),
-        "struck_stops": run.struck().iter().map(|of| json!({
+        "struck_stops": run.struck().iter().map(|of| as_json!({
             "damper": of.name, "histories": of.histories, "largest_stroke_m": of.largest_m, "room_m": of.room_m,
         })).collect::<Vec<_>>(),
-        "beyond_room": run.beyond_room().iter().map(|beyond| json!({
+        "beyond_room": run.beyond_room().iter().map(|beyond| as_json!({
             "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
         })).collect::<Vec<_>>(),
     })
 }
 
 fn motion(of: &MotionInTime) -> Value {
-    json!({
+    as_json!({
         "top_displacement_m": in_time(&of.top_displacement_m),
         "edge_drifts_m": of.drifts_m.iter().map(in_time).collect::<Vec<_>>(),
         "top_acceleration_m_s2": in_time(&of.top_acceleration_m_s2),
@@ -53,7 +54,7 @@ fn motion(of: &MotionInTime) -> Value {
 }
 
 fn in_time(of: &InTime) -> Value {
-    json!({
+    as_json!({
         "mean": of.mean,
         "rms": of.rms,
         "peaks": of.peaks,

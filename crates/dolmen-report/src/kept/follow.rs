@@ -1,5 +1,6 @@
 //! Records of a watched folder, one line each, and metrics for other programs.
 
+use crate::as_json;
 use crate::modal::fault_words;
 use dolmen::modal::LastingChange;
 use dolmen::monitoring::{NotJudged, SensorChange};
@@ -8,7 +9,7 @@ use dolmen_words::{Digits, Language, Quantity, Sentence, Unit, Values, messages}
 use dolmen_work::follow::{OpenAlarm, RecordTime, Taken, TimeSource, Verdict};
 use dolmen_work::surveyed::Earthquake;
 use dolmen_work::watched::WatchAnswer;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 messages! {
     /// A new record in a watched folder, and its result.
@@ -287,13 +288,13 @@ pub fn followed_text(
 /// The same as JSON, in one line.
 pub fn followed_json(survey: &str, file: &str, taken: &Taken, judged: &JudgedRecord<'_>) -> Value {
     let modes = taken.modes.as_ref().ok();
-    json!({
+    as_json!({
         "file": file,
         "survey": survey,
         "open_alarms": judged.open_alarms,
-        "shapes_jumped": judged.sensors.map(|of| json!({ "mac": of.assurance, "channel": of.channel })),
+        "shapes_jumped": judged.sensors.map(|of| as_json!({ "mac": of.assurance, "channel": of.channel })),
         "date_from": taken.time.source,
-        "modes": modes.map_or_else(Vec::new, |modes| modes.modes.iter().map(|mode| json!({
+        "modes": modes.map_or_else(Vec::new, |modes| modes.modes.iter().map(|mode| as_json!({
             "frequency_hz": mode.frequency_hz, "frequency_sd_hz": mode.frequency_sd_hz.filter(|sd| sd.is_finite()),
         })).collect()),
         "without_modes": taken.without_modes().map(|why| why.english),
@@ -301,7 +302,7 @@ pub fn followed_json(survey: &str, file: &str, taken: &Taken, judged: &JudgedRec
         "left_out": taken.left_out,
         "earthquake": taken.earthquake.as_ref().map(|of| {
             let part = of.part();
-            json!({
+            as_json!({
                 "peak_acceleration_m_s2": part.peak_m_s2,
                 "change_ratio": part.changed,
                 "sd": part.changed_sd,
@@ -340,7 +341,7 @@ pub fn quarantined_text(file: &str, place: &str, why: &Both, language: Language)
 
 /// The same as JSON, in one line.
 pub fn quarantined_json(file: &str, place: &str, why: &Both) -> Value {
-    json!({ "file": file, "quarantined": place, "why": why.english })
+    as_json!({ "file": file, "quarantined": place, "why": why.english })
 }
 
 /// The state of a structure for Prometheus, as a text file of its node exporter.

@@ -1,8 +1,9 @@
 //! Lists for other programs, written row by row without storing them.
 
+use crate::as_json;
 use dolmen_records::time_text;
 use dolmen_work::kept::{ListedStructure, ListedSurvey};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// A format for other programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +52,7 @@ impl ListFormat {
     /// A structure; `None` if the format has nothing for it.
     pub fn structure(self, row: &ListedStructure, is_first: bool) -> Option<String> {
         match self {
-            ListFormat::Json => Some(object(&json!(row), is_first)),
+            ListFormat::Json => Some(object(&as_json!(row), is_first)),
             ListFormat::Csv => Some(line(&[
                 quoted(&row.name),
                 quoted(&row.kind),
@@ -68,7 +69,7 @@ impl ListFormat {
             ])),
             ListFormat::GeoJson => {
                 let place = [row.longitude_deg?, row.latitude_deg?]; // RFC 7946: east, then north
-                let feature = json!({
+                let feature = as_json!({
                     "type": "Feature",
                     "geometry": { "type": "Point", "coordinates": place },
                     "properties": row,
@@ -81,7 +82,7 @@ impl ListFormat {
     /// A survey; `None` if the format has nothing for it.
     pub fn survey(self, row: &ListedSurvey, is_first: bool) -> Option<String> {
         match self {
-            ListFormat::Json => Some(object(&json!(row), is_first)),
+            ListFormat::Json => Some(object(&as_json!(row), is_first)),
             ListFormat::Csv => Some(line(&[
                 quoted(&row.structure),
                 quoted(&row.survey),
@@ -151,7 +152,7 @@ mod tests {
         );
         let map = ListFormat::GeoJson.structure(&row("a"), false).unwrap();
         let feature: Value = serde_json::from_str(map.strip_prefix(",\n").unwrap()).unwrap();
-        assert_eq!(feature["geometry"]["coordinates"], json!([129.332, 35.79]));
+        assert_eq!(feature["geometry"]["coordinates"], as_json!([129.332, 35.79]));
         let nowhere = ListedStructure {
             latitude_deg: None,
             ..row("a")

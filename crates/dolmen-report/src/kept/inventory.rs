@@ -1,12 +1,13 @@
 //! Many structures over the years, one line each.
 
 use super::formats::{line, number, quoted, text as text_cell};
+use crate::as_json;
 use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_text};
 use crate::limits::part_words;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::inventory::{ExplainingPart, History, InventoryLine};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Rows on a terminal without --full.
 const ROWS_MOST: usize = 12;
@@ -218,7 +219,7 @@ pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
 pub fn inventory_json(lines: &[InventoryLine]) -> Value {
     let alarming = lines.iter().filter(|line| line.is_alarming()).count();
     let to_watch = lines.iter().filter(|line| line.is_to_watch()).count();
-    json!({ "structures": lines, "alarming": alarming, "to_watch": to_watch })
+    as_json!({ "structures": lines, "alarming": alarming, "to_watch": to_watch })
 }
 
 /// The structures as a table (CSV), with the byte order mark by which Excel recognises UTF-8.

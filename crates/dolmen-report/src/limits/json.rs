@@ -1,19 +1,20 @@
 //! Parts compared with their limits, as JSON.
 
+use crate::as_json;
 use dolmen::assess::demand::DriftLimit;
 use dolmen_work::part_limit::{Limited, Part, PartLimit};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Every part, and the allowable drift.
 pub(crate) fn parts_json(parts: &[PartLimit], limit: Option<&DriftLimit>) -> Value {
-    json!({
-        "storey_drift": limit.map(|limit| json!({ "ratio": limit.ratio(), "source": limit.source() })),
+    as_json!({
+        "storey_drift": limit.map(|limit| as_json!({ "ratio": limit.ratio(), "source": limit.source() })),
         "parts": parts.iter().map(part).collect::<Vec<_>>(),
     })
 }
 
 fn part(of: &PartLimit) -> Value {
-    json!({
+    as_json!({
         "part": of.part.name(),
         "is": match of.part {
             Part::Storey(_) => "storey",

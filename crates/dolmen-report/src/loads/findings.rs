@@ -1,7 +1,7 @@
 //! Findings on wind and static loads.
 
-use super::on_frames;
 use super::words::{DIGITS, Found, what};
+use super::{on_buildings, on_frames};
 use crate::document::{Finding, Tone};
 use crate::simulated::kilo;
 use crate::stack::{direction, joints_moving};
@@ -11,6 +11,7 @@ use dolmen::structure::stack::Stack;
 use dolmen::structure::wind::WindError;
 use dolmen_project::{Project, Quantity as Input, Structure, WindPart};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::judgement::Evidence;
 use dolmen_work::loads::{AcrossCombination, ChainCombination, CombinationAnswer, Combined, LoadsAnswer};
 use dolmen_work::state::{Check, State};
 
@@ -130,7 +131,8 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
             None => Finding::key(Tone::Warn, Found::CarriedFalls { weight, factor }),
         });
     }
-    if answer.leaves_wind_out() {
+    // the wind on a building is judged without a combination too
+    if answer.leaves_wind_out() && !matches!(state.check, Check::Building(_)) {
         all.push(Finding::key(Tone::Warn, Found::WindInNone));
     }
     if answer.leaves_loads_out() {
@@ -150,6 +152,10 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
         _ => None,
     };
     all.extend(on_frames::drifts(project, answer));
+    if matches!(state.check, Check::Building(_)) {
+        let is_contradicted = Evidence::of(project, &state.check).is_contradicted();
+        all.extend(on_buildings::findings(answer, is_contradicted));
+    }
     all.extend(
         answer
             .worst()
@@ -202,6 +208,7 @@ fn of_combination(
         (Combined::Stack(under), Some(stack)) => Some(of_stack(what(answer, worst), under, stack)),
         (Combined::Stack(_), None) => None,
         (Combined::Frame(frame), _) => on_frames::borne(project, what(answer, worst), frame),
+        (Combined::Building(_), _) => None,
     }
 }
 

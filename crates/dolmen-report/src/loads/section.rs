@@ -2,7 +2,7 @@
 
 use super::findings::why_not;
 use super::words::what;
-use super::{on_frames, on_stones};
+use super::{on_buildings, on_frames, on_stones};
 use crate::document::{Block, Cell, Column, Document, Figure, Table, table_series};
 use crate::figures::chain_moments;
 use crate::stack::direction;
@@ -151,6 +151,8 @@ pub(crate) enum Loaded<'a> {
     Stack(&'a Stack),
     /// A frame, with the names of its storeys.
     Frame(Vec<Option<String>>),
+    /// A building, with the names of its floors.
+    Building(&'a [String]),
 }
 
 impl<'a> Loaded<'a> {
@@ -160,7 +162,7 @@ impl<'a> Loaded<'a> {
 
     fn stack(&self) -> Option<&'a Stack> {
         match self {
-            Loaded::Chain(_) | Loaded::Frame(_) => None,
+            Loaded::Chain(_) | Loaded::Frame(_) | Loaded::Building(_) => None,
             Loaded::Stack(stack) => Some(stack),
         }
     }
@@ -177,7 +179,12 @@ pub(crate) fn sections<'a>(
         return document;
     };
     document.heading(Shown::Head);
-    if let WindPart::Given(wind) = &given.wind {
+    let floors = match of {
+        Loaded::Building(floors) => Some(floors),
+        Loaded::Chain(_) | Loaded::Stack(_) | Loaded::Frame(_) => None,
+    };
+    // the section on the motion of a building in the wind has its wind
+    if let (WindPart::Given(wind), None) = (&given.wind, floors) {
         document.paragraph(as_given(wind));
         if let Some(Ok(met)) = &answer.wind {
             let factor = Quantity::ratio(met.response_factor, 3);
@@ -192,7 +199,10 @@ pub(crate) fn sections<'a>(
         }
     }
     for load in &given.loads {
-        document.paragraph(listed(load, of.stack()));
+        match floors.and_then(|floors| floors.get(load.part)) {
+            Some(floor) => document.paragraph(on_buildings::listed(load, floor)),
+            None => document.paragraph(listed(load, of.stack())),
+        }
     }
     match &answer.wind {
         Some(Err(why)) => document.note(Shown::NotKnown {
@@ -218,7 +228,10 @@ pub(crate) fn sections<'a>(
     }
     if let Some(worst) = answer.worst() {
         if answer.combinations.len() > 1 || worst.name.is_some() {
-            document.put(Block::Table(combinations(answer)));
+            document.put(Block::Table(match floors {
+                Some(_) => on_buildings::combinations(answer),
+                None => combinations(answer),
+            }));
         }
         match (&worst.of, of) {
             (Combined::Chain(chain), Loaded::Chain(heights_m)) => {
@@ -230,7 +243,10 @@ pub(crate) fn sections<'a>(
             (Combined::Frame(frame), Loaded::Frame(names)) => {
                 on_frames::section(&mut document, &what(answer, worst), frame, &names);
             }
-            (Combined::Chain(_) | Combined::Stack(_) | Combined::Frame(_), _) => {}
+            (Combined::Building(building), Loaded::Building(_)) => {
+                on_buildings::section(&mut document, &what(answer, worst), building);
+            }
+            (Combined::Chain(_) | Combined::Stack(_) | Combined::Frame(_) | Combined::Building(_), _) => {}
         }
     }
     document
@@ -414,6 +430,7 @@ fn combinations(answer: &LoadsAnswer) -> Table {
                         .map(|joint| Quantity::new(joint as f64, Unit::ratio(), Digits::Fixed(0))),
                 ),
                 Combined::Frame(frame) => on_frames::governs(frame),
+                Combined::Building(_) => Cell::Number(None),
                 Combined::Stack(under) => {
                     Cell::words(under.wind_to.map_or_else(|| Sentence::of_symbol("–"), direction))
                 }

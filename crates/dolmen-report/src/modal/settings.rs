@@ -20,6 +20,10 @@ messages! {
             en: "Chosen from the data: {how} at {rate}, model orders to {order}, modes accepted between {low} and {high}, deviations from {blocks} blocks of time. Groups of poles not taken as modes: {few} in too few orders, {scattered} too scattered, {double} doubles of another.",
             ko: "자료로부터 정한 값: {how}({rate}), 모델 차수 {order}까지, 모드 채택 범위 {low}–{high}, 표준편차는 시간 블록 {blocks}개에서 산정. 모드로 보지 않은 극점군: 차수 부족 {few}개, 산포 과다 {scattered}개, 중복 {double}개.",
         },
+        RowsOfReferences { rows: usize, least: usize, lowest: Quantity, references: usize, channels: usize, kept: Quantity } => {
+            en: "{rows} block rows (at least {least} for the lowest peak, {lowest}), with the past of {references} of {channels} channels (they explain {kept} of the motion at the peaks)",
+            ko: "블록 행 {rows}개(최저 피크 {lowest}에는 {least}개 이상 필요), 채널 {channels}개 가운데 기준 채널 {references}개(피크 운동의 {kept} 설명)",
+        },
         Rows { rows: usize, least: usize, lowest: Quantity } => {
             en: "{rows} block rows (at least {least} for the lowest peak, {lowest})",
             ko: "블록 행 {rows}개(최저 피크 {lowest}에는 {least}개 이상 필요)",
@@ -69,10 +73,21 @@ pub(super) fn settings(analysis: &ModalAnalysis) -> Chosen {
 fn how(analysis: &ModalAnalysis) -> Chosen {
     let chosen = &analysis.settings;
     if analysis.modes.method != Method::Plscf {
-        return Chosen::Rows {
-            rows: chosen.block_rows,
-            least: chosen.block_rows_least,
-            lowest: hertz(chosen.lowest_hz),
+        let (rows, least, lowest) = (
+            chosen.block_rows,
+            chosen.block_rows_least,
+            hertz(chosen.lowest_hz),
+        );
+        return match chosen.references_keep {
+            None => Chosen::Rows { rows, least, lowest },
+            Some(kept) => Chosen::RowsOfReferences {
+                rows,
+                least,
+                lowest,
+                references: chosen.references.len(),
+                channels: analysis.fdd_modes.channels.len(),
+                kept: percent(kept, 1),
+            },
         };
     }
     let lines = chosen.lines;

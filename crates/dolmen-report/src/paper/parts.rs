@@ -6,6 +6,7 @@ use crate::behind::behind_document;
 use crate::document::{Block, Document, Finding, Numbers, Tone};
 use crate::engineer::{cover_photo, cover_rows, front, report_title};
 use crate::html::front::{banner, kind_words};
+use crate::html::fronted::{Fronted, text};
 use crate::html::{Imprint, NotReported, project_name};
 use crate::whole::{all_findings, whole_document};
 use dolmen_project::Structure;
@@ -153,7 +154,7 @@ impl Body<'_> {
 
     fn findings(&mut self, findings: &[Finding]) {
         let language = self.language;
-        self.line(Role::FrontHeading, language.pick("Findings", "검토 결과 요약"));
+        self.line(Role::FrontHeading, &text(Fronted::Findings, language));
         for finding in findings {
             let [colour, _, sign] = tone(finding.tone);
             self.pieces.push(Piece::Paragraph(Paragraph {
@@ -178,8 +179,8 @@ impl Body<'_> {
             1 => self.numbers.section(),
             several => (several + 1).to_string(),
         };
-        let head = language.pick("Not reported on", "보고서에서 제외됨");
-        self.heading(1, &number, head);
+        let head = text(Fronted::NotReported, language);
+        self.heading(1, &number, &head);
         for other in others {
             self.line(Role::Bullet, &format!("{}: {}", other.file, other.why));
         }

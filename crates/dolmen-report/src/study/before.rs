@@ -211,7 +211,7 @@ fn left(answer: &StudyAnswer, own: &[StateBefore]) -> Sentence {
             (RunOutcome::Refused | RunOutcome::Diverged | RunOutcome::StillMoving, _) => {
                 Preceded::Refused.into()
             }
-            _ if !of.why.is_empty() => Preceded::Refused.into(),
+            _ if !of.why.english.is_empty() => Preceded::Refused.into(),
             (_, 0) if of.peak_m_s2 == 0.0 => Preceded::Unshaken.into(),
             (_, 0) => Preceded::Undamaged.into(),
             (_, reached) => state(answer, usize::from(reached) - 1),

@@ -48,9 +48,9 @@ messages! {
             en: "The inputs of {scans} were refused.",
             ko: "{scans}은(는) 입력이 허용 범위를 벗어나 해석하지 않았다.",
         },
-        RefusedFor { count: usize, why: String } => {
+        RefusedFor { count: usize, why: Both } => {
             en: "Refused {count} ×: {why}.",
-            ko: "입력 거부 {count}회: [영문] {why}.",
+            ko: "입력 거부 {count}회: {why}.",
         },
         BeyondRoom { beyond: usize, all: usize, least: Quantity } => {
             en: "In {beyond} of {all} runs a damper needs more room than it has, from {least} on: the runs do not have its stops, and are too good there.",
@@ -147,7 +147,7 @@ pub(super) fn refused_for(answer: &StudyAnswer) -> Vec<Done> {
     let each = answer.refusals().into_iter();
     let each = each.map(|(why, count)| Done::RefusedFor {
         count,
-        why: why.to_owned(),
+        why: why.clone(),
     });
     each.collect()
 }

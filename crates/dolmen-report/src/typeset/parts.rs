@@ -5,6 +5,7 @@ use crate::behind::behind_document;
 use crate::document::{Block, Finding, Tone};
 use crate::engineer::{cover_photo, cover_rows, front, report_title};
 use crate::html::front::{banner, kind_words};
+use crate::html::fronted::{Fronted, text};
 use crate::html::{Imprint, NotReported, project_name};
 use crate::whole::{all_findings, whole_document};
 use dolmen_project::Structure;
@@ -189,7 +190,7 @@ impl Parts {
     }
 
     fn findings(&mut self, findings: &[Finding]) {
-        let head = self.language.pick("Findings", "검토 결과 요약");
+        let head = &text(Fronted::Findings, self.language);
         self.plain_heading(1, head);
         for finding in findings {
             let words = finding.sentence.text(self.language);
@@ -208,7 +209,7 @@ impl Parts {
         }
         let language = self.language;
         self.deeper = 0;
-        self.heading(1, language.pick("Not reported on", "보고서에서 제외됨"));
+        self.heading(1, &text(Fronted::NotReported, language));
         let said = others
             .iter()
             .map(|other| format!("{}: {}", other.file, other.why));

@@ -24,7 +24,7 @@ pub(crate) fn check(
     let elastic = Building::new(floors, storeys, PDelta::LeftOut)?;
     let stands = StoreyFall::first(&falls).is_some_and(|first| first.load_factor > 1.0);
     let stands = match stands {
-        true => Some(Box::new(standing(project, part, pick)?)),
+        true => Some(Box::new(standing(project, part, &part.vibrating(pick)?, pick)?)),
         false => None,
     };
     Ok(BuildingAnswer {
@@ -35,13 +35,18 @@ pub(crate) fn check(
     })
 }
 
-fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<StandingBuilding, WorkError> {
-    let vibrating = part.vibrating(pick)?;
-    let dampers = part.dampers(&vibrating, pick)?;
+/// The building as it vibrates, without the wind.
+pub(super) fn standing(
+    project: &Project,
+    part: &BuildingPart,
+    vibrating: &VibratingBuilding,
+    pick: Pick<'_>,
+) -> Result<StandingBuilding, WorkError> {
+    let dampers = part.dampers(vibrating, pick)?;
     let attached: Vec<AttachedDamper> = dampers.iter().map(BuiltDamper::attached).collect();
     let damped_modes = match dampers.is_empty() {
         true => Vec::new(),
-        false => damped_modes(&vibrating, &attached)?,
+        false => damped_modes(vibrating, &attached)?,
     };
     let mut spectral_refused = None;
     let mut spectral = None;
@@ -49,14 +54,14 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
     // the section on the demand states why a site is refused
     if let Some(site) = project.site.as_ref().and_then(|site| site.demand().ok()) {
         let read = spectrum_of(&site);
-        match spectral_analysis(&vibrating, &read) {
+        match spectral_analysis(vibrating, &read) {
             Ok(analysis) => {
                 spectral = Some(by_spectrum(part, vibrating.building(), &analysis, pick)?);
             }
             Err(why) => spectral_refused = Some(told(&why)),
         }
         if !dampers.is_empty() {
-            match damped_spectral_analysis(&vibrating, &attached, &read) {
+            match damped_spectral_analysis(vibrating, &attached, &read) {
                 Ok(analysis) => damped = Some(with_dampers(part, vibrating.building(), &analysis, pick)?),
                 Err(why) => damped_refused = Some(told(&why)),
             }
@@ -104,10 +109,10 @@ fn with_dampers(
 }
 
 /// The largest value of a row for floors, storeys and points.
-struct LargestOfRow {
+pub(super) struct LargestOfRow {
     displacement_m: Vec<[f64; 2]>,
-    edge_drift_m: Vec<Option<[f64; 2]>>,
-    centre_drift_m: Vec<[f64; 2]>,
+    pub(super) edge_drift_m: Vec<Option<[f64; 2]>>,
+    pub(super) centre_drift_m: Vec<[f64; 2]>,
     points_m: Vec<(String, [f64; 2])>,
 }
 
@@ -175,7 +180,7 @@ fn by_spectrum(
     })
 }
 
-fn moved(
+pub(super) fn moved(
     part: &BuildingPart,
     building: &Building,
     both: &dyn Fn(&[f64]) -> f64,

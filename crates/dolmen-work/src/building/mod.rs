@@ -3,6 +3,7 @@
 mod answer;
 pub(crate) mod check;
 pub(crate) mod limits;
+pub(crate) mod loads;
 mod plan_answer;
 pub(crate) mod simulate;
 mod simulation;

@@ -58,7 +58,7 @@ pub(crate) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion
         Ok(found) => found,
         Err(why) => {
             run.outcome = RunOutcome::Refused;
-            run.why = why.english;
+            run.why = why;
             return run;
         }
     };

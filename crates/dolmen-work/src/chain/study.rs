@@ -6,8 +6,9 @@ use crate::at_rest::AtRest;
 use crate::error::WorkError;
 use crate::progress::Progress;
 use crate::study::{ChainMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
-use crate::told::{told, told_both};
+use crate::told::told_both;
 use crate::wrong::CaseRefused;
+use crate::wrong::RunEnded;
 use dolmen::dynamics::{
     ChainHistory, ChainModel, ChainOutcome, ChainRotations, ChainRun, TimeFunction, simulate_chain,
 };
@@ -93,7 +94,7 @@ pub(crate) fn row_and_rest(
     if let (true, Some(why)) = (both, &model.one_plane) {
         let refused = Run {
             outcome: RunOutcome::Refused,
-            why: told(why),
+            why: told_both(why),
             ..run
         };
         return Some((refused, None));
@@ -185,7 +186,7 @@ fn row_in_plane(
         Ok(history) => history,
         Err(why) => {
             run.outcome = RunOutcome::Diverged;
-            run.why = told(&why);
+            run.why = told_both(&why);
             return Some((run, None));
         }
     };
@@ -198,7 +199,7 @@ fn row_in_plane(
         }
         ChainOutcome::StillLeaning { link, at_s } => {
             (run.outcome, run.at_s, run.part) = (RunOutcome::StillMoving, at_s, name(link));
-            run.why = "a link was leaning further and further out when the run ended".to_owned();
+            run.why = RunEnded::LeaningFurther.into();
         }
         _ => return None,
     }

@@ -7,7 +7,7 @@ use crate::at_rest::AtRest;
 use crate::error::WorkError;
 use crate::progress::Progress;
 use crate::study::{FrameMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
-use crate::told::{told, told_both};
+use crate::told::told_both;
 use crate::wrong::CaseRefused;
 use dolmen::dynamics::{FrameHistory, FrameOutcome, simulate_frame, simulate_frame_in_plan};
 use dolmen::signal::{Component, GroundMotion};
@@ -114,7 +114,7 @@ pub(crate) fn row_and_rest(
     let plane = |of: &Leaning, component| Plane::moving(of.clone(), (motion, component), span_s);
     let refused = |why: &WorkError| Run {
         outcome: RunOutcome::Refused,
-        why: told(why),
+        why: told_both(why),
         ..run.clone()
     };
     let both = has_both(motion);

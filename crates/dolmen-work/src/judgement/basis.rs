@@ -63,7 +63,8 @@ impl Basis {
     pub(crate) fn of_checked(project: &Project, variant: Option<&str>, state: &State) -> Self {
         let mut basis = Basis::of(project, variant);
         if let Some(loads) = &state.loads {
-            basis.is_wind_left_out = loads.leaves_wind_out();
+            // the wind on a building is judged without a combination too
+            basis.is_wind_left_out = loads.leaves_wind_out() && !matches!(state.check, Check::Building(_));
             // the weight of a stack is judged with its static loads
             basis.is_loads_left_out = loads.leaves_loads_out() && !matches!(state.check, Check::Stack(_));
         }

@@ -4,12 +4,14 @@ use super::colour::Colour;
 use super::in_doubt::{FromRecords, InDoubt, MissedMode};
 use super::measured_frequency::{MeasuredFrequency, RecordFrequency, measured_sd};
 use super::modes_along::{higher_modes, natural_modes, pairs_along};
+use super::said::{EvidenceSaid, text};
 use crate::building::BuildingAnswer;
 use crate::state::Check;
 use crate::survey_dates::date;
 use dolmen::damper::lowest_seen;
 use dolmen_project::{ModeKind, Project, Quantity, Survey, SurveyMode};
 use dolmen_words::Language;
+use dolmen_words::message::Both;
 use dolmen_words::number::significant;
 
 /// The fixed words.
@@ -219,61 +221,43 @@ impl Evidence {
 
     /// The fixed word: "not measured (calibrated to 2009)".
     pub fn words(&self, language: Language) -> String {
-        let word = match self {
-            Evidence::Agrees { .. } => language.pick("agrees", "계측과 일치"),
-            Evidence::Contradicted(_) => language.pick("contradicted", "계측과 불일치"),
-            Evidence::TooRough(_) => language.pick("not decided", "판별 불가"),
-            Evidence::InDoubt(_) => language.pick("in doubt", "확인 필요"),
-            Evidence::Unread { .. } | Evidence::NotCompared { .. } => {
-                language.pick("not compared", "비교 불가")
-            }
-            Evidence::MarkedAssumed { .. } => language.pick("marked as assumed", "가정값으로 표시됨"),
-            Evidence::NotMeasured { .. } => language.pick("not measured", "계측 없음"),
-        };
+        text(self.said(), language)
+    }
+
+    fn said(&self) -> EvidenceSaid {
         match self {
-            Evidence::TooRough(of) => language.pick(
-                format!("{word}: survey {} measured too roughly to tell", of.survey),
-                format!("{word}({} 조사의 계측 오차가 커서 판단할 수 없음)", of.survey),
-            ),
-            Evidence::InDoubt(of) => language.pick(
-                format!("{word}: {}", of.words(language)),
-                format!("{word}({})", of.words(language)),
-            ),
-            Evidence::Unread { survey } => language.pick(
-                format!("{word} with the records of survey {survey}, whose modes were not sought"),
-                format!("{word}({survey} 조사의 진동 기록에서 모드를 아직 구하지 않음)"),
-            ),
-            Evidence::NotCompared { survey } => language.pick(
-                format!(
-                    "{word} with survey {survey}: the model has no frequency, its stiffness is not given"
-                ),
-                format!("{word}({survey} 조사의 고유진동수는 있으나 모델의 강성이 주어지지 않음)"),
-            ),
+            Evidence::Agrees { .. } => EvidenceSaid::Agrees,
+            Evidence::Contradicted(_) => EvidenceSaid::Contradicted,
+            Evidence::TooRough(of) => EvidenceSaid::TooRough {
+                survey: of.survey.clone(),
+            },
+            Evidence::InDoubt(of) => EvidenceSaid::InDoubt {
+                why: Both::of(|language| of.words(language)),
+            },
+            Evidence::Unread { survey } => EvidenceSaid::Unread {
+                survey: survey.clone(),
+            },
+            Evidence::NotCompared { survey } => EvidenceSaid::NotCompared {
+                survey: survey.clone(),
+            },
             Evidence::MarkedAssumed { survey, farthest } => {
-                let beside = farthest.as_ref().map_or_else(String::new, |of| {
-                    let [own, model] = [of.measured_hz, of.computed_hz].map(|hz| significant(hz, 3));
-                    language.pick(
-                        format!("; {}: {own} Hz there, {model} Hz modelled", of.direction),
-                        format!("; {} 방향 {own} Hz, 모델 {model} Hz", of.direction),
-                    )
-                });
-                language.pick(
-                    format!("the frequencies of survey {survey} are {word}, not measured{beside}"),
-                    format!("{survey} 조사의 고유진동수가 계측값이 아니라 {word}{beside}"),
-                )
+                let survey = survey.clone();
+                match farthest {
+                    Some(of) => EvidenceSaid::MarkedAssumedApart {
+                        survey,
+                        direction: of.direction.clone(),
+                        given: significant(of.measured_hz, 3),
+                        computed: significant(of.computed_hz, 3),
+                    },
+                    None => EvidenceSaid::MarkedAssumed { survey },
+                }
             }
             Evidence::NotMeasured {
                 calibrated_to: Some(survey),
-            } => language.pick(
-                format!("{word} (calibrated to {survey})"),
-                format!("{word}({survey} 조사로 추정한 강성)"),
-            ),
-            // possibly only the lowest frequency of each direction was compared
-            Evidence::Agrees { .. } => language.pick(
-                format!("{word} (lowest frequencies)"),
-                format!("{word}(최저 고유진동수)"),
-            ),
-            _ => word.to_owned(),
+            } => EvidenceSaid::Calibrated {
+                survey: survey.clone(),
+            },
+            Evidence::NotMeasured { calibrated_to: None } => EvidenceSaid::NotMeasured,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Doubts about a model whose lowest frequencies were measured: higher modes, and modes that no stiffness explains.
 
 use super::measured_frequency::{RecordFrequency, apart, contradict};
+use super::said::{DoubtSaid, text};
 use dolmen_words::Language;
 use dolmen_words::number::significant;
 
@@ -105,7 +106,6 @@ impl InDoubt {
 
     /// "mode 3 in direction x 3.60 Hz measured, 8.00 Hz modelled, −55 % (survey 2026-04-02)".
     pub fn words(&self, language: Language) -> String {
-        let survey = &self.survey;
         let mode = self
             .mode
             .as_ref()
@@ -113,22 +113,22 @@ impl InDoubt {
         let unexplained = self.unexplained.as_ref().map(|of| of.words(language));
         let missed = self.missed.iter().map(|of| of.words(language));
         let said: Vec<String> = mode.into_iter().chain(missed).chain(unexplained).collect();
-        let said = said.join("; ");
-        language.pick(
-            format!("{said} (survey {survey})"),
-            format!("{survey} 조사: {said}"),
-        )
+        let of_survey = DoubtSaid::OfSurvey {
+            said: said.join("; ").into(),
+            survey: self.survey.clone(),
+        };
+        text(of_survey, language)
     }
 }
 
 impl MissedMode {
     fn words(&self, language: Language) -> String {
-        let (number, direction) = (self.number, &self.direction);
-        let computed = significant(self.computed_hz, 3);
-        language.pick(
-            format!("no measured mode is paired with mode {number} of the model in direction {direction}, {computed} Hz"),
-            format!("모델의 {direction} 방향 {number}차 모드 {computed} Hz와 짝지은 계측 모드 없음"),
-        )
+        let unpaired = DoubtSaid::Unpaired {
+            number: self.number,
+            direction: self.direction.clone(),
+            computed: significant(self.computed_hz, 3),
+        };
+        text(unpaired, language)
     }
 }
 
@@ -142,53 +142,53 @@ impl PairedMode {
     }
 
     fn words(&self, further: usize, language: Language) -> String {
-        let [measured, computed] = [self.measured_hz, self.computed_hz].map(|hz| significant(hz, 3));
         let percent = 100.0 * (self.measured_hz / self.computed_hz - 1.0);
-        let percent = format!("{percent:+.0} %").replace('-', "−");
         let number = self.number;
         let mode = match &self.direction {
-            Some(direction) if direction == "torsion" => language.pick(
-                format!("mode {number} of torsion"),
-                format!("비틀림 {number}차 모드"),
-            ),
-            Some(direction) => language.pick(
-                format!("mode {number} in direction {direction}"),
-                format!("{direction} 방향 {number}차 모드"),
-            ),
-            None => language.pick(
-                format!("mode {number} of the model"),
-                format!("모델의 {number}차 모드"),
-            ),
+            Some(direction) if direction == "torsion" => DoubtSaid::OfTorsion { number },
+            Some(direction) => DoubtSaid::Along {
+                number,
+                direction: direction.clone(),
+            },
+            None => DoubtSaid::OfModel { number },
         };
-        let further = match further {
-            0 => String::new(),
-            more => language.pick(format!(" and {more} more off"), format!(" 외 {more}개 모드")),
+        let apart = DoubtSaid::Apart {
+            mode: mode.into(),
+            measured: significant(self.measured_hz, 3),
+            computed: significant(self.computed_hz, 3),
+            change: format!("{percent:+.0} %").replace('-', "−"),
         };
-        language.pick(
-            format!("{mode} {measured} Hz measured, {computed} Hz modelled, {percent}{further}"),
-            format!("{mode} 실측 {measured} Hz, 모델 {computed} Hz, {percent}{further}"),
-        )
+        match further {
+            0 => text(apart, language),
+            more => text(
+                DoubtSaid::ApartAndMore {
+                    apart: apart.into(),
+                    more,
+                },
+                language,
+            ),
+        }
     }
 }
 
 impl Unexplained {
     fn words(&self, language: Language) -> String {
-        let direction = self.direction.as_ref().map_or_else(String::new, |direction| {
-            language.pick(format!(" in direction {direction}"), format!("{direction} 방향 "))
-        });
-        let off = self
-            .deviations
-            .map(|of| significant(of, 2))
-            .map_or_else(String::new, |of| {
-                language.pick(
-                    format!(", the best is {of} standard deviations off"),
-                    format!("(가장 가까운 값도 표준편차의 {of}배 차이)"),
-                )
-            });
-        language.pick(
-            format!("no stiffness explains the measured modes{direction}{off}"),
-            format!("{direction}계측 모드를 설명하는 강성이 없음{off}"),
-        )
+        let unexplained = match &self.direction {
+            Some(direction) => DoubtSaid::UnexplainedAlong {
+                direction: direction.clone(),
+            },
+            None => DoubtSaid::Unexplained,
+        };
+        match self.deviations {
+            Some(off) => text(
+                DoubtSaid::BestOff {
+                    unexplained: unexplained.into(),
+                    deviations: significant(off, 2),
+                },
+                language,
+            ),
+            None => text(unexplained, language),
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use super::basis::Basis;
 use super::colour::Colour;
 use super::earthquake::{Earthquake, EarthquakeFinding, of_site};
 use super::evidence::Evidence;
+use super::said::{MovedSaid, text};
 use super::weight::Weight;
 use super::wind::{MovedBy, WindFinding, WindWord, of_wind};
 use crate::loads::Governing;
@@ -182,19 +183,15 @@ impl VersionJudgement {
         }
         let wind = self.wind_word();
         if wind != WindWord::NotAsked {
-            let word = wind.word(language);
             let by = WindFinding::deciding(&self.wind).map_or(MovedBy::Wind, |of| of.by);
+            let word = Both::of(|language| wind.word(language));
             let said = match by {
-                MovedBy::Wind => language.pick(format!("{word} in wind"), format!("풍응답 {word}")),
-                MovedBy::Loads => language.pick(
-                    format!("{word} under its static loads"),
-                    format!("정하중 변위 {word}"),
-                ),
-                MovedBy::Both => language.pick(
-                    format!("{word} under wind and static loads"),
-                    format!("풍하중·정하중 변위 {word}"),
-                ),
+                MovedBy::Wind => MovedSaid::InWind { word },
+                MovedBy::Loads => MovedSaid::UnderLoads { word },
+                MovedBy::Both => MovedSaid::UnderBoth { word },
+                MovedBy::WithEarthquake => MovedSaid::UnderAll { word },
             };
+            let said = text(said, language);
             words.push((wind.colour(), said));
         }
         if self.evidence.is_doubted() {
@@ -231,7 +228,12 @@ pub(super) fn version(
         version.earthquake = found.map(EarthquakeFinding::if_model_were_right).collect();
     }
     version.wind = of_wind(project, state, is_contradicted);
-    version.with_loads = state.loads.as_ref().is_some_and(|loads| {
+    // the word for weight of a building holds no loads from the side: they move it, and drifts are judged
+    let loads = state
+        .loads
+        .as_ref()
+        .filter(|_| !matches!(state.check, Check::Building(_)));
+    version.with_loads = loads.is_some_and(|loads| {
         loads
             .combinations
             .iter()

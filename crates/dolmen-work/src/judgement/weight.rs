@@ -1,11 +1,13 @@
 //! Weight: does the structure stand under its own weight and the static loads in the file?
 
 use super::colour::Colour;
+use super::said::{WeightSaid, text};
 use crate::stack::SupportsSimulation;
 use crate::state::{Check, State};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::MovedSupports;
 use dolmen_words::Language;
+use dolmen_words::message::Both;
 use dolmen_words::number::beside_one;
 
 /// Digits of a load factor in a headline.
@@ -117,18 +119,17 @@ impl Weight {
 
     /// The word, with the value of the contradicted model: "unknown (1.95 if this model were right)".
     pub fn words(self, language: Language) -> String {
-        let word = self.word(language);
         match self {
             Weight::Unknown {
                 load_factor_if_right: Some(factor),
             } => {
-                let factor = beside_one(factor, DIGITS);
-                language.pick(
-                    format!("{word} ({factor} if this model were right)"),
-                    format!("{word}(이 모델이 옳다면 {factor})"),
-                )
+                let said = WeightSaid::IfRight {
+                    word: Both::of(|language| self.word(language)),
+                    load_factor: beside_one(factor, DIGITS),
+                };
+                text(said, language)
             }
-            _ => word.to_owned(),
+            _ => self.word(language).to_owned(),
         }
     }
 }

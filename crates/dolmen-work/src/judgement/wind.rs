@@ -43,6 +43,8 @@ pub enum MovedBy {
     Loads,
     /// Both.
     Both,
+    /// A combination with the earthquake of the site.
+    WithEarthquake,
 }
 
 /// A word, the quantity that decided it, and the ratio.
@@ -102,12 +104,23 @@ impl WindFinding {
         worst.min_by(|a, b| in_hand(a).total_cmp(&in_hand(b)))
     }
 
-    /// A wind without limits: its motion is not judged.
-    fn without_limit() -> Self {
+    /// A motion without limits: it is not judged.
+    fn without_limit(by: MovedBy) -> Self {
         WindFinding {
             word: WindWord::NotDecided,
-            by: MovedBy::Wind,
+            by,
             limit: Some(WindLimit::NotGiven),
+            part: None,
+            ratio: None,
+        }
+    }
+
+    /// There is a limit, but the motion is unknown.
+    fn unknown(by: MovedBy) -> Self {
+        WindFinding {
+            word: WindWord::NotDecided,
+            by,
+            limit: None,
             part: None,
             ratio: None,
         }
@@ -141,23 +154,51 @@ pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -
     let Some(standing) = &answer.stands else {
         return Vec::new();
     };
+    let mut all = compared(standing, &answer.floors);
     if standing.wind_refused.is_some() {
         let given = project.loads.wind().map(|wind| &wind.in_time);
         let is_limited = given.is_some_and(|of| of.acceleration_limit.is_some() || of.drift_limit.is_some());
-        let not_decided = WindFinding {
-            word: WindWord::NotDecided,
-            by: MovedBy::Wind,
-            limit: None,
-            part: None,
-            ratio: None,
-        };
-        return is_limited.then_some(not_decided).into_iter().collect();
+        all.extend(is_limited.then_some(WindFinding::unknown(MovedBy::Wind)));
     }
-    let mut all = compared(standing, &answer.floors);
-    if standing.wind.is_some() && all.is_empty() {
-        all.push(WindFinding::without_limit());
+    let combinations = state.loads.iter().flat_map(|loads| &loads.combinations);
+    let (mut moved_by, mut has_combination) = (MovedBy::Wind, false);
+    for (by, found) in combinations.filter_map(of_building) {
+        (moved_by, has_combination) = (by, true);
+        all.extend(found);
+    }
+    if all.is_empty() && (standing.wind.is_some() || has_combination) {
+        all.push(WindFinding::without_limit(moved_by));
     }
     if_model_is_right(all, is_contradicted)
+}
+
+/// A combination of a building: what moves it, and its largest drift compared with its limit, if it has one; `None` if nothing moves it, or
+/// its weight alone makes it fall.
+fn of_building(of: &CombinationAnswer) -> Option<(MovedBy, Option<WindFinding>)> {
+    let building = of.building()?;
+    let by = match (building.earthquake > 0.0, of.wind > 0.0, of.loads > 0.0) {
+        (true, _, _) => MovedBy::WithEarthquake,
+        (false, true, true) => MovedBy::Both,
+        (false, true, false) => MovedBy::Wind,
+        (false, false, true) => MovedBy::Loads,
+        (false, false, false) => return None,
+    };
+    let largest = building.largest().filter(|of| of.ratio != 0.0)?;
+    let found = building.drift_limit.map(|limit| {
+        let judged = WindFinding {
+            by,
+            ..WindFinding::of(
+                WindLimit::Drift,
+                Some(largest.storey.floor.clone()),
+                limit / largest.ratio,
+            )
+        };
+        match building.unknown.is_some() && judged.word == WindWord::Within {
+            true => WindFinding::unknown(by),
+            false => judged,
+        }
+    });
+    Some((by, found))
 }
 
 /// The lean of each storey of a frame under each combination, compared with a drift limit that the file gives as a number; the smallest
@@ -180,13 +221,7 @@ fn of_frame(part: &FramePart, project: &Project, loads: &LoadsAnswer) -> Vec<Win
         (false, false) => None,
     };
     if matches!(loads.wind, Some(Err(_))) {
-        return vec![WindFinding {
-            word: WindWord::NotDecided,
-            by: MovedBy::Wind,
-            limit: None,
-            part: None,
-            ratio: None,
-        }];
+        return vec![WindFinding::unknown(MovedBy::Wind)];
     }
     let mut all = Vec::new();
     for combination in &loads.combinations {
@@ -204,13 +239,7 @@ fn of_frame(part: &FramePart, project: &Project, loads: &LoadsAnswer) -> Vec<Win
             ..WindFinding::of(WindLimit::Drift, Some(name.clone()), ratio)
         }));
         if !frame.unknown.is_empty() {
-            all.push(WindFinding {
-                word: WindWord::NotDecided,
-                by,
-                limit: None,
-                part: None,
-                ratio: None,
-            });
+            all.push(WindFinding::unknown(by));
         }
     }
     all
@@ -258,7 +287,7 @@ pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> 
         }
     }
     if all.is_empty() {
-        all.push(WindFinding::without_limit());
+        all.push(WindFinding::without_limit(MovedBy::Wind));
     }
     if_model_is_right(all, is_contradicted || !run.is_as_long_as_its_wind())
 }

@@ -1,5 +1,6 @@
 //! The answer on wind and static loads.
 
+use super::on_building::BuildingCombination;
 use dolmen::assess::StackUnderLoads;
 use dolmen::stability::{ChainUnderLoads, StoreyUnderLoads, Verdict};
 use dolmen::structure::wind::{Resonance, WindError};
@@ -111,6 +112,8 @@ pub enum Combined {
     Stack(Box<StackUnderLoads>),
     /// For a frame, one direction at a time.
     Frame(Box<FrameCombination>),
+    /// For a building: drifts.
+    Building(Box<BuildingCombination>),
 }
 
 /// A frame under a combination; each storey with the worse direction of the wind, joints sticking or slipping.
@@ -228,14 +231,14 @@ impl CombinationAnswer {
     pub fn chain(&self) -> Option<&ChainCombination> {
         match &self.of {
             Combined::Chain(chain) => Some(chain),
-            Combined::Stack(_) | Combined::Frame(_) => None,
+            Combined::Stack(_) | Combined::Frame(_) | Combined::Building(_) => None,
         }
     }
 
     /// The result for a stack; `None` for others.
     pub fn stack(&self) -> Option<&StackUnderLoads> {
         match &self.of {
-            Combined::Chain(_) | Combined::Frame(_) => None,
+            Combined::Chain(_) | Combined::Frame(_) | Combined::Building(_) => None,
             Combined::Stack(stack) => Some(stack),
         }
     }
@@ -243,17 +246,26 @@ impl CombinationAnswer {
     /// The result for a frame; `None` for others.
     pub fn frame(&self) -> Option<&FrameCombination> {
         match &self.of {
-            Combined::Chain(_) | Combined::Stack(_) => None,
+            Combined::Chain(_) | Combined::Stack(_) | Combined::Building(_) => None,
             Combined::Frame(frame) => Some(frame),
         }
     }
 
-    /// Smallest factor on wind and loads at which a joint reaches its limit, stones move, or a storey falls; `None` if no limit is known.
+    /// The result for a building; `None` for others.
+    pub fn building(&self) -> Option<&BuildingCombination> {
+        match &self.of {
+            Combined::Chain(_) | Combined::Stack(_) | Combined::Frame(_) => None,
+            Combined::Building(building) => Some(building),
+        }
+    }
+
+    /// Smallest factor on wind and loads at which a joint reaches its limit, stones move, or a storey falls; `None` if no limit is known, and for a building.
     pub fn factor(&self) -> Option<f64> {
         match &self.of {
             Combined::Chain(chain) => chain.under.factor,
             Combined::Stack(stack) => Some(stack.found.factor),
             Combined::Frame(frame) => frame.factor(),
+            Combined::Building(_) => None,
         }
     }
 
@@ -263,6 +275,7 @@ impl CombinationAnswer {
             Combined::Chain(chain) => chain.verdict(),
             Combined::Stack(stack) => stack.verdict(),
             Combined::Frame(frame) => frame.verdict(),
+            Combined::Building(building) => building.verdict(),
         }
     }
 }
@@ -310,7 +323,8 @@ impl LoadsAnswer {
         !self.combinations.is_empty() && self.combinations.iter().all(|each| factor(each) == 0.0)
     }
 
-    /// The combination with the worst verdict, then with the smallest factor.
+    /// The combination with the worst verdict, then with the smallest factor, for a building with the smallest margin of drift, or, without a
+    /// limit, the largest drift.
     pub fn worst(&self) -> Option<&CombinationAnswer> {
         self.combinations.iter().min_by(|a, b| {
             let severity = |of: &CombinationAnswer| match of.verdict() {
@@ -320,9 +334,21 @@ impl LoadsAnswer {
                 Verdict::Stable => 3,
             };
             let factor = |of: &CombinationAnswer| of.factor().unwrap_or(f64::INFINITY);
+            let margin = |of: &CombinationAnswer| {
+                let building = of.building();
+                building
+                    .and_then(BuildingCombination::drift_margin)
+                    .unwrap_or(f64::INFINITY)
+            };
+            let drift = |of: &CombinationAnswer| {
+                let largest = of.building().and_then(BuildingCombination::largest);
+                largest.map_or(0.0, |of| of.ratio)
+            };
             severity(a)
                 .cmp(&severity(b))
                 .then(factor(a).total_cmp(&factor(b)))
+                .then(margin(a).total_cmp(&margin(b)))
+                .then(drift(b).total_cmp(&drift(a)))
         })
     }
 

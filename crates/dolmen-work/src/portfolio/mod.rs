@@ -19,5 +19,6 @@ pub use table::{
     PortfolioError, PortfolioRow, PortfolioTable, RowSource, read_portfolio, read_portfolio_sheet,
 };
 pub use words::{
-    basis_words, capacity_words, factor_words, known_word, probability_in_years, reason_words, unlike_words,
+    BasisSaid, basis_words, capacity_words, factor_words, known_word, probability_in_years, reason_words,
+    unlike_words,
 };

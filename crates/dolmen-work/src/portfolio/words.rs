@@ -3,8 +3,9 @@
 use super::answer::{Basis, PortfolioEntry};
 use crate::study::YEARS;
 use dolmen::assess::{Factor, Known, KnownCapacity, Unlike, UnlikeQuantity};
-use dolmen_words::Language;
+use dolmen_words::message::Both;
 use dolmen_words::number::significant;
+use dolmen_words::{Language, Sentence, messages};
 
 /// Name of a factor, with its unit.
 pub fn factor_words(factor: Factor, language: Language) -> &'static str {
@@ -39,36 +40,56 @@ pub fn basis_words(entry: &PortfolioEntry, language: Language) -> String {
             name,
             scans,
             fell_alone: 0,
-        } => language.pick(
-            format!("study {name}, {scans} scans"),
-            format!("해석 {name}, 증분해석 {scans}건"),
+        } => text(
+            BasisSaid::Study {
+                name: name.clone(),
+                scans: *scans,
+            },
+            language,
         ),
         Basis::Study {
             name,
             scans,
             fell_alone,
         } => {
-            let share = significant(100.0 * *fell_alone as f64 / *scans as f64, 2);
-            language.pick(
-                format!("study {name}, {scans} scans, {share} % FALL BY THEMSELVES"),
-                format!("해석 {name}, 증분해석 {scans}건 중 {share} %는 자중으로 붕괴"),
-            )
+            let fell = BasisSaid::FellAlone {
+                name: name.clone(),
+                scans: *scans,
+                share: significant(100.0 * *fell_alone as f64 / *scans as f64, 2),
+            };
+            text(fell, language)
         }
         Basis::Score { outside, unlike, .. } if outside.is_empty() && unlike.is_empty() => {
-            language.pick("score", "점수").to_owned()
+            text(BasisSaid::Score, language)
         }
         Basis::Score { outside, unlike, .. } => {
-            let names = outside
-                .iter()
-                .map(|factor| factor_words(*factor, language).to_owned());
-            let names = names.chain(unlike.iter().map(|one| unlike_words(one, language)));
-            let names = names.collect::<Vec<String>>().join("; ");
-            language.pick(
-                format!("score, EXTRAPOLATED: {names}"),
-                format!("점수(학습 범위 밖: {names})"),
-            )
+            let why = Both::of(|language| {
+                let names = outside
+                    .iter()
+                    .map(|factor| factor_words(*factor, language).to_owned());
+                let names = names.chain(unlike.iter().map(|one| unlike_words(one, language)));
+                names.collect::<Vec<String>>().join("; ")
+            });
+            text(BasisSaid::Extrapolated { why }, language)
         }
     }
+}
+
+messages! {
+    /// What a capacity rests on.
+    pub enum BasisSaid in "rank.basis" {
+        Study { name: String, scans: usize } => { en: "study {name}, {scans} scans", ko: "해석 {name}, 증분해석 {scans}건" },
+        FellAlone { name: String, scans: usize, share: String } => {
+            en: "study {name}, {scans} scans, {share} % FALL BY THEMSELVES",
+            ko: "해석 {name}, 증분해석 {scans}건 중 {share} %는 자중으로 붕괴",
+        },
+        Score => { en: "score", ko: "점수" },
+        Extrapolated { why: Both } => { en: "score, EXTRAPOLATED: {why}", ko: "점수(학습 범위 밖: {why})" },
+    }
+}
+
+fn text(message: BasisSaid, language: Language) -> String {
+    Sentence::from(message).text(language)
 }
 
 /// The median over all scans in g, including those that fall under their own weight, with the sign of a bound.

@@ -3,7 +3,8 @@
 use crate::at_rest::AtRest;
 use crate::progress::{Progress, Silent};
 use crate::study::{Run, RunMeasures, RunOutcome, StackMeasures};
-use crate::told::told;
+use crate::told::told_both;
+use crate::wrong::RunEnded;
 use dolmen::assess::{DamageState, stack_damage};
 use dolmen::blocks::{
     BlocksError, ContactRule, Outcome, Rigid, Springs, StackHistory, StackRun, simulate_rigid,
@@ -94,7 +95,7 @@ pub(crate) fn row(
         Ok(history) => history,
         Err(why) => {
             run.outcome = RunOutcome::Refused;
-            run.why = told(&why);
+            run.why = told_both(&why);
             return Some(run);
         }
     };
@@ -118,10 +119,8 @@ pub(crate) fn row(
             block: index, at_s, ..
         } => {
             run.at_s = *at_s;
-            run.why = format!(
-                "it had not come to rest {:.0} s after the time to rest",
-                StackHistory::LONGER_MOST_S
-            );
+            let longer = format!("{:.0}", StackHistory::LONGER_MOST_S);
+            run.why = RunEnded::NotAtRest { longer }.into();
             (RunOutcome::StillMoving, block(*index))
         }
         Outcome::Diverged { at_s } => {
@@ -130,7 +129,8 @@ pub(crate) fn row(
         }
         Outcome::NotConverged { at_s, residual_m_s } => {
             run.at_s = *at_s;
-            run.why = format!("no solution of the contact law was found: {residual_m_s:.1e} m/s are left");
+            let left = format!("{residual_m_s:.1e}");
+            run.why = RunEnded::NoSolution { left }.into();
             (RunOutcome::Diverged, String::new())
         }
         _ => return None,

@@ -247,12 +247,12 @@ impl StudyAnswer {
     }
 
     /// Reasons of refusals, each with its number of cases.
-    pub fn refusals(&self) -> BTreeMap<&str, usize> {
+    pub fn refusals(&self) -> Vec<(&Both, usize)> {
         let mut counts = BTreeMap::new();
         for run in self.runs.iter().filter(|run| run.outcome == RunOutcome::Refused) {
-            *counts.entry(run.why.as_str()).or_insert(0) += 1;
+            counts.entry(run.why.english.as_str()).or_insert((&run.why, 0)).1 += 1;
         }
-        counts
+        counts.into_values().collect()
     }
 
     /// Usable scans that fell at the smallest size of the study; below it, only halving was tried.

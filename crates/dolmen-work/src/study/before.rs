@@ -46,7 +46,7 @@ impl EarlierShaking {
     pub(super) fn refused(case: usize, why: Both) -> Self {
         let run = Run {
             outcome: RunOutcome::Refused,
-            why: why.english.clone(),
+            why: why.clone(),
             ..Run::empty(case)
         };
         EarlierShaking::Refused {
@@ -126,7 +126,7 @@ pub(super) fn shaken_before(
             RunOutcome::Stood | RunOutcome::Uplifted | RunOutcome::Slid
         );
         let Some(AtRest { end_s, speed_m_s }) = rest.filter(|_| is_whole) else {
-            let why = match run.why.is_empty() {
+            let why = match run.why.english.is_empty() {
                 true => CaseRefused::NoVerdictBefore.into(),
                 false => CaseRefused::UndecidedBefore { why: run.why.clone() }.into(),
             };
@@ -154,7 +154,7 @@ pub(super) fn shaken_before(
 }
 
 fn refused(mut state: StateBefore, why: Both) -> EarlierShaking {
-    state.why = why.english.clone();
+    state.why = why.clone();
     EarlierShaking::Refused { why, state }
 }
 

@@ -91,7 +91,7 @@ pub fn run(
                     NoModel::FallsAlone(why) => (why, RunOutcome::Fell, ALL_STATES),
                 };
                 let run = Run {
-                    why: why.english.clone(),
+                    why: why.clone(),
                     outcome,
                     damage_state,
                     ..Run::empty(scan.job)

@@ -121,10 +121,10 @@ pub fn header_line(header: &JournalHeader) -> String {
     closed(&cells)
 }
 
-/// The line of a run, with its end.
+/// The line of a run, with its end. A reason that Korean says otherwise stands there in both languages.
 pub fn run_line(run: &Run) -> String {
     let numbers: Vec<String> = run.measures.values().iter().map(f64::to_string).collect();
-    closed(&[
+    let mut cells = vec![
         run.job.to_string(),
         run.scale.to_string(),
         run.peak_ground_acceleration_m_s2.to_string(),
@@ -136,8 +136,12 @@ pub fn run_line(run: &Run) -> String {
         escaped(&run.part),
         escaped(&run.gave_way),
         numbers.join(","),
-        escaped(&run.why),
-    ])
+        escaped(&run.why.english),
+    ];
+    if run.why.korean != run.why.english {
+        cells.push(escaped(&run.why.korean));
+    }
+    closed(&cells)
 }
 
 /// Reads a journal; an incomplete last line is ignored.
@@ -203,10 +207,16 @@ fn run_of(cells: &[String], kind: StudyKind) -> Option<Run> {
         part,
         gave_way,
         numbers,
-        why,
+        english,
+        korean @ ..,
     ] = cells
     else {
         return None;
+    };
+    let korean = match korean {
+        [] => english,
+        [korean] => korean,
+        _ => return None,
     };
     let number = |text: &str| text.parse::<f64>().ok();
     let measures: Option<Vec<f64>> = match numbers.as_str() {
@@ -226,7 +236,10 @@ fn run_of(cells: &[String], kind: StudyKind) -> Option<Run> {
         part: plain(part),
         gave_way: plain(gave_way),
         measures,
-        why: plain(why),
+        why: Both {
+            english: plain(english),
+            korean: plain(korean),
+        },
     })
 }
 
@@ -299,7 +312,10 @@ mod tests {
                 let values: Vec<f64> = (0..10).map(|n| f64::from(n).exp() * 1e-7).collect();
                 RunMeasures::of_values(StudyKind::Stack, &values).unwrap()
             },
-            why: String::new(),
+            why: Both {
+                english: "no room".to_owned(),
+                korean: "여유\t없음".to_owned(),
+            },
         }
     }
 

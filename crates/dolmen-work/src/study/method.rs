@@ -6,8 +6,8 @@ use super::measures::RunMeasures;
 use dolmen::assess::DamageThresholds;
 use dolmen::blocks::Springs;
 use dolmen_project::LawPart;
-use dolmen_words::Language;
 use dolmen_words::number::trimmed;
+use dolmen_words::{Language, Sentence, messages};
 
 /// Default time after the motion for a frame or a chain, s, in a study and a single simulation alike: with a damping ratio of 2 % a motion of 1
 /// Hz decays to a tenth. Our choice.
@@ -52,7 +52,8 @@ impl StudyAnswer {
     /// "after NAME", for a study after an earlier motion.
     pub fn after_words(&self, language: Language) -> Option<String> {
         let motion = &self.study.after.as_ref()?.motion;
-        Some(language.pick(format!("after {motion}"), format!("{motion} 이후")))
+        let motion = motion.clone();
+        Some(Sentence::from(Method::After { motion }).text(language))
     }
 
     /// The contact law of a stack; `None` for other structures.
@@ -65,85 +66,88 @@ impl StudyAnswer {
 
     /// Law, points, rest, refinement, seeds and version.
     pub fn method(&self, language: Language) -> String {
+        let said = self.sentences().into_iter();
+        let mut words: Vec<String> = said.map(|one| Sentence::from(one).text(language)).collect();
+        words.push(format!("Dolmen {}", self.version));
+        words.join(", ")
+    }
+
+    fn sentences(&self) -> Vec<Method> {
         let study = &self.study;
-        let mut words = Vec::new();
-        if let Some(law) = self.law() {
-            let korean = match study.law {
-                LawPart::Springs => "스프링 접촉 모델",
-                LawPart::Rigid => "강체 접촉 모델",
-            };
-            words.push(language.pick(format!("{law} law"), korean.to_owned()));
+        let mut said = Vec::new();
+        if self.kind == StudyKind::Stack {
+            said.push(match study.law {
+                LawPart::Springs => Method::SpringsLaw,
+                LawPart::Rigid => Method::RigidLaw,
+            });
             let points = study.points;
-            words.push(language.pick(
-                format!("{points} contact points a joint"),
-                format!("접합면당 접촉점 {points}개"),
-            ));
+            said.push(Method::Points { points });
             if points == 4 && study.law == LawPart::Springs {
-                words.push(
-                    language
-                        .pick(
-                            "which make joints three times as stiff in rocking as faces are: capacities come out too large",
-                            "접합면의 회전강성이 약 3배로 커져 내력이 크게 산정됨",
-                        )
-                        .to_owned(),
-                );
+                said.push(Method::TooStiff);
             }
         }
         if self.kind == StudyKind::Building {
-            let limits = study
-                .drift_limits
-                .map(|limit| trimmed(100.0 * limit, 4))
-                .join(", ");
-            words.push(language.pick(
-                format!("drift limits {limits} % of the storey's height"),
-                format!("층간변위 한계 층고의 {limits} %"),
-            ));
+            let limits = study.drift_limits.map(|limit| trimmed(100.0 * limit, 4));
+            said.push(Method::DriftLimits {
+                limits: limits.join(", "),
+            });
         }
-        words.extend(self.after_words(language));
+        said.extend(study.after.as_ref().map(|after| Method::After {
+            motion: after.motion.clone(),
+        }));
         if study.damage != DamageThresholds::default() {
-            words.push(
-                language
-                    .pick("damage states of its own", "손상상태 기준 별도 지정")
-                    .to_owned(),
-            );
+            said.push(Method::OwnDamageStates);
         }
         if study.scan.is_some() {
             let rest = trimmed(self.rest_s(), 3);
-            words.push(match (self.kind, study.rest_s) {
-                (StudyKind::Building, None) => language.pick(
-                    format!("{rest} s and at least ten periods after the motion"),
-                    format!("지진동 종료 후 {rest}초, 최소 10주기"),
-                ),
-                _ => language.pick(
-                    format!("{rest} s after the motion"),
-                    format!("지진동 종료 후 {rest}초"),
-                ),
+            said.push(match (self.kind, study.rest_s) {
+                (StudyKind::Building, None) => Method::RestAndPeriods { rest },
+                _ => Method::Rest { rest },
             });
-            let part = part_of_step(study.refine);
-            words.push(language.pick(
-                format!("first fall to {part} of a step"),
-                match study.refine {
-                    0 => "최초 붕괴는 한 단계까지".to_owned(),
-                    _ => format!("최초 붕괴는 단계의 {part}까지"),
+            said.push(match study.refine {
+                0 => Method::FallToStep,
+                halvings => Method::FallToPart {
+                    part: part_of_step(halvings),
                 },
-            ));
+            });
         }
         if study.samples.is_some() {
             let seed = study.seed;
-            words.push(language.pick(
-                format!("samples from seed {seed}"),
-                format!("표본 난수 초깃값 {seed}"),
-            ));
+            said.push(Method::SamplesFrom { seed });
         }
         if let Some(made) = &study.artificial {
             let seed = made.seed;
-            words.push(language.pick(
-                format!("noise from seed {seed}"),
-                format!("인공 지진동 난수 초깃값 {seed}"),
-            ));
+            said.push(Method::NoiseFrom { seed });
         }
-        words.push(format!("Dolmen {}", self.version));
-        words.join(", ")
+        said
+    }
+}
+
+messages! {
+    /// How a study was run.
+    pub enum Method in "study.method" {
+        SpringsLaw => { en: "springs law", ko: "스프링 접촉 모델" },
+        RigidLaw => { en: "rigid law", ko: "강체 접촉 모델" },
+        Points { points: u32 } => { en: "{points} contact points a joint", ko: "접합면당 접촉점 {points}개" },
+        TooStiff => {
+            en: "which make joints three times as stiff in rocking as faces are: capacities come out too large",
+            ko: "접합면의 회전강성이 약 3배로 커져 내력이 크게 산정됨",
+        },
+        DriftLimits { limits: String } => {
+            en: "drift limits {limits} % of the storey's height",
+            ko: "층간변위 한계 층고의 {limits} %",
+        },
+        After { motion: String } => { en: "after {motion}", ko: "{motion} 이후" },
+        OwnDamageStates => { en: "damage states of its own", ko: "손상상태 기준 별도 지정" },
+        RestAndPeriods { rest: String } => {
+            en: "{rest} s and at least ten periods after the motion",
+            ko: "지진동 종료 후 {rest}초, 최소 10주기",
+        },
+        Rest { rest: String } => { en: "{rest} s after the motion", ko: "지진동 종료 후 {rest}초" },
+        FallToStep => { en: "first fall to the whole of a step", ko: "최초 붕괴는 한 단계까지" },
+        FallToPart { part: String } => { en: "first fall to {part} of a step", ko: "최초 붕괴는 단계의 {part}까지" },
+        SamplesFrom { seed: u64 } => { en: "samples from seed {seed}", ko: "표본 난수 초깃값 {seed}" },
+        NoiseFrom { seed: u64 } => { en: "noise from seed {seed}", ko: "인공 지진동 난수 초깃값 {seed}" },
     }
 }
 

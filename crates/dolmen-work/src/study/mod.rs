@@ -59,7 +59,7 @@ pub use kind::StudyKind;
 pub use left_out::LeftOutStudy;
 pub use maps::{ResponseMaps, harmonic_columns, release_columns};
 pub use measures::{BuildingMeasures, ChainMeasures, FrameMeasures, RunMeasures, StackMeasures};
-pub use method::{SWING_REST_S, input_words, part_of_step};
+pub use method::{Method, SWING_REST_S, input_words, part_of_step};
 pub use motions::MotionCopy;
 pub(crate) use motions::acting_component;
 pub use plan::Plan;

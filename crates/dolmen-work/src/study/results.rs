@@ -140,7 +140,7 @@ pub fn finish(plan: &Plan<'_>, runs: Vec<Run>, progress: &dyn Progress) -> Resul
     let all_refused = !answer.runs.is_empty() && answer.runs.iter().all(Run::is_refused);
     match answer.runs.first().filter(|_| all_refused) {
         Some(first) => Err(StudyError::EveryRunRefused {
-            why: first.why.as_str().into(),
+            why: first.why.clone(),
         }
         .into()),
         None => Ok(answer),

@@ -1,6 +1,7 @@
 //! One run of a study: its key and its outcome.
 
 use super::measures::RunMeasures;
+use dolmen_words::message::Both;
 
 /// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -71,7 +72,7 @@ pub struct Run {
     /// Its numbers.
     pub measures: RunMeasures,
     /// Why its inputs were refused, or why it falls by itself.
-    pub why: String,
+    pub why: Both,
 }
 
 impl Run {
@@ -89,7 +90,7 @@ impl Run {
             part: String::new(),
             gave_way: String::new(),
             measures: RunMeasures::None,
-            why: String::new(),
+            why: Both::default(),
         }
     }
 

@@ -350,6 +350,7 @@ impl RunOutcome {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dolmen_words::message::Both;
 
     fn runs(outcomes: &[RunOutcome]) -> Vec<Run> {
         let each = outcomes.iter().zip(1..);
@@ -365,7 +366,7 @@ mod tests {
             part: String::new(),
             gave_way: String::new(),
             measures: RunMeasures::None,
-            why: String::new(),
+            why: Both::default(),
         })
         .collect()
     }

@@ -2,6 +2,7 @@
 
 use super::measures::RunMeasures;
 use super::run::{Run, RunOutcome};
+use dolmen_words::message::Both;
 
 /// The state of one case after the earlier motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +30,7 @@ pub struct StateBefore {
     /// Largest speed of any part at the end of that time, m/s; NaN if nothing follows.
     pub speed_m_s: f64,
     /// Why nothing follows.
-    pub why: String,
+    pub why: Both,
 }
 
 impl StateBefore {

@@ -117,7 +117,7 @@ pub fn run_columns(answer: &StudyAnswer) -> Vec<Column> {
     for name in RunMeasures::names(answer.kind) {
         columns.numbers(name, |run| run.measures.named(name).and_then(number));
     }
-    columns.words("why", |run| run.why.clone());
+    columns.words("why", |run| run.why.english.clone());
     columns.found
 }
 

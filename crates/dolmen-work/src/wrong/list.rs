@@ -3,7 +3,7 @@
 use super::flag::FlagWords;
 use super::pieces::{
     CaseRefused, DesignNeeds, FileRemark, JournalDiffers, KnownNames, NoPlace, NotHeld, OfRuns, Place,
-    RowLacks, RowNeeds,
+    RowLacks, RowNeeds, RunEnded,
 };
 use crate::change_fault::ChangeFault;
 use crate::error::WorkError;
@@ -23,7 +23,7 @@ use dolmen_words::{Template, sayable};
 use std::error::Error;
 
 /// All sentences of the errors of this crate.
-pub const ERRORS: [&[Template]; 22] = [
+pub const ERRORS: [&[Template]; 23] = [
     WorkError::TEMPLATES,
     ChangeFault::TEMPLATES,
     MotionRequestError::TEMPLATES,
@@ -42,6 +42,7 @@ pub const ERRORS: [&[Template]; 22] = [
     JournalDiffers::TEMPLATES,
     NoPlace::TEMPLATES,
     NotHeld::TEMPLATES,
+    RunEnded::TEMPLATES,
     FileRemark::TEMPLATES,
     RowLacks::TEMPLATES,
     RowNeeds::TEMPLATES,

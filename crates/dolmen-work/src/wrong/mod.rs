@@ -12,5 +12,5 @@ pub use list::ERRORS;
 pub(crate) use list::of_work;
 pub(crate) use pieces::{
     CaseRefused, DesignNeeds, FileRemark, JournalDiffers, KnownNames, NoPlace, NotHeld, OfRuns, Place,
-    RowLacks, RowNeeds,
+    RowLacks, RowNeeds, RunEnded,
 };

@@ -111,9 +111,9 @@ messages! {
             en: "the run under the motion before came to no verdict",
             ko: "앞서 작용하는 지반운동의 해석이 판정에 이르지 못했다",
         },
-        UndecidedBefore { why: String } => {
+        UndecidedBefore { why: Both } => {
             en: "the run under the motion before came to no verdict: {why}",
-            ko: "앞서 작용하는 지반운동의 해석이 판정에 이르지 못했다. [영문] {why}",
+            ko: "앞서 작용하는 지반운동의 해석이 판정에 이르지 못했다: {why}",
         },
         MovingBefore { speed_mm_s: String, still_s: String, most_mm_s: String } => {
             en: "{still_s} s after the motion before, a part still moves at {speed_mm_s} mm/s, and at rest it may move at {most_mm_s} mm/s: give the structure its damping",
@@ -134,6 +134,24 @@ messages! {
         NoScan { study: String } => {
             en: "study \"{study}\" has no scan that can be used",
             ko: "study \"{study}\"에 쓸 수 있는 조합이 없다",
+        },
+    }
+}
+
+messages! {
+    /// Why the run of a study came to no verdict.
+    pub(crate) enum RunEnded in "work.ended" {
+        NotAtRest { longer: String } => {
+            en: "it had not come to rest {longer} s after the time to rest",
+            ko: "정지 대기 시간이 지나고 {longer}초 뒤에도 정지하지 않았다",
+        },
+        NoSolution { left: String } => {
+            en: "no solution of the contact law was found: {left} m/s are left",
+            ko: "접촉 조건의 해를 구하지 못하였다. 잔차 {left} m/s",
+        },
+        LeaningFurther => {
+            en: "a link was leaning further and further out when the run ended",
+            ko: "해석이 끝날 때 부재의 기울기가 계속 커지고 있었다",
         },
     }
 }

@@ -54,7 +54,7 @@ pub use score::{
     SurfaceSettings, TrainedDesign, Unlike, UnlikeQuantity, factor_shares, held_out, shapley_shares,
     unlike_trained,
 };
-pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
+pub use sensitivity::{CentroidEffect, NoElasticity, Sensitivity, elasticity};
 pub use settle_run::with_settle_run;
 pub use stack::{
     Crushing, MARGINAL_BELOW_G, StackCheck, StackCheckOptions, check_stack, check_stack_with_gaps,

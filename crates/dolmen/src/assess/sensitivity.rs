@@ -27,9 +27,21 @@ pub struct Sensitivity {
     /// Value of the input, SI.
     pub value: f64,
     /// Elasticity: per cent of change of the result for one per cent of the input.
-    pub elasticity: f64,
+    pub elasticity: Option<f64>,
+    /// Why it has no elasticity.
+    pub unknown: Option<NoElasticity>,
     /// Coefficient of variation of the input, if given.
     pub cov: Option<f64>,
+}
+
+/// Why an input has no elasticity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum NoElasticity {
+    /// It is 0, and a share of 0 is no change.
+    Zero,
+    /// The result is not defined if it changes alone.
+    NoResult,
 }
 
 /// Relative step of the central difference: its error falls with the step squared (1e-6 of the second derivative), the

@@ -2,13 +2,14 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | R_k | `lag(k)` | E[y(t + k) y(t)ᵀ], channels × channels |
+//! | R_k | `lag(k)` | E[y(t + k) ŷ(t)ᵀ], channels × reference channels |
 //! | L | `segment` | samples a segment (streaming_sums.rs) |
 //! | S | `starts` | number of start times t, the same for every lag |
 //!
 //! Any other window of the same record follows from these by displacement ([`Ends`]): no product is summed twice.
 
 use super::ModalError;
+use super::products::Pairs;
 use super::streaming_sums::StreamingSums;
 use crate::numeric::inner;
 use crate::signal::Record;
@@ -28,6 +29,8 @@ pub(crate) const CLEAN_SHARE: f64 = 0.8;
 #[derive(Clone, Debug)]
 pub(crate) struct Correlations {
     pub(crate) channels: usize,
+    /// The channels ŷ; all of them in their order, or some in any order.
+    pub(crate) columns: Vec<usize>,
     /// Time from one lag to the next, s.
     pub(crate) step_s: f64,
     /// R_k of the whole record: lag after lag, each row by row.
@@ -105,10 +108,11 @@ pub(crate) fn windows(record: &Record, lags: usize, blocks: usize) -> Result<Win
 /// removed while reading; the record is not copied.
 #[cfg(test)]
 pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<Correlations, ModalError> {
-    correlate_lowered(record, (lags, blocks), &LowPass::new(1), false)
+    let all: Vec<usize> = (0..record.channels().len()).collect();
+    correlate_decimated(record, (lags, blocks), (1, false), &all)
 }
 
-/// Correlations after a low-pass filter and decimation by `factor`, for `lags` at the new rate, with `padded` on request.
+/// Correlations with the channels of `columns` after a low-pass filter and decimation by `factor`, for `lags` at the new rate, with `padded` on request.
 ///
 /// ```text
 /// R'_k = Σ h_m R_(factor k - m),   h_m = sinc(m / factor) / factor × Blackman's window
@@ -118,26 +122,22 @@ pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<C
 pub(crate) fn correlate_decimated(
     record: &Record,
     (lags, blocks): (usize, usize),
-    factor: usize,
-    is_padded: bool,
+    (factor, is_padded): (usize, bool),
+    columns: &[usize],
 ) -> Result<Correlations, ModalError> {
-    correlate_lowered(record, (lags, blocks), &LowPass::new(factor), is_padded)
-}
-
-fn correlate_lowered(
-    record: &Record,
-    (lags, blocks): (usize, usize),
-    low_pass: &LowPass,
-    is_padded: bool,
-) -> Result<Correlations, ModalError> {
-    let (l, factor) = (record.channels().len(), low_pass.factor);
+    let (l, low_pass) = (record.channels().len(), &LowPass::new(factor));
+    let factor = low_pass.factor;
+    let columns: Vec<usize> = match columns.len() < l {
+        true => columns.to_vec(),
+        false => (0..l).collect(),
+    };
     let before = lags_before(lags, factor);
     let windows = windows(record, before, blocks)?;
     let (starts, segment) = (windows.starts, windows.segment);
-    let mut pass = StreamingSums::new(record, 0..l, before, segment);
+    let mut pass = StreamingSums::new(record, pairs_with(&columns, l, factor > 1), before, segment);
     let segments = windows.segments();
     let mut of_pairs = vec![0.0; (before + 1) * l * l];
-    let mut mean = vec![0.0; (lags + 1) * l * l];
+    let mut mean = vec![0.0; (lags + 1) * l * columns.len()];
     // the first block replaces the mean until that is known, so that 32 bits store only differences
     let mut first: Vec<f64> = Vec::new();
     let mut parts: Vec<(f64, Vec<f32>)> = Vec::with_capacity(blocks);
@@ -148,7 +148,7 @@ fn correlate_lowered(
             let at = (a * l + b) * (before + 1);
             of_pairs[at..=at + before].copy_from_slice(of_pair);
         });
-        let sum = low_pass.lowered(&of_pairs, l, [before, lags]);
+        let sum = low_pass.lowered(&of_pairs, (l, &columns), [before, lags]);
         if first.is_empty() {
             first = sum.iter().map(|s| s / count).collect();
         }
@@ -172,17 +172,36 @@ fn correlate_lowered(
     };
     let padded = (factor > 1 && is_padded).then(|| {
         ends(before).products(l, before, &mut of_pairs);
-        let more = low_pass.lowered(&of_pairs, l, [before, lags]);
+        let more = low_pass.lowered(&of_pairs, (l, &columns), [before, lags]);
         mean.iter().zip(more).map(|(m, more)| m + more).collect()
     });
     Ok(Correlations {
         channels: l,
+        columns,
         step_s: factor as f64 / record.sampling_rate_hz(),
         deviations,
         ends: (factor == 1).then(|| ends(lags)),
         padded,
         mean,
     })
+}
+
+/// The channels, those of `columns` first, and the pairs to sum; with the filter also the columns after all channels, for its negative lags.
+fn pairs_with(columns: &[usize], l: usize, is_filtered: bool) -> (Vec<usize>, Vec<Pairs>) {
+    let n = columns.len();
+    let others = (0..l).filter(|c| !columns.contains(c));
+    let order = columns.iter().copied().chain(others).collect();
+    let mut pairs = vec![Pairs {
+        rows: 0..l,
+        columns: 0..n,
+    }];
+    if is_filtered && n < l {
+        pairs.push(Pairs {
+            rows: 0..n,
+            columns: n..l,
+        });
+    }
+    (order, pairs)
 }
 
 impl Ends {
@@ -229,21 +248,27 @@ impl LowPass {
     }
 
     /// Converts lags 0 to `before`, one channel pair after the other, to lags 0 to `lags` at the new rate, one lag after the other.
-    fn lowered(&self, of_pairs: &[f64], l: usize, [before, lags]: [usize; 2]) -> Vec<f64> {
-        let reach = self.weights.len() / 2;
-        let mut out = vec![0.0; (lags + 1) * l * l];
+    fn lowered(
+        &self,
+        of_pairs: &[f64],
+        (l, columns): (usize, &[usize]),
+        [before, lags]: [usize; 2],
+    ) -> Vec<f64> {
+        let (reach, n) = (self.weights.len() / 2, columns.len());
+        let mut out = vec![0.0; (lags + 1) * l * n];
         let mut along = vec![[0.0; PAIRS]; reach + before + 1];
-        for from in (0..l * l).step_by(PAIRS) {
-            let pairs = from..(from + PAIRS).min(l * l);
+        for from in (0..l * n).step_by(PAIRS) {
+            let pairs = from..(from + PAIRS).min(l * n);
             for pair in pairs.clone() {
-                let of = |pair: usize| &of_pairs[pair * (before + 1)..(pair + 1) * (before + 1)];
-                let turned = of(pair % l * l + pair / l); // R_-k = R_kᵀ
-                let late = turned[1..=reach.min(before)].iter().rev().chain(of(pair));
+                let of = |a: usize, b: usize| &of_pairs[(a * l + b) * (before + 1)..][..before + 1];
+                let (a, b) = (pair / n, columns[pair % n]);
+                let turned = of(b, a); // R_-k = R_kᵀ
+                let late = turned[1..=reach.min(before)].iter().rev().chain(of(a, b));
                 for (along, r) in along.iter_mut().zip(late) {
                     along[pair - from] = *r;
                 }
             }
-            let columns = out.chunks_exact_mut(l * l).map(|lag| &mut lag[pairs.clone()]);
+            let columns = out.chunks_exact_mut(l * n).map(|lag| &mut lag[pairs.clone()]);
             Arch::new().dispatch(Filtered {
                 along: &along,
                 weights: &self.weights,
@@ -285,11 +310,17 @@ impl<'a, C: Iterator<Item = &'a mut [f64]>> WithSimd for Filtered<'_, C> {
 impl Correlations {
     /// R_k, row by row.
     pub(crate) fn lag(&self, k: usize) -> &[f64] {
-        let size = self.channels * self.channels;
+        let size = self.channels * self.columns.len();
         &self.mean[k * size..(k + 1) * size]
     }
 
-    /// The correlations with the channels in another order, each times its sign.
+    /// Places of channels among the columns.
+    pub(crate) fn places(&self, channels: &[usize]) -> Vec<usize> {
+        let place = |c: &usize| self.columns.iter().position(|column| column == c);
+        channels.iter().filter_map(place).collect()
+    }
+
+    /// The correlations of all channels with all channels, with the channels in another order, each times its sign.
     pub(crate) fn arranged(&self, order: &[usize], signs: &[f64]) -> Correlations {
         let l = self.channels;
         let places: Vec<(f64, usize)> = (0..l * l)
@@ -320,6 +351,7 @@ impl Correlations {
                 starts: ends.starts,
             }),
             padded: self.padded.as_ref().map(pairs),
+            columns: self.columns.clone(),
             ..*self
         }
     }
@@ -399,7 +431,7 @@ mod tests {
         let before = lags_before(lags, factor);
         let (r, found) = (
             correlate(&record, before, 4).unwrap(),
-            correlate_decimated(&record, (lags, 4), factor, true).unwrap(),
+            correlate_decimated(&record, (lags, 4), (factor, true), &[0, 1, 2, 3, 4]).unwrap(),
         );
         assert!((found.step_s - 0.3).abs() < 1e-15 && found.ends.is_none());
         let reach = (CROSSINGS * factor) as isize;
@@ -436,13 +468,39 @@ mod tests {
     }
 
     #[test]
+    fn exact_columns_of_some_channels_are_those_of_all() {
+        let (l, lags) = (5, 8);
+        let record = noise(l, 3001);
+        for factor in [1, 3] {
+            let of =
+                |columns: &[usize]| correlate_decimated(&record, (lags, 4), (factor, true), columns).unwrap();
+            let (all, some) = (of(&[0, 1, 2, 3, 4]), of(&[3, 1]));
+            assert_eq!((some.places(&[1, 3]), some.places(&[3])), (vec![1, 0], vec![0]));
+            let near = |part: &[f64], whole: &[f64]| {
+                let mut each = part.chunks_exact(2).zip(whole.chunks_exact(l));
+                each.all(|(part, whole)| {
+                    (part[0] - whole[3]).abs() < 1e-14 && (part[1] - whole[1]).abs() < 1e-14
+                })
+            };
+            assert!(near(&some.mean, &all.mean));
+            assert_eq!((some.mean.len(), some.lag(1).len()), ((lags + 1) * l * 2, l * 2));
+            for (some, all) in some.deviations.iter().zip(&all.deviations) {
+                assert!(near(&wide(some), &wide(all)));
+            }
+            if let (Some(some), Some(all)) = (&some.padded, &all.padded) {
+                assert!(near(some, all));
+            }
+        }
+    }
+
+    #[test]
     fn holds_decimation_keeps_a_slow_motion_and_white_noise_white() {
         let (n, factor, frequency_hz) = (20_000, 5, 0.3);
         let wave = (0..n)
             .map(|t| (2.0 * PI * frequency_hz * t as f64 / 10.0).sin())
             .collect();
         let record = Record::from_contiguous(vec![Channel::named("wave")], wave, 10.0).unwrap();
-        let slow = correlate_decimated(&record, (8, 4), factor, false).unwrap();
+        let slow = correlate_decimated(&record, (8, 4), (factor, false), &[0]).unwrap();
         assert_eq!(slow.mean.len(), 9);
         for k in 0..=8 {
             let exact = 0.5 * (2.0 * PI * frequency_hz * k as f64 * slow.step_s).cos();

@@ -21,8 +21,8 @@ use super::shared_steps::{pick, spectrum, wanted};
 use super::spectrum::FddResult;
 use super::spectrum::FractionScatter;
 use super::spectrum::Plscf;
-use super::spectrum::keeping_most;
 use super::spectrum::plscf;
+use super::spectrum::{REFERENCES_LEAST, keeping_most, least_of_wide};
 use super::subspace::{AllOrders, Deviations};
 use super::subspace::{ssi_cov, ssi_data};
 use super::{Method, ModalError, Modes, Note, Propagation, Refusal};
@@ -155,8 +155,13 @@ fn of_poles(
     (refused, notes): (&mut Vec<Candidate>, &mut Vec<Note>),
 ) -> Result<ModalAnalysis, ModalError> {
     let tones_hz: &[f64] = &set_aside.tones_hz;
-    let few = (options.method == Method::Plscf && options.references.is_empty())
-        .then(|| keeping_most(&peaks.seen_at_peaks()));
+    let fewest = match options.method {
+        _ if !options.references.is_empty() => None,
+        Method::Plscf => Some(REFERENCES_LEAST),
+        Method::SsiCov | Method::Bayoma => least_of_wide(record.channels().len()),
+        _ => None,
+    };
+    let few = fewest.map(|least| keeping_most(&peaks.seen_at_peaks(), least));
     let with_few = Identify {
         references: few
             .as_ref()

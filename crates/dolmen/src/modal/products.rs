@@ -6,7 +6,8 @@
 //! | Σ F P* | `sums` | summed over segments | rows × channels a bin |
 //!
 //! Eight bins of one channel lie together; of each group of bins the segments, and of each segment the channels: four pairs of channels
-//! are summed over all segments in registers, and each sum is read and written once for all of them.
+//! are summed over all segments in registers, and each sum is read and written once for all of them. Only the pairs of given
+//! rectangles are summed.
 
 use pulp::{Arch, Simd, WithSimd};
 use std::ops::Range;
@@ -20,6 +21,19 @@ pub(super) const WIDTH: usize = 8;
 pub(super) struct Bins {
     pub(super) re: [f64; WIDTH],
     pub(super) im: [f64; WIDTH],
+}
+
+/// Pairs of channels: each of the rows with each of the columns.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Pairs {
+    pub(super) rows: Range<usize>,
+    pub(super) columns: Range<usize>,
+}
+
+impl Pairs {
+    pub(super) fn count(&self) -> usize {
+        self.rows.len() * self.columns.len()
+    }
 }
 
 /// Spectra of a few segments.
@@ -107,15 +121,21 @@ fn shifted_sum(sum: &mut [f64; WIDTH], past: &[f64; WIDTH], next: &[f64; WIDTH])
     }
 }
 
-/// sums += Σ future × conj(past) over the segments, of every row with every channel: group after group, each row by row.
-pub(super) fn add_products(sums: &mut [Bins], future: &Segments, past: &Segments) {
-    Arch::new().dispatch(Products { sums, future, past });
+/// sums += Σ future × conj(past) over the segments, of the given pairs of stored channels: group after group, each rectangle row by row.
+pub(super) fn add_products(sums: &mut [Bins], future: &Segments, past: &Segments, pairs: &[Pairs]) {
+    Arch::new().dispatch(Products {
+        sums,
+        future,
+        past,
+        pairs,
+    });
 }
 
 struct Products<'a> {
     sums: &'a mut [Bins],
     future: &'a Segments,
     past: &'a Segments,
+    pairs: &'a [Pairs],
 }
 
 impl WithSimd for Products<'_> {
@@ -123,28 +143,36 @@ impl WithSimd for Products<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let size @ [rows, l] = [self.future.channels, self.past.channels];
+        let size = [self.future.channels, self.past.channels];
         let both = self.future.groups().zip(self.past.groups());
-        for (sums, both) in self.sums.chunks_exact_mut(rows * l).zip(both) {
-            for a in (0..rows).step_by(2) {
-                for b in (0..l).step_by(2) {
-                    match (rows - a, l - b) {
-                        (1, 1) => tile::<S, 1, 1>(simd, sums, both, [a, b], size),
-                        (1, _) => tile::<S, 1, 2>(simd, sums, both, [a, b], size),
-                        (_, 1) => tile::<S, 2, 1>(simd, sums, both, [a, b], size),
-                        _ => tile::<S, 2, 2>(simd, sums, both, [a, b], size),
+        let count = self.pairs.iter().map(Pairs::count).sum();
+        for (mut sums, both) in self.sums.chunks_exact_mut(count).zip(both) {
+            for Pairs { rows, columns } in self.pairs {
+                let width = columns.len();
+                let (own, rest) = sums.split_at_mut(rows.len() * width);
+                for a in rows.clone().step_by(2) {
+                    for b in columns.clone().step_by(2) {
+                        let from = (a - rows.start) * width + b - columns.start;
+                        let own = (&mut own[from..], width);
+                        match (rows.end - a, columns.end - b) {
+                            (1, 1) => tile::<S, 1, 1>(simd, own, both, [a, b], size),
+                            (1, _) => tile::<S, 1, 2>(simd, own, both, [a, b], size),
+                            (_, 1) => tile::<S, 2, 1>(simd, own, both, [a, b], size),
+                            _ => tile::<S, 2, 2>(simd, own, both, [a, b], size),
+                        }
                     }
                 }
+                sums = rest;
             }
         }
     }
 }
 
-/// Pairs of A channels, starting at `a`, with B channels, starting at `b`.
+/// Pairs of A channels, starting at `a`, with B channels, starting at `b`; their sums begin at the first of `sums`, rows `width` apart.
 #[inline(always)]
 fn tile<S: Simd, const A: usize, const B: usize>(
     simd: S,
-    sums: &mut [Bins],
+    (sums, width): (&mut [Bins], usize),
     (future, past): (&[Bins], &[Bins]),
     [a, b]: [usize; 2],
     [rows, l]: [usize; 2],
@@ -166,7 +194,7 @@ fn tile<S: Simd, const A: usize, const B: usize>(
             }
         }
         for (i, row) in tile.into_iter().enumerate() {
-            let at = (a + i) * l + b;
+            let at = i * width;
             for (sum, [re, im]) in sums[at..at + B].iter_mut().zip(row) {
                 for (x, more) in [(&mut sum.re, re), (&mut sum.im, im)] {
                     let x = &mut S::as_mut_simd_f64s(x).0[v];
@@ -204,14 +232,30 @@ mod tests {
             };
             let first = l / 3; // of three channels the last two are rows
             let rows = l - first;
-            let mut sums = vec![Bins::default(); rows * l * groups];
+            // two rectangles: all rows with the first channels, and the last row with the others
+            let half = l.div_ceil(2);
+            let pairs = [
+                Pairs {
+                    rows: 0..rows,
+                    columns: 0..half,
+                },
+                Pairs {
+                    rows: rows - 1..rows,
+                    columns: half..l,
+                },
+            ];
+            let of_pairs: Vec<[usize; 2]> = (pairs.iter())
+                .flat_map(|of| of.rows.clone().map(move |a| (a, of.columns.clone())))
+                .flat_map(|(a, columns)| columns.map(move |b| [first + a, b]))
+                .collect();
+            let mut sums = vec![Bins::default(); of_pairs.len() * groups];
             // twice: sums are added to
             for _ in 0..2 {
-                add_products(&mut sums, &held(&future, first..l), &held(&past, 0..l));
+                add_products(&mut sums, &held(&future, first..l), &held(&past, 0..l), &pairs);
             }
             let z = |x: &Bins, k: usize| Complex64::new(x.re[k], x.im[k]);
             for (at, sum) in sums.iter().enumerate() {
-                let (g, a, b) = (at / (rows * l), first + at / l % rows, at % l);
+                let (g, [a, b]) = (at / of_pairs.len(), of_pairs[at % of_pairs.len()]);
                 for k in 0..WIDTH {
                     let pairs = future.iter().zip(&past);
                     let exact: Complex64 = pairs

@@ -62,7 +62,7 @@ pub struct Settings {
     pub time_blocks_effective: usize,
     /// Reference channels, by index; none where the modes come from the peaks or from a decay.
     pub references: Vec<usize>,
-    /// Share of the motion at the peaks in the references, 0 to 1, if they were chosen from the spectrum.
+    /// Share of the motion at the peaks that the references explain, 0 to 1, if they were chosen from the spectrum.
     pub references_keep: Option<f64>,
     /// Range in which modes are accepted, Hz.
     pub range_hz: [f64; 2],

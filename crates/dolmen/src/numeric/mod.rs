@@ -31,7 +31,7 @@ pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial, polynomi
 pub use error::NumericError;
 pub use fisher::fisher_quantile;
 pub(crate) use golden_section::maximum_between;
-pub(crate) use inner_product::inner;
+pub(crate) use inner_product::{inner, largest_of, sum_of};
 pub(crate) use legendre::{gauss_legendre, integral, legendre, second_integral};
 pub(crate) use levenberg_marquardt::{LeastSquaresFit, Residuals, levenberg_marquardt};
 pub(crate) use lyapunov::lyapunov;

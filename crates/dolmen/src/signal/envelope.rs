@@ -1,5 +1,7 @@
 //! Envelope of a channel: smallest and largest sample in equal parts, so that a drawing shows every spike.
 
+use crate::numeric::largest_of;
+
 /// Smallest and largest sample of each part of a series.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Envelope {
@@ -25,8 +27,8 @@ pub fn envelope(samples: &[f64], parts: usize) -> Envelope {
         .map(|part| part * samples.len() / parts.max(1))
         .collect();
     let each = || starts.windows(2).map(|ends| &samples[ends[0]..ends[1]]);
-    let least = each().map(|part| part.iter().copied().fold(f64::INFINITY, f64::min));
-    let most = each().map(|part| part.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+    let least = each().map(|part| -largest_of(part, |x| -x));
+    let most = each().map(|part| largest_of(part, |x| x));
     let (least, most) = (least.collect(), most.collect());
     Envelope { starts, least, most }
 }

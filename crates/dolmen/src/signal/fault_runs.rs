@@ -1,5 +1,7 @@
 //! Faults of a channel in part of its samples: it is stuck, fades, has spikes, or follows another channel.
 
+use crate::numeric::{inner, sum_of};
+
 /// Fewest equal samples in a row that count as a fault, and shortest duration, of one second. Our choice.
 const STUCK_LEAST: usize = 50;
 const STUCK_S: f64 = 1.0;
@@ -134,14 +136,20 @@ pub(super) fn faded(x: &BlockStrengths, others: &[&BlockStrengths]) -> Option<St
     })
 }
 
+/// Samples that are summed together: they stay in the first cache.
+const AT_ONCE: usize = 512;
+
 /// Rise of the line through a channel over the record, in standard deviations about it, if it exceeds the motion.
 pub(super) fn drifts(x: &[f64]) -> Option<f64> {
     let n = x.len() as f64;
-    let (middle, mean) = (0.5 * (n - 1.0), x.iter().sum::<f64>() / n);
-    let (mut tx, mut xx) = (0.0, 0.0);
-    for (i, x) in x.iter().enumerate() {
-        tx += (i as f64 - middle) * (x - mean);
-        xx += (x - mean) * (x - mean);
+    let (middle, mean) = (0.5 * (n - 1.0), sum_of(x, |x| x) / n);
+    let xx = sum_of(x, |x| (x - mean) * (x - mean));
+    let times: [f64; AT_ONCE] = std::array::from_fn(|i| i as f64);
+    let mut tx = 0.0;
+    for (k, part) in x.chunks(AT_ONCE).enumerate() {
+        let begins = (k * AT_ONCE) as f64 - middle;
+        let along = sum_of(part, |x| x - mean);
+        tx += begins * along + inner(part, &times[..part.len()]) - mean * sum_of(&times[..part.len()], |t| t);
     }
     let tt = n * (n * n - 1.0) / 12.0;
     let left = (xx - tx * tx / tt).max(0.0) / n;
@@ -149,17 +157,26 @@ pub(super) fn drifts(x: &[f64]) -> Option<f64> {
     (rise >= DRIFT_FROM).then_some(rise)
 }
 
-/// Correlation of the steps of two channels if they are almost the same signal.
-pub(super) fn alike(a: &[f64], b: &[f64]) -> Option<f64> {
-    let most = a.len().min(ALIKE_SAMPLES);
-    let (mut aa, mut bb, mut ab) = (0.0, 0.0, 0.0);
-    for (a, b) in a[..most].windows(2).zip(b[..most].windows(2)) {
-        let (a, b) = (a[1] - a[0], b[1] - b[0]);
-        aa += a * a;
-        bb += b * b;
-        ab += a * b;
+/// The first steps of a channel from sample to sample, and the sum of their squares.
+pub(super) struct FirstSteps {
+    steps: Vec<f64>,
+    square: f64,
+}
+
+impl FirstSteps {
+    pub(super) fn of(x: &[f64]) -> Self {
+        let most = x.len().min(ALIKE_SAMPLES);
+        let steps: Vec<f64> = x[..most].windows(2).map(|pair| pair[1] - pair[0]).collect();
+        FirstSteps {
+            square: inner(&steps, &steps),
+            steps,
+        }
     }
-    let correlation = ab / (aa * bb).sqrt();
+}
+
+/// Correlation of the steps of two channels if they are almost the same signal.
+pub(super) fn alike(a: &FirstSteps, b: &FirstSteps) -> Option<f64> {
+    let correlation = inner(&a.steps, &b.steps) / (a.square * b.square).sqrt();
     (1.0 - correlation.abs() < ALIKE_MOST).then_some(correlation)
 }
 
@@ -264,6 +281,7 @@ mod tests {
         let (a, own) = (noise(6, 9000), noise(7, 9000));
         let with =
             |share: f64| -> Vec<f64> { a.iter().zip(&own).map(|(a, n)| -3.0 * (a + share * n)).collect() };
+        let alike = |a: &[f64], b: &[f64]| super::alike(&FirstSteps::of(a), &FirstSteps::of(b));
         // 1 − r = share²/2
         let r = alike(&a, &with(0.005)).unwrap();
         assert!(((1.0 + r) / (0.5 * 0.005_f64.powi(2)) - 1.0).abs() < 0.1, "{r}");

@@ -1,8 +1,8 @@
 //! Faults of a channel whose samples are valid numbers but not a measurement.
 
 use super::Record;
-use super::fault_runs::{BlockStrengths, alike, drifts, faded, spikes, stuck};
-use crate::numeric::middle;
+use super::fault_runs::{BlockStrengths, FirstSteps, alike, drifts, faded, spikes, stuck};
+use crate::numeric::{largest_of, middle, sum_of};
 use std::fmt;
 
 /// A channel this much weaker than the median of the others (−60 dB) records the noise of the logger, not the structure. Our choice.
@@ -251,6 +251,9 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
     let blocks: Vec<Option<BlockStrengths>> = (0..record.channels().len())
         .map(|c| BlockStrengths::of(record.samples(c)))
         .collect();
+    let steps: Vec<FirstSteps> = (0..record.channels().len())
+        .map(|c| FirstSteps::of(record.samples(c)))
+        .collect();
     let mut faults = Vec::new();
     for (c, channel) in record.channels().iter().enumerate() {
         let x = record.samples(c);
@@ -332,7 +335,7 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
                 });
                 break; // a third copy refers to the first only
             }
-            if let Some(correlation) = alike(record.samples(other), x) {
+            if let Some(correlation) = alike(&steps[other], &steps[c]) {
                 faults.push(ChannelFault::Alike {
                     channel: earlier.name.clone(),
                     other: name(),
@@ -344,6 +347,9 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
     }
     faults
 }
+
+/// Steps of a channel that are held together, in the first cache.
+const STEPS_AT_ONCE: usize = 512;
 
 /// Strength of a channel.
 struct Strength {
@@ -359,14 +365,24 @@ struct Strength {
 impl Strength {
     fn of(x: &[f64]) -> Self {
         let n = x.len() as f64;
-        let mean = x.iter().sum::<f64>() / n;
-        let square: f64 = x.iter().map(|v| (v - mean).powi(2)).sum();
+        let mean = sum_of(x, |v| v) / n;
+        let square = sum_of(x, |v| (v - mean) * (v - mean));
         let (mut step_square, mut largest_step, mut largest_at) = (0.0, 0.0, 0);
-        for (i, pair) in x.windows(2).enumerate() {
-            let step = (pair[1] - pair[0]).abs();
-            step_square += step * step;
-            if step > largest_step {
-                (largest_step, largest_at) = (step, i);
+        let mut steps = [0.0; STEPS_AT_ONCE];
+        for (k, (from, to)) in x
+            .chunks(STEPS_AT_ONCE)
+            .zip(x[1..].chunks(STEPS_AT_ONCE))
+            .enumerate()
+        {
+            let steps = &mut steps[..to.len()];
+            for ((step, a), b) in steps.iter_mut().zip(from).zip(to) {
+                *step = (b - a).abs();
+            }
+            step_square += sum_of(steps, |step| step * step);
+            let largest = largest_of(steps, |step| step);
+            if largest > largest_step {
+                let at = steps.iter().position(|step| *step == largest).unwrap_or(0);
+                (largest_step, largest_at) = (largest, k * STEPS_AT_ONCE + at);
             }
         }
         Strength {
@@ -387,7 +403,7 @@ struct ClippedRun {
 
 /// The samples at the largest value (`sign` 1) or the smallest (`sign` -1), if the channel appears to be clipped there.
 fn held_at_extreme(x: &[f64], sign: f64) -> Option<ClippedRun> {
-    let extreme = largest_of(x, sign);
+    let extreme = largest_of(x, |v| sign * v);
     let count = |value: f64| x.iter().filter(|v| sign * **v == value).count();
     let samples = count(extreme);
     if samples < HELD_LEAST {
@@ -408,20 +424,6 @@ fn held_at_extreme(x: &[f64], sign: f64) -> Option<ClippedRun> {
         samples,
         first,
     })
-}
-
-/// Largest of the values times `sign`, in lanes that the processor compares together.
-fn largest_of(x: &[f64], sign: f64) -> f64 {
-    let larger = |a: f64, b: f64| if b > a { b } else { a };
-    let mut lanes = [f64::NEG_INFINITY; 8];
-    let chunks = x.chunks_exact(lanes.len());
-    let rest = chunks.remainder().iter().map(|v| sign * v);
-    for chunk in chunks {
-        for (lane, v) in lanes.iter_mut().zip(chunk) {
-            *lane = larger(*lane, sign * v);
-        }
-    }
-    lanes.into_iter().chain(rest).fold(f64::NEG_INFINITY, larger)
 }
 
 /// b / a if the steps of `b` are those of `a` times one factor, taken from the largest step of `a`.

@@ -2,6 +2,7 @@
 
 use super::SignalError;
 use super::processing::Processing;
+use crate::numeric::sum_of;
 
 /// Largest sample: no instrument yields more in any unit, and the sum of squares of any record within it is finite. Our choice.
 const SAMPLE_MOST: f64 = 1e100;
@@ -149,6 +150,17 @@ impl Record {
     /// Samples of one channel, in time order.
     pub fn samples(&self, channel: usize) -> &[f64] {
         &self.samples[channel * self.length..(channel + 1) * self.length]
+    }
+
+    /// Mean of the samples of one channel.
+    pub fn mean(&self, channel: usize) -> f64 {
+        sum_of(self.samples(channel), |x| x) / self.length as f64
+    }
+
+    /// Mean square of the samples of one channel about their mean.
+    pub fn mean_square(&self, channel: usize) -> f64 {
+        let mean = self.mean(channel);
+        sum_of(self.samples(channel), |x| (x - mean) * (x - mean)) / self.length as f64
     }
 
     /// Number of samples a channel.

@@ -166,6 +166,54 @@ fn exact_a_push_on_a_nearly_rigid_foot_is_that_of_the_pole_on_its_lowest_link() 
 }
 
 #[test]
+fn exact_a_push_that_opens_the_bed_of_a_stiff_foot_rocks_it_on_its_edges() {
+    // small rotations, no loss at impact: θ = θ_e + (θ_0 − θ_e) cosh pt, θ_e = N b/2/(W z), p² = W z/J; through upright at odd quarters
+    let (weight_n, z_m, bed_width_m, push_rad): (f64, f64, f64, f64) = (40e3, 2.0, 0.6, 0.02);
+    let inertia = weight_n / 9.81 * (16.0 / 12.0 + z_m * z_m);
+    let (edge_rad, p) = (0.5 * bed_width_m / z_m, (weight_n * z_m / inertia).sqrt());
+    let quarter_s = (edge_rad / (edge_rad - push_rad)).acosh() / p;
+    let mut steps = Vec::new();
+    for stiffness in [1e10, 1e12] {
+        let link = Link {
+            mass_kg: weight_n / 9.81,
+            length_m: 4.0,
+            centroid_m: z_m,
+            inertia: Inertia::ThinRod,
+            bed_width_m: Some(bed_width_m),
+        };
+        let foot = ChainJoint {
+            opening: JointOpening::AtBedEdge,
+            ..ChainJoint::spring(stiffness)
+        };
+        let chain = Chain::new(vec![link], 9.81).unwrap();
+        let model = ChainModel::new(chain, vec![foot], ChainRotations::Small).unwrap();
+        let options = ChainRun {
+            duration_s: Some(12.0),
+            output_step_s: 1e-3,
+            start_rotation_rad: vec![push_rad],
+            ..ChainRun::default()
+        };
+        let history = simulate_chain(&model, &TimeFunction::Zero, &options, &mut |_| true).unwrap();
+        let rotation = &history.rotation_rad[0];
+        let crossed = rotation
+            .windows(2)
+            .enumerate()
+            .filter(|(_, pair)| pair[0] * pair[1] < 0.0);
+        let crossed: Vec<f64> = crossed
+            .map(|(i, pair)| 1e-3 * (i as f64 + pair[0] / (pair[0] - pair[1])))
+            .collect();
+        assert!(crossed.len() > 15, "{crossed:?}");
+        for (i, at_s) in crossed.iter().enumerate() {
+            let wanted_s = (2 * i + 1) as f64 * quarter_s;
+            assert!((at_s - wanted_s).abs() < 1e-5, "{stiffness:e}: {at_s} {wanted_s}");
+        }
+        steps.push(history.steps);
+    }
+    // the spring is followed at its contacts alone
+    assert!(steps[1] < 2 * steps[0], "{steps:?}");
+}
+
+#[test]
 fn agrees_with_springs_that_are_followed_as_their_compliance_goes_to_nothing() {
     let (soft, mid, stiff) = (
         run(&with_spring(1e8)),

@@ -6,6 +6,7 @@ mod assemblies;
 mod building_damper_spectra;
 mod building_dampers;
 mod building_history;
+mod building_loads;
 mod building_modes;
 mod building_peaks;
 mod building_spectra;

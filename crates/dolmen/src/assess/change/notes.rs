@@ -2,6 +2,7 @@
 
 use super::directions::ExchangedDirections;
 use super::swapped::{SwappedChannels, TurnedChannel};
+use crate::assess::error::AssessError;
 
 /// A note on the numbers of a change.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,7 +12,7 @@ pub enum ChangeNote {
         /// Frequency before, Hz.
         frequency_hz: f64,
         /// Why.
-        why: String,
+        why: Box<AssessError>,
     },
     /// The later survey is warmer or colder than all that the line was fitted to.
     BeyondTheLine {

@@ -335,7 +335,7 @@ fn covariate(
                 Err(why) => {
                     notes.push(ChangeNote::NotFitted {
                         frequency_hz: mode.frequency_hz,
-                        why: why.to_string(),
+                        why: Box::new(why),
                     });
                     Ok(None)
                 }

@@ -7,6 +7,7 @@
 //! | ω_j, t_q | `omega`, `at_s` | circular frequency of the mode, middle of the part | rad/s, s |
 
 use crate::modal::{Mode, Modes, Note};
+use crate::numeric::inner;
 use crate::signal::Record;
 use dolmen_linalg::Complex64;
 use std::f64::consts::{PI, TAU};
@@ -161,6 +162,8 @@ fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<PhaseTu
             Complex64::from_polar(hann, -omega * t as f64 / rate_hz)
         })
         .collect();
+    let [re, im]: [Vec<f64>; 2] =
+        [|z: &Complex64| z.re, |z: &Complex64| z.im].map(|f| wave.iter().map(f).collect());
     let l = record.channels().len();
     let cross = (0..PARTS).map(|q| {
         let (mut cross, mut power) = (vec![Complex64::ZERO; l], vec![0.0; l]);
@@ -169,7 +172,7 @@ fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<PhaseTu
             let z: Vec<Complex64> = (0..l)
                 .map(|c| {
                     let samples = &record.samples(c)[from..from + length];
-                    samples.iter().zip(&wave).map(|(y, w)| w * *y).sum()
+                    Complex64::new(inner(samples, &re), inner(samples, &im))
                 })
                 .collect();
             for c in 0..l {

@@ -6,6 +6,7 @@
 //! | u_b | | w_b² (1 − 2 w_b + Σ w²) |
 
 use crate::modal::modes::Mode;
+use crate::numeric::sum_of;
 use crate::signal::Record;
 
 /// Correction of standard deviations from blocks of unequal power.
@@ -32,8 +33,8 @@ pub(crate) fn unequal(record: &Record, time_blocks: usize) -> Unequal {
     let mut share = vec![0.0; time_blocks];
     for c in 0..record.channels().len() {
         let samples = record.samples(c);
-        let mean = samples.iter().sum::<f64>() / samples.len().max(1) as f64;
-        let power = |part: &[f64]| part.iter().map(|y| (y - mean).powi(2)).sum::<f64>();
+        let mean = record.mean(c);
+        let power = |part: &[f64]| sum_of(part, |y| (y - mean) * (y - mean));
         let whole = power(samples).max(f64::MIN_POSITIVE);
         for (share, part) in share.iter_mut().zip(samples.chunks_exact(length.max(1))) {
             *share += power(part) / whole;

@@ -78,7 +78,7 @@ impl<'a> FineLines<'a> {
                 hann.extend((0..n).map(|t| (PI * (t as f64 + 0.5) / n as f64).sin().powi(2)));
             }
             let plan = plan.get_or_insert_with(|| RealFftPlanner::new().plan_fft_forward(n));
-            let mean = y.iter().sum::<f64>() / n as f64;
+            let mean = record.mean(c);
             let mut time: Vec<f64> = y.iter().zip(&*hann).map(|(y, hann)| hann * (y - mean)).collect();
             let mut bins = plan.make_output_vec();
             let _ = plan.process(&mut time, &mut bins); // lengths are the plan's own

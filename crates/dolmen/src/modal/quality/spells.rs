@@ -166,7 +166,7 @@ fn along(record: &Record, mode: &Mode) -> Vec<f64> {
     let mut along = vec![0.0; record.length()];
     for &c in channels.iter().take(CHANNELS) {
         let samples = record.samples(c);
-        let mean = samples.iter().sum::<f64>() / samples.len() as f64;
+        let mean = record.mean(c);
         let weight = mode.shape[c].re;
         along
             .iter_mut()

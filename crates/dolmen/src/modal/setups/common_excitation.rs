@@ -40,7 +40,8 @@ impl Setup {
         ssi: &Ssi,
     ) -> Result<Self, ModalError> {
         let lags = (2 * ssi.block_rows - 1, ssi.time_blocks);
-        let r = correlate_decimated(record, lags, ssi.decimation, false)?;
+        let all: Vec<usize> = (0..record.channels().len()).collect();
+        let r = correlate_decimated(record, lags, (ssi.decimation, false), &all)?;
         Ok(Self::of(&r, channel_places, references, ssi.block_rows))
     }
 
@@ -56,7 +57,7 @@ impl Setup {
         Setup {
             whole: FuturePast::new(&r, &first, br),
             deviations: (r.deviations.iter())
-                .map(|lags| BlockHankel::new(&wide(lags), l, &first, br))
+                .map(|lags| BlockHankel::new(&wide(lags), [l, l], &first, br))
                 .collect(),
             channels: l,
             references: n,
@@ -220,6 +221,7 @@ pub(super) fn stacked(
     };
     let correlations = Correlations {
         channels: places,
+        columns: (0..places).collect(),
         step_s: setups[0].step_s,
         mean: Vec::new(),
         deviations: Vec::new(),
@@ -372,6 +374,7 @@ mod tests {
             let deviations = [1.0, -1.0].map(|sign| change.iter().map(|x| (sign * x) as f32).collect());
             let r = Correlations {
                 channels: l,
+                columns: (0..l).collect(),
                 step_s: STEP_S,
                 mean,
                 deviations: deviations.to_vec(),

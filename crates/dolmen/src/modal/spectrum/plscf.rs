@@ -63,7 +63,8 @@ pub struct MatrixFraction {
 pub fn plscf(record: &Record, options: &Plscf) -> Result<MatrixFraction, ModalError> {
     let options = check(options, record)?;
     let lags = (options.lags, options.time_blocks);
-    let correlations = correlate_decimated(record, lags, options.decimation, false)?;
+    let all: Vec<usize> = (0..record.channels().len()).collect();
+    let correlations = correlate_decimated(record, lags, (options.decimation, false), &all)?;
     fraction(correlations, options, record.duration_s())
 }
 
@@ -166,6 +167,7 @@ mod tests {
     fn correlations(mean: Vec<f64>, deviations: Vec<Vec<f64>>) -> Correlations {
         Correlations {
             channels: 3,
+            columns: vec![0, 1, 2],
             step_s: STEP_S,
             mean,
             deviations: deviations

@@ -11,7 +11,16 @@ use dolmen_linalg::Matrix;
 /// tenth selects 2 of 8 channels for close pairs, a hundredth nearly all.
 const LEFT_MOST: f64 = 0.1;
 /// Fewest channels: two modes of the same frequency need two references.
-const LEAST: usize = 2;
+pub(crate) const REFERENCES_LEAST: usize = 2;
+/// Arrays of more channels use some of them as references, this share at least, in the methods that start from correlations. Our choice: on the
+/// records of the book a quarter gives the same modes, with the same deviations.
+const ALL_MOST: usize = 48;
+const SHARE_OF_WIDE: usize = 4;
+
+/// Fewest references of an array, if not all channels are to be references.
+pub(crate) fn least_of_wide(channels: usize) -> Option<usize> {
+    (channels > ALL_MOST).then(|| channels.div_ceil(SHARE_OF_WIDE))
+}
 
 /// Reference channels, and the fraction of the motion that they represent.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,8 +36,8 @@ pub(crate) struct ReferenceChannels {
 /// ```text
 /// c_k = argmax diag M_k;   M_(k+1) = M_k - m mᵀ/m_c,  m = column c_k of M_k;   until tr M_k ≤ .1 tr M         shape: l × l
 /// ```
-/// Every peak has the same weight, however strong. Without peaks M is the whole spectrum, and all channels are selected.
-pub(crate) fn keeping_most(seen: &Matrix) -> ReferenceChannels {
+/// Every peak has the same weight, however strong. Without peaks all channels are selected, and never fewer than `least`.
+pub(crate) fn keeping_most(seen: &Matrix, least: usize) -> ReferenceChannels {
     let l = seen.rows();
     let trace = |m: &Matrix| (0..l).map(|c| m[(c, c)].max(0.0)).sum::<f64>();
     let whole = trace(seen);
@@ -40,7 +49,7 @@ pub(crate) fn keeping_most(seen: &Matrix) -> ReferenceChannels {
     }
     let mut left = seen.clone();
     let mut channels: Vec<usize> = Vec::new();
-    while channels.len() < LEAST.min(l) || trace(&left) > LEFT_MOST * whole {
+    while channels.len() < least.min(l) || trace(&left) > LEFT_MOST * whole {
         let free = (0..l).filter(|c| !channels.contains(c));
         let Some(c) = free.max_by(|a, b| left[(*a, *a)].total_cmp(&left[(*b, *b)])) else {
             break;
@@ -78,9 +87,11 @@ mod tests {
     #[test]
     fn exact_channels_of_two_shapes_are_the_strongest_and_the_one_that_differs_most() {
         // channel 3 has the largest motion; the residual is then largest at channel 1
-        let found = keeping_most(&of(&[[0.1, 0.3, 0.2, 1.0, 0.4], [0.2, -0.7, 0.1, 1.0, 0.3]]));
+        let two = [[0.1, 0.3, 0.2, 1.0, 0.4], [0.2, -0.7, 0.1, 1.0, 0.3]];
+        let found = keeping_most(&of(&two), REFERENCES_LEAST);
         assert_eq!(found.channels, [1, 3]);
         assert!((found.kept - 1.0).abs() < 1e-12, "{found:?}");
+        assert_eq!(keeping_most(&of(&two), 4).channels.len(), 4);
     }
 
     #[test]
@@ -91,11 +102,14 @@ mod tests {
             [0.0, 1.0, 0.0, 0.0, 0.0],
             [0.0, 0.0, 1.0, 0.0, 0.0],
         ];
-        assert_eq!(keeping_most(&of(&apart)).channels, [0, 1, 2]);
+        assert_eq!(keeping_most(&of(&apart), REFERENCES_LEAST).channels, [0, 1, 2]);
         // a single shape: still two channels, and no residual
-        let one = keeping_most(&of(&[[0.0, 0.0, 2.0, 1.0, 0.0]]));
+        let one = keeping_most(&of(&[[0.0, 0.0, 2.0, 1.0, 0.0]]), REFERENCES_LEAST);
         assert_eq!((one.channels.len(), one.channels.contains(&2)), (2, true));
         assert!((one.kept - 1.0).abs() < 1e-12);
-        assert_eq!(keeping_most(&Matrix::zeros(3, 3)).channels, [0, 1, 2]);
+        assert_eq!(
+            keeping_most(&Matrix::zeros(3, 3), REFERENCES_LEAST).channels,
+            [0, 1, 2]
+        );
     }
 }

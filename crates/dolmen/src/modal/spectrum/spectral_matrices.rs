@@ -8,6 +8,7 @@
 
 use crate::modal::ModalError;
 use crate::modal::correlations::windows;
+use crate::modal::products;
 use crate::modal::streaming_sums::StreamingSums;
 use crate::signal::Record;
 use dolmen_linalg::{Complex64, ComplexMatrix};
@@ -64,10 +65,13 @@ impl SpectralMatrices {
         let rows = held.max(1).next_multiple_of(2);
         let mut before: Option<StreamingSums<'_>> = None;
         for from in (0..l).step_by(rows) {
-            let own = from..(from + rows).min(l);
+            let own = vec![products::Pairs {
+                rows: from..(from + rows).min(l),
+                columns: 0..l,
+            }];
             let mut pass = match before.take() {
                 Some(pass) => pass.turned_to(own),
-                None => StreamingSums::new(record, own, m, windows.segment),
+                None => StreamingSums::new(record, ((0..l).collect(), own), m, windows.segment),
             };
             pass.block(0..windows.segments(), windows.starts, |[a, b], lags| {
                 time.fill(0.0);

@@ -145,19 +145,26 @@ fn steady(record: &Record, c: usize, lost_s: &[[f64; 2]]) -> Vec<f64> {
 
 /// The channel minus the average of earlier samples: a centred average would shift an arrival to an earlier time.
 pub(super) fn without_drift(x: &[f64], length: usize) -> Vec<f64> {
-    let mut sums = Vec::with_capacity(x.len() + 1);
-    sums.push(0.0);
-    for x in x {
-        sums.push(sums[sums.len() - 1] + x);
+    let mut sums = vec![0.0; x.len() + 1];
+    let mut sum = 0.0;
+    for (to, x) in sums[1..].iter_mut().zip(x) {
+        sum += x;
+        *to = sum;
     }
-    let mean = |t: usize| {
-        let (from, to) = match t < length {
-            true => (0, (length + 1).min(x.len())), // what comes first has nothing before it
-            false => (t - length, t + 1),
-        };
-        (sums[to] - sums[from]) / (to - from) as f64
-    };
-    x.iter().enumerate().map(|(t, x)| x - mean(t)).collect()
+    // what comes first has nothing before it
+    let first = (length + 1).min(x.len());
+    let mean = sums[first] / first.max(1) as f64;
+    let count = (length + 1) as f64;
+    let (head, tail) = x.split_at(length.min(x.len()));
+    let mut steady = Vec::with_capacity(x.len());
+    steady.extend(head.iter().map(|x| x - mean));
+    let ends = sums.iter().zip(&sums[first..]);
+    steady.extend(
+        tail.iter()
+            .zip(ends)
+            .map(|(x, (from, to))| x - (to - from) / count),
+    );
+    steady
 }
 
 /// The smallest difference of two samples that are not alike: the step of the digitiser, or next to nothing; 0 of a channel that stands.

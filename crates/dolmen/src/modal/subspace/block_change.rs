@@ -35,7 +35,8 @@ pub(crate) struct Rows {
     /// Channels in all.
     count: usize,
     r: Matrix,
-    u: Matrix,
+    /// Last block row of U.
+    last: Matrix,
     u_down: Matrix,
     q: Matrix,
 }
@@ -52,15 +53,16 @@ impl Rows {
         let (u, k) = (those(u), channels.len());
         Rows {
             u_down: u.block(k, 0, u.rows() - k, u.columns()),
+            last: u.block(u.rows() - k, 0, k, u.columns()),
             q: those(&upper.q),
             r: upper.r.clone(),
             channels: channels.to_vec(),
             count,
-            u,
         }
     }
 
-    /// The change from the rows of D that belong to these channels; the other rows are zero.
+    /// The change from the rows of D that belong to these channels; the other rows are zero. U↑ = Q R gives Uᵀ D = Rᵀ Qᵀ D↑ and what the last
+    /// block row adds.
     pub(crate) fn block(&self, d: &Matrix) -> Block {
         let (k, n) = (self.channels.len(), d.columns());
         let rows = d.rows() - k;
@@ -73,7 +75,7 @@ impl Rows {
             }
         }
         Block {
-            e: self.u.transpose_times(d),
+            e: &self.r.transpose_times(&g) + &self.last.transpose_times(&d.block(rows, 0, k, n)),
             f: self.q.transpose_times(&down),
             j: up.transpose_times(&self.u_down),
             k: g.transpose_times(&self.r),

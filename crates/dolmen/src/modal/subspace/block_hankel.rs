@@ -25,12 +25,12 @@ pub(crate) struct BlockHankel {
 }
 
 impl BlockHankel {
-    /// The matrix from the lags 1 … 2 br - 1 of all channels with the reference channels.
-    pub(crate) fn new(lags: &[f64], channels: usize, references: &[usize], block_rows: usize) -> Self {
-        let (l, r) = (channels, references.len());
+    /// The matrix from the lags 1 … 2 br - 1 of l channels with the reference channels in these columns of each l × w lag.
+    pub(crate) fn new(lags: &[f64], [l, width]: [usize; 2], references: &[usize], block_rows: usize) -> Self {
+        let r = references.len();
         let transform = Transform::of(2 * block_rows - 1);
         let mut bins = vec![Matrix::zeros(2 * l, r); transform.bins()];
-        let beside = side_by_side(lags, l, references, block_rows);
+        let beside = side_by_side(lags, [l, width], references, block_rows);
         let mut buffers = transform.buffers();
         for j in 0..r {
             for i in 0..l {
@@ -190,7 +190,12 @@ impl FuturePast {
             })
         };
         FuturePast {
-            hankel: BlockHankel::new(&r.mean, r.channels, references, block_rows),
+            hankel: BlockHankel::new(
+                &r.mean,
+                [r.channels, r.columns.len()],
+                &r.places(references),
+                block_rows,
+            ),
             thin: r.ends.iter().flat_map(thin).collect(),
         }
     }
@@ -339,9 +344,9 @@ mod tests {
         let br = 6;
         let r = correlate(&record(3), 2 * br - 1, 4).unwrap();
         let (references, lags) = ([1, 2], &wide(&r.deviations[2]));
-        let beside = side_by_side(lags, 3, &references, br);
+        let beside = side_by_side(lags, [3, 3], &references, br);
         let dense = Matrix::from_fn(3 * br, 2 * br, |i, j| beside[(i % 3, i / 3 * 2 + j)]);
-        let hankel = BlockHankel::new(lags, 3, &references, br);
+        let hankel = BlockHankel::new(lags, [3, 3], &references, br);
         let x = Matrix::from_fn(2 * br, 3, |i, j| (i as f64 * 0.7 + j as f64).cos());
         let found = hankel.times_transformed(&hankel.transformed(&x));
         let exact = &dense * &x;

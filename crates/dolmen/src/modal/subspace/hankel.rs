@@ -75,11 +75,12 @@ fn displaced(
     wanted: std::ops::Range<usize>,
     use_it: &mut dyn FnMut(usize, usize, &[f64]),
 ) {
-    let l = r.channels;
-    let from = &sums[lag * l * l..(lag + 1) * l * l];
+    let (l, width) = (r.channels, r.columns.len());
+    let from = &sums[lag * l * width..(lag + 1) * l * width];
+    let places = r.places(columns);
     let mut sum: Vec<f64> = rows
         .iter()
-        .flat_map(|i| columns.iter().map(move |j| from[i * l + j]))
+        .flat_map(|i| places.iter().map(move |j| from[i * width + j]))
         .collect();
     for b in 0..wanted.end {
         if b > 0
@@ -120,12 +121,17 @@ fn put(out: &mut Matrix, row: usize, column: usize, rows: usize, sum: &[f64]) {
     }
 }
 
-/// Lags 1 … 2 br - 1 of the reference channels side by side, so that block row i of their Hankel matrix is the columns
-/// from i r on.   shape: l × r (2 br - 1)
-pub(super) fn side_by_side(lags: &[f64], channels: usize, references: &[usize], block_rows: usize) -> Matrix {
-    let (l, n) = (channels, references.len());
+/// Lags 1 … 2 br - 1 of the reference channels, which stand in these columns of each l × w lag, side by side, so that block row i of their
+/// Hankel matrix is the columns from i r on.   shape: l × r (2 br - 1)
+pub(super) fn side_by_side(
+    lags: &[f64],
+    [l, width]: [usize; 2],
+    places: &[usize],
+    block_rows: usize,
+) -> Matrix {
+    let n = places.len();
     Matrix::from_fn(l, n * (2 * block_rows - 1), |i, column| {
-        lags[(column / n + 1) * l * l + i * l + references[column % n]]
+        lags[(column / n + 1) * l * width + i * width + places[column % n]]
     })
 }
 

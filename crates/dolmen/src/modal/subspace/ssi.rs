@@ -155,7 +155,8 @@ fn correlated(record: &Record, options: &Ssi, is_padded: bool) -> Result<(Ssi, C
     let channels = record.channels().len();
     let options = check_ssi(options, channels)?;
     let lags = (2 * options.block_rows - 1, options.time_blocks);
-    let correlations = correlate_decimated(record, lags, options.decimation, is_padded)?;
+    let how = (options.decimation, is_padded);
+    let correlations = correlate_decimated(record, lags, how, &options.references)?;
     Ok((options, correlations))
 }
 
@@ -298,6 +299,7 @@ mod tests {
         }
         Correlations {
             channels: 3,
+            columns: vec![0, 1, 2],
             step_s: STEP_S,
             mean,
             deviations: Vec::new(),

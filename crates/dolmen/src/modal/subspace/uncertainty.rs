@@ -91,9 +91,11 @@ impl<'a> Propagation<'a> {
     /// Projects every block's deviation: the work that all poles share.
     pub fn new(subspace: &'a Subspace) -> Self {
         let (l, br) = (subspace.correlations.channels, subspace.block_rows);
+        let size = [l, subspace.correlations.columns.len()];
+        let places = subspace.correlations.places(&subspace.references);
         let (mut x, mut rows) = (None, None);
         let of_lags = subspace.correlations.deviations.iter().map(|lags| {
-            let hankel = BlockHankel::new(&wide(lags), l, &subspace.references, br);
+            let hankel = BlockHankel::new(&wide(lags), size, &places, br);
             let x = x.get_or_insert_with(|| hankel.transformed(&subspace.x));
             let rows = rows.get_or_insert_with(|| {
                 Rows::of((&subspace.u, &subspace.upper), l, &(0..l).collect::<Vec<_>>())

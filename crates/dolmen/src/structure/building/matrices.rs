@@ -200,7 +200,7 @@ impl Building {
         })
     }
 
-    fn floor_index(&self, floor: usize) -> Result<usize, BuildingError> {
+    pub(super) fn floor_index(&self, floor: usize) -> Result<usize, BuildingError> {
         if (1..=self.floors().len()).contains(&floor) {
             return Ok(floor - 1);
         }

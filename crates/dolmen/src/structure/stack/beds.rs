@@ -32,9 +32,16 @@ pub(super) struct Bed {
     /// The fraction of stone on stone, if it differs from the common area of the hulls.
     hollow: Option<Bearing>,
     scanned: Option<ScannedJoint>,
+    /// Radius of curvature where the lower and the upper solid touch with a face that is no bed but part of a curved surface, m.
+    radii_m: [Option<f64>; 2],
 }
 
 impl Bed {
+    /// Radius of curvature where the lower and the upper solid touch with a face that is no bed but part of a curved surface, m.
+    pub(super) fn radii_m(&self) -> [Option<f64>; 2] {
+        self.radii_m
+    }
+
     /// The stone in the patch, if there is too little for bearing and tipping as the hulls do.
     pub(super) fn hollow(&self) -> Option<Bearing> {
         self.hollow
@@ -110,6 +117,7 @@ impl Bed {
             share: self.share,
             hollow: self.hollow,
             scanned: self.scanned,
+            radii_m: self.radii_m,
         }
     }
 
@@ -150,9 +158,14 @@ pub(crate) fn face_in_plane(solid: &Solid, face: usize, origin: DVec3, axes: &[D
 /// The bed between `lower` (the ground if `None`) and `upper`, its normal from the first to the second.
 pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
     let mut best: Option<(f64, Bed, [Option<usize>; 2])> = None;
-    let mut total = 0.0;
+    let (mut total, mut radii_m) = (0.0, [None, None]);
+    let radius = |solid: &Solid, face: usize| *solid.scan()?.radii_m.get(face)?;
     let mut offer = |area: f64, bed: Bed, faces: [Option<usize>; 2]| {
         total += area;
+        let own = [lower.zip(faces[0]), faces[1].map(|face| (upper, face))];
+        for (all, own) in radii_m.iter_mut().zip(own) {
+            *all = all.or(own.and_then(|(solid, face)| radius(solid, face)));
+        }
         if best.as_ref().is_none_or(|(most, ..)| area > *most) {
             best = Some((area, bed, faces));
         }
@@ -207,6 +220,7 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
         bearing(under, (upper, below), &bed.patch, bed.origin, &bed.axes)
     });
     bed.hollow = found.filter(|found| !found.is_whole());
+    bed.radii_m = radii_m;
     let faces: Vec<(&Solid, usize)> = lower
         .zip(above)
         .into_iter()
@@ -269,5 +283,6 @@ fn bed_of(patch: Polygon, origin: DVec3, axes: [DVec3; 3]) -> Bed {
         share: 1.0,
         hollow: None,
         scanned: None,
+        radii_m: [None, None],
     }
 }

@@ -216,6 +216,22 @@ pub enum StackError {
         /// The allowed range.
         allowed: f64,
     },
+    /// The face of a scan in a joint is part of a curved surface.
+    #[error(
+        "'{upper}' on '{lower}': '{rounded}' rests on a rounded face (radius of curvature {radius_m:.2} m), not on a bed, and rolls at any \
+         acceleration; if it is bedded in mortar, give it as a box, frustum or solid of points, and if wedges hold it, give them as \
+         blocks"
+    )]
+    JointRounded {
+        /// The upper block.
+        upper: String,
+        /// Name of the body below.
+        lower: String,
+        /// The one with the rounded face.
+        rounded: String,
+        /// Its radius of curvature, m.
+        radius_m: f64,
+    },
     /// Two stones touch on several facets, none of which represents the others.
     #[error(
         "'{upper}' touches '{lower}' on several facets, of which the largest is {:.0} % of what touches, but it must be {:.0} %: give the \

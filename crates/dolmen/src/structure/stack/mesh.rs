@@ -92,8 +92,12 @@ impl Solid {
         let (contact, scan) = match fit {
             None => (hull, None),
             Some(fit) => {
-                let (noise_m, triangles) = (fit.noise_m, fit.triangles);
-                (fit.solid, Some(Box::new(Scan { noise_m, triangles })))
+                let scan = Scan {
+                    noise_m: fit.noise_m,
+                    triangles: fit.triangles,
+                    radii_m: fit.radii_m,
+                };
+                (fit.solid, Some(Box::new(scan)))
             }
         };
         let mut solid = contact.with_moments(volume, centroid, second);

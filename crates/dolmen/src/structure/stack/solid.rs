@@ -26,6 +26,8 @@ pub struct Scan {
     pub noise_m: f64,
     /// For each face of the solid, its triangles of the mesh.
     pub(super) triangles: Vec<Vec<usize>>,
+    /// For each face that is part of a curved surface, its radius of curvature, m.
+    pub(super) radii_m: Vec<Option<f64>>,
 }
 
 /// Position of a solid: a rotation about the origin of its own coordinates, followed by a shift.
@@ -118,6 +120,13 @@ impl Solid {
     /// Scan data, if the solid is a scan with noise.
     pub fn scan(&self) -> Option<&Scan> {
         self.scan.as_deref()
+    }
+
+    /// Radius of curvature of its lowest face, m, if that is the crown of a scanned boulder and no bed.
+    pub(super) fn rounded_below_m(&self) -> Option<f64> {
+        let down = |face: &usize| -self.normal(*face).z;
+        let lowest = (0..self.faces().len()).max_by(|a, b| down(a).total_cmp(&down(b)))?;
+        *self.scan()?.radii_m.get(lowest)?
     }
 
     /// Triangles of its hull, outward.

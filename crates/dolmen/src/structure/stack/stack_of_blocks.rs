@@ -86,7 +86,8 @@ impl Stack {
     ///
     /// # Errors
     /// [`StackError`] for no blocks, names that repeat, density, gravity or material out of range, blocks that overlap by
-    /// more than [`BED_GAP_M`], touch on several facets of a bed that is not flat or where one is hollow, and blocks that no joint carries.
+    /// more than [`BED_GAP_M`], touch on several facets of a bed that is not flat, on the rounded face of a scan or where one is hollow, and blocks that
+    /// no joint carries.
     ///
     /// # Limits
     /// Contact is between convex hulls. A joint in which the stone itself has less contact than the hulls is refused; such a stone must be given in
@@ -116,7 +117,10 @@ impl Stack {
             } else {
                 let sunk = -block.solid.bounds_m()[0][2];
                 if sunk > BED_GAP_M {
-                    return Err(overlap(&block.name, "the ground", sunk));
+                    return Err(match block.solid.rounded_below_m() {
+                        Some(radius_m) => rounded(&block.name, "the ground", &block.name, radius_m),
+                        None => overlap(&block.name, "the ground", sunk),
+                    });
                 }
             }
             for (lower, other) in blocks.iter().enumerate().take(upper) {
@@ -368,6 +372,9 @@ impl Stack {
             return Ok(());
         };
         let bounds = self.blocks[block].solid.bounds_m();
+        let crown_m = self.blocks[block].solid.rounded_below_m();
+        // the plane fitted to a crown lies within the body below
+        let least_m = crown_m.map_or(0.0, |_| -2.0 * BED_GAP_M);
         let mut nearest = ("the ground".to_owned(), bounds[0][2]);
         for other in self
             .blocks
@@ -378,9 +385,15 @@ impl Stack {
             let under =
                 (0..2).all(|axis| below[0][axis] < bounds[1][axis] && bounds[0][axis] < below[1][axis]);
             let gap = bounds[0][2] - below[1][2];
-            if under && gap > 0.0 && gap < nearest.1 {
+            if under && gap > least_m && gap < nearest.1 {
                 nearest = (other.name.clone(), gap);
             }
+        }
+        if let Some(radius_m) = crown_m
+            && nearest.1.abs() <= 2.0 * BED_GAP_M
+        {
+            let name = &self.blocks[block].name;
+            return Err(rounded(name, &nearest.0, name, radius_m));
         }
         Err(StackError::Floating {
             block: self.blocks[block].name.clone(),
@@ -392,7 +405,21 @@ impl Stack {
 }
 
 /// A joint must be one flat patch of stone on stone, and of scans flat stone for the most part.
+fn rounded(upper: &str, lower: &str, rounded: &str, radius_m: f64) -> StackError {
+    StackError::JointRounded {
+        upper: upper.to_owned(),
+        lower: lower.to_owned(),
+        rounded: rounded.to_owned(),
+        radius_m,
+    }
+}
+
 fn check_used(bed: &Bed, lower: &str, upper: &str) -> Result<(), StackError> {
+    for (name, radius_m) in [upper, lower].into_iter().zip(bed.radii_m().into_iter().rev()) {
+        if let Some(radius_m) = radius_m {
+            return Err(rounded(upper, lower, name, radius_m));
+        }
+    }
     if let Some(found) = bed.hollow() {
         return Err(StackError::JointHollow {
             upper: upper.to_owned(),

@@ -1,5 +1,6 @@
 //! The contact body of a scanned stone: its fitted faces and where they meet, not the hull of noisy vertices.
 
+use super::curvature;
 use super::half_spaces::body;
 use super::plane::Plane;
 use super::regions::{Region, regions};
@@ -8,8 +9,10 @@ use super::surface::Surface;
 use crate::structure::stack::{Solid, StackError};
 use glam::DVec3;
 
-/// Distance within which a vertex lies in a plane, m, at least; in a small stone 1/100 of its size. Dressed stone is not flatter.
+/// Distance within which a vertex lies in a plane, m, at least. Dressed stone is not flatter.
 const TOLERANCE_M: f64 = 0.003;
+/// As above in a small stone, as a part of its size.
+const FLAT_SHARE: f64 = 0.01;
 /// As above, in standard deviations of the noise.
 const TOLERANCE_NOISE: f64 = 4.0;
 /// Largest distance of a face inside the outermost vertex, in standard deviations: the mean effect of noise on an outermost vertex.
@@ -38,6 +41,8 @@ pub(crate) struct Fitted {
     pub(crate) solid: Solid,
     /// Triangles in each of its faces.
     pub(crate) triangles: Vec<Vec<usize>>,
+    /// Radius of curvature of each of its faces that is part of a curved surface, m.
+    pub(crate) radii_m: Vec<Option<f64>>,
     /// Standard deviation of the vertices of faces off their planes, m.
     pub(crate) noise_m: f64,
 }
@@ -54,7 +59,7 @@ pub(crate) fn fitted(
     flat_m: f64,
 ) -> Result<Option<Fitted>, StackError> {
     let surface = Surface::new(vertices_m, triangles);
-    if surface.is_modelled(flat_m) && is_merged(hull, flat_m) {
+    if surface.is_modelled(flat_m) && surface.has_edge(curvature::SMOOTH) && is_merged(hull, flat_m) {
         return Ok(None);
     }
     let noise = surface.noise_m();
@@ -70,7 +75,7 @@ pub(crate) fn fitted(
     let mut closest: Option<f64> = None;
     for radius in radii {
         let spread = if radius > 0.0 { noise } else { 0.0 };
-        let tolerance = TOLERANCE_M.min(0.01 * size).max(TOLERANCE_NOISE * spread);
+        let tolerance = TOLERANCE_M.min(FLAT_SHARE * size).max(TOLERANCE_NOISE * spread);
         let found = regions(&surface, &surface.smoothed(radius), tolerance);
         let Some((fit, uncut_m3)) = bounded(&surface, found, hull, tolerance) else {
             continue;
@@ -139,14 +144,22 @@ fn bounded(surface: &Surface, found: Vec<Region>, hull: &Solid, tolerance_m: f64
         planes.extend(cuts);
         solid = body(&planes, centre, size).ok()?;
     }
-    let triangles = (0..solid.faces().len())
-        .map(|number| {
-            region_of(&solid, number, &faces, size).map_or(Vec::new(), |face| face.triangles.clone())
-        })
+    let of_faces: Vec<Option<&Region>> = (0..solid.faces().len())
+        .map(|number| region_of(&solid, number, &faces, size))
+        .collect();
+    let triangles = of_faces
+        .iter()
+        .map(|face| face.map_or(Vec::new(), |face| face.triangles.clone()))
+        .collect();
+    let flat_m = TOLERANCE_M.min(FLAT_SHARE * size);
+    let radii_m = of_faces
+        .iter()
+        .map(|face| face.and_then(|face| curvature::radius_m(surface, face, flat_m)))
         .collect();
     let fit = Fitted {
         solid,
         triangles,
+        radii_m,
         noise_m,
     };
     Some((fit, uncut_m3))

@@ -1,5 +1,6 @@
 //! Scanned stones: the planes of their dressed faces, found in meshes whose vertices carry noise.
 
+mod curvature;
 mod fit;
 mod half_spaces;
 mod plane;

@@ -97,6 +97,13 @@ impl Surface {
         })
     }
 
+    /// Whether two adjacent triangles meet at an angle with a cosine below `smooth`: a mesh without an edge is a ball.
+    pub(super) fn has_edge(&self, smooth: f64) -> bool {
+        let normals: Vec<DVec3> = self.areas.iter().map(|area| area.normalize_or_zero()).collect();
+        let mut sides = self.across.iter().zip(&normals);
+        sides.any(|(across, normal)| across.iter().any(|&beyond| normal.dot(normals[beyond]) < smooth))
+    }
+
     /// Standard deviation of the vertices about the surface, m. It comes from the median over the vertices of the distance, along the normal, from
     /// the mean of the neighbours. Curvature within one edge length counts as noise.
     pub(super) fn noise_m(&self) -> f64 {
