@@ -60,7 +60,7 @@ impl Manner {
         }
     }
 
-    /// A project; its names are printed in the language of the reader from now on, but for JSON.
+    /// Opens a project. From now on its names are printed in the language of the reader, except in JSON.
     pub(crate) fn open(&self, path: &Path) -> Result<Found> {
         let found = Found::open(path, self.access())?;
         if !self.json {

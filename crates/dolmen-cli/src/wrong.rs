@@ -1,4 +1,4 @@
-//! Errors about the command line, and notes beside an answer, in both languages.
+//! Errors about the command line, and notes in addition to an answer, in both languages.
 
 use crate::manner::Manner;
 use dolmen_words::message::{Argument, Both};
@@ -195,7 +195,7 @@ sentences! {
 }
 
 messages! {
-    /// Notes beside an answer, on standard error.
+    /// Notes in addition to an answer, on standard error.
     #[cfg_attr(not(feature = "pdf"), allow(dead_code, reason = "only a build with PDF says what it cannot print"))]
     pub(crate) enum Noted in "command.note" {
         Ranking { folder: String } => {

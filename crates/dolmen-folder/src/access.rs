@@ -1,4 +1,4 @@
-//! Which files may be read and replaced.
+//! Files that may be read and replaced.
 
 /// Which files of a project may be read, and which files may be replaced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

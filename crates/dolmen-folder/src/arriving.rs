@@ -11,7 +11,7 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 /// Endings of unfinished files.
 const UNFINISHED: [&str; 6] = [".part", ".partial", ".filepart", ".tmp", ".temp", ".crdownload"];
-/// Ending of the text beside a file in quarantine.
+/// Ending of the text file next to a file in quarantine.
 const WHY: &str = ".why.txt";
 
 /// Size and time of a file, which show whether it changed.
@@ -63,7 +63,7 @@ pub struct InboxLook {
 }
 
 impl Inbox {
-    /// Watches a folder; a file counts as complete when its size and time have not changed for `rest`.
+    /// Watches a folder; a file is complete when its size and time have not changed for `rest`.
     ///
     /// # Errors
     /// If there is no such folder.
@@ -284,7 +284,7 @@ mod tests {
         let (path, look) = lying.at_rest[1].clone();
         inbox.set_done(&path, look);
         assert_eq!(names(&inbox.look().unwrap()), ["$(x) \"y\".csv"]);
-        // written again: counts as another file
+        // written again: this is another file
         fs::write(&path, b"22").unwrap();
         set_age(&path, 90);
         assert_eq!(names(&inbox.look().unwrap()).len(), 2);
@@ -325,7 +325,7 @@ mod tests {
             quarantine(&to, &folder.join("b.csv"), "broken").unwrap(),
             to.join("b.csv")
         );
-        // a data file named like such a text is kept as well
+        // a data file with the name of such a text file is kept as well
         fs::write(folder.join("c.csv.why.txt"), "5").unwrap();
         fs::write(folder.join("c.csv"), "6").unwrap();
         quarantine(&to, &folder.join("c.csv.why.txt"), "broken").unwrap();

@@ -182,7 +182,18 @@ pub fn start(path: &Path) -> Vec<u8> {
 
 /// The text of a file, which must be UTF-8.
 pub fn read_text(path: &Path, most: u64) -> Result<String> {
-    let bytes = read(path, most)?;
+    text_of(read(path, most)?, path)
+}
+
+/// The whole lines of a text that may end within a letter, as a killed process leaves it.
+pub fn read_whole_lines(path: &Path, most: u64) -> Result<String> {
+    let mut bytes = read(path, most)?;
+    let whole = bytes.iter().rposition(|byte| *byte == b'\n');
+    bytes.truncate(whole.map_or(0, |at| at + 1));
+    text_of(bytes, path)
+}
+
+fn text_of(bytes: Vec<u8>, path: &Path) -> Result<String> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         let path = path.display().to_string();
         return Err(PathError::Utf16 { path }.into());
@@ -216,8 +227,8 @@ pub fn rewrite(path: &Path, bytes: &[u8]) -> Result<()> {
     fs::set_permissions(path, kept).map_err(failed)
 }
 
-/// Writes `bytes` to `path` completely or not at all: a temporary file beside it, then a rename. Follows a link; writes directly to a
-/// device or pipe.
+/// Writes `bytes` to `path` completely or not at all: to a temporary file in the same folder, which is then renamed. Follows a link;
+/// writes directly to a device or pipe.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     let failed = |why: std::io::Error| {
         let path = path.display().to_string();
@@ -393,6 +404,16 @@ mod tests {
         let _ = fs::remove_dir_all(&folder);
         fs::create_dir_all(&folder).unwrap();
         folder
+    }
+
+    #[test]
+    fn holds_a_text_torn_within_a_letter_keeps_its_whole_lines() {
+        let file = scratch("torn").join("runs");
+        let text = "하나\n둘";
+        for torn in 0..3 {
+            fs::write(&file, &text.as_bytes()[..text.len() - torn]).unwrap();
+            assert_eq!(read_whole_lines(&file, 100).unwrap(), "하나\n");
+        }
     }
 
     #[test]

@@ -50,7 +50,7 @@ enum Standing {
     Free,
     /// An input of the command or of its project.
     Input,
-    /// A file of somebody else.
+    /// A file that Dolmen did not write.
     Foreign,
 }
 
@@ -129,8 +129,8 @@ impl Outputs {
         self.within(folder_of(path), &[(path.to_owned(), bytes)])
     }
 
-    /// Writes files into a folder. A file that may not be replaced is kept and the new one written beside it; this is an error
-    /// after all are written.
+    /// Writes files into a folder. A file that must not be replaced is kept, and the new one is written next to it; the result is then an
+    /// error, after all files are written.
     pub fn folder(&self, folder: &Path, files: &[NamedFile]) -> Result<()> {
         let folder = &settled(folder);
         let mut by_folder: BTreeMap<PathBuf, Vec<(PathBuf, &[u8])>> = BTreeMap::new();

@@ -14,10 +14,10 @@ use std::path::{Path, PathBuf};
 /// Name of a project file.
 const PROJECT: &str = "project.toml";
 
-/// The structures of a table (XLSX, ODS, CSV; `sheet` of a workbook of several), or of the projects that lie in a folder.
+/// The structures of a table (XLSX, ODS, CSV; `sheet` chooses one of a workbook), or of the projects in a folder.
 ///
 /// # Errors
-/// Where the table cannot be read, or the folder is itself a project or holds none.
+/// If the table cannot be read, or the folder is itself a project or contains none.
 pub fn portfolio(source: &Path, sheet: Option<&str>, access: Access) -> Result<PortfolioTable> {
     let shown = || source.display().to_string();
     if !source.is_dir() {

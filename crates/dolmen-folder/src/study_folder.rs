@@ -119,7 +119,7 @@ impl StudyFolder {
         let text = if restart {
             String::new()
         } else {
-            files::read_text(&path, self.most)?
+            files::read_whole_lines(&path, self.most)?
         };
         let (keep, runs) = resumed(
             header,
@@ -173,7 +173,7 @@ impl StudyFolder {
         let each = journals.into_iter().map(|path| {
             Ok(JournalText {
                 shown: path.display().to_string(),
-                text: files::read_text(&path, self.most)?,
+                text: files::read_whole_lines(&path, self.most)?,
             })
         });
         each.collect()

@@ -1,4 +1,4 @@
-//! What is wrong with a path, in both languages.
+//! Descriptions of faults of a path, in both languages.
 
 use dolmen_words::message::{Argument, Both};
 use dolmen_words::{Template, messages, sayable, sentences};
@@ -220,7 +220,7 @@ sentences! {
 }
 
 messages! {
-    /// What lies at a path.
+    /// The kind of file at a path.
     pub(crate) enum Lying in "folder.lying" {
         Pipe => { en: "a pipe", ko: "파이프" },
         Device => { en: "a device", ko: "장치" },

@@ -138,7 +138,7 @@ impl<'a> Following<'a> {
         })
     }
 
-    /// Processes the files that are there; returns how many are still being written.
+    /// Processes the existing files; returns the number of files that are still being written.
     fn round(&mut self) -> Result<usize> {
         let project = self.store.state(&self.structure).map_err(store_failure)?;
         let arrivals = self.store.arrivals(&self.structure).map_err(store_failure)?;

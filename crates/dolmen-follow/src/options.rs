@@ -20,7 +20,7 @@ pub struct Follow {
     pub access: Access,
     /// The structure in the store; `None` if the store has only one.
     pub structure: Option<String>,
-    /// Process the files that are there, then stop.
+    /// Process the existing files, then stop.
     pub once: bool,
     /// Interval between looks at the folder.
     pub every: Duration,

@@ -155,7 +155,7 @@ pub fn take_over(from: &mut Store, into: &mut Store, who: &str) -> Result<Import
     into.import(from, &act).map_err(store_failure)
 }
 
-/// A structure as it was read from the store.
+/// A structure as read from the store.
 struct Stored {
     text: Vec<u8>,
     files: StoredFiles,

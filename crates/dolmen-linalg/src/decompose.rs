@@ -134,7 +134,7 @@ pub fn symmetric_eigenvalues(a: &Matrix) -> Result<Vec<f64>, LinalgError> {
 /// Cholesky M = L Lᵀ, two triangular solves, the symmetric problem of L⁻¹ K L⁻ᵀ.
 ///
 /// # Errors
-/// [`LinalgError::NotPositiveDefinite`] if M is not; else as [`symmetric_eigen`].
+/// [`LinalgError::NotPositiveDefinite`] if M is not positive definite; otherwise as [`symmetric_eigen`].
 pub fn generalized_symmetric_eigen(k: &Matrix, m: &Matrix) -> Result<SymmetricEigen, LinalgError> {
     const WHAT: &str = "generalized_symmetric_eigen";
     square(WHAT, k)?;
@@ -190,7 +190,7 @@ pub fn solve(a: &Matrix, b: &Matrix) -> Result<Matrix, LinalgError> {
     Ok(owned(lu.solve(view(b)).as_ref()))
 }
 
-/// X that makes ‖A X − B‖ smallest, A with at least as many rows as columns and of full column rank, by QR.
+/// X that minimises ‖A X − B‖, for A with at least as many rows as columns and full column rank, by QR.
 ///
 /// # Errors
 /// [`LinalgError::Singular`] if a diagonal entry of R is below 1e-14 of the largest; [`LinalgError::Shape`],
@@ -229,7 +229,7 @@ pub fn qr(a: &Matrix) -> Result<Qr, LinalgError> {
     })
 }
 
-/// Thin singular value decomposition, all of it (not randomised).
+/// Thin singular value decomposition, complete (not randomised).
 ///
 /// # Errors
 /// [`LinalgError::NotFinite`], [`LinalgError::NoConvergence`].
@@ -278,7 +278,7 @@ pub fn hermitian_eigen(a: &ComplexMatrix) -> Result<HermitianEigen, LinalgError>
     })
 }
 
-/// As faer has it, if it is square and finite.
+/// The matrix in the form of faer, if it is square and finite.
 pub(crate) fn square_complex<'a>(
     what: &'static str,
     a: &'a ComplexMatrix,

@@ -1,4 +1,4 @@
-/// Why a decomposition cannot be computed. Each variant carries what was refused.
+/// Reason why a decomposition cannot be computed. Each variant contains the refused value.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum LinalgError {
     /// An entry is NaN or infinite.
@@ -6,7 +6,7 @@ pub enum LinalgError {
         "{what}: the entry in row {row}, column {column} is {value}, but every entry must be a finite number"
     )]
     NotFinite {
-        /// Which operation refused it.
+        /// The operation that refused it.
         what: &'static str,
         /// Row, from 0.
         row: usize,
@@ -18,11 +18,11 @@ pub enum LinalgError {
     /// The shape does not fit the operation.
     #[error("{what}: the matrix is {rows} × {columns}, but must be {needed}")]
     Shape {
-        /// Which operation refused it.
+        /// The operation that refused it.
         what: &'static str,
-        /// Rows given.
+        /// Number of rows.
         rows: usize,
-        /// Columns given.
+        /// Number of columns.
         columns: usize,
         /// The allowed range.
         needed: &'static str,
@@ -30,19 +30,19 @@ pub enum LinalgError {
     /// A Cholesky pivot is not positive.
     #[error("{what}: the matrix is not positive definite")]
     NotPositiveDefinite {
-        /// Which operation refused it.
+        /// The operation that refused it.
         what: &'static str,
     },
     /// A pivot is zero to working precision.
     #[error("{what}: the matrix is singular to working precision")]
     Singular {
-        /// Which operation refused it.
+        /// The operation that refused it.
         what: &'static str,
     },
     /// An iteration did not converge.
     #[error("{what}: the iteration did not converge")]
     NoConvergence {
-        /// Which operation failed.
+        /// The operation that failed.
         what: &'static str,
     },
 }

@@ -1,4 +1,4 @@
-//! Eigenvalues of Hermitian matrices, without vectors: faer brings the matrix to three diagonals, the square-root-free QL iteration does the rest.
+//! Eigenvalues of Hermitian matrices, without vectors: faer reduces the matrix to tridiagonal form, and the square-root-free QL iteration follows.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -12,7 +12,7 @@ use faer::linalg::evd::tridiag::{tridiag_in_place, tridiag_in_place_scratch};
 use faer::{Mat, Par, Spec};
 
 const WHAT: &str = "hermitian_eigenvalues";
-/// Iterations an eigenvalue, as EISPACK has it: two are usual.
+/// Largest number of iterations per eigenvalue, as in EISPACK: two are usual.
 const ITERATIONS_MOST: usize = 30;
 
 /// Eigenvalues of a Hermitian matrix, ascending (its lower triangle is read).
@@ -21,7 +21,7 @@ const ITERATIONS_MOST: usize = 30;
 /// As [`hermitian_eigen`](crate::hermitian_eigen).
 ///
 /// # Source
-/// Reinsch (1973) Comm. ACM 16(11):689, algorithm 464 (EISPACK's tqlrat). Each value is right to a few roundings of the largest.
+/// Reinsch (1973) Comm. ACM 16(11):689, algorithm 464 (EISPACK's tqlrat). The error of each value is a few roundings of the largest.
 pub fn hermitian_eigenvalues(a: &ComplexMatrix) -> Result<Vec<f64>, LinalgError> {
     let a = square_complex(WHAT, a)?;
     let n = a.nrows();
@@ -39,7 +39,7 @@ pub fn hermitian_eigenvalues(a: &ComplexMatrix) -> Result<Vec<f64>, LinalgError>
     let mut d: Vec<f64> = (0..n).map(|i| lower[(i, i)].re).collect();
     let mut e2: Vec<f64> = (1..n).map(|i| lower[(i, i - 1)].norm_sqr()).collect();
     e2.push(0.0);
-    // squares must neither overflow nor vanish
+    // squares must neither overflow nor underflow
     let beside = e2.iter().map(|e2| e2.sqrt());
     let scale = d.iter().map(|d| d.abs()).chain(beside).fold(0.0, f64::max);
     if scale > 0.0 {
@@ -53,7 +53,7 @@ pub fn hermitian_eigenvalues(a: &ComplexMatrix) -> Result<Vec<f64>, LinalgError>
     Ok(d)
 }
 
-/// Puts the eigenvalues, in no order, in place of the diagonal. The last of `e2` is zero; the largest entry is about 1.
+/// Replaces the diagonal by the eigenvalues, in no particular order. The last of `e2` is zero; the largest entry is about 1.
 fn of_three_diagonals(d: &mut [f64], e2: &mut [f64]) -> Result<(), LinalgError> {
     let n = d.len();
     let (mut shifted, mut largest, mut tiny, mut tiny_square) = (0.0, 0.0, 0.0, 0.0);
@@ -147,7 +147,7 @@ mod tests {
                 near(&made(n, |i, j| {
                     scale * Complex64::new(((i * 7 + j * 3) % 11) as f64, (i * j % 5) as f64)
                 }));
-                // two modes over nothing: all values but two are zero
+                // two modes and otherwise zeros: all values but two are zero
                 near(&made(n, |i, j| {
                     scale * (wave(i, 0) * wave(j, 0).conj() + 0.1 * wave(i, 3) * wave(j, 3).conj())
                 }));

@@ -4,12 +4,13 @@ use crate::{LinalgError, Matrix, Svd, qr, svd};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 
-/// Number of vectors that are multiplied together: fewer vectors read the operator more often, more need a larger space.
+/// Number of vectors that are multiplied together: with fewer vectors the operator is read more often, with more the
+/// space is larger.
 const BLOCK: usize = 16;
-/// Residual over the largest singular value at which a triplet has converged: a few hundred roundings, as a full
-/// decomposition leaves them.
+/// Ratio of the residual to the largest singular value at which a triplet has converged: a few hundred roundings, as in
+/// a full decomposition.
 const RESIDUAL_MOST: f64 = 5e-14;
-/// The space may grow to this many times the vectors asked before the iteration gives up.
+/// Size of the space, in multiples of the requested number of vectors, at which the iteration ends without a result.
 const SPACE_MOST: usize = 16;
 /// Relative norm, to the largest singular value, below which a new direction is rounding: the operator then has no
 /// further directions.
@@ -31,8 +32,8 @@ pub trait Operator {
     fn transpose_times(&self, y: Matrix) -> Result<Matrix, LinalgError>;
 }
 
-/// The `count` largest singular values with their vectors, to the accuracy of a full decomposition (not randomised:
-/// the start is random, the result is iterated until it no longer depends on it).
+/// The `count` largest singular values with their vectors, to the accuracy of a full decomposition. The start is random,
+/// but the iteration continues until the result does not depend on it.
 ///
 /// Block Golub–Kahan–Lanczos bidiagonalisation with full reorthogonalisation:
 /// ```text
@@ -40,8 +41,8 @@ pub trait Operator {
 /// ```
 ///
 /// # Errors
-/// [`LinalgError::NoConvergence`] if a space of 16 times `count` does not hold them, or the map's rank ends before: take
-/// [`svd`] then. What the map itself raises.
+/// [`LinalgError::NoConvergence`] if a space of 16 times `count` is not sufficient, or the rank of the map is smaller:
+/// use [`svd`] then. Errors of the map itself.
 ///
 /// # Source
 /// Golub, Luk & Overton (1981) ACM Trans. Math. Softw. 7:149-169.
@@ -100,7 +101,7 @@ pub fn leading_svd(a: &dyn Operator, count: usize) -> Result<Svd, LinalgError> {
     Err(LinalgError::NoConvergence { what: WHAT })
 }
 
-/// Fixed numbers between -1 and 1 without pattern (xorshift).
+/// Fixed pseudo-random numbers between -1 and 1 (xorshift).
 fn start(rows: usize) -> Matrix {
     let mut state: u64 = 0x9E37_79B9_7F4A_7C15;
     Matrix::from_fn(rows, BLOCK, |_, _| {
@@ -111,7 +112,7 @@ fn start(rows: usize) -> Matrix {
     })
 }
 
-/// Orthonormal columns that grow in memory set aside once.
+/// Orthonormal columns in memory of fixed size.
 struct Basis {
     rows: usize,
     count: usize,
@@ -136,7 +137,7 @@ impl Basis {
         MatRef::from_column_major_slice(&self.data, self.rows, self.count)
     }
 
-    /// Takes the part within the basis out of `w`, twice; returns its coordinates, count × columns.
+    /// Subtracts from `w` its part within the basis, twice; returns the coordinates of this part, count × columns.
     fn remove(&self, w: &mut Matrix) -> Matrix {
         let mut all = Matrix::zeros(self.count, w.columns());
         if self.count == 0 {
@@ -190,7 +191,7 @@ mod tests {
 
     #[test]
     fn exact_singular_values_and_vectors_of_a_full_decomposition() {
-        // a few large values over a slowly falling floor, as correlations have them
+        // a few large values above slowly decreasing small ones, as for correlations
         let (rows, columns) = (300, 340);
         let turn = |n: usize, k: f64| {
             let entry =

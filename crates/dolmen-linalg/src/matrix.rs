@@ -48,7 +48,7 @@ impl Matrix {
         Matrix { rows, columns, data }
     }
 
-    /// From rows written out, as in a paper.
+    /// A matrix from its rows, as printed on paper.
     pub fn from_rows<const N: usize>(rows: &[[f64; N]]) -> Self {
         Self::from_fn(rows.len(), N, |i, j| rows[i][j])
     }
@@ -77,7 +77,7 @@ impl Matrix {
         &self.data[j * self.rows..(j + 1) * self.rows]
     }
 
-    /// One column as a slice that can be written.
+    /// One column as a mutable slice.
     pub fn column_mut(&mut self, j: usize) -> &mut [f64] {
         &mut self.data[j * self.rows..(j + 1) * self.rows]
     }
@@ -87,7 +87,7 @@ impl Matrix {
         &self.data
     }
 
-    /// All entries, column by column, to be written.
+    /// All entries, column by column, mutable.
     pub fn as_mut_slice(&mut self) -> &mut [f64] {
         &mut self.data
     }
@@ -106,7 +106,7 @@ impl Matrix {
         Matrix { rows, columns, data }
     }
 
-    /// Each entry times `factor`.
+    /// The matrix with each entry multiplied by `factor`.
     pub fn scaled(&self, factor: f64) -> Self {
         Matrix {
             data: self.data.iter().map(|x| x * factor).collect(),
@@ -230,7 +230,7 @@ impl ComplexMatrix {
         &self.data
     }
 
-    /// All entries, column by column, to be written.
+    /// All entries, column by column, mutable.
     pub fn as_mut_slice(&mut self) -> &mut [Complex64] {
         &mut self.data
     }

@@ -16,7 +16,7 @@ impl Matrix {
         product
     }
 
-    /// Selfᵀ times `other` in place of what `product` held: for a product that is formed again and again.
+    /// Writes selfᵀ times `other` into `product`: for a product that is computed repeatedly.
     ///
     /// # Panics
     /// Unless `product` has as many rows as `self` has columns, and as many columns as `other`.

@@ -149,8 +149,8 @@ const OF_THE_ANSWER: [&str; 4] = ["title", "expect", "spectral_periods_s", "spec
 /// Keys of a motion that do not affect the runs.
 const OF_THE_EARTHQUAKE: [&str; 2] = ["magnitude", "distance_km"];
 
-/// All that the runs of a study depend on of a project file, in one order: the file without comments, surveys, report, other studies, variants that it
-/// does not name, and what only says what is made of the runs.
+/// All parts of a project file that affect the runs of a study, in one order: the file without comments, surveys, report, other studies, variants
+/// that the study does not name, and keys for the evaluation of the runs.
 ///
 /// # Errors
 /// [`ProjectError`] if it is no TOML.

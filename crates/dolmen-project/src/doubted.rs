@@ -1,4 +1,4 @@
-//! Doubts about patterns over a whole file that look like a slip, but may be right.
+//! Doubts about patterns over a whole file that look like a mistake, but may be right.
 
 use dolmen_words::{Quantity, Sentence, messages};
 

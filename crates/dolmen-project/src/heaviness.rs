@@ -12,7 +12,7 @@ pub enum Heaviness {
 }
 
 impl Heaviness {
-    /// The number the file gives.
+    /// The number in the file.
     pub fn quantity(&self) -> &Quantity {
         match self {
             Heaviness::Mass(quantity) | Heaviness::Weight(quantity) => quantity,

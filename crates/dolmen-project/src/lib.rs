@@ -108,10 +108,10 @@ pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, P
 pub use soil::{FootingPart, SoilBelowPart, SoilPart};
 pub use sought::{FromSurvey, FromSurveys, Sought, WhyNotIdentified};
 pub use stack::{
-    ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, LoosenedBedPart, LostBedPart, MadePart,
-    MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart,
-    StackFault, StackPart, StoneWallPart, SupportMovementPart, SurveyedLean, TiePart, TopPart, TowerPart,
-    TowerPlanPart, TrilithonPart, WallOpeningPart,
+    ArchPart, BedPart, BlockPart, ContactPart, CornicePart, JointDefaults, LoosenedBedPart, LostBedPart,
+    MadePart, MastPart, MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart,
+    SideSupportPart, StackFault, StackPart, StoneWallPart, SupportMovementPart, SurveyedLean, TiePart,
+    TopPart, TowerPart, TowerPlanPart, TrilithonPart, WallOpeningPart,
 };
 pub use study::{
     AfterPart, ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan,

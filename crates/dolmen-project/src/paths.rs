@@ -1,6 +1,6 @@
 //! Paths of values of a file.
 
-/// The parts of `links[2].weight`: links, 2, weight; `None` if it is no path.
+/// The parts of `links[2].weight`: links, 2, weight; `None` if it is not a path.
 pub(super) fn keys(path: &str) -> Option<Vec<&str>> {
     let mut keys = Vec::new();
     for part in path.split('.') {

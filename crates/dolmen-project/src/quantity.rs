@@ -9,7 +9,7 @@ pub enum Evidence {
     Test,
     /// Published.
     Literature,
-    /// Follows from vibration of this structure: a survey led to it.
+    /// Identified from vibration of this structure in a survey.
     Identified,
     /// Not measured: results that depend on it say so.
     Assumed,
@@ -46,7 +46,7 @@ pub struct Quantity {
     pub cov_source: Option<Evidence>,
     /// The survey from which it was identified, if it was.
     pub survey: Option<String>,
-    /// Anything the author added.
+    /// A note of the author.
     pub note: Option<String>,
     /// Its path in the file, parts counted from 1: `links[1].weight`.
     pub path: String,

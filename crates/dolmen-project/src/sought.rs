@@ -14,7 +14,7 @@ pub struct FromSurveys {
     pub parts: Vec<FromSurvey>,
     /// Number of this solution, from 1.
     pub number: usize,
-    /// How many solutions explain the modes; 0 where no stiffness is known.
+    /// Number of solutions that explain the modes; 0 if no stiffness is known.
     pub of: usize,
 }
 
@@ -25,7 +25,7 @@ pub struct FromSurvey {
     pub path: String,
     /// The survey; `None` where the file has none for it.
     pub survey: Option<String>,
-    /// Why it is not known; `None` where it is.
+    /// Reason why it is unknown; `None` if it is known.
     pub unknown: Option<WhyNotIdentified>,
 }
 
@@ -48,7 +48,7 @@ pub enum WhyNotIdentified {
     Doubted,
     /// Too many solutions to judge each.
     TooMany {
-        /// Their number.
+        /// Number of solutions.
         solutions: usize,
     },
 }

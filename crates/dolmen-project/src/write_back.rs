@@ -7,7 +7,7 @@ use toml::de::DeTable;
 /// An identified number, written as `{ value, unit, sd, source = "identified", survey, note }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IdentifiedNumber {
-    /// SI.
+    /// The value, SI.
     pub value: f64,
     /// Its standard deviation, SI; `None` where it is not known.
     pub sd: Option<f64>,

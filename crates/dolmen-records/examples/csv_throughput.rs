@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release -p dolmen-records --example csv_throughput`
 //!
-//! One thread, so on a quiet machine wall time equals processor time; prints the median of the runs, and the fastest,
-//! which is disturbed least.
+//! One thread: on a quiet machine, wall time then equals processor time. Prints the median of the runs, and the
+//! fastest run, which is disturbed least.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a measurement")]
 
 use dolmen_records::records::{RecordOptions, read_csv, read_npy};
@@ -38,7 +38,7 @@ fn main() {
     });
 }
 
-/// Runs it, prints the rates, returns the median, MB/s.
+/// Runs the case, prints the rates, and returns the median, MB/s.
 fn report(what: &str, megabytes: f64, read: impl Fn() -> usize) -> f64 {
     let mut seconds: Vec<f64> = (0..RUNS)
         .map(|_| {

@@ -30,11 +30,11 @@ pub enum LimitError {
         /// The limit.
         most: usize,
     },
-    /// A line holds too many cells.
+    /// A line has too many cells.
     Columns {
         /// The line, from 1.
         line: usize,
-        /// Its cells.
+        /// Number of its cells.
         found: usize,
         /// The limit.
         most: usize,

@@ -23,9 +23,9 @@ pub struct Log {
     pub values: Vec<f64>,
     /// Rows without a reading: "NAN", or nothing.
     pub gaps: usize,
-    /// Rows with a repeated time: the last one counts.
+    /// Rows with a repeated time: the last one is used.
     pub repeated: usize,
-    /// Rows with an earlier time than the row above: the clock was set back, or the logger restarted.
+    /// Rows with an earlier time than the row before: the clock was set back, or the logger restarted.
     pub set_back: usize,
     /// Rows more than a day out of order, left out: the clock was wrong.
     pub misdated: usize,
@@ -36,7 +36,7 @@ pub struct Log {
 /// Why a log cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LogError {
-    /// It is not a text table.
+    /// The file is not a text table.
     NotText,
     /// The workbook is refused.
     Workbook(SheetError),
@@ -56,7 +56,7 @@ pub enum LogError {
     },
     /// Several columns are possible.
     WhichColumn {
-        /// They.
+        /// The possible columns.
         known: String,
     },
     /// Rows have no time.
@@ -66,7 +66,7 @@ pub enum LogError {
         /// The content found there.
         found: String,
     },
-    /// A cell is no number.
+    /// A cell is not a number.
     NotANumber {
         /// The line, from 1.
         line: usize,

@@ -1,8 +1,8 @@
 //! Decimal numbers in text, read in place.
 //!
-//! Up to 19 digits are gathered into an integer m; if m ≤ 2⁵³ and the power of ten is within ±22, both are exact doubles and
-//! one multiplication or division rounds correctly (Clinger 1990, Proc. PLDI, 92-101). Anything else goes to the standard
-//! library, so that every result is that of `str::parse::<f64>`, bit for bit.
+//! Up to 19 digits form an integer m. If m ≤ 2⁵³ and the power of ten is within ±22, both are exact doubles, and one
+//! multiplication or division rounds correctly (Clinger 1990, Proc. PLDI, 92-101). Everything else uses the standard library, so
+//! that every result equals `str::parse::<f64>` bit for bit.
 
 /// Largest power of ten that is an exact double.
 const POWER_MOST: i32 = 22;

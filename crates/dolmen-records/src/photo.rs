@@ -113,14 +113,14 @@ impl std::fmt::Debug for Photo {
 /// A file that is not a usable photograph.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PhotoError {
-    /// Another format, or not an image.
+    /// The file has another format, or is not an image.
     NotAnImage {
         /// The first bytes.
         start: String,
     },
     /// The header does not give the size.
     Damaged,
-    /// The end is missing.
+    /// The end of the file is missing.
     CutShort,
     /// No pixels.
     Empty {

@@ -1,4 +1,4 @@
-//! The filled form of the six-factor score: a sheet with keys in its first column and values beside them.
+//! The filled form of the six-factor score: a sheet with keys in its first column and values in the next.
 
 use crate::sheet_error::SheetError;
 use crate::sheet_limits::{refuse_bomb, refuse_far};
@@ -22,9 +22,9 @@ const ROWS_MOST: usize = 1000;
 /// Why a form cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ScoreFormError {
-    /// It is not a workbook.
+    /// The file is not a workbook.
     NoWorkbook(String),
-    /// It is larger than a form.
+    /// The file is larger than a form.
     Sheet(SheetError),
     /// No sheet has the rows of the form.
     NoForm,
@@ -42,7 +42,7 @@ pub enum ScoreFormError {
         /// The content found there.
         given: String,
     },
-    /// A number of storeys that is not whole.
+    /// The number of storeys is not an integer.
     NotWhole {
         /// The content found there.
         given: String,

@@ -22,7 +22,7 @@ pub enum SheetValue {
 /// A cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SheetCell {
-    /// Its place: "C4".
+    /// Place of the cell: "C4".
     pub place: String,
     /// Its contents.
     pub value: SheetValue,
@@ -75,7 +75,7 @@ fn rows_of(
 /// Rows of a workbook of samples: as many as a sheet of Excel has.
 const SAMPLES_MOST: usize = 1 << 20;
 
-/// Use of a sheet.
+/// Purpose of a sheet.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum SheetUse {
     /// Parts of a structure: dates are mistakes.
@@ -468,7 +468,7 @@ mod tests {
             archive.write_all(table.as_bytes()).unwrap();
             refuse_repeats(&archive.finish().unwrap().into_inner())
         };
-        // calamine would wait endlessly for the end of the table or row
+        // calamine would otherwise search endlessly for the end of the table or row
         for cut in ["</table:table>", "<table:table-row>", "<!-- </table:table>"] {
             assert_eq!(ods(cut), Err(SheetError::Damaged), "{cut}");
         }
@@ -479,7 +479,7 @@ mod tests {
         let text = "<table:table-cell>\n<text:p>a</text:p></table:table-cell>";
         let empty = "<table:table-cell table:number-columns-repeated=\"16384\">\n</table:table-cell>";
         let too_many = |rows, columns| Err(too_many(rows, columns));
-        // LibreOffice writes these up to its last row and column
+        // LibreOffice writes these up to the last row and column of a sheet
         let end = row("\"1048000\"", empty);
         assert_eq!(
             ods(&format!("{}{end}", row("'9'", &format!("{filled}{empty}")))),

@@ -15,7 +15,7 @@ pub(crate) const COLUMNS_MOST: usize = 256;
 pub enum SheetError {
     /// The file name is not that of a table.
     NotATable,
-    /// It cannot be read.
+    /// The table cannot be read.
     Unreadable {
         /// Message of the workbook reader.
         why: String,
@@ -25,16 +25,16 @@ pub enum SheetError {
         /// The limit, MiB.
         most_mib: u64,
     },
-    /// More rows or columns than allowed.
+    /// The table has more rows or columns than allowed.
     TooMany {
-        /// Rows.
+        /// Number of rows.
         rows: usize,
-        /// Columns.
+        /// Number of columns.
         columns: usize,
         /// Largest number of rows.
         rows_most: usize,
     },
-    /// Few cells, far from one another.
+    /// The table has few cells, far from one another.
     Sparse {
         /// Rows up to the last.
         rows: usize,
@@ -64,19 +64,19 @@ pub enum SheetError {
     },
     /// Several sheets of a workbook of samples have values.
     SeveralTables {
-        /// They.
+        /// Names of these sheets.
         known: String,
     },
     /// The user chose a sheet, but the table is text.
     NoSheets,
-    /// It is empty.
+    /// The table is empty.
     NoRows,
-    /// A formula.
+    /// A cell contains a formula.
     Formula {
         /// The cell.
         place: String,
     },
-    /// Cells that are merged.
+    /// Cells are merged.
     Merged {
         /// The cells: "B2:B4".
         place: String,

@@ -284,7 +284,7 @@ impl Extent {
     }
 }
 
-/// Repetitions of a row or cell; an invalid number counts as more than any table has.
+/// Repetitions of a row or cell; an invalid number is taken as more than any table has.
 fn repeats(tag: &BytesStart<'_>, name: &str) -> usize {
     match tag.try_get_attribute(name) {
         Ok(None) => 1,

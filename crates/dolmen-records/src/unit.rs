@@ -6,7 +6,7 @@ use dolmen::signal::Quantity;
 /// Unit of the numbers in a file. Samples of a record are in SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
-    /// Not given: numbers stay as they are.
+    /// Not given: numbers are not converted.
     #[default]
     Unknown,
     /// m/s².

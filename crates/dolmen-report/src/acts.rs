@@ -1,10 +1,10 @@
-//! Sentences of a report without the commands and keys of a terminal: a reader of paper types none.
+//! Removes the commands and keys of a terminal from sentences: a reader of paper cannot type them.
 
 use crate::document::{Block, Document, Finding};
 use dolmen_words::message::Run;
 use dolmen_words::{Language, Sentence};
 
-/// What a command does, in English and Korean. The Korean ends as the command is read, so that the particle behind it stays right.
+/// What a command does, in English and Korean. The Korean ends in the same kind of sound, so the particle after it stays right.
 const ACTS: [(&str, [&str; 2]); 9] = [
     ("identify", ["the identification from vibration", "진동 평가"]),
     ("check", ["the check of stability", "안정성 검토"]),
@@ -110,7 +110,7 @@ fn is_aside(inside: &str) -> bool {
     if inside.starts_with("--") {
         return true;
     }
-    // what stands between the quotes of code
+    // the text between backquotes
     let between: String = inside.split('`').step_by(2).collect();
     inside.starts_with('`') && between.chars().all(|sign| matches!(sign, ',' | ' '))
 }

@@ -8,7 +8,7 @@ use dolmen_words::{Language, Sentence, messages};
 const LINES_MOST: usize = 15;
 
 messages! {
-    /// What the terminal says round findings.
+    /// Sentences around findings on a terminal.
     pub(crate) enum Brief in "brief" {
         FindingsHead => { en: "Findings", ko: "검토 결과 요약" },
         NotesHead => { en: "Notes on the file", ko: "입력 파일에 대한 경고" },
@@ -30,8 +30,8 @@ fn said(message: Brief, language: Language) -> String {
     Sentence::from(message).text(language)
 }
 
-/// The decisive findings in their order, and how much more there is; if they do not all fit, those that require action. `above`: lines of
-/// the headline beyond its first.
+/// The decisive findings in their order, and how much more there is; if they do not all fit, only those that require action. `above` is
+/// the number of lines of the headline after its first.
 pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style: TextStyle) -> String {
     let mut left = LINES_MOST.saturating_sub(above + 1);
     let key: Vec<&Finding> = all.iter().filter(|finding| finding.is_key).collect();
@@ -72,7 +72,7 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style
     findings_text(shown, style) + &more_text(project, more, style)
 }
 
-/// Whether a flag requested it: samples, sensitivities.
+/// Whether a flag requested the result: samples, sensitivities.
 fn is_asked_for(finding: &Finding) -> bool {
     matches!(finding.code, Some("sensitivity" | "probability"))
 }

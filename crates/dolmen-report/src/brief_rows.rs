@@ -7,7 +7,7 @@ use dolmen_words::{Sentence, messages};
 const LINES_MOST: usize = 15;
 
 messages! {
-    /// What ends a brief answer.
+    /// The end of a brief answer.
     pub(crate) enum BriefRows in "brief.rows" {
         MoreRows { count: usize } => { en: "further rows: {count}", ko: "나머지 {count}행" },
         MoreRemarks { count: usize } => { en: "further remarks: {count}", ko: "그 밖의 사항 {count}건" },
@@ -24,7 +24,7 @@ pub(crate) struct BriefText {
 }
 
 impl BriefText {
-    /// Without a line yet.
+    /// An empty text.
     pub(crate) fn new(style: TextStyle) -> Self {
         BriefText {
             style,
@@ -66,7 +66,7 @@ impl BriefText {
             document_text(&Document { blocks }, self.style)
         };
         let most = most.min(table.rows.len());
-        // the last line says how to see all
+        // the last line says how to list all
         let has_room = |rows: &usize| self.lines_with(&piece(*rows)) < LINES_MOST;
         let fitting = (1..=most).rev().find(has_room);
         let shown = fitting.map_or_else(String::new, piece);

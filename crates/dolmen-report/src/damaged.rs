@@ -4,7 +4,7 @@ use dolmen_project::{InModel, ModelDamage};
 use dolmen_words::{Quantity, Sentence, Template, messages};
 
 messages! {
-    /// Damage that a model has.
+    /// Damage in a model.
     pub(crate) enum Damaged in "damage.model" {
         Bed { part: String, share: Quantity, survey: String } => {
             en: "bed below “{part}” less {share} ({survey})",

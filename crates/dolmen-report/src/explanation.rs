@@ -7,6 +7,6 @@ pub struct Explanation {
     pub code: &'static str,
     /// One line.
     pub title: &'static str,
-    /// A few plain paragraphs: what it means, why, what to do.
+    /// A few plain paragraphs: meaning, reason, and remedy.
     pub text: &'static str,
 }

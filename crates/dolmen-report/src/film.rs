@@ -21,7 +21,7 @@ const STONES: [[f64; 4]; 3] = [
     [0.55, 0.53, 0.49, 1.0],
     [0.71, 0.68, 0.62, 1.0],
 ];
-/// The ground's.
+/// Colour of the ground.
 const EARTH: [f64; 4] = [0.33, 0.38, 0.30, 1.0];
 
 /// Adds a mesh of flat triangles about `origin`.
@@ -53,15 +53,19 @@ fn unit_normal([a, b, c]: &[[f64; 3]; 3]) -> [f64; 3] {
     normal.map(|part| part / length.max(f64::MIN_POSITIVE))
 }
 
-/// Triangles of a solid's hull about its centroid, outward; without those of zero area.
+/// Triangles of a stone's hull, or of its pieces, about its centroid, outward; without those of zero area.
 fn triangles(solid: &Solid) -> Vec<[[f64; 3]; 3]> {
-    let (vertices, centroid) = (solid.vertices_m(), solid.centroid_m());
-    let at =
-        |corner: usize| -> [f64; 3] { std::array::from_fn(|axis| vertices[corner][axis] - centroid[axis]) };
-    let fans = solid.faces().iter().flat_map(|face| {
-        let fan = face.windows(2).skip(1);
-        fan.map(|pair| [at(face[0]), at(pair[0]), at(pair[1])])
-            .collect::<Vec<_>>()
+    let centroid = solid.centroid_m();
+    let fans = solid.drawn().into_iter().flat_map(|piece| {
+        let at = |corner: usize| -> [f64; 3] {
+            std::array::from_fn(|axis| piece.vertices_m()[corner][axis] - centroid[axis])
+        };
+        let faces = piece.faces().iter().flat_map(|face| {
+            let fan = face.windows(2).skip(1);
+            fan.map(|pair| [at(face[0]), at(pair[0]), at(pair[1])])
+                .collect::<Vec<_>>()
+        });
+        faces.collect::<Vec<_>>()
     });
     let has_area = |triangle: &[[f64; 3]; 3]| unit_normal(triangle).iter().any(|part| part.abs() > 0.5);
     fans.filter(has_area).collect()

@@ -239,7 +239,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     all.extend(judged.is_undamped.then(|| Headline::Undamped.into()));
     all.extend(judged.tilt_beyond_limit.then(|| Headline::TiltBeyondLimit.into()));
     match (contradicted, &judged.evidence) {
-        // given beside the weight
+        // stated in addition to the weight
         (Some(_), _) if is_unknown && judged.governed_by.is_none() => {}
         (Some(evidence), _) => all.push(Headline::Model { evidence }.into()),
         (

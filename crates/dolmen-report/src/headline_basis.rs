@@ -50,7 +50,7 @@ messages! {
 /// The sentences as they are written.
 pub(crate) const TEMPLATES: &[Template] = HeadlineBasis::TEMPLATES;
 
-/// What is known of the structure and missing from the model.
+/// Known properties of the structure that the model leaves out.
 pub(crate) fn left_out(basis: &Basis) -> Vec<Sentence> {
     let mut all = Vec::new();
     if !basis.severe_damage.is_empty() {

@@ -10,7 +10,7 @@ use dolmen_work::can_be_written;
 use dolmen_work::surveyed::SurveyAnswer;
 
 messages! {
-    /// What the terminal says where there is nothing to identify.
+    /// Text on a terminal if there is nothing to identify.
     pub(crate) enum Nothing in "identify" {
         NoSurvey => {
             en: "The file has no [survey.NAME] with frequencies or records, so there is nothing to identify.",

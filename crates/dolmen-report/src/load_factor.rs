@@ -38,7 +38,7 @@ messages! {
 /// How it falls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Falls {
-    /// It overturns, as a chain does.
+    /// It overturns, like a chain.
     Over,
     /// Its storeys sway down.
     BySway,

@@ -283,7 +283,7 @@ mod tests {
         for step in 0..=STEPS {
             let (sin, cos) = (TAU * step as f64 / STEPS as f64).sin_cos();
             for sensor in 0..2 {
-                // six corners a sensor
+                // six corners per sensor
                 let x = 18 * sensor;
                 let moved = weights[2 * step] * targets[0][x] + weights[2 * step + 1] * targets[1][x];
                 let exact = scale * (mode.shape[sensor].re * cos - mode.shape[sensor].im * sin);

@@ -49,7 +49,7 @@ pub(crate) fn is_tabled(project: &Project) -> bool {
     project.surveys.len() >= TABLE_FROM
 }
 
-/// One row a survey; `None` where they are few. What the table of results says stands there alone: air, tilts, and frequencies that it has from the file.
+/// One row per survey; `None` where there are few. Air, tilts and frequencies of the file that the table of results contains appear only there.
 pub(crate) fn surveys_table(project: &Project, answers: &[SurveyAnswer]) -> Option<Table> {
     let surveys = &project.surveys;
     let has_answer = |survey: &Survey| answers.iter().any(|answer| answer.name == survey.name);

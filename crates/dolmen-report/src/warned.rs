@@ -21,7 +21,7 @@ pub(crate) fn warned(project: &Project, warning: &Warning) -> Sentence {
     .into()
 }
 
-/// A probable slip, the same.
+/// The same for a probable slip.
 pub(crate) fn slip(project: &Project, warning: &Warning) -> Sentence {
     Noted::Slip {
         words: in_words(project, warning),

@@ -22,7 +22,7 @@ messages! {
     }
 }
 
-/// All findings, what is worst first; what several runs say in the same words stands once.
+/// All findings, the worst first; a finding that several runs share is listed once.
 pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     let mut all = answer.check().map_or(Vec::new(), check::findings);
     if answer.watch().is_some() {

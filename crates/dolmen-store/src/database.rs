@@ -6,7 +6,7 @@ use std::borrow::Cow;
 /// A value of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Value {
-    /// None.
+    /// No value.
     Null,
     /// A whole number.
     Whole(i64),

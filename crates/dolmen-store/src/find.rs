@@ -26,12 +26,12 @@ pub struct Search {
     pub with_removed: bool,
 }
 
-/// A project as it was stored.
+/// A project from the store.
 #[derive(Clone, Debug)]
 pub struct Exported {
     /// The text of the project file, followed by the surveys from watched folders.
     pub text: Vec<u8>,
-    /// Number of bytes of the project file as it was added.
+    /// Number of bytes of the project file when it was added.
     pub own_bytes: usize,
     /// Its files: path, hash and size.
     pub files: Vec<(String, String, u64)>,

@@ -247,7 +247,7 @@ fn date(name: &str) -> Option<String> {
     })
 }
 
-/// A finite number; an infinite deviation tells nothing.
+/// A finite number; an infinite deviation gives no information.
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }

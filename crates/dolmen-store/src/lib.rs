@@ -1,4 +1,4 @@
-//! Surveys over years in one place: structures with their projects, records, modes and log, in an SQLite file with the raw files beside it.
+//! Surveys over years in one place: structures with their projects, records, modes and log, in an SQLite file with the raw files next to it.
 //!
 //! ```text
 //! Place ─→ Store ─→ keep (a file) · add (a project) · structures, surveys, structure · export · import · verify · mark

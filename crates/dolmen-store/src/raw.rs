@@ -60,7 +60,7 @@ pub(crate) trait RawFiles: Debug + Send + Sync {
     }
 }
 
-/// Whether a text has the form of our hashes: nothing else ever becomes part of a path.
+/// Whether a text has the form of our hashes; no other text becomes part of a path.
 pub(crate) fn is_hash(text: &str) -> bool {
     let is_digit = |sign: u8| sign.is_ascii_digit() || (b'a'..=b'f').contains(&sign);
     text.len() == HASH_DIGITS && text.bytes().all(is_digit)

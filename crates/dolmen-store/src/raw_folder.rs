@@ -1,4 +1,4 @@
-//! Raw files in a folder beside the database.
+//! Raw files in a folder next to the database.
 
 use crate::error::StoreError;
 use crate::raw::{Kept, RawFiles, hash_of_bytes, lost, packed, refuse_no_hash, unpacked};
@@ -47,7 +47,7 @@ impl RawFolder {
         RawFolder(path)
     }
 
-    /// Two digits of the hash name the folder, so that none holds too many.
+    /// Two digits of the hash name the folder, so that no folder holds too many files.
     fn path(&self, hash: &str) -> Result<PathBuf, StoreError> {
         refuse_no_hash(hash)?;
         Ok(self.0.join(&hash[..2]).join(format!("{}{ENDING}", &hash[2..])))

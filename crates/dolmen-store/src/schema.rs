@@ -28,7 +28,7 @@ pub(crate) fn migrate(
         return Ok(());
     }
     transaction(database, |database| {
-        // another process may have done it while this one waited for the lock
+        // another process may have done this while this one waited for the lock
         let done = usize::try_from(database.schema()?).unwrap_or(0);
         for (number, file) in database.schema_files().into_iter().enumerate().skip(done) {
             database.batch(&file)?;

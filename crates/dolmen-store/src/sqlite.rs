@@ -42,7 +42,7 @@ impl Sqlite {
         }
         let known = opened.whole("pragma application_id");
         let known = match (known, access) {
-            // a store on a read-only medium has no log beside it, and nobody changes it
+            // a store on a read-only medium has no log file, and nobody changes it
             (Err(StoreError::Fault(StoreFault::Unopenable | StoreFault::ReadOnly)), Access::Read) => {
                 opened = Sqlite::still(path, flags)?;
                 opened.whole("pragma application_id")?
@@ -69,7 +69,7 @@ impl Sqlite {
             }
         }
         opened.pragma("pragma foreign_keys = on")?;
-        // a hostile file runs nothing: neither functions in its schema nor code in its cells
+        // a hostile file cannot run anything: neither functions in its schema nor code in its cells
         opened.pragma("pragma trusted_schema = off")?;
         opened.pragma("pragma cell_size_check = on")?;
         Ok(opened)

@@ -215,7 +215,7 @@ fn set_mark(
     insert(database, &log).map(|_| ())
 }
 
-/// Whether the latest mark says that it is out of use.
+/// Whether the latest mark removes the structure from use.
 fn is_removed(database: &mut dyn Database, structure: &str) -> Result<bool, StoreError> {
     let condition = "where structure = $1 order by at_us desc limit 1";
     let marks: Vec<MarkRow> = select(database, condition, &[Value::Text(structure.to_owned())])?;

@@ -1,4 +1,4 @@
-//! Whether a store still holds what was put into it: every file against its hash, every row against its name, every reference.
+//! Checks that a store still contains everything that was put into it: every file by its hash, every row by its name, and all references.
 
 use crate::database::{Database, Value, all};
 use crate::error::StoreError;

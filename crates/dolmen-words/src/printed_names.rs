@@ -1,4 +1,4 @@
-//! Names that are printed otherwise than the file writes them: those of its parts, surveys and motions, in the language of the reader.
+//! Names that are printed differently from the file: those of its parts, surveys and motions, in the language of the reader.
 //!
 //! Sentences and labels of figures ask here for the name to print, so that Korean particles follow it. Keys, CSV heads, JSON and names of files keep
 //! the name of the file. A thread prints for one reader; nothing is renamed before [`print_names`].
@@ -15,7 +15,7 @@ pub struct PrintedName {
     pub name: String,
     /// The language.
     pub language: Language,
-    /// As it is printed in it.
+    /// The printed name in this language.
     pub printed: String,
 }
 
@@ -25,7 +25,7 @@ struct Printed {
     korean: BTreeMap<String, String>,
     /// Language of the reader: labels of figures are drawn in one language.
     reader: Language,
-    /// How many callers write for programs just now.
+    /// Number of callers that currently write for programs.
     keeping: usize,
 }
 
@@ -33,7 +33,7 @@ thread_local! {
     static PRINTED: RefCell<Printed> = RefCell::default();
 }
 
-/// Prints these names from now on, for a reader of a language. A name that two files print differently is printed as they write it.
+/// Prints these names from now on, for a reader of a language. A name that two files translate differently is printed as in the files.
 ///
 /// # Example
 /// ```
@@ -64,8 +64,8 @@ pub fn print_names(names: &[PrintedName], reader: Language) {
     });
 }
 
-/// A name as it is printed in a language; of several with commas between them each, of a stone on another ("roof 1 / post a") both. Without
-/// entries as it is.
+/// The printed form of a name in a language: each of several names with commas, and both of a stone on another ("roof 1 / post a"). A name without
+/// an entry stays as it is.
 pub fn printed_name(name: &str, language: Language) -> Cow<'_, str> {
     PRINTED.with_borrow(|all| {
         let known = language.pick(&all.english, &all.korean);
@@ -101,7 +101,7 @@ pub fn printed_label(label: &str) -> Cow<'_, str> {
 
 /// What is written for programs: names stay as the file writes them.
 pub fn keeping_names<T>(work: impl FnOnce() -> T) -> T {
-    /// Ends with the work, even where it panics.
+    /// Ends with the work, even if it panics.
     struct Keeping;
     impl Drop for Keeping {
         fn drop(&mut self) {
@@ -146,7 +146,7 @@ mod tests {
         assert_eq!(printed_label("bowl, crown"), "bowl, crown");
         let kept = keeping_names(|| keeping_names(|| said(Language::Korean)) + &said(Language::Korean));
         assert_eq!(kept, "bowl이 붕괴한다.bowl이 붕괴한다.");
-        // the same entry again is no other
+        // the same entry again changes nothing
         print_names(&[printed(Language::Korean, "복발 받침대")], Language::Korean);
         assert_eq!(said(Language::Korean), "복발 받침대가 붕괴한다.");
     }

@@ -100,9 +100,9 @@ pub struct CompareAnswer {
     pub change: Option<SurveyChange>,
     /// Findings from all surveys, with their weather and scatter; `None` with too few surveys.
     pub history: Option<ComparedHistory>,
-    /// The part of the model that explains the change, by direction; empty where no change is significant.
+    /// The part of the model that explains the change, by direction; empty if no change is significant.
     pub parts: Vec<ChangedPart>,
-    /// Why no part is sought: the model is too far from the measured frequencies.
+    /// Reason why no part is sought: the model is too far from the measured frequencies.
     pub model_off: Option<ModelOff>,
     /// Tilts and inspections of both.
     pub readings: ComparedReadings,

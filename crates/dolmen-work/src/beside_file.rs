@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// Number of standard deviations within which both count as equal. As for measured frequencies.
+/// Number of standard deviations within which both are equal. As for measured frequencies.
 const DEVIATIONS_MOST: f64 = 3.0;
 /// Smallest relative difference that is reported, also if no deviation is known. Our choice.
 const RATIO_LEAST: f64 = 1.05;

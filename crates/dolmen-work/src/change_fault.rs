@@ -1,4 +1,4 @@
-//! Why surveys cannot be compared.
+//! Reasons why surveys cannot be compared.
 
 use dolmen::assess::AssessError;
 use dolmen::monitoring::MonitoringError;

@@ -8,7 +8,7 @@ use dolmen_project::Project;
 
 /// Largest ratio, either way, of a measured frequency to that of its mode in the model. Our choice.
 const SAME_MODE: f64 = 1.25;
-/// Number of standard deviations within which a frequency counts as unchanged; if all of a direction are, no part is sought there.
+/// Number of standard deviations within which a frequency is unchanged; if all frequencies of a direction are, no part is sought there.
 const CHANGED_FROM_SD: f64 = 1.96;
 
 /// The part of the model that explains a change, in one direction.
@@ -90,8 +90,8 @@ pub(crate) fn explained_by(models: &[Loosening<'_>], changes: &[MeasuredChange])
     each.collect()
 }
 
-/// If fewer than two frequencies of every model are near measured ones: the changed frequency without a partner that exceeds its deviation
-/// most. `None` if parts can be sought, or if the directions of the model were not measured.
+/// The changed frequency without a partner in the model that exceeds its deviation most, where fewer than two frequencies of every model
+/// are near measured ones. `None` if parts can be sought, or if the directions of the model were not measured.
 pub(crate) fn model_off(models: &[Loosening<'_>], changes: &[MeasuredChange]) -> Option<ModelOff> {
     let mut apart: Vec<(f64, ModelOff)> = Vec::new();
     for model in models {

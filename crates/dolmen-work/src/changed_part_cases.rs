@@ -14,7 +14,7 @@ const STRUCTURES: usize = 10;
 const DAMAGES: usize = 20;
 /// Stated standard deviation of a frequency, relative.
 const SD: f64 = 0.002;
-/// Of 200 sets, each of which contains the softened part with 95 %.
+/// Least share of the 200 sets that contain the softened part: the sets are meant for 95 %.
 const HELD_LEAST: f64 = 0.95;
 
 fn project(text: String) -> Arc<Project> {

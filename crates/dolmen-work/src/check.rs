@@ -1,4 +1,4 @@
-//! `dolmen check`: whether the structure stands, where it begins to move, and how certain that is.
+//! `dolmen check`: whether the structure is stable, where it begins to move, and how certain the result is.
 
 use crate::answer::CheckAnswer;
 use crate::chain::check::UpliftTilt;

@@ -13,7 +13,7 @@ pub struct ComparedReadings {
     pub other_datum: bool,
     /// Damage in inspections; empty unless both surveys have an inspection.
     pub items: Vec<ComparedItem>,
-    /// Which of the two surveys has neither modes nor records.
+    /// The surveys, of the two, without modes and records.
     pub without_modes: Vec<String>,
 }
 

@@ -48,7 +48,7 @@ pub enum WorkError {
     Photo(Box<PhotoError>),
     /// A file of a logger is refused.
     Log(Box<LogError>),
-    /// The file of a logger states another unit than the project.
+    /// The unit in the file of a logger differs from that in the project.
     LogUnit {
         /// The unit in the file of the logger.
         stated: String,
@@ -129,11 +129,11 @@ pub enum WorkError {
     Study(Box<StudyError>),
     /// The caller could not open, read or store something.
     Outside {
-        /// Why.
+        /// Reason.
         why: Both,
     },
 
-    /// Samples are asked of a stack.
+    /// Samples are requested for a stack.
     SamplesOfStack,
     /// The load factor of a sample is not a number.
     SampleNotANumber,
@@ -197,7 +197,7 @@ pub enum WorkError {
         /// The direction.
         direction: String,
     },
-    /// A motion along x and y for a frame whose file does not say which direction is which.
+    /// A motion along x and y is given for a frame whose file does not name these directions.
     DirectionsNotAlong {
         /// Its directions.
         directions: String,
@@ -298,7 +298,7 @@ pub enum WorkError {
     OutputStepOfWind,
     /// The step of wind histories is too long for the resonance.
     WindStepTooLong {
-        /// Given, s.
+        /// The given step, s.
         step_s: f64,
         /// Longest allowed step, s.
         most_s: f64,
@@ -310,7 +310,7 @@ pub enum WorkError {
 
     /// The inputs of a case are refused.
     CaseRefused {
-        /// Why.
+        /// Reason.
         why: Both,
     },
 
@@ -350,25 +350,25 @@ pub enum WorkError {
         /// The project file.
         file: String,
     },
-    /// A survey without a measured frequency of swaying, which a score cannot be given.
+    /// A survey without a measured sway frequency, which the score needs.
     SurveyTellsNoFrequency {
         /// The survey.
         survey: String,
     },
     /// A measured frequency that needs joints beyond those of the designs.
     FrequencyBeyondDesigns {
-        /// Measured, Hz.
+        /// Measured frequency, Hz.
         measured_hz: f64,
-        /// Allowed, Hz.
+        /// Lowest allowed frequency, Hz.
         least_hz: f64,
-        /// Allowed, Hz.
+        /// Highest allowed frequency, Hz.
         most_hz: f64,
     },
     /// Too few draws of the stiffness come near the measured frequency.
     TooFewDrawsNear {
         /// Effective number.
         effective: f64,
-        /// Fewest.
+        /// Smallest number.
         least: usize,
     },
     /// Too few designs for a score.
@@ -376,13 +376,13 @@ pub enum WorkError {
         /// Number of designs.
         designs: usize,
     },
-    /// Too few designs for the score of the state ranked by.
+    /// Too few designs for the score of the state of the ranking.
     TooFewDesignsOfState,
     /// No structure can be ranked.
     NoneRanked {
         /// Number of structures.
         structures: usize,
-        /// Why, a line a structure.
+        /// Reasons, one line per structure.
         reasons: Both,
     },
     /// A project without anything to rank it by.

@@ -48,8 +48,8 @@ pub(crate) fn answers(work: &WorkPart) -> bool {
     matches!(work.kind, WorkKind::Repair | WorkKind::Inspection)
 }
 
-/// Sorts earthquakes, and marks those followed by a repair or an inspection; `last_day` is that of the last survey: a work far after it is
-/// planned, or a mistake.
+/// Sorts earthquakes, and marks those followed by a repair or an inspection. A work long after `last_day`, the day of the last survey,
+/// does not count: it is planned, or a mistake.
 pub(crate) fn set_answered(earthquakes: &mut [WatchedEarthquake], works: &[(f64, WorkPart)], last_day: f64) {
     for own in &mut *earthquakes {
         let newest = own.day.max(last_day) + ANSWERED_DAYS;

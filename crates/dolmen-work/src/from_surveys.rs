@@ -1,4 +1,4 @@
-//! Stiffness that the file takes from its surveys: identified once, then used as if it were written in the project.
+//! Stiffness identified from the surveys of a file: computed once, then used as if it were written in the project.
 
 use crate::answer::CheckAnswer;
 use crate::check::{CheckOptions, check};
@@ -22,9 +22,9 @@ use std::sync::Arc;
 /// Largest number of solutions that are judged one by one; with more the stiffness stays unknown. Our choice: the orders of four joints.
 const SOLUTIONS_MOST: usize = 24;
 
-/// Resolves `joints = "identified"`: the project with the stiffness from its surveys, as if it were written in the file. If there are several
-/// solutions, it contains the one with the worst check, and the others are variants "solution_2" and so on. If none is accepted the stiffness
-/// stays unknown, and the project gives the reason.
+/// Resolves `joints = "identified"`: the project with the stiffness from its surveys, as if written in the file. If there are several
+/// solutions, it contains the one with the worst check, and the others are variants "solution_2" and so on. If none is accepted, the
+/// stiffness stays unknown, and the project gives the reason.
 ///
 /// # Errors
 /// [`WorkError`] of the identification, of the resulting project, and of its check.
@@ -96,7 +96,7 @@ fn solution_name(number: usize) -> String {
     format!("solution_{number}")
 }
 
-/// Whether a variant is another solution of an identified stiffness, and not one of the file.
+/// Whether a variant is another solution of an identified stiffness instead of a variant of the file.
 fn is_solution(variant: &Variant) -> bool {
     let told = variant.project.from_surveys.as_ref();
     told.is_some_and(|told| variant.name == solution_name(told.number))

@@ -60,7 +60,7 @@ pub(crate) fn behind(
         return Ok(None);
     };
     let effects = answer.watched.between(from, to);
-    // one whose record cannot be used says nothing of weather and scatter
+    // a history whose record cannot be used has no information on weather and scatter
     let with_modes = || {
         answer
             .surveys

@@ -64,7 +64,7 @@ impl LeftOutOfRuns {
     }
 }
 
-/// A sentence for each property that runs include besides the structure and its weight.
+/// A sentence for each property that runs include in addition to the structure and its weight.
 pub(crate) fn held_in_runs(project: &Project) -> Vec<Both> {
     let (lean, posts) = match &project.structure {
         Structure::Stack(part) => (part.lean.as_ref().map(|of| (&of.survey, &of.written)), 0),

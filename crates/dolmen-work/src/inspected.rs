@@ -38,7 +38,7 @@ impl InspectionOf {
         self.counts.values().map(|of| of[place(severity)]).sum()
     }
 
-    /// Their number.
+    /// Number of damages.
     pub fn all(&self) -> usize {
         self.counts.values().flatten().sum()
     }

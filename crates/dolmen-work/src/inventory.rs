@@ -19,9 +19,9 @@ pub struct StrongestChange {
     pub ratio: f64,
     /// Its standard deviation.
     pub sd: f64,
-    /// The survey before the change,
+    /// The survey before the change.
     pub after: String,
-    /// The survey after it.
+    /// The survey after the change.
     pub before: String,
     /// The parts of the model that each alone explain it, the best first; several cannot be distinguished. Empty without a model, or if no
     /// single part explains it.

@@ -47,7 +47,7 @@ pub(crate) fn add_local_mechanisms(check: &mut Check) {
     }
 }
 
-/// Finds the frequencies of pagodas like that of the file, of other heights and storeys; other kinds have none.
+/// Finds the frequencies of pagodas like that of the file, with other heights and storeys; other kinds have none.
 pub(crate) fn add_frequency_by_height(check: &mut Check, project: &Project) {
     if let (Check::Stack(answer), Structure::Stack(part)) = (check, &project.structure) {
         answer.frequency_by_height = stack::frequency_by_height::grid(part, stack::frequencies::RULE);

@@ -52,7 +52,7 @@ impl Logs {
         Ok(logs)
     }
 
-    /// Whether one of them is watched by itself.
+    /// Whether one of the logs is watched separately.
     pub fn are_watched(&self) -> bool {
         !self.read.is_empty()
     }

@@ -2,7 +2,7 @@
 
 use dolmen_project::{Quantity, Structure};
 
-/// Of the top of each link of a chain, of each level of a frame, m; `None` for other kinds.
+/// Heights of the top of each link of a chain, or of each level of a frame, m; `None` for other kinds.
 pub fn mode_heights_m(structure: &Structure) -> Option<Vec<f64>> {
     match structure {
         Structure::Frame(part) => {

@@ -14,7 +14,7 @@ use dolmen_project::{BuildingPart, Project, Quantity, StackPart, Structure};
 
 /// Number of modes of the model: two more than twice the measured ones.
 const MORE: usize = 2;
-/// Most modes of the model.
+/// Largest number of modes of the model.
 const MODES_MOST: usize = 16;
 /// Modes of the model with frequencies this close are a pair, and any combination of them is a mode, as for a square pagoda.
 const ONE_FREQUENCY: f64 = 0.01;
@@ -95,7 +95,7 @@ pub enum WhichMode {
     One(usize),
     /// Several are similar at the sensors.
     Several(Vec<usize>),
-    /// None is similar; the first is the most similar.
+    /// No mode is similar; the index is that of the most similar one.
     None(Option<usize>),
 }
 
@@ -130,7 +130,7 @@ pub(crate) fn model_modes(project: &Project, modes: &Modes) -> Option<ModelModes
             .iter()
             .map(|at| [mode.shape[*at].re, mode.shape[*at].im])
             .collect();
-        // where the shapes of one frequency span everything at the sensors, any shape is similar
+        // if the shapes of one frequency span all motions of the sensors, any shape is similar
         let within = |basis: &Vec<Vec<f64>>| {
             if basis.len() < rows.len() {
                 share(basis, &shape)
@@ -377,7 +377,7 @@ mod tests {
         Opened::read(text.to_owned(), "p".to_owned(), &NoFiles).unwrap()
     }
 
-    /// Modes measured by these channels; all else is from a made record.
+    /// Modes measured by these channels; everything else is from a simulated record.
     fn measured(channels: Vec<Channel>, shapes: &[Vec<[f64; 2]>]) -> Modes {
         let record = ReferenceCase::ShearChain.made(1).unwrap().make().unwrap();
         let found = identify(&record, &Identify::default()).unwrap().modes;
@@ -443,8 +443,8 @@ mod tests {
         }
     }
 
-    /// The left wall is nearly twice as stiff as the right one: the right end moves more in the first mode, about a centre far to the left,
-    /// where nothing moves along y. Half way up the storey everything moves by half.
+    /// The left wall is nearly twice as stiff as the right one. In the first mode, the right end therefore moves more, about a centre far to
+    /// the left where nothing moves along y. Half way up the storey, everything moves half as much.
     #[test]
     fn exact_the_soft_end_of_a_floor_swings_more_about_the_centre_of_its_mode() {
         let opened = example("twisting_floor");
@@ -509,7 +509,7 @@ mod tests {
         );
         for k in 0..3 {
             assert_eq!(found.measured[k].is, WhichMode::One(k));
-            // made at 1, 2, 3 Hz: three to six times the model's
+            // made at 1, 2, 3 Hz: three to six times the frequencies of the model
             assert!(found.far_off().contains(&k));
             assert!((found.measured[k].assurance[k] - 1.0).abs() < 1e-12);
         }

@@ -15,7 +15,7 @@ pub struct Opened {
     pub text: String,
     /// The file name for the user.
     pub file: String,
-    /// Earlier results of surveys, for the stiffness that the file takes from them.
+    /// Earlier results of surveys, for the stiffness identified from them.
     pub identified: Vec<SurveyAnswer>,
 }
 

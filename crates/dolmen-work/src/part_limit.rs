@@ -49,7 +49,7 @@ pub struct PartLimit {
     pub demand: f64,
     /// The capacity left by loads without shaking; `None` if no limit is known.
     pub capacity: Option<f64>,
-    /// The part of the limit that surveyed tilt and static loads use without shaking; 0 without any.
+    /// The part of the limit that surveyed tilt and static loads use without shaking; 0 without tilt and loads.
     pub taken: f64,
     /// The lean of a storey without shaking along the direction and across it; 0 without any.
     pub lean: [f64; 2],
@@ -60,7 +60,7 @@ pub struct PartLimit {
 pub struct Compared {
     /// Every part.
     pub parts: Vec<PartLimit>,
-    /// Directions without any.
+    /// Directions without a comparison.
     pub not_compared: Vec<NotCompared>,
     /// Whether joints have dry friction, so that the worse of sticking and free joints counts.
     pub rubs: bool,
@@ -71,11 +71,11 @@ pub struct Compared {
 pub struct NotCompared {
     /// The direction; `None` if it is the same in all.
     pub direction: Option<String>,
-    /// Why.
+    /// Reason.
     pub why: WhyNotCompared,
 }
 
-/// Why a direction has no comparison.
+/// Reason why a direction has no comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WhyNotCompared {
     /// Its stiffness is unknown.

@@ -12,7 +12,7 @@ const ALL_BYTES_MOST: u64 = 256 << 20;
 /// Each photograph by its name in the project.
 pub type Photos = BTreeMap<String, Photo>;
 
-/// Reads the header of every photograph; empty for a project without any.
+/// Reads the header of every photograph; empty for a project without photographs.
 pub(crate) fn photos(opened: &Opened, files: &dyn Files) -> Result<Photos, WorkError> {
     let mut all = Photos::new();
     let mut total = 0;

@@ -33,7 +33,7 @@ pub(crate) struct OpenedRecord {
     pub(crate) is_shaken: bool,
 }
 
-/// Seconds beside an earthquake that are also excluded from the search for faults.
+/// Seconds before and after an earthquake that are also excluded from the search for faults.
 const BEFORE_S: f64 = 1.0;
 const BEHIND_S: f64 = 5.0;
 

@@ -31,7 +31,8 @@ impl Part<'_> {
     }
 }
 
-/// Refuses surveys of two dates with the same record: files with the same bytes, of which both use the same samples.
+/// Refuses surveys of two dates with the same record: files with equal bytes, from which both surveys use the same
+/// samples.
 ///
 /// # Errors
 /// [`ChangeFault::SameRecord`].

@@ -1,4 +1,4 @@
-//! Failing sensors: faults of the channels of records, followed from survey to survey. They say nothing about the structure.
+//! Failing sensors: faults of the channels of records, tracked from survey to survey. They do not describe the structure.
 
 use crate::survey_dates::date;
 use dolmen::signal::ChannelFault;

@@ -135,6 +135,6 @@ pub struct SimulateAnswer {
     pub after: Option<Box<AfterFirst>>,
     /// Inspected damage in the model.
     pub damage: Vec<ModelDamage>,
-    /// Assumed inputs, and what the model leaves out; `None` where a check beside it has them.
+    /// Assumed inputs, and omissions of the model; `None` if a check in the same answer has them.
     pub basis: Option<Basis>,
 }

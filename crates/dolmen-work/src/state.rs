@@ -98,8 +98,8 @@ pub struct TiltCheck {
     pub direction: String,
     /// Horizontal / vertical.
     pub tilt: f64,
-    /// Smallest tilt over all joints at which one reaches its uplift limit N b/2; for a frame the tilt at which a storey counts as fallen.
-    /// `None` without bed widths or stiffness.
+    /// Smallest tilt at which a joint reaches its uplift limit N b/2; for a frame, the tilt at which a storey has fallen. `None` without bed
+    /// widths or stiffness.
     pub uplift_tilt: Option<f64>,
     /// Smallest tilt over all joints at which a bed begins to open under a linear pressure.
     pub opens_tilt: Option<f64>,

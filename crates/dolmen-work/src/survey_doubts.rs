@@ -8,7 +8,7 @@ use dolmen::blocks::StackMotion;
 use dolmen::structure::Choice;
 use dolmen_project::{Project, Structure};
 
-/// One entry per survey; none for a survey that nobody measured.
+/// One entry for each survey that was measured and whose modes are not those of an earthquake.
 pub(crate) fn survey_doubts(project: &Project, surveys: &[SurveyAnswer]) -> Vec<SurveyDoubts> {
     let is_measured = |answer: &&SurveyAnswer| {
         let mut own = project.surveys.iter().filter(|survey| survey.name == answer.name);

@@ -190,7 +190,7 @@ pub struct SurveyColumns {
 /// Results of several setups.
 #[derive(Clone, Debug)]
 pub struct SetupsAnswer {
-    /// Each by itself.
+    /// Each record separately.
     pub records: Vec<RecordAnswer>,
     /// Joined after each was identified.
     pub merged: MergedSetups,
@@ -314,7 +314,7 @@ pub struct Earthquake {
 
 impl Earthquake {
     /// Whether it was certainly an earthquake, or any event that left a significant change. Otherwise it may have been traffic, and the record
-    /// counts as one of the structure at rest.
+    /// describes the structure at rest.
     pub fn is_one(&self) -> bool {
         self.found.is_sure() || self.found.lasting().is_some()
     }

@@ -16,9 +16,9 @@ pub struct TiltLeftOut {
 const SLOPE_SAID: f64 = 0.01;
 
 impl TiltLeftOut {
-    /// A tilt that matters and is not in the model of a project: storeys of buildings start plumb; stones with their own tilts or offsets
-    /// keep them; among several surveys the latest dated one decides, even if an undated one has a larger tilt, or if only an earlier one
-    /// measured a direction, without a later repair. A tilt left out by `as_surveyed` is intended.
+    /// A tilt that matters and is not in the model of a project. Storeys of buildings start plumb. Stones with their own tilts or offsets keep
+    /// them. Among several surveys the latest dated one decides, even if an undated one has a larger tilt, or if only an earlier one measured
+    /// a direction and no repair followed. A tilt left out by `as_surveyed` is intended.
     pub(crate) fn of_model(project: &Project) -> Option<Self> {
         let is_left_out = match &project.structure {
             Structure::Stack(_) => project

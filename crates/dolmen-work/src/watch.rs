@@ -200,7 +200,7 @@ impl Followed {
                     part,
                     is_answered: false,
                 });
-                // a record of an earthquake does not describe the structure at rest; frequencies stated beside it do
+                // a record of an earthquake does not describe the structure at rest; frequencies given in addition to it do
                 if survey.earthquake.is_some() && (survey.records.is_some() || !survey.setups.is_empty()) {
                     own.modes.clear();
                 }

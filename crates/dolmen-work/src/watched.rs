@@ -23,13 +23,13 @@ pub struct WatchAnswer {
     /// Names of surveys that were left out: those without a date, modes and a tilt, and those on the day of another survey with a name that
     /// is more than a date.
     pub left_out: Vec<String>,
-    /// Days with several surveys, which count as one, and the number of surveys.
+    /// Days with several surveys, which are combined, and the number of surveys.
     pub several: Vec<(String, usize)>,
     /// Repairs and other works by time, each with its day.
     pub works: Vec<(f64, WorkPart)>,
     /// Earthquakes by time, from records or as stated in surveys.
     pub earthquakes: Vec<WatchedEarthquake>,
-    /// Failed sensors; they say nothing about the structure.
+    /// Failed sensors; they do not describe the structure.
     pub sensor_alarms: Vec<SensorAlarm>,
     /// Surveys identified without failed sensors, and those sensors.
     pub sensors_left_out: Vec<(String, Vec<String>)>,
@@ -76,12 +76,12 @@ pub struct WatchedSurvey {
     pub frequencies_hz: Vec<f64>,
     /// Their standard deviations, Hz, where known.
     pub frequency_sds_hz: Vec<Option<f64>>,
-    /// Those accepted by the user although a test refused them.
+    /// Whether the user accepted each of these although a test refused it.
     pub accepted: Vec<bool>,
 }
 
 impl WatchAnswer {
-    /// Whether a day is so far after the last survey that a work on it does not count: it is planned, or a mistake.
+    /// Whether a day is so long after the last survey that a work on it is ignored: it is planned, or a mistake.
     pub fn is_far_ahead(&self, day: f64) -> bool {
         let last = self.surveys.last();
         last.is_some_and(|last| day > last.day + ANSWERED_DAYS)
@@ -186,7 +186,7 @@ impl WatchAnswer {
         others.any(|other| other.direction == series.direction && last(other) > last(series))
     }
 
-    /// Whether another mark replaced it, and a repair followed its last reading: its tilt then says nothing about today.
+    /// Whether another mark replaced this one and a repair followed its last reading, so that it has no information on today's tilt.
     fn is_of_the_past(&self, series: &TiltSeries) -> bool {
         let last = series.days.last().copied().unwrap_or(f64::INFINITY);
         let mut repairs = self

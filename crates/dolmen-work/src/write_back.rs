@@ -105,7 +105,7 @@ fn of_survey(project: &Project, survey: &SurveyAnswer) -> Vec<(String, NewValue)
     }
 }
 
-/// The numbers of the only solution; `None` where there are several, or it is known only between bounds.
+/// The numbers of the only solution; `None` if there are several, or if only bounds are known.
 fn one_solution(answer: &StiffnessAnswer, unit: &'static str, survey: &str) -> Option<Vec<IdentifiedNumber>> {
     let found = &answer.solutions;
     let one = found.solutions.first().filter(|_| answer.is_chosen())?;

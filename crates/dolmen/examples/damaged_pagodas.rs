@@ -1,4 +1,4 @@
-//! Which stones move first in pagodas like those of Table 3 of Kim, Koo and Hong (2018): the table of `docs/score.md`.
+//! Stones that move first in pagodas like those of Table 3 of Kim, Koo and Hong (2018): the table of `docs/score.md`.
 //!
 //! `damaged_pagodas`: each pagoda of `data/damaged_pagodas` of which storeys are known, with slenderness and taper that the table does
 //! not give varied, under El Centro 1940 north-south at three peaks.

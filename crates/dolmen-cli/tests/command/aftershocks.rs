@@ -1,5 +1,5 @@
 // SOURCE     Small stacks, a pole and a frame under El Centro 1940, twice.
-// GOAL       A second motion acts on the structure as the first left it: both runs equal one run of a record joined by hand; every scan, table
+// GOAL       A second motion acts on the structure as the first left it: both runs equal one run of a record joined by hand. Every scan, table
 //            and headline of a study after a motion says that it does not describe the present structure.
 // TOLERANCE  1e-9 of the largest value: the same equations on the same samples; bytes if nothing differs.
 

@@ -251,7 +251,7 @@ soil = "S4"
     );
     let answer = scratch.dolmen("check b.toml");
     assert!(answer.stdout.contains("has no outline"), "{}", answer.stdout);
-    // a spectrum undefined for this damping says so
+    // the answer says that a spectrum is not defined for this damping
     let low = text.replace(
         "name = \"no outline\"",
         "name = \"no outline\"\ndamping.ratio = 0.004",

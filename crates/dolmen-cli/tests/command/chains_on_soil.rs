@@ -36,7 +36,7 @@ fn holds_soil_and_bed_act_in_series() {
         (factor / (together / (120e3 * 5.0)) - 1.0).abs() < 1e-9,
         "{factor}"
     );
-    // as if the two were one joint
+    // as a single joint
     let one = format!("{POLE}joints = [{{ stiffness = {together} }}]\n");
     let (_scratch, same) = json("one", &one, "check project.toml --json");
     assert_eq!(

@@ -1,6 +1,6 @@
 // SOURCE     Natural modes of the changed structure from `dolmen check` of another project file, in which one joint or storey has less stiffness.
-// GOAL       `compare` names the part that changed, its remaining stiffness, and which parts cannot be distinguished.
-// TOLERANCE  what the frequencies' stated deviation of 0.2 % allows: the printed interval
+// GOAL       `compare` names the part that changed, its remaining stiffness, and the parts that cannot be distinguished.
+// TOLERANCE  the printed interval, which follows from the stated standard deviation of 0.2 % of the frequencies
 
 use super::stores::json;
 use super::verbs::Scratch;

@@ -35,7 +35,7 @@ fn exact_beds_are_counted_once() {
     let hertz = ((0.887e6 - weight / 4.0) / 32e3).sqrt() / (2.0 * PI);
     let mode = &direction["check"]["modes"][0]["frequency_hz"];
     assert!((mode.as_f64().unwrap() / hertz - 1.0).abs() < 1e-9);
-    // and likewise for small oscillations on columns and springs together
+    // the same for small oscillations on columns and springs together
     let first = columns["swings"][0]["with_springs_hz"].as_f64().unwrap();
     assert!((first / hertz - 1.0).abs() < 1e-4, "{first} {hertz}");
     let most = columns["standing"]["greatest"]["force_n"].as_f64().unwrap();

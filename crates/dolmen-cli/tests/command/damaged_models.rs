@@ -50,7 +50,7 @@ fn exact_a_bed_that_lost_a_fifth_at_one_side_tips_about_a_fifth_of_its_width_fur
         let along = direction[0] * towards[0] + direction[1] * towards[1];
         assert!(along > 0.999, "{side}: {direction:?}");
     }
-    // half of its bed and more: its weight is outside the remaining bed
+    // at least half of its bed: its weight is outside the remaining bed
     let lost = inspection("2026-05-12", "stone", "bed_lost = 0.55, side = \"x+\"");
     write(&scratch, "pier.toml", &format!("{BLOCK}{ONE}{lost}"));
     let answer = scratch.briefly("check pier.toml");
@@ -234,7 +234,7 @@ fn holds_the_headline_says_which_damage_and_the_last_word_of_inspections_counts(
     assert!(korean.contains("점검에서 확인된 손상 반영"), "{korean}");
     let judged = json(&scratch, "check pole.toml");
     assert_eq!(judged.pointer("/project/damage/0/stiffness_left").unwrap(), 0.75);
-    // worse later, then mended
+    // more damage in a later inspection, then a repair
     let worse = inspection("2025-06-01", "top", "stiffness_left = 0.5");
     same_numbers(
         &scratch,
@@ -247,7 +247,7 @@ fn holds_the_headline_says_which_damage_and_the_last_word_of_inspections_counts(
         &(chain("0.5", "900") + &found + &worse + &mended),
         &chain("0.5", "900"),
     );
-    // as built, and as one inspection found it
+    // as built, and as found by one inspection
     let tables = found.clone() + &worse;
     let as_built = chain("0.5", "900").replace("cap = ", "as_inspected = \"none\"\ncap = ") + &tables;
     same_numbers(&scratch, &as_built, &chain("0.5", "900"));

@@ -99,7 +99,7 @@ fn exact_local_mechanisms_of_a_code_stand_beside_the_verdict() {
     };
     append(&scratch, "p10", KOREA);
     let full = scratch.dolmen("check examples/p10");
-    // neither words nor status mention it
+    // neither text nor exit status mentions it
     assert!(!verdict(&full.stdout).unwrap().contains("Circolare"));
     // blocks 5 to 10: 5.884125 m³ whose centroid is 1.697433 m above the joint, 1.1 m wide
     let (half, height, volume): (f64, f64, f64) = (0.55, 1.697_433, 5.884_125);

@@ -68,7 +68,7 @@ fn holds_what_the_page_says_stands_in_the_document_with_the_same_numbers() {
             );
             let there = paragraphs(&bytes);
             let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
-            // inputs are laid out differently: their unit has its own column
+            // inputs have another layout: their unit has its own column
             let inputs = page
                 .find("부록: 입력 자료</h2>")
                 .or(page.find("Appendix: What was given</h2>"))

@@ -273,7 +273,7 @@ const AS_IS: [&str; 5] = ["", "", "", "", ""];
 
 #[test]
 fn exact_a_floors_record_gives_stiffness_and_centre_of_rigidity() {
-    // by itself, and with the same frequencies also in the file: reported once
+    // alone, and with the same frequencies also in the file: reported once
     let frequencies: Vec<f64> = floor_modes().into_iter().map(|(hz, _)| hz).collect();
     let [y, x, torsion] = frequencies[..] else {
         panic!("three modes")

@@ -234,7 +234,7 @@ fn holds_notes_and_errors_of_a_site_are_in_korean() {
 #[test]
 fn exact_a_warning_names_the_line_of_its_value_and_the_unit_as_written() {
     let scratch = Scratch::new("first-day-lines");
-    // it would be refused if it leaned the model
+    // a model that leans as surveyed would be refused
     let mut text = TOWER.replacen("schema = 1\n", "schema = 1\nas_surveyed = \"none\"\n", 1);
     writeln!(
         text,

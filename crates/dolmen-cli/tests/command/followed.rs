@@ -13,7 +13,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, SystemTime};
 
 pub(super) const STORE: &str = "--store s.db";
-/// Files in the tests are old, so that they count as complete; files written during the test do not.
+/// Files in the tests are old, so they are complete; files written during the test are not.
 pub(super) const FOLLOW: &str = "watch --follow in --store s.db --once --quiet";
 
 /// Three channels of an oscillator of 2 % damping under noise, 100 Hz, by its difference equation.

@@ -279,7 +279,7 @@ fn holds_columns_without_ties_are_one_structure_everywhere() {
         &scratch,
         &format!("simulate {path} --variant no_ties --motion el-centro-1940-ns --peak 0.5g"),
     );
-    // beyond the drift of maximum force the springs are not defined: it counts as fallen
+    // beyond the drift of maximum force the springs are not defined: the storey has fallen
     assert_eq!(
         run["simulations"][0]["outcome"]["kind"], "drift_limit",
         "{}",

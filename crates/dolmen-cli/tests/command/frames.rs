@@ -81,7 +81,7 @@ fn holds_a_frame_that_leans_too_far_counts_as_fallen() {
         "{}",
         answer.stdout
     );
-    // and the check says so: without its sliders it has no stiffness
+    // the check says so too: without its sliders it has no stiffness
     let check = scratch.dolmen("check examples/heunginjimun_gate");
     assert_eq!(check.status, 1);
     assert!(
@@ -209,7 +209,7 @@ fn holds_a_surveyed_tilt_of_a_frame_is_in_its_runs_and_takes_of_its_drift() {
     let left = (0.02_f64.powi(2) - (1.0_f64 / 400.0).powi(2)).sqrt() - 1.0 / 120.0;
     assert!((part(&leaning, "taken") - (0.02 - left)).abs() < 1e-12);
     assert!((part(&leaning, "capacity") - left).abs() < 1e-12);
-    // before the shaking it rests where its springs hold it: τ N/(k − N/l)
+    // before the shaking it is in equilibrium with its springs: τ N/(k − N/l)
     let tilt = |of: &serde_json::Value| of["simulations"][1]["lean"]["tilt_in_direction"].as_f64();
     assert_eq!((tilt(&upright), tilt(&leaning)), (None, Some(1.0 / 120.0)));
     let answer = scratch.dolmen("--json check examples/heunginjimun_gate/two_directions.toml");

@@ -1,5 +1,5 @@
-// SOURCE     docs/frame.md: the surveyed lean uses up part of the allowable drift, and of the tenth at which a storey counts as fallen.
-// GOAL       Samples, studies and runs of a leaning frame include its lean as `check` and `simulate` do.
+// SOURCE     docs/frame.md: the surveyed lean uses up part of the allowable drift, and of the 10 % at which a storey has fallen.
+// GOAL       Samples, studies and runs of a leaning frame include its lean, as `check` and `simulate` do.
 // TOLERANCE  none for counts; the 95 % interval of a share of samples contains the closed form
 
 use super::stores::json;

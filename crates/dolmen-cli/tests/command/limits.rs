@@ -75,7 +75,7 @@ fn exact_a_storey_is_held_against_its_allowable_drift_by_the_spectrum() {
         "{}",
         answer.stdout
     );
-    // without a limit nothing is decided, and the answer says what to write
+    // without a limit there is no decision, and the answer says which key to add
     let answer = run(&scratch, "check p.toml", &gate(60.0, SITE));
     assert_eq!(answer.status, 0, "{}", answer.stdout);
     assert!(

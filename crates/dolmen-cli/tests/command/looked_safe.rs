@@ -308,3 +308,59 @@ fn holds_tilts_of_two_directions_are_held_together_against_the_edge() {
     );
     assert!(status == 0 && !words.contains("x+y"), "{words}");
 }
+
+/// A smooth ellipsoid of 0.5 × 0.4 × 0.3 m that stands on the ground, as an OBJ file: rings about the x axis.
+fn boulder() -> String {
+    let (rings, around) = (24, 32);
+    let mut text = String::new();
+    for ring in 0..=rings {
+        let (sin, cos) = (std::f64::consts::PI * f64::from(ring) / f64::from(rings)).sin_cos();
+        let last = if ring == 0 || ring == rings { 1 } else { around };
+        for place in 0..last {
+            let (s, c) = (std::f64::consts::TAU * f64::from(place) / f64::from(around)).sin_cos();
+            text += &format!(
+                "v {:.6} {:.6} {:.6}\n",
+                0.25 * cos,
+                0.2 * sin * c,
+                0.15 * (1.0 + sin * s)
+            );
+        }
+    }
+    let at = |ring: i32, place: i32| match ring {
+        0 => 1,
+        _ if ring == rings => 2 + (rings - 1) * around,
+        _ => 2 + (ring - 1) * around + place % around,
+    };
+    for (ring, place) in (0..rings).flat_map(|ring| (0..around).map(move |place| (ring, place))) {
+        let [a, b, c, d] = [
+            at(ring, place),
+            at(ring + 1, place),
+            at(ring + 1, place + 1),
+            at(ring, place + 1),
+        ];
+        if ring > 0 {
+            text += &format!("f {a} {c} {d}\n");
+        }
+        if ring == 0 || ring + 1 < rings {
+            text += &format!("f {a} {b} {c}\n");
+        }
+    }
+    text
+}
+
+#[test]
+fn refuses_a_boulder_on_its_crown() {
+    let scratch = Scratch::new("boulder-on-its-crown");
+    fs::write(scratch.path().join("boulder.obj"), boulder()).unwrap();
+    let text = "schema = 1\nkind = \"stack\"\nname = \"Boulder\"\ndensity = 2600\n\
+                blocks = [{ name = \"boulder\", shape = \"mesh\", file = \"boulder.obj\", coordinates = \"site\" }]\n";
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    for (language, said) in [
+        ("en", "'boulder' rests on a rounded face (radius of curvature 0."),
+        ("ko", "'boulder'이(가) 접합면이 아니라 둥근 면(곡률 반지름 0."),
+    ] {
+        let answer = scratch.dolmen(&format!("check project.toml --language {language}"));
+        assert_eq!(answer.status, 2, "{}{}", answer.stdout, answer.stderr);
+        assert!(answer.stderr.contains(said), "{}", answer.stderr);
+    }
+}

@@ -296,7 +296,7 @@ fn holds_stores() {
     assert!(all("store", &[file], store::run) > 20);
 }
 
-/// The projects of fuzzing and of the examples, each with the files beside it.
+/// The projects for fuzzing and of the examples, each with its other files.
 fn projects() -> Vec<(Vec<u8>, MemoryFiles)> {
     let mut found: Vec<(Vec<u8>, MemoryFiles)> = files("fuzz/corpus/project")
         .into_iter()
@@ -327,7 +327,7 @@ fn projects() -> Vec<(Vec<u8>, MemoryFiles)> {
     found
 }
 
-/// Whole checks of changed projects: what is read is judged.
+/// Complete checks of changed projects.
 #[test]
 fn holds_whole_checks() {
     let projects = projects();

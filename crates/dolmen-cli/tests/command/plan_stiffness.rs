@@ -93,7 +93,7 @@ fn refuses_two_frequencies_and_says_what_stays_free() {
         said.contains("determined in part, with the centre of rigidity where the file has it: k_x"),
         "{said}"
     );
-    // with an eccentricity no stiffness is determined by itself
+    // with an eccentricity no stiffness is determined alone
     let off = gate("plan_few_off", |text| {
         no_torsion(text).replace("centre = [0, 0]", "centre = [1, 0.5]")
     });

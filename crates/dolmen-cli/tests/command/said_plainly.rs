@@ -87,7 +87,7 @@ fn holds_tilts_and_inspections_are_compared_without_modes() {
 
 #[test]
 fn holds_samples_that_fall_are_in_the_word() {
-    // 100 kN m/rad is 3.3 times what the weight needs; with a cov of 80 % some of a hundred samples fall below 30
+    // 100 kN m/rad is 3.3 times the stiffness that the weight needs; with a cov of 80 % some of a hundred samples are below 30
     let scattered = format!("{POLE}joints = [{{ stiffness = {{ value = 100, cov = 0.8 }} }}]\n");
     let said = of("samples", &scattered, "check project.toml --samples 400");
     assert!(
@@ -211,7 +211,7 @@ fn holds_what_decides_stands_before_what_it_depends_on() {
         "{}",
         answer.words
     );
-    // criteria for unknown stiffness decide nothing where the stiffness is known
+    // criteria for unknown stiffness have no effect if the stiffness is known
     assert!(
         !answer.words.contains("buckling of a post on one spring"),
         "{}",

@@ -166,7 +166,7 @@ fn refuses_scans_with_what_to_do_and_writes_nothing() {
     );
     let answer = scratch.briefly("new pagoda made --scan closed.obj");
     assert_eq!(answer.status, 2, "{}", answer.stdout);
-    // and a folder that is not empty stays as it was
+    // a folder that is not empty does not change either
     fs::create_dir(scratch.path().join("full")).unwrap();
     fs::write(scratch.path().join("full/mine.txt"), "mine").unwrap();
     let answer = scratch.briefly("new pagoda full --scan closed.obj --beds 0.5");

@@ -30,7 +30,7 @@ fn holds_softer_joints_make_damage_more_probable_and_stiffer_ones_less() {
     let unknown = ds3(&soft, "stiffness_unknown");
     assert_eq!(unknown, ds3(&stiff, "stiffness_unknown"));
     assert!(ds3(&soft, "frequency_given") > unknown && unknown > ds3(&stiff, "frequency_given"));
-    // f goes with the root of the stiffness
+    // f is proportional to the root of the stiffness
     let given = &stiff["given"];
     let ratio = 5.6 / given["frequency_on_joints_of_designs_hz"].as_f64().unwrap();
     let found = given["stiffness_ratio"].as_f64().unwrap();

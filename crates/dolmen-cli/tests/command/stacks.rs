@@ -163,8 +163,8 @@ fn holds_a_stack_that_falls_has_no_frequencies() {
     );
 }
 
-/// Joint of body on base 9.9 MN·m/rad and 10 MN/m at 0.7 m above it: supports beside a stone count in its frequencies, and do not change
-/// its joints.
+/// Joint of body on base 9.9 MN·m/rad and 10 MN/m at 0.7 m above it: supports next to a stone affect its frequencies, but not its
+/// joints.
 #[test]
 fn holds_tight_side_supports_are_in_the_frequencies_and_gaps_are_named() {
     let of = |supports: &str| {

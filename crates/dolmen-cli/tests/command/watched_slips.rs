@@ -1,7 +1,7 @@
-// SOURCE     Histories made here: forty surveys a quarter apart, of two modes and a tilt, with exact truth.
-// GOAL       The answer names a mistyped reading, which hides nothing; the forecast of a late drift uses its recent slope; a last survey far off comes
-//            first, as does a quantity at its limit; `compare` names events between two surveys.
-// TOLERANCE  none: words, exit statuses; dates and years of the forecast as the made history has them.
+// SOURCE     Simulated histories: forty surveys a quarter apart, of two modes and a tilt, with known changes.
+// GOAL       The answer names a mistyped reading, which hides nothing; the forecast of a late drift uses its recent slope; a last survey with a large
+//            difference comes first, as does a quantity at its limit; `compare` names events between two surveys.
+// TOLERANCE  none: words, exit statuses; dates and years of the forecast as simulated.
 
 use super::stores::json;
 use super::verbs::Scratch;

@@ -148,7 +148,7 @@ fn refuses_what_is_no_mean_wind_on_a_building() {
         ),
         (
             r#"loads = [{ name = "sign", at = "roof", force = "2 kN" }]"#,
-            "loads is not read for this kind",
+            "is one number, but a floor is pushed in two directions",
         ),
     ] {
         floor_with(&scratch, line);

@@ -1,4 +1,4 @@
-//! Dampers of a building in a project file, every number worked out.
+//! Dampers of a building in a project file, with numbers for every value.
 
 use crate::quantity::Quantity;
 use dolmen::damper::{DamperError, TuningRule};
@@ -9,35 +9,35 @@ use dolmen_words::message::Both;
 /// The mass of a damper.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DamperMass {
-    /// kg.
+    /// Mass, kg.
     Mass(Quantity),
-    /// Over the modal mass of its mode.
+    /// Ratio to the modal mass of its mode.
     Ratio(Quantity),
 }
 
 /// The frequency of a damper.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DamperFrequency {
-    /// Hz.
+    /// Frequency, Hz.
     Frequency(Quantity),
-    /// Over that of its mode.
+    /// Ratio to the frequency of its mode.
     Ratio(Quantity),
-    /// Of a liquid column by its total length L, m: √(2g/L)/2π.
+    /// Frequency of a liquid column with total length L, m: √(2g/L)/2π.
     Length(Quantity),
-    /// By the tuning.
+    /// From the tuning.
     Tuned,
 }
 
 /// One of several masses that make up a damper.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassPart {
-    /// Its part of the mass.
+    /// Its fraction of the mass.
     pub share: Quantity,
-    /// Place, m; `None`: that of the damper.
+    /// Place, m; `None`: the place of the damper.
     pub place: Option<Box<[Quantity; 2]>>,
-    /// Frequency; `None`: that of the damper.
+    /// Frequency; `None`: the frequency of the damper.
     pub frequency: Option<DamperFrequency>,
-    /// Damping ratio; `None`: that of the damper.
+    /// Damping ratio; `None`: the damping ratio of the damper.
     pub damping_ratio: Option<Quantity>,
 }
 
@@ -59,7 +59,7 @@ pub enum MovingPart {
     ColumnMass {
         /// α of the column.
         length_ratio: Quantity,
-        /// The liquid's part of the mass.
+        /// Fraction of the mass that is liquid.
         liquid_share: Quantity,
         /// Frequency of the liquid.
         liquid_frequency: DamperFrequency,
@@ -85,18 +85,18 @@ pub enum DamperBody {
         mode: usize,
         /// Frequency.
         frequency: DamperFrequency,
-        /// Damping ratio; `None`: by the tuning.
+        /// Damping ratio; `None`: from the tuning.
         damping_ratio: Option<Quantity>,
         /// Closed form, if named.
         tuning: Option<TuningRule>,
     },
     /// A dashpot to another floor or the ground.
     Link {
-        /// N s/m.
+        /// Coefficient, N s/m.
         coefficient: Quantity,
         /// Floor of its other end; 0 for the ground.
         to_floor: usize,
-        /// Place of its other end, m; `None`: under its own.
+        /// Place of its other end, m; `None`: vertically below or above its own place.
         to_place: Option<Box<[Quantity; 2]>>,
     },
 }
@@ -120,7 +120,7 @@ pub struct DamperPart {
     pub liquid_stroke: Option<Quantity>,
 }
 
-/// Why a damper cannot be.
+/// Reason why a damper is impossible.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DamperFault {
     /// Its mode does not move at its place.
@@ -138,7 +138,7 @@ pub enum DamperFault {
         name: String,
         /// Its mode.
         mode: usize,
-        /// Their number.
+        /// Number of modes.
         most: usize,
     },
     /// It is heavier than the modal mass of its mode.
@@ -149,7 +149,7 @@ pub enum DamperFault {
         mass_ratio: f64,
         /// Its mode.
         mode: usize,
-        /// Modal mass there, kg.
+        /// Modal mass at the place of the damper, kg.
         modal_mass_kg: f64,
     },
     /// Its tuning is impossible.
@@ -160,7 +160,7 @@ pub enum DamperFault {
         name: String,
         /// Its mass, kg.
         mass_kg: f64,
-        /// The building's, kg.
+        /// Mass of the building, kg.
         building_kg: f64,
         /// Its mode.
         mode: usize,
@@ -169,7 +169,7 @@ pub enum DamperFault {
     Place {
         /// The damper.
         name: String,
-        /// Why.
+        /// Reason.
         why: BuildingError,
     },
 }

@@ -1,4 +1,4 @@
-//! Patterns over all floors of a building that look like a slip.
+//! Patterns over all floors of a building that look like a mistake.
 
 use super::part::{BuildingPart, FloorPart, StoreyStiffnessPart};
 use crate::doubted::Doubted;

@@ -34,20 +34,20 @@ pub struct WallPart {
 pub enum StoreyStiffnessPart {
     /// Walls and columns in plan.
     Walls(Vec<WallPart>),
-    /// As a whole, about its centre of rigidity.
+    /// Stiffness of the whole storey, about its centre of rigidity.
     Whole {
         /// Along x, N/m.
         x: Box<Quantity>,
         /// Along y, N/m.
         y: Box<Quantity>,
-        /// Against turning, N m/rad.
+        /// Torsional stiffness, N m/rad.
         rotation: Box<Quantity>,
         /// Centre of rigidity, m.
         centre: Box<[Quantity; 2]>,
     },
-    /// A matrix about a point.
+    /// A stiffness matrix about a point.
     Matrix {
-        /// Against u, v, θ of the point, SI.
+        /// Matrix for u, v, θ of the point, SI.
         matrix: [[f64; 3]; 3],
         /// The point, m.
         centre: Box<[Quantity; 2]>,
@@ -57,7 +57,7 @@ pub enum StoreyStiffnessPart {
 /// The radius of gyration of a floor, from the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GyrationPart {
-    /// That of its area.
+    /// The radius of gyration of the area.
     OfArea,
     /// Radius, m.
     Radius(Quantity),
@@ -70,13 +70,13 @@ pub enum GyrationPart {
 pub struct FloorPart {
     /// Name, if given.
     pub name: Option<String>,
-    /// Their number.
+    /// Number of floors.
     pub count: usize,
     /// Mass or weight.
     pub heaviness: Heaviness,
     /// Outline, if given.
     pub outline: Option<Outline>,
-    /// Centre of mass, m; `None`: that of the area.
+    /// Centre of mass, m; `None`: the centroid of the area.
     pub centre: Option<Box<[Quantity; 2]>>,
     /// Gyration.
     pub gyration: GyrationPart,
@@ -136,7 +136,7 @@ impl BuildingPart {
     /// Floors and storeys, one each, lowest first.
     ///
     /// # Errors
-    /// None with the file's own values, which are checked on reading; [`BuildingError`] if a picked one is impossible.
+    /// None for the values of the file, which are checked on reading; [`BuildingError`] if a picked value is impossible.
     pub fn floors_and_storeys(&self, pick: Pick<'_>) -> Result<(Vec<Floor>, Vec<Storey>), BuildingError> {
         let (mut floors, mut storeys) = (Vec::new(), Vec::new());
         for part in &self.floors {
@@ -229,7 +229,7 @@ impl BuildingPart {
     /// The dampers with every number that follows from the modes.
     ///
     /// # Errors
-    /// [`DamperFault`] for one whose mode does not move there, that is too heavy, or that is not on its floor.
+    /// [`DamperFault`] for a damper whose mode does not move at its place, that is too heavy, or that is not on its floor.
     pub fn dampers(
         &self,
         building: &VibratingBuilding,

@@ -444,7 +444,7 @@ fn points(reader: &mut Reader, raw: Option<&At<Vec<At<WatchedRaw>>>>, floors: us
 pub(crate) fn buildable(reader: &mut Reader, part: &mut BuildingPart) {
     let pick = &mut Quantity::nominal;
     let (built, stands) = match part.build(pick) {
-        // its dampers are judged anyway
+        // its dampers are checked in any case
         Err(BuildingError::Falls { .. }) => {
             let parts = part.floors_and_storeys(pick);
             let elastic = parts.and_then(|(floors, storeys)| Building::new(floors, storeys, PDelta::LeftOut));

@@ -1,4 +1,4 @@
-//! The two directions of a chain: that of its motion, and across.
+//! The two directions of a chain: the direction of motion, and across it.
 
 use super::axis::ChainAxis;
 use super::part::{ChainPart, JointPart, LinkPart};
@@ -154,7 +154,7 @@ impl ChainPart {
         Some(stiffness)
     }
 
-    /// Without the soil.
+    /// The same without the soil.
     fn joints_alone(&self, axis: ChainAxis, pick: Pick<'_>) -> Option<Vec<f64>> {
         let joints = self.joints.as_ref()?;
         let each = joints.iter().enumerate().map(|(i, joint)| {

@@ -1,4 +1,4 @@
-//! Patterns over all links and joints of a chain that look like a slip.
+//! Patterns over all links and joints of a chain that look like a mistake.
 //!
 //! | pattern | real flagpoles and columns | bound |
 //! |:--|:--|:--|
@@ -101,7 +101,7 @@ fn sides(reader: &mut Reader, chain: &Chain<'_>) {
     }
 }
 
-/// A link that differs from both of its neighbours; the ends have one.
+/// A link that differs from both of its neighbours; a link at an end has one neighbour.
 fn neighbours(reader: &mut Reader, chain: &Chain<'_>) {
     for middle in 1..chain.per_length.len().saturating_sub(1) {
         let [below, own, above] = [middle - 1, middle, middle + 1].map(|i| chain.per_length[i]);

@@ -74,7 +74,7 @@ pub struct StonePart {
 }
 
 impl StonePart {
-    /// Its numbers, each with the value that `pick` chooses.
+    /// The numbers of the stone, each with the value that `pick` chooses.
     pub fn build(&self, pick: Pick<'_>) -> Stone {
         Stone {
             elastic_modulus_pa: pick(&self.elastic_modulus),
@@ -87,7 +87,7 @@ impl StonePart {
 /// Whether the part at the very top (cap stone, finial) is among the links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cap {
-    /// There is none, or it is one of the links.
+    /// There is no such part, or it is one of the links.
     Included,
     /// It is left out: unconservative, with a warning.
     LeftOut,

@@ -39,7 +39,7 @@ const BED_RATIO_MOST: f64 = 30.0;
 const FRICTION_SHARE: [f64; 2] = [1e-5, 1.0];
 /// Least stiffness of a joint over weight × height above it: 1 is about what keeps a chain upright.
 const JOINT_SHARE_LEAST: f64 = 0.01;
-/// That share over the median of the other joints', either way.
+/// Ratio of this value to the median for the other joints, either way.
 const JOINT_RATIO_MOST: f64 = 300.0;
 
 pub(crate) fn judge_chain(reader: &mut Reader, chain: &ChainPart) {
@@ -135,8 +135,8 @@ fn judge_link_masses(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
     }
 }
 
-/// Whether all weights, or all masses, are a slip of the one unit that the file gives for them: said once, in place of what was found since
-/// `before`.
+/// Whether all weights, or all masses, have a mistake in the unit that the file gives for them. It is then reported once, in place of the
+/// faults found since `before`.
 fn judge_unit_of_weights(reader: &mut Reader, chain: &ChainPart, masses: &[f64], before: usize) -> bool {
     let (key, measure) = match chain.links.first().map(|link| &link.heaviness) {
         Some(Heaviness::Weight(_)) => ("units.force", Measure::Force),

@@ -18,7 +18,7 @@ pub struct ChainSupportPart {
 }
 
 impl ChainSupportPart {
-    /// Its numbers, each with the value that `pick` chooses.
+    /// The numbers of the support, each with the value that `pick` chooses.
     pub fn build(&self, pick: Pick<'_>) -> SideSupport {
         SideSupport {
             height_m: pick(&self.height),

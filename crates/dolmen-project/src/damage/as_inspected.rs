@@ -1,4 +1,4 @@
-//! The inspections whose damage a model has.
+//! Selects the inspections whose damage a model includes.
 
 use super::chain::damage_chain;
 use super::frame::damage_frame;
@@ -14,8 +14,8 @@ use crate::survey::{DamageKind, Survey, date_of};
 use crate::wrong::WrongDamage;
 use std::collections::BTreeMap;
 
-/// Puts the effects of damage by inspections into the model, up to the inspection that `as_inspected` chooses, and returns the damage that
-/// it then has.
+/// Applies the effects of damage to the model, from the inspections up to the one that `as_inspected` chooses. Returns the damage in the
+/// model.
 ///
 /// A damage applies from its inspection until a later one gives the same damage another effect, or as mended. A later inspection without it
 /// does not remove it: it may not have been looked for. Two damages of one kind on one part need names, because the later would replace

@@ -29,8 +29,8 @@ pub(super) fn has_it(identified_from: Option<&str>, inspection: &str) -> bool {
 /// ```text
 /// bed of width b that lost s b at one side:  pivot b/2 − s b → width (1 − 2 s) b;   k → (1 − s)³ k
 /// ```
-/// The chain has beds that are alike on both sides, so the nearer pivot counts for both. A bed of equal springs has a stiffness that goes with the third
-/// power of its width.
+/// The beds of the chain are symmetric, so the nearer pivot is used for both sides. The stiffness of a bed of equal springs is proportional to the
+/// third power of its width.
 pub(super) fn damage_chain(reader: &mut Reader, (of, part): (&ModelDamage, usize), chain: &mut ChainPart) {
     match of.effect {
         InModel::StiffnessLeft(factor) => loosen(reader, (of, part), chain, factor),

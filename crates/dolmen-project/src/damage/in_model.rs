@@ -45,16 +45,16 @@ impl Side {
 pub enum InModel {
     /// A part of the bed below the part no longer bears.
     BedLost {
-        /// Share of its width.
+        /// Fraction of its width.
         share: f64,
-        /// The side from which it is lost; `None` of a chain that moves in one direction.
+        /// The side from which it is lost; `None` for a chain that moves in one direction.
         side: Option<Side>,
     },
     /// The remaining share of the stiffness of the joint below a link or stone, or of a storey.
     StiffnessLeft(f64),
     /// The dowels and clamps between a stone and the stones below it are broken.
     TiesBroken,
-    /// A stone is gone.
+    /// A stone is missing.
     Lost,
     /// An earlier inspection gave one of these effects, and it was repaired since.
     Mended,

@@ -42,9 +42,9 @@ pub struct StoreyPart {
 pub enum FootPart {
     /// A rectangle.
     Rectangle {
-        /// In the direction of motion, m.
+        /// Width in the direction of motion, m.
         width: Quantity,
-        /// Across it, m; `None` for a square.
+        /// Width across it, m; `None` for a square.
         breadth: Option<Quantity>,
     },
     /// A circle.
@@ -57,7 +57,7 @@ pub enum FootPart {
 /// Equal free-standing columns of a storey on foot stones; as high as the storey.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnsPart {
-    /// Their number.
+    /// Number of columns.
     pub count: usize,
     /// Foot and head.
     pub foot: FootPart,
@@ -105,7 +105,7 @@ impl ColumnsPart {
     /// The columns of a storey of the frame, each input with the value that `pick` chooses.
     ///
     /// # Errors
-    /// None with the file's own values; [`StabilityError`] if a picked one is impossible.
+    /// None for the values of the file; [`StabilityError`] if a picked value is impossible.
     pub fn build(&self, storey: &Storey, pick: Pick<'_>) -> Result<FreeColumns, StabilityError> {
         let section = self.foot.build(pick);
         let bed_stiffness_n_m3 = self.bed_stiffness.as_ref().map(pick);
@@ -194,7 +194,7 @@ pub struct FrameLean {
     /// Horizontal over vertical in each direction of the frame; the combined tilt in each direction if the survey names a direction that
     /// the frame does not have.
     pub tilts: Vec<f64>,
-    /// Of all directions together.
+    /// Tilt of all directions together.
     pub together: f64,
 }
 
@@ -455,7 +455,7 @@ pub struct TenonsPart {
     pub slack: Vec<Quantity>,
     /// Stiffness once they bear, N/m; 0 for a storey without tenons.
     pub stiffness: Vec<Quantity>,
-    /// Force at which their faces crush, N, each storey; `None` if they never do.
+    /// Force at which their faces crush, N, for each storey; `None` if they never crush.
     pub crushing_force: Option<Vec<Quantity>>,
     /// Crushed depth, as drift, at which a face keeps half of its stiffness, m; `None` if it keeps all of it.
     pub half_stiffness_depth: Option<Quantity>,

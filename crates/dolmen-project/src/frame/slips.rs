@@ -14,7 +14,7 @@ const STOREY_HEIGHT_M: (f64, f64) = (0.1, 50.0);
 const STOREY_HEIGHT_USUAL_M: f64 = 5.0;
 /// Axial force over the weight carried by the storey. 0 means no P-delta and is not judged.
 const AXIAL_SHARE: (f64, f64) = (0.2, 5.0);
-/// How close one reading of the axial forces must be to the weights to count as the better one.
+/// Largest relative difference from the weights at which an interpretation of the axial forces is the better one.
 const AXIAL_MATCH: f64 = 0.25;
 /// √(k/m)/2π of a storey, Hz.
 const STOREY_FREQUENCY_HZ: (f64, f64) = (0.2, 60.0);

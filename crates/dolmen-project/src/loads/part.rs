@@ -41,7 +41,7 @@ pub enum WindSpeed {
 pub struct WindArea {
     /// The part, from 0 at the bottom.
     pub part: usize,
-    /// Area across the wind, m².
+    /// Area perpendicular to the wind, m².
     pub area: Quantity,
     /// Height of its middle above the ground, m, for an additional area; `None`: it replaces the part's own area.
     pub height: Option<Quantity>,
@@ -110,7 +110,7 @@ pub struct WindGiven {
 /// Wind in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WindPart {
-    /// Nothing.
+    /// The file gives no information.
     NotSaid,
     /// The structure is sheltered from wind.
     Sheltered,
@@ -182,9 +182,9 @@ pub struct CombinationPart {
     pub name: Option<String>,
     /// Factor of the weight of the structure.
     pub weight: f64,
-    /// On the wind.
+    /// Factor of the wind.
     pub wind: f64,
-    /// On the static loads.
+    /// Factor of the static loads.
     pub loads: f64,
     /// On the earthquake of the site, for a building; 0 for others.
     pub earthquake: f64,
@@ -257,7 +257,7 @@ impl WindGiven {
 }
 
 impl LoadsPart {
-    /// The file says nothing.
+    /// The loads of a file without any.
     pub fn none() -> Self {
         LoadsPart {
             wind: WindPart::NotSaid,

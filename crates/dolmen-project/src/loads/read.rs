@@ -86,7 +86,11 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
             combinations: vec![CombinationPart {
                 name: None,
                 weight: 1.0,
-                wind: 1.0,
+                wind: if parts.are_floors && answer.wind().is_none() {
+                    0.0
+                } else {
+                    1.0
+                },
                 loads: 1.0,
                 earthquake: 0.0,
             }],

@@ -10,7 +10,7 @@ pub struct ReportPart {
     pub title: Option<Names>,
     /// Number of the document.
     pub number: Option<Names>,
-    /// For whom.
+    /// The client.
     pub client: Option<Names>,
     /// The organisation that writes it.
     pub organisation: Option<Names>,
@@ -18,7 +18,7 @@ pub struct ReportPart {
     pub address: Option<Names>,
     /// "2026-11-23".
     pub date: Option<String>,
-    /// Who took part.
+    /// Participants.
     pub authors: Vec<Author>,
     /// Its purpose.
     pub purpose: Option<Names>,
@@ -32,7 +32,7 @@ pub struct ReportPart {
     pub material_tests: Vec<MaterialTest>,
     /// Sensors.
     pub sensors: Vec<SensorPart>,
-    /// A paragraph each.
+    /// The opinion, one paragraph each.
     pub opinion: Vec<Names>,
     /// A point each.
     pub recommendations: Vec<Names>,
@@ -42,7 +42,7 @@ pub struct ReportPart {
     pub grade: Option<Grade>,
 }
 
-/// Who took part.
+/// A participant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Author {
     /// Name.
@@ -87,7 +87,7 @@ pub enum MaterialMethod {
 /// One test of material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialTest {
-    /// How, and the reading.
+    /// The method, and the reading.
     pub method: MaterialMethod,
     /// The part.
     pub part: Option<String>,
@@ -95,14 +95,14 @@ pub struct MaterialTest {
     pub date: Option<String>,
     /// Compressive strength, Pa.
     pub strength: Option<Quantity>,
-    /// Anything to add.
+    /// A note.
     pub note: Option<Names>,
 }
 
 /// A sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorPart {
-    /// What it is.
+    /// Description of the sensor.
     pub name: Names,
     /// Maker and model.
     pub model: Option<Names>,
@@ -151,7 +151,7 @@ impl PeriodicGrade {
 pub enum GradeScale {
     /// The six words of the Korean periodic inspection of heritage, A to F.
     Periodic(PeriodicGrade),
-    /// Another.
+    /// A different scale.
     Other(Names),
 }
 
@@ -162,7 +162,7 @@ pub struct Grade {
     pub value: Names,
     /// Its scale.
     pub scale: GradeScale,
-    /// Why.
+    /// Reason.
     pub reason: Names,
 }
 

@@ -26,16 +26,16 @@ pub struct SitePart {
     pub hazard: Option<HazardPart>,
 }
 
-/// How often the peak acceleration of the ground is exceeded.
+/// Annual rates at which peak ground accelerations are exceeded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HazardPart {
     /// Intensities in m/s².
     pub curve: Hazard,
-    /// Where it comes from.
+    /// Source of the rates.
     pub source: HazardSource,
 }
 
-/// Where a hazard comes from.
+/// Source of a hazard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HazardSource {
     /// The file.
@@ -54,21 +54,21 @@ impl SitePart {
     }
 }
 
-/// Where a motion comes from.
+/// Source of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionSource {
     /// Files relative to the project, one for each component; the same file repeated where components are its columns.
     Files(Vec<(Component, String)>),
-    /// One that the program carries with it, by name.
+    /// A built-in motion of the program, by name.
     BuiltIn(String),
 }
 
 /// How a motion is scaled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MotionSize {
-    /// All components times this.
+    /// All components are multiplied by this factor.
     Scale(f64),
-    /// All components times one factor that brings the largest horizontal peak to this value, m/s².
+    /// All components are multiplied by one factor, so that the largest horizontal peak has this value, m/s².
     Peak(f64),
 }
 

@@ -36,7 +36,7 @@ pub struct SoilBelowPart {
 }
 
 impl FootingPart {
-    /// Its sides, or its diameter.
+    /// The sides or the diameter of the footing.
     pub(super) fn sides(&self) -> &[Quantity] {
         match self {
             FootingPart::Circle(diameter) => std::slice::from_ref(diameter),
@@ -68,7 +68,7 @@ impl SoilBelowPart {
         stack.on_half_space(half_space, footing)
     }
 
-    /// Its numbers.
+    /// The numbers of the soil.
     pub(crate) fn inputs(&self) -> Vec<&Quantity> {
         let footing = self.footing.iter().flat_map(FootingPart::sides);
         [&self.shear_modulus, &self.poisson_ratio]
@@ -79,7 +79,7 @@ impl SoilBelowPart {
 }
 
 impl SoilPart {
-    /// Its numbers, each with the value that `pick` chooses.
+    /// The numbers of the soil, each with the value that `pick` chooses.
     pub fn build(&self, pick: Pick<'_>) -> Soil {
         Soil {
             shear_modulus_pa: pick(&self.shear_modulus),
@@ -88,7 +88,7 @@ impl SoilPart {
         }
     }
 
-    /// Its numbers.
+    /// The numbers of the soil.
     pub(crate) fn inputs(&self) -> Vec<&Quantity> {
         let footing = self.footing.sides();
         [&self.shear_modulus, &self.poisson_ratio]

@@ -1,5 +1,6 @@
 //! Reads one block of a stack: its shape and its supports.
 
+use super::attached::{cornice, mast};
 use super::bed::bed;
 use super::body::{MayBeGround, body};
 use super::file::{BlockRaw, OnRaw, OpeningRaw};
@@ -38,6 +39,8 @@ pub(super) fn block(
         &format!("{path}.openings"),
         opening,
     );
+    let cornice = cornice(reader, block, &path, shape.as_ref());
+    let mast = mast(reader, block.mast.as_ref(), &path);
     let on = on(
         reader,
         block,
@@ -66,6 +69,8 @@ pub(super) fn block(
         name: names[index].clone(),
         shape: shape?,
         openings: openings?,
+        cornice: cornice?,
+        mast: mast?,
         density,
         on: on?,
         at: at?,

@@ -212,7 +212,8 @@ impl StackPart {
         let mut placed: Vec<Option<Block>> = vec![None; self.blocks.len()];
         for i in self.lowest_first() {
             let part = &self.blocks[i];
-            let mut solid = part.shape.solid(pick).map_err(|why| at_block(i, why))?;
+            let shape = part.shape.solid(pick).and_then(|of| part.on_cornice(of, pick));
+            let mut solid = shape.map_err(|why| at_block(i, why))?;
             for (k, opening) in part.openings.iter().enumerate() {
                 let path = format!("blocks[{}].openings[{}]", i + 1, k + 1);
                 let cut = opening
@@ -222,10 +223,12 @@ impl StackPart {
             }
             let placement = part.placement(&placed, pick);
             let density = part.density.as_ref().or(self.density.as_ref());
+            let density = density.map_or(f64::NAN, &mut *pick); // refused by the stack
+            let block = part.under_mast(solid, density, pick);
+            let block = block.map_err(|why| at_block(i, why))?;
             placed[i] = Some(Block {
-                name: part.name.clone(),
-                solid: solid.placed(&placement),
-                density_kg_m3: density.map_or(f64::NAN, &mut *pick), // refused by the stack
+                solid: block.solid.placed(&placement),
+                ..block
             });
         }
         let mut blocks: Vec<Block> = placed.into_iter().flatten().collect();

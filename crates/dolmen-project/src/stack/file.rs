@@ -265,6 +265,10 @@ pub(crate) struct BlockRaw {
     pub(super) coordinates: Option<At<CoordinatesRaw>>,
     /// Niches and chambers: they take mass away and leave the joints as they are.
     pub(super) openings: Option<Vec<At<OpeningRaw>>>,
+    /// Of a box, frustum or prism: steps below it (옥개받침), set back from its base; the block and they are one stone.
+    pub(super) cornice: Option<At<CorniceRaw>>,
+    /// A mast on its top (찰주), which moves with it.
+    pub(super) mast: Option<At<MastRaw>>,
     /// Density; that of the stack if not given.
     pub(super) density: Option<At<QuantityRaw>>,
     /// What it stands on: a block, several, or "ground"; the one before it if not given, with coordinates = "site" what it touches.
@@ -279,6 +283,35 @@ pub(crate) struct BlockRaw {
     pub(super) tilt: Option<At<LeanRaw>>,
     /// The joints below it, where they differ from the joints of the stack.
     pub(super) joint: Option<At<BedRaw>>,
+}
+
+/// Steps below a block.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct CorniceRaw {
+    /// Number of steps.
+    #[schemars(required)]
+    pub(super) steps: Option<At<i64>>,
+    /// Height of all steps together.
+    #[schemars(required)]
+    pub(super) height: Option<At<QuantityRaw>>,
+    /// How far the sides of each step are set back from those above it.
+    #[schemars(required)]
+    pub(super) setback: Option<At<QuantityRaw>>,
+}
+
+/// An upright cylinder on a block.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct MastRaw {
+    /// Its height above the block.
+    #[schemars(required)]
+    pub(super) height: Option<At<QuantityRaw>>,
+    /// Its diameter.
+    #[schemars(required)]
+    pub(super) diameter: Option<At<QuantityRaw>>,
+    /// Its density, iron 7850 kg/m3; that of the block if not given.
+    pub(super) density: Option<At<QuantityRaw>>,
 }
 
 /// A box taken out of a block.

@@ -1,5 +1,6 @@
 //! Stacks: blocks of stone on each other.
 
+mod attached;
 mod bed;
 mod block;
 mod body;
@@ -22,6 +23,7 @@ mod slips_held;
 mod surveyed_lean;
 mod vectors;
 
+pub use attached::{CornicePart, MastPart};
 pub(crate) use doubts::doubt_stack;
 pub use fault::StackFault;
 pub(crate) use file::{

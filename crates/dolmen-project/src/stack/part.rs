@@ -1,5 +1,6 @@
 //! The stack of a project file.
 
+use super::attached::{CornicePart, MastPart};
 use super::made_part::MadePart;
 use super::surveyed_lean::SurveyedLean;
 use crate::loads::LoadPart;
@@ -12,11 +13,11 @@ use dolmen::structure::stack::{Body, JointMaterial, Solid};
 pub enum ShapePart {
     /// width × depth × height.
     Box {
-        /// Along x, m.
+        /// Width along x, m.
         width: Quantity,
-        /// Along y, m; `None` as wide.
+        /// Depth along y, m; `None`: equal to the width.
         depth: Option<Quantity>,
-        /// Upwards, m.
+        /// Height, m.
         height: Quantity,
     },
     /// A box with another width and depth at its top.
@@ -54,7 +55,7 @@ pub enum ShapePart {
     Points {
         /// Their coordinates, m.
         points: Vec<[Quantity; 3]>,
-        /// Where these count from.
+        /// Origin of the coordinates.
         frame: PointsFrame,
     },
     /// A closed mesh from a file.
@@ -64,9 +65,9 @@ pub enum ShapePart {
 /// The origin of the coordinates of points or of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointsFrame {
-    /// The stone's own: it is moved so that its lowest point is at its base, in the middle of its bounds in plan.
+    /// The origin is that of the stone: it is moved so that its lowest point is at its base, in the middle of its bounds in plan.
     Own,
-    /// That of the site: the stone stays at these coordinates.
+    /// The origin is that of the site: the stone stays at these coordinates.
     Site,
 }
 
@@ -189,6 +190,10 @@ pub struct BlockPart {
     pub shape: ShapePart,
     /// Its openings.
     pub openings: Vec<OpeningPart>,
+    /// Steps below it.
+    pub cornice: Option<CornicePart>,
+    /// A mast on it.
+    pub mast: Option<MastPart>,
     /// Density, kg/m³; `None` that of the stack.
     pub density: Option<Quantity>,
     /// Its supports: blocks, or the ground; empty if it keeps its place and the file names none.
@@ -197,7 +202,7 @@ pub struct BlockPart {
     pub at: Option<[Quantity; 2]>,
     /// Shift from there, m.
     pub offset: Option<[Quantity; 2]>,
-    /// Turn about the vertical, rad.
+    /// Rotation about the vertical, rad.
     pub rotation: Option<Quantity>,
     /// Leaning towards x and y, horizontal / vertical.
     pub tilt: [Option<Quantity>; 2],
@@ -484,6 +489,7 @@ impl StackPart {
                 all.push(&opening.height);
                 all.extend(&opening.position);
             }
+            block.attached_inputs(all);
             all.extend(&block.density);
             all.extend(block.at.iter().flatten());
             all.extend(block.offset.iter().flatten());

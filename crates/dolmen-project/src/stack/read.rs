@@ -1,5 +1,6 @@
 //! Reads stacks.
 
+use super::attached::masts_on_top;
 use super::bed::bed;
 use super::block::block;
 use super::body::{MayBeGround, block_index, body, names};
@@ -112,6 +113,7 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
             missing(reader, "density", what, help);
         }
     }
+    masts_on_top(reader, list, &blocks);
     let contacts = listed(
         reader,
         raw.contacts.as_deref(),
@@ -158,7 +160,7 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     Some(stack)
 }
 
-/// That a block stands, over others, on itself.
+/// The fault of a block that stands on itself through other blocks.
 fn stands_on_itself(stack: &StackPart, block: usize, at: Range<usize>) -> Fault {
     let path = format!("blocks[{}].on", block + 1);
     let message = WrongStack::StandsOverBlocksBelow {

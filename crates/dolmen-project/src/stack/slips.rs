@@ -294,8 +294,8 @@ fn judge_extents(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
-/// The odd ones among sizes; the worst is removed before the rest is judged, because among few stones one slip
-/// would make its neighbours look odd too.
+/// The implausible values among sizes. The worst is removed before the rest is checked, because among few stones one mistake would make
+/// its neighbours look implausible too.
 fn odd_sizes(values: &[f64]) -> Vec<usize> {
     let mut left: Vec<usize> = (0..values.len()).collect();
     let mut odd = Vec::new();

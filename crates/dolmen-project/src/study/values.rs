@@ -317,7 +317,7 @@ pub(super) fn series(
     values
 }
 
-/// Largest peak of a study that is questioned as too small, m/s²: 0.005 g is hardly felt, and gal instead of g are a thousandth.
+/// If the largest peak of a study is below this, m/s², its unit is doubted: 0.005 g is hardly felt, and 1 gal is 0.001 g.
 const PEAK_USUAL_LEAST_M_S2: f64 = 0.005 * STANDARD_GRAVITY_M_S2;
 
 /// Factors or peaks, whichever are given; `None` if there are none or one is wrong, which is reported.

@@ -6,6 +6,38 @@ use dolmen_words::messages;
 messages! {
     /// Errors of a stack.
     pub(crate) enum WrongStack in "project.error.stack" {
+        CorniceWithOpenings { path: String } => {
+            en: "{path}: the block has openings as well",
+            ko: "{path}: 부재에 openings도 있다",
+        },
+        SplitStone => {
+            en: "keep one of them, or give the mass that is missing by the density of the block",
+            ko: "둘 중 하나만 쓰거나, 빠지는 질량을 부재의 density로 반영한다",
+        },
+        CorniceOfShape { path: String } => {
+            en: "{path}: only boxes, frusta and prisms have a cornice",
+            ko: "{path}: cornice는 직육면체, 각뿔대, 각기둥에만 쓴다",
+        },
+        CorniceShapes => {
+            en: "write shape = \"frustum\", or the steps as points or blocks",
+            ko: "shape = \"frustum\"으로 쓰거나 받침을 별도의 블록으로 쓴다",
+        },
+        CorniceLeavesNothing { path: String, steps: String, setback: String, width: String } => {
+            en: "{path}: {steps} steps of {setback} from either side leave no bed of a width of {width}",
+            ko: "{path}: 양쪽에서 {setback}씩 {steps}단을 물리면 폭 {width}의 밑면이 남지 않는다",
+        },
+        CorniceBed => {
+            en: "setback is that of one step: the bed is as wide as the block without 2 × steps × setback",
+            ko: "setback은 한 단의 값이다. 밑면의 폭은 부재의 폭에서 2 × steps × setback을 뺀 것이다",
+        },
+        MastUnderBlock { path: String, above: String } => {
+            en: "{path} stands where \"{above}\" rests on the block",
+            ko: "{path}이(가) \"{above}\"이(가) 놓인 자리에 있다",
+        },
+        MastOnTop => {
+            en: "give the mast to the uppermost stone; what passes through the stones below ties them, as ties = …",
+            ko: "mast는 최상단 부재에 쓴다. 아래 부재를 관통하는 부분은 ties = …로 쓴다",
+        },
         SupportOfChain { path: String } => {
             en: "{path} is for a chain: a block meets its side support at a point",
             ko: "{path}은(는) chain에 쓴다. 블록의 측면 지지는 점으로 위치를 정한다",

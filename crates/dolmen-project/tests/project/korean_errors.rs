@@ -1,6 +1,6 @@
 // SOURCE     Our own sentences.
-// GOAL       An error of a project file is Korean where Korean is asked for, and as it always was where it is not.
-// TOLERANCE  Names, keys and values of the file stand as they are.
+// GOAL       An error of a project file is in Korean if Korean is requested, and otherwise unchanged.
+// TOLERANCE  Names, keys and values of the file stay as they are.
 
 #[path = "../../../dolmen-cli/tests/command/english.rs"]
 mod english;

@@ -7,6 +7,7 @@ mod project_book;
 mod project_building;
 mod project_chain_motion;
 mod project_columns;
+mod project_cornices;
 mod project_frame_loads;
 mod project_friction;
 mod project_keys;

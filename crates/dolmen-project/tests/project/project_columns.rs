@@ -123,7 +123,7 @@ fn refuses_slips_of_unit() {
         "count = 4, width = 0.5, bed_stiffness = 0.4",
         &["bed_stiffness = 0.4 Pa/m, but beds of feet have 0.001 to 10 000 GPa/m"],
     );
-    // a stiffness of a storey is not one of a bed
+    // the stiffness of a storey is not that of a bed
     says(
         r#"count = 4, width = 0.5, bed_stiffness = "30 kN/mm""#,
         &["bed_stiffness"],

@@ -1,5 +1,6 @@
 // SOURCE     dolmen-records/tests/data/modes/modes_pyuff.uff: four modes written by pyuff 2.5.8, on nodes at 3, 6 and 9 m.
-// GOAL       Modes in a file beside the project are those of the survey as if they were written in the file; bad files are rejected in both languages.
+// GOAL       Modes in a file next to the project are modes of the survey, as if written in the project file; bad files are rejected in both
+//            languages.
 // TOLERANCE  2e-5: the six digits of a universal file.
 
 use dolmen_project::{MemoryFiles, ModeKind, Project, ProjectError, Quantity, parse_project_with};

@@ -1,4 +1,5 @@
-//! Lists of parts in a table beside the file: the same project as with lists in the file, and the errors of tables.
+//! Lists of parts in a table next to the file: the same project as with lists in the file, and the errors of
+//! tables.
 
 use dolmen_project::{MemoryFiles, Project, Structure, WarningKind, parse_project_with};
 use dolmen_words::Language;

@@ -1,7 +1,7 @@
-// SOURCE     A made record of two floors (1.1 and 4.2 Hz) at 100 Hz; the second floor's recorder keeps every other sample, half a step of
-//            the common rate after the first's.
-// GOAL       Several files are one record: the shapes are those of the whole, not turned by the clocks.
-// TOLERANCE  phases: a hundredth of what half a step turns the second mode by; frequencies: their own deviations.
+// SOURCE     A simulated record of two floors (1.1 and 4.2 Hz) at 100 Hz. The recorder of the second floor keeps every other sample, half
+//            a step of the common rate after that of the first.
+// GOAL       Several files form one record: its shapes are those of the whole, and the clocks do not rotate them.
+// TOLERANCE  phases: a hundredth of the rotation of the second mode in half a step; frequencies: their standard deviations.
 
 use dolmen::modal::{Identify, ReferenceCase, identify};
 use dolmen::signal::{Join, Record, Starts};

@@ -6,7 +6,7 @@ use dolmen_words::message::Both;
 /// Why the bytes of a file are not a mesh. Lines are counted from 1, as editors do.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MeshError {
-    /// None of the formats.
+    /// The file has none of the supported formats.
     Unknown,
     /// A cloud of points, which has no surface.
     PointCloud {
@@ -18,7 +18,7 @@ pub enum MeshError {
         /// Number of vertices.
         vertices: usize,
     },
-    /// A word where a number should be.
+    /// A word in place of a number.
     Number {
         /// The line.
         line: usize,

@@ -11,7 +11,7 @@ use dolmen::signal::Quantity;
 /// Largest relative difference between the peak of a channel and that in its header. Our choice: headers print 3 digits or more.
 const PEAK_TOLERANCE: f64 = 0.01;
 
-/// Relative difference below which two time steps count as equal. Our choice: only for the rounding of printed digits.
+/// Relative difference within which two time steps are equal. Our choice: only for the rounding of printed digits.
 const STEP_TOLERANCE: f64 = 1e-6;
 
 /// One channel of a motion file.

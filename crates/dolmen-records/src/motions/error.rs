@@ -9,20 +9,20 @@ use dolmen_words::message::Both;
 /// Why the bytes of a file are not a ground motion. Each variant gives the place in the file and the remedy. Lines are counted from 1.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionError {
-    /// No file.
+    /// No file is given.
     NoFile,
     /// One component is refused.
     Component {
         /// "x", "y" or "z".
         component: &'static str,
-        /// Why.
+        /// Reason.
         fault: Box<MotionError>,
     },
     /// One channel of a file of several is refused.
     Channel {
         /// Its name.
         channel: String,
-        /// Why.
+        /// Reason.
         fault: Box<MotionError>,
     },
     /// The unit of the numbers is unknown.
@@ -39,7 +39,7 @@ pub enum MotionError {
         /// The factor.
         factor: f64,
     },
-    /// The unit measures something else.
+    /// The unit is not one of acceleration.
     NotAcceleration {
         /// The unit.
         given: String,
@@ -82,7 +82,7 @@ pub enum MotionError {
         first: &'static str,
         /// Its step, s.
         first_s: f64,
-        /// Another.
+        /// The other component.
         second: &'static str,
         /// Its step, s.
         second_s: f64,
@@ -93,7 +93,7 @@ pub enum MotionError {
         first: &'static str,
         /// Its samples.
         first_samples: usize,
-        /// Another.
+        /// The other component.
         second: &'static str,
         /// Its samples.
         second_samples: usize,
@@ -114,21 +114,21 @@ pub enum MotionError {
     StatedPeak {
         /// The channel.
         channel: String,
-        /// As the header says.
+        /// Peak in the header.
         stated: f64,
         /// Peak of the samples.
         found: f64,
         /// The unit of both.
         unit: &'static str,
     },
-    /// No column of a text is the time, and no step is given.
+    /// No column of a text contains the time, and no step is given.
     NoStep {
         /// The columns there are.
         names: Vec<String>,
     },
     /// A channel must be chosen.
     Channels {
-        /// The name asked for.
+        /// The requested name.
         given: Option<String>,
         /// The names there are.
         names: Vec<String>,
@@ -137,7 +137,7 @@ pub enum MotionError {
     Starts {
         /// One component.
         first: &'static str,
-        /// Another.
+        /// The other component.
         second: &'static str,
         /// Delay of its start, s.
         later_s: f64,
@@ -151,11 +151,11 @@ pub enum MotionError {
     Seismic(SeismicError),
     /// The workbook is refused.
     Workbook {
-        /// Why.
+        /// Reason.
         why: SheetError,
     },
     /// The text in columns is refused.
     Record(RecordError),
-    /// The samples make no motion.
+    /// The samples do not form a valid motion.
     Signal(SignalError),
 }

@@ -12,7 +12,7 @@ pub struct MotionOptions {
     /// Unit of the numbers, one of acceleration. `None`: that of the file; refused if it has none. A unit that contradicts the
     /// file is refused.
     pub unit: Option<Unit>,
-    /// Between samples, s. `None`: that of the file; refused if it has none.
+    /// Time between samples, s. `None`: that of the file; refused if it has none.
     pub time_step_s: Option<f64>,
     /// The column of accelerations in a text with several. `None`: the only one besides the time.
     pub column: Option<Column>,

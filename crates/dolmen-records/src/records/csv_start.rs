@@ -466,7 +466,7 @@ mod tests {
                 );
             }
         }
-        // the unit below a name still counts
+        // the unit below a name is still used
         let other = units.replace("gal", "g");
         assert!(read_csv(other.as_bytes(), &with(["X", "Y"])).is_err());
         // a missing first sample is not a title

@@ -1,4 +1,4 @@
-//! Compares the first and last date beside the samples with the rate.
+//! Compares the first and last date in a file with the sampling rate.
 
 use super::RecordError;
 use super::csv_start::Start;

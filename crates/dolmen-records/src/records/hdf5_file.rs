@@ -6,7 +6,7 @@ use crate::wrong::Damage;
 
 pub(super) const FORMAT: &str = "mat";
 const SIGNATURE: &[u8] = b"\x89HDF\r\n\x1a\n";
-/// An address of nothing.
+/// The undefined address.
 pub(super) const NOWHERE: u64 = u64::MAX;
 
 /// The bytes of a file and the origin of its addresses.

@@ -22,7 +22,7 @@ const SHARE_LEAST: f64 = 0.1;
 const WHOLE_STEPS: f64 = 0.25;
 /// Largest ratio of bridged time to recorded time. Our choice: above it there are several records.
 const BRIDGED_MOST: f64 = 1.0;
-/// Difference, in steps, up to which the ends of two channels count as the same time.
+/// Difference, in steps, within which the ends of two channels are at the same time.
 const SAME_TIME_STEPS: f64 = 1e-3;
 
 /// Stamps line by line, in consecutive spans.

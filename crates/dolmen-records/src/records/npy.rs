@@ -15,7 +15,7 @@ const HEADER_BYTES_MOST: usize = 1 << 16;
 /// Number of rows transposed to channel order at a time: 512 rows of 32 doubles fit a second-level cache.
 const ROWS_AT_ONCE: usize = 512;
 
-/// A record from the bytes of an NPY file: one array of one axis (one channel) or two, of which the longer is time.
+/// A record from the bytes of an NPY file: an array with one axis (one channel) or two axes, of which the longer is time.
 ///
 /// Values may be `f4`, `f8`, `i2`, `i4`, `i8`, of either byte order, in C or Fortran order.
 ///

@@ -7,7 +7,7 @@ use crate::wrong::Remark;
 use dolmen::signal::{Quantity, Record};
 use dolmen_words::message::Both;
 
-/// A record, and what else its file contains.
+/// A record, and the other content of its file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     /// The record in SI units; its processing history begins with [`Read`](dolmen::signal::Processing::Read).

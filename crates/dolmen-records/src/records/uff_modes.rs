@@ -28,11 +28,11 @@ const NORMAL: i64 = 2;
 const COMPLEX_EIGENVALUES: [i64; 2] = [3, 7];
 const REAL: i64 = 2;
 const COMPLEX: i64 = 5;
-/// Values per node: displacements, or displacements and rotations.
+/// Number of values per node: displacements, or displacements and rotations.
 const VALUES: [i64; 2] = [3, 6];
-/// Columns of a real number.
+/// Number of columns of a real number.
 const WIDTH: usize = 13;
-/// Lines of text of a 55.
+/// Number of text lines of a dataset 55.
 const LINES: usize = 5;
 /// Text before the standard deviations in the third line of text of a file from Dolmen.
 const DEVIATIONS: &str = "standard deviations ";
@@ -70,10 +70,10 @@ pub struct UffModes {
 /// Of a conjugate pair, the mode with the positive imaginary part is kept.
 ///
 /// # Errors
-/// [`RecordError`] if it is no universal file, holds no modes, or turns the axes of its nodes.
+/// [`RecordError`] if it is not a universal file, contains no modes, or rotates the axes of its nodes.
 ///
 /// # Source
-/// As the file's; validated against files of pyuff 2.5.8 (`tests/records/uff_modes.rs`).
+/// As for the reader of the file; validated with files of pyuff 2.5.8 (`tests/records/uff_modes.rs`).
 pub fn read_modes_uff(bytes: &[u8]) -> Result<UffModes, RecordError> {
     let mut modes: Vec<(UffMode, bool)> = Vec::new();
     let beside = datasets(bytes, "55", &mut |lines, _, beside| {

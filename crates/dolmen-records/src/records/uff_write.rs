@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 /// First and last line of a dataset.
 const DELIMITER: &str = "    -1\n";
-/// Sine of the largest angle between a direction and an axis that it counts as.
+/// Sine of the largest angle between a direction and the axis to which it is assigned.
 const ALONG: f64 = 1e-3;
 /// Width of a text line.
 const COLUMNS: usize = 80;

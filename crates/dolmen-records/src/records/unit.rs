@@ -7,11 +7,11 @@ use crate::unit::Unit;
 /// The unit of numbers in a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FileUnit {
-    /// Not stated: the project may give it.
+    /// Not stated: the project may give the unit.
     Silent,
     /// A unit that is known here.
     Known(Unit),
-    /// Another unit, "V", "counts": a scale converts it.
+    /// A different unit such as "V" or "counts": a scale converts it.
     Other(String),
 }
 

@@ -1,4 +1,4 @@
-//! V1 and V2 of the California Strong Motion Instrumentation Program (CSMIP, CDMG), used before and beside COSMOS: several channels.
+//! V1 and V2 of the California Strong Motion Instrumentation Program (CSMIP, CDMG), older than COSMOS: several channels.
 //!
 //! ```text
 //! Uncorrected Accelerogram Data …                                                 V2: "Corrected accelerogram …" before it

@@ -14,7 +14,7 @@ pub enum SeismicError {
         /// The first 80 characters of the content found there.
         text: String,
     },
-    /// A file of velocities or displacements.
+    /// The file contains velocities or displacements.
     Quantity {
         /// The line; 0 in a file without lines.
         line: usize,
@@ -37,12 +37,12 @@ pub enum SeismicError {
     },
     /// The number of samples differs from that of the header.
     Count {
-        /// As the header says.
+        /// Number of samples in the header.
         stated: u64,
-        /// As there are.
+        /// Number of samples in the file.
         found: usize,
     },
-    /// A line is not the one that the format requires there.
+    /// A line differs from what the format requires at its place.
     Line {
         /// The line.
         line: usize,
@@ -53,14 +53,14 @@ pub enum SeismicError {
     },
     /// The text ends within its header or between its parts.
     EndsEarly {
-        /// The line that is missing.
+        /// The missing line.
         line: usize,
         /// The required content.
         wanted: Both,
     },
-    /// A header lacks something.
+    /// A header lacks a value.
     Missing {
-        /// What is missing.
+        /// The missing value.
         label: &'static str,
         /// Number of lines searched.
         lines: usize,
@@ -69,14 +69,14 @@ pub enum SeismicError {
     Bytes {
         /// The format.
         format: &'static str,
-        /// As the header says.
+        /// Length by the headers, bytes.
         stated: u64,
-        /// As there are.
+        /// Length of the file, bytes.
         found: usize,
     },
     /// A field in the header of a SAC file does not belong to a motion.
     Sac {
-        /// The field and what it must be.
+        /// The field, and its required value.
         what: Both,
         /// Its value.
         found: f64,

@@ -21,7 +21,8 @@ const HEADER_LINES: usize = 17;
 /// Delay that the recorders add to the time of the first sample, s.
 ///
 /// # Source
-/// National Research Institute for Earth Science and Disaster Resilience, *K-NET ASCII format*: the record time is late by 15 s; ObsPy 1.5.1 takes it off too.
+/// National Research Institute for Earth Science and Disaster Resilience, *K-NET ASCII format*: the record time is late by 15 s; ObsPy 1.5.1
+/// subtracts this too.
 const RECORDED_LATE_S: f64 = 15.0;
 /// Japan standard time, used in headers, minus UTC, s.
 const JAPAN_S: f64 = 9.0 * 3600.0;

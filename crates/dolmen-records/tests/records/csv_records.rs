@@ -480,7 +480,7 @@ proptest! {
     }
 }
 
-/// That text as the first sample of a record.
+/// This text as the first sample of a record.
 fn read_number_in_a_file(text: &str) -> Option<f64> {
     if text.len() > 60 {
         return text.parse().ok(); // longer cells are not printed numbers, and are refused

@@ -197,7 +197,7 @@ fn refuses_what_was_cut_at_any_byte() {
         for length in (0..whole.len()).step_by(step) {
             match read_channels(&whole[..length], &options) {
                 Err(_) => {}
-                // the remaining part is valid by itself: entire records, entire channels, the last line end, velocities after it
+                // the remaining part is valid on its own: complete records, complete channels, the last line end, velocities after it
                 Ok(part) => assert!(
                     is_beginning(&part, &all),
                     "{name} cut at {length} of {}",

@@ -286,7 +286,7 @@ fn exact_esm() {
     );
     assert_eq!(read.begins_s, Some(1_564_330_159.870));
     let plain = MotionOptions::default();
-    // AFAD's service writes it so
+    // AFAD's service writes this form
     let small = esm("cm/s^2").replace("TYPE: ACCELERATION", "TYPE: Acceleration");
     assert_eq!(read_channels(small.as_bytes(), &plain).unwrap()[0], *read);
     assert!(said(esm("cm/s").as_bytes(), &plain).contains("the unit \"cm/s\" is not known"));

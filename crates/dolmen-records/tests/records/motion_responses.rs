@@ -36,7 +36,7 @@ fn agrees_counts_over_the_sensitivity_of_each_channel() {
         .zip(files.iter().map(Vec::as_slice))
         .collect();
     let motion = read_motion("ADOA", &sources, &told(&response())).unwrap();
-    // the first sample, the largest modulus and where it is, by ObsPy
+    // the first sample, the largest modulus and its index, by ObsPy
     let by_obspy = [
         (0.00143175, 0.042907942449409285, 12),
         (0.07768979, 0.09122401308105582, 5),

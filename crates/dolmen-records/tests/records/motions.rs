@@ -132,7 +132,7 @@ fn refuses_a_peak_that_no_earthquake_has() {
         "the peak is 3.380e1 g, but must be 0.001 to 5 g: is the unit cm/s2 or mg instead of g?; if the motion is truly \
          so, bring it into that range with --factor and back with --scale"
     );
-    // the dangerous case: a strong motion that would shake nothing
+    // the dangerous case: strong shaking that would have no effect
     let g = "0.00 0\n0.02 0.32\n0.04 -0.1\n";
     assert!(said(g, &in_unit(Unit::Gal)).contains("is the unit g or m/s2 instead of cm/s2?"));
     assert!(said("0.00 0\n0.02 0\n0.04 0\n", &in_unit(Unit::Gravity)).contains("check the unit g"));
@@ -339,7 +339,7 @@ fn exact_a_workbook_holds_the_same_station() {
         read_channels(&bytes, &plain).unwrap(),
         read_channels(STATION.as_bytes(), &plain).unwrap()
     );
-    // Excel adds empty sheets of its own
+    // Excel adds empty sheets
     let second = book.add_worksheet();
     second.write_number(0, 0, 1.0).unwrap();
     let refused = read_channels(&book.save_to_buffer().unwrap(), &plain)

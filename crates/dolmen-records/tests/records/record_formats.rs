@@ -345,7 +345,7 @@ fn agrees_tdms_of_nptdms() {
         reading.record.history()[0].to_string(),
         "read from tdms, unit mg and not given"
     );
-    // a volt is no acceleration without the sensor's scale
+    // without the scale of the sensor, a voltage is not an acceleration
     let pick = |scale| RecordOptions {
         unit: Unit::MetrePerSecondSquared,
         picks: vec![Pick {
@@ -477,7 +477,7 @@ fn files() -> Vec<(String, Vec<u8>)> {
     let mut names: Vec<String> = listed
         .map(|f| f.unwrap().file_name().into_string().unwrap())
         .collect();
-    // files refused as a whole have nothing to compare
+    // files that are refused as a whole have nothing to compare
     names.retain(|name| !name.ends_with(".csv") && name != "hdf5_other.mat");
     names.sort();
     names

@@ -44,7 +44,7 @@ fn book(has_dates: bool, above: u32) -> Workbook {
     book
 }
 
-/// Columns are picked if there are dates beside them, as in a project file.
+/// Columns are selected if there are dates too, as in a project file.
 fn options(has_dates: bool) -> RecordOptions {
     let picks = ["top", "base"].map(|name| Pick {
         column: Column::Named(name.to_owned()),

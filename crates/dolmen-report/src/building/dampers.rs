@@ -51,7 +51,7 @@ messages! {
     }
 }
 
-/// A table of them; nothing without dampers.
+/// A table of the dampers; nothing without dampers.
 pub(super) fn section(document: &mut Document<'_>, dampers: &[BuiltDamper]) {
     if dampers.is_empty() {
         return;
@@ -121,7 +121,7 @@ fn row(damper: &BuiltDamper) -> Vec<Cell> {
     ]
 }
 
-/// Properties of a damper besides mass, frequency and damping; `None` for a mass on a spring.
+/// Properties of a damper in addition to mass, frequency and damping; `None` for a mass on a spring.
 pub(crate) fn rest(damper: &BuiltDamper) -> Option<Sentence> {
     let as_given = |value: f64| Quantity::new(value, Unit::ratio(), Digits::Trimmed(6));
     let said = match damper.kind {

@@ -51,7 +51,7 @@ pub(super) fn section(document: &mut Document<'_>, check: &ChainCheck) {
     document.put(Block::Table(table(limits)));
     if limits.published_critical_n_m_rad.len() > 1 {
         match not_used(check) {
-            // a pole whose stiffness is known does not rest on the criterion
+            // the verdict on a pole of known stiffness does not use the criterion
             Some(said) => document.put(Block::Paragraph(vec![said.into(), why_unsafe(limits)])),
             None => document.put(Block::Warning(why_unsafe(limits))),
         }
@@ -71,7 +71,7 @@ pub(super) fn section(document: &mut Document<'_>, check: &ChainCheck) {
     }
 }
 
-/// By how much the joints of a chain that stands are stiffer than the published criterion asks.
+/// How much stiffer the joints of a standing chain are than the published criterion requires.
 fn not_used(check: &ChainCheck) -> Option<Limits> {
     let stability = check.stability.as_ref()?;
     let stands = matches!(stability.verdict, Verdict::Stable | Verdict::Marginal);

@@ -76,7 +76,7 @@ pub(super) fn series(stability: &ChainStability) -> Vec<Series> {
 
 fn table(stability: &ChainStability, beds: bool) -> Table {
     let joints = &stability.joints;
-    // the digits suit the softest joint
+    // the number of digits depends on the softest joint
     let all = joints.iter().map(|joint| joint.stiffness_n_m_rad);
     let softest = all.fold(f64::INFINITY, f64::min);
     let moments: Vec<f64> = joints
@@ -130,7 +130,7 @@ fn significant(value_si: f64, unit: &Unit, digits: usize) -> Quantity {
     Quantity::new(value_si, unit.clone(), Digits::Significant(digits))
 }
 
-/// The required stiffness and the margin; words if it falls whatever that joint is.
+/// The required stiffness and the margin; words if the chain falls for any stiffness of that joint.
 fn margin(joint: &JointStability, unit: &Unit) -> [Cell; 2] {
     let falls = || Cell::BadWords(Margins::Falls.into());
     let least = joint.stiffness_least_n_m_rad;
@@ -144,7 +144,7 @@ fn margin(joint: &JointStability, unit: &Unit) -> [Cell; 2] {
     ]
 }
 
-/// A tilt as surveys state it: 1/177.
+/// A tilt in the form of surveys: 1/177.
 fn tilt(tilt_rad: f64) -> Cell {
     match tilt_rad > 0.0 && tilt_rad.is_finite() {
         true => Cell::words(Margins::Tilt {

@@ -8,7 +8,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::chain::{ChainSimulation, SupportMet};
 
 messages! {
-    /// What side supports do to a chain.
+    /// Effect of the side supports of a chain.
     pub(crate) enum Supports in "chain.side-supports" {
         Counted { count: usize, without: Quantity } => {
             en: "Load factor and frequencies count its side supports without a gap ({count}); without them the load factor is {without}. Limits from weights and lengths alone, and those of the pole as one stone, do not count them.",
@@ -70,7 +70,7 @@ fn kilonewtons(value_n: f64) -> Quantity {
     Quantity::new(value_n, kilo("N"), Digits::Significant(3))
 }
 
-/// Their role in the check.
+/// Their effect in the check.
 pub(super) fn findings(check: &ChainCheck) -> Vec<Finding> {
     let mut all = Vec::new();
     let (tight, loose): (Vec<&SideSupport>, Vec<&SideSupport>) =
@@ -126,7 +126,7 @@ fn said(met: &SupportMet) -> Supports {
     }
 }
 
-/// Each with its numbers; `None` without any.
+/// Each support with its numbers; `None` without supports.
 pub(super) fn table(simulation: &ChainSimulation) -> Option<Table> {
     let all = simulation.supports_met();
     let row = |met: &SupportMet| {

@@ -55,7 +55,7 @@ messages! {
     }
 }
 
-/// A value as it was given, without its unit.
+/// A given value, without its unit.
 fn given(value_si: f64, unit: &Unit) -> Cell {
     Cell::number(Quantity::new(value_si, unit.clone(), Digits::Trimmed(6)))
 }

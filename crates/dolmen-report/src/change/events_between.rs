@@ -9,7 +9,7 @@ use dolmen_work::answer::CompareAnswer;
 use dolmen_work::events_between::EventBetween;
 
 messages! {
-    /// What stands between two surveys.
+    /// Events between two surveys.
     pub(crate) enum Befell in "change.between" {
         Between { from: String, to: String, each: Vec<Sentence> } => {
             en: "Between the surveys {from} and {to} the file has: {each}. What changed may be of these; `dolmen watch` gives each its own change.",

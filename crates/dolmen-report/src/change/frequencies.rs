@@ -44,7 +44,7 @@ messages! {
     }
 }
 
-/// The table, what changed beyond chance, and what could have been missed.
+/// The table, the significant changes, and the changes that could have been missed.
 pub(super) fn section(document: &mut Document<'_>, change: &SurveyChange) {
     document.put(Block::Table(table(change)));
     let changed: Vec<Sentence> = change
@@ -117,7 +117,7 @@ fn frequency(mode: &ObservedMode) -> Quantity {
     }
 }
 
-/// By how much one changed, and what coefficient would explain it.
+/// The change of a frequency, and the coefficient that would explain it.
 fn changed(mode: &ModeChange, leaves_doubt: bool) -> Vec<Sentence> {
     let relative = mode.frequency.relative;
     let width = mode

@@ -8,7 +8,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::compared_history::{ComparedHistory, Course, LastingChange};
 
 messages! {
-    /// All surveys behind two of them.
+    /// All surveys that a comparison uses.
     pub(crate) enum Behind in "change.history" {
         Of { whose: Sentence, lasting: Sentence } => {
             en: "{whose} {lasting}",
@@ -60,11 +60,11 @@ messages! {
     }
 }
 
-/// Number of lasting changes in the sentence.
+/// Number of lasting changes that the sentence names.
 const LISTED: usize = 4;
-/// How many surveys that cannot be read stand in the sentence.
+/// Number of unreadable surveys in the sentence.
 const UNREAD_LISTED: usize = 3;
-/// Half of a 95 % interval, of a standard deviation.
+/// Half width of a 95 % interval, in standard deviations.
 const HALF_95: f64 = 1.959963984540054;
 
 /// The source of weather and scatter, and the lasting changes between both surveys.

@@ -22,7 +22,7 @@ use dolmen_words::{Quantity, Template, messages};
 use dolmen_work::answer::CompareAnswer;
 
 messages! {
-    /// The head of a comparison, its figure, and what it does not prove.
+    /// Heading and figure of a comparison, and its limitations.
     pub(crate) enum Compared in "change" {
         Head { from: String, to: String } => {
             en: "What changed: {from} – {to}",

@@ -9,7 +9,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::changed_part::{ChangedPart, ModelOff};
 
 messages! {
-    /// Which part explains a change.
+    /// The part that explains a change.
     pub(crate) enum Parted in "change.parts" {
         One { part: Sentence, factor: Quantity, low: Quantity, high: Quantity, count: usize, next: Sentence, chance: Sentence } => {
             en: "If the model is right and one part alone changed, it is {part}: {factor} of its stiffness is left (95 %: {low} to {high}; frequencies: {count}). The next best, {next}, fits with {chance}. Look there first.",
@@ -93,7 +93,7 @@ fn name(of: &ChangedPart, fit: &PartFit) -> Sentence {
     }
 }
 
-/// Why no part is sought.
+/// Reason why no part is sought.
 pub(crate) fn off(of: &ModelOff, project: &Project) -> Finding {
     let factor = |of: f64| Quantity::new(of, Unit::ratio(), Digits::Fixed(2));
     let said = Parted::ModelOff {

@@ -100,7 +100,7 @@ fn size(metres: f64) -> Quantity {
     Quantity::new(metres, unit, Digits::Trimmed(3))
 }
 
-/// What tilts and inspections say.
+/// Findings on tilts and inspections.
 pub(super) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
     let readings = &answer.readings;
     let (from, to) = (&answer.from, &answer.to);
@@ -148,7 +148,7 @@ fn tilts(answer: &CompareAnswer) -> Vec<Finding> {
 /// Fewest readings of a tilt that `watch` tests.
 const TESTED_LEAST: usize = 3;
 
-/// That tilts grew, and what tells that from their error.
+/// Finding that tilts grew, and how this is distinguished from their error.
 fn grew(answer: &CompareAnswer, each: Vec<Sentence>) -> Readings {
     let (from, to) = (answer.from.clone(), answer.to.clone());
     let dated = answer
@@ -173,10 +173,10 @@ fn grew(answer: &CompareAnswer, each: Vec<Sentence>) -> Readings {
     }
 }
 
-/// Sizes of two tilts of opposite signs that are one with a sign turned, larger over smaller. Our choice.
+/// Largest ratio of two tilts of opposite signs that count as one tilt with a reversed sign. Our choice.
 const ONE_SIZE: f64 = 1.5;
 
-/// Whether a tilt has another sign at about the same size.
+/// Whether a tilt reversed its sign at about the same size.
 fn has_turned(tilt: &ComparedTilt) -> bool {
     let ratio = -tilt.to.ratio / tilt.from.ratio;
     (1.0 / ONE_SIZE..=ONE_SIZE).contains(&ratio)
@@ -251,7 +251,7 @@ fn item(of: &ComparedItem) -> Sentence {
     .into()
 }
 
-/// Tables of tilts and of what inspections found.
+/// Tables of tilts and inspections.
 pub(super) fn section(document: &mut Document<'_>, answer: &CompareAnswer) {
     let readings = &answer.readings;
     if !readings.tilts.is_empty() && !readings.other_datum {

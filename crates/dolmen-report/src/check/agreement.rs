@@ -10,8 +10,8 @@ use dolmen_work::state::{Check, State};
 
 /// Standard deviations beyond which scatter does not explain a difference. As for evidence.
 const DEVIATIONS_MOST: f64 = 3.0;
-/// Relative difference of a frequency below which there is no finding, however small the scatter: masses and lengths are unknown better.
-/// Our choice.
+/// Relative difference of a frequency below which there is no finding, however small the scatter: masses and lengths are not known more
+/// accurately. Our choice.
 const WORTH: f64 = 0.02;
 
 messages! {

@@ -10,7 +10,7 @@ use dolmen_work::answer::CheckAnswer;
 use dolmen_work::judgement::AssumedInputs;
 use dolmen_work::state::VariantAnswer;
 
-/// Number of inputs that a sentence names before it counts the rest.
+/// Number of inputs that a sentence names; further inputs are only counted.
 const NAMED_MOST: usize = 3;
 
 messages! {
@@ -96,7 +96,7 @@ pub(super) fn cap_left_out(project: &Project) -> Option<Finding> {
     is_left_out.then(|| Finding::key(Tone::Warn, Assumed::CapLeftOut))
 }
 
-/// What rests on assumptions, in a check.
+/// Findings on assumptions of a check.
 pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     let project = &answer.project;
     let mut all = Vec::new();
@@ -142,7 +142,7 @@ fn defaults(taken: &JointDefaults) -> Option<Sentence> {
     (!values.is_empty()).then(|| Assumed::Defaults { values }.into())
 }
 
-/// For the project as it is; `None` if nothing is assumed.
+/// Finding for the project as it is; `None` if nothing is assumed.
 pub(crate) fn of_project(project: &Project) -> Option<Finding> {
     let structure = &project.structure;
     let assumed: Vec<&Input> = project.inputs().into_iter().filter(|q| q.is_assumed()).collect();

@@ -13,7 +13,7 @@ use dolmen_work::state::{Check, LOAD_FACTOR_USUAL_MOST, State};
 use dolmen_work::survey_date;
 
 messages! {
-    /// What no kind says alone.
+    /// Findings common to all kinds.
     pub(crate) enum Unusual in "check.unusual" {
         Identify => {
             en: "What to do next: measure its vibration and let `dolmen identify` find the stiffness.",
@@ -128,7 +128,7 @@ fn in_doubt(project: &Project, state: &State) -> Option<Finding> {
     })
 }
 
-/// Modes of the model that surveys missed; a model in doubt names them itself.
+/// Modes of the model that surveys missed; the finding on a doubtful model already names them.
 fn missed(project: &Project, state: &State) -> Vec<Finding> {
     if Evidence::of(project, &state.check).is_doubted() {
         return Vec::new();
@@ -145,7 +145,7 @@ fn missed(project: &Project, state: &State) -> Vec<Finding> {
     each.collect()
 }
 
-/// Frequencies of surveys that the file marks as assumed, beside the model.
+/// Frequencies of surveys that the file marks as assumed, compared with the model.
 fn marked_assumed(project: &Project, state: &State) -> Option<Finding> {
     let evidence = Evidence::of(project, &state.check);
     let Evidence::MarkedAssumed { survey, .. } = &evidence else {
@@ -172,7 +172,7 @@ fn first_large(words: String) -> String {
     first.unwrap_or_default() + signs.as_str()
 }
 
-/// What to do to make an unknown verdict known.
+/// The next step that would make an unknown verdict known.
 fn next(project: &Project, state: &State) -> Option<Finding> {
     let unknown = match &state.check {
         Check::Chain(check) => check.stability.is_none(),

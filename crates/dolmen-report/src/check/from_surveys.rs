@@ -1,4 +1,4 @@
-//! Stiffness that the file takes from its surveys: the result, before any answer that depends on it.
+//! Stiffness identified from the surveys of the file: the result, before any answer that depends on it.
 
 use crate::document::{Finding, TextStyle, Tone, wrapped};
 use dolmen_project::{FromSurvey, FromSurveys, Project, Quantity as Input, WhyNotIdentified};
@@ -63,7 +63,7 @@ messages! {
     }
 }
 
-/// The result for the stiffness that a project takes from its surveys.
+/// The result for the stiffness that a project identifies from its surveys.
 pub(super) fn findings(project: &Project) -> Vec<Finding> {
     let Some(told) = &project.from_surveys else {
         return Vec::new();

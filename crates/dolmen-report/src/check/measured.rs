@@ -185,7 +185,7 @@ pub(super) fn against_its_limit(project: &Project) -> Option<Finding> {
     })
 }
 
-/// Surveys without a date beside dated ones, if they contain data that the last survey decides.
+/// Surveys without a date among dated ones, if they contain data that the last survey decides.
 pub(super) fn undated(project: &Project) -> Option<Finding> {
     let (dated, undated): (Vec<&Survey>, Vec<&Survey>) = project
         .surveys
@@ -309,7 +309,7 @@ pub(super) fn felt_since(project: &Project) -> Vec<Finding> {
 pub(super) fn other_directions(project: &Project, check: &Check) -> Vec<Finding> {
     let known: Vec<String> = match check {
         Check::Chain(chain) if chain.across.is_some() => ["x", "y"].map(str::to_owned).to_vec(),
-        // it is the same in all directions
+        // a chain is the same in all directions
         Check::Chain(_) => return Vec::new(),
         Check::Frame(all) => all.iter().map(|of| of.direction.clone()).collect(),
         Check::Stack(_) | Check::Building(_) => ["x", "y", "torsion"].map(str::to_owned).to_vec(),
@@ -391,7 +391,7 @@ fn tilt(of: &TiltCheck, check: &Check, leans: bool) -> Finding {
                 limit,
             },
         ),
-        // towards a corner a bed opens earlier than at a third
+        // towards a corner, a bed opens at less than a third of the limit
         verdict if (opens / (TiltCheck::OPENS * uplift) - 1.0).abs() > ROUNDING => {
             let opened = of.tilt.abs() >= opens;
             let opens = one_in(opens);

@@ -81,14 +81,14 @@ messages! {
     }
 }
 
-/// How often it falls.
+/// Frequency of a fall.
 pub(super) fn findings(sampled: &Sampled) -> Vec<Finding> {
     let mut all = vec![happens(&sampled.unstable, falls)];
     all.extend(sampled.under_loads.iter().map(|of| happens(of, overloaded)));
     all
 }
 
-/// How often an event happens, in the words of `said`.
+/// Frequency of an event, in the words of `said`.
 fn happens(of: &Probability, said: fn(Share) -> Scatter) -> Finding {
     let tone = match of.count {
         0 => Tone::Plain,

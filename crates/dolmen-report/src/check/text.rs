@@ -21,7 +21,7 @@ use dolmen_work::judgement::{VersionJudgement, judge_check};
 use dolmen_work::state::{Check, State, VariantAnswer};
 
 messages! {
-    /// What the terminal says round a check.
+    /// Sentences around a check on a terminal.
     pub(crate) enum Said in "check.text" {
         NothingModelled => {
             en: "Nothing is modelled (kind = \"survey\"), so there is nothing to check: run `dolmen identify`.",

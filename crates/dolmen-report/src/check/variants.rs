@@ -11,11 +11,11 @@ use dolmen_work::answer::CheckAnswer;
 use dolmen_work::judgement::{Earthquake, VersionJudgement, WindFinding, judge_check};
 use dolmen_work::state::{Check, State, VariantAnswer};
 
-/// Relative differences of λ below this count as none.
+/// Relative difference below which values of λ are equal.
 const SAME_SHARE: f64 = 1e-6;
 
 messages! {
-    /// Variants beside the structure as it is.
+    /// Variants compared with the structure as it is.
     pub(crate) enum Variants in "check.variants" {
         Same { variant: Both, factor: Quantity, verdict: Both } => {
             en: "Variant “{variant}” leaves the load factor at {factor}: {verdict}.",
@@ -80,9 +80,9 @@ struct Row {
     load_factor: Option<f64>,
     /// Factor on wind and static loads at which a joint reaches its limit.
     borne: Option<f64>,
-    /// With wind and static loads.
+    /// The same with wind and static loads.
     verdict: Verdict,
-    /// Verdict on its weight alone.
+    /// Verdict under its weight alone.
     own_verdict: Verdict,
     margins: Vec<Option<f64>>,
     frequency_hz: Option<f64>,
@@ -94,7 +94,7 @@ struct Row {
     earthquake: Option<(Earthquake, Option<f64>)>,
 }
 
-/// The name of a variant: its title, else that of its table.
+/// The name of a variant: its title, otherwise that of its table.
 pub(crate) fn title(variant: &VariantAnswer) -> Both {
     match &variant.title {
         Some(names) => Both::of(|language| language.pick(names.english(), names.korean())),
@@ -159,7 +159,7 @@ fn besides(before: &VersionJudgement, after: &VersionJudgement) -> Vec<Beside> {
         .collect()
 }
 
-/// What a variant that leaves the load factor as it is changes: a damper does.
+/// Changes due to a variant that does not change the load factor, such as a damper.
 fn same_but(row: &Row, basis: &[Row], besides: Vec<Beside>) -> Option<Vec<Finding>> {
     let old = basis.first()?.load_factor?;
     let is_same = (row.load_factor? / old - 1.0).abs() < SAME_SHARE && row.borne.is_none();
@@ -198,7 +198,7 @@ fn same_but(row: &Row, basis: &[Row], besides: Vec<Beside>) -> Option<Vec<Findin
     is_same.then(|| each.collect())
 }
 
-/// Variants that help against the weight and not against the earthquake of the site.
+/// Variants that improve the stability under weight but not the response to the earthquake of the site.
 fn worse_in_earthquakes(answer: &CheckAnswer) -> Vec<Finding> {
     let judged = judge_check(answer);
     let ratio = |version: usize| judged.versions.get(version).and_then(asked)?.1;
@@ -433,7 +433,7 @@ impl Row {
         }
     }
 
-    /// `None` if no margin is known, `Some(None)` if some part falls whatever its stiffness is.
+    /// `None` if no margin is known, `Some(None)` if a part falls for any stiffness.
     fn least_margin(&self) -> Option<Option<f64>> {
         match self.margins.is_empty() {
             true => None,

@@ -7,7 +7,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 const DIGITS: usize = 6;
 
 messages! {
-    /// What is not compared with the text of a code.
+    /// Parts of a code that were not compared with its text.
     pub(crate) enum NotHeld in "demand.unverified" {
         All { all: Vec<Sentence> } => {
             en: "Of the code these are not held against its text: {all}.",

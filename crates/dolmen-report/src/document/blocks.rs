@@ -74,11 +74,11 @@ impl Table {
     }
 }
 
-/// Beside the largest of its column, in a unit, a number of this share is rounding. Chosen here: sums of many products keep ten digits.
+/// A number with a unit below this fraction of the largest in its column is rounding. Our choice: sums of many products keep ten digits.
 const ROUNDING: f64 = 1e-9;
 
 impl Table {
-    /// Numbers of measure that are rounding beside the largest of their column become 0; shares and probabilities stay, which may be that small.
+    /// Sets numbers with a unit to 0 if they are rounding. Shares and probabilities stay, because they may be that small.
     fn without_rounding(&mut self) {
         for (at, column) in self.columns.iter().enumerate() {
             if matches!(column.unit.symbol.as_str(), "" | "%") {
@@ -101,7 +101,7 @@ impl Table {
     }
 }
 
-/// A column: what it is, and the unit of its numbers.
+/// A column: its content, and the unit of its numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
     pub(crate) head: Sentence,
@@ -146,7 +146,7 @@ impl std::fmt::Debug for Figure<'_> {
 }
 
 impl<'a> Document<'a> {
-    /// Adds a block; in a table, what is rounding beside the largest of its column is 0.
+    /// Adds a block; numbers of a table that are rounding become 0.
     pub(crate) fn put(&mut self, mut block: Block<'a>) {
         if let Block::Table(table) = &mut block {
             table.without_rounding();

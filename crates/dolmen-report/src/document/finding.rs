@@ -25,7 +25,7 @@ impl Tone {
         }
     }
 
-    /// As a verdict is marked.
+    /// The tone of a verdict.
     pub(crate) fn of(verdict: Verdict) -> Self {
         match verdict {
             Verdict::Stable => Tone::Good,

@@ -4,7 +4,7 @@ use dolmen_words::{Language, Sentence, messages};
 use std::collections::BTreeSet;
 
 messages! {
-    /// What stands before a caption.
+    /// Text before a caption.
     pub(crate) enum Label in "document.label" {
         Table { number: Sentence } => { en: "Table {number}", ko: "표 {number}" },
         Figure { number: Sentence } => { en: "Figure {number}", ko: "그림 {number}" },

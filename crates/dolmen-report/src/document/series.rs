@@ -5,7 +5,7 @@ use dolmen_words::{Language, Sentence};
 /// A data column of a figure.
 #[derive(Clone, Debug)]
 pub(crate) struct Series {
-    /// What it is.
+    /// The quantity.
     pub(crate) name: Sentence,
     /// The unit of its numbers; empty for words and ratios.
     pub(crate) unit: String,

@@ -22,7 +22,7 @@ pub struct TextStyle {
     pub language: Language,
     /// Columns of the terminal.
     pub width: usize,
-    /// Whether to show everything, not only what decides.
+    /// Whether to show everything, not only the results that decide.
     pub is_full: bool,
 }
 
@@ -52,16 +52,16 @@ pub(crate) fn wrapped(text: &str, first: &str, other: &str, columns: usize) -> S
         .word_splitter(textwrap::WordSplitter::NoHyphenation)
         .word_separator(textwrap::WordSeparator::AsciiSpace)
         .wrap_algorithm(textwrap::WrapAlgorithm::FirstFit);
-    // what belongs together was not broken; terminals know the wide space alone
+    // lines are broken by now; terminals need plain spaces
     (textwrap::fill(&tied(text), options) + "\n").replace([NARROW_SPACE, TIE], " ")
 }
 
 /// A space at which no line is broken.
 const TIE: char = '\u{a0}';
-/// Signs between two numbers, or a name and its number: "p < 0.001", "2.411 ± 0.006".
+/// Signs between two numbers, or between a name and its number: "p < 0.001", "2.411 ± 0.006".
 const RELATIONS: [&str; 8] = ["±", "<", ">", "≤", "≥", "=", "≈", "×"];
 
-/// The text with the spaces tied at which a line must not end: before a per cent, about a relation, before a sign of direction ("wall -x").
+/// The text with fixed spaces where no line may end: before a per cent, around a relation, before a signed direction ("wall -x").
 pub(crate) fn tied(text: &str) -> String {
     let mut said = String::with_capacity(text.len());
     let mut last = "";

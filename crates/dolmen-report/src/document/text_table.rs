@@ -10,7 +10,7 @@ const MARGIN: usize = 2;
 const GAP: usize = 2;
 /// Candidate widths of columns due to their headings, the widest first.
 const HEAD_WIDTHS: [usize; 5] = [24, 16, 12, 9, 1];
-/// The width if the table needs several parts anyway.
+/// Width for headings of a table that needs several parts anyway.
 const PART_HEAD_WIDTH: usize = 12;
 /// Largest width of words in a cell.
 const WORDS_MOST: usize = 30;
@@ -86,7 +86,7 @@ fn set_column(table: &Table, column: usize, language: Language, head_width: usiz
     }
 }
 
-/// Broken between words alone.
+/// Lines of a text, broken only between words.
 fn lines(text: &str, width: usize) -> Vec<String> {
     let options = textwrap::Options::new(width)
         .break_words(false)
@@ -100,7 +100,7 @@ fn part_text(columns: &[&Set]) -> String {
     let head_lines = columns.iter().map(|column| column.head.len()).max().unwrap_or(0);
     let mut out = String::new();
     for at in 0..head_lines {
-        // heads stand on their cells
+        // short headings are aligned to the bottom
         let of = |column: &Set| (at + column.head.len()).checked_sub(head_lines);
         out += &line(columns, |column| of(column).map_or("", |own| &column.head[own]));
     }

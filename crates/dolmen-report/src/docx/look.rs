@@ -1,13 +1,13 @@
-//! How a document looks: its styles and colours. Sizes are half-points, lengths twentieths of a point.
+//! Styles and colours of a document. Sizes are half-points, lengths twentieths of a point.
 
 use crate::paper::xml::Xml;
 use crate::paper::{HAIR, INK, QUIET, TEXT_WIDTH};
 use dolmen_words::Language;
 
-/// The name space of words.
+/// The namespace of WordprocessingML.
 pub(super) const W: &str = "http://schemas.openxmlformats.org/wordprocessingml/2006/main";
 
-/// A4, and its margins: as the PDF has them.
+/// A4 and its margins, as in the PDF.
 pub(super) const PAGE: [&str; 2] = ["11906", "16838"];
 pub(super) const MARGIN_SIDE: &str = "1304"; // 23 mm
 pub(super) const MARGIN_TOP: &str = "1474"; // 26 mm
@@ -16,7 +16,7 @@ struct Style {
     id: &'static str,
     name: &'static str,
     based_on: &'static str,
-    /// What comes after it when somebody goes on writing.
+    /// The style of the next paragraph when a user continues writing.
     next: &'static str,
     half_points: &'static str,
     colour: &'static str,
@@ -24,9 +24,9 @@ struct Style {
     before: &'static str,
     after: &'static str,
     keep_next: bool,
-    /// Of the contents, from 0; none where it is no head.
+    /// Its level in the contents, from 0; `None` if it is no heading.
     level: Option<&'static str>,
-    /// Indent from the left, and by how much the first line hangs out of it.
+    /// Indent from the left, and hanging indent of the first line.
     indent: Option<[&'static str; 2]>,
     centred: bool,
 }
@@ -79,7 +79,7 @@ const STYLES: [Style; 22] = [
         after: "120",
         ..heading("Heading3", "heading 3", "2")
     },
-    // heads that are not numbered and stand in no contents
+    // headings without numbers, left out of the contents
     Style {
         id: "FrontHeading",
         name: "Front Heading",
@@ -236,7 +236,7 @@ const STYLES: [Style; 22] = [
     },
 ];
 
-/// The styles: Normal, the heads, Caption, Body Text, those of tables and contents.
+/// The styles: Normal, the headings, Caption, Body Text, those of tables and contents.
 pub(super) fn styles(language: Language) -> String {
     let mut xml = Xml::document();
     xml.element("w:styles", &[("xmlns:w", W)], |xml| {
@@ -259,7 +259,7 @@ pub(super) fn styles(language: Language) -> String {
             });
             xml.element("w:pPrDefault", &[], |xml| {
                 xml.element("w:pPr", &[], |xml| {
-                    // no room between figures or Latin letters and Hangul
+                    // no extra space between digits or Latin letters and Hangul
                     xml.leaf("w:autoSpaceDE", &[("w:val", "0")]);
                     xml.leaf("w:autoSpaceDN", &[("w:val", "0")]);
                     xml.leaf("w:spacing", &[("w:line", "276"), ("w:lineRule", "auto")]);

@@ -10,7 +10,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use std::collections::BTreeMap;
 
 messages! {
-    /// What inspections found.
+    /// Results of inspections.
     pub(crate) enum Damage in "engineer.damage" {
         Head { survey: String } => { en: "Inspection {survey}", ko: "{survey} 점검" },
         Map => { en: "Damage map.", ko: "외관조사망도." },
@@ -54,7 +54,7 @@ messages! {
 /// Number of inspections above which only the last has a section of its own: their maps would fill a page each.
 const DETAILED_MOST: usize = 3;
 
-/// A section for each survey with an inspection; of many one for the last, and one table of those before.
+/// A section for each survey with an inspection; if there are many, one for the last, and one table for the others.
 pub(crate) fn damage<'a>(project: &'a Project, pictures: Pictures<'a>) -> Document<'a> {
     let mut document = Document::default();
     let surveys = project.surveys.iter();
@@ -193,7 +193,7 @@ fn severity(of: Option<Severity>) -> Damage {
     }
 }
 
-/// The entries of inspections; of several with the inspection of each.
+/// The entries of inspections; if there are several, each with its inspection.
 fn list(caption: Damage, surveys: &[&Survey]) -> Table {
     let millimetres = Unit {
         symbol: "mm".to_owned(),

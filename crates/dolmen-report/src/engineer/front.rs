@@ -74,7 +74,7 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
         tone,
         word: Front::Word { word }.into(),
     };
-    // not requested or not measured is not good
+    // a check that was not requested or measured is not a good result
     let of_earthquake = match earthquake {
         Earthquake::NotAsked => Tone::Unknown,
         asked => tone(asked.colour()),

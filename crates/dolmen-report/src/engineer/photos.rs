@@ -17,7 +17,7 @@ impl<'a> Pictures<'a> {
         Pictures(Some(&answer.photos))
     }
 
-    /// None were read.
+    /// No photos.
     pub(crate) fn unread() -> Self {
         Pictures(None)
     }
@@ -37,7 +37,7 @@ impl<'a> Pictures<'a> {
         }
     }
 
-    /// Several.
+    /// Several photographs.
     pub(super) fn photos(self, parts: &'a [PhotoPart]) -> Vec<Photo<'a>> {
         parts.iter().map(|part| self.photo(part)).collect()
     }

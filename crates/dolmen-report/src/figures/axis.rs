@@ -6,7 +6,7 @@ use dolmen_words::{Language, number};
 /// Largest number of decades for which an axis shows all multiples of powers of ten.
 const DECADES_WITH_FIVES: f64 = 3.2;
 
-/// Fewest ticks, if at least that many are wanted: a single tick shows no scale.
+/// Smallest number of ticks, if at least that many are requested: a single tick shows no scale.
 const TICKS_LEAST: i64 = 2;
 
 /// Fractions of the span kept free at both ends of an axis.

@@ -9,9 +9,9 @@ use dolmen_work::building::StandingBuilding;
 
 /// Largest width and height of the drawn floor, px.
 const FLOOR_PX: [f64; 2] = [380.0, 300.0];
-/// Space around it, px, for mode centres beside the floor.
+/// Space around the floor, px, for mode centres outside it.
 const ROOM_PX: f64 = 90.0;
-/// Width of the text beside it, px.
+/// Width of the text next to the plan, px.
 const WORDS_PX: f64 = 270.0;
 /// Number of mode centres drawn. Our choice: the modes that sway both ways and twist.
 const MODES_DRAWN: usize = 3;
@@ -53,7 +53,7 @@ impl View {
 /// A point within the picture.
 struct Clamped {
     px: [f64; 2],
-    /// Whether the original point is beyond.
+    /// Whether the original point is beyond the picture.
     is_beyond: bool,
 }
 
@@ -236,7 +236,7 @@ fn toward(from: [f64; 2], to: [f64; 2], px: f64) -> [f64; 2] {
     [from[0] + dx / length * px, from[1] + dy / length * px]
 }
 
-/// Lines of words beside the plan.
+/// Lines of text next to the plan.
 struct Words {
     at: [f64; 2],
 }

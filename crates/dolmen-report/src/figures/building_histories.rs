@@ -41,7 +41,7 @@ impl BuildingPlot {
             Self::Strokes,
         ];
         all.extend((0..simulation.points.len()).flat_map(|i| [Self::Point(i), Self::Acceleration(i)]));
-        // a level line is no figure
+        // a horizontal line is not worth a figure
         all.retain(|plot| !still(&plot.series(simulation, Language::English)));
         all
     }

@@ -184,8 +184,8 @@ fn joint_margin(
 }
 
 /// Stiffness limits of every joint on a logarithmic axis: the published critical stiffness k_cr, the published P·H, the
-/// exact limit M with all other joints rigid, and the given stiffness. Below M the chain falls whatever the other joints
-/// are; that side is tinted, and the figure shows that k_cr lies in it.
+/// exact limit M with all other joints rigid, and the given stiffness. Below M the chain falls for any other joints;
+/// that side is tinted, and the figure shows that k_cr lies in it.
 pub fn stiffness_limits(
     limits: &ChainLimits,
     stability: Option<&ChainStability>,

@@ -64,7 +64,7 @@ impl ChainPlot {
         }
     }
 
-    /// Its numbers.
+    /// The numbers of the figure.
     pub(crate) fn series(self, simulation: &ChainSimulation) -> Vec<crate::document::Series> {
         match self {
             Self::Ground | Self::Rotations | Self::Supports | Self::Energy => {

@@ -10,7 +10,7 @@ use dolmen_words::Language;
 use dolmen_words::number::prefix;
 use dolmen_work::record_seen::{ChannelSeen, RecordSeen, RecordTime};
 
-/// Number of channels drawn; the CSV beside the figure has all.
+/// Number of channels drawn; the CSV file of the figure has all.
 pub(crate) const CHANNELS_DRAWN: usize = 8;
 /// Height of a panel, px, and the gap between two as a fraction of it.
 const PANEL_PX: f64 = 74.0;
@@ -242,7 +242,7 @@ mod tests {
         let all = channels_over_time(&seen(vec![gap(None)]), Language::Korean);
         let one = channels_over_time(&seen(vec![gap(Some("c2"))]), Language::Korean);
         assert!(all.contains("표본 누락"));
-        // a block a panel, and one in the legend
+        // one block per panel, and one in the legend
         assert_eq!(blocks(&all) - blocks(&plain), CHANNELS_DRAWN + 1);
         assert_eq!(blocks(&one) - blocks(&plain), 2);
         // a quarter of the time used is drawn on either side

@@ -69,7 +69,7 @@ fn put_marks(scene: &mut Scene, view: &View, marks: &[DamageMark]) {
             continue;
         };
         let mut place = view.px(at);
-        // beside existing marks
+        // next to existing marks
         while taken
             .iter()
             .any(|other| (other[0] - place[0]).hypot(other[1] - place[1]) < 2.0 * MARK_PX)

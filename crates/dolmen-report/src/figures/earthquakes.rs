@@ -9,7 +9,7 @@ use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::modal::{During, Mode, Part, Shaking, StrongChannel, StrongMotion};
 use dolmen_words::Language;
 
-/// Number of channels drawn; the CSV beside the figure has all.
+/// Number of channels drawn; the CSV file of the figure has all.
 const CHANNELS_DRAWN: usize = 6;
 const COLOURS: [&str; CHANNELS_DRAWN] = [BLUE, VERMILLION, PURPLE, ORANGE, SKY, BLACK];
 /// Half of the width of an interval that holds 95 %, in standard deviations.

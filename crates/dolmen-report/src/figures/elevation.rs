@@ -27,6 +27,8 @@ pub(super) struct PartOutline {
     pub(super) name: String,
     /// Corners in order, m: across, up.
     pub(super) corners_m: Vec<[f64; 2]>,
+    /// Further pieces of the same stone, m.
+    pub(super) further_m: Vec<Vec<[f64; 2]>>,
     /// Between the columns of a frame, m.
     pub(super) openings_m: Vec<Vec<[f64; 2]>>,
 }
@@ -34,7 +36,12 @@ pub(super) struct PartOutline {
 impl PartOutline {
     /// Smallest and largest coordinates across and up, m.
     pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
-        super::stack_view::bounds(self.corners_m.iter().copied())
+        super::stack_view::bounds(self.corners().copied())
+    }
+
+    /// Corners of all its pieces, m.
+    fn corners(&self) -> impl Iterator<Item = &[f64; 2]> {
+        self.corners_m.iter().chain(self.further_m.iter().flatten())
     }
 
     pub(super) fn middle(&self) -> [f64; 2] {
@@ -49,7 +56,7 @@ pub(super) struct Elevation {
     /// 0: x is across; 1: y is.
     pub(super) axis: usize,
     pub(super) parts: Vec<PartOutline>,
-    /// Posts at its sides.
+    /// Posts at the sides of the pole.
     pub(super) posts: SidePosts,
     /// Whether the file gives the widths.
     pub(super) has_widths: bool,
@@ -79,8 +86,8 @@ impl Elevation {
     }
 
     pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
-        let parts = self.parts.iter().map(|part| &part.corners_m);
-        let all = parts.chain(&self.posts.posts).flatten();
+        let parts = self.parts.iter().flat_map(PartOutline::corners);
+        let all = parts.chain(self.posts.posts.iter().flatten());
         super::stack_view::bounds(all.copied())
     }
 }
@@ -95,7 +102,7 @@ pub(super) fn elevations(structure: &Structure, exaggerate: bool) -> Vec<Elevati
             .collect(),
         Structure::Building(part) => (0..2).map(|axis| of_building(part, axis)).collect(),
         Structure::Stack(part) => {
-            // as entered: upright; the surveyed lean is drawn beside it
+            // as entered: upright; the surveyed lean is drawn separately
             let part = &StackPart {
                 lean: None,
                 ..(**part).clone()
@@ -129,6 +136,7 @@ fn a_box(name: String, [left, right]: [f64; 2], low: f64, height: f64) -> PartOu
     PartOutline {
         name,
         corners_m: vec![[left, low], [right, low], [right, high], [left, high]],
+        further_m: Vec::new(),
         openings_m: Vec::new(),
     }
 }
@@ -318,12 +326,14 @@ fn of_stack(part: &StackPart, stack: &Stack, axis: usize, exaggerate: bool) -> E
         let foot = block.solid.bounds_m()[0][2];
         let lean = (tilts_times - 1.0) * tilt(index);
         let place = |corner: &[f64; 3]| [corner[axis] + moved[index] + lean * (corner[2] - foot), corner[2]];
-        let corners: Vec<[f64; 2]> = block.solid.vertices_m().iter().map(place).collect();
+        let pieces = block.solid.drawn().into_iter();
+        let mut outlines = pieces.map(|piece| hull(piece.vertices_m().iter().map(place).collect()));
         // the eye is before y in the first view, and to the right of x in the second
         let depth = [-block.solid.centroid_m()[1], block.solid.centroid_m()[0]][axis];
         let outline = PartOutline {
             name: block.name.clone(),
-            corners_m: hull(corners),
+            corners_m: outlines.next().unwrap_or_default(),
+            further_m: outlines.collect(),
             openings_m: Vec::new(),
         };
         parts.push((depth, outline));

@@ -91,7 +91,7 @@ impl FramePlot {
         }
     }
 
-    /// Its numbers.
+    /// The numbers of the figure.
     pub(crate) fn series(self, simulation: &FrameSimulation) -> Vec<crate::document::Series> {
         match self {
             Self::Ground | Self::Levels | Self::Energy | Self::Columns | Self::Measured(_) => {

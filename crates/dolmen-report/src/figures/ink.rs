@@ -19,7 +19,7 @@ pub(crate) const BLUE: &str = "#0072b2";
 pub(crate) const PURPLE: &str = "#cc79a7";
 pub(crate) const VERMILLION: &str = "#d55e00";
 
-/// A series of its own colour each, in the order in which they differ most.
+/// Colours of series; the first ones differ most.
 pub(crate) const SERIES: [&str; 6] = [BLUE, VERMILLION, GREEN, PURPLE, SKY, ORANGE];
 
 /// Fonts with Hangul on every system, the most common first.
@@ -157,7 +157,7 @@ mod tests {
     use super::*;
     use dolmen_words::{Language, PrintedName, print_names};
 
-    /// Legends are laid out by the names that they print: the file's own are shorter.
+    /// The width of a legend uses the printed name, which may be longer than that in the file.
     #[test]
     fn exact_a_label_is_as_wide_as_what_it_prints() {
         let printed = PrintedName {

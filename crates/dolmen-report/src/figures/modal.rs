@@ -174,7 +174,7 @@ enum Class {
     /// The frequency recurred, damping or shape did not.
     Half,
     Moved,
-    /// Cannot be a mode by itself.
+    /// The pole fails a criterion for a single pole.
     Hard,
 }
 

@@ -1,4 +1,4 @@
-//! Figures of a ground motion: acceleration, velocity, displacement, and the response spectrum beside its demand.
+//! Figures of a ground motion: acceleration, velocity, displacement, and the response spectrum with its demand.
 
 use super::Figure;
 use super::axis::Axis;

@@ -1,4 +1,4 @@
-//! The data of figures without a table beside them.
+//! The data of figures that have no table.
 
 use super::elevation::elevations;
 use super::history_series::{column, loop_series};

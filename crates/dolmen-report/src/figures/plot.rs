@@ -57,9 +57,9 @@ pub(crate) struct Plot {
     pub(crate) height: f64,
     /// Space left of the plotting area for tick labels and the axis name, px.
     pub(crate) left: f64,
-    /// Room above it, px.
+    /// Space above it, px.
     pub(crate) head: f64,
-    /// Room right of it, px.
+    /// Space to the right of it, px.
     pub(crate) right: f64,
     pub(crate) x: Axis,
     pub(crate) y: Axis,
@@ -173,7 +173,7 @@ impl Plot {
         scene.svg(title)
     }
 
-    /// Position of a point, to a tenth of a px.
+    /// Position of a point, rounded to a tenth of a px.
     fn px(&self, [x, y]: [f64; 2], field: &Field) -> Px {
         let [top, bottom] = field.y;
         [self.x.px(x, field.x), self.y.px(y, [bottom, top])].map(tenth)
@@ -289,7 +289,7 @@ impl Plot {
     }
 }
 
-/// To a tenth of a px: sufficient, and it keeps files small.
+/// Rounds to a tenth of a px: sufficient, and it keeps files small.
 fn tenth(px: f64) -> f64 {
     (px * 10.0).round() / 10.0
 }

@@ -12,7 +12,7 @@ use dolmen_work::portfolio::{Basis, PortfolioAnswer, PortfolioEntry, state_words
 const DRAWN_MOST: usize = 30;
 /// Characters of a name.
 const NAME_MOST: usize = 34;
-/// 90 % of a normal variable lie within this many standard deviations.
+/// Number of standard deviations on each side that contain 90 % of a normal variable.
 const NORMAL_90: f64 = 1.6448536269514722;
 
 /// Median capacities in the state of the ranking, and of falls, with 90 % intervals.

@@ -8,7 +8,7 @@ use super::words::{Axes, Titles, say};
 use dolmen::modal::{FrequencyResponse, FrequencyResponses, ModalAnalysis};
 use dolmen_words::Language;
 
-/// Number of channels drawn; the CSV beside the figure has all of them.
+/// Number of channels drawn; the CSV file of the figure has all.
 const CHANNELS_DRAWN: usize = 6;
 
 /// Spectral lines at 0 Hz that contain the mean of a record under Hann's window.

@@ -9,11 +9,11 @@ const HEIGHT_PX: f64 = 430.0;
 const WIDTH_PX: f64 = 260.0;
 /// Space above it, for headings and leaning parts.
 const TOP_PX: f64 = 46.0;
-/// Left of the first view, for dimensions.
+/// Space to the left of the first view, for dimensions.
 pub(super) const LEFT_PX: f64 = 124.0;
-/// Names take this at most.
+/// Largest width of names.
 const NAMES_PX: f64 = 190.0;
-/// Between two lines of names.
+/// Distance between two lines of names.
 const LINE_PX: f64 = 13.5;
 
 /// One view on the sheet.
@@ -40,7 +40,7 @@ impl View {
     }
 }
 
-/// Views beside each other.
+/// Views side by side.
 pub(super) struct Sheet {
     pub(super) views: Vec<View>,
     pub(super) width_px: f64,
@@ -95,8 +95,10 @@ pub(super) fn put_outlines(scene: &mut Scene, view: &View, ground_px: f64) {
     let (left, right) = (view.left_px() - 14.0, view.right_px + 14.0);
     scene.line([left, ground_px], [right, ground_px], Line::new(GREY, 1.5));
     for part in &view.elevation.parts {
-        let corners: Vec<[f64; 2]> = part.corners_m.iter().map(|corner| view.px(*corner)).collect();
-        scene.polygon(&corners, STONE, Line::new(BLACK, 1.0));
+        for piece in std::iter::once(&part.corners_m).chain(&part.further_m) {
+            let corners: Vec<[f64; 2]> = piece.iter().map(|corner| view.px(*corner)).collect();
+            scene.polygon(&corners, STONE, Line::new(BLACK, 1.0));
+        }
         for opening in &part.openings_m {
             let corners: Vec<[f64; 2]> = opening.iter().map(|corner| view.px(*corner)).collect();
             scene.polygon(&corners, WHITE, Line::new(BLACK, 1.0));

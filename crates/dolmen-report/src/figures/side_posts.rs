@@ -1,6 +1,6 @@
-//! Posts beside a pole in its elevations.
+//! Posts at the sides of a pole in its elevations.
 
-/// Thickness of a post, smallest clearance beside the pole, and height of the post above the highest support, as fractions of the total
+/// Thickness of a post, smallest clearance to the pole, and height of the post above the highest support, as fractions of the total
 /// height. Our choice: the file gives none of them.
 const THICKNESS: f64 = 0.035;
 const CLEARANCE: f64 = 0.012;

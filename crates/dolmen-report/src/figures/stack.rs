@@ -29,7 +29,7 @@ const SHOWN_SHARE: f64 = 0.06;
 const MOVED_LEAST_M: f64 = 1e-7;
 /// Slip or opening from which a joint has the second, third, fourth colour, m. Our choice: the resolution of survey methods.
 const CLASSES_M: [f64; 3] = [1e-4, 1e-3, 1e-2];
-/// And their colours.
+/// Colours of these joints.
 const COLOURS: [&str; 4] = ["#9aa0a6", BLUE, ORANGE, VERMILLION];
 
 /// From metres in the picture to px.
@@ -169,7 +169,7 @@ fn named(count: usize) -> usize {
     if count > NAMED_MOST { 0 } else { count }
 }
 
-/// Position of the last row: beside the foot of the view, or below it if needed.
+/// Position of the last row: next to the foot of the view, or below it if needed.
 fn last_row(rows: usize, first: f64, foot: f64) -> f64 {
     (foot + 10.0).max(first + ROW_PX * rows.saturating_sub(1) as f64)
 }
@@ -295,8 +295,8 @@ fn class(joint: &JointHistory) -> usize {
     CLASSES_M.iter().filter(|least| most >= **least).count()
 }
 
-/// A stack at the end of a simulation, at true scale and beside it with its displacements enlarged by a stated factor; joints
-/// coloured by the larger of their peak opening and slip, which are listed beside them.
+/// A stack at the end of a simulation: at true scale, and next to it with its displacements enlarged by a stated factor. The
+/// colour of a joint is the larger of its peak opening and slip; both are listed.
 pub fn stack_after(simulation: &StackSimulation, language: Language) -> String {
     let (stack, history) = (&simulation.stack, &simulation.history);
     let camera = Camera::new();

@@ -41,7 +41,7 @@ impl StackPlot {
         self.lines(simulation, language).draw(language)
     }
 
-    /// Its numbers.
+    /// The numbers of the figure.
     pub(crate) fn series(self, simulation: &StackSimulation) -> Vec<crate::document::Series> {
         history_series(|language| Some(self.lines(simulation, language)))
     }

@@ -13,9 +13,9 @@ const AREA_PX: f64 = 550.0;
 /// Space to the right of the plot.
 const RIGHT_PX: f64 = 12.0;
 const TALL_PX: f64 = 285.0;
-/// As many names and more are one name and a number.
+/// From this number on, names become one name and a count.
 const NAMES_MANY: usize = 3;
-/// What a name keeps from a line that runs above it, px.
+/// Distance of a name from a line above it, px.
 const BELOW_LINE_PX: f64 = 14.0;
 
 fn finite(threshold: Option<Threshold>) -> Option<f64> {
@@ -76,13 +76,13 @@ pub fn stack_governing(limits: &StackLimitStates, shaking: &Shaking, language: L
         let (at, shape, colour, shift) = if rock <= slide {
             ([*rock, *rock], Shape::Circle, BLUE, 12.0 + 0.5 * label.width())
         } else {
-            // at the right end the name stays inside
+            // at the right end, the name stays inside the plot
             let room = (most - rock.min(most)) * AREA_PX / most;
             let shift = (room + RIGHT_PX - 0.5 * label.width()).min(0.0);
             ([rock.min(most), *slide], Shape::Diamond, ORANGE, shift)
         };
         plot.dot(at, shape, colour);
-        // on the slope names stand beside their points and clear each other in height, on the level they do not
+        // names on the slope are beside their points at different heights; names on the horizontal line have one height
         let raise = match rock <= slide {
             true => {
                 let to_line = frictions.iter().map(|mu| (mu - rock) * TALL_PX / tall);

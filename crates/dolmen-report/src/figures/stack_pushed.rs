@@ -13,7 +13,7 @@ use dolmen_words::{Language, messages, number};
 const ROOM_PX: [f64; 2] = [420.0, 420.0];
 /// Margin around it, px.
 const MARGIN_PX: f64 = 26.0;
-/// Space beside it for arrows, px; the longest has this length.
+/// Space for arrows next to the stack, px; the longest arrow has this length.
 const ARROWS_PX: f64 = 90.0;
 /// Room below it for words, px.
 const FOOT_PX: f64 = 60.0;

@@ -88,20 +88,26 @@ pub(super) fn placed(stack: &Stack, moved: Option<DrawnDisplacement<'_>>) -> Vec
             Some((shift, turn))
         });
         let (shift, turn) = pose.unwrap_or_default();
+        // pieces stand on one another: painted lowest first
+        let (mut drawn, mut faces): (Vec<Vec3>, Vec<Vec<usize>>) = (Vec::new(), Vec::new());
+        for piece in block.solid.drawn() {
+            let from = drawn.len();
+            let numbered = piece
+                .faces()
+                .iter()
+                .map(|face| face.iter().map(|corner| from + corner).collect());
+            faces.extend(numbered);
+            drawn.extend(piece.vertices_m());
+        }
         let mut placed = Placed {
             corners: Vec::new(),
-            faces: block.solid.faces().to_vec(),
+            faces,
             normals: Vec::new(),
             centre: std::array::from_fn(|axis| centre[axis] + shift[axis]),
             drawn_centre: centre,
             turn,
         };
-        placed.corners = block
-            .solid
-            .vertices_m()
-            .iter()
-            .map(|corner| placed.now(*corner))
-            .collect();
+        placed.corners = drawn.iter().map(|corner| placed.now(*corner)).collect();
         placed.normals = placed
             .faces
             .iter()

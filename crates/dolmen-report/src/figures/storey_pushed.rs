@@ -11,10 +11,10 @@ use dolmen_work::loads::LoadedStorey;
 /// Millimetres in a metre; newtons in a kilonewton.
 const MILLI: f64 = 1e3;
 const KILO: f64 = 1e3;
-/// Largest force in the figure relative to the load: beyond it the load would lie flat on the axis. Our choice.
+/// Largest force in the figure relative to the load: beyond it the load would lie on the axis. Our choice.
 const PUSH_MOST: f64 = 4.0;
 
-/// Its curve, the level of the load, and their intersection.
+/// The curve of the storey, the level of the load, and their intersection.
 pub fn storey_pushed(storey: &LoadedStorey, language: Language) -> String {
     let under = &storey.under;
     let lean_kn = under.lean_at_rest.map_or(0.0, |_| leaning_n(storey) / KILO);
@@ -67,7 +67,7 @@ fn leaning_n(storey: &LoadedStorey) -> f64 {
     storey.under.axial_n * storey.tilt
 }
 
-/// Drift by the lean alone, m.
+/// Drift due to the lean alone, m.
 fn at_rest_m(storey: &LoadedStorey) -> Option<f64> {
     Some((storey.under.lean_at_rest? - storey.tilt) * storey.height_m)
 }

@@ -24,7 +24,7 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
     drawings.map(|drawing| drawing.figure).collect()
 }
 
-/// The same with the content of each.
+/// The same, with the content of each figure.
 pub(crate) fn study_drawings(answer: &StudyAnswer, language: Language) -> Vec<StudyDrawing> {
     let mut figures = Vec::new();
     let mut add = |shows, name: String, svg: String| figures.push(StudyDrawing::new(shows, name, svg));
@@ -197,7 +197,7 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
                 }
             }
         }
-        // an unusable scan: its capacity is somewhere in this range
+        // an unusable scan: its capacity is within this range
         for (k, scan) in row.left_out().enumerate() {
             let x = place + spread(usable.len() + k);
             let high = scan.fell_m_s2().map_or(1.06 * largest, |fell| fell / g);

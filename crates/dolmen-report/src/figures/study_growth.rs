@@ -80,7 +80,7 @@ struct GrowthMeasure {
     /// Its name among the measures of a run.
     measure: &'static str,
     axis: Growth,
-    /// To the unit of the axis.
+    /// Factor from the measure to the unit of the axis.
     factor: f64,
 }
 
@@ -331,7 +331,7 @@ fn fractiles(
     );
 }
 
-/// Whether a run ended in a fall: its values until then mean nothing.
+/// Whether a run ended in a fall: its values until then are meaningless.
 fn falls(kind: StudyKind, run: &Run) -> bool {
     !matches!(kind, StudyKind::Frame | StudyKind::Building) && run.outcome == RunOutcome::Fell
 }

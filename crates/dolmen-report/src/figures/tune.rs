@@ -40,7 +40,7 @@ pub(crate) enum TuneFigure {
 }
 
 impl TuneFigure {
-    /// Those of a damper.
+    /// The figures available for this answer.
     pub(crate) fn of(answer: &TuneAnswer) -> Vec<Self> {
         let mut figures = Vec::new();
         if answer.comparison.line_given.len() > 1 {
@@ -227,7 +227,7 @@ impl<'a> FloorView<'a> {
         for point in answer.points.iter().filter(|point| point.floor == answer.floor) {
             let at = self.px(point.place_m);
             scene.marker(at, Shape::Cross, 5.0, BLACK);
-            // names stand outside the floor, on the nearer side
+            // names are outside the floor, on the nearer side
             let right = point.place_m[0] > 0.5 * (self.x[0] + self.x[1]);
             let anchor = if right { Anchor::Start } else { Anchor::End };
             let beside = [at[0] + if right { 9.0 } else { -9.0 }, at[1] - 12.0];

@@ -77,7 +77,7 @@ impl WindPlot {
     }
 }
 
-/// A value without dampers, then with them, in the same gusts.
+/// A quantity without dampers, then with them, in the same gusts.
 fn both<'a>(
     run: &'a WindSimulation,
     axis: usize,

@@ -143,7 +143,7 @@ messages! {
 }
 
 messages! {
-    /// What describes a figure to a reader who cannot see it.
+    /// Descriptions of figures for readers who cannot see them.
     pub(crate) enum Titles in "figure.title" {
         DistributionOfTheLoadFactor => { en: "Distribution of the load factor", ko: "하중배율의 분포" },
         VariantsCompared => { en: "Variants compared", ko: "대안 비교" },
@@ -329,7 +329,7 @@ messages! {
 }
 
 messages! {
-    /// What the ground does, in the figures of a stack.
+    /// Ground motion in the figures of a stack.
     pub(crate) enum Shaken in "figure.shaking" {
         Site { peak: String } => { en: "peak that the site demands: {peak}", ko: "부지의 설계 최대지반가속도: {peak}" },
         WithVertical { peak: String } => { en: "the same with its vertical shaking: {peak}", ko: "수직 지진동을 함께 고려: {peak}" },
@@ -420,7 +420,7 @@ messages! {
 }
 
 messages! {
-    /// Axes of what grows with the shaking in a study.
+    /// Axes of quantities that increase with the shaking in a study.
     pub(crate) enum Growth in "figure.growth" {
         RockingRatio => { en: "Rocking of a joint over its slenderness angle (–)", ko: "접합면 로킹각 / 세장각 (–)" },
         ResidualSlip => { en: "Residual slip (% of the width of the joint)", ko: "잔류 미끄러짐 (접합면 폭의 %)" },

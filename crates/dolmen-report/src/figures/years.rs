@@ -17,7 +17,7 @@ const YEAR_DAYS: f64 = 365.2425;
 /// Height of a panel, and the gap between two, px of the plot's height.
 const PANEL_PX: f64 = 150.0;
 const GAP: f64 = 0.12;
-/// Ticks of time, at most.
+/// Largest number of time ticks.
 const TICKS_MOST: f64 = 10.0;
 
 messages! {
@@ -70,7 +70,7 @@ impl Panel {
     }
 }
 
-/// Everything of a history on one axis of time.
+/// All data of a history on one time axis.
 pub fn years(answer: &WatchAnswer, language: Language) -> String {
     let when: Vec<f64> = answer
         .surveys

@@ -13,7 +13,7 @@ use dolmen_work::answer::ProjectReport;
 pub struct NotDrawn {
     /// "Figure 2.1".
     pub figure: String,
-    /// Why.
+    /// Reason.
     pub why: String,
 }
 

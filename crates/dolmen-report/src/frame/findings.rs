@@ -135,7 +135,7 @@ fn lowest_mode(check: &FrameCheck) -> Option<Finding> {
 
 fn load_finding(note: &FrameNote) -> Finding {
     match note {
-        // this is the reason why nothing is known
+        // the reason why there are no results
         FrameNote::NoAxialForce => Finding::key(Tone::Warn, load_note(note)),
         FrameNote::LevelLoad { .. } => Finding::new(Tone::Warn, load_note(note)),
     }

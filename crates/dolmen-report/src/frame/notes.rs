@@ -4,7 +4,7 @@ use dolmen::assess::FrameNote;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 messages! {
-    /// Slips in the loads.
+    /// Mistakes in the loads.
     pub(crate) enum Loads in "frame.loads" {
         NoAxialForce => {
             en: "No axial force is given: P-delta is left out, and nothing can be said of stability.",

@@ -100,7 +100,7 @@ pub(super) fn significant(value_si: f64, unit: &Unit, digits: usize) -> Quantity
     Quantity::new(value_si, unit.clone(), Digits::Significant(digits))
 }
 
-/// Stiffness, required stiffness and margin; words if it falls whatever that storey is.
+/// Stiffness, required stiffness and margin; words if the frame falls for any stiffness of that storey.
 fn margin(storey: &StoreyStability, unit: &Unit) -> [Cell; 3] {
     let falls = || Cell::BadWords(Storeys::Falls.into());
     let least = storey.stiffness_least_n_m;

@@ -41,7 +41,7 @@ fn hertz(frequency_hz: f64) -> Quantity {
     Quantity::new(frequency_hz, Unit::si("Hz"), Digits::Significant(4))
 }
 
-/// Which stiffness the check of a direction uses.
+/// The stiffness that the check of a direction uses.
 pub(super) fn finding(check: &TenonsCheck, lowest_hz: Option<f64>) -> Option<Finding> {
     let share = |of: &StoreyTenons| of.tenon.slack_m / of.height_m;
     let most = check

@@ -6,7 +6,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::frame::{FrameBeside, FrameSimulation, SensorBeside};
 
 messages! {
-    /// A frame beside its measured motion.
+    /// A frame compared with its measured motion.
     pub(crate) enum Beside in "frame.simulation.beside" {
         Follows { of: Sentence, survey: String, channel: String, correlation: Quantity, measured: Quantity, simulated: Quantity, hz: Sentence } => {
             en: "{of}: the model moves as survey {survey} measured. At {channel} correlation {correlation}, peak {measured} measured and {simulated} simulated{hz}.",
@@ -180,7 +180,7 @@ fn worst(of: &FrameBeside) -> Option<&SensorBeside> {
     least.or_else(|| of.highest())
 }
 
-/// Each sensor beside the model.
+/// Each sensor compared with the model.
 pub(super) fn table(of: &FrameBeside) -> Table {
     let frequency = |hz: Option<f64>| Cell::Number(hz.map(hertz));
     let row = |sensor: &SensorBeside| {
@@ -229,7 +229,7 @@ pub(super) fn table(of: &FrameBeside) -> Table {
     }
 }
 
-/// What the figure of a sensor shows.
+/// Description of the figure of a sensor.
 pub(super) fn caption(simulation: &FrameSimulation, sensor: usize) -> Vec<Sentence> {
     let of = simulation.beside.as_ref().and_then(|of| of.sensors.get(sensor));
     let channel = of.map(|of| of.channel.clone()).unwrap_or_default();

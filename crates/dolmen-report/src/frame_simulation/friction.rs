@@ -5,7 +5,7 @@ use crate::simulated::kilo;
 use dolmen::dynamics::{FrictionActsOn, FrictionFrame, Sliders, StoreyFriction};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
-/// Dashpots whose ratios differ by less are the same while sticking and slipping.
+/// Relative difference below which the damping ratios while sticking and while slipping are equal.
 const SAME_RATIO: f64 = 1e-6;
 
 messages! {
@@ -98,7 +98,7 @@ fn dashpots(frame: &FrictionFrame) -> Option<Friction> {
     })
 }
 
-/// The dashpots, and what the friction acts on if that is not the drift.
+/// The dashpots, and the displacement on which friction acts if it is not the drift.
 pub(super) fn notes(document: &mut Document<'_>, frame: &FrictionFrame) {
     if let Some(said) = dashpots(frame) {
         document.note(said);

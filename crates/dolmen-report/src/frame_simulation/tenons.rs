@@ -76,7 +76,7 @@ pub(super) fn findings(simulation: &FrameSimulation) -> Vec<Finding> {
     said.collect()
 }
 
-/// The tenons, one row per storey; `None` without any.
+/// The tenons, one row per storey; `None` without tenons.
 pub(super) fn table(simulation: &FrameSimulation) -> Option<Table> {
     let stiffness = kilonewtons_a_millimetre();
     let force = kilo("N");

@@ -14,7 +14,7 @@ use dolmen_words::{Digits, Language, Quantity as Shown, Sentence, Unit};
 use dolmen_work::answer::ProjectReport;
 use maud::{Markup, html};
 
-/// The section "what was given".
+/// The section with the given input.
 pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut Numbers) -> Markup {
     let project = &answer.project;
     let inputs = inputs_listed(project);
@@ -132,7 +132,7 @@ pub(crate) fn survey_head(survey: &Survey) -> Sentence {
     InputsGiven::Survey { name }.into()
 }
 
-/// What was given with a survey beside its records.
+/// The input of a survey in addition to its records.
 pub(crate) fn survey_lines(survey: &Survey, language: Language) -> Vec<String> {
     let mut lines: Vec<String> = survey.note.iter().cloned().collect();
     if let Some(source) = &survey.source {

@@ -19,6 +19,6 @@ pub(crate) fn day(date: Option<&str>) -> Option<[u16; 3]> {
 pub struct NotReported {
     /// Its file or folder, as the user named it.
     pub file: String,
-    /// Why.
+    /// Reason.
     pub why: String,
 }

@@ -16,8 +16,8 @@ use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
 /// The report on one or more projects as a self-contained page: no external script, font or picture.
 ///
-/// In print each project begins on a new page, and a list of them stands at the top. Missing data are left out or
-/// called unknown. Projects that could not be reported on are listed first.
+/// In print each project begins on a new page, after a list of all projects. Missing data are left out or described as unknown.
+/// Projects without a report are listed first.
 pub fn html(
     answers: &[ProjectReport],
     others: &[NotReported],
@@ -37,7 +37,7 @@ pub fn html(
         }
     };
     let page = whole(&title, language, &body);
-    // the title holds no tags
+    // the title contains no tags
     let (head, body) = page.split_at(page.find("<body>").unwrap_or(0));
     let body = body
         .replace("k_cr", "k<sub>cr</sub>")
@@ -45,8 +45,7 @@ pub fn html(
     format!("{head}{body}")
 }
 
-/// What a page may load and do: its own style sheet and the styles in its figures. No script, nothing external, no form; images are
-/// embedded.
+/// Content of a page: its style sheet and the styles in its figures, embedded images; no scripts or external resources.
 const POLICY: &str =
     "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 

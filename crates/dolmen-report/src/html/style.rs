@@ -1,4 +1,4 @@
-//! The look of the page: inline, for screens and A4.
+//! Style of the page: inline, for screens and A4.
 
 /// The whole style sheet.
 pub(super) const STYLE: &str = "

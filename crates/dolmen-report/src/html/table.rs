@@ -13,7 +13,7 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// On an assumed value.
+    /// A cell that depends on an assumed value.
     pub(super) fn assumed(text: impl Into<String>) -> Self {
         Cell {
             text: text.into(),

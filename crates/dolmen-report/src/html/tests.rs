@@ -274,7 +274,7 @@ fn holds_verdict_words_follow_the_load_factor() {
     for (k, class, english, korean) in [
         (280.0, "verdict unstable", "unstable", "불안정"),
         (400.0, "verdict marginal", "marginal", "여유 부족"),
-        // stable, and amber all the same: the cap stone is not in the model
+        // stable, but amber: the cap stone is not in the model
         (500.0, "verdict marginal", "stable", "안정"),
     ] {
         let answer = pole(&equal(k));
@@ -324,7 +324,7 @@ fn holds_the_same_answer_gives_the_same_page() {
     assert_eq!(page(&answers, Language::Korean), page(&answers, Language::Korean));
 }
 
-/// A made record of two floors, 1.1 and 4.2 Hz, as a survey without a model.
+/// A simulated record of two floors, 1.1 and 4.2 Hz, as a survey without a model.
 pub(crate) fn survey() -> ProjectReport {
     let record = ReferenceCase::ShearChain.made(11).unwrap().make().unwrap();
     let analysis = identify(&record, &Identify::default()).unwrap();

@@ -10,7 +10,7 @@ const LETTERS: f64 = 1100.0;
 const LETTER_WIDE: f64 = 0.65;
 const SIGN_WIDE: f64 = 1.1;
 const LINE_HIGH: f64 = 1.25;
-/// Of an index or power.
+/// Relative size of an index or exponent.
 const SMALL: f64 = 0.7;
 
 /// A formula within a line, like a letter.
@@ -51,7 +51,7 @@ fn word(of: &Math) -> String {
     match of {
         Math::Symbol(text) => name(text).to_owned(),
         Math::Matrix(text) => format!("{{rm {{bold {{{}}}}} it}}", name(text)),
-        // the editor sets functions upright
+        // the editor prints functions upright
         Math::Word(text @ ("det" | "min")) => (*text).to_owned(),
         Math::Word(text) if text.bytes().all(|sign| sign.is_ascii_digit()) => (*text).to_owned(),
         Math::Word(text) => format!("{{rm \"{text}\" it}}"),

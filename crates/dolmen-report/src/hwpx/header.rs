@@ -4,10 +4,10 @@ use super::looks::{Count, Ground, Letters, Lie, Looks, Style, Tab};
 use super::spaces::SPACES;
 use crate::paper::xml::Xml;
 
-/// Part of Windows, and so of every computer with Hangul.
+/// A font of Windows, which every computer with Hangul has.
 const FONT: &str = "맑은 고딕";
 const SCRIPTS: [&str; 7] = ["HANGUL", "LATIN", "HANJA", "JAPANESE", "OTHER", "SYMBOL", "USER"];
-/// No separate letter format.
+/// The number for no separate letter format.
 const NO_LETTERS: &str = "4294967295";
 
 /// The header of a document with this many sections.

@@ -11,7 +11,7 @@ pub(super) struct Lines<'a> {
     pub(super) looks: &'a mut Looks,
     pub(super) tables: usize,
     pub(super) paragraphs: u32,
-    /// The next paragraph begins a page.
+    /// Whether the next paragraph begins a page.
     pub(super) breaks: bool,
     /// Content of the first paragraph of a section: the paper and the running lines.
     pub(super) opening: Option<Xml>,

@@ -358,7 +358,7 @@ impl Looks {
         number(&mut self.lies, of)
     }
 
-    /// Grounds count from 1.
+    /// Backgrounds are numbered from 1.
     pub(super) fn ground(&mut self, of: Ground) -> usize {
         number(&mut self.grounds, of) + 1
     }

@@ -252,7 +252,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Paper, margins, and what the first page hides.
+/// Paper, margins, and the elements hidden on the first page.
 fn paper_and_margins(xml: &mut Xml) {
     let attributes = [
         ("id", ""),

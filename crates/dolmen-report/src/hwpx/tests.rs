@@ -1,4 +1,4 @@
-//! The document read back: it says what the page says, it is XML, and what a user writes stays words.
+//! The document read back: it has the text of the page, is valid XML, and user text stays text.
 
 use super::hwpx;
 use crate::html::tests::{gate, pole, survey};
@@ -45,13 +45,13 @@ fn parts(bytes: &[u8]) -> (BTreeMap<String, String>, String) {
     (each.collect(), first)
 }
 
-/// What each paragraph says, without those in its tables.
+/// The text of each paragraph, without paragraphs in its tables.
 fn paragraphs(section: &str) -> Vec<String> {
     let tree = roxmltree::Document::parse(section).unwrap();
     let said = tree.descendants().filter(|node| node.has_tag_name((HP, "p")));
     let said = said.map(|paragraph| {
         let runs = paragraph.children().filter(|node| node.has_tag_name((HP, "run")));
-        // plain characters stand beside the script of each formula
+        // each formula has plain characters beside its script
         let is_said = |node: &roxmltree::Node<'_, '_>| {
             node.has_tag_name((HP, "t")) || node.has_tag_name((HP, "shapeComment"))
         };

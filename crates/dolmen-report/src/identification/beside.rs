@@ -7,7 +7,7 @@ use dolmen_work::beside_file::BesideFile;
 use dolmen_work::surveyed::SurveyAnswer;
 
 messages! {
-    /// Found beside written stiffness.
+    /// Stiffness found, compared with that of the file.
     pub(crate) enum Beside in "identification.beside" {
         Differs { survey: String, place: Sentence, ratios: Values } => {
             en: "Survey {survey}, {place}: the stiffness found is {ratios} times that of the file, the lowest first.",

@@ -92,7 +92,7 @@ messages! {
     }
 }
 
-/// The choice of each survey, and why some seek no stiffness.
+/// The choice of each survey, and the reasons why some give no stiffness.
 ///
 /// Springs of the other convention are compared in the appendix, without alarm.
 pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
@@ -187,7 +187,7 @@ fn of_other_springs(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
     others.collect()
 }
 
-/// Why surveys seek no stiffness, once for all with the same reason.
+/// Reasons why surveys give no stiffness; surveys with the same reason share one.
 fn unsought(all: &[SurveyAnswer]) -> Vec<Finding> {
     let mut reasons: Vec<(&WithoutStiffness, Vec<String>)> = Vec::new();
     for survey in all {

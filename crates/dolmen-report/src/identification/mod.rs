@@ -30,7 +30,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Template, Unit, messages};
 use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer};
 
 messages! {
-    /// The head of the stiffness from vibration, and what it is from.
+    /// The heading of the stiffness from vibration, and its source.
     pub(crate) enum Stiffness in "identification" {
         Head => { en: "Stiffness from measured vibration", ko: "계측 진동으로부터 추정한 강성" },
         OtherSprings => {

@@ -166,7 +166,7 @@ pub(super) fn findings(survey: &str, answer: &PlanAnswer) -> Vec<Finding> {
         survey: survey.to_owned(),
         said,
     };
-    // the reason for a refusal comes before it
+    // the reason for a refusal is given before it
     let mut all = Vec::from_iter(plan_centre::off_floor(survey, answer));
     all.push(Finding {
         code,

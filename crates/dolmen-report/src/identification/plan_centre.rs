@@ -70,7 +70,7 @@ messages! {
     }
 }
 
-/// One solution with the centre of rigidity of the file: not an answer.
+/// Text for a single solution with the centre of rigidity of the file: it is not an answer.
 pub(super) fn stated(answer: &PlanAnswer, one: &PlanSolution) -> Sentence {
     let units = Units::of(std::iter::once(one.stiffness));
     let [k_x, k_y, k_theta] = [0, 1, 2].map(|at| units.stiffness(one, at));

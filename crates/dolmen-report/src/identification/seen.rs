@@ -6,11 +6,11 @@ use dolmen_words::number::subscript;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::surveyed::SurveyAnswer;
 
-/// A stiffness is called not determined if the data determine less than this share.
+/// Fraction determined by the data below which a stiffness is not determined.
 const SEEN_LEAST: f64 = 0.5;
 
 messages! {
-    /// What the data determine.
+    /// Quantities that the data determine.
     pub(crate) enum Seen in "identification.seen" {
         Shares { shares: Vec<Sentence>, free: usize } => {
             en: "Share of each that the data see (at 1 all of it, at 0 nothing): {shares}; directions that stay free: {free}.",

@@ -274,7 +274,8 @@ fn bounds_words(bound: &StiffnessBounds, unit: &Unit) -> Solutions {
     }
 }
 
-/// Stability from the solutions: one member of a family decides nothing, and bounds decide only if it stands at the lowest.
+/// Stability from the solutions. One member of a family is not sufficient for a verdict, and bounds are sufficient only if
+/// the structure stands at the lowest.
 fn verdict(choice: Choice, solution: &StiffnessSolution, factor: Option<f64>) -> Verdict {
     match (factor, &solution.stiffness_bounds) {
         (Some(factor), None) if choice != Choice::Underdetermined => Verdict::of_load_factor(factor),

@@ -100,7 +100,7 @@ pub(super) fn numbered(spring: Spring, number: usize) -> Sentence {
     .into()
 }
 
-/// "joint 3: 0.70" of each.
+/// "joint 3: 0.70" for each value.
 pub(super) fn of_each(spring: Spring, values: &[OfSpring], unit: &Unit, digits: Digits) -> Vec<Sentence> {
     let one = |of: &OfSpring| {
         Words::Of {
@@ -122,7 +122,7 @@ pub(super) fn proportion_words(proportion: Proportion) -> Sentence {
     .into()
 }
 
-/// Distance of a set from the data.
+/// The misfit between a solution and the data.
 pub(super) fn misfit_words(misfit: Misfit) -> Sentence {
     match misfit {
         Misfit::Relative(share) => Words::Relative {

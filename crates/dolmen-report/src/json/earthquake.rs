@@ -9,7 +9,7 @@ use dolmen::modal::{
 use dolmen_work::surveyed::{Earthquake, ModesOf};
 use serde_json::Value;
 
-/// Of which part of a record that holds an earthquake the modes are.
+/// The part of a record with an earthquake that the modes come from.
 pub(super) fn modes_of(of: ModesOf) -> &'static str {
     match of {
         ModesOf::After => "after",
@@ -20,7 +20,8 @@ pub(super) fn modes_of(of: ModesOf) -> &'static str {
     }
 }
 
-/// The earthquakes in a record; times from the first sample of its file. What stands beside `events` is of the strongest over its noise.
+/// The earthquakes in a record; times from the first sample of its file. Values next to `events` belong to the earthquake that is
+/// strongest over its noise.
 pub(super) fn earthquake(of: &Earthquake) -> Value {
     let found = &of.found;
     let part = |of: &Part| {

@@ -11,7 +11,7 @@ const CONFIDENCE: f64 = 0.95;
 /// One object for each combination of inputs, each with one for each state.
 ///
 /// # Errors
-/// None for curves as they are fitted.
+/// None for fitted curves.
 pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
     let each = answer.fragilities().iter().map(|one| {
         let states = one.states.iter().map(|state| {
@@ -115,7 +115,7 @@ pub(super) fn sufficiency_json(answer: &StudyAnswer) -> Vec<Value> {
 /// Every joint of a stack with the peaks at which it reaches each state.
 ///
 /// # Errors
-/// None for curves as they are fitted.
+/// None for fitted curves.
 pub(super) fn joints_json(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
     let joints = answer.joint_fragilities().iter().map(|one| {
         let states = one.states.iter().map(|state| {

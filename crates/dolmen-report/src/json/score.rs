@@ -75,7 +75,7 @@ pub fn score_given_json(answer: &GivenAnswer) -> Value {
     value
 }
 
-/// What the score is worth, state by state.
+/// Accuracy of the score, state by state.
 pub fn score_quality_json(qualities: &[ScoreQuality], designs: usize) -> Value {
     let states = qualities.iter().map(|one| {
         let shares = one.shares.shares.iter();

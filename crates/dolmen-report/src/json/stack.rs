@@ -54,7 +54,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
     })
 }
 
-/// The survey, and the slope that the model takes from it.
+/// The survey, and its slope in the model.
 pub(super) fn lean(of: &SurveyedLean) -> Value {
     as_json!({ "survey": of.survey, "slope": of.slope })
 }

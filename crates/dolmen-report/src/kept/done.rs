@@ -7,7 +7,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::kept::{Added, AddedEarthquake, Fault, Imported, Verified};
 
 messages! {
-    /// What was done to a store.
+    /// Completed changes of a store.
     pub(crate) enum Done in "store.done" {
         Added { structure: String, surveys: usize, new: usize, files: usize, new_files: usize } => {
             en: "{structure} is stored: {surveys} surveys, {new} of them new; {files} files, {new_files} of them new.",

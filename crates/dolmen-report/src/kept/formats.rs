@@ -107,7 +107,7 @@ pub(super) fn line(cells: &[String]) -> String {
     cells.join(",") + "\r\n"
 }
 
-/// A quoted cell, which a spreadsheet never takes for a formula.
+/// A quoted cell, which a spreadsheet never interprets as a formula.
 pub(super) fn quoted(text: &str) -> String {
     let is_formula = text.starts_with(['=', '+', '-', '@', '\t']);
     let mark = if is_formula { "'" } else { "" };

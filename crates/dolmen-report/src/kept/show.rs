@@ -8,9 +8,9 @@ use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::kept::{KeptMode, KeptStructure, KeptSurvey};
 
-/// Frequencies of a survey that a row shows.
+/// Number of frequencies of a survey in a row.
 const FREQUENCIES_MOST: usize = 4;
-/// Digits of a hash that tell states apart.
+/// Number of digits of a hash that distinguish states.
 const HASH_SHOWN: usize = 12;
 
 messages! {

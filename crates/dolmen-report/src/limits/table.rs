@@ -9,7 +9,7 @@ use dolmen_work::part_limit::{Limited, PartLimit};
 
 /// Digits of drifts, moments and ratios.
 const DIGITS: usize = 3;
-/// A ratio above 1 by less is rounding of a moment that has reached the one on its edge.
+/// An excess over 1 below this is rounding: the moment has reached that at the edge of the bed.
 const ROUNDING: f64 = 1e-6;
 
 messages! {
@@ -86,7 +86,7 @@ pub(crate) fn section(document: &mut Document<'_>, parts: &[PartLimit], limit: O
     }
 }
 
-/// Whether a bed had reached the moment on its edge, which a run cannot exceed.
+/// Whether a bed had reached the moment at its edge, which a run cannot exceed.
 fn is_on_edge(of: &PartLimit) -> bool {
     let ratio = of.ratio().unwrap_or(f64::INFINITY);
     of.limited == Limited::BedEdge && (ratio - 1.0).abs() <= ROUNDING

@@ -168,7 +168,7 @@ impl<'a> Loaded<'a> {
     }
 }
 
-/// The section; empty without loads besides the weight.
+/// The section; empty if there are no loads except the weight.
 pub(crate) fn sections<'a>(
     given: &LoadsPart,
     answer: Option<&'a LoadsAnswer>,

@@ -87,7 +87,7 @@ fn bent_words(mode: &ModeDecay, channels: usize) -> Remarks {
 
 /// Finding that the residual has peaks, or the modes' own frequencies: the excitation continues.
 fn still_shaken(decay: &Decay) -> Option<Remarks> {
-    // the residual of a mode that is no exponential belongs to that mode
+    // the residual of a mode that is not exponential belongs to that mode
     let is_one = |mode: &&ModeDecay| mode.poles_hz.len() == 1 && !mode.damping_follows;
     let over = decay.modes.iter().filter(is_one).map(|mode| mode.over_white);
     let most = over.filter(|times| *times > FAR).fold(0.0, f64::max);
@@ -122,7 +122,7 @@ fn still_shaken(decay: &Decay) -> Option<Remarks> {
     Some(said)
 }
 
-/// Peaks are known only to a line of the spectrum.
+/// Peaks are known only to the width of a spectral line.
 fn coarse(frequency_hz: &[f64]) -> Values {
     let one = |hz: &f64| Quantity::new(*hz, Unit::si("Hz"), Digits::Fixed(2));
     Values(frequency_hz.iter().map(one).collect())

@@ -134,7 +134,7 @@ pub(crate) fn findings(surveys: &[SurveyAnswer]) -> Vec<Finding> {
     each.collect()
 }
 
-/// Of the records of a survey.
+/// Findings on the records of a survey.
 fn of_survey(survey: &SurveyAnswer) -> Vec<Finding> {
     let mut all: Vec<Finding> = survey.records.iter().flat_map(of_record).collect();
     if let Some(setups) = &survey.setups {
@@ -203,10 +203,10 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
     all
 }
 
-/// Modes of a free decay whose frequency follows the size of their swings.
+/// Modes of a free decay whose frequency depends on the amplitude.
 fn following(record: &RecordAnswer) -> Vec<Finding> {
     let decay = record.analysis.decay.iter();
-    // of one channel it may as well be two modes
+    // with a single channel, it may also be two modes
     let each = decay.filter(|of| of.channels > 1).flat_map(|of| &of.modes);
     let bent = each.filter(|mode| mode.poles_hz.len() > 1);
     let said = bent.filter_map(|mode| {
@@ -314,7 +314,7 @@ fn sensor(doubt: &SensorDoubt) -> Found {
     }
 }
 
-/// Coherence with the measured input below which a mode follows it little. Our choice.
+/// Coherence with the measured input below which the input explains little of a mode. Our choice.
 const FOLLOWS_LITTLE: f64 = 0.3;
 
 fn follows_little(mode: &DrivenMode) -> Option<Finding> {
@@ -340,7 +340,7 @@ fn still(note: &Note) -> Option<Finding> {
     }
 }
 
-/// Whether a channel that is at rest in the modes moved in an earthquake of the record as its unit implies: then it is connected, and
+/// Whether a channel at rest in the modes moved in an earthquake of the record as much as its unit implies. It is then connected, and
 /// stands on the ground.
 fn has_felt(record: &RecordAnswer, note: &Note) -> bool {
     let Note::StandsStill { channel, .. } = note else {
@@ -402,7 +402,6 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
     all.extend(still.filter_map(self::still));
     let driven = record.analysis.driven.iter().flat_map(|of| &of.modes);
     all.extend(driven.filter_map(follows_little));
-    // omitted channels, because results depend only on the others; and modes due to machines
     let weighs = |note: &&Note| {
         matches!(
             note,

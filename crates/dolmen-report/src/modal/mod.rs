@@ -34,7 +34,7 @@ use dolmen_words::{Template, messages};
 use dolmen_work::surveyed::SurveyAnswer;
 
 messages! {
-    /// What a record is of.
+    /// Origin of a record.
     pub(crate) enum Of in "modal" {
         Survey { survey: String } => { en: "{survey}", ko: "{survey}" },
         Setup { survey: String, number: usize } => {

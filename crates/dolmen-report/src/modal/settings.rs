@@ -6,7 +6,7 @@ use dolmen::modal::{Fate, Method, ModalAnalysis};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 messages! {
-    /// What was chosen.
+    /// Automatically chosen settings.
     pub(crate) enum Chosen in "modal.settings" {
         Peaks { lines: usize, low: Quantity, high: Quantity } => {
             en: "Modes are the peaks of a spectrum of {lines} lines, sought between {low} and {high}. The window bias is what the length of its window would have added to each damping ratio; it has been taken out.",

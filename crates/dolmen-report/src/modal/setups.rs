@@ -37,7 +37,7 @@ messages! {
     }
 }
 
-/// The result of all setups together; the single ones come before.
+/// The joined result of all setups; the results of single setups come before it.
 pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, setups: &'a SetupsAnswer) {
     let modes = &setups.merged.modes;
     document.heading(Setups::Head {

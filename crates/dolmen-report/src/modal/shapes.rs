@@ -45,7 +45,7 @@ messages! {
     }
 }
 
-/// Whose shapes they are.
+/// The source of the shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ShapeFigures {
     /// One record.

@@ -5,7 +5,7 @@ use dolmen::modal::{InSpells, Kurtosis, Tone, ToneOnMode, Wander};
 use dolmen_words::{Quantity, Sentence, messages};
 
 messages! {
-    /// Peaks and modes that machines make.
+    /// Peaks and modes caused by machines.
     pub(crate) enum Steady in "modal.steady" {
         Tone { frequency: Quantity, width: Quantity } => {
             en: "{frequency} (width {width})",

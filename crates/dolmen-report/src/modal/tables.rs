@@ -232,7 +232,7 @@ pub(super) fn caption(method: Method) -> Vec<Sentence> {
     vec![caption.into(), meaning.into()]
 }
 
-/// The shapes, a row a channel.
+/// The shapes, one row per channel.
 pub(super) fn shapes_table(modes: &Modes) -> Table {
     let mut columns = vec![
         Column::words(Tables::Channel),

@@ -7,7 +7,7 @@ use crate::simulated::steps_of;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::motion::{MotionReport, MotionSeries};
 
-/// In a short answer, one of this many periods of a spectrum is printed.
+/// One of this many periods of a spectrum is printed; the second number is for a short answer.
 const STEP: usize = 10;
 const STEP_BRIEF: usize = 50;
 /// PGA, PGV and PGD: the measures in a short answer with spectra.

@@ -27,7 +27,7 @@ pub(crate) fn holds_the_page(there: &[String], answer: &ProjectReport, language:
     }
 }
 
-/// The words with symbols as paper joins them, the second part lower.
+/// The text with its symbols as on paper, the second part lowered.
 fn lowered(words: &str) -> String {
     LOWERED.iter().fold(words.to_owned(), |words, symbol| {
         words.replace(symbol, &symbol.replace('_', ""))

@@ -75,7 +75,7 @@ impl Body<'_> {
             Block::Photos(photos) => self.photos(photos),
             Block::Signatures(rows) => self.signatures(rows),
             Block::Answers(answers) => {
-                // a question a column, its word below
+                // one column per question, with its word below
                 let word = |answer: &Answered| Shown {
                     text: format!("{} {}", tone(answer.tone)[2], answer.word.text(language)),
                     is_bad: answer.tone == Tone::Bad,
@@ -211,7 +211,7 @@ impl Body<'_> {
             is_bad: false,
         };
         let heads = [Framed::Role, Framed::Name, Framed::Licence, Framed::Signature];
-        // room for a signature
+        // space for a signature
         let room = || Shown {
             text: "\u{a0}".repeat(24),
             is_bad: false,

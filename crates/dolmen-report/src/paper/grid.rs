@@ -82,7 +82,7 @@ pub(crate) fn widths(grid: &Grid, half_points: usize) -> Vec<usize> {
     let least: usize = measured.iter().map(|(least, _)| least).sum();
     let wanted: usize = measured.iter().map(|(_, wanted)| wanted).sum();
     let shared = |(low, high): &(usize, usize)| match (wanted <= TEXT_WIDTH, least <= TEXT_WIDTH) {
-        // room to write in is all that there is
+        // only the space for writing remains
         (true, _) if grid.is_form && wanted > 0 => high * TEXT_WIDTH / wanted,
         (true, _) => *high,
         (false, true) => low + (high - low) * (TEXT_WIDTH - least) / (wanted - least).max(1),

@@ -25,7 +25,7 @@ pub(crate) fn tone(tone: Tone) -> [&'static str; 3] {
     }
 }
 
-/// Symbols whose second part stands lower, as on the page.
+/// Symbols whose second part is a subscript, as on the page.
 pub(super) const LOWERED: [&str; 8] = ["k_cr", "k_min", "K_n", "K_s", "a_z", "I_u", "d_SLV", "T_SLV"];
 
 /// Emphasis of text.

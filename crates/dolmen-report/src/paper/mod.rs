@@ -92,7 +92,7 @@ pub(crate) fn paper(
     })
 }
 
-/// A paragraph between a head and a table or picture stays with both: a head and a sentence alone do not end a page.
+/// A paragraph between a heading and a table or picture stays with both, so that no page ends with a heading and one sentence.
 fn keep_leads(pieces: &mut [Piece]) {
     for at in 1..pieces.len().saturating_sub(1) {
         let is_first = matches!(pieces[at - 1], Piece::Heading(_));

@@ -36,9 +36,9 @@ pub(crate) struct Paragraph {
     pub(crate) role: Role,
     pub(crate) runs: Vec<Run>,
     pub(crate) shade: Option<Shade>,
-    /// It stands on the page of what follows.
+    /// Whether it stays on the page of the next piece.
     pub(crate) keeps_next: bool,
-    /// Room above where it is not that of its role, twentieths of a point.
+    /// Space above, if not that of its role, twentieths of a point.
     pub(crate) room_above: Option<u32>,
 }
 
@@ -75,7 +75,7 @@ pub(crate) struct Caption {
     pub(crate) number: String,
     pub(crate) lead: Option<String>,
     pub(crate) rest: Option<String>,
-    /// Whether it stands above its object.
+    /// Whether it is above its object.
     pub(crate) is_above: bool,
 }
 
@@ -88,14 +88,14 @@ pub(crate) enum Piece {
     /// A formula on a line of its own.
     Equation(Vec<Math>),
     Table(Grid),
-    /// A picture, and whether it is on the cover, where it stands lower.
+    /// A picture, and whether it is on the cover, where its position is lower.
     Picture(Picture, bool),
     /// Pictures with their captions, two side by side.
     Beside(Vec<(Picture, Caption)>),
     /// Space between two pieces, twentieths of a point; by default that of a table.
     Gap(Option<u32>),
     PageBreak,
-    /// The contents stand here.
+    /// Position of the contents.
     Contents,
     /// The next project begins, with a cover that has no running lines.
     NextProject,

@@ -104,7 +104,7 @@ pub(super) fn lead(answer: &PortfolioAnswer) -> Block<'static> {
     Block::Paragraph(said.into_iter().map(Sentence::from).collect())
 }
 
-/// Why rates do not order the structures although some have a hazard.
+/// Why structures are not ranked by rates although some have a hazard.
 pub(crate) fn not_by_rate(answer: &PortfolioAnswer) -> Option<Sentence> {
     let (lacking, all) = (without_hazard(answer), answer.entries.len());
     let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();

@@ -8,7 +8,7 @@ use dolmen_work::portfolio::PortfolioAnswer;
 
 /// Largest number of lines of a short answer after which a remark is still shown, so that the head of the table and some rows have room.
 const REMARKS_MOST: usize = 6;
-/// Rows of the table of a brief answer.
+/// Number of table rows in a brief answer.
 const ROWS_MOST: usize = 5;
 
 messages! {
@@ -42,7 +42,7 @@ fn brief(answer: &PortfolioAnswer, style: TextStyle) -> String {
     {
         brief.block_within(Block::List(vec![remark]), REMARKS_MOST);
     }
-    // the first ranks are shown however long the remarks on unranked structures are
+    // the first ranks are shown even if the remarks on unranked structures are long
     brief.table(&table::table(answer, true), ROWS_MOST);
     for one in &answer.left_out {
         brief.block(Block::List(vec![remarks::left_out_words(one)]));

@@ -49,11 +49,11 @@ messages! {
     }
 }
 
-/// The peak, of [`GIVEN_PEAKS_G`], that the first lines tell: 0.2 g.
+/// Index in [`GIVEN_PEAKS_G`] of the peak in the first lines: 0.2 g.
 const TOLD: usize = 1;
-/// Probabilities below this, and above 1 less this, are told as bounds. Chosen here.
+/// Probabilities below this, and above 1 minus this, are given as bounds. Our choice.
 const FINEST: f64 = 0.01;
-/// DS3, which the first lines tell.
+/// Index of the state in the first lines: DS3.
 const TOLD_STATE: usize = 2;
 
 /// The score of one pagoda with a measured frequency.
@@ -130,7 +130,7 @@ fn percent(share: f64, digits: Digits) -> Quantity {
     Quantity::new(share, Unit::percent(), digits)
 }
 
-/// A probability in whole per cents: finer ones were not tested.
+/// A probability in whole per cent: finer values were not tested.
 fn chance(probability: f64) -> Sentence {
     let whole = |share| percent(share, Digits::Fixed(0));
     let said = match probability {

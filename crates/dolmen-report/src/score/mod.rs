@@ -16,7 +16,7 @@ pub(crate) use words::{range_cell, state_name};
 
 use dolmen_words::Template;
 
-/// The sentences on scores as they are written.
+/// Templates of the sentences on scores.
 pub(crate) const TEMPLATES: [&[Template]; 7] = [
     effects::Effects::TEMPLATES,
     form::Form::TEMPLATES,

@@ -174,7 +174,7 @@ pub(super) fn extrapolated_sentences(answer: &ScoreAnswer) -> Vec<Sentence> {
     each.map(|how| Pagoda::Extrapolated { how }.into()).collect()
 }
 
-/// What sets the pagoda apart from the designs.
+/// Differences of the pagoda from the designs.
 fn extrapolated(answer: &ScoreAnswer) -> Vec<Sentence> {
     let unlike = answer.unlike.iter().map(|one| Pagoda::Unlike {
         words: Both::of(|language| unlike_words(one, language)),

@@ -9,7 +9,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::score::ScoreQuality;
 
 messages! {
-    /// How well a score orders.
+    /// Accuracy of the order given by a score.
     pub(crate) enum Quality in "score.quality" {
         Head => { en: "What the six-factor score is worth", ko: "여섯 인자 점수의 신뢰도" },
         Order { parts: usize } => {

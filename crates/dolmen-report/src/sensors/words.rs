@@ -5,7 +5,7 @@ use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::sensors::{Axis, PlannedMode, Side};
 
 messages! {
-    /// Sensors, and what they see.
+    /// Sensors, and the modes that they measure.
     pub(crate) enum Planned in "sensors" {
         Head { name: Both } => { en: "Sensors for {name}", ko: "{name}: 센서 배치" },
         TellsApart { modes: usize, mac: Quantity, share: Quantity } => {

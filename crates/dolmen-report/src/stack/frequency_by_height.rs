@@ -1,4 +1,4 @@
-//! First frequencies of pagodas like that of the file, of other heights and storeys.
+//! First frequencies of pagodas like that of the file, with other heights and storeys.
 
 use crate::document::{Cell, Column, Document, Figure, Series, Table};
 use crate::figures::frequency_by_height;

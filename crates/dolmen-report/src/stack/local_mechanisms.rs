@@ -8,7 +8,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::state::{LocalMechanismRow, StackAnswer};
 
 messages! {
-    /// Local mechanisms as a code wants them.
+    /// Local mechanisms as a code requires.
     pub(crate) enum Local in "stack.local_mechanisms" {
         Caption => {
             en: "Local mechanisms by Circolare 7/2019 (C8.7.1.2.1, to NTC 2018).",

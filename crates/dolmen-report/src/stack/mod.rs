@@ -126,7 +126,7 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
     document
 }
 
-/// Whether at least half of the joints lie in cuts through the whole stack. In an arch hardly any do, and its cuts say nothing about its motion.
+/// Whether at least half of the joints are in cuts through the whole stack. In an arch hardly any are, and its cuts do not describe its motion.
 fn is_cut_through(answer: &StackAnswer) -> bool {
     let cuts = answer.check.limits.cuts.iter();
     let joints: BTreeSet<usize> = cuts.flat_map(|of| of.cut.joints.iter().copied()).collect();

@@ -127,7 +127,7 @@ messages! {
     }
 }
 
-/// Whether a stack bears less without its static loads; without a limit it does not stand.
+/// Whether a stack resists less without its static loads; without a limit it does not stand.
 pub(super) fn is_less(without_g: Option<f64>, with_g: Option<f64>) -> bool {
     match (without_g, with_g) {
         (Some(without), Some(with)) => without < with * (1.0 - LESS),
@@ -136,7 +136,7 @@ pub(super) fn is_less(without_g: Option<f64>, with_g: Option<f64>) -> bool {
     }
 }
 
-/// By how much less before the answer gives both: what the solver loses is 1e-8.
+/// Smallest reduction for which the answer gives both values; the error of the solver is 1e-8.
 const LESS: f64 = 1e-3;
 
 /// The joint with the widest gap.

@@ -1,4 +1,4 @@
-//! Whether a stack stands without shaking, and if not, why.
+//! Whether a stack stands without shaking, and otherwise the reason.
 
 use super::words::{DIGITS, megapascals, place};
 use dolmen::stability::stack::Standing;

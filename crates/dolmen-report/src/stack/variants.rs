@@ -76,7 +76,7 @@ fn columns(with_demand: bool) -> Vec<Column> {
 
 fn row(name: Sentence, state: &State, answer: &StackAnswer, with_demand: bool) -> Vec<Cell> {
     let limits = &answer.check.limits;
-    // what falls by its weight has no capacity, whatever its joints one by one would bear
+    // a stack that falls under its weight has no capacity, whatever single joints would resist
     let falls = state.verdict() == Verdict::Unstable;
     let at = |acceleration_g: Option<f64>| Cell::Number(acceleration_g.filter(|_| !falls).map(in_g));
     let of = |first: &Option<Governing>| at(first.map(|first| first.threshold.acceleration_g));

@@ -65,7 +65,7 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
             Some(moving) => Judged::FallsTogether { what, moving },
             None => Judged::FallsSomehow { what },
         },
-        // gravity turned by a tilt has its tangent as horizontal part
+        // a tilt is equivalent to a horizontal acceleration of g times its tangent
         (Standing::Stands, Some(capacity)) if !limits.statically_determinate => {
             let degrees = capacity.acceleration_g.atan().to_degrees();
             let tilt = Quantity::new(degrees, Unit::si("°"), Digits::Significant(DIGITS));

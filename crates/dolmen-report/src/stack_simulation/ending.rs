@@ -255,7 +255,7 @@ pub(super) fn name_words(name: &str) -> Sentence {
     .into()
 }
 
-/// The opening from which a joint counts as open.
+/// The opening above which a joint is open.
 fn least() -> Quantity {
     Quantity::new(StackHistory::UPLIFT_LEAST_M, milli("m"), Digits::Trimmed(2))
 }

@@ -50,7 +50,7 @@ messages! {
     }
 }
 
-/// The sentences on simulated stacks as they are written.
+/// Templates of the sentences on simulated stacks.
 pub(crate) const TEMPLATES: [&[Template]; 8] = [
     ending::Ending::TEMPLATES,
     laws::Laws::TEMPLATES,
@@ -74,7 +74,7 @@ pub fn simulation_text(runs: &StackRuns, style: TextStyle) -> String {
     findings_text(&found, style) + &document_text(&document, style)
 }
 
-/// The section of the structure as given, and its variants beside it.
+/// The section of the structure as given, and of its variants.
 pub(crate) fn sections(answer: &ProjectReport) -> Document<'_> {
     let mut document = Document::default();
     if let Some(runs) = answer.own_stack_runs() {

@@ -7,11 +7,11 @@ use dolmen::structure::stack::Stack;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::StackSimulation;
 
-/// A structure whose input energy could lift it by no more than this hardly moves, and shares of that energy mean nothing. Our choice.
+/// Height by which the input energy could lift a structure, up to which fractions of that energy are meaningless. Our choice.
 const LIFT_LEAST_M: f64 = 1e-6;
-/// Share of the input energy that contacts may create before it counts as a fault: that of the engine's own tests.
+/// Largest share of the input energy that contacts may create without a fault: that of the engine's own tests.
 const ENERGY_MADE_MOST: f64 = 1e-3;
-/// Solutions with a larger residual count as loose, m/s: as in the engine.
+/// Residual above which solutions are inaccurate, m/s: as in the engine.
 const LOOSE_M_S: f64 = 1e-6;
 /// Digits of steps and residuals.
 const DIGITS: usize = 3;
@@ -118,7 +118,7 @@ pub(crate) fn points_a_side(rule: ContactRule) -> usize {
     }
 }
 
-/// Where the highest stone went.
+/// Displacement of the highest stone.
 pub(super) fn top(simulation: &StackSimulation) -> Run {
     let block = simulation.highest_block();
     let moved = simulation.displacement_m(block);

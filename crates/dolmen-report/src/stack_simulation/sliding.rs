@@ -1,4 +1,4 @@
-//! Result of the sliding model for a pile, beside its contact simulation.
+//! Result of the sliding model for a pile, in addition to its contact simulation.
 
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
 use crate::simulated::{milli, seconds};

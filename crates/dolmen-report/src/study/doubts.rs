@@ -10,7 +10,7 @@ use dolmen_work::study::{CapacityOf, ScanVerdict, StudyAnswer, StudyKind};
 const NAMED_MOST: usize = 10;
 
 messages! {
-    /// Scans that cannot be used.
+    /// Unusable scans.
     pub(crate) enum LeftOut in "study.left-out" {
         Unusable { out: usize, jobs: Sentence } => {
             en: "{out} of {jobs} cannot be used and are in no quantile and no trend: runs below their first fall were refused or gave no result. Their brackets are in capacities.csv.",

@@ -97,7 +97,7 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     all.extend(allowed_drift(answer));
     let found = capacity(answer);
     if found.is_none() {
-        // nothing is left but why
+        // only the reasons are left
         let why = run::refused_for(answer).into_iter();
         all.extend(why.map(|said| Finding::key(Tone::Bad, said)));
     }

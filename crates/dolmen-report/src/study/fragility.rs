@@ -136,7 +136,7 @@ fn motions(found: &[CombinationFragility]) -> Sentence {
     }
 }
 
-/// Whether some of the scans fall without shaking.
+/// Whether some structures fell without shaking.
 fn has_alone(shown: &[CombinationFragility]) -> bool {
     shown
         .iter()
@@ -190,7 +190,7 @@ fn table(answer: &StudyAnswer, shown: &[CombinationFragility]) -> Table {
     }
 }
 
-/// From "reached" to "enough".
+/// The columns from "reached" to "enough".
 fn curve(answer: &StudyAnswer, own: &StateFragility) -> Vec<Cell> {
     let mut cells = vec![of_all(own.reached(), own.scans())];
     match &own.by_acceleration {
@@ -239,7 +239,7 @@ fn fitted(answer: &StudyAnswer, fit: &FragilityFit) -> [Cell; 4] {
     ]
 }
 
-/// Rates a year are small.
+/// Unit of annual rates, which are small.
 fn thousandths() -> Unit {
     Unit {
         symbol: "10⁻³".to_owned(),
@@ -247,7 +247,7 @@ fn thousandths() -> Unit {
     }
 }
 
-/// Without its unit, which the column names.
+/// A quantity without its unit, which is in the column name.
 fn bare(mut quantity: Quantity) -> Quantity {
     quantity.unit.symbol.clear();
     quantity

@@ -5,7 +5,7 @@ use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::study::{Run, RunOutcome, StudyAnswer, StudyKind};
 
-/// With more scans only the figures and runs.csv have them.
+/// Number of scans above which only the figures and runs.csv contain them.
 const SCANS_MOST: usize = 6;
 
 messages! {

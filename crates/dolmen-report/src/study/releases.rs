@@ -65,7 +65,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     }
 }
 
-/// What maps and releases come to, each over all cases.
+/// Findings on maps and releases, each over all cases.
 pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     let hertz = |value: f64| Quantity::new(value, Unit::si("Hz"), Digits::Significant(3));
     let mm = |value: f64| Quantity::new(value, millimetre(), Digits::Significant(3));

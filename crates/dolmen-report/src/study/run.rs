@@ -9,7 +9,7 @@ use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::study::{RunOutcome, ScanVerdict, StudyAnswer, StudyKind};
 
 messages! {
-    /// What was run.
+    /// Runs of a study.
     pub(crate) enum Done in "study.run" {
         Runs { runs: Sentence, cases: Sentence, motions: Sentence, directions: Sentence } => {
             en: "{runs} of {cases} under {motions} in {directions}, each at growing shaking.",

@@ -73,7 +73,7 @@ fn split(answer: &StudyAnswer, one: &CombinationFragility, own: &StateFragility)
     std::iter::once(said).chain(without).map(Sentence::from).collect()
 }
 
-/// Pairs of curves that cross where it matters.
+/// Pairs of curves that cross at relevant probabilities.
 pub(super) fn crossings(answer: &StudyAnswer, shown: &[CombinationFragility]) -> Vec<Scatter> {
     let mut found = Vec::new();
     for one in shown {

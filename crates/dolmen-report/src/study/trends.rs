@@ -109,7 +109,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     }
 }
 
-/// A sentence a trend.
+/// One sentence per trend.
 pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     let one = |trend: &TrendAnswer| {
         let tau = &trend.of_pairs;

@@ -54,7 +54,7 @@ pub fn wind_histories_csv(run: &WindSimulation) -> String {
     out
 }
 
-/// The largest size of each value in each history: one row a value and seed.
+/// The largest size of each value in each history: one row per value and seed.
 pub fn wind_peaks_csv(run: &WindSimulation) -> String {
     let mut out = "wind,value,seed,peak\n".to_owned();
     for (of, motion) in motions(run) {

@@ -1,4 +1,4 @@
-//! Aligned columns of text; Hangul counts as two columns wide.
+//! Aligned columns of text; a Hangul character is two columns wide.
 
 use unicode_width::UnicodeWidthStr as _;
 

@@ -57,7 +57,7 @@ messages! {
     }
 }
 
-/// Of each damper alone and of all together.
+/// Findings on each damper alone, and on all together.
 pub(crate) fn findings(tunings: &[&TuneAnswer], together: &[&TogetherAnswer]) -> Vec<Finding> {
     let mut all: Vec<Finding> = tunings.iter().flat_map(|answer| of_one(answer)).collect();
     all.extend(together.iter().flat_map(|answer| of_all(answer)));

@@ -149,7 +149,7 @@ fn costs(answer: &TuneAnswer) -> Vec<Remark> {
     rule.into_iter().chain(given).collect()
 }
 
-/// Of all dampers together.
+/// Notes on all dampers together.
 pub(super) fn of_all(document: &mut Document<'_>, answer: &TogetherAnswer) {
     let choice = |row: &TogetherRow| together_words(&row.choice);
     rooms(document, &answer.room, |row| answer.rows.get(row).map(choice));

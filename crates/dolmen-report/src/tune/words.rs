@@ -5,7 +5,7 @@ use dolmen::damper::{Choice, Goal};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{RowStroke, TogetherChoice, TuneLoad};
 
-/// A ratio exceeds 1 only if by more than this, which is rounding.
+/// A ratio above 1 by no more than this counts as 1: it is rounding.
 pub(super) const ROUNDING: f64 = 1e-12;
 
 messages! {

@@ -133,7 +133,7 @@ impl Parts {
     }
 }
 
-/// Whether a block is more than words.
+/// Whether a block is more than text.
 fn stands_whole(block: &Block<'_>) -> bool {
     matches!(
         block,
@@ -141,7 +141,7 @@ fn stands_whole(block: &Block<'_>) -> bool {
     )
 }
 
-/// What stands in a cell, marked where it must not be used.
+/// The text of a cell, marked if it must not be used.
 fn marked(cell: &Cell, text: &str) -> String {
     match cell.is_bad() {
         true => format!("bad({})", literal(text)),
@@ -149,7 +149,7 @@ fn marked(cell: &Cell, text: &str) -> String {
     }
 }
 
-/// The first sentence stands out.
+/// A caption with its first sentence emphasised.
 fn caption(sentences: &[Sentence], language: Language) -> String {
     match sentences {
         [] => "none".to_owned(),

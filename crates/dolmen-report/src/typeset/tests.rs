@@ -23,7 +23,7 @@ pub(crate) fn inside(page: &str, tag: &str) -> Vec<String> {
             .replace("&quot;", "\"");
         text.replace("&#39;", "'").replace("&amp;", "&")
     };
-    // numbers are set by the printer itself
+    // Typst sets numbers by itself
     let bare = |text: String| match text.strip_prefix("<span class=\"no\">") {
         Some(rest) => rest
             .split_once("</span> ")

@@ -288,7 +288,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
     all
 }
 
-/// That no survey was judged, and how many more that needs where they are too few.
+/// Finding that no survey was judged, and how many more are needed.
 fn none_judged(surveys: usize) -> Found {
     let training = 10;
     match surveys > training {
@@ -300,7 +300,7 @@ fn none_judged(surveys: usize) -> Found {
     }
 }
 
-/// Works that are dated far behind the last survey.
+/// Works dated long after the last survey.
 fn far_ahead(answer: &WatchAnswer) -> Vec<Finding> {
     let last = name(answer, answer.surveys.len().saturating_sub(1));
     let far = answer.works.iter().filter(|(day, _)| answer.is_far_ahead(*day));
@@ -311,7 +311,7 @@ fn far_ahead(answer: &WatchAnswer) -> Vec<Finding> {
     said.map(|said| Finding::key(Tone::Warn, said)).collect()
 }
 
-/// Number of standard deviations by which a frequency falls at a repair from which that comes first. Our choice.
+/// A fall of a frequency at a repair by at least this many standard deviations comes first. Our choice.
 const FALLS_FROM: f64 = 3.0;
 
 fn changes(answer: &WatchAnswer) -> Vec<Finding> {

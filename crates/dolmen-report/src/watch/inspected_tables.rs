@@ -10,7 +10,7 @@ use dolmen_work::inspected::{InspectionOf, WatchedDamage};
 use dolmen_work::watched::WatchAnswer;
 use std::collections::BTreeSet;
 
-/// Kinds of damage that have a column; the others stand together.
+/// Number of kinds of damage with their own column; the others share one.
 const KINDS_MOST: usize = 6;
 
 messages! {
@@ -42,7 +42,7 @@ messages! {
     }
 }
 
-/// The tables, those that have rows.
+/// The nonempty tables.
 pub(super) fn put(document: &mut Document<'_>, answer: &WatchAnswer) {
     let found = &answer.inspected;
     if !found.inspections.is_empty() {

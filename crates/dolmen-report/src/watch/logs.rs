@@ -145,7 +145,7 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
         let has_own_limit = !(are_together && log.is_tilt() && log.part.limit.is_none());
         let silent = log.silent_since(answer.newest_day());
         let found = trend(log, has_own_limit && exchanged.is_none());
-        // a log that ended says nothing about today
+        // a log that ended has no information about today
         all.push(match silent {
             Some(_) if found.tone == Tone::Good => Finding {
                 tone: Tone::Unknown,
@@ -264,7 +264,7 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
     }
 }
 
-/// Changes of slope, and monthly steps besides the jump.
+/// Changes of slope, and monthly steps in addition to the jump.
 fn changed(log: &WatchedLog) -> Vec<Finding> {
     let (is_tilt, changes) = (log.is_tilt(), &log.trend.changes);
     let now = log.trend.slope.map_or(f64::NAN, |slope| slope.per_year);
@@ -293,12 +293,13 @@ fn changed(log: &WatchedLog) -> Vec<Finding> {
     each.map(|said| Finding::key(Tone::Warn, said)).collect()
 }
 
-/// "2026-11".
+/// The month of a day: "2026-11".
 fn month_of(day: f64) -> String {
     date_text(day).chars().take("2026-11".len()).collect()
 }
 
-/// Finding that its zero belongs to an earlier sensor: its present reading is not the total movement.
+/// Finding that the zero of the log belongs to an earlier sensor, so that its current reading is not
+/// the total movement.
 fn exchanged(log: &WatchedLog, answer: &WatchAnswer) -> Option<Finding> {
     let shifted = log
         .trend
@@ -318,7 +319,7 @@ fn exchanged(log: &WatchedLog, answer: &WatchAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said))
 }
 
-/// Finding that it was at its limit, but is not now.
+/// Finding that the log was at its limit earlier, but is not now.
 fn was_at_limit(log: &WatchedLog) -> Option<Finding> {
     let limit = log.trend.limit.filter(|_| !log.is_beyond())?;
     let last = log.trend.at_limit.last()?;

@@ -28,7 +28,7 @@ use dolmen_work::watched::WatchAnswer;
 use numbers::percent;
 
 messages! {
-    /// The head of the section, its figure, and what it does not prove.
+    /// Heading and figure of the section, and its limitations.
     pub(crate) enum Years in "watch" {
         Head => { en: "The structure over the years", ko: "여러 해에 걸친 구조물의 변화" },
         Drawn => {

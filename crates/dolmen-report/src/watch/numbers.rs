@@ -27,7 +27,7 @@ pub(super) fn slope(ratio: f64, decimals: usize) -> Quantity {
     Quantity::new(1000.0 * ratio, Unit::ratio(), Digits::Fixed(decimals))
 }
 
-/// Half of a 95 % interval, of a standard deviation.
+/// Half width of a 95 % interval, in standard deviations.
 pub(super) const HALF_95: f64 = 1.959963984540054;
 
 /// A tilt in mm/m, or a width in mm.

@@ -49,7 +49,7 @@ pub(super) fn parts(answer: &WatchAnswer) -> Vec<Finding> {
     each.collect()
 }
 
-/// That the model is too far from the measured frequencies for any part to be sought.
+/// Finding that the model is too far from the measured frequencies for any part to be sought.
 pub(super) fn model_apart(answer: &WatchAnswer) -> Option<Finding> {
     let of = answer.model_off.as_ref()?;
     Some(Finding {

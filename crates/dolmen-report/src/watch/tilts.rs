@@ -194,7 +194,7 @@ pub(super) fn changed(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
     all
 }
 
-/// When a tilt of uncertain sign reaches its limit, if it moves away from the vertical.
+/// When a tilt of uncertain sign reaches its limit, if it increases.
 fn either_sign(trend: &TiltTrend, direction: &str) -> Option<Tilted> {
     let found = trend
         .slope
@@ -212,7 +212,7 @@ fn either_sign(trend: &TiltTrend, direction: &str) -> Option<Tilted> {
     })
 }
 
-/// When a tilt with a new mark reaches its limit, at the slope of the mark before it.
+/// When a tilt with a new mark reaches its limit, with the slope of the previous mark.
 fn carried(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
     let found = trend.carried.filter(|_| !is_of_several(answer, trend))?;
     let reach = found.reach?;

@@ -22,7 +22,8 @@ messages! {
     }
 }
 
-/// Surveys left out are far off from this multiple of the scatter of the others. Our choice, as for a last survey without a verdict.
+/// Multiple of the scatter of the other surveys, beyond which surveys left out are far off. Our choice, as for a last survey without
+/// a verdict.
 const FAR_FROM: f64 = 4.0;
 /// Ratio of the standard deviation to the median absolute deviation of normal values.
 const OF_MEDIAN: f64 = 1.4826;

@@ -41,7 +41,7 @@ pub(crate) fn inputs_tables(answer: &ProjectReport, own: &[&Input]) -> Vec<Heade
     all
 }
 
-/// What stands in the place of a variant's inputs as the structure is, in a column before them.
+/// Adds a column before the inputs of a variant, with their values in the structure as it is.
 fn beside_given(table: &mut Table, inputs: &[&Input], given: &[&Input]) {
     const BEFORE: usize = 2;
     table.columns.insert(BEFORE, Column::words(Workbook::AsItIs {}));

@@ -58,7 +58,7 @@ impl Styles {
 }
 
 impl Styles {
-    /// Of the head of a column.
+    /// The format of the head of a column.
     fn head(&self, shown: &Shown<'_>) -> &Format {
         match shown {
             Shown::Value(_, column) if column.is_words => &self.head_words,

@@ -95,7 +95,7 @@ fn rows_table(head: &Sentence, block: Block<'_>) -> Option<Table> {
     })
 }
 
-/// A few values: each number with its unit beside it.
+/// A few values, each with its unit in the next cell.
 fn key_values(head: &Sentence, rows: Vec<(Sentence, Cell)>) -> Table {
     let row = |(key, cell): (Sentence, Cell)| {
         let unit = match &cell {

@@ -117,7 +117,7 @@ fn agrees_korean_lists_of_every_format() {
         assert_eq!(read.left_out, ["번호", "종류", "위도", "경도", "비고"], "{file}");
     }
     assert!(bare.left_out.is_empty());
-    // a second sheet with something in it: the one that is meant is named
+    // a second sheet with content: one must be named
     book.worksheet_from_index(1)
         .unwrap()
         .write_string(0, 0, "사진")
@@ -210,7 +210,7 @@ fn refuses_tables_of_structures_with_line_and_what_to_do() {
         let found = fault(rows);
         assert!(found.contains(says), "{rows}: {found}");
     }
-    // a head is said as it was typed, and by its key where that was typed
+    // errors name a head as typed, and its key if the key was typed
     let korean = "이름,층수,탑신 높이 (m),몸돌 세장비,체감각 (도),탑신/기단 높이비\n가,5,x,3,9,2\n";
     let why = read_portfolio(korean.as_bytes(), "목록.csv").unwrap_err();
     assert_eq!(

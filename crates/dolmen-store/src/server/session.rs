@@ -108,7 +108,7 @@ impl Database for Session {
         self.execute(sql, &[Value::Whole(number)]).map(|_| ())
     }
 
-    /// Rows that refer to a missing one: a server refuses them, unless somebody switched that off.
+    /// Rows that refer to a missing row: a server refuses them, unless this check was switched off.
     fn faults(&mut self) -> Result<Vec<String>, StoreError> {
         let sql = "select quote_ident(c.relname), quote_ident(a.attname), quote_ident(p.relname), quote_ident(b.attname) \
              from pg_constraint k join pg_class c on c.oid = k.conrelid join pg_class p on p.oid = k.confrelid \

@@ -44,7 +44,7 @@ pub struct StandingBuilding {
     pub spectral: Option<BuildingSpectral>,
     /// Why there is no response although there is a site.
     pub spectral_refused: Option<String>,
-    /// The same with the dampers; `None` without dampers or site.
+    /// Response to that spectrum with the dampers; `None` without dampers or site.
     pub damped: Option<DampedSpectral>,
     /// Why there is no response although there are dampers and a site.
     pub damped_refused: Option<String>,
@@ -86,9 +86,9 @@ impl StandingBuilding {
         BeyondRoom::of(&self.dampers, strokes)
     }
 
-    /// Ratios of the response with dampers to that without, under the spectrum of the site: base shear, the top, the largest drift of a
-    /// storey at its edges, points; each along x and y. Leaves out a quantity that without dampers is below a thousandth of the largest of
-    /// its kind. Empty without dampers or site.
+    /// Ratios of the response with dampers to that without, under the spectrum of the site, each along x and y: base shear, top, largest drift
+    /// of a storey at its edges, points. Leaves out a quantity whose value without dampers is below a thousandth of the largest of its kind.
+    /// Empty without dampers or site.
     pub fn against_without(&self) -> Vec<Against> {
         const HARDLY: f64 = 1e-3;
         let (Some(without), Some(with)) = (&self.spectral, &self.damped) else {
@@ -159,8 +159,7 @@ pub struct BuildingSpectral {
     pub base_shear_n: [[f64; 2]; 3],
     /// Their torque about the vertical through the centre of all mass, N·m.
     pub base_torque_n_m: f64,
-    /// The base shear along x and y in the least favourable direction of shaking, where the weaker component is [`MINOR_RATIO`] times
-    /// the stronger.
+    /// The base shear along x and y in the least favourable direction of shaking, with the weaker component [`MINOR_RATIO`] times the stronger.
     pub least_favourable: [LeastFavourable; 2],
     /// Displacement of the centre of mass of each floor along x and y, m.
     pub displacement_m: Vec<[f64; 2]>,

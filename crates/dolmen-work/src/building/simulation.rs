@@ -51,7 +51,7 @@ pub struct BeyondRoom {
     pub name: String,
     /// Its largest stroke, m.
     pub stroke_m: f64,
-    /// Its room each way, m.
+    /// Its room in each direction, m.
     pub room_m: f64,
 }
 
@@ -94,7 +94,7 @@ pub struct BuildingSimulation {
     pub drift_limit: Option<DriftLimit>,
     /// The response.
     pub history: BuildingHistory,
-    /// The same without the dampers; `None` if there are none.
+    /// The response without the dampers; `None` if there are none.
     pub without_dampers: Option<Box<BuildingHistory>>,
     /// Points of the file.
     pub points: Vec<WatchedPoint>,
@@ -127,8 +127,8 @@ impl BuildingSimulation {
         })
     }
 
-    /// Largest values with dampers relative to those without: the top along x and y, the worst storey drift along each, each point along
-    /// each. Leaves out a quantity that without dampers is below a thousandth of the largest of its kind; empty without dampers.
+    /// Largest values with dampers relative to those without, each along x and y: top, worst drift of a storey, points. Leaves out a
+    /// quantity whose value without dampers is below a thousandth of the largest of its kind; empty without dampers.
     pub fn against_without(&self) -> Vec<Against> {
         const HARDLY: f64 = 1e-3;
         let Some(without) = &self.without_dampers else {

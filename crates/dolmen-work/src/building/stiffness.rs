@@ -10,7 +10,7 @@ use dolmen::structure::building::{
 };
 use dolmen_project::{BuildingPart, ModeKind, Quantity, Survey, SurveyMode};
 
-/// Walls count as along x and y if the ratio of the coupling stiffness to those along them is below this, the rounding of rotated walls.
+/// Walls are along x and y if the ratio of the coupling stiffness to the stiffness along the axes is below this, the rounding of rotated walls.
 /// Our choice.
 const ALONG_AXES: f64 = 1e-9;
 /// Share of the shapes above which the sensors contradict a rigid floor, so that no stiffness is computed. As for sensors that contradict
@@ -220,7 +220,7 @@ fn written(floor: &Floor, below: &Storey) -> Option<Written> {
     let centre = below.stiffness.centre_of_rigidity_m()?;
     let k = below.stiffness.matrix_about(centre);
     let couples = k[0][1].abs() > ALONG_AXES * k[0][0].max(k[1][1]);
-    // a centre of rigidity that equals the centre of mass within rounding counts as equal
+    // a centre of rigidity that equals the centre of mass within rounding is taken as equal
     let from_mass = |axis: usize| {
         let e = centre[axis] - floor.centre_m[axis];
         if e.abs() <= ALONG_AXES * floor.gyration_m {

@@ -20,7 +20,7 @@ pub enum TuneLoad {
     /// Acceleration of the ground after Clough & Penzien, with the frequency of the soil, Hz; its damping ratio is 0.6, and the second
     /// filter is at a tenth of its frequency.
     Ground {
-        /// Of the soil, Hz.
+        /// Frequency of the soil, Hz.
         ground_hz: f64,
     },
 }
@@ -54,7 +54,7 @@ pub struct TunePoint {
     pub place_m: [f64; 2],
 }
 
-/// A stroke that exceeds its bound by less than this fraction still counts as within it: it is printed as equal.
+/// Fraction by which a stroke may exceed its bound, because both then print the same value.
 const STROKE_KEPT: f64 = 5e-4;
 
 /// The stroke of a damper of a row under a motion of the file.
@@ -68,7 +68,7 @@ pub struct RowStroke {
     pub motion: Option<String>,
     /// Its largest stroke, m.
     pub stroke_m: f64,
-    /// Its room each way, m.
+    /// Its room in each direction, m.
     pub room_m: f64,
 }
 
@@ -118,7 +118,7 @@ pub struct TuneAnswer {
     pub corners_m: Vec<[f64; 2]>,
     /// The mode that the damper is for, from 1.
     pub mode: usize,
-    /// Its frequency, Hz.
+    /// Frequency of the mode, Hz.
     pub mode_frequency_hz: f64,
     /// Its own damping ratio.
     pub mode_damping_ratio: f64,
@@ -194,7 +194,7 @@ impl TuneAnswer {
 /// The dampers in a row of the comparison of all.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TogetherChoice {
-    /// None of them.
+    /// No damper.
     Without,
     /// All, as in the file.
     Given,

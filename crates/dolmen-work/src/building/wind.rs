@@ -35,8 +35,8 @@ pub(crate) fn add_wind(
     Ok(())
 }
 
-/// The drift limit of a storey in the wind: that of the wind of the file. Otherwise the allowable drift of `[limits]`, which is meant for
-/// earthquakes, so only a drift beyond it counts.
+/// The drift limit of a storey in the wind: that of the wind in the file, or otherwise the allowable drift of `[limits]`. The latter is
+/// meant for earthquakes, so only a drift above it is a finding.
 pub(crate) fn wind_drift_limit(project: &Project, of_wind: Option<f64>, drift: Option<f64>) -> Option<f64> {
     let allowed = project.drift_limit.as_ref().map(DriftLimit::ratio);
     let passed = allowed.filter(|allowed| drift.is_some_and(|drift| drift > *allowed));

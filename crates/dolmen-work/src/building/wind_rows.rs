@@ -1,5 +1,5 @@
-//! Quantities of a building in the wind from one side. Each has several rows, of which the worst counts; means, mean squares and histories
-//! use the same rows.
+//! Quantities of a building in the wind from one side. Each has several rows, of which the worst governs; means, mean squares and
+//! histories use the same rows.
 
 use crate::error::WorkError;
 use dolmen::damper::{GustMotion, GustPeak, GustQuantity, GustRow};

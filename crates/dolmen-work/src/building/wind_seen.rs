@@ -5,7 +5,7 @@ use super::wind_rows::{WindRows, largest};
 use dolmen::damper::{GustHistory, GustMotion, GustPeak, GustRow};
 use std::ops::Range;
 
-/// The rows of a history by quantity; the worst of several rows counts.
+/// The rows of a history by quantity; the worst of several rows is used.
 pub(super) struct RequestedRows {
     pub(super) rows: Vec<GustRow>,
     pub(super) top_displacement: Range<usize>,

@@ -10,13 +10,13 @@ use dolmen_project::CombinationPart;
 /// Number of wind directions, one for each degree. Our choice: the beds of a rectangle are worst along their sides, which are among them.
 const DEGREES: u32 = 360;
 
-/// Static loads alone and wind alone in one direction; the response is linear in both.
+/// A chain under static loads alone, and under wind alone; the response is linear in both.
 struct Parts {
     still: ChainUnderLoads,
     blown: ChainUnderLoads,
 }
 
-/// The wind from the worst angle φ: cos φ of its force along x and sin φ of that across act together.
+/// The chain in the wind from its worst side: at angle φ, cos φ of the force along and sin φ of the force across act together.
 pub(super) fn all_round(
     model: &Model,
     chains: &[Chain],

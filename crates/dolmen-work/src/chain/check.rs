@@ -111,8 +111,8 @@ pub(crate) fn uplift_tilt(check: &ChainCheck) -> Option<f64> {
 }
 
 /// The same for a chain with two directions, towards the side to which it leans. `None` without the width of any bed, without stiffness, or
-/// if it falls. Beds open where the resultant leaves their core: |e_x|/(b/6) + |e_y|/(w/6) = 1; a bed of unknown plan counts as if the
-/// chain leaned along only.
+/// if it falls. Beds open where the resultant leaves their core: |e_x|/(b/6) + |e_y|/(w/6) = 1; for a bed of unknown plan only the lean
+/// along the chain is considered.
 pub(crate) fn uplift_tilt_towards(
     part: &ChainPart,
     check: &ChainCheck,

@@ -82,8 +82,8 @@ fn rubs(part: &ChainPart) -> bool {
     part.joints.iter().flatten().any(|joint| joint.friction.is_some())
 }
 
-/// Fraction of the weight on a bed that remains under the vertical acceleration of the site, which acts fully at the worst moment, as for a
-/// stack; 1 without any.
+/// Fraction of the weight on a bed that remains under the vertical acceleration of the site, which acts fully at the time of the worst moment,
+/// as for a stack; 1 without a vertical acceleration.
 fn left_of_weight(chain: &Chain, site: &SiteDemand) -> f64 {
     let peak_m_s2 = site.peak_ground_acceleration_m_s2.unwrap_or(0.0);
     let vertical_m_s2 = site.vertical.map_or(0.0, |vertical| vertical.ratio * peak_m_s2);

@@ -12,7 +12,7 @@ use dolmen::structure::wind::WindError;
 use dolmen::structure::{Chain, lowest_frequency_hz};
 use dolmen_project::{ChainAxis, ChainPart, CombinationPart, LoadsPart, Pick};
 
-/// The response of a chain to loads besides its weight; `None` without such loads.
+/// The response of a chain to loads in addition to its weight; `None` without such loads.
 pub(crate) fn loads(
     part: &ChainPart,
     given: &LoadsPart,

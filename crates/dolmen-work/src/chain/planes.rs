@@ -174,7 +174,7 @@ impl Plane {
     }
 }
 
-/// A bed as seen by motion in one direction.
+/// Properties of a joint for motion in one direction.
 fn hold_towards(hold: JointHold, axis: ChainAxis) -> JointHold {
     match (hold, axis) {
         (JointHold::Bed(bed), ChainAxis::Across) => JointHold::Bed(bed.across()),

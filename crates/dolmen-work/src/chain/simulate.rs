@@ -104,7 +104,7 @@ fn acting(part: &ChainPart, motion: Option<&MotionAnswer>) -> Result<Vec<ShakenD
     ])
 }
 
-/// Why the first joint that couples two components does so.
+/// Why two components are coupled, for the first joint that couples them.
 pub(super) fn one_plane_only(part: &ChainPart) -> Option<WorkError> {
     let mut joints = part.joints.iter().flatten().enumerate();
     joints.find_map(|(i, joint)| {

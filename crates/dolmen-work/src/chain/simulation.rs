@@ -30,15 +30,15 @@ pub struct ChainTogether {
     pub lean_rad: f64,
     /// The link, 0 the lowest.
     pub link: usize,
-    /// When, s.
+    /// Time of this lean, s.
     pub at_s: f64,
     /// Largest displacement of the top relative to its foot, m.
     pub top_m: f64,
 }
 
 impl ChainTogether {
-    /// Combines both planes of a chain; `None` without a sample. Small rotations add as vectors; for a line that leans in both planes, tan²
-    /// = tan² + tan².
+    /// Combines both planes of a chain; `None` without a sample. Small rotations add as vectors. For large ones, tan² of the lean is the
+    /// sum of tan² in both planes.
     pub(crate) fn of(model: &ChainModel, histories: [&ChainHistory; 2]) -> Option<Self> {
         let is_small = model.rotations() == ChainRotations::Small;
         let lean = |each: [f64; 2]| match is_small {
@@ -99,13 +99,13 @@ pub struct ChainSimulation {
     pub motion: Option<(MotionAnswer, Component)>,
     /// Angle by which the chain leaned at the start, rad.
     pub push_rad: f64,
-    /// The lowest link that it leaned, 0 the lowest: joints below are taken as rigid.
+    /// The lowest link that a push leans, from 0 at the bottom: joints below it are taken as rigid.
     pub pushed_from: usize,
     /// Options of the run.
     pub options: ChainRun,
-    /// Lowest natural frequency upright, with every slider free, Hz; `None` if it falls by itself.
+    /// Lowest natural frequency upright, with every slider free, Hz; `None` if the chain is unstable.
     pub first_frequency_hz: Option<f64>,
-    /// How fast it left the vertical; `None` if it stands by itself.
+    /// Growth of the lean; `None` if the chain is stable without shaking.
     pub growth: Option<ChainGrowth>,
     /// A note that it ran without viscous damping and friction; `None` if it has some.
     pub undamped: Option<Undamped>,

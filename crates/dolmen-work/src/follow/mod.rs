@@ -1,4 +1,4 @@
-//! Records of a watched folder: their time, the survey made of each, and its place in the history.
+//! Records of a watched folder: their time, the survey from each, and its place in the history.
 
 mod alarms;
 mod taken;

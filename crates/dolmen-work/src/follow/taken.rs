@@ -36,7 +36,7 @@ pub struct RecordFile<'a> {
     pub name: &'a str,
     /// Its bytes.
     pub bytes: &'a [u8],
-    /// When it was last written, s from 1 January 1970 (UTC).
+    /// Time of the last change of the file, s from 1 January 1970 (UTC).
     pub modified_s: f64,
 }
 
@@ -53,17 +53,17 @@ pub struct Taken {
     pub doubts: Vec<SensorDoubt>,
     /// Channels left out because of their faults.
     pub left_out: Vec<String>,
-    /// The earthquake in it. Its modes then do not count as those of an ambient survey and are not stored.
+    /// The earthquake in it. Its modes are then not stored, because they are not those of an ambient survey.
     pub earthquake: Option<Earthquake>,
     /// Strong shaking in it, perhaps traffic; its modes are those of the rest of the record.
     pub shaking: Option<Earthquake>,
-    /// Its modes, or why there are none.
+    /// Its modes, or the reason why there are none.
     pub modes: Result<Modes, WorkError>,
     came_as: String,
     ending: Option<String>,
 }
 
-/// A survey made from a record.
+/// A survey from a record.
 #[derive(Clone, Debug)]
 pub struct TakenSurvey {
     /// Its name.
@@ -126,7 +126,7 @@ impl Pattern {
         &self.survey
     }
 
-    /// The project as it was stored.
+    /// The project from the store.
     pub fn opened(&self) -> &Opened {
         &self.opened
     }
@@ -144,7 +144,7 @@ impl Pattern {
     /// clock, s from 1970.
     ///
     /// # Errors
-    /// If the record cannot be read with these settings. A record without modes is no error.
+    /// If the record cannot be read with these settings. A record without modes is not an error.
     pub fn take(&self, file: &RecordFile<'_>, rest: &dyn Files, now_s: f64) -> Result<Taken, WorkError> {
         const UNNAMED: &str = "arriving";
         let came_as = plain(file.name);

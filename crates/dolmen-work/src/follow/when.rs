@@ -19,7 +19,7 @@ pub enum TimeSource {
     Record,
     /// The name of its file.
     FileName,
-    /// When the file was last written (UTC).
+    /// Time of the last change of the file (UTC).
     FileTime,
 }
 

@@ -5,9 +5,9 @@ use dolmen::stability::{ColumnPoint, ColumnStanding, FreeColumns};
 use dolmen::structure::{Convention, Frame};
 use dolmen_project::{FramePart, Pick};
 
-/// Points of the curve of force against drift. Our choice: smooth on paper.
+/// Number of points of the curve of force against drift. Our choice: the plotted curve is smooth.
 const CURVE_POINTS: usize = 80;
-/// Amplitudes of free oscillations, as shares of the rotation at which the columns fall. Our choice.
+/// Amplitudes of free oscillations, as fractions of the rotation at which the columns fall. Our choice.
 const SWINGS: [f64; 6] = [0.01, 0.05, 0.1, 0.25, 0.5, 0.75];
 
 /// The free-standing columns of one storey.
@@ -23,17 +23,17 @@ pub struct StoreyColumns {
     pub height_m: f64,
     /// Bed stiffness given, N/m³; `None` for a rigid bed.
     pub bed_stiffness_n_m3: Option<f64>,
-    /// Bed stiffness at which they would be just stable alone, N/m³.
+    /// Bed stiffness at which the columns alone are just stable, N/m³.
     pub least_bed_stiffness_n_m3: f64,
-    /// Stiffness from the beds for the storey at small drift, N/m; `None` on a rigid bed.
+    /// Stiffness of the storey due to the beds at small drift, N/m; `None` for a rigid bed.
     pub bed_stiffness_n_m: Option<f64>,
-    /// Their resistance under their weight alone; `None` if they do not stand.
+    /// Resistance of the columns under their weight alone; `None` if they do not stand.
     pub standing: Option<ColumnStanding>,
-    /// The springs beside them.
+    /// The springs in parallel with the columns.
     pub springs: Springs,
-    /// Their force against drift, from upright to the fall; empty if they do not stand.
+    /// Force of the columns against drift, from upright to the fall; empty if they do not stand.
     pub curve: Vec<ColumnPoint>,
-    /// Free oscillations of the mass above the storey, small ones first; empty if they do not stand.
+    /// Free oscillations of the mass above the storey, in ascending amplitude; empty if the columns do not stand.
     pub swings: Vec<ColumnSwing>,
 }
 
@@ -46,7 +46,7 @@ pub enum Springs {
     RigidBed,
     /// The stiffness of the storey acts on the displacement from the ground, the columns on drift.
     Grounded,
-    /// The stiffness of the storey less that of the beds at small drift, N/m.
+    /// Stiffness of the storey minus that of the beds at small drift, N/m.
     Beside {
         /// Stiffness of joints, walls and braces, N/m.
         stiffness_n_m: f64,
@@ -58,14 +58,14 @@ pub enum Springs {
     },
 }
 
-/// A free swing.
+/// A free oscillation.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct ColumnSwing {
-    /// Its amplitude, and the force of the columns there.
+    /// Its amplitude, and the force of the columns at this amplitude.
     pub at: ColumnPoint,
     /// Frequency with the columns alone, Hz.
     pub columns_hz: f64,
-    /// Frequency with the springs as well, Hz; `None` if those are unknown.
+    /// Frequency with the springs as well, Hz; `None` if the springs are unknown.
     pub with_springs_hz: Option<f64>,
 }
 

@@ -7,15 +7,16 @@ use dolmen_project::{FramePart, Pick};
 /// Result of a simulation for the free-standing columns of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ColumnsInMotion {
-    /// There are none.
+    /// The frame has no such columns.
     Absent,
-    /// There are some, but the frame has several storeys.
+    /// The frame has such columns, but several storeys.
     SeveralStoreys,
-    /// There are some, but their beds are compliant: rigid columns would stand too long.
+    /// The frame has such columns, but their beds are compliant: rigid columns would stand too long.
     OnBeds,
-    /// There are some, but the ground moves along x and along y: rolling on a corner or around the edge is not modelled.
+    /// The frame has such columns, but the ground moves along x and y: rolling on a corner or around the edge is not
+    /// modelled.
     BothComponents,
-    /// The motion of the frame on them alone.
+    /// The motion of the frame on these columns alone.
     Alone(Box<ColumnsAlone>),
 }
 

@@ -14,7 +14,7 @@ pub struct DirectionLean {
     pub tilt: f64,
     /// Lean of each storey at rest under its weight, lowest first: the larger of sticking and slipping joints.
     pub at_rest: Vec<f64>,
-    /// Lean at which each storey counts as fallen: the limit of small drifts, or the fall of its free-standing columns.
+    /// Lean at which each storey has fallen: the limit of small drifts, or the fall of its free-standing columns.
     pub most: Vec<f64>,
 }
 

@@ -12,7 +12,7 @@ use dolmen::stability::{FramePush, FreeColumns, frame_stability, frame_under_loa
 use dolmen::structure::{Frame, lowest_frequency_hz};
 use dolmen_project::{CombinationPart, DirectionPart, FramePart, LoadPart, LoadsPart, Pick, Quantity};
 
-/// The response of a frame to wind and static loads; `None` without any.
+/// The response of a frame to wind and static loads; `None` without such loads.
 pub(crate) fn loads(
     part: &FramePart,
     given: &LoadsPart,

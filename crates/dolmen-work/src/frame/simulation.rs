@@ -29,7 +29,7 @@ pub struct FrameSimulation {
     pub together: Option<FrameTogether>,
     /// The surveyed lean at the start of the run.
     pub lean: Option<FrameLean>,
-    /// That lean in the direction, horizontal over vertical.
+    /// Lean in this direction, horizontal over vertical.
     pub tilt: f64,
     /// Names of the storeys, lowest first.
     pub storeys: Vec<String>,

@@ -36,7 +36,7 @@ impl StoreyTenons {
                 .secant_stiffness_n_m(SECANT_DRIFT_RATIO * self.height_m)
     }
 
-    /// Drift at which the faces begin to crush, m; `None` if they never do.
+    /// Drift at which the faces begin to crush, m; `None` if they never crush.
     pub fn crushing_drift_m(&self) -> Option<f64> {
         let force_n = self.tenon.crushing_force_n?;
         Some(self.tenon.slack_m + force_n / self.tenon.stiffness_n_m)
@@ -52,7 +52,7 @@ pub struct TenonsCheck {
     pub bearing: FrameCheck,
 }
 
-/// The tenons of a direction; `None` without any, or where the stiffness within the slack is unknown.
+/// The tenons of a direction; `None` without tenons, or if the stiffness within the slack is unknown.
 pub(crate) fn tenons(
     part: &FramePart,
     frame: &Frame,

@@ -1,10 +1,10 @@
-//! The surveyed tilt of a frame compared with that at which it counts as fallen.
+//! The surveyed tilt of a frame, compared with the tilt at which it has fallen.
 
 use super::lean::DirectionLean;
 use crate::state::{DirectionCheck, TiltCheck};
 use dolmen_project::FramePart;
 
-/// Tilts of a frame, compared with those at which it counts as fallen, in each direction and together.
+/// Tilts of a frame, compared with those at which it has fallen, in each direction and together.
 pub(crate) fn tilts(part: &FramePart, checks: &[DirectionCheck]) -> Vec<TiltCheck> {
     let Some(lean) = &part.lean else {
         return Vec::new();

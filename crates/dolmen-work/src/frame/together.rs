@@ -32,12 +32,12 @@ pub struct FrameTogether {
     pub path_m: [Vec<f64>; 2],
 }
 
-/// The part of the drift limit that a tilt leaves: both add up to the drift at which a storey counts as fallen.
+/// The part of the drift limit that a tilt leaves: both sum to the drift at which a storey has fallen.
 fn left(most: f64, tilt: f64) -> f64 {
     (most - tilt.abs()).max(f64::MIN_POSITIVE)
 }
 
-/// Two directions that move together: their joint tilt reduces the drift at which either counts as fallen.
+/// Two directions that move together: their joint tilt reduces the drift at which either has fallen.
 pub(crate) fn lean_together(planes: [(&mut Plane, f64); 2], together: f64) {
     let most = |(plane, tilt): &(&mut Plane, f64)| plane.run.drift_ratio_most + tilt.abs();
     let most = most(&planes[0]).min(most(&planes[1]));
@@ -64,7 +64,7 @@ pub(crate) struct Leaning {
 }
 
 impl Leaning {
-    /// In a direction, as surveyed; `None` if its stiffness is unknown.
+    /// The frame in a direction, as surveyed; `None` if its stiffness is unknown.
     pub(crate) fn of(part: &FramePart, direction: &str, pick: Pick<'_>) -> Result<Option<Self>, WorkError> {
         let Some(frame) = part.with_friction(direction, pick)? else {
             return Ok(None);
@@ -80,7 +80,7 @@ impl Leaning {
 }
 
 impl Plane {
-    /// In a direction, leaning as surveyed, under a component of a motion; `None` if its stiffness is unknown.
+    /// The frame in a direction, leaning as surveyed, under a component of a motion; `None` if its stiffness is unknown.
     pub(crate) fn of(
         part: &FramePart,
         direction: &str,
@@ -182,7 +182,7 @@ fn top_m(histories: [&FrameHistory; 2]) -> f64 {
 }
 
 impl FrameTogether {
-    /// Of the motion of two planes.
+    /// From the motion of two planes.
     pub(crate) fn of(directions: [&str; 2], planes: [&Plane; 2], moved: &FrameInPlan) -> Self {
         let [x, y] = &moved.histories;
         let storeys = resultant_drifts([x, y]);

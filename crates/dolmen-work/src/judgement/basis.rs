@@ -26,7 +26,7 @@ pub struct Basis {
 /// Inputs of a version.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AssumedInputs {
-    /// Those that are assumed.
+    /// Number of assumed inputs.
     pub assumed: usize,
     /// All.
     pub all: usize,
@@ -85,7 +85,7 @@ impl Basis {
 }
 
 impl AssumedInputs {
-    /// Those of a project that the file marks as assumed, and each value that Dolmen takes for joints where the file gives none.
+    /// Counts the inputs that the file of a project marks as assumed, and the values that Dolmen takes for joints where the file gives none.
     pub fn of(project: &Project) -> Self {
         let all = project.inputs();
         let defaults = match &project.structure {
@@ -100,7 +100,7 @@ impl AssumedInputs {
 }
 
 impl SevereDamage {
-    /// Severe damage that the model of a project does not have, in the order of the dates: of each part the entries of the last survey that lists it.
+    /// Severe damage that the model of a project leaves out, by date. For each part, the entries of the last survey that lists it count.
     pub fn left_out(project: &Project) -> Vec<Self> {
         let mut surveys: Vec<&Survey> = project.surveys.iter().collect();
         surveys.sort_by_key(|survey| date(&survey.name).unwrap_or_default());

@@ -51,25 +51,25 @@ pub enum DecidedBy {
     StoodOnEdge,
     /// The stroke of a damper relative to its room.
     Room,
-    /// Nothing: there is no limit.
+    /// No result: there is no limit.
     NoLimit,
-    /// Nothing: no response to the spectrum of the site could be computed.
+    /// No result: no response to the spectrum of the site could be computed.
     NoResponse,
-    /// Nothing: the bed of a joint is unknown.
+    /// No result: the bed of a joint is unknown.
     BedUnknown,
-    /// Nothing: the stiffness is unknown, at least in one direction.
+    /// No result: the stiffness is unknown, at least in one direction.
     StiffnessUnknown,
     /// A side post with a gap may close.
     LoosePost,
-    /// Nothing: a survey contradicts the stiffness; the ratio applies if the model were right.
+    /// No result: a survey contradicts the stiffness; the ratio is valid only if the model is right.
     Contradicted,
-    /// Nothing: supports moved; the comparison and its ratio are for the shape before.
+    /// No result: supports moved; the comparison and its ratio are for the shape before.
     SupportsMoved,
-    /// Nothing: static loads without mass hold the stones during the shaking.
+    /// No result: static loads without mass hold the stones during the shaking.
     HeldByLoads,
-    /// Nothing: it does not stand without shaking.
+    /// No result: it does not stand without shaking.
     DoesNotStand,
-    /// Nothing: the run was stopped, or ended without a verdict.
+    /// No result: the run was stopped, or ended without a verdict.
     Unfinished,
 }
 
@@ -148,7 +148,7 @@ impl EarthquakeFinding {
 }
 
 impl Earthquake {
-    /// The word for several findings: the worst; not asked for none.
+    /// The worst word of several findings; the word for no demand if there are none.
     pub fn worst(findings: &[EarthquakeFinding]) -> Earthquake {
         let words = findings.iter().map(|finding| finding.word);
         words.max().unwrap_or(Earthquake::NotAsked)

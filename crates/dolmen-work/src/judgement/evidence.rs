@@ -24,7 +24,7 @@ pub enum Evidence {
     },
     /// A frequency of the latest survey contradicts the model.
     Contradicted(MeasuredFrequency),
-    /// A frequency of the latest survey differs from the model, but its scatter is too large to tell.
+    /// A frequency of the latest survey differs from the model, but its scatter is too large for a conclusion.
     TooRough(MeasuredFrequency),
     /// The lowest frequencies do not contradict the model, but a higher mode does, or no stiffness explains the modes of the survey.
     InDoubt(InDoubt),
@@ -56,7 +56,8 @@ impl Evidence {
     /// Evidence of surveys for a model, in the worst direction; for each direction the latest survey with a frequency counts.
     ///
     /// Surveys whose names begin with a date are later than those without; among equal dates the last in the file is the latest. A survey
-    /// from which stiffness was identified does not confirm the model where it agrees, but contradicts it like any other where it does not.
+    /// from which stiffness was identified does not confirm the model if it agrees, but contradicts it like any other survey if it does
+    /// not.
     pub fn of(project: &Project, check: &Check) -> Evidence {
         Evidence::with_records(project, check, &FromRecords::default())
     }
@@ -174,7 +175,7 @@ impl Evidence {
         }
     }
 
-    /// Nothing was measured.
+    /// No frequency was measured.
     pub fn none() -> Evidence {
         Evidence::NotMeasured { calibrated_to: None }
     }
@@ -184,7 +185,7 @@ impl Evidence {
         matches!(self, Evidence::Contradicted(_))
     }
 
-    /// Whether a survey contradicts the model or leaves it in doubt.
+    /// Whether a survey contradicts the model or makes it doubtful.
     pub fn is_doubted(&self) -> bool {
         matches!(self, Evidence::Contradicted(_) | Evidence::InDoubt(_))
     }

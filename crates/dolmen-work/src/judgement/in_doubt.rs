@@ -17,15 +17,15 @@ pub(crate) struct FromRecords {
 /// Evidence of one survey against the model.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SurveyDoubts {
-    /// Its name.
+    /// Name of the survey.
     pub(crate) survey: String,
-    /// Its modes paired with those of the model.
+    /// Modes of the survey paired with those of the model.
     pub(crate) modes: Vec<PairedMode>,
     /// Modes that no stiffness explains.
     pub(crate) unexplained: Option<Unexplained>,
 }
 
-/// A mode of the model that no measured one was paired with, below the highest that was.
+/// A mode of the model without a measured partner, below the highest paired mode.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MissedMode {
     /// The survey.
@@ -38,7 +38,7 @@ pub struct MissedMode {
     pub computed_hz: f64,
 }
 
-/// A measured mode and that of the model.
+/// A measured mode and its partner in the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairedMode {
     /// The survey.
@@ -49,7 +49,7 @@ pub struct PairedMode {
     pub number: usize,
     /// Measured frequency, Hz.
     pub measured_hz: f64,
-    /// Its standard deviation, Hz; `None` if unknown.
+    /// Standard deviation of the measured frequency, Hz; `None` if unknown.
     pub sd_hz: Option<f64>,
     /// Frequency of the model, Hz.
     pub computed_hz: f64,
@@ -60,28 +60,27 @@ pub struct PairedMode {
 pub struct Unexplained {
     /// The direction; `None` for modes of all directions together.
     pub direction: Option<String>,
-    /// Root mean square misfit of the best stiffness, in standard deviations; `None` if there is no best one.
+    /// Root mean square misfit of the best stiffness, in standard deviations; `None` if no stiffness was found.
     pub deviations: Option<f64>,
 }
 
-/// Reasons for doubt about the model; at least one of both.
+/// Reasons for doubt about the model: a mode, unexplained modes, or both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InDoubt {
     /// The survey.
     pub survey: String,
-    /// The mode farthest from the model, of those beyond 10 % and three standard deviations.
+    /// The mode with the largest difference, among those that differ by more than 10 % and three standard deviations.
     pub mode: Option<PairedMode>,
     /// Number of such modes.
     pub modes: usize,
-    /// Modes of the model that the survey missed, as the modes were paired.
+    /// Modes of the model that the survey missed, according to the pairing.
     pub missed: Vec<MissedMode>,
-    /// That no stiffness explains the modes.
+    /// Measured modes that no stiffness explains.
     pub unexplained: Option<Unexplained>,
 }
 
 impl InDoubt {
-    /// By the higher modes that the file states, with those that were missed, and by what this survey was found to say; `None` where nothing is in
-    /// doubt.
+    /// Doubts from the higher modes of the file, from missed modes, and from the results of this survey; `None` if there is no doubt.
     pub(super) fn of(
         survey: String,
         (higher, missed): (Vec<PairedMode>, Vec<MissedMode>),
@@ -242,7 +241,7 @@ mod tests {
             doubt.words(Language::English),
             "no stiffness explains the measured modes, the best is 5.2 standard deviations off (survey 2026-04-02)"
         );
-        // these doubts are of one survey: another has none
+        // these doubts come from one survey; another survey has none
         assert_eq!(
             InDoubt::of("2020-01-01".into(), Default::default(), &[found]),
             None

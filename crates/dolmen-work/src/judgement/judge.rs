@@ -98,7 +98,7 @@ impl Judgement {
             is_done,
         } = of_simulation(run);
         let is_as_it_is = run.variant().is_none();
-        // the results of a check of the same structure count as well
+        // the results of a check of the same structure are used as well
         let checked = self.versions.iter().find(|version| version.variant.is_none());
         let checked = checked.map(|version| version.evidence.clone());
         let evidence = &checked

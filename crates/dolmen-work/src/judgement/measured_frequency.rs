@@ -11,7 +11,7 @@ pub(super) fn apart(measured_hz: f64, computed_hz: f64) -> f64 {
     (measured_hz / computed_hz).ln().abs()
 }
 
-/// Whether two frequencies differ by more than [`FREQUENCY_RATIO_MOST`] and, where the scatter is known, by more than three standard deviations;
+/// Whether two frequencies differ by more than [`FREQUENCY_RATIO_MOST`] and, if the scatter is known, by more than three standard deviations;
 /// true for NaN.
 pub(super) fn contradict(measured_hz: f64, sd_hz: Option<f64>, computed_hz: f64) -> bool {
     let is_same = apart(measured_hz, computed_hz) <= FREQUENCY_RATIO_MOST.ln();
@@ -39,7 +39,7 @@ pub struct MeasuredFrequency {
     pub measured_hz: f64,
     /// Its standard deviation, Hz; `None` if unknown.
     pub sd_hz: Option<f64>,
-    /// Lowest frequency of the model, Hz; of the only mode that the measured shape is like, where it is a higher one.
+    /// Lowest frequency of the model, Hz; or that of a higher mode, if it is the only one similar to the measured shape.
     pub computed_hz: f64,
 }
 
@@ -53,7 +53,8 @@ impl MeasuredFrequency {
         self.apart() > FREQUENCY_RATIO_MOST.ln()
     }
 
-    /// Whether they differ by more than [`FREQUENCY_RATIO_MOST`] but by no more than three standard deviations, which proves neither.
+    /// Whether they differ by more than [`FREQUENCY_RATIO_MOST`], but by no more than three standard deviations: this proves neither agreement
+    /// nor contradiction.
     pub fn is_too_rough(&self) -> bool {
         self.differs() && is_within(self.measured_hz, self.sd_hz, self.computed_hz)
     }
@@ -73,6 +74,6 @@ pub struct RecordFrequency {
     pub direction: &'static str,
     /// The lowest one, Hz.
     pub frequency_hz: f64,
-    /// Its standard deviation, Hz.
+    /// Standard deviation of the frequency, Hz.
     pub sd_hz: f64,
 }

@@ -10,7 +10,7 @@ use super::measured_frequency::{apart, contradict};
 use crate::model_modes::SAME_FROM;
 use crate::state::FREQUENCY_RATIO_MOST;
 
-/// MAC by which a mode of the model must fall short of the most similar one to be another. Chosen here, as for stacks.
+/// A shape rules out a mode of the model whose MAC is lower than that of the most similar one by this much. Our choice, as for stacks.
 const FAVOUR_LEAST: f64 = 0.1;
 
 /// A measured mode.
@@ -24,7 +24,7 @@ pub(super) struct Measured {
 }
 
 impl Measured {
-    /// Modes of the model that this one can be by its shape; all where the shape is like none.
+    /// Whether this can be the given mode of the model by its shape. A shape that is like no mode rules none out.
     fn can_be(&self, model: usize) -> bool {
         let best = self.best();
         best < SAME_FROM || self.assurance[model] > best - FAVOUR_LEAST
@@ -34,7 +34,7 @@ impl Measured {
         self.assurance.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The only mode that it can be by its shape.
+    /// The only mode that it can be by its shape; `None` if there are several, or if none is similar.
     fn only(&self) -> Option<usize> {
         let mut each = (0..self.assurance.len()).filter(|at| self.can_be(*at));
         each.next()
@@ -42,15 +42,16 @@ impl Measured {
     }
 }
 
-/// The mode of the model for each measured one, from 0, ascending; as many as the model has modes for.
+/// The mode of the model, from 0, for each measured one, ascending; at most as many as the model has modes.
 ///
 /// ```text
 /// minimise Σ_i |ln f_i/F_c(i)| + (modes of the model passed over) · ln 1.1     over all c(1) < c(2) < …
 /// ```
-/// so that a mode counts as missed only where that brings the frequencies closer by more than the 10 % within which they agree. The lowest measured mode is
-/// the lowest of the model, unless its shape is that of one higher mode alone whose frequency it has. A shape leaves only the modes that it is like.
-/// Of 1,000 frames of three to six storeys, measured to 2 % with one higher mode missed, at most 17 are doubted (977 to 1,000 by order); of those with a wrong
-/// storey and none missed, 99 % of the doubts stay. `holds_a_missed_mode_doubts_no_true_model` has these numbers.
+/// so that a mode counts as missed only if this brings the frequencies closer by more than the 10 % within which they agree. The lowest measured mode
+/// is the lowest of the model, unless its shape is like exactly one higher mode, and its frequency agrees with that mode. A shape rules out modes
+/// that it is unlike. Of 1,000 frames of three to six storeys, measured to 2 % with one higher mode missed, at most 17 are doubted (977 to 1,000 with
+/// modes paired by order). Of frames with a wrong storey and no missed mode, 99 % of the doubts stay. `holds_a_missed_mode_doubts_no_true_model` has
+/// these numbers.
 pub(super) fn pair(measured: &[Measured], model_hz: &[f64]) -> Vec<usize> {
     let count = measured.len().min(model_hz.len());
     let measured = &measured[..count];
@@ -68,7 +69,7 @@ pub(super) fn pair(measured: &[Measured], model_hz: &[f64]) -> Vec<usize> {
         .unwrap_or_else(by_order)
 }
 
-/// By shortest paths over the modes of the model; `None` where there is no way.
+/// The cheapest choice, by shortest paths over the modes of the model; `None` if no choice is possible.
 fn cheapest(measured: &[Measured], model_hz: &[f64], first: usize, is_by_shape: bool) -> Option<Vec<usize>> {
     let off = |of: &Measured, at: usize| match is_by_shape && !of.can_be(at) && !of.assurance.is_empty() {
         true => f64::INFINITY,
@@ -175,18 +176,18 @@ mod tests {
         };
         assert_eq!(pair(&[plain(6.0), plain(9.0)], &model_hz), [0, 2]);
         assert_eq!(pair(&[plain(2.1), plain(8.8)], &model_hz), [0, 2]);
-        // within what agrees nothing was missed
+        // 6.5 Hz agrees with 6 Hz, so no mode was missed
         assert_eq!(pair(&[plain(2.0), plain(6.5)], &model_hz), [0, 1]);
         assert_eq!(pair(&[of(6.1, &[0.1, 0.95, 0.3])], &model_hz), [1]);
-        // of two alike, and with another frequency, it stays the lowest
+        // with two similar modes, or another frequency, it stays the lowest
         assert_eq!(pair(&[of(6.1, &[0.9, 0.95, 0.3])], &model_hz), [0]);
         assert_eq!(pair(&[of(4.0, &[0.1, 0.95, 0.3])], &model_hz), [0]);
-        // a shape decides against the frequency; one that no order allows is left out
+        // a shape decides against the frequency; a shape that contradicts the order is ignored
         let shaped = [plain(2.0), of(6.5, &[0.0, 0.2, 0.99])];
         assert_eq!(pair(&shaped, &model_hz), [0, 2]);
         let shaped = [plain(2.0), of(6.5, &[0.99, 0.2, 0.1])];
         assert_eq!(pair(&shaped, &model_hz), [0, 1]);
-        // more than the model has; a model that falls
+        // more modes than the model has; a model that falls
         assert_eq!(pair(&[plain(2.0), plain(3.0), plain(4.0)], &[2.0, 6.0]), [0, 1]);
         assert_eq!(pair(&[plain(2.0), plain(3.0)], &[0.0, 6.0, 9.0]), [0, 1]);
     }
@@ -202,7 +203,8 @@ mod tests {
         modes.into_iter().map(|mode| mode.frequency_hz).collect()
     }
 
-    /// Doubted by the assignment and by order, of 1,000; each the lowest modes of a frame to 2 %, where asked without a higher one of them.
+    /// Number of 1,000 frames doubted with modes paired by [`pair`] and by order. Each survey has the lowest modes of a frame to 2 %; one higher mode
+    /// is missing if `is_missed`.
     fn doubted(lowest: usize, is_wrong: bool, is_missed: bool) -> [usize; 2] {
         let mut random = Random::new(11, lowest as u64);
         let mut count = [0; 2];
@@ -216,7 +218,7 @@ mod tests {
             let truth = frequencies_hz(&masses, &stiffness);
             let mut model = truth.clone();
             if is_wrong {
-                // one storey 2 to 4 times as soft or stiff, then all so that the lowest frequency is right
+                // one storey two to four times as soft or stiff; then all scaled to the right lowest frequency
                 let mut wrong = stiffness.clone();
                 let factor = 3.0 + (trial % 5) as f64 * 0.25 - 0.5;
                 wrong[trial / 4 % storeys] *= if trial % 2 == 0 { factor } else { 1.0 / factor };

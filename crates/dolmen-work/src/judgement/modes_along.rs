@@ -1,4 +1,4 @@
-//! The measured modes of a chain or frame along a direction beside those of the model.
+//! Compares the measured modes of a chain or frame along a direction with those of the model.
 
 use super::in_doubt::{MissedMode, PairedMode};
 use super::measured_frequency::{MeasuredFrequency, measured_sd};
@@ -8,7 +8,7 @@ use crate::state::Check;
 use dolmen::structure::{NaturalMode, ShapePoint};
 use dolmen_project::{ModeKind, Project, SurveyMode};
 
-/// The measured modes above the lowest of each direction, beside those of a chain or frame, and the modes that the surveys missed.
+/// The measured modes above the lowest of each direction, with those of a chain or frame, and the modes that the surveys missed.
 pub(super) fn higher_modes(
     project: &Project,
     check: &Check,
@@ -44,7 +44,7 @@ pub(super) fn higher_modes(
     (paired, missed)
 }
 
-/// The mode of the model, from 0, for each measured mode of translation along a direction; as many as the model has modes for.
+/// The mode of the model, from 0, for each measured mode of translation along a direction; at most as many as the model has modes.
 pub(super) fn pairs_along(project: &Project, model: &[NaturalMode], measured: &[&SurveyMode]) -> Vec<usize> {
     let has_shape = |mode: &&SurveyMode| mode.shape.len() >= 2;
     let heights_m = match measured.iter().any(has_shape) {
@@ -91,7 +91,7 @@ fn likeness(shape: &[ShapePoint], heights_m: &[f64], displacement: &[f64]) -> f6
     }
 }
 
-/// The modes of a chain or frame in a direction; none with the weights of loads, whose higher modes are not computed.
+/// Modes of a chain or frame in a direction; empty for a chain with weights of loads, whose higher modes are not computed.
 pub(super) fn natural_modes<'a>(check: &'a Check, direction: &str) -> &'a [NaturalMode] {
     match check {
         Check::Chain(chain) if chain.loaded.is_some() => &[],

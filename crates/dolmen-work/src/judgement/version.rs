@@ -48,7 +48,7 @@ pub struct VersionJudgement {
     pub after: Option<AfterMotion>,
     /// Which of several solutions for an identified stiffness it is; `None` with only one.
     pub solution: Option<Solution>,
-    /// Assumed inputs, and what the model leaves out.
+    /// Assumed inputs, and omissions of the model.
     pub basis: Basis,
     /// Inspected damage in the model.
     pub damage: Vec<ModelDamage>,
@@ -171,7 +171,7 @@ impl VersionJudgement {
     }
 
     /// The headline: the fixed words, the worst first, then in the order of the questions. It leaves out an earthquake without a demand, and
-    /// evidence that does not contradict the model or leave it in doubt.
+    /// evidence that neither contradicts the model nor makes it doubtful.
     pub fn words(&self, language: Language) -> Vec<String> {
         let earthquake = self.earthquake_word();
         let mut words = Vec::new();
@@ -202,7 +202,7 @@ impl VersionJudgement {
     }
 }
 
-/// Whether the weight of a stack counts as worse because edges crush.
+/// Whether the weight of a stack is more critical because edges crush.
 fn crushes(state: &State) -> bool {
     let Check::Stack(answer) = &state.check else {
         return false;

@@ -64,7 +64,7 @@ impl Weight {
         };
         match (&state.check, is_nan) {
             (_, true) => Weight::of_verdict(Verdict::Unknown, least, false),
-            // a stack keeps its word: it depends on shapes and friction, and only its springs are contradicted
+            // a stack keeps its word, because it depends on shapes and friction, and only its springs are contradicted
             (Check::Stack(_), false) => Weight::of_verdict(verdict, None, false),
             _ => Weight::of_verdict(verdict, least, is_contradicted),
         }

@@ -41,7 +41,7 @@ pub enum MovedBy {
     Wind,
     /// Static loads.
     Loads,
-    /// Both.
+    /// Wind and static loads.
     Both,
     /// A combination with the earthquake of the site.
     WithEarthquake,
@@ -261,9 +261,9 @@ fn in_hand(storey: &LoadedStorey, allowed: f64) -> Option<f64> {
     })
 }
 
-/// Histories compared with the same limits: the mean of their peaks, or the mean square if that is larger, so that both verbs agree.
-/// Nothing counts as within if a damper meets its stops in a history (the model has none), or if the histories are shorter than the time
-/// for which the limits hold.
+/// Histories compared with the same limits: the mean of their peaks, or the mean square if that is larger, so that both verbs agree. No value is
+/// within its limit if a damper meets its stops in a history (the model has none), or if the histories are shorter than the time for which the
+/// limits hold.
 pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> Vec<WindFinding> {
     let mut all = Vec::new();
     if let Some(limit) = run.acceleration_limit_m_s2 {
@@ -292,7 +292,7 @@ pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> 
     if_model_is_right(all, is_contradicted || !run.is_as_long_as_its_wind())
 }
 
-/// If the model is not that of the structure, or the wind not its own, nothing counts as within its limit.
+/// If the model or the wind is not that of the structure, no value is within its limit.
 fn if_model_is_right(mut all: Vec<WindFinding>, is_in_doubt: bool) -> Vec<WindFinding> {
     if is_in_doubt {
         let within = all.iter_mut().filter(|of| of.word == WindWord::Within);

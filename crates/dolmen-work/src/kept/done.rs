@@ -9,7 +9,7 @@ use serde::{Serialize, Serializer};
 pub struct Unidentified {
     /// The survey.
     pub survey: String,
-    /// Why.
+    /// Reason.
     #[serde(serialize_with = "in_english")]
     pub why: Both,
 }
@@ -71,11 +71,11 @@ pub struct Imported {
     pub new_files: usize,
 }
 
-/// One fault.
+/// One fault of a store.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "fault", rename_all = "snake_case")]
 pub enum Fault {
-    /// A raw file is not there.
+    /// A raw file is missing.
     Missing {
         /// Its hash.
         hash: String,
@@ -92,7 +92,7 @@ pub enum Fault {
         /// The name of the row.
         name: String,
     },
-    /// The database itself is damaged, or a row refers to one that is not there.
+    /// The database itself is damaged, or a row refers to a missing row.
     Database {
         /// Message of the database.
         why: String,

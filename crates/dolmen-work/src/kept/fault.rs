@@ -7,24 +7,24 @@ use dolmen_words::message::Both;
 pub enum StoreFault {
     /// The user named no store.
     Unnamed,
-    /// There is no file.
+    /// The file does not exist.
     NoStore {
         /// Its path.
         shown: String,
     },
-    /// A folder, a device or a pipe.
+    /// The path is a folder, a device or a pipe.
     NotAFile {
         /// Its path.
         shown: String,
     },
-    /// A database of another program.
+    /// The file is a database of another program.
     Foreign {
         /// Its path.
         shown: String,
     },
-    /// A file that is no database.
+    /// The file is not a database.
     NotADatabase,
-    /// A later version of Dolmen made it.
+    /// The store was made by a later version of Dolmen.
     Later {
         /// The number of its schema.
         found: usize,
@@ -56,7 +56,7 @@ pub enum StoreFault {
         /// The system's error.
         why: Both,
     },
-    /// There is no structure of that name.
+    /// There is no structure with that name.
     NoStructure {
         /// The name.
         name: String,
@@ -103,7 +103,7 @@ pub enum StoreFault {
         /// The machine.
         host: String,
     },
-    /// Nothing answers, or the answer is not that of a server.
+    /// No server answers, or the answer is not from a PostgreSQL server.
     ServerDown {
         /// The address without its password.
         shown: String,

@@ -49,7 +49,7 @@ pub struct ListedSurvey {
     pub lowest_frequency_hz: Option<f64>,
     /// Whether its records hold an earthquake, or the file states one.
     pub has_earthquake: bool,
-    /// Largest acceleration of that, m/s².
+    /// Largest acceleration of that earthquake, m/s².
     pub earthquake_peak_m_s2: Option<f64>,
 }
 
@@ -60,7 +60,7 @@ pub struct KeptState {
     pub hash: String,
     /// Time of storage, s since 1970 (UTC).
     pub stored_s: f64,
-    /// By whom.
+    /// Name of the person.
     pub who: String,
     /// Version of Dolmen.
     pub dolmen: String,
@@ -71,7 +71,7 @@ pub struct KeptState {
 /// A line of the log.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct KeptLog {
-    /// When, s since 1970 (UTC).
+    /// Time, s since 1970 (UTC).
     pub at_s: f64,
     /// Name of the person.
     pub who: String,

@@ -53,7 +53,7 @@ pub struct KeptAnalysis {
     pub version: String,
     /// "ssi-cov".
     pub method: String,
-    /// When, s since 1970 (UTC).
+    /// Time, s since 1970 (UTC).
     pub at_s: f64,
     /// The modes, ascending.
     pub modes: Vec<KeptMode>,

@@ -25,7 +25,7 @@ pub struct LoadsAnswer {
     pub carried: Option<Carried>,
     /// Surveyed tilt in every combination, rad.
     pub tilt_rad: f64,
-    /// Each combination; empty where the wind is unknown.
+    /// Each combination; empty if the wind is unknown.
     pub combinations: Vec<CombinationAnswer>,
 }
 
@@ -67,7 +67,7 @@ pub struct WindMet {
     pub response_factor: f64,
     /// Whether it includes resonance.
     pub resonance: Resonance,
-    /// Lowest natural frequency, Hz; `None` where it is unknown.
+    /// Lowest natural frequency, Hz; `None` if unknown.
     pub frequency_hz: Option<f64>,
     /// The wind on each link, lowest first; empty for a stack.
     pub links: Vec<WindOnLink>,
@@ -95,9 +95,9 @@ pub struct CombinationAnswer {
     pub name: Option<String>,
     /// Factors on weight, wind and static loads.
     pub weight: f64,
-    /// On wind.
+    /// Factor on wind.
     pub wind: f64,
-    /// On static loads.
+    /// Factor on static loads.
     pub loads: f64,
     /// Its result.
     pub of: Combined,
@@ -222,7 +222,7 @@ pub struct ChainCombination {
 pub struct AcrossCombination {
     /// Moments and limits across.
     pub under: ChainUnderLoads,
-    /// Where the wind blows, degrees from along to across; `None` without wind.
+    /// Direction of the wind, degrees from along to across; `None` without wind.
     pub wind_towards_deg: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! What governs a word of the judgement.
+//! The loads or the direction that decide a word of the judgement.
 
 use super::answer::LoadsAnswer;
 use dolmen_words::message::Both;

@@ -128,7 +128,7 @@ pub enum MotionRequestError {
     },
     /// There is no channel to match.
     NothingToMatch,
-    /// Several channels, of which one must be chosen for a match.
+    /// There are several channels, of which one must be chosen for a match.
     SeveralToMatch,
     /// A range of periods that is not allowed.
     Range {
@@ -150,9 +150,9 @@ pub enum MotionRequestError {
     NoneReadable {
         /// Number of files examined.
         files: usize,
-        /// The first.
+        /// The first file.
         file: String,
-        /// Why it was refused.
+        /// Reason of its refusal.
         why: Both,
     },
 }

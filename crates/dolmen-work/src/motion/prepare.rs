@@ -201,7 +201,7 @@ fn wanted(options: &MotionRequest, project: Option<ProjectFiles<'_>>) -> Result<
     })
 }
 
-/// The size in the request. Unlike a project file it may not invert a record, because that looks like a typing mistake.
+/// The size in the request. Unlike in a project file it may not be negative, because an inverted record looks like a typing mistake.
 fn typed_size(options: &MotionRequest) -> Result<Option<MotionSize>, WorkError> {
     match (options.scale, &options.peak) {
         (Some(given), _) if given > 0.0 => Ok(Some(MotionSize::Scale(given))),

@@ -4,7 +4,7 @@ use super::acting::MotionAnswer;
 use crate::error::WorkError;
 use dolmen::signal::{Component, GroundMotion, motion_sequence};
 
-/// Both motions as one, with still ground between them for at least `still_s`; and that time, s, rounded up to a sample.
+/// Both motions as one with still ground between them, and its duration, s: at least `still_s`, rounded up to a sample.
 ///
 /// # Errors
 /// Motions whose steps have no common one.

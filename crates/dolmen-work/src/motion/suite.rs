@@ -80,9 +80,9 @@ impl SuiteMember {
 /// Why a file or a channel is not in a suite.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotTaken {
-    /// It cannot be read as a motion.
+    /// The file cannot be read as a motion.
     Refused {
-        /// Why.
+        /// Reason.
         why: Both,
     },
     /// It is vertical.
@@ -324,7 +324,7 @@ fn accelerations(
         .collect())
 }
 
-/// Directions of one record count as one candidate, whether in one file or in several of one earthquake and station.
+/// The directions of one record form one candidate, in one file or in several files of one earthquake and station.
 fn candidate(one: &CandidateRecord, target_m_s2: &[f64]) -> SuiteCandidate {
     let Origin { event, station } = one.origin.clone();
     SuiteCandidate {

@@ -75,7 +75,7 @@ impl PortfolioEntry {
 pub struct LeftOut {
     /// Its name.
     pub name: String,
-    /// Why.
+    /// Reason.
     pub why: Both,
 }
 

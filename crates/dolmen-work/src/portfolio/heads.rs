@@ -46,7 +46,7 @@ const KOREAN: [(&str, &str); 23] = [
     ("지반분류", "soil"),
 ];
 
-/// Korean names of the columns, as errors say them.
+/// Korean names of the columns, for errors.
 const LABELS: [&str; COLUMNS.len()] = [
     "이름",
     "층수",
@@ -61,7 +61,8 @@ const LABELS: [&str; COLUMNS.len()] = [
     "지반",
 ];
 
-/// A column as an error says it: by its head in the table, in Korean one by its key with its Korean name.
+/// Name of a column in an error. If its head differs from the key: the head, in English with the key.
+/// Otherwise: the key, in Korean with the Korean name.
 pub(super) fn said(column: &str, written: Option<&str>) -> Both {
     let labels = COLUMNS.iter().zip(LABELS).find(|(key, _)| **key == column);
     let label = labels.map_or(column, |(_, label)| label);
@@ -77,7 +78,7 @@ pub(super) fn said(column: &str, written: Option<&str>) -> Both {
     }
 }
 
-/// All columns, as errors list them.
+/// All columns, for errors.
 pub(crate) fn columns_said() -> Vec<Both> {
     COLUMNS.iter().map(|column| said(column, None)).collect()
 }
@@ -85,13 +86,13 @@ pub(crate) fn columns_said() -> Vec<Both> {
 /// The column that a head stands for.
 pub(super) enum Head {
     Of(&'static str),
-    /// None that a ranking uses.
+    /// A column that a ranking does not use.
     LeftOut,
-    /// Probably one, but misspelt or in another unit.
+    /// Probably a column, but misspelt or in another unit.
     Doubtful,
 }
 
-/// What a head of a table stands for.
+/// The column that a head of a table stands for.
 pub(super) fn head(head: &str) -> Head {
     let (name, unit) = head.split_once(['(', '[']).unwrap_or((head, ""));
     let plain: String = name.chars().filter(|sign| !sign.is_whitespace()).collect();
@@ -124,7 +125,7 @@ pub(super) fn text(value: &SheetValue) -> String {
     }
 }
 
-/// Names in a row.
+/// Joins names.
 pub(super) fn joined(each: &[Both], between: &str, language: Language) -> String {
     let each: Vec<&str> = each.iter().map(|of| of.text(language)).collect();
     each.join(between)

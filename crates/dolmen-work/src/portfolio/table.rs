@@ -8,8 +8,8 @@ use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness};
 use dolmen_records::{SheetCell, SheetError, SheetValue, read_sheet};
 use dolmen_words::message::Both;
 
-/// Factor by which tan α may differ from that of the pagoda that λ implies, either way: eaves and bodies of real pagodas differ. Beyond it the
-/// score, trained where both agree, gives wrong reasons. Chosen here.
+/// Largest ratio, either way, of a given tan α to that of the pagoda that λ implies: real eaves and bodies differ. Beyond it the score, trained
+/// where both agree, gives wrong reasons. Our choice.
 const SLENDERNESS_APART_MOST: f64 = 1.1;
 
 /// Columns of the factors of a pagoda; one of each group is required.
@@ -32,7 +32,7 @@ const BODY_MOST_M: f64 = 100.0;
 pub enum PortfolioError {
     /// The file is no table.
     Table(SheetError),
-    /// A workbook has several sheets, of which none was named.
+    /// A workbook has several sheets, but none was named.
     SeveralSheets {
         /// Their names.
         known: String,
@@ -51,7 +51,7 @@ pub enum PortfolioError {
     },
     /// Two columns for one quantity.
     ColumnTwice {
-        /// Which.
+        /// The quantity.
         column: Both,
     },
     /// A value is missing.
@@ -71,7 +71,7 @@ pub enum PortfolioError {
         name: String,
         /// Column.
         column: Box<Both>,
-        /// What is there.
+        /// Content of the cell.
         given: String,
         /// Allowed values.
         allowed: Both,
@@ -102,9 +102,9 @@ pub enum PortfolioError {
     Twice {
         /// The name.
         name: String,
-        /// Line of the first.
+        /// Line of the first row.
         first: usize,
-        /// Line of the second.
+        /// Line of the second row.
         second: usize,
     },
 }

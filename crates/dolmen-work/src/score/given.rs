@@ -1,4 +1,4 @@
-//! `dolmen score --given`: the score with a measured frequency, which tells the stiffness of the joints.
+//! `dolmen score --given`: the score with a measured frequency, which gives the stiffness of the joints.
 
 use super::answer::ScoreAnswer;
 use super::designs::ScoreDesigns;
@@ -13,16 +13,16 @@ use dolmen::blocks::ContactRule;
 use dolmen::numeric::Interval;
 use dolmen_project::{Quantity, Structure, Survey};
 
-/// Draws of the stiffness and their seed. Chosen here.
+/// Number of random stiffnesses, and their seed. Our choice.
 const DRAWS: usize = 20_000;
 const SEED: u64 = 1;
-/// Fewest effective draws: an interval to a tenth of its width. Chosen here.
+/// Fewest effective draws: they give an interval to a tenth of its width. Our choice.
 const EFFECTIVE_LEAST: usize = 200;
-/// Deviation of ln of a frequency by which the model misses one that is measured without error. Chosen here.
+/// Standard deviation of ln of the model's frequency from one measured without error. Our choice.
 pub const MODEL_LN_SD: f64 = 0.05;
-/// A measured frequency lies this many deviations and more within what the joints of the designs can give. Chosen here.
+/// Least distance, in deviations, of a measured frequency from the ends of the range that the joints of the designs can give. Our choice.
 const WITHIN: f64 = 2.0;
-/// Peaks of the ground that probabilities are given for, of gravity. Chosen here.
+/// Peak accelerations of the ground for which probabilities are given, g. Our choice.
 pub const GIVEN_PEAKS_G: [f64; 4] = [0.1, 0.2, 0.4, 0.8];
 
 /// The frequency that a survey measured.
@@ -32,11 +32,11 @@ pub struct GivenFrequency {
     pub survey: String,
     /// Direction.
     pub direction: String,
-    /// Hz.
+    /// Measured frequency, Hz.
     pub measured_hz: f64,
     /// Deviation of its logarithm: that of the measurement together with [`MODEL_LN_SD`].
     pub ln_sd: f64,
-    /// That of the pagoda on the designs' joints, Hz.
+    /// Frequency of the pagoda with the joints of the designs, Hz.
     pub computed_hz: f64,
 }
 
@@ -62,13 +62,13 @@ pub struct GivenAnswer {
     pub score: ScoreAnswer,
     /// The frequency.
     pub frequency: GivenFrequency,
-    /// Draws of the stiffness.
+    /// Number of random stiffnesses.
     pub draws: usize,
-    /// Effective number of them after the frequency.
+    /// Their effective number, given the frequency.
     pub effective_draws: f64,
     /// Stiffness of the joints over that of the designs: median and 90 % interval, from 5 to 95 %.
     pub stiffness_ratio: [f64; 3],
-    /// What was tried before: from, to.
+    /// Range of that ratio before the frequency is used.
     pub prior_ratio: Interval,
     /// DS2, DS3 and falls.
     pub states: Vec<GivenState>,
@@ -77,7 +77,7 @@ pub struct GivenAnswer {
 /// The score of a pagoda, given the lowest frequency that a survey measured along x or y.
 ///
 /// # Errors
-/// Those of [`super::score`]; no such survey, one without a frequency, one that the joints of the designs cannot give, too few draws near it.
+/// Those of [`super::score`]; no such survey, one without a frequency, a frequency beyond the joints of the designs, too few draws near it.
 pub fn score_given(opened: &Opened, survey: &str, extrapolate: bool) -> Result<GivenAnswer, WorkError> {
     let project = &opened.project;
     let own = factors_or_error(opened)?;
@@ -94,7 +94,7 @@ pub fn score_given(opened: &Opened, survey: &str, extrapolate: bool) -> Result<G
     given(score, frequency, &own)
 }
 
-/// The lowest frequency along x or y, beside that of the pagoda on the designs' joints.
+/// The lowest frequency along x or y, and that of the pagoda on the designs' joints.
 fn frequency(opened: &Opened, survey: &Survey) -> Result<GivenFrequency, WorkError> {
     let none = || WorkError::SurveyTellsNoFrequency {
         survey: survey.name.clone(),
@@ -177,7 +177,7 @@ mod tests {
     use dolmen::numeric::clopper_pearson;
     use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness};
 
-    /// Simulated pagodas that no design is: data/pagoda_score/README.md.
+    /// Simulated pagodas other than the designs; data/pagoda_score/README.md describes them.
     const MADE: &str = include_str!("../../../../data/pagoda_score/made.csv");
 
     struct Made {
@@ -226,8 +226,8 @@ mod tests {
         all
     }
 
-    /// Among made pagodas of a stated probability that share reaches the state, by exact 99 % binomial bounds in five bins a state; Brier score
-    /// and log loss are better than without the frequency.
+    /// Among simulated pagodas with a computed probability, that share reaches the state, by exact 99 % binomial bounds in five bins for each
+    /// state. Brier score and log loss are better than without the frequency.
     #[test]
     fn holds_probabilities_of_made_pagodas_are_their_shares() {
         let all = made();

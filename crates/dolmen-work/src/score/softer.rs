@@ -1,18 +1,18 @@
-//! The pagodas of the designs on softer and stiffer joints, as they come with the program.
+//! The pagodas of the designs on softer and stiffer joints, built in.
 
 use super::designs_error::ScoreDesignsError;
 use crate::error::WorkError;
 use crate::wrong::DesignNeeds;
 use dolmen::assess::{SixFactors, StiffnessDesign, StiffnessEffect};
 
-/// data/pagoda_score describes how they were made.
+/// Built-in table; data/pagoda_score describes how it was made.
 const SHIPPED: &str = include_str!("../../../../data/pagoda_score/stiffness.csv");
-/// Columns: the factors, the stiffness over that of the designs, ln θ less that of the design for DS2, DS3 and falls.
+/// Columns of factors; then follow the stiffness over that of the designs, and ln θ minus theirs for DS2, DS3, falls.
 const FACTORS: usize = 6;
 /// Normal stiffness of the joints of the designs, Pa/m; the shear stiffness is 0.4 of it.
 pub(super) const DESIGNS_K_N_PA_M: f64 = 1e9;
 
-/// What other joints do to the capacity for DS2, DS3 and falls.
+/// Effect of other joints on the capacity for DS2, DS3 and falls.
 ///
 /// # Errors
 /// None for the table as shipped: a test reads it.

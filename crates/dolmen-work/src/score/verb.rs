@@ -12,7 +12,7 @@ use dolmen_project::{Project, Quantity, Structure};
 use dolmen_words::message::Both;
 use rayon::prelude::*;
 
-/// Slope from which a pagoda counts as leaning. Our choice.
+/// Slope above which a pagoda leans. Our choice.
 const LEANS: f64 = 0.01;
 
 /// Refuses a pagoda that is unlike the training designs, unless `outside_too`.

@@ -22,7 +22,7 @@ pub struct PlannedMode {
 /// Share of its largest motion below which a mode is hardly measured: a channel at the right place would have five times the signal. Chosen
 /// here.
 const SEEN_LEAST: f64 = 0.2;
-/// MAC from which two shapes count as the same (Pastor, Binda & Harčarik 2012): these sensors cannot distinguish the modes.
+/// MAC above which two shapes are the same (Pastor, Binda & Harčarik 2012): these sensors cannot distinguish the modes.
 const ALIKE_FROM: f64 = 0.9;
 
 impl PlannedMode {

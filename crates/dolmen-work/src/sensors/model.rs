@@ -192,7 +192,7 @@ fn stack(part: &StackPart, wanted: usize) -> Result<PlacementData, WorkError> {
     Ok((modes.collect(), candidates, SensorsOf::Given))
 }
 
-/// The corners of the floors, or, for floors without an outline, their middles and two places a radius of gyration beside them.
+/// The corners of the floors; for floors without an outline, their centres and two places a radius of gyration away.
 fn building(part: &BuildingPart, wanted: usize) -> Result<PlacementData, WorkError> {
     let Some(vibrating) = part.as_written() else {
         return Err(SensorsError::Falls.into());

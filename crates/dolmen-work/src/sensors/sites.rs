@@ -6,7 +6,7 @@ use dolmen::structure::stack::{Solid, Stack};
 const ROUNDING_M: f64 = 1e-9;
 /// Distance to another stone below which a place is not free, m.
 const FREE_M: f64 = 0.03;
-/// A sensor on the side of a stone is where a line from the centroid leaves the stone.
+/// A sensor on a side of a stone is at the point where a line from the centroid in this direction leaves it.
 const WAYS: [(Side, [f64; 2]); 4] = [
     (Side::Right, [1.0, 0.0]),
     (Side::Left, [-1.0, 0.0]),

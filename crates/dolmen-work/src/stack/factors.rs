@@ -110,7 +110,7 @@ fn once(left_out: Vec<LeftOut>) -> Vec<LeftOut> {
     let mut kept: Vec<LeftOut> = Vec::new();
     for (at, one) in left_out.iter().enumerate() {
         let said = match one {
-            // a mode along y says nothing about x
+            // a mode along y has no information about x
             LeftOut::OtherDirection { frequency_hz, .. } => left_out[..at].iter().any(
                 |other| matches!(other, LeftOut::OtherDirection { frequency_hz: hz, .. } if hz == frequency_hz),
             ),

@@ -11,7 +11,7 @@ use dolmen_project::{LoadsPart, Pick, WindGiven};
 
 /// Height below which EN 1991-1-4, 6.2 (1) a, sets c_s c_d to 1, m.
 const LOW_M: f64 = 15.0;
-/// Frequency above which a low stack counts as stiff, Hz. Our choice: a structure that sways more slowly is not like a building.
+/// Frequency above which a low stack is stiff, Hz. Our choice: a structure that sways more slowly is not like a building.
 const SWAYS_HZ: f64 = 1.0;
 /// A frequency at which EN 1991-1-4 sets c_s c_d to 1, Hz.
 const STIFF_HZ: f64 = 10.0;

@@ -10,7 +10,7 @@ use dolmen::structure::stack::Stack;
 /// Largest number of stones for which all directions are examined; with more, only that of the first motion. Our choice: a wall of 200
 /// takes a second.
 const STONES_MOST: usize = 400;
-/// Directions count as the same if the sine of the angle between them is below this. Our choice.
+/// Directions are the same if the sine of the angle between them is below this. Our choice.
 const SAME: f64 = 1e-3;
 
 /// The mechanism of the first motion, then those along both senses of x and y; empty for a stack that does not stand.

@@ -36,7 +36,7 @@ impl Repeating {
     pub const QUICK: Repeating = Repeating::AsNeeded {
         updates_most: REPEAT_UPDATES_MOST,
     };
-    /// As needed, however long it takes.
+    /// As often as needed, without a time limit.
     pub const WHOLE: Repeating = Repeating::AsNeeded {
         updates_most: f64::INFINITY,
     };

@@ -33,7 +33,7 @@ pub enum Law {
     Springs,
     /// Unilateral contact, friction, restitution.
     Rigid,
-    /// Both, however long the second takes.
+    /// Both, without a time limit for the second.
     Both,
     /// Springs, and also the sliding model.
     Sliding,

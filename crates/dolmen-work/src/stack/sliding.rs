@@ -6,9 +6,9 @@ use dolmen::blocks::{Sliding, SlidingHistory, SlidingOutcome, simulate_sliding};
 use dolmen::signal::GroundMotion;
 use dolmen::structure::stack::Stack;
 
-/// Slip from which a bed counts as sliding, m. Our choice: a hundred times the accuracy of the run.
+/// Slip above which a bed slides, m. Our choice: a hundred times the accuracy of the run.
 const SLIP_LEAST_M: f64 = 1e-6;
-/// Rotation from which a bed counts as twisting, rad. Our choice, likewise for a bed a metre wide.
+/// Rotation above which a bed twists, rad. Our choice: the same for a bed one metre wide.
 const TURN_LEAST_RAD: f64 = 1e-6;
 
 /// The mode of a bed after Hwang & Kim (2002). The fifth, a jump, ends the run.

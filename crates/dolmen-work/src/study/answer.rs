@@ -199,7 +199,7 @@ impl StudyAnswer {
         job % self.replicates().max(1) / self.study.turns_rad.len()
     }
 
-    /// The record of a job's motion, from 0: several directions of one record count as one motion.
+    /// The record of a job's motion, from 0: several directions of one record are one motion.
     pub fn record_index(&self, job: usize) -> usize {
         let motion = self.motion_index(job);
         self.records.get(motion).copied().unwrap_or(motion)

@@ -8,7 +8,7 @@ use dolmen::assess::{
 
 /// Years of the probability in the answer.
 pub const YEARS: f64 = 50.0;
-/// Standard error of ln θ that counts as sufficient. Our choice: the median is then known to a tenth.
+/// Sufficient standard error of ln θ. Our choice: the median is then accurate to 10 %.
 const ERROR_WANTED: f64 = 0.1;
 /// Fewest motions that can be sufficient; fewer give no curve.
 const ENOUGH_LEAST: usize = 3;
@@ -42,7 +42,7 @@ pub struct StateFragility {
     pub observations: Vec<Observation>,
     /// Number of further scans whose structure falls under its own weight, and reaches the state without shaking.
     pub fell_alone: usize,
-    /// The record of each observation, from 0: other directions and samples count as the same record.
+    /// The record of each observation, from 0: other directions and samples belong to the same record.
     pub motions: Vec<usize>,
     /// The curve over peak acceleration, m/s², or the reason for its absence; for structures that stand under their own weight.
     pub by_acceleration: Result<FragilityFit, AssessError>,
@@ -167,7 +167,7 @@ pub struct StatesCrossing {
 }
 
 impl CombinationFragility {
-    /// Pairs of states whose curves cross where it matters: on one side the worse state is likelier than the milder one.
+    /// Pairs of states whose curves cross in the relevant range: on one side the worse state is more likely than the milder one.
     pub fn crossings(&self) -> Vec<StatesCrossing> {
         let mut found = Vec::new();
         for (i, mild) in self.states.iter().enumerate() {

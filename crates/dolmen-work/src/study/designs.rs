@@ -61,7 +61,7 @@ pub fn study_designs(
     let enough = (USABLE_LEAST * answer.motions.len() as f64).ceil() as usize;
     let mut designs = Vec::new();
     for found in answer.fragilities() {
-        // a design of which some samples fall by themselves has no lognormal capacity
+        // a design with samples that fall by their own weight has no lognormal capacity
         let falls_alone = found.states.iter().any(|state| state.fell_alone > 0);
         if unfinished.contains(&found.combination) || found.usable < enough || falls_alone {
             continue;

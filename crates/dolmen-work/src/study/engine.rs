@@ -46,7 +46,7 @@ struct Sink<'a> {
     ended: AtomicUsize,
 }
 
-/// All runs of a shard, including earlier ones; fewer if it was stopped. Each goes to the journal as it ends.
+/// All runs of a shard, including earlier ones; fewer if it was stopped. Each is written to the journal when it ends.
 ///
 /// # Errors
 /// [`WorkError`] if the journal cannot be written.

@@ -44,7 +44,7 @@ pub(super) struct ReadCombination {
     pub(super) model: String,
     /// Properties that its runs leave out.
     pub(super) left_out: Vec<Both>,
-    /// Properties that its runs include besides the structure.
+    /// Properties that its runs include in addition to the structure.
     pub(super) held: Vec<Both>,
     /// Whether its runs have neither damping nor friction.
     pub(super) is_undamped: bool,

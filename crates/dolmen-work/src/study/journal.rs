@@ -353,7 +353,8 @@ mod tests {
         let head = header_line(&header());
         let text = head.clone() + &lines.concat();
         for end in head.len()..text.len() {
-            let read = read_journal(&text[..end], StudyKind::Stack).unwrap();
+            let torn = String::from_utf8_lossy(&text.as_bytes()[..end]);
+            let read = read_journal(&torn, StudyKind::Stack).unwrap();
             let whole = lines
                 .iter()
                 .scan(head.len(), |at, line| {

@@ -7,6 +7,6 @@ use dolmen_words::message::Both;
 pub struct LeftOutStudy {
     /// The study.
     pub study: String,
-    /// Why.
+    /// Reason.
     pub why: Both,
 }

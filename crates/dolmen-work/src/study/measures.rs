@@ -129,13 +129,13 @@ pub enum RunMeasures {
     /// Nothing was run.
     #[default]
     None,
-    /// Of a stack.
+    /// Measures of a stack.
     Stack(StackMeasures),
-    /// Of a frame.
+    /// Measures of a frame.
     Frame(FrameMeasures),
-    /// Of a chain.
+    /// Measures of a chain.
     Chain(ChainMeasures),
-    /// Of a building.
+    /// Measures of a building.
     Building(BuildingMeasures),
 }
 

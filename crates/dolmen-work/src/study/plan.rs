@@ -53,7 +53,7 @@ pub struct Plan<'o> {
     pub(super) cases: Vec<CaseInputs>,
     /// For each combination, the fingerprint of everything that its model is built from.
     models: Vec<String>,
-    /// Properties of the file that runs leave out, and those that they include besides the structure.
+    /// Properties of the file that runs leave out, and those that they include in addition to the structure.
     left_out: Vec<Both>,
     held: Vec<Both>,
     /// Whether runs of a combination have neither damping nor friction.
@@ -515,7 +515,7 @@ fn copies(motions: &[(String, PreparedMotion)]) -> Vec<MotionCopy> {
     each.collect()
 }
 
-/// A problem of a project file, with what is allowed and the remedy.
+/// A problem of a project file, with the allowed values and the remedy.
 fn in_one_line(problem: &Problem, file: &str, language: Language) -> String {
     let beside = |sign: &str, said: &Option<Both>| {
         let said = said.as_ref().map(|said| format!("{sign}{}", said.text(language)));

@@ -50,7 +50,7 @@ impl RunOutcome {
 pub struct Run {
     /// Index of the case, motion and direction: its scan.
     pub job: usize,
-    /// Factor on the motion, –; 0 if the inputs were refused, or if the structure falls by itself.
+    /// Factor on the motion, –; 0 if the inputs were refused, or if the structure falls by its own weight.
     pub scale: f64,
     /// Largest horizontal peak of the ground, before the rotation, m/s².
     pub peak_ground_acceleration_m_s2: f64,

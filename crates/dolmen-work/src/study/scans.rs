@@ -65,7 +65,7 @@ pub struct CapacityOf {
     pub peak_of_scale_1_m_s2: f64,
     /// Largest velocity of that component at scale 1, m/s.
     pub velocity_of_scale_1_m_s: f64,
-    /// Peak at which DS1, DS2, DS3 and a fall are first reached, m/s², for usable scans; 0 if it falls by itself.
+    /// Peak at which DS1, DS2, DS3 and a fall are first reached, m/s², for usable scans; 0 if it falls by its own weight.
     pub first_m_s2: Option<[Reached; 4]>,
     /// Knowledge of the peaks at which DS1, DS2, DS3 and a fall are first reached, m/s², including scans with only a bracket.
     pub seen_m_s2: [Option<Observation>; 4],

@@ -1,7 +1,7 @@
-//! Capacity from a scan of shaking with growing size. The whole grid is evaluated, because bisection alone could miss the first fall.
+//! Capacity of a structure from runs at increasing scales of one motion.
 //!
-//! The outcome of a rocking stack is not monotone: it survives most records that overturn it at some larger scale. So a whole grid of
-//! scales is evaluated, the first fall is the capacity, and survived scales above it are reported too.
+//! A rocking stack can survive a motion at a larger scale than one that overturns it. Therefore all scales of a grid are run, because
+//! bisection alone could miss the first fall. The first fall is the capacity; survived scales above it are reported too.
 
 use super::AssessError;
 
@@ -113,7 +113,7 @@ impl Reached {
 /// ```
 /// use dolmen::assess::{Reached::{Above, At}, reached_quantile};
 /// assert_eq!(reached_quantile(&[At(0.5), At(0.9)], 0.5), Some(At(0.7)));
-/// // what was not reached at 0.9 may be reached anywhere above
+/// // the second size is only known to be above 0.9
 /// assert_eq!(reached_quantile(&[At(0.5), Above(0.9)], 0.5), Some(Above(0.7)));
 /// assert_eq!(reached_quantile(&[At(0.5), At(0.9), Above(1.0)], 0.5), Some(At(0.9)));
 /// ```
@@ -178,8 +178,8 @@ pub fn capacity(tried: &[ScaleTrial]) -> Result<Capacity, AssessError> {
     })
 }
 
-/// The next scale that refines the first fall of a grid: the middle of its bracket, up to `halvings` times. `None` if that is done, if
-/// nothing fell, or if a run in the bracket is unusable.
+/// The next scale that refines the first fall of a grid: the middle of its bracket. `None` after `halvings` refinements, if nothing fell,
+/// or if a run in the bracket is unusable.
 ///
 /// The bracket lies between two neighbours of the grid. It is assumed to contain one fall; below the first scale of the grid no fall is
 /// assumed.
@@ -239,7 +239,7 @@ fn sorted(tried: &[ScaleTrial]) -> Result<Vec<ScaleTrial>, AssessError> {
 mod tests {
     use super::*;
 
-    /// Falls in (1.3, 1.7) and above 2.4, as rocking blocks do.
+    /// A response that is not monotone: falls in (1.3, 1.7) and above 2.4.
     fn falls(scale: f64) -> Trial {
         if (1.3..1.7).contains(&scale) || scale > 2.4 {
             Trial::Fell

@@ -16,18 +16,19 @@ pub struct ChainCheck {
     pub modes: Vec<NaturalMode>,
     /// Effect of lowering each centroid.
     pub centroids: Vec<CentroidEffect>,
-    /// Beside the pole without joints; `None` if its stone is unknown. [`check_one_stone`](super::check_one_stone) makes it.
+    /// Check of the shaft as one stone without joints, by [`check_one_stone`](super::check_one_stone); `None` if its
+    /// material is unknown.
     pub one_stone: Option<OneStoneCheck>,
     /// The lowest joint and the soil below it; `None` if nothing is known of the soil.
     pub on_soil: Option<JointOnSoil>,
     /// The side supports.
     pub side_supports: Vec<SideSupport>,
-    /// The load factor without side supports; `None` without any that is counted, or if the stiffness is unknown.
+    /// The load factor without side supports; `None` if no side support counts, or if the stiffness is unknown.
     pub load_factor_without_supports: Option<f64>,
-    /// With the masses of its static loads, which move too; `None` without any.
+    /// Results with the masses of the static loads, which move too; `None` without static loads.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub loaded: Option<Box<LoadedChain>>,
-    /// The results across, if the chain has its own properties there; `None`: as in the direction of motion.
+    /// Results across the direction of motion; `None` if the chain has the same properties in both directions.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub across: Option<Box<ChainAcross>>,
 }
@@ -36,9 +37,9 @@ pub struct ChainCheck {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LoadedChain {
-    /// Lowest natural frequency in the direction of motion, Hz; `None` where it falls or no stiffness is known.
+    /// Lowest natural frequency in the direction of motion, Hz; `None` if the chain falls, or if no stiffness is known.
     pub frequency_hz: Option<f64>,
-    /// Frequency across, of a chain of two directions.
+    /// Lowest natural frequency across it, for a chain with properties in two directions.
     pub frequency_across_hz: Option<f64>,
     /// Least tilt at which a joint reaches its uplift limit, rad; `None` without bed widths or stiffness.
     pub uplift_tilt_rad: Option<f64>,
@@ -48,21 +49,21 @@ pub struct LoadedChain {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ChainAcross {
-    /// Rocking stiffness of the footing there, N m/rad; `None` if nothing is known of the soil.
+    /// Rocking stiffness of the footing, N m/rad; `None` if nothing is known of the soil.
     pub soil_n_m_rad: Option<f64>,
-    /// With the joints' stiffness there; `None` if it is unknown.
+    /// Stability with the joints' stiffness; `None` if it is unknown.
     pub stability: Option<ChainStability>,
-    /// Natural modes there; empty if the stiffness is unknown.
+    /// Natural modes; empty if the stiffness is unknown.
     pub modes: Vec<NaturalMode>,
-    /// Stiffness of the joints there, from 1 at the bottom, that is not given and was taken by the sides of the beds.
+    /// Joint stiffnesses that were not given and were assumed from the sides of the beds, from the bottom.
     pub taken: Vec<StiffnessTaken>,
     /// The side supports in this direction.
     pub side_supports: Vec<SideSupport>,
-    /// The load factor without those; as of [`ChainCheck`].
+    /// The load factor without these side supports; `None` as in [`ChainCheck`].
     pub load_factor_without_supports: Option<f64>,
 }
 
-/// A stiffness across that nobody gave.
+/// An assumed stiffness of a joint across the direction of motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StiffnessTaken {
@@ -70,7 +71,7 @@ pub struct StiffnessTaken {
     pub joint: usize,
     /// Assumed stiffness, N m/rad.
     pub stiffness_n_m_rad: f64,
-    /// Over that along: (w/b)² of the sides of its bed, at most 1.
+    /// Ratio to the stiffness in the direction of motion: (w/b)² of the sides of the bed, at most 1.
     pub of_along: f64,
 }
 
@@ -109,7 +110,7 @@ pub const CENTROID_CHANGE: f64 = -0.2;
 /// each centre of mass by 20 % and, if the joints' stiffness is known, stability and natural modes.
 ///
 /// # Errors
-/// [`AssessError::Stability`] if the stiffnesses do not fit the chain, [`AssessError::Stability`].
+/// [`AssessError::Stability`] if the stiffnesses do not fit the chain.
 ///
 /// # Example
 /// ```
@@ -148,7 +149,7 @@ pub fn check_chain(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<C
     })
 }
 
-/// Checks the chain across, alone.
+/// Checks the chain across the direction of motion only.
 ///
 /// # Errors
 /// As [`check_chain`].
@@ -194,8 +195,8 @@ fn without_supports(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<
 /// [`AssessError::Structure`] if there is no such link, or if the centre of mass would be outside it.
 ///
 /// # Source
-/// Choi (2021), Table 3. Differs from the source: some of its k_cr rise, and it concludes that lowering a centre of
-/// mass can ask for more stiffness. That is an artefact of its criterion: no exact limit rises.
+/// Choi (2021), Table 3. Differs from the source: there some k_cr rise, and Choi concludes that lowering a centre of mass
+/// can require more stiffness. This is an artefact of the published criterion: no exact limit rises.
 pub fn centroid_effect(
     chain: &Chain,
     link: usize,

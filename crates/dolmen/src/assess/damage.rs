@@ -1,4 +1,4 @@
-//! Damage states of a stack after a motion: a pagoda that sheds no stone may still have lost too much.
+//! Damage states of a stack after a motion: a pagoda that loses no stone may still be badly damaged.
 
 use crate::blocks::{Outcome, Pose, StackHistory};
 use crate::stability::stack::StackLimitStates;
@@ -7,14 +7,14 @@ use crate::structure::stack::{Joint, Stack};
 /// Thresholds of damage states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DamageThresholds {
-    /// DS1: slip from which sliding counts as begun, m, positive. Default 0.5 mm, our choice: below it lies the shear of the springs of a
-    /// joint (0.15 mm at 100 kPa, friction 0.6, 4e8 Pa/m).
+    /// DS1: slip at which sliding begins, m, positive. Default 0.5 mm, our choice: larger than the elastic shear of a joint (0.15 mm at 100 kPa,
+    /// friction 0.6, 4e8 Pa/m).
     pub slip_begun_m: f64,
-    /// DS2: residual offset over the joint's width, –, positive. Default 0.005.
+    /// DS2: residual offset over the width of the joint, –, positive. Default 0.005.
     pub offset_ratio: f64,
-    /// DS2: offset left, m, positive. Default 10 mm.
+    /// DS2: residual offset, m, positive. Default 10 mm.
     pub offset_m: f64,
-    /// DS3: residual offset over the joint's width, –, not below that of DS2. Default 0.02.
+    /// DS3: residual offset over the width of the joint, –, not below that of DS2. Default 0.02.
     pub severe_offset_ratio: f64,
     /// DS3: rocking of a joint over the slenderness angle of the part above, –, positive. Default 0.35.
     pub severe_rocking_ratio: f64,
@@ -39,9 +39,10 @@ pub enum DamageState {
     None,
     /// DS1: a joint opened by [`StackHistory::UPLIFT_LEAST_M`], or slipped by [`DamageThresholds::slip_begun_m`].
     Begun,
-    /// DS2: an offset is left, by default 0.5 % of the joint's width, or 10 mm.
+    /// DS2: the residual offset is at least 0.5 % of the joint's width, or 10 mm (defaults).
     Offset,
-    /// DS3: a large offset is left, by default 2 % of the width, a joint rocked to 0.35 of its slenderness angle, or a stone lies on the brink.
+    /// DS3: the residual offset is at least 2 % of the joint's width, a joint rocked to 0.35 of its slenderness angle (defaults), or a stone lies on
+    /// the brink.
     Severe,
     /// DS4: a stone fell.
     Fallen,
@@ -63,19 +64,19 @@ impl DamageState {
 /// Effect of a motion on one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointDamage {
-    /// The state: [`DamageState::Fallen`] of the joint that gave way alone, [`DamageState::Severe`] also of those below a stone on the brink.
+    /// The state. Only the joint that gave way is [`DamageState::Fallen`]. Joints below a stone on the brink are [`DamageState::Severe`].
     pub state: DamageState,
     /// Largest opening, m.
     pub peak_uplift_m: f64,
     /// Largest slip, m.
     pub peak_slip_m: f64,
-    /// Slip left, m.
+    /// Residual slip, m.
     pub residual_slip_m: f64,
     /// Residual slip over the width of the joint in that direction, –.
     pub residual_slip_ratio: f64,
     /// Rocking (opening over the least width) over the slenderness angle of the part above, –; 0 if that part has none.
     pub peak_rocking_ratio: f64,
-    /// Largest turn of the stone above on the one below, rad.
+    /// Largest rotation about the vertical of the stone above relative to the stone below, rad.
     pub peak_yaw_rad: f64,
 }
 
@@ -86,9 +87,9 @@ pub struct StackDamage {
     pub state: DamageState,
     /// Damage of each joint, in the order of the stack's joints.
     pub joints: Vec<JointDamage>,
-    /// Largest lean of a stone at a sample, rad.
+    /// Largest tilt of a stone at a sample, rad.
     pub peak_tilt_rad: f64,
-    /// Largest lean of a stone at the end, rad.
+    /// Largest tilt of a stone at the end, rad.
     pub residual_tilt_rad: f64,
 }
 
@@ -99,7 +100,7 @@ impl StackDamage {
     }
 }
 
-/// The damage that a history shows.
+/// Damage states of a stack from its history.
 ///
 /// ```text
 /// DS1  uplift or slip begins       DS2  u_left ≥ 0.005 b or 10 mm       DS3  u_left ≥ 0.02 b, or θ ≥ 0.35 α       DS4  a stone falls     by default
@@ -107,8 +108,8 @@ impl StackDamage {
 /// ```
 ///
 /// # Limits
-/// If several joints carry one part, or no cut goes through a joint alone, α is that of the cut with this joint and the fewest blocks. For a run
-/// that ended early, only the time up to its end counts: after one stone has fallen the result says nothing about the others.
+/// If several joints carry one part, or no cut goes through a joint alone, α is that of the cut with this joint and the fewest blocks. If a run
+/// ended early, only the time up to its end counts: after a stone has fallen, the result does not describe the other stones.
 pub fn stack_damage(
     stack: &Stack,
     limits: &StackLimitStates,
@@ -210,7 +211,6 @@ fn lean(start: &Pose, now: &Pose) -> f64 {
     2.0 * (0.5 * apart).min(1.0).asin()
 }
 
-/// Width of a joint along a direction in its plane, m.
 fn width_along(joint: &Joint, direction: [f64; 2]) -> f64 {
     let length = direction[0].hypot(direction[1]);
     if length == 0.0 {
@@ -268,7 +268,7 @@ mod tests {
         (stack, limits)
     }
 
-    /// The stone under half a sine with this multiple of its uplift acceleration, 0.4 s long.
+    /// The stone under a half sine of 0.4 s with this multiple of its uplift acceleration.
     fn pulse(stack: &Stack, times: f64) -> StackHistory {
         let samples = (0..=40).map(|i| times * 0.2 * 9.81 * (PI * f64::from(i) / 40.0).sin());
         let motion = GroundMotion::new("pulse", 0.01, vec![(Component::X, samples.collect())]).unwrap();
@@ -315,7 +315,7 @@ mod tests {
         assert_eq!(of(0.0081, 0.0081, 0.0), DamageState::Severe); // 2 % is 8 mm
         assert_eq!(of(0.0, 0.0, 0.4 * (0.349 * alpha).tan()), DamageState::Begun);
         assert_eq!(of(0.0, 0.0, 0.4 * (0.351 * alpha).tan()), DamageState::Severe);
-        // each threshold moves its own state alone
+        // each threshold moves only its own state
         let own = DamageThresholds {
             slip_begun_m: 2e-3,
             offset_ratio: 0.1,
@@ -339,7 +339,7 @@ mod tests {
         );
     }
 
-    /// Two stones: each joint has its own state, and the stack that of the worst.
+    /// Two stones: each joint has its own state, and the stack has the worst.
     #[test]
     fn exact_each_joint_has_its_own_state() {
         let block = |name: &str, x, from_m| Block {
@@ -362,7 +362,7 @@ mod tests {
             (each, found.state.number())
         };
         assert_eq!(of(&history), (vec![0, 0], 0));
-        // the same 6 mm are .6 % of the wide joint and 1.2 % of the narrow one, 11 mm 1.1 and 2.2 %
+        // the same 6 mm are .6 % of the wide joint and 1.2 % of the narrow one, 11 mm are 1.1 and 2.2 %
         for (left_m, wanted) in [(0.006, [2, 2]), (0.011, [2, 3])] {
             for (joint, state) in wanted.into_iter().enumerate() {
                 let mut own = history.clone();

@@ -14,7 +14,7 @@ pub enum AssessError {
     /// Stability cannot be assessed.
     #[error(transparent)]
     Stability(#[from] StabilityError),
-    /// A stack that cannot be.
+    /// The stack is refused.
     #[error(transparent)]
     Stack(#[from] StackError),
     /// A number is refused.
@@ -26,7 +26,7 @@ pub enum AssessError {
     /// A survey has no modes to compare.
     #[error("survey {survey} has no modes, so that nothing can be compared")]
     NothingToCompare {
-        /// Which.
+        /// Name of the survey.
         survey: String,
     },
     /// Too few surveys, or too small a range of temperatures, for fitting a temperature coefficient.
@@ -39,9 +39,9 @@ pub enum AssessError {
         surveys: usize,
         /// Surveys needed.
         least: usize,
-        /// Warmest less coldest, °C.
+        /// Difference between the warmest and the coldest survey, °C.
         spread_c: f64,
-        /// Least spread, °C.
+        /// Smallest allowed difference, °C.
         spread_least_c: f64,
     },
     /// A decomposition failed.
@@ -50,45 +50,45 @@ pub enum AssessError {
     /// A factor of the score is refused.
     #[error("{factor} is {given}, but must be {allowed}")]
     Factor {
-        /// Which.
+        /// Name of the factor.
         factor: &'static str,
         /// Its value.
         given: f64,
         /// The allowed range.
         allowed: &'static str,
     },
-    /// A factor of the score lies outside what was trained.
+    /// A factor of the score lies outside the training range.
     #[error(
         "{factor} is {}, but the score was trained from {} to {}: simulate this pagoda, or allow extrapolation, which is \
          marked",
         digits(*given), digits(*least), digits(*most)
     )]
     OutsideTraining {
-        /// Which.
+        /// Name of the factor.
         factor: &'static str,
         /// Its value.
         given: f64,
-        /// Least value trained.
+        /// Smallest value in the training.
         least: f64,
-        /// Largest value trained.
+        /// Largest value in the training.
         most: f64,
     },
-    /// No order can be made.
+    /// A ranking is not possible.
     #[error(
         "{candidates} structures and {draws} draws, but a ranking needs 1 structure and 20 draws or more"
     )]
     NothingToRank {
-        /// Structures given.
+        /// Number of structures.
         candidates: usize,
         /// Requested number of draws.
         draws: usize,
     },
-    /// Too few designs to train a score on.
+    /// Too few designs to train a score.
     #[error("{given} designs, but the score needs {least} and more: simulate more")]
     TooFewDesigns {
-        /// Designs given.
+        /// Number of designs.
         given: usize,
-        /// Designs needed.
+        /// Smallest number of designs.
         least: usize,
     },
     /// A site class for which the code gives no numbers.
@@ -105,26 +105,26 @@ pub enum AssessError {
         /// The period given, years.
         given: u32,
     },
-    /// A row of a table is missing or makes no sense.
+    /// A row of a spectrum table is missing or invalid.
     #[error(
         "row {row} of the spectrum is missing or refused: give 2 or more rows of period_s, rising, and \
          acceleration_m_s2, none negative"
     )]
     SpectrumTable {
-        /// Which, from 1.
+        /// Number of the row, from 1.
         row: usize,
     },
-    /// A period that a table does not reach.
+    /// A period outside the range of a table.
     #[error("a period of {} s is outside the table, {least_s} to {most_s} s: extend it", (period_s * 1e4).round() / 1e4)]
     OutsideTable {
         /// The period, s.
         period_s: f64,
-        /// First of the table, s.
+        /// First period of the table, s.
         least_s: f64,
-        /// Last of the table, s.
+        /// Last period of the table, s.
         most_s: f64,
     },
-    /// A damping ratio that a table does not hold for.
+    /// A damping ratio other than that of a table.
     #[error("damping_ratio is {given}, but the table holds for {of_table}: give a table for that damping")]
     TableDamping {
         /// Requested damping ratio.
@@ -132,7 +132,7 @@ pub enum AssessError {
         /// Damping ratio of the table.
         of_table: f64,
     },
-    /// A scale of a scan that cannot be.
+    /// A scale of a scan is refused.
     #[error("scale is {given}, but must be a positive number")]
     Scale {
         /// The scale given.
@@ -144,7 +144,7 @@ pub enum AssessError {
         /// The value given.
         given: f64,
     },
-    /// A parameter of a fragility curve that cannot be.
+    /// A parameter of a fragility curve is refused.
     #[error("{parameter} of a fragility curve is {given}, but must be a positive number")]
     FragilityParameter {
         /// Its name.
@@ -152,10 +152,10 @@ pub enum AssessError {
         /// The value given.
         given: f64,
     },
-    /// An observation that cannot be.
+    /// An observation is refused.
     #[error("observation {number} has {given}, but must have {allowed}")]
     Observation {
-        /// Which, from 1.
+        /// Number of the observation, from 1.
         number: usize,
         /// The value given.
         given: f64,
@@ -165,28 +165,28 @@ pub enum AssessError {
     /// Too few motions for a fragility curve.
     #[error("{given} motions are too few for a fragility curve: give 3 or more, and 22 or more to rank with")]
     TooFewMotions {
-        /// Their number.
+        /// Number of motions.
         given: usize,
     },
-    /// Too few motions to tell whether a measure of shaking is sufficient.
+    /// Too few motions to decide whether a measure of shaking is sufficient.
     #[error(
         "{given} motions are too few to tell whether a measure of shaking is sufficient: give {least} or more"
     )]
     TooFewForSufficiency {
-        /// Their number.
+        /// Number of motions.
         given: usize,
-        /// The fewest.
+        /// Smallest number of motions.
         least: usize,
     },
-    /// Too many scans do not say between what sizes a state began.
+    /// Too many scans do not bracket the size of shaking at which a state began.
     #[error(
         "{without} of {scans} scans do not say between what sizes the state began, and those are the strongest and the weakest: scan smaller and \
          larger sizes"
     )]
     CapacitiesOpen {
-        /// Number of those that do not.
+        /// Number of scans without a bracket.
         without: usize,
-        /// All.
+        /// Number of all scans.
         scans: usize,
     },
     /// The predictor of the residuals does not vary.
@@ -197,16 +197,16 @@ pub enum AssessError {
         /// The value.
         value: f64,
     },
-    /// The observations allow no fragility curve, but a bound.
+    /// The observations give only a bound, not a fragility curve.
     #[error("{}", no_fragility(.0))]
     NoFragility(FragilityBound),
-    /// Observations whose likeliest curve does not rise.
+    /// The most likely curve of the observations does not rise.
     #[error(
         "the state is reached no more often at high intensities than at low ones: no fragility curve rises through these \
          observations; is the intensity measure the right one?"
     )]
     FragilityFalls,
-    /// A hazard that cannot be.
+    /// A hazard curve is refused.
     #[error("{what} of the hazard is {given}, but must be {allowed}")]
     Hazard {
         /// The fault.
@@ -219,7 +219,7 @@ pub enum AssessError {
 }
 
 impl AssessError {
-    /// Whether an iteration ended before it converged: the input may be valid.
+    /// Whether the error is an iteration that ended before convergence: the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Structure(why) => why.did_not_converge(),

@@ -1,4 +1,4 @@
-//! The whole check of a frame: everything that needs no time history.
+//! The check of a frame without a time history.
 
 use super::AssessError;
 use crate::known::STANDARD_GRAVITY_M_S2;
@@ -6,9 +6,9 @@ use crate::stability::{FrameStability, frame_stability};
 use crate::structure::{Frame, NaturalMode};
 use std::fmt;
 
-/// Range of the ratio between the load of a level and the weight of its mass; outside it, a note is given: our
-/// choice. Roof masses estimated from drawings have errors of about 10 %; axial forces summed twice give 2 in a frame
-/// of two equal storeys.
+/// Plausible range of the load of a level over the weight of its mass; outside it, there is a note. Our choice: roof
+/// masses estimated from drawings have errors of about 10 %; axial forces that were summed twice give 2 in a frame of
+/// two equal storeys.
 const LOAD_RATIO_PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 
 /// A probable mistake in the loads of a frame. `Display` gives an English sentence.
@@ -16,11 +16,11 @@ const LOAD_RATIO_PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 pub enum FrameNote {
     /// No storey carries an axial force.
     NoAxialForce,
-    /// A level adds a load that its mass does not explain.
+    /// The load that a level adds differs from the weight of its mass.
     LevelLoad {
         /// The level, from 1.
         level: usize,
-        /// Load that it adds over the weight of its mass.
+        /// Ratio of the added load to the weight of its mass.
         ratio: f64,
     },
 }
@@ -44,11 +44,12 @@ impl fmt::Display for FrameNote {
 /// All results for a frame without a time history.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameCheck {
-    /// N_i / l_i of each storey, N/m: the least stiffness a storey of columns needs (drift convention).
+    /// N_i / l_i of each storey, N/m: the smallest stiffness with which a storey of columns stands (drift
+    /// convention).
     pub geometric_n_m: Vec<f64>,
-    /// Load that each level adds to the axial force, over the weight of its mass; near 1 when the two agree.
+    /// Ratio of the load that each level adds to the axial force to the weight of its mass; near 1 if the two agree.
     pub level_load_ratios: Vec<f64>,
-    /// With the storeys' stiffness; `None` if it is unknown.
+    /// Stability with the storeys' stiffness; `None` if it is unknown.
     pub stability: Option<FrameStability>,
     /// Natural modes; empty if the stiffness is unknown.
     pub modes: Vec<NaturalMode>,

@@ -1,23 +1,23 @@
-//! By what the size of shaking is measured so that stacks of different shape and size can be compared.
+//! Dimensionless measures of shaking that allow comparing stacks of different shape and size.
 
 use super::AssessError;
 use crate::stability::stack::{CutLimits, StackLimitStates, rocking_blocks};
 use crate::structure::stack::Stack;
 
-/// Part of a direction towards an edge below which it is parallel to that edge. Our choice.
+/// Component of a direction towards an edge below which the direction is parallel to the edge. Our choice.
 const SHARE_LEAST: f64 = 1e-6;
 
 /// The part of a stack that lifts first, as one rocking block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockingScale {
-    /// Acceleration over g at which it lifts, –: tan α.
+    /// Acceleration at which it lifts, over g, –: tan α.
     pub tan_slenderness: f64,
-    /// p, rad/s.
+    /// Frequency parameter p, rad/s.
     pub frequency_parameter_rad_s: f64,
 }
 
 impl RockingScale {
-    /// Peak acceleration of the ground over that which lifts it, –.
+    /// Peak ground acceleration over the acceleration that lifts the block, –.
     ///
     /// ```text
     /// PGA / (g tan α)
@@ -26,7 +26,7 @@ impl RockingScale {
         peak_acceleration_m_s2 / (gravity_m_s2 * self.tan_slenderness)
     }
 
-    /// Peak velocity of the ground over that which blocks of this shape and size overturn at, –.
+    /// Peak ground velocity over the velocity at which blocks of this shape and size overturn, –.
     ///
     /// ```text
     /// p PGV / (g tan α)
@@ -40,18 +40,18 @@ impl RockingScale {
     }
 }
 
-/// The rocking scale of a stack that is shaken along a direction of the plan, to both sides, or in any (`None`): of its cut that lifts first, about
-/// the edge that it lifts over; `None` of a stack that cannot lift.
+/// The rocking scale of a stack for shaking along a direction in plan, to both sides, or in any direction (`None`). It describes the cut that lifts
+/// first, about its edge; `None` if the stack cannot lift.
 ///
 /// ```text
-/// tan α = least over the edges of a_edge / (g |d · n|),   d the direction, n the way to the edge, a_edge what lifts it straight that way
+/// tan α = least over the edges of a_edge / (g |d · n|),   d the direction, n the normal of the edge in plan, a_edge the acceleration along n that lifts
 /// ```
 ///
 /// # Errors
-/// [`AssessError::Stability`] for limits of another stack.
+/// [`AssessError::Stability`] if the limits belong to a different stack.
 ///
 /// # Limits
-/// A small stone at the top may lift first and be all that the scale speaks of.
+/// A small stone at the top may lift first; the scale is then valid for this stone only.
 pub fn rocking_scale(
     stack: &Stack,
     limits: &StackLimitStates,
@@ -87,7 +87,7 @@ mod tests {
     use crate::stability::stack::{StackLimits, stack_limits};
     use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
 
-    /// Two blocks: the upper one is the slenderer, and its p is √(3g/4R) of its own half diagonal.
+    /// Two blocks: the upper block is more slender, and its p is √(3g/4R) with its own half diagonal.
     #[test]
     fn exact_scale_of_the_block_that_lifts_first() {
         let block = |name: &str, x, z, from_m| Block {

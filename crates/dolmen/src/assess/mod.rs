@@ -1,4 +1,4 @@
-//! From results to answers: whole checks, sensitivities, probabilities.
+//! Assessment: whole checks, sensitivities, probabilities.
 
 mod capacity;
 mod chain;

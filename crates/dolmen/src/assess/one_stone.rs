@@ -1,21 +1,23 @@
-//! A chain beside the one stone that it would be without joints (Choi 2021, Fig. 8).
+//! Compares a chain with the single stone that it would be without joints (Choi 2021, Fig. 8).
 
 use super::AssessError;
 use crate::structure::{BeamTheory, Chain, Jointing, NaturalMode, Pole, Shaft, Stone, StructureError};
 
-/// Frequencies of the pole as one stone, and on its joints with stones that bend.
+/// Frequencies of the pole as a single stone, and with its joints and flexible stones.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OneStoneCheck {
-    /// The shafts that the links are, lowest first.
+    /// The links as shafts, lowest first.
     pub shafts: Vec<Shaft>,
-    /// Without joints, in bending alone, Hz, ascending; empty if it falls.
+    /// Frequencies without joints, in bending only, Hz, ascending; empty if the pole falls.
     pub bernoulli_euler_hz: Vec<f64>,
-    /// Without joints, with shear and rotary inertia, Hz; empty if it falls.
+    /// Frequencies without joints, with shear and rotary inertia, Hz; empty if the pole falls.
     pub timoshenko_hz: Vec<f64>,
-    /// On its joints, with stones that bend and shear, Hz; empty if the joints are unknown, or it falls.
+    /// Frequencies with joints, and with bending and shear of the stones, Hz; empty if the joints are unknown, or if the pole
+    /// falls.
     pub jointed_hz: Vec<f64>,
-    /// Frequency of the chain, whose links are rigid, over that of one stone by Timoshenko, mode by mode; empty as above.
+    /// Frequency of the chain of rigid links over that of the single stone by Timoshenko, mode by mode; empty under the same
+    /// conditions.
     pub ratios: Vec<f64>,
     /// Largest relative change of a frequency in the last refinement.
     pub changed: f64,
@@ -28,7 +30,7 @@ const MODES_MOST: usize = 5;
 /// bending links.
 ///
 /// # Input
-/// * `modes` -- of the chain on these joints; empty if they are unknown
+/// * `modes` -- of the chain on these joints; empty if the joints are unknown
 ///
 /// # Errors
 /// [`AssessError::Structure`]: see [`Pole::of_chain`] and [`Pole::frequencies`].

@@ -12,8 +12,8 @@ pub struct KnownCapacity {
     pub ln_theta_sd: f64,
     /// Whether θ is a value or a bound.
     pub known: Known,
-    /// p₀, the probability that the structure falls under its own weight, –. In that case the state is reached without shaking; `fragility` describes
-    /// the remaining cases.
+    /// p₀, the probability that the structure falls under its own weight, –. It then reaches the state without shaking; `fragility` describes the
+    /// remaining cases.
     pub falls_alone: f64,
 }
 
@@ -21,8 +21,8 @@ pub struct KnownCapacity {
 const RATE_YEARS: f64 = 50.0;
 
 impl KnownCapacity {
-    /// Intensity at which the state is reached with probability ½, from θ of the cases that stand by themselves; 0 if half of the cases fall without
-    /// shaking.
+    /// Intensity at which the state is reached with probability ½, for θ of the cases that stand under their own weight; 0 if half of the cases fall
+    /// without shaking.
     ///
     /// ```text
     /// p₀ + (1 − p₀) Φ(ln(x/θ)/β) = ½
@@ -39,8 +39,8 @@ impl KnownCapacity {
         Ok(theta * (self.fragility.beta() * z).exp())
     }
 
-    /// Constant annual rate, 1/year, that gives the same probability in 50 years, from the rate of the cases that stand by themselves. Cases that
-    /// fall without shaking have no finite rate, so a period is needed.
+    /// Constant annual rate, 1/year, that gives the same probability in 50 years, from the rate of the cases that stand under their own weight. Cases
+    /// that fall without shaking have no finite rate, so a period is needed.
     ///
     /// ```text
     /// 1 − e^(−50 λ) = p₀ + (1 − p₀)(1 − e^(−50 λ_s))        λ = λ_s − ln(1 − p₀)/50
@@ -100,15 +100,15 @@ pub struct Place {
 pub struct Ranked {
     /// Quantity of the ranking.
     pub by: RankedBy,
-    /// All structures, the most urgent first; equal ones in the given order.
+    /// All structures, the most urgent first; equal structures keep their order.
     pub places: Vec<Place>,
 }
 
 /// Ranks structures by the urgency of an inspection.
 ///
 /// ```text
-/// rate = ∫ Φ(ln(x/θ)/√(β² + σ²)) |dλ(x)| − ln(1 − p₀)/50        σ: standard deviation of ln θ; p₀: falls under its own weight
-/// places: `draws` times ln θ + σ z for each, z normal and independent, ranked again; 5 to 95 % of the places
+/// rate = ∫ Φ(ln(x/θ)/√(β² + σ²)) |dλ(x)| − ln(1 − p₀)/50        σ: standard deviation of ln θ; p₀: probability of falling under own weight
+/// ranks: in each of `draws` draws, ln θ + σ z with independent normal z, ranked again; 5 to 95 % of the ranks
 /// ```
 ///
 /// # Errors
@@ -228,7 +228,7 @@ mod tests {
         Candidate { capacity, hazard }
     }
 
-    /// A structure that falls by itself in one sample of seven, compared with the same structure without such samples.
+    /// A structure that falls under its own weight in one sample of seven, compared with the same structure without such samples.
     #[test]
     fn exact_what_falls_without_shaking_moves_median_rate_and_place() {
         let hazard = Hazard::through(1.0, 500.0, 2.0).unwrap();
@@ -289,7 +289,7 @@ mod tests {
             let rate = place.annual_rate.unwrap();
             assert!((rate / exact - 1.0).abs() < 1e-9, "{rate} {exact}");
         }
-        // one structure has no hazard: ranked by capacity alone
+        // one structure has no hazard: all are ranked by capacity
         let mut some = all;
         some[0].hazard = None;
         let found = rank(&some, 20, 1).unwrap();
@@ -298,7 +298,7 @@ mod tests {
         assert_eq!(order, [1, 2, 0]);
     }
 
-    /// Two structures: the probability that the better one is drawn worse is Φ(−Δ ln θ/√(σ₁² + σ₂²)).
+    /// For two structures, the probability that the better one is drawn as the worse one is Φ(−Δ ln θ/√(σ₁² + σ₂²)).
     #[test]
     fn exact_chance_of_changing_places() {
         let all = [candidate(1.0, 0.4, 0.3, None), candidate(1.2, 0.4, 0.4, None)];

@@ -3,7 +3,7 @@
 use super::AssessError;
 use crate::numeric::{Random, clopper_pearson, mean, quantile, variance};
 
-/// Confidence level of an interval if the caller gives none: the usual value.
+/// Default confidence level of an interval.
 const CONFIDENCE: f64 = 0.95;
 
 /// Frequency of an event among independent samples.

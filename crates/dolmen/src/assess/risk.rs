@@ -1,4 +1,4 @@
-//! From a hazard curve and a fragility curve to how often a state is reached.
+//! Annual rate at which a structure reaches a state, from a hazard curve and a fragility curve.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -14,15 +14,15 @@ use crate::numeric::ln_normal_probability;
 /// Return periods of the Korean code whose factors have a source, years.
 const KOREAN_PERIODS: [u32; 6] = [50, 100, 200, 500, 1000, 2400];
 
-/// Damping ratio at which the code is asked; the peak of the ground does not depend on it.
+/// Damping ratio for the query of the code; the peak ground acceleration does not depend on it.
 const CODE_DAMPING: f64 = 0.05;
 
-/// A hazard curve: straight pieces in logarithms of rate and intensity.
+/// A hazard curve, linear between points in logarithms of rate and intensity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hazard {
-    /// Intensity, rising, and annual rate of exceedance, falling.
+    /// Intensity (ascending) and annual rate of exceedance (descending).
     points: Vec<[f64; 2]>,
-    /// Whether it is one power law for all intensities, as given.
+    /// Whether the curve is a single power law over all intensities.
     is_power_law: bool,
 }
 
@@ -41,7 +41,7 @@ impl Hazard {
                 });
             }
         }
-        let x = (k0 / 1e-3).powf(1.0 / k); // any two points of it: those of a thousand and ten thousand years
+        let x = (k0 / 1e-3).powf(1.0 / k); // two points of the power law: at a thousand and at ten thousand years
         let line = Hazard::of_points(&[[x, 1e-3], [x * 10.0_f64.powf(1.0 / k), 1e-4]])?;
         Ok(Hazard {
             is_power_law: true,
@@ -49,7 +49,7 @@ impl Hazard {
         })
     }
 
-    /// A power law through one point: an intensity with its return period.
+    /// A power law through one point, an intensity with its return period.
     ///
     /// # Errors
     /// As [`Hazard::power_law`].
@@ -69,7 +69,7 @@ impl Hazard {
     /// Points (intensity, annual rate of exceedance) in ascending intensity; the first and last slope are extrapolated.
     ///
     /// # Errors
-    /// [`AssessError::Hazard`] for fewer than two, numbers that are not positive, and a rate that does not fall.
+    /// [`AssessError::Hazard`] for fewer than two points, numbers that are not positive, or a rate that does not fall.
     pub fn of_points(points: &[[f64; 2]]) -> Result<Self, AssessError> {
         let refuse = |what, given, allowed| Err(AssessError::Hazard { what, given, allowed });
         if points.len() < 2 {
@@ -103,8 +103,7 @@ impl Hazard {
     /// Peak ground acceleration, m/s², soil included, by the return periods of KDS 17 10 00 from 50 to 2400 years.
     ///
     /// # Errors
-    /// The errors of [`site_demand`]; [`AssessError::Hazard`] if the amplification decreased faster than the shaking increases,
-    /// which does not occur.
+    /// The errors of [`site_demand`] and of [`Hazard::of_points`].
     pub fn kds_17(zone_factor_g: f64, soil: KoreanSite) -> Result<Self, AssessError> {
         let mut points = Vec::with_capacity(KOREAN_PERIODS.len());
         for return_period_years in KOREAN_PERIODS {
@@ -121,7 +120,7 @@ impl Hazard {
         Hazard::of_points(&points)
     }
 
-    /// The exponent of a hazard that is one power law, as given; `None` of one through points.
+    /// The exponent k of a hazard given as one power law; `None` for a curve through points.
     pub fn exponent(&self) -> Option<f64> {
         self.is_power_law.then(|| self.piece(0).0)
     }
@@ -139,7 +138,7 @@ impl Hazard {
         rate * (intensity / x).powf(-k)
     }
 
-    /// Slope and a point of a piece.
+    /// Slope and one point of a piece.
     fn piece(&self, piece: usize) -> (f64, [f64; 2]) {
         let ([x0, r0], [x1, r1]) = (self.points[piece], self.points[piece + 1]);
         ((r0 / r1).ln() / (x1 / x0).ln(), [x0, r0])
@@ -153,7 +152,7 @@ pub struct AnnualRisk {
     pub annual_rate: f64,
     /// Fraction of λ from intensities below the first point of the hazard, where its first slope is extrapolated.
     pub share_below_points: f64,
-    /// Share of λ that comes from intensities above its last point.
+    /// Fraction of λ from intensities above the last point of the hazard.
     pub share_above_points: f64,
 }
 
@@ -164,7 +163,7 @@ impl AnnualRisk {
     }
 }
 
-/// Rate at which a state is reached: the hazard at the capacity, over the scatter of the capacity. Exact, piece by piece.
+/// Annual rate at which a state is reached: the hazard averaged over the scatter of the capacity. Exact, piece by piece.
 ///
 /// ```text
 /// λ = ∫ H(x) f(x) dx,   f the density of the capacity, lognormal (θ, β)
@@ -190,11 +189,11 @@ impl AnnualRisk {
 /// ```
 pub fn annual_risk(hazard: &Hazard, fragility: &Fragility) -> AnnualRisk {
     let (theta, beta) = (fragility.theta(), fragility.beta());
-    // the part of λ between two intensities of one piece
+    // the contribution to λ between two intensities of one piece
     let part = |piece: usize, from: f64, to: f64| {
         let (k, [x0, rate]) = hazard.piece(piece);
         let z = |x: f64| (x / theta).ln() / beta + k * beta;
-        // in logarithms: the front alone may be too large for a number where the rest is next to nothing
+        // in logarithms: the first factor may overflow where the product is negligible
         let front = rate.ln() - k * (theta / x0).ln() + 0.5 * (k * beta).powi(2);
         (front + ln_between(z(from), z(to))).exp()
     };
@@ -205,7 +204,7 @@ pub fn annual_risk(hazard: &Hazard, fragility: &Fragility) -> AnnualRisk {
     let above = part(last, points[last + 1][0], f64::INFINITY);
     let annual_rate = below + inside + above;
     let share = |part: f64| match annual_rate {
-        _ if hazard.is_power_law => 0.0, // nothing lies beyond what was given
+        _ if hazard.is_power_law => 0.0, // a power law has no last point
         rate if rate.is_infinite() => f64::from(u8::from(part.is_infinite())),
         rate if rate > 0.0 => part / rate,
         _ => 0.0,
@@ -217,7 +216,7 @@ pub fn annual_risk(hazard: &Hazard, fragility: &Fragility) -> AnnualRisk {
     }
 }
 
-/// ln(Φ(b) − Φ(a)) with a ≤ b, on the side where both are small; −∞ where they are one.
+/// ln(Φ(b) − Φ(a)) with a ≤ b, on the side where both are small; −∞ for a = b.
 fn ln_between(a: f64, b: f64) -> f64 {
     let (small, large) = if a > 0.0 { (-b, -a) } else { (a, b) };
     let (small, large) = (ln_normal_probability(small), ln_normal_probability(large));
@@ -237,7 +236,7 @@ mod tests {
             steep.annual_rate.is_infinite() && steep.share_below_points > 0.99,
             "{steep:?}"
         );
-        // with a β that gives numbers, the closed form
+        // closed form, with a β that does not overflow
         let k = 5.0_f64.ln() / 1.02_f64.ln();
         let one = annual_risk(&hazard, &Fragility::new(0.3, 0.2).unwrap());
         let closed = (3.0_f64.ln() * -k + 0.5 * (0.2 * k).powi(2)).exp() / 95.0;
@@ -264,7 +263,7 @@ mod tests {
         let risk = annual_risk(&hazard, &fragility);
         assert!((risk.annual_rate - 1.811_328e-4).abs() < 5e-11, "{risk:?}");
         assert!((risk.probability_in(50.0) - 0.009_02).abs() < 5e-6);
-        // the closed form of the page
+        // closed form from the documentation of the function
         let k0 = 0.11_f64.powf(2.2) / 475.0;
         let closed = k0 * 0.4_f64.powf(-2.2) * (0.5 * 2.2_f64.powi(2) * 0.4_f64.powi(2)).exp();
         assert!((risk.annual_rate / closed - 1.0).abs() < 1e-12);
@@ -276,7 +275,7 @@ mod tests {
     fn agrees_pieces_with_quadrature() {
         let of_code = Hazard::kds_17(0.11, KoreanSite::S1).unwrap();
         assert_eq!(of_code.points().len(), 6);
-        // rock: S = Z I itself, I = 1 for 500 years
+        // rock: S = Z I, I = 1 for 500 years
         assert!((of_code.annual_rate(0.11 * 9.80665) * 500.0 - 1.0).abs() < 1e-12);
         let in_g: Vec<[f64; 2]> = of_code
             .points()
@@ -288,13 +287,13 @@ mod tests {
             let fragility = Fragility::new(theta, beta).unwrap();
             let risk = annual_risk(&hazard, &fragility);
             let integral = by_quadrature(&hazard, &fragility);
-            // kinks of the hazard: second order in the step
+            // the kinks of the hazard make the quadrature second order in the step
             assert!(
                 (risk.annual_rate / integral - 1.0).abs() < 1e-6,
                 "{theta}: {risk:?} {integral:e}"
             );
         }
-        // a strong structure's risk lies beyond the points
+        // the risk of a strong structure comes from intensities above the points
         let strong = annual_risk(&hazard, &Fragility::new(1.5, 0.2).unwrap());
         assert!(
             strong.share_above_points > 0.99 && strong.share_below_points < 1e-6,

@@ -1,6 +1,6 @@
 //! Effect of a change of one input on the result.
 
-/// Effect of lowering the centroid of one link: the published criterion beside the exact result (Choi 2021, Table 3).
+/// Effect of a lower centroid of one link: the published criterion and the exact result (Choi 2021, Table 3).
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CentroidEffect {
@@ -8,11 +8,11 @@ pub struct CentroidEffect {
     pub link: usize,
     /// Relative change of its centroid height: −0.2 is 20 % lower.
     pub change: f64,
-    /// Published k_cr with the change, N m/rad, lowest joint first: some rise, an artefact of that criterion.
+    /// Published k_cr with the change, N m/rad, lowest joint first. Some rise, which is an artefact of that criterion.
     pub published_critical_n_m_rad: Vec<f64>,
     /// Exact limits M_i with the change, N m/rad: none rises.
     pub necessary_n_m_rad: Vec<f64>,
-    /// Exact stiffness that equal joints need with the change, N m/rad: it never rises.
+    /// Exact stiffness that equal joints need with the change, N m/rad; it never rises.
     pub equal_joints_n_m_rad: f64,
     /// Load factor with the change; `None` if the joints' stiffness is unknown.
     pub load_factor: Option<f64>,
@@ -48,8 +48,8 @@ pub enum NoElasticity {
 /// rounding error of the result (some 1e-13) grows as 1/step.
 const STEP: f64 = 1e-3;
 
-/// d ln(result) / d ln(input) at `value`, by central difference; one-sided where the result is not defined on the other
-/// side (a centre of mass already at the top of its link).
+/// d ln(result) / d ln(input) at `value`, by central difference; one-sided if the result is undefined on one side (a
+/// centre of mass already at the top of its link).
 ///
 /// ```text
 /// e = [ln r(x(1+h)) − ln r(x(1−h))] / [ln(1+h) − ln(1−h)],  h = 1e-3

@@ -1,4 +1,4 @@
-//! A run under its own weight of a stack that friction carries: forces that balance are necessary, that it stays is seen.
+//! Run under its own weight of a stack that stands by friction: equilibrium is necessary, but only the run shows that the stack stays.
 
 use super::stack::{StackCheck, by_margins, with_movement};
 use super::stack_notes::{SettleRun, StackNote};
@@ -6,16 +6,16 @@ use crate::blocks::{Outcome, Springs, simulate_springs};
 use crate::stability::Verdict;
 use crate::structure::stack::Stack;
 
-/// Length of the run after the stones have settled on the springs of their joints, s. Our choice: a stone that slips falls a metre in half of it.
+/// Length of the run after settlement on the joint springs, s. Our choice: a slipping stone falls a metre in half of it.
 const LENGTH_S: f64 = 1.0;
 
-/// The check with a run of the stack under its own weight on the springs of its joints, if friction carries stones that share their load;
-/// otherwise the check unchanged.
+/// The check with a run of the stack under its own weight on joint springs, if friction carries stones that share their load; otherwise the check
+/// unchanged.
 ///
-/// A stack that stood has the verdict of its margins; one that did not, or was not run, is unknown; one that fell is unstable.
+/// A stack that stood has the verdict of its margins; one that fell is unstable; otherwise the verdict is unknown.
 ///
 /// # Limits
-/// The run starts from where Newton steps find the stones at rest. Static loads beyond the weight are not in it.
+/// The run starts from the position of rest that Newton steps find. It does not include static loads.
 pub fn with_settle_run(stack: &Stack, check: StackCheck) -> StackCheck {
     let Some(carries) = check
         .notes
@@ -47,7 +47,6 @@ pub fn with_settle_run(stack: &Stack, check: StackCheck) -> StackCheck {
     check
 }
 
-/// The run itself.
 fn settle_run(stack: &Stack) -> SettleRun {
     let stones = stack.blocks().len();
     if stones > SettleRun::STONES_MOST {

@@ -1,4 +1,4 @@
-//! Complete check of a stack of stones: whether it stands, at what acceleration it begins to move, and the demand.
+//! Complete check of a stack of stones: whether it stands, the acceleration at which it begins to move, and the demand.
 
 use super::AssessError;
 use super::stack_notes::{Gaps, SettleRun, StackNote};
@@ -24,24 +24,24 @@ pub struct StackCheckOptions {
 /// Result of the check of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackCheck {
-    /// Joint by joint.
+    /// Results joint by joint.
     pub limits: StackLimitStates,
-    /// The check by limit analysis: in the direction that governs, and where equilibrium alone does not give the forces in
-    /// all. `None` if the stack does not stand.
+    /// The result of limit analysis: in the direction that governs, and if equilibrium alone does not determine the forces, in all
+    /// directions. `None` if the stack does not stand.
     pub analysis: Option<LimitAnalysisResult>,
-    /// Least acceleration at which it begins to move, of both; `None` if it does not stand.
+    /// Least acceleration at which it begins to move, by joints and limit analysis; `None` if it does not stand.
     pub capacity: Option<Threshold>,
-    /// stable, marginal, unstable without shaking.
+    /// Whether the stack is stable, marginal or unstable without shaking.
     pub verdict: Verdict,
-    /// The part that rocks first as one block; `None` if it does not stand, slides first or carries static loads.
+    /// The part that rocks first as one block; `None` if the stack does not stand, slides first or carries static loads.
     pub rocking: Option<RockingBlock>,
-    /// Capacity if no edge crushed; `None` without a strength.
+    /// Capacity without crushing, for comparison; `None` without a strength.
     pub crushing: Option<Crushing>,
-    /// A period from the height alone.
+    /// A period estimated from the height alone.
     pub period_of_thumb: PeriodOfThumb,
-    /// Against the demand, if there is one.
+    /// Comparison with the demand, if there is one.
     pub demand: Option<DemandComparison>,
-    /// Result while supports move, if they move and the stack stands before.
+    /// Result while supports move, if supports move and the stack stands before.
     pub supports: Option<MovedSupports>,
     /// The run under its own weight, if friction carries stones and the run was requested: [`with_settle_run`](super::with_settle_run).
     pub settle_run: Option<SettleRun>,
@@ -49,23 +49,23 @@ pub struct StackCheck {
     pub notes: Vec<StackNote>,
 }
 
-/// Capacity of a stack with finite joint strength if no joint crushed, before supports move and without a run.
+/// Comparison of finite and infinite joint strength, before supports move and without a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crushing {
-    /// Least strength of its joints, Pa.
+    /// Smallest strength of its joints, Pa.
     pub strength_pa: f64,
-    /// The verdict with the strength.
+    /// Verdict with the strength.
     pub verdict: Verdict,
-    /// The verdict if none crushed.
+    /// Verdict with infinite strength.
     pub uncrushed_verdict: Verdict,
-    /// Acceleration at which it begins to move with the strength, over gravity.
+    /// Acceleration at which it begins to move with the strength, over gravity; `None` if it does not stand.
     pub moves_at_g: Option<f64>,
-    /// And if none crushed; `None` where it does not stand then, either.
+    /// The same with infinite strength; `None` if the stack does not stand even then.
     pub uncrushed_g: Option<f64>,
 }
 
 impl Crushing {
-    /// Whether the verdict is worse, or the first motion comes clearly sooner.
+    /// Whether crushing makes the verdict worse, or reduces the capacity clearly.
     pub fn governs(&self) -> bool {
         let is_sooner = match (self.moves_at_g, self.uncrushed_g) {
             (Some(with), Some(without)) => with < (1.0 - CRUSHING_COUNTS) * without,
@@ -81,22 +81,22 @@ const CRUSHING_COUNTS: f64 = 0.05;
 /// Horizontal acceleration, over gravity, below which a stack that stands is "marginal": a tilt of the ground of 1.1°, which a
 /// survey can miss. Our choice.
 pub const MARGINAL_BELOW_G: f64 = 0.02;
-/// Part of the friction without which forces that balance the weight must still be found, or friction carries. Our choice: a bed
-/// that leans by 3.4° needs a tenth of the usual 0.6, an arch a third and more.
+/// Fraction of the friction with which equilibrium must still be possible; otherwise friction carries. Our choice: a bed inclined by
+/// 3.4° needs a tenth of the usual 0.6, an arch a third and more.
 const FRICTION_SPARE: f64 = 0.1;
-/// By how much the limit analysis may be lower before a note says so; what the solver loses is 1e-8. Our choice.
+/// Relative difference by which the limit analysis must be lower for a note; the solver loses 1e-8. Our choice.
 const LOWER: f64 = 1e-4;
-/// By how much both bounds of the limit analysis may differ before a note says so: the answer prints three digits. Our choice.
+/// Relative difference of both bounds of the limit analysis from which there is a note: the answer prints three digits. Our choice.
 const BETWEEN: f64 = 1e-3;
 
-/// Checks a stack: whether it stands, what moves first and at what acceleration, against a demand.
+/// Checks a stack: whether it stands, what moves first and at what acceleration, and the demand.
 ///
 /// # Errors
 /// [`AssessError`] for options out of their range.
 ///
 /// # Limits
 /// As for [`stack_limits`] and [`limit_analysis`]. The capacity is the onset of rocking or sliding, not collapse. It does not include
-/// ties; cohesion acts against sliding.
+/// ties; cohesion resists sliding.
 ///
 /// # Example
 /// ```
@@ -140,7 +140,7 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         check.supports = Some(follow_support_movement(stack, &following)?);
         check.verdict = with_movement(check.verdict, check.supports.as_ref());
     }
-    // one block under its weight alone: with static loads it rocks otherwise
+    // the rocking model is for one block without static loads
     let own_weight = stack.static_loads().is_empty();
     if let (Some(capacity), Some(uplift), true) = (check.capacity, check.limits.uplift, own_weight) {
         let slides = check
@@ -161,7 +161,7 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
     Ok(check)
 }
 
-/// The joints and the limit analysis, without supports that move, demand and strength beside none.
+/// The joints and the limit analysis only, without moving supports and demand.
 fn without_shaking(stack: &Stack, options: &StackCheckOptions) -> Result<StackCheck, AssessError> {
     let limits = stack_limits(stack, &options.limits)?;
     let mut check = StackCheck {
@@ -185,8 +185,8 @@ fn without_shaking(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
     Ok(check)
 }
 
-/// Checks a stack with the gaps of its joints closed, and open as drawn; the smaller capacity counts, with the stack of that case. With
-/// an open joint a stone may have no support, or the stack may not stand: such a joint counts as closed.
+/// Checks a stack with the gaps of its joints closed, and with the gaps open as drawn; the smaller capacity counts. If an open joint
+/// leaves a stone without support, or the stack does not stand, the joint counts as closed.
 ///
 /// # Errors
 /// As [`check_stack`].
@@ -222,7 +222,7 @@ pub fn check_stack_with_gaps(
         closed.verdict = closed.verdict.max(Verdict::Marginal);
         return Ok((stack, closed));
     }
-    // as drawn, unless the capacity is then larger
+    // open as drawn, unless the capacity is then larger
     if least(&opened) > (1.0 + LOWER) * least(&closed) {
         closed.notes.push(note(Gaps::Closed));
         return Ok((stack, closed));
@@ -258,7 +258,7 @@ fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut
     }
 }
 
-/// Sliding anew with every static friction replaced by the kinetic one, where that is less.
+/// Note on sliding with every static friction replaced by the kinetic friction, where that is smaller.
 fn note_kinetic_friction(
     stack: &Stack,
     options: &StackCheckOptions,
@@ -267,7 +267,7 @@ fn note_kinetic_friction(
     let Some(moving) = with_kinetic_friction(stack)? else {
         return Ok(());
     };
-    // if stones share their load, single joints give no information about that
+    // if stones share their load, single joints do not show this
     if check.limits.statically_determinate && check.limits.sliding.is_some() {
         let sliding = stack_limits(&moving, &options.limits)?.sliding;
         check.notes.push(StackNote::KineticLess {
@@ -277,7 +277,7 @@ fn note_kinetic_friction(
     Ok(())
 }
 
-/// The limit analysis beside the joints one by one; the lesser is the capacity.
+/// Limit analysis in addition to the single joints; the smaller result is the capacity.
 fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -> Result<(), AssessError> {
     let both = [check.limits.uplift, check.limits.sliding].into_iter().flatten();
     let governing = both
@@ -287,7 +287,7 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
         Some(threshold) if check.limits.statically_determinate => Shaking::Along(threshold.direction),
         _ => Shaking::AnyWay,
     };
-    // with the shaking the soil's rotation acts as a factor
+    // with shaking, the rotation on the soil acts as a factor
     let loads = loads_on_soil(options, check);
     let found = limit_analysis_undilated(
         stack,
@@ -348,7 +348,7 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
         check.notes.push(StackNote::UpperBound);
     }
     note_kinetic_friction_shared(stack, options, check)?;
-    // forces were found that balance the weight: it stands
+    // forces that balance the weight exist: it stands
     let carries = !check.limits.statically_determinate && friction_carries(stack, options, check)?;
     if carries {
         check.notes.push(StackNote::FrictionCarries);
@@ -372,14 +372,14 @@ fn joint_bonds(stack: &Stack) -> bool {
         .any(|joint| joint.material.cohesion_pa > 0.0)
 }
 
-/// Whether it does not stand without the bond of its joints.
+/// Whether the stack stands only with the bond of its joints.
 fn bond_carries(stack: &Stack, options: &StackCheckOptions, check: &StackCheck) -> Result<bool, AssessError> {
     let direction = check.capacity.map_or([1.0, 0.0], |capacity| capacity.direction);
     let loads = loads_on_soil(options, check);
     Ok(!stands_by_limit_analysis(stack, &loads, direction)?)
 }
 
-/// Where stones share their load, the limit analysis with the kinetic friction in every joint: what slides once has that.
+/// If stones share their load: limit analysis with the kinetic friction in every joint, because a joint that has slid keeps it.
 fn note_kinetic_friction_shared(
     stack: &Stack,
     options: &StackCheckOptions,
@@ -407,7 +407,7 @@ fn note_kinetic_friction_shared(
     Ok(())
 }
 
-/// The stack with the kinetic friction in every joint; `None` if it is less in none.
+/// The stack with the kinetic friction in every joint; `None` if it is smaller in no joint.
 fn with_kinetic_friction(stack: &Stack) -> Result<Option<Stack>, AssessError> {
     let mut moving = stack.clone();
     let mut less = false;
@@ -437,7 +437,7 @@ pub(super) fn with_movement(verdict: Verdict, supports: Option<&MovedSupports>) 
     }
 }
 
-/// The verdict of a stack that stands, by its joints and by how little moves it.
+/// Verdict of a stack that stands: by its joints and by its smallest capacity.
 pub(super) fn by_margins(check: &StackCheck) -> Verdict {
     let by_joints = check
         .limits
@@ -462,7 +462,7 @@ pub(super) fn by_margins(check: &StackCheck) -> Verdict {
     }
 }
 
-/// Whether no forces balance the weight with a tenth of the friction and no bond: what slips is then not excluded by equilibrium.
+/// Whether equilibrium is impossible with a tenth of the friction and no bond; then it does not exclude slip.
 fn friction_carries(
     stack: &Stack,
     options: &StackCheckOptions,
@@ -483,7 +483,7 @@ fn friction_carries(
     )?)
 }
 
-/// The soil's rotation under static loads acts as one more lateral load.
+/// The rotation on the soil under static loads acts as an additional lateral load.
 fn loads_on_soil(options: &StackCheckOptions, check: &StackCheck) -> StackLoads {
     let mut loads = options.limits.loads.clone();
     for (lateral, offset) in loads.lateral_m_s2.iter_mut().zip(check.limits.soil_offset_m_s2) {
@@ -498,7 +498,7 @@ mod tests {
     use crate::stability::stack::{DemandVerdict, SpectralDemand};
     use crate::structure::stack::{Block, JointMaterial, Placement, SoilBelow, Solid};
 
-    /// Boxes [width, depth, height] with the middle of their base.
+    /// Boxes [width, depth, height] and the centre of the base of each.
     fn boxes(sizes: &[([f64; 3], [f64; 3])], friction: f64) -> Stack {
         let blocks = sizes.iter().enumerate().map(|(i, (size, at))| Block {
             name: format!("stone {}", i + 1),
@@ -557,7 +557,7 @@ mod tests {
 
     #[test]
     fn holds_where_stones_share_their_load_the_analysis_decides() {
-        // a beam on two pillars sways along x at 0.4/2 g; each pillar alone, with the beam only as a weight, would resist more
+        // a beam on two pillars sways along x at 0.4/2 g; each pillar alone, with the beam as weight only, would resist more
         let stack = boxes(
             &[
                 ([0.4, 2.0, 2.0], [-0.8, 0.0, 0.0]),

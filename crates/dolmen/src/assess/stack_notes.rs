@@ -7,45 +7,45 @@ use std::fmt;
 /// Result of a run of a stack under its own weight.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SettleRun {
-    /// It settled and stayed.
+    /// The stack settled and stood.
     Stood {
-        /// How far its highest stone settled on the springs of the joints, m.
+        /// Settlement of the highest stone on the joint springs, m.
         settlement_m: f64,
         /// Length of the run, s.
         length_s: f64,
     },
-    /// A stone came down.
+    /// A stone fell.
     Fell {
-        /// The first, as an index of the stack's blocks.
+        /// Index of the first one among the stack's blocks.
         block: usize,
     },
-    /// It found no rest, or had none at the end.
+    /// The run found no position of rest, or stones still moved at the end.
     NoRest {
-        /// Why the run was refused; `None` if it was made and stones moved on.
+        /// Reason if the run was refused; `None` if stones kept moving.
         why: Option<BlocksError>,
     },
-    /// It has too many stones.
+    /// The stack has too many stones for a run.
     TooMany {
-        /// Their number.
+        /// Number of its stones.
         stones: usize,
     },
 }
 
 impl SettleRun {
-    /// Most stones of a stack that is run in a check. Our choice: they take a second or two.
+    /// Largest number of stones for a run in a check. Our choice: it takes a second or two.
     pub const STONES_MOST: usize = 200;
 }
 
 /// Treatment of joints that are drawn with a gap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gaps {
-    /// Taken as closed: otherwise a stone would have no support, or the capacity would be larger.
+    /// Closed: with open gaps, a stone would have no support, or the capacity would be larger.
     Closed,
-    /// Taken as closed, but with open gaps the stack does not stand.
+    /// Closed, although with open gaps the stack does not stand.
     FallsOpen,
     /// Open, as drawn.
     Open {
-        /// Acceleration with them closed, over gravity.
+        /// Acceleration with closed gaps, over gravity.
         closed_g: Option<f64>,
     },
 }
@@ -53,54 +53,54 @@ pub enum Gaps {
 /// A note on the check of a stack. `Display` gives an English sentence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StackNote {
-    /// Stones share their load: the joints alone give an upper bound, the limit analysis decides.
+    /// Stones share their load: the single joints give an upper bound, and limit analysis decides.
     SharedLoad,
-    /// The limit analysis finds less than the joints one by one: parts move together, twist or slide and open.
+    /// The limit analysis gives less than the single joints: parts move together, twist, or slide and open.
     AnalysisLower {
-        /// Acceleration of the joints one by one, over gravity; `None` where they give none.
+        /// Acceleration by the single joints, over gravity; `None` if they have no limit.
         joints_g: Option<f64>,
-        /// Acceleration of the limit analysis, over gravity.
+        /// Acceleration by the limit analysis, over gravity.
         analysis_g: f64,
     },
-    /// The limit analysis, which decides, found the least acceleration of all directions between two numbers only.
+    /// The limit analysis, which decides, gives only an interval for the least acceleration of all directions.
     AnalysisBetween {
-        /// Balanced in every direction, over gravity.
+        /// Lower bound: balanced in every direction, over gravity.
         at_least_g: f64,
-        /// Not balanced in one, over gravity.
+        /// Upper bound: not balanced in one direction, over gravity.
         analysis_g: f64,
     },
-    /// The joints one by one find it standing, the limit analysis does not.
+    /// By the single joints the stack stands, by the limit analysis it does not.
     AnalysisFalls,
     /// Static loads press on stones, but have no mass that an earthquake shakes.
     LoadsWithoutMass {
-        /// Acceleration at which the stack begins to move with them, over gravity; `None` if it has no such limit.
+        /// Acceleration at which the stack begins to move with the static loads, over gravity; `None` without limit.
         with_g: Option<f64>,
-        /// And without them.
+        /// The same without them.
         without_g: Option<f64>,
     },
-    /// Forces were found that balance it, but they need friction: joints that slip may choose others, so only a run under its
-    /// own weight shows that it stands.
+    /// Equilibrium is possible, but only with friction. Slipping joints may take other forces, so only a run under its own
+    /// weight shows whether the stack stands.
     FrictionCarries,
-    /// The same, and a run under its own weight stood.
+    /// Friction carries the stack, and it stood in a run under its own weight.
     FrictionStood,
-    /// The same, but in a run under its own weight a stone fell.
+    /// Friction carries the stack, and in a run under its own weight a stone fell.
     FrictionFell {
-        /// The first, as an index of the stack's blocks.
+        /// Index of the first one among the stack's blocks.
         block: usize,
     },
-    /// The same, but a run under its own weight found no rest.
+    /// Friction carries the stack, and a run under its own weight found no rest.
     FrictionNoRest,
-    /// As above, and the stack has too many stones for a run under its own weight.
+    /// Friction carries the stack, and it has too many stones for a run under its own weight.
     FrictionNotRun {
-        /// Present number.
+        /// Number of stones.
         stones: usize,
-        /// Largest number in a run of a check.
+        /// Largest number of stones for a run.
         most: usize,
     },
     /// The limit analysis approximates the capacity of joints with finite strength from below: conservative, by a few per
     /// cent at most.
     StrengthFromInside,
-    /// Friction that is taken as associated would hold more: it lets joints that slide rise, which real ones do not.
+    /// Associated friction would give a larger capacity: it makes sliding joints rise, which real joints do not.
     WithoutDilatancy {
         /// Capacity of that case, over gravity.
         dilating_g: f64,
@@ -109,27 +109,27 @@ pub enum StackNote {
     },
     /// Joints slide while others open, or hold only by sliding: the limit analysis gives an upper bound.
     UpperBound,
-    /// It does not stand without the bond of its joints.
+    /// The stack stands only with the bond of its joints.
     BondCarries,
     /// Joints are drawn with a gap.
     Gaps {
-        /// The body below the widest.
+        /// The body below the widest gap.
         lower: Body,
-        /// The block above it.
+        /// The block above this gap.
         upper: usize,
-        /// Its gap, m.
+        /// Width of this gap, m.
         gap_m: f64,
-        /// Their number.
+        /// Number of such joints.
         joints: usize,
         /// Treatment of these joints.
         gaps: Gaps,
     },
-    /// With the kinetic friction in every joint, stones that share their load begin to move here.
+    /// Acceleration at which stones that share their load begin to move with the kinetic friction in every joint.
     KineticShared {
-        /// Over gravity.
+        /// The acceleration, over gravity.
         moves_at_g: f64,
     },
-    /// With the kinetic friction in every joint it does not stand.
+    /// With the kinetic friction in every joint, the stack does not stand.
     KineticFalls,
     /// Side supports are left out.
     SideSupportsLeftOut,
@@ -137,14 +137,14 @@ pub enum StackNote {
     CohesionCounted,
     /// The tensile strength of joints is left out.
     TensionLeftOut,
-    /// Friction of moving joints is less than of resting ones.
+    /// The kinetic friction is smaller than the static friction.
     KineticLess {
         /// Acceleration at which it would slide with the kinetic friction, over gravity.
         slides_at_g: f64,
     },
-    /// Ties are left out of the capacity; the thresholds with ties stand beside it.
+    /// The capacity does not include ties; the thresholds with ties are listed separately.
     TiesLeftOut,
-    /// The demand lacks the spectrum at the first period.
+    /// The spectrum for the demand has no value at the first period.
     PeriodUnknown,
 }
 

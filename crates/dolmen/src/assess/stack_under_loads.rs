@@ -1,4 +1,4 @@
-//! A stack under a combination of weight, wind and static loads: its load factor with the wind from the worst direction.
+//! A stack under a combination of weight, wind and static loads: its load factor for the worst wind direction.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -14,10 +14,10 @@ use crate::structure::stack::{Stack, StaticLoad};
 use crate::structure::wind::WindPressure;
 use std::f64::consts::TAU;
 
-/// Directions of the wind that are tried: on the faces and on the corners of square stones that stand along x and y. Our choice. Between
-/// them the coefficient of a face would be taken for a wider outline, which no table of coefficients means: up to 1.21 times the face.
+/// Number of wind directions: on the faces and on the corners of square stones along x and y. Our choice. For directions between them, the
+/// coefficient of a face would apply to a wider outline (up to 1.21 times the face), which no table of coefficients intends.
 const DIRECTIONS: u32 = 8;
-/// Part by which a direction must be worse to count as worse: directions that symmetry makes equal differ by rounding. Our choice.
+/// Relative difference by which a direction must be worse: directions that are equal by symmetry differ by rounding. Our choice.
 const WORSE: f64 = 1e-6;
 
 /// A wind on a stack.
@@ -38,20 +38,20 @@ pub struct StackCombination<'a> {
     pub wind: f64,
     /// Factor on the static loads.
     pub loads: f64,
-    /// The wind, from all sides; `None` without.
+    /// The wind, from all directions; `None` without wind.
     pub blows: Option<StackWind<'a>>,
 }
 
-/// The loads that grow at the least factor.
+/// The loads that increase at the smallest load factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Grows {
     /// Wind and static loads together.
     All,
-    /// Both, without the part that presses downwards, because it may stabilise the stones.
+    /// Wind and static loads, except downward loads, which may stabilise the stones.
     AllButDownwards,
-    /// The wind, without the static loads that press downwards; the others are as they are.
+    /// The wind only, without the downward static loads; the other static loads stay constant.
     Wind,
 }
 
@@ -59,12 +59,12 @@ pub enum Grows {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StackUnderLoads {
-    /// The load factor and how it begins to move there.
+    /// The load factor, and how the stack begins to move.
     pub found: LoadFactor,
-    /// The factor with the friction of all joints taken as associated, where that is more: it lets upright joints rise as they
-    /// slide, and `found` has them slide without friction.
+    /// The factor with associated friction in all joints, if it is larger. Associated friction makes upright joints rise as they slide; `found` has
+    /// no friction in them.
     pub dilating_factor: Option<f64>,
-    /// The factor if no edge crushed, where that is more.
+    /// The factor with infinite strength, if it is larger.
     pub uncrushed_factor: Option<f64>,
     /// The loads that grow.
     pub grows: Grows,
@@ -75,7 +75,7 @@ pub struct StackUnderLoads {
 }
 
 impl StackUnderLoads {
-    /// stable from 1.5, unstable at 1 and below.
+    /// Stable from 1.5, unstable at 1 and below.
     pub fn verdict(&self) -> Verdict {
         match self.found.factor {
             f64::INFINITY => Verdict::Stable,
@@ -84,11 +84,11 @@ impl StackUnderLoads {
     }
 }
 
-/// Resistance of a stack to wind and its static loads ([`Stack::static_loads`]), each with its factor.
+/// Resistance of a stack to wind and static loads ([`Stack::static_loads`]), each with its factor.
 ///
 /// ```text
-/// λ = least over eight directions of the wind of what can multiply
-///     wind + loads | wind + loads, what presses downwards as it is | wind, without the loads that press downwards
+/// λ = least over eight directions of the wind of the factor on
+///     wind + loads | wind + loads, with constant downward loads | wind, without the downward loads
 /// ```
 ///
 /// # Errors
@@ -111,7 +111,7 @@ pub fn stack_under_loads(
     Ok(least)
 }
 
-/// The lesser of with and without friction in upright joints that slide.
+/// The smaller factor of those with and without friction in upright joints that slide.
 fn least_of_frictions(
     stack: &Stack,
     combination: &StackCombination<'_>,
@@ -125,7 +125,7 @@ fn least_of_frictions(
         };
         let lesser = with_associated_friction(&next, combination)?;
         smoother = without_sliding_friction(&next, lesser.found.mechanism.as_ref());
-        // what needs that friction to stand has an upper bound alone
+        // a stack that needs that friction to stand only has an upper bound
         if lesser.found.factor <= 0.0 {
             break;
         }
@@ -167,7 +167,7 @@ fn with_associated_friction(
         let blown = blown_blocks(stack, wind.surfaces, wind.pressure, to);
         Pushed::of(to, blown, combination.wind)
     };
-    // what acts without wind is the same in every direction, and so is whether it stands
+    // the loads without wind are equal in every direction, and so is the result
     let mut worst = blown_to(0);
     let (mut least, mut worst_ray) = case.least(&worst, RestState::Nothing)?;
     for number in 1..DIRECTIONS {
@@ -221,7 +221,7 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// The least factor of all rays, and which it is.
+    /// The smallest factor of all rays, and the index of the ray.
     fn least(&self, pushed: &Pushed, known: RestState) -> Result<(f64, usize), AssessError> {
         let mut least = (f64::INFINITY, 0);
         for (index, (_, steady, growing)) in self.rays(&pushed.loads).iter().enumerate() {
@@ -236,7 +236,7 @@ impl Case<'_> {
             if is_less(factor, least.0) {
                 least = (factor, index);
             }
-            // the wind alone cannot be borne once where everything together is not: the factor of all is it
+            // if all loads together exceed the resistance, their factor governs
             if least.0 <= 1.0 {
                 break;
             }
@@ -244,7 +244,7 @@ impl Case<'_> {
         Ok(least)
     }
 
-    /// All that is known of one ray.
+    /// The full result for one ray.
     fn whole(&self, pushed: Pushed, ray: usize) -> Result<StackUnderLoads, AssessError> {
         let mut rays = self.rays(&pushed.loads);
         let (grows, steady, growing) = rays.swap_remove(ray);
@@ -280,7 +280,7 @@ impl Case<'_> {
             rays.push((Grows::AllButDownwards, downwards, others));
         }
         if !wind.is_empty() && self.loads.iter().any(|load| load.force_n != [0.0; 3]) {
-            // what presses downwards may be gone when it blows
+            // downward loads may be absent when the wind blows
             let steady = self.loads.iter().filter(|load| load.force_n[2] >= 0.0);
             rays.push((Grows::Wind, steady.copied().collect(), wind.to_vec()));
         }

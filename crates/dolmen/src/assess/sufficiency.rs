@@ -2,14 +2,14 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | ε_i | `residuals` | ln of the capacity of motion i by the measure, less the mean of all | – |
+//! | ε_i | `residuals` | ln of the capacity of motion i by the measure, minus the mean of all | – |
 //! | x_i | `predictor` | property of motion i: magnitude, ln of the distance or ln of the duration | |
-//! | c | `slope` | of the line ε = a + c x | – per unit of x |
+//! | c | `slope` | slope of the line ε = a + c x | – per unit of x |
 
 use crate::assess::AssessError;
 use crate::numeric::student_two_sided;
 
-/// Fewest motions for a slope. Our choice: with fewer, a single motion decides the slope.
+/// Fewest motions for a slope. Our choice: with fewer, a single motion determines the slope.
 pub const SUFFICIENCY_MOTIONS_LEAST: usize = 10;
 
 /// Least-squares line through residuals of capacities.

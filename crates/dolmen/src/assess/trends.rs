@@ -1,16 +1,16 @@
-//! Trends of a result with an input, all else equal: rank correlation, compared with chance.
+//! Trends of a result with one input, all other inputs equal: rank correlation, compared with chance.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | n | `points.len()` | points of one group, in which everything but the input is equal |
-//! | S | `concordant − discordant` | pairs that rise together less pairs that do not, over all groups |
+//! | n | `points.len()` | points of one group, in which all other inputs are equal |
+//! | S | `concordant − discordant` | concordant minus discordant pairs, over all groups |
 //! | τ | `tau` | S over the pairs whose inputs differ |
 //! | t, u | | sizes of groups of equal inputs, and of equal results |
 
 use super::AssessError;
 use crate::numeric::normal_probability;
 
-/// Chance below which a trend that is expected one way is seen, and one that may go either way. Our choice.
+/// Probability by chance below which a trend in an expected direction is significant, and a trend in either direction. Our choice.
 const EXPECTED_BELOW: f64 = 0.05;
 const EITHER_BELOW: f64 = 0.025;
 /// Largest group without ties for which all orders of the results are enumerated; larger ones use Mahonian numbers.
@@ -18,23 +18,23 @@ const COUNTED_MOST: usize = 7;
 /// Largest total number of pairs for which the distribution is enumerated; above it the normal approximation is as good. Our choice.
 const PAIRS_MOST: usize = 20_000;
 
-/// Direction of a result as an input grows.
+/// Direction of a result as an input increases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// It grows too.
+    /// It increases too.
     Rising,
-    /// It falls.
+    /// It decreases.
     Falling,
 }
 
-/// A rank correlation over groups in which everything else is equal.
+/// A rank correlation over groups in which all other inputs are equal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trend {
-    /// Pairs of points of one group whose inputs differ.
+    /// Pairs of points within a group whose inputs differ.
     pub pairs: usize,
     /// Pairs in which the larger input has the larger result.
     pub concordant: usize,
-    /// Pairs in which it has the smaller one.
+    /// Pairs in which the larger input has the smaller result.
     pub discordant: usize,
     /// (concordant − discordant) / pairs, −1 to 1; 0 without pairs.
     pub tau: f64,
@@ -53,7 +53,7 @@ impl Trend {
         self.by_chance(direction) < EXPECTED_BELOW
     }
 
-    /// Direction of a trend without prior expectation, if it is significant: without an effect, one at least this strong in either
+    /// Direction of a trend without prior expectation, if it is significant: without an effect, a trend at least this strong in either
     /// direction would occur in less than 5 % of studies.
     pub fn direction(&self) -> Option<Direction> {
         let ways = [Direction::Rising, Direction::Falling];
@@ -68,15 +68,15 @@ impl Trend {
     }
 }
 
-/// Kendall's rank correlation of a result with an input, counted within groups only: `groups` hold (input, result) where all other
-/// inputs are equal. A result may be infinite: it is larger than all others, and equal to other infinite ones.
+/// Kendall's rank correlation of a result with an input, within groups only: `groups` hold (input, result) for which all other inputs
+/// are equal. A result may be infinite: it is larger than all finite ones, and equal to other infinite ones.
 ///
 /// ```text
 /// var S = (n(n−1)(2n+5) − Σ t(t−1)(2t+5) − Σ u(u−1)(2u+5))/18 + Σ t(t−1) Σ u(u−1)/(2n(n−1))
 ///         + Σ t(t−1)(t−2) Σ u(u−1)(u−2)/(9n(n−1)(n−2))                     summed over the groups
 /// ```
-/// Chances are counted exactly, over all orders of the results in each group, where groups have up to 7 points or no ties; else S is
-/// taken as normal, nearer to 0 by the ½ step that counting has.
+/// Probabilities are counted exactly over all orders of the results in each group, if the groups have up to 7 points or no ties.
+/// Otherwise S is taken as normal, reduced by ½ for continuity.
 ///
 /// # Errors
 /// [`AssessError::Trend`] for a value that is not a number.
@@ -136,7 +136,7 @@ pub fn trend(groups: &[Vec<(f64, f64)>]) -> Result<Trend, AssessError> {
         Some(chance) => [at_least(&chance, s), at_least(&chance, -s)],
         None => {
             let over = variance.sqrt();
-            let step = 1.0; // S of pairs with ties goes by ones, without by twos: half of the larger
+            let step = 1.0; // S of pairs with ties has steps of 1, without ties of 2: half of the larger
             let of = |s: f64| {
                 if over > 0.0 {
                     normal_probability((step - s) / over)
@@ -158,7 +158,8 @@ pub fn trend(groups: &[Vec<(f64, f64)>]) -> Result<Trend, AssessError> {
     })
 }
 
-/// Chances of S from −pairs to pairs if results are dealt to inputs by chance within each group; `None` where they are not counted.
+/// Probability of each S from −pairs to pairs if results are assigned at random within each group; `None` if there are too many to
+/// enumerate.
 fn chances(groups: &[Vec<(f64, f64)>], pairs: usize) -> Option<Vec<f64>> {
     if pairs > PAIRS_MOST {
         return None;
@@ -205,7 +206,7 @@ fn chance_of_group(points: &[(f64, f64)]) -> Option<Vec<f64>> {
     if has_ties(points.iter().map(|p| p.0).collect()) || has_ties(points.iter().map(|p| p.1).collect()) {
         return None;
     }
-    // inversions of n results: one more result adds 0 to n − 1 of them, each as likely
+    // inversions of n results: one more result adds 0 to n − 1 of them, all equally likely
     let mut inversions = vec![1.0];
     for k in 2..=n {
         let mut next = vec![0.0; inversions.len() + k - 1];
@@ -235,13 +236,13 @@ fn each_order(order: &mut Vec<usize>, placed: usize, visit: &mut dyn FnMut(&[usi
     }
 }
 
-/// Chance of `s` or more, of chances from −most to most.
+/// Probability of `s` or more, from probabilities for −most to most.
 fn at_least(chance: &[f64], s: i64) -> f64 {
     let most = (chance.len() / 2) as i64;
     chance.iter().skip((s + most).max(0) as usize).sum()
 }
 
-/// Variance of S of one group if results are dealt to inputs by chance.
+/// Variance of S of one group if results are assigned at random.
 fn variance_of_chance(points: &[(f64, f64)]) -> f64 {
     let n = points.len() as f64;
     if points.len() < 2 {
@@ -277,7 +278,7 @@ fn ties(values: impl Iterator<Item = f64>) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    /// All ways to deal the results, each as likely: the variance of S is the mean of S².
+    /// All assignments of the results are equally likely: the variance of S is the mean of S².
     fn by_all_permutations(points: &[(f64, f64)]) -> f64 {
         fn permute(rest: Vec<f64>, done: Vec<f64>, all: &mut Vec<Vec<f64>>) {
             if rest.is_empty() {
@@ -330,18 +331,18 @@ mod tests {
     fn exact_chances_of_few_points() {
         let way =
             |points: &[(f64, f64)]| trend(&[points.to_vec(), points.to_vec(), points.to_vec()]).unwrap();
-        // three groups of two that all rise: 1 of 8
+        // three groups of two, all rising: 1 of 8
         let found = way(&[(1.0, 1.0), (2.0, 2.0)]);
         assert!(
             (found.rises_by_chance - 0.125).abs() < 1e-15 && found.falls_by_chance == 1.0,
             "{found:?}"
         );
         assert!(!found.shows(Direction::Rising) && found.direction().is_none());
-        // three groups of three that all fall: 1 of 6³
+        // three groups of three, all falling: 1 of 6³
         let found = way(&[(1.0, 3.0), (2.0, 2.0), (3.0, 1.0)]);
         assert!((found.falls_by_chance - 1.0 / 216.0).abs() < 1e-15);
         assert_eq!(found.direction(), Some(Direction::Falling));
-        // (1, ∞, ∞) twice: the 1 lies first by chance in 1 of 3
+        // (1, ∞, ∞) twice: the 1 comes first by chance in 1 of 3
         let inf = f64::INFINITY;
         let group = vec![(1.0, 1.0), (2.0, inf), (3.0, inf)];
         let found = trend(&[group.clone(), group]).unwrap();
@@ -359,7 +360,7 @@ mod tests {
         );
     }
 
-    // scipy 1.15 kendalltau: statistic (tau-b) of untied data equals tau; n = 8
+    // scipy 1.15 kendalltau: the statistic (tau-b) of untied data equals tau; n = 8.
     #[test]
     fn agrees_with_counting_by_hand_and_refuses_nan() {
         let points: Vec<(f64, f64)> = [3, 1, 4, 2, 8, 6, 5, 7]
@@ -370,7 +371,7 @@ mod tests {
         let found = trend(&[points]).unwrap();
         assert_eq!((found.pairs, found.concordant, found.discordant), (28, 21, 7));
         assert_eq!(found.tau, 0.5);
-        // 5.4 of 100: a normal approximation without its step would see a trend
+        // 5.4 of 100: a normal approximation without continuity correction would find a trend
         assert!(!found.shows(Direction::Rising) && !found.shows(Direction::Falling));
         assert!(trend(&[vec![(1.0, f64::NAN)]]).is_err());
         assert_eq!(trend(&[]).unwrap().tau, 0.0);

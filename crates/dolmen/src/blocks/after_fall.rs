@@ -1,5 +1,3 @@
-//! Continuation of a run after a stone has fallen.
-
 /// Continuation of a run after a stone has fallen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AfterFall {

@@ -1,7 +1,8 @@
-//! The bodies of a stack with all that acts between them.
+//! The bodies of a stack, and all forces between them.
 //!
-//! A pair of bodies is examined again only after sufficient motion: a pair with a patch when S has shifted or rotated relative to P,
-//! a pair without one when its bodies together have moved by its *slack*, the distance to their first possible contact.
+//! A pair of bodies is examined again only after sufficient motion: for a pair with a patch, if S has shifted or rotated relative to
+//! P; for a pair without a patch, if the motion of both bodies together has reached its *slack*, the distance to their first
+//! possible contact.
 
 use super::bodies::{RigidBody, bodies_of, index_of};
 use super::contact_points::ContactRule;
@@ -15,21 +16,21 @@ use super::patch::{Law, Motion, Patch, Stored, Wrench};
 use crate::structure::stack::{Joint, JointMaterial, Stack};
 use std::collections::BTreeMap;
 
-/// Shift of a face on its bed after which the patch is clipped again, in parts of the smaller body's radius. Our choice:
-/// the rocking edge has the same accuracy.
+/// Shift of a face on its bed after which the patch is clipped again, over the radius of the smaller body. Our choice: the rocking
+/// edge has the same accuracy.
 const CLIP_AGAIN: f64 = 5e-4;
-/// Other faces must lie this much farther apart than the present ones to take over, in parts of the smaller body's radius:
-/// no flicker between equals. Chosen here.
+/// Distance by which other faces must be farther apart than the current ones to replace them, over the radius of the smaller body.
+/// It prevents alternation between equal faces. Our choice.
 const FACE_FAVOUR: f64 = 0.002;
 
 /// Tolerances for watching contacts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ContactTolerances {
-    /// Shift of a face on its bed after which the patch is clipped again, in parts of the smaller body's radius.
+    /// Shift of a face on its bed after which the patch is clipped again, over the radius of the smaller body.
     pub(super) clip_again: f64,
-    /// Gap at which two bodies get a patch, in parts of the smaller body's radius; larger than the undetected motion.
+    /// Gap at which two bodies get a patch, over the radius of the smaller body; larger than the undetected motion.
     pub(super) near: f64,
-    /// Gap at which they lose it again, in parts of the smaller body's radius.
+    /// Gap at which they lose it again, over the radius of the smaller body.
     pub(super) far: f64,
 }
 
@@ -44,7 +45,6 @@ impl Default for ContactTolerances {
     }
 }
 
-/// Two bodies that may touch.
 #[derive(Clone, Debug)]
 struct Pair {
     first: usize,
@@ -71,7 +71,7 @@ pub(super) struct Assembly {
     dead_loads: Vec<DeadLoad>,
     rule: ContactRule,
     watchfulness: ContactTolerances,
-    /// Least slack of all pairs at the last examination, m.
+    /// Smallest slack of all pairs at the last examination, m.
     slack: f64,
     /// Active pairs that have shifted or rotated too far.
     stale: Vec<usize>,
@@ -81,7 +81,7 @@ pub(super) struct Assembly {
     clip_loss: f64,
     /// Whether every pair of bodies is examined, or only pairs that touch as drawn.
     watches_all: bool,
-    /// Bodies of stones with their own ground, in the order of these ground bodies, which follow the bodies of all stones.
+    /// Stones with their own ground body, in the order of these ground bodies, which follow all stones in the list of bodies.
     on_own_ground: Vec<usize>,
 }
 
@@ -101,7 +101,7 @@ impl Assembly {
         Assembly::with_pairs(stack, rule, ends.into_iter(), false)
     }
 
-    /// Extends the examination to all pairs of stones, as drawn, if it had only those in contact.
+    /// Extends the examination to all pairs of stones, as drawn, if it was limited to those in contact.
     pub(super) fn watch_all(&mut self, stack: &Stack) {
         if !self.watches_all {
             *self = Assembly::of(stack, self.rule);
@@ -130,7 +130,7 @@ impl Assembly {
             let material = of_pair.or(below[second]).map(|joint| joint.material);
             let mut material = material.or(stack.loose_material().copied()).unwrap_or_default();
             if of_pair.is_none() {
-                (material.cohesion_pa, material.tension_pa) = (0.0, 0.0); // nothing bonds what meets by accident
+                (material.cohesion_pa, material.tension_pa) = (0.0, 0.0); // stones that meet by accident have no bond
             }
             let contact = of_pair.and_then(|joint| {
                 let side = |index: usize| side(&hulls, &bodies, index);
@@ -170,7 +170,7 @@ impl Assembly {
 
     /// Gives a stone that rests on the ground a ground body of its own, which can move; returns that body.
     ///
-    /// No other stone touches this ground, and this stone does not touch the ground of the others.
+    /// This ground body touches no other stone, and this stone does not touch the common ground.
     pub(super) fn put_on_own_ground(&mut self, stone: usize) -> usize {
         let own = self.bodies.len();
         self.bodies.push(RigidBody::ground());
@@ -210,12 +210,12 @@ impl Assembly {
         own
     }
 
-    /// The bodies of stones.
+    /// The bodies that are stones.
     pub(super) fn stones(&self) -> std::ops::Range<usize> {
         1..self.bodies.len() - self.on_own_ground.len()
     }
 
-    /// The ground body of a stone: its own, or the common one.
+    /// The ground body of a stone: its own, or the common ground.
     pub(super) fn ground_under(&self, stone: usize) -> usize {
         let own = self.on_own_ground.iter().position(|on| *on == stone);
         own.map_or(0, |place| self.bodies.len() - self.on_own_ground.len() + place)
@@ -226,7 +226,6 @@ impl Assembly {
         self.active = active.collect();
     }
 
-    /// The current patches.
     pub(super) fn patches(&self) -> impl Iterator<Item = &Patch> {
         let contacts = self
             .active
@@ -235,8 +234,8 @@ impl Assembly {
         contacts.map(|(patch, _)| patch)
     }
 
-    /// The current patches, each with the index of its pair, its outline, and the shift, m, and inclination, as sine, at which it is
-    /// examined again.
+    /// The current patches, each with the index of its pair, its outline, and the shift, m, and sine of the inclination at which it
+    /// is examined again.
     pub(super) fn contacts(&self) -> impl Iterator<Item = (usize, &Patch, &Outline, [f64; 2])> {
         self.active.iter().filter_map(|&index| {
             let pair = &self.pairs[index];
@@ -250,7 +249,7 @@ impl Assembly {
         })
     }
 
-    /// The patch of two bodies and its outline, the lower index first, if they meet.
+    /// The patch between two bodies and its outline, if they are in contact; the lower index comes first.
     pub(super) fn contact_of(&self, first: usize, second: usize) -> Option<&(Patch, Outline)> {
         self.pairs[self.pair_of(first, second)?].contact.as_ref()
     }
@@ -299,7 +298,6 @@ impl Assembly {
         self.watchfulness = watchfulness;
     }
 
-    /// Pairs updated by the last examination.
     pub(super) fn looked(&self) -> &[usize] {
         &self.looked
     }
@@ -430,7 +428,7 @@ impl Assembly {
             }
             self.slack = least;
         } else if changed {
-            self.slack = 0.0; // a pair that lost its patch counts again from the next step on
+            self.slack = 0.0; // a pair that lost its patch needs a new slack from the next step on
         }
         if changed {
             self.list_active();
@@ -469,7 +467,7 @@ impl Assembly {
                 let motion = next.motion(&self.bodies);
                 edge.clip(&mut next, &motion, self.rule);
                 take_over(&mut next, &motion, patch, &old_motion);
-                next.hold_at_most(&motion, before); // other faces must not hold more than these did
+                next.hold_at_most(&motion, before); // other faces must not store more energy than these did
                 self.clip_loss += before.sum() - next.stored(&motion).sum();
                 pair.contact = Some((next, edge));
             }
@@ -488,7 +486,7 @@ impl Assembly {
             let motion = patch.motion(&self.bodies);
             outline.clip(&mut patch, &motion, self.rule);
             patch.unstretch(&motion);
-            // an overlap as drawn, or undetected, does not push the bodies apart
+            // an overlap that was drawn or undetected does not push the bodies apart
             patch.hold_at_most(&motion, Stored::default());
             pair.contact = Some((patch, outline));
             pair.slack = f64::INFINITY;

@@ -1,7 +1,8 @@
 //! Side supports that act as springs in small motion of a stack at rest.
 //!
 //! A side support acts only in compression. For motion far smaller than any gap it is linear in two cases: if it is in compression at rest, or if
-//! two equal supports are opposite each other without a gap. One of the two then acts at every instant, and together they form one spring.
+//! two equal supports are opposite each other without a gap. In the second case one of them acts at every instant, and together they form one
+//! spring.
 
 use super::assembly::Assembly;
 use super::contact_points::ContactRule;
@@ -12,9 +13,9 @@ use super::rest::settle;
 use crate::structure::stack::Stack;
 use glam::DVec3;
 
-/// Depth at rest from which a side support is in compression, m: the position of rest is more accurate than this. Our choice.
+/// Compression at rest, m, above which a side support counts as in compression: the position of rest is more accurate than this. Our choice.
 const PRESSED_M: f64 = 1e-9;
-/// Two side supports are opposite each other within this distance, m, this sine, and this part of their stiffness. Our choice.
+/// Tolerances for two opposite side supports: distance, m, sine of the angle, and relative difference of stiffness. Our choice.
 const ONE_LINE_M: f64 = 1e-3;
 const ONE_LINE_SINE: f64 = 1e-3;
 const ALIKE: f64 = 1e-6;
@@ -25,12 +26,12 @@ const ALIKE: f64 = 1e-6;
 pub enum BesideInSmallMotion {
     /// A spring: it is in compression at rest.
     Pressed,
-    /// A spring together with an equally stiff support opposite it: neither has a gap.
+    /// A spring, because an equally stiff support is opposite to it: neither has a gap.
     Opposite,
     /// It has no gap, but is not in compression, and no equally stiff support is opposite it. It acts in one half of each cycle only, and
     /// the frequencies lie between those without it and those with it as a spring.
     OneWay,
-    /// None, in motion smaller than its gap.
+    /// No spring, for motion smaller than the gap.
     Gap,
 }
 
@@ -95,7 +96,7 @@ pub(super) fn springs_beside(assembly: &Assembly) -> Vec<&Prop> {
     let acts = |&(at, prop): &(usize, &Prop)| match how[at] {
         BesideInSmallMotion::Pressed => true,
         BesideInSmallMotion::Opposite => {
-            // the one in compression acts for both, else the first
+            // a support in compression represents both, otherwise the first one
             let partners = props
                 .iter()
                 .enumerate()

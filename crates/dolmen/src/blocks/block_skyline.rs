@@ -1,5 +1,5 @@
-//! A square matrix of 6 × 6 blocks that are nonzero only near its diagonal, with LU factors within its skyline. For a chain it
-//! is block-tridiagonal, and the cost per body does not depend on their number.
+//! A square matrix of 6 × 6 blocks that are nonzero only near its diagonal, with LU factors within its skyline. For a chain
+//! the matrix is block-tridiagonal, and the cost per body does not depend on the number of bodies.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -13,7 +13,7 @@ pub(super) const SIX: usize = 6;
 /// A 6 × 6 block, row by row.
 pub(super) type Block = [[f64; SIX]; SIX];
 
-/// Pivot below which a block counts as singular, in parts of its largest entry: rounding. Our choice.
+/// Pivot below which a block counts as singular, over its largest entry. Our choice: rounding.
 const SINGULAR: f64 = 1e-14;
 
 /// The matrix, then its factors.
@@ -27,7 +27,7 @@ pub(super) struct BlockSkyline {
 }
 
 impl BlockSkyline {
-    /// Zeros within an outline.
+    /// A zero matrix with this skyline.
     pub(super) fn within(first: Vec<usize>) -> Self {
         let mut start = Vec::with_capacity(first.len());
         let mut filled = 0;
@@ -45,14 +45,13 @@ impl BlockSkyline {
         }
     }
 
-    /// All entries zero again.
     pub(super) fn clear(&mut self) {
         for part in [&mut self.diagonal, &mut self.lower, &mut self.upper] {
             part.fill([[0.0; SIX]; SIX]);
         }
     }
 
-    /// The block of a row and a column within the skyline.
+    /// The block at a row and a column within the skyline.
     pub(super) fn block_mut(&mut self, row: usize, column: usize) -> &mut Block {
         if row == column {
             return &mut self.diagonal[row];
@@ -98,7 +97,7 @@ impl BlockSkyline {
         true
     }
 
-    /// Increases every diagonal entry by this fraction of itself plus the smallest positive number.
+    /// Increases every diagonal entry by this fraction of itself, plus the smallest positive number.
     pub(super) fn stiffen(&mut self, part: f64) {
         for block in &mut self.diagonal {
             for (i, row) in block.iter_mut().enumerate() {
@@ -140,7 +139,7 @@ impl BlockSkyline {
     }
 }
 
-/// Whether a symmetric block is positive definite, by the pivots of Cholesky.
+/// Whether a symmetric block is positive definite, by the pivots of its Cholesky factorization.
 fn is_positive_definite(block: &Block) -> bool {
     let mut lower = [[0.0_f64; SIX]; SIX];
     for i in 0..SIX {
@@ -169,7 +168,6 @@ fn subtract_product(c: &mut Block, a: &Block, b: &Block) {
     }
 }
 
-/// A B.
 #[inline]
 fn product(a: &Block, b: &Block) -> Block {
     let mut c = [[0.0; SIX]; SIX];
@@ -240,7 +238,7 @@ mod tests {
     use super::*;
     use dolmen_linalg::{Matrix, solve};
 
-    /// A matrix within a skyline, not symmetric, and a right side: pseudo-random, but always the same.
+    /// An unsymmetric matrix within a skyline, and a right side, from fixed pseudo-random numbers.
     fn case(first: &[usize]) -> (BlockSkyline, Matrix, Vec<[f64; SIX]>) {
         let mut seed = 7_u64;
         let mut draw = || {
@@ -287,7 +285,7 @@ mod tests {
 
     #[test]
     fn exact_a_symmetric_matrix_is_positive_definite_until_its_least_eigenvalue_is_0() {
-        // a chain of springs of 1 held at one end by k: least pivot k / (1 + k) > 0
+        // a chain of springs of stiffness 1 held at one end by k: smallest pivot k / (1 + k) > 0
         for (held, expected) in [(1e-3, true), (-1e-3, false)] {
             let mut sky = BlockSkyline::within(vec![0, 0, 1]);
             for row in 0..3 {

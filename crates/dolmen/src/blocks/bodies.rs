@@ -3,10 +3,10 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | x | `position` | centroid, in the frame of the ground | m |
-//! | R | `rotation` | from the axes as drawn to now | – |
-//! | v, ω | `velocity`, `spin` | of the centroid; angular | m/s, rad/s |
+//! | R | `rotation` | rotation from the axes as drawn | – |
+//! | v, ω | `velocity`, `spin` | velocity of the centroid; angular velocity | m/s, rad/s |
 //! | L | `momentum` | angular momentum about the centroid | kg m²/s |
-//! | J | `inertia` | about the centroid, in the axes as drawn | kg m² |
+//! | J | `inertia` | inertia about the centroid, in the axes as drawn | kg m² |
 
 use crate::structure::stack::{Body, Stack};
 use glam::{DMat3, DQuat, DVec3};
@@ -22,7 +22,6 @@ pub(super) fn index_of(body: Body) -> usize {
     }
 }
 
-/// One rigid body.
 #[derive(Clone, Debug)]
 pub(super) struct RigidBody {
     pub(super) mass: f64,
@@ -62,25 +61,24 @@ impl RigidBody {
         }
     }
 
-    /// Sets the angular velocity.
     pub(super) fn set_spin(&mut self, spin: DVec3) {
         self.momentum = self.rotation * (self.inertia * (self.rotation.transpose() * spin));
         self.spin = spin;
     }
 
-    /// Turns it by a rotation vector about its centroid.
+    /// Rotates the body by a rotation vector about its centroid.
     pub(super) fn turn_by(&mut self, vector: DVec3) {
         self.turn = (rotation_of(vector) * self.turn).normalize();
         self.rotation = DMat3::from_quat(self.turn);
     }
 
-    /// Kick then drift of one leapfrog step: velocities from t − h/2 to t + h/2 (`kick` = h; h/2 at the start, from t),
-    /// places from t to t + h.
+    /// One leapfrog step, first velocities, then positions: velocities from t − h/2 to t + h/2 (`kick` = h; h/2 at the start, from
+    /// t), positions from t to t + h.
     #[inline]
     pub(super) fn step(&mut self, acceleration: DVec3, torque: DVec3, kick: f64, h: f64) {
         self.velocity += acceleration * kick;
         self.momentum += torque * kick;
-        // in its own axes, where J is constant: L at the start of the step, ω at its middle, as a free body turns
+        // in the body's axes, where J is constant: L at the start of the step, ω at its middle, as for a free body
         let own = self.rotation.transpose() * self.momentum;
         let start = self.inverse_inertia * own;
         let middle = start + (self.inverse_inertia * own.cross(start)) * (0.5 * h);
@@ -88,7 +86,7 @@ impl RigidBody {
         self.spin = spin;
         self.position += self.velocity * h;
         let turned = rotation_of(spin * h) * self.turn;
-        self.turn = turned * (1.5 - 0.5 * turned.length_squared()); // Newton step to unit length
+        self.turn = turned * (1.5 - 0.5 * turned.length_squared()); // normalisation by one Newton step
         self.rotation = DMat3::from_quat(self.turn);
         let (v, w) = (self.velocity.abs(), spin.abs());
         self.travel += (v.x + v.y + v.z + self.radius * (w.x + w.y + w.z)) * h;
@@ -98,13 +96,13 @@ impl RigidBody {
     pub(super) fn drift(&mut self, h: f64) {
         self.position += self.velocity * h;
         let turned = rotation_of(self.spin * h) * self.turn;
-        self.turn = turned * (1.5 - 0.5 * turned.length_squared()); // Newton step to unit length
+        self.turn = turned * (1.5 - 0.5 * turned.length_squared()); // normalisation by one Newton step
         self.rotation = DMat3::from_quat(self.turn);
         let (v, w) = (self.velocity.abs(), self.spin.abs());
         self.travel += (v.x + v.y + v.z + self.radius * (w.x + w.y + w.z)) * h.abs();
     }
 
-    /// Moments of inertia after `h` seconds at the present spin, in the ground's axes.
+    /// Moments of inertia after `h` seconds of rotation at the current spin, in the ground's axes.
     pub(super) fn inertia_after(&self, h: f64) -> DMat3 {
         let turn = self.spin * h;
         let rotation = match turn == DVec3::ZERO {
@@ -166,7 +164,7 @@ pub(super) fn bodies_of(stack: &Stack) -> Vec<RigidBody> {
     bodies
 }
 
-/// The inertia without products from rounding, for a stone with planes of symmetry.
+/// The inertia without products that are only rounding, for a stone with planes of symmetry.
 fn without_rounding(inertia_m5: [[f64; 3]; 3], density_kg_m3: f64) -> DMat3 {
     const ROUNDING: f64 = 1e-14;
     let largest = (0..3).map(|i| inertia_m5[i][i]).fold(0.0, f64::max);
@@ -194,7 +192,7 @@ mod tests {
             inverse_inertia: DMat3::from_diagonal(DVec3::new(1.0, 0.5, 1.0 / 3.0)),
             ..RigidBody::ground()
         };
-        body.set_spin(DVec3::new(0.1, 3.0, 0.1)); // about the middle axis: it turns over
+        body.set_spin(DVec3::new(0.1, 3.0, 0.1)); // about the middle axis, which is unstable: it turns over
         let (energy, momentum) = (body.momentum.dot(body.spin), body.momentum);
         let mut turned_over = false;
         for _ in 0..20_000 {

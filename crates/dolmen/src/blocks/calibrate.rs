@@ -1,4 +1,4 @@
-//! Springs of a stack from its measured frequencies.
+//! Calibrates the joint springs of a stack to its measured frequencies.
 
 use super::contact_points::ContactRule;
 use super::error::BlocksError;
@@ -7,16 +7,16 @@ use crate::structure::stack::Stack;
 
 /// Tolerance of the calibration, in ln of the factor. Our choice: far below the measurement error.
 const FOUND: f64 = 1e-10;
-/// Most iterations: each leaves about 1e-4 of the last correction, unless joints open or close in between.
+/// Largest number of iterations: each reduces the correction to about 1e-4 of the last one, unless joints open or close in between.
 const ROUNDS: usize = 10;
-/// Least share of joints in ω² that increases a step, and longest step, in ln of the factor. Our choice.
+/// Smallest energy share of the joints that is used to enlarge a step, and longest step, in ln of the factor. Our choice.
 const SHARE_LEAST: f64 = 0.05;
 const STEP_MOST: f64 = 2.0;
 
-/// One measured frequency and that of the springs found.
+/// A measured frequency and the frequency with the calibrated springs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatchedFrequency {
-    /// Measured, Hz.
+    /// Measured frequency, Hz.
     pub measured_hz: f64,
     /// Frequency of the same mode with the calibrated springs, Hz.
     pub computed_hz: f64,
@@ -33,14 +33,14 @@ pub struct SpringCalibration {
     pub frequencies: Vec<MatchedFrequency>,
 }
 
-/// Multiplies the springs of all joints by one factor, so that a stack has the frequencies measured.
+/// Multiplies the springs of all joints by one factor, so that a stack has the measured frequencies.
 ///
 /// `measured` contains pairs of a mode (0 is the lowest) and its frequency. With several pairs, the factor minimises the sum of squares of the
 /// logarithms; the result contains the remaining differences. `drawn` are the modes of the stack before calibration, by the same rule, if they are
 /// known; otherwise they are computed.
 ///
 /// ```text
-/// ω² ∝ k where the same points touch:   ln factor = mean of 2 ln(measured / computed)
+/// if the same points touch, ω² ∝ k:   ln factor = mean of 2 ln(measured / computed)
 /// ```
 ///
 /// Stiffer springs settle less, so the stones are a little higher and ω²/k changes (by 1e-4 for a pagoda that settles 0.65 mm of 6.5 m). The rule
@@ -49,7 +49,7 @@ pub struct SpringCalibration {
 /// stiffness; with them the joints contribute only a part of ω², which each iteration estimates from the last.
 ///
 /// # Errors
-/// [`BlocksError`] for no frequency, one that is not positive, a mode that the stack does not have, and a stack that finds no rest.
+/// [`BlocksError`] without frequencies, for one that is not positive or a mode that the stack does not have, and for a stack without rest.
 ///
 /// # Limits
 /// One factor for all joints: one frequency determines neither the distribution of stiffness over the joints nor k_s / k_n, which does not change.
@@ -64,7 +64,7 @@ pub struct SpringCalibration {
 /// let found = calibrate_springs(&stack, ContactRule::Four, &[(0, 6.0)], None)?;
 /// let first = &stack_modes(&found.stack, ContactRule::Four)?[0];
 /// assert!((first.frequency_hz - 6.0).abs() < 1e-9);
-/// assert!((found.factor / (6.0 / drawn).powi(2) - 1.0).abs() < 1e-4); // it settles less than the stack as drawn
+/// assert!((found.factor / (6.0 / drawn).powi(2) - 1.0).abs() < 1e-4); // stiffer springs settle less than those drawn
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn calibrate_springs(
@@ -102,7 +102,7 @@ pub fn calibrate_springs(
             );
         }
     }
-    // remaining correction, as a logarithm
+    // remaining correction in ln of the factor
     let left = |modes: &[StackMode]| {
         let each = measured
             .iter()
@@ -111,7 +111,7 @@ pub fn calibrate_springs(
     };
     let (mut factor, mut scaled) = (1.0, stack.clone());
     let mut correction = left(&modes);
-    // d ln ω²/d ln k: 1 where only joints hold the stones, less with ties and side supports
+    // d ln ω²/d ln k: 1 if only joints hold the stones, smaller with ties and side supports
     let is_held = !(stack.side_supports().is_empty() && stack.ties().is_empty());
     let mut share = 1.0;
     for _ in 0..ROUNDS {
@@ -124,7 +124,7 @@ pub fn calibrate_springs(
         let next_modes = lowest_stack_modes(&with_next, contact_rule, modes.len())?;
         let next_correction = left(&next_modes);
         if next_correction.abs() >= correction.abs() {
-            break; // joints open or close between the two: no factor does better
+            break; // joints open or close between two factors: no factor is better
         }
         (factor, scaled, modes) = (next, with_next, next_modes);
         let slow = !is_held && next_correction.abs() > 0.1 * correction.abs();

@@ -18,7 +18,7 @@ pub enum ContactLaw {
 }
 
 impl ContactLaw {
-    /// Its name in files and on the command line.
+    /// Name of the law in files and on the command line.
     pub fn name(&self) -> &'static str {
         match self {
             ContactLaw::Springs(_) => "springs",
@@ -26,7 +26,7 @@ impl ContactLaw {
         }
     }
 
-    /// Points of a joint.
+    /// Contact points of a joint.
     pub fn contact_rule(&self) -> ContactRule {
         match self {
             ContactLaw::Springs(springs) => springs.contact_rule,

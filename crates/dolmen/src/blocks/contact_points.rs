@@ -1,4 +1,4 @@
-//! Points of a flat joint at which pressure and friction act: Gauss–Lobatto points, with the corners among them.
+//! Points of a flat joint at which pressure and friction act: Gauss–Lobatto points, which include the corners.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,14 +11,14 @@ use crate::structure::stack::Polygon;
 /// Rule for the contact points of a joint: n × n points on a quadrilateral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactRule {
-    /// 2 × 2: corners only. Fast; the rotational stiffness of a joint is three times too large, the torque of twisting
-    /// 1.85 times. For comparison.
+    /// 2 × 2: corners only, for comparison. Fast, but the rotational stiffness of a joint is three times too large,
+    /// and the torsional resistance 1.85 times.
     Corners,
     /// 3 × 3: rotational stiffness exact.
     Three,
-    /// 4 × 4: rotational stiffness exact, torque of twisting within 3 %. The default.
+    /// 4 × 4: rotational stiffness exact, torsional resistance within 3 %. The default.
     Four,
-    /// 6 × 6: torque of twisting within 1 %.
+    /// 6 × 6: torsional resistance within 1 %.
     Six,
 }
 
@@ -57,7 +57,7 @@ fn lobatto(rule: ContactRule) -> Vec<(f64, f64)> {
 ///
 /// ```text
 /// quadrilateral:  A_ij = w_i w_j det J(ξ_i, ξ_j),   J of the bilinear map from −1…1 squared
-/// other polygons: divided at the centroid into one quadrilateral per corner, between the middles of its two edges
+/// other polygons: divided at the centroid into one quadrilateral per corner, between the midpoints of its two edges
 /// ```
 ///
 /// Area, first and second moments are exact from 3 × 3 on, and every corner is a point. Common points of
@@ -122,7 +122,7 @@ fn spread(corners: [[f64; 2]; 4], rule: ContactRule, points: &mut Vec<ContactPoi
     }
 }
 
-/// Merges points nearer than `near`, with the sum of their areas.
+/// Merges points closer than `near` and adds their areas.
 fn merged(points: Vec<ContactPoint>, near: f64) -> Vec<ContactPoint> {
     let mut kept: Vec<ContactPoint> = Vec::with_capacity(points.len());
     for point in points {

@@ -1,4 +1,5 @@
-//! Static forces on moving stones: each keeps its direction and acts at a fixed point of its stone.
+//! Static forces on moving stones: each force keeps its direction and acts at a fixed point of its
+//! stone.
 
 use super::bodies::RigidBody;
 use super::forces::Forces;
@@ -33,7 +34,7 @@ impl DeadLoad {
         forces.torque[self.body] += self.torque(&bodies[self.body]);
     }
 
-    /// Its potential energy, J: 0 as drawn.
+    /// Its potential energy, J; 0 in the position as drawn.
     pub(super) fn stored(&self, bodies: &[RigidBody]) -> f64 {
         -self.force.dot(bodies[self.body].now(self.drawn) - self.drawn)
     }

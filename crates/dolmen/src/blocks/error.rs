@@ -6,10 +6,10 @@ use dolmen_linalg::LinalgError;
 /// Why a simulation cannot start. The end of a simulation is a status in its result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BlocksError {
-    /// An option out of its range.
+    /// An option is out of its range.
     #[error("{option} is {given}, but must be {allowed}")]
     Option {
-        /// Its name.
+        /// Name of the option.
         option: &'static str,
         /// The value given.
         given: f64,
@@ -31,24 +31,24 @@ pub enum BlocksError {
         "the stack finds no equilibrium under its own weight: after {iterations} iterations forces of {residual:.2e} of the weight are left, largest at '{block}'"
     )]
     NoRest {
-        /// Newton iterations done.
+        /// Number of Newton iterations.
         iterations: usize,
         /// Largest residual force, relative to the stack's weight.
         residual: f64,
         /// The block on which it acts.
         block: String,
     },
-    /// The stack topples at the slightest disturbance: its springs are too soft for its weight.
+    /// The stack is unstable at rest: its springs are too soft for its weight.
     #[error(
         "at rest the stack topples on its springs under its own weight, '{block}' farthest: normal_stiffness_pa_m and shear_stiffness_pa_m of all joints together must be at least {factor:.3} times what they are. Raise them, or calibrate them with a measured frequency"
     )]
     Topples {
-        /// The least factor on the springs of all joints with which it stands; above 1.
+        /// Smallest factor on the springs of all joints at which the stack stands; above 1.
         factor: f64,
-        /// The block that moves farthest as it topples.
+        /// The block that moves farthest in the unstable mode.
         block: String,
     },
-    /// A stack that the sliding model does not describe.
+    /// The sliding model cannot describe the stack.
     #[error("'{block}' cannot be followed by the sliding model: {reason}. Use the springs or the rigid law")]
     NotAPile {
         /// The block.
@@ -61,7 +61,7 @@ pub enum BlocksError {
         "the sliding model finds no accelerations at {at_s} s: the blocks' masses or friction coefficients lie too far apart; use the rigid law"
     )]
     NoSliding {
-        /// When, s.
+        /// Time, s.
         at_s: f64,
     },
     /// A property that only the springs law can model.
@@ -69,11 +69,11 @@ pub enum BlocksError {
         "{what} has {quantity} {given:.4e}, but the rigid law, whose stones only press, rub and part, allows 0: set it to 0 or take it out, or simulate with the springs law"
     )]
     SpringsOnly {
-        /// The joint, dowel, clamp or side support with this feature, and its place.
+        /// The joint, dowel, clamp or side support with this property, and its place.
         what: String,
         /// The quantity, with its unit.
         quantity: &'static str,
-        /// Its value.
+        /// Value of the quantity.
         given: f64,
     },
     /// The run needs more work than is allowed without confirmation.
@@ -81,12 +81,12 @@ pub enum BlocksError {
     TooLong {
         /// "steps of 1.000e-9 s" or "samples of the history".
         what: String,
-        /// Their number.
+        /// Number of steps or samples.
         count: f64,
         /// Largest allowed number.
         most: f64,
     },
-    /// The stack cannot be.
+    /// The stack is refused.
     #[error(transparent)]
     Stack(#[from] StackError),
     /// A decomposition failed.
@@ -95,7 +95,7 @@ pub enum BlocksError {
 }
 
 impl BlocksError {
-    /// Whether an iteration ended before it converged: the input may be valid.
+    /// Whether an iteration did not converge. In this case the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Linalg(why) => why.did_not_converge(),

@@ -1,7 +1,7 @@
 //! The faces in contact of two bodies, and their contact patch.
 //!
-//! The patch lies in the plane of one body, P, and its points belong to a face of the other, S: the face clipped by P's.
-//! Other faces, or two edges, are chosen when they are nearer.
+//! The patch lies in the plane of a face of one body, P. Its points belong to a face of the other body, S: they are the
+//! corners of that face clipped by P's face. If other faces or two edges are nearer, they are chosen.
 
 use super::contact_points::{ContactPoint, ContactRule};
 use super::hulls::{Axis, Separation, Side, flat, frame};
@@ -10,12 +10,12 @@ use super::patch::{Law, Patch};
 use crate::structure::stack::{Joint, Polygon};
 use glam::{DMat3, DVec3};
 
-/// Contact area of two crossing edges, in parts of the smaller body's radius squared. Our choice: a corner point of a
-/// face has a similar share.
+/// Contact area of two crossing edges, over the squared radius of the smaller body. Our choice: a corner point of a face
+/// has a similar area.
 const EDGE_AREA: f64 = 0.02;
 
-/// The patch along an axis, without points yet where faces meet; `None` only if the first body is not the ground and
-/// has no hull.
+/// The patch along an axis; patches of faces have no points yet. `None` only if the first body is not the ground and has
+/// no hull.
 pub(super) fn patch_along(
     first: Side<'_>,
     second: Side<'_>,
@@ -29,7 +29,7 @@ pub(super) fn patch_along(
     }
 }
 
-/// A face of `plane` and the face of `points` most opposite to it.
+/// The patch between a face of `plane` and the most opposite face of `points`.
 fn faces_patch(
     plane: Side<'_>,
     face: usize,
@@ -48,7 +48,7 @@ fn faces_patch(
         None => (DVec3::ZERO, DMat3::IDENTITY, Polygon::default()),
     };
     let point_origin = points_hull.corners[points_hull.faces[opposite][0]];
-    // the points' axes are as close to the plane's as their own face allows
+    // the axes of the points are as close to those of the plane as their own face allows
     let near = points.body.rotation.transpose() * (plane.body.rotation * plane_axes);
     let inward = -points_hull.normals[opposite];
     let first_axis = (near.x_axis - inward * inward.dot(near.x_axis)).normalize();
@@ -77,7 +77,7 @@ fn faces_patch(
     Some((patch, outline))
 }
 
-/// Turn between two faces from which their neighbours may carry, as sine; the ground has none.
+/// Angle between two faces above which their neighbours may be in contact, as sine; the ground has no neighbours.
 fn lean_most(faces: &[(Side<'_>, Option<usize>)]) -> f64 {
     let each = faces
         .iter()
@@ -85,7 +85,7 @@ fn lean_most(faces: &[(Side<'_>, Option<usize>)]) -> f64 {
     each.fold(LOOK_AGAIN, f64::min)
 }
 
-/// Two edges that cross: one point of the second on a plane through the first.
+/// The patch of two crossing edges: one point of the second edge, on a plane through the first.
 fn edges_patch(
     first: (Side<'_>, [usize; 2]),
     second: (Side<'_>, [usize; 2]),
@@ -132,7 +132,7 @@ fn edges_patch(
     Some((patch, outline))
 }
 
-/// The nearest points of two segments, computed for lines and limited to the ends.
+/// The nearest points of two segments: computed for infinite lines, then limited to the ends.
 fn nearest_points(first: [DVec3; 2], second: [DVec3; 2]) -> (DVec3, DVec3) {
     let (u, v) = (first[1] - first[0], second[1] - second[0]);
     let from = first[0] - second[0];
@@ -143,8 +143,8 @@ fn nearest_points(first: [DVec3; 2], second: [DVec3; 2]) -> (DVec3, DVec3) {
     (first[0] + u * s, second[0] + v * t)
 }
 
-/// The patch of a joint as drawn, as if both faces were in its plane. Points belong to the body whose face is less
-/// overlapped beyond the patch, so that its corners remain corners as it moves.
+/// The patch of a joint as drawn, with both faces in its plane. The points belong to the body whose face extends less
+/// beyond the patch, so that its corners remain corners as it moves.
 pub(super) fn patch_of_joint(
     joint: &Joint,
     lower: Side<'_>,

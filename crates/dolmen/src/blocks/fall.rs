@@ -1,4 +1,4 @@
-//! Detects the fall of a stone, relative to its initial support and not to the ground.
+//! Detects falls of stones, relative to their initial supports and not to the ground.
 
 use super::assembly::Assembly;
 use super::bodies::{RigidBody, index_of};
@@ -8,24 +8,24 @@ use super::watch::lower_body;
 use crate::structure::stack::{Body, Stack};
 use glam::{DMat3, DVec3};
 
-/// Drop of a stone's centroid relative to its support that counts as a fall, as a fraction of its least thickness. Our choice.
+/// Drop of a stone's centroid relative to its support at which it has fallen, as a fraction of its least thickness. Our choice.
 const DROP: f64 = 0.5;
-/// Cosine of 45°, the rotation of a bed relative to its support that counts as a fall.
+/// Cosine of 45°, the rotation of a bed relative to its support at which the stone has fallen.
 const TURN_LEAST: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// Time without contact after which a stone counts as fallen, s: after so long a flight it lands metres below. Our choice.
+/// Time without contact after which a stone counts as fallen, s: in this time it falls several metres. Our choice.
 const APART_MOST_S: f64 = 1.0;
-/// Time without contact from which a stone of a resting stack counts as fallen, s; a shorter time is a jump.
+/// Time without contact after which a stone of a stack at rest counts as fallen, s; a shorter time is a jump.
 const REST_S: f64 = 0.5;
 /// Gap up to which two stones are in contact, m. Our choice: ten times that of an open joint.
 const TOUCHES_M: f64 = 1e-3;
-/// Cosine of 10°, the angle between two faces from which a stone lies on another face. Our choice: beds are within 5° of each other.
+/// Cosine of 10°, the angle between two faces above which a stone counts as lying on another face. Our choice: beds are within 5° of each other.
 const SAME_FACE: f64 = 0.985;
 
 /// Support of a stone at rest.
 #[derive(Clone, Debug)]
 struct Support {
     body: usize,
-    /// Centroid of the stone at rest relative to that of the support, in the axes of the support as drawn, m.
+    /// Centroid of the stone at rest relative to that of the support, m, in the axes of the support as drawn.
     place: DVec3,
     /// Normal of the joint, from the support into the stone, in the axes as drawn.
     normal: DVec3,
@@ -34,17 +34,18 @@ struct Support {
 #[derive(Clone, Debug)]
 struct Stone {
     supports: Vec<Support>,
-    /// Drop that counts as a fall, m.
+    /// Drop at which the stone has fallen, m.
     drop: f64,
-    /// Whether the ground below one of its supports is moved. Then a stone that still lies on that support has not fallen, however far it has
-    /// dropped relative to the others.
+    /// Whether the ground below one of its supports moves. A stone that still lies on such a support has not fallen, however far it has dropped
+    /// relative to its other supports.
     on_moved_ground: bool,
-    /// Time since which it touches none of its supports, s.
+    /// Time from which it has had no contact with a support, s; `None` while it has contact.
     apart_since_s: Option<f64>,
 }
 
 impl Stone {
-    /// Whether its bed has turned over on one of its supports, or it has dropped too far relative to one; on moved ground relative to all of them.
+    /// Whether its bed has turned over on one of its supports, or it has dropped too far relative to one support (on moving ground: relative to
+    /// all).
     fn has_left(&self, assembly: &Assembly, body: &RigidBody) -> bool {
         let dropped = |of: &Support| of.is_above(assembly, body, self.drop);
         let has_dropped = match self.on_moved_ground {
@@ -55,17 +56,16 @@ impl Stone {
     }
 }
 
-/// Watches all stones for falls.
 #[derive(Clone, Debug)]
 pub(super) struct Falls {
     stones: Vec<Stone>,
 }
 
 impl Falls {
-    /// The stones at rest.
+    /// Records the supports of all stones at rest.
     pub(super) fn of(stack: &Stack, assembly: &Assembly) -> Self {
         if stack.loose_material().is_some() {
-            return Falls { stones: Vec::new() }; // judged by where they come to rest
+            return Falls { stones: Vec::new() }; // loose stones are judged by their final positions
         }
         let bodies = &assembly.bodies;
         let each = stack.blocks().iter().enumerate().map(|(block, of)| {
@@ -92,7 +92,7 @@ impl Falls {
         }
     }
 
-    /// The first stone that has fallen, and the time, s; to be called in order of time.
+    /// The first stone that has fallen, and the time, s. Must be called in order of time.
     pub(super) fn look(&mut self, assembly: &Assembly, time_s: f64) -> Option<(usize, f64)> {
         for (block, stone) in self.stones.iter_mut().enumerate() {
             let body = &assembly.bodies[block + 1];
@@ -112,8 +112,8 @@ impl Falls {
         None
     }
 
-    /// For a stack that came to rest: the stone that no longer touches its support, or lies on another face, and the time at which this was first
-    /// seen, s.
+    /// For a stack that came to rest: a stone that no longer touches its support, or lies on another face, and the time at which this was first
+    /// observed, s.
     pub(super) fn at_rest(&self, assembly: &Assembly, time_s: f64) -> Option<(usize, f64)> {
         let fallen = |(block, stone): (usize, &Stone)| {
             if let Some(since_s) = stone.apart_since_s {
@@ -137,7 +137,7 @@ impl Support {
         }
     }
 
-    /// Whether a stone has dropped too far relative to this support.
+    /// Whether a stone has dropped too far relative to one support.
     fn is_above(&self, assembly: &Assembly, stone: &RigidBody, drop: f64) -> bool {
         let support = &assembly.bodies[self.body];
         let place = support.position + support.rotation * self.place;
@@ -152,7 +152,7 @@ impl Support {
     }
 }
 
-/// Least distance between two parallel planes that enclose a body, one of them along a face, m.
+/// Smallest distance between two parallel planes that enclose a body, m, one of them along a face.
 pub(super) fn least_thickness(hull: &Hull) -> f64 {
     let along = |normal: &DVec3| {
         let places = hull.corners.iter().map(|corner| corner.dot(*normal));

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// Forces on bodies at one time, and what was lost in the step.
+/// Forces on bodies at one time, and the energy lost in the step.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Forces {
     pub(super) force: Vec<DVec3>,
@@ -11,7 +11,7 @@ pub(super) struct Forces {
 }
 
 impl Forces {
-    /// None on any of `count` bodies.
+    /// Sets the forces on `count` bodies to zero.
     pub(super) fn clear(&mut self, count: usize) {
         self.force.clear();
         self.force.resize(count, DVec3::ZERO);

@@ -1,4 +1,4 @@
-//! Natural frequencies of a stack on the springs of its joints.
+//! Natural frequencies of a stack on its joint springs.
 
 use super::assembly::Assembly;
 use super::beside::add_springs_beside;
@@ -17,25 +17,24 @@ pub struct StackMode {
     pub frequency_hz: f64,
     /// Effective mass of the mode over the mass of the stack, for shaking along x, y and z; over all modes the sum is 1.
     pub effective_mass_ratio: [f64; 3],
-    /// Kinetic energy of the motion of the centroids along x, y and z over that of the mode; the rest is rotation of blocks.
+    /// Kinetic energy of the centroids along x, y and z over that of the mode; the rest is rotation of the blocks.
     pub kinetic_energy_ratio: [f64; 3],
-    /// Shape: for each block the displacement of its centroid (x, y, z) and its rotation (x, y, z), scaled so that
-    /// the largest displacement (the first of several) is 1, m and rad; for pure torsion the largest rotation.
+    /// Shape: displacement of the centroid (x, y, z) and rotation (x, y, z) of each block, m and rad. It is scaled so that the largest displacement
+    /// (the first of several equal ones) is 1; in pure torsion, the largest rotation.
     pub shape: Vec<[f64; 6]>,
 }
 
-/// Least share of kinetic energy along an axis for a sway mode. Our choice: a rocking block has at least 0.5; of two equal
-/// modes mixed by a solver each may have half of that; twisting has none.
+/// Smallest fraction of kinetic energy along an axis for a sway mode. Our choice: a rocking block has at least 0.5. If a solver mixes two equal
+/// modes, each may have half of that. Torsion has none.
 const SWAY_LEAST: f64 = 0.25;
 
 /// Index of the first sway mode along an axis (0 is x, 1 is y); `None` if there is none.
 ///
-/// It is the lowest mode with at least a quarter of its kinetic energy in motion along that axis. Its effective mass is no criterion: a
-/// heavy base hardly moves, and the first mode of a three-storey pagoda has 0.27 of the mass.
+/// It is the lowest mode with at least a quarter of its kinetic energy in motion along that axis. The effective mass is not used: a heavy base
+/// hardly moves, and the first mode of a three-storey pagoda has only 0.27 of the mass.
 ///
 /// # Limits
-/// Where twisting and swaying are coupled, as in a stack whose stones are far off the middle, a mode is both; the lower mode is
-/// then returned.
+/// If torsion and sway are coupled, as in a stack with stones far off centre, a mode contains both. The lower mode is then returned.
 ///
 /// # Example
 /// ```
@@ -94,7 +93,7 @@ pub fn stack_modes(stack: &Stack, contact_rule: ContactRule) -> Result<Vec<Stack
     all_modes(stack, &assembly)
 }
 
-/// The lowest natural modes of a stack in contact, as by [`stack_modes`]: at least `count` for more than 40 stones, all for fewer.
+/// The lowest natural modes of a stack in contact, as by [`stack_modes`]. With more than 40 stones at least `count` modes, otherwise all.
 ///
 /// ```text
 /// A = Lᵀ (K + s M)⁻¹ L,  M = L Lᵀ;   its largest eigenvalues are 1/(ω² + s), by subspace iteration within the skyline of K
@@ -124,7 +123,7 @@ pub fn lowest_stack_modes(
     }
 }
 
-/// Fraction of all modes above which all are computed together. Our choice: the full matrix then costs no more.
+/// All modes are computed together if more than one in this number is requested. Our choice: the full matrix then costs no more.
 const MANY: usize = 8;
 
 fn settled(stack: &Stack, contact_rule: ContactRule) -> Result<Assembly, BlocksError> {
@@ -146,7 +145,7 @@ fn all_modes(stack: &Stack, assembly: &Assembly) -> Result<Vec<StackMode>, Block
         .collect())
 }
 
-/// Share of energy in displacements up to which a mode is pure torsion. Our choice: rounding.
+/// Largest fraction of energy in displacements for pure torsion. Our choice: rounding.
 const TORSION_MOST: f64 = 1e-12;
 
 /// A mode from its ω² and its shape with φᵀ M φ = 1.
@@ -164,7 +163,7 @@ fn mode(stack: &Stack, value: f64, column: &[f64]) -> StackMode {
     });
     let moves = kinetic_energy_ratio.iter().sum::<f64>() > TORSION_MOST;
     let parts = if moves { 0..3 } else { 3..6 };
-    // the first of several equal ones, so that rounding does not choose the sign
+    // the first of several equal ones, so that rounding does not determine the sign
     let largest = column
         .chunks(6)
         .flat_map(|block| &block[parts.clone()])
@@ -189,7 +188,6 @@ mod tests {
     use super::*;
     use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
 
-    /// Boxes on each other.
     fn tower(sizes: &[[f64; 3]]) -> Stack {
         let mut z = 0.0;
         let blocks = sizes.iter().enumerate().map(|(i, [width, depth, height])| {

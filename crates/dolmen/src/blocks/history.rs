@@ -1,6 +1,6 @@
-//! Result of a simulation: how it ended, and the data to draw, check and repeat it.
+//! Result of a simulation: its end, and the data to draw, check and repeat it.
 
-/// Energy below which created energy is rounding, J. Our choice.
+/// Created energy below which it counts as rounding, J. Our choice.
 const MADE_OF_NOTHING_J: f64 = 1e-6;
 
 /// The end of a run.
@@ -8,14 +8,14 @@ const MADE_OF_NOTHING_J: f64 = 1e-6;
 pub enum Outcome {
     /// No joint opened by more than [`StackHistory::UPLIFT_LEAST_M`], and no stone fell.
     Stood,
-    /// A joint opened, but every stone stayed up.
+    /// A joint opened, but no stone fell.
     Uplifted {
         /// The joint that opened first, as an index of the stack's joints.
         joint: usize,
         /// Time, s.
         at_s: f64,
     },
-    /// No stone fell, but one is on the brink at the end: it slid by more than half the width of its bed, or less than half of its distance to the
+    /// No stone fell, but at the end one is on the brink: it slid by more than half the width of its bed, or less than half of its distance to the
     /// edge of the support remains.
     Slid {
         /// The stone with the smallest remaining distance, as an index of the stack's blocks.
@@ -26,8 +26,8 @@ pub enum Outcome {
         /// outside the support.
         margin_ratio: f64,
     },
-    /// The run ended while stones moved without decreasing amplitude, or with a stone whose centroid is at or beyond the edge of its support: there
-    /// is no verdict.
+    /// There is no verdict: the run ended while stones moved without decreasing amplitude, or with a stone whose centroid is at or beyond the edge of
+    /// its support.
     StillMoving {
         /// The stone, as an index of the stack's blocks.
         block: usize,
@@ -37,12 +37,12 @@ pub enum Outcome {
         margin_ratio: f64,
     },
     /// A stone fell relative to its initial support: its centroid dropped by more than half its least thickness, its bed rotated by more than 45°, it
-    /// touched no part of the support for a second or at the end, or it rests there on another face.
+    /// had no contact with the support for a second or at the end, or it lies on the support with another face.
     Fell {
         /// The first stone that fell, as an index of the stack's blocks.
         block: usize,
-        /// The joint that gave way, as an index of the stack's joints: the one with the largest opening or slip at that time. The stone that falls
-        /// first is not always the one that lost its support.
+        /// The joint that gave way, as an index of the stack's joints: the joint with the largest opening or slip at that time. The stone that falls
+        /// first has not always lost its own support.
         joint: usize,
         /// Time, s.
         at_s: f64,
@@ -59,7 +59,7 @@ pub enum Outcome {
         /// Residual of the last attempt, m/s.
         residual_m_s: f64,
     },
-    /// Numbers overflowed, or contacts created more than a hundredth of the input energy even with the shortest step: the run is unusable.
+    /// Numbers overflowed, or contacts created more than a hundredth of the input energy even with the shortest step. The run is unusable.
     Diverged {
         /// Time, s.
         at_s: f64,
@@ -78,11 +78,11 @@ pub struct Pose {
 /// History of one joint at the sample times.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct JointHistory {
-    /// Largest gap at a corner of the patch as drawn, minus that at rest, m; 0 while closed.
+    /// Largest gap at a corner of the patch as drawn, minus that at rest, m; 0 while the joint is closed.
     pub opening_m: Vec<f64>,
-    /// Slip of the upper stone on the lower along the joint's first two axes, at its middle, from the settled state, m.
+    /// Slip of the upper stone on the lower one along the joint's first two axes, at its middle, since settlement, m.
     pub slip_m: Vec<[f64; 2]>,
-    /// Rotation of the upper stone on the lower about the joint's normal, from the settled state, rad.
+    /// Rotation of the upper stone on the lower one about the joint's normal, since settlement, rad.
     pub yaw_rad: Vec<f64>,
     /// Largest opening at any observed step, m.
     pub peak_opening_m: f64,
@@ -137,7 +137,7 @@ pub struct StackHistory {
     pub poses: Vec<Pose>,
     /// One history per joint of the stack.
     pub joints: Vec<JointHistory>,
-    /// Energy balance at the samples. The first sample is the start; its energies are zero except the kinetic one.
+    /// Energy balance at the samples. At the first sample, the start, all energies are zero except the kinetic energy.
     pub energy: Vec<Energy>,
     /// Largest energy that contacts returned beyond their stored energy, between any two samples, J.
     pub energy_made_j: f64,
@@ -172,18 +172,18 @@ pub struct RigidEvidence {
     pub newton_steps: usize,
     /// Number of steps in which all stones moved with the ground.
     pub steps_at_rest: usize,
-    /// Number of solutions with a residual above 1e-6 m/s that further iterations did not improve: a nanometre in a step of 1 ms.
+    /// Number of solutions with a residual above 1e-6 m/s that further iterations did not improve; this is a nanometre in a step of 1 ms.
     pub loose_solutions: usize,
-    /// Number of halvings of a step, or of the rest of one, without a solution.
+    /// Number of times that a step, or its remainder, was halved because it had no solution.
     pub halvings: usize,
 }
 
 impl StackHistory {
-    /// Opening of a joint from which it counts as uplifted, m: a tenth of a millimetre. Our choice.
+    /// Opening from which a joint counts as uplifted, m: a tenth of a millimetre. Our choice.
     pub const UPLIFT_LEAST_M: f64 = 1e-4;
 
-    /// Largest additional time of a run without a given duration, until the stack is at rest or rocks with decreasing amplitude, s. Our choice: on
-    /// springs a stone of 6 m rocks for a minute.
+    /// Largest extension of a run without a given duration, s, until the stack is at rest or rocks with decreasing amplitude. Our choice: on springs,
+    /// a stone of 6 m rocks for a minute.
     pub const LONGER_MOST_S: f64 = 60.0;
 
     /// Pose of a block at a sample.
@@ -195,7 +195,7 @@ impl StackHistory {
     pub fn energy_made_ratio(&self) -> f64 {
         let mut start = self.energy.first().map_or(0.0, |e| e.kinetic_j + e.potential_j);
         if self.joints.is_empty() {
-            // loose stones put in the height that they lose
+            // loose stones: the lost height is input energy
             start = self.energy.iter().map(|e| -e.potential_j).fold(start, f64::max);
         }
         let input = self

@@ -5,16 +5,16 @@ use crate::structure::stack::{Polygon, Solid};
 use glam::{DMat3, DVec3};
 use std::collections::BTreeMap;
 
-/// A pair of edges becomes the contact only if its separation exceeds that of every face by this fraction of the size of
-/// the smaller body: contact on a face is preferred. Our choice.
+/// A pair of edges becomes the contact only if its separation exceeds that of every face by this fraction of the size of the smaller body, so that
+/// contact on faces is preferred. Our choice.
 const EDGE_FAVOUR: f64 = 0.01;
-/// Sine of the angle below which two edges count as parallel. Our choice.
+/// Sine of the angle below which two edges are parallel. Our choice.
 const EDGES_PARALLEL: f64 = 0.05;
 
-/// Fraction of what an edge must gain, up to which its bound leaves it out, for rounding. Chosen here.
+/// Fraction of the required separation up to which the bound of an edge excludes it; allows for rounding. Our choice.
 const NO_EDGE: f64 = 0.9;
 
-/// Distance below which two points coincide, relative to the size of the larger body, for rounding. Chosen here.
+/// Distance below which two points coincide, relative to the size of the larger body; allows for rounding. Our choice.
 const SAME_PLACE: f64 = 1e-9;
 
 /// Convex hull of a body: corners relative to its centroid in the axes of the drawing, faces, and their outward normals.
@@ -24,13 +24,13 @@ pub(super) struct Hull {
     pub(super) faces: Vec<Vec<usize>>,
     pub(super) normals: Vec<DVec3>,
     edges: Vec<[usize; 2]>,
-    /// The two faces of each edge; `None` where one is missing.
+    /// The two faces of each edge; `None` if one is missing.
     faces_of_edges: Vec<Option<[usize; 2]>>,
-    /// Of each face the least angle to a neighbour, as sine.
+    /// For each face, the sine of the smallest angle to a neighbour.
     turns: Vec<f64>,
 }
 
-/// One of two bodies that may touch. The ground has no hull and is always the first.
+/// One of two bodies that may touch. The ground has no hull and always comes first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side<'a> {
     pub(super) index: usize,
@@ -79,7 +79,8 @@ impl Hull {
         }
     }
 
-    /// The angle of a face from the one that it meets, as sine, from which its neighbours must be considered: a quarter of the angle to the nearest.
+    /// Sine of the angle between a face and the face in contact above which its neighbours must be considered: a quarter of the angle to the nearest
+    /// neighbour.
     pub(super) fn turn_most(&self, face: usize) -> f64 {
         0.25 * self.turns[face]
     }
@@ -102,7 +103,6 @@ impl Hull {
         best
     }
 
-    /// Area of the largest face, m².
     pub(super) fn largest_face(&self) -> f64 {
         let areas = (0..self.faces.len()).map(|face| {
             let axes = frame(self.normals[face]);
@@ -125,7 +125,7 @@ pub(super) struct Separation {
 }
 
 impl Separation {
-    /// Takes another axis if the distance along it is larger by more than a length.
+    /// Accepts another axis if the distance along it is larger by more than `favour`.
     fn offer(&mut self, distance: f64, normal: DVec3, axis: Axis, favour: f64) {
         if distance > self.distance + favour {
             *self = Separation {
@@ -220,11 +220,11 @@ pub(super) fn separation(first: Side<'_>, second: Side<'_>) -> Separation {
             let across = along_1.cross(along_2);
             let length = across.length();
             if length < EDGES_PARALLEL * along_1.length() * along_2.length() {
-                continue; // the axis of a face is the same
+                continue; // parallel to the axis of a face
             }
             let axis = across * (across.dot(between).signum() / length);
             let (highest_1, lowest_2) = (-lowest(&corners_1, -axis), lowest(&corners_2, axis));
-            // of several parallel edges, take those that face the other body
+            // of several parallel edges, take those nearest to the other body
             if corners_1[edge_1[0]].dot(axis) < highest_1 - same
                 || corners_2[edge_2[0]].dot(axis) > lowest_2 + same
             {
@@ -253,7 +253,7 @@ fn extreme(corners: &[DVec3], axis: DVec3) -> DVec3 {
 }
 
 impl Side<'_> {
-    /// Edges that may separate the body by at least a distance from another, of which a point is given.
+    /// Edges that may separate the body by at least a given distance from another body, of which one point is given.
     ///
     /// ```text
     /// the axis of an edge lies between the normals of its faces, n = α n_a + β n_b with α, β ≥ 0 and α + β ≤ √(2/(1 + n_a·n_b)), so that
@@ -365,7 +365,7 @@ mod tests {
         }
     }
 
-    /// The least overlap or largest gap of two bodies over every pair of edges, none left out.
+    /// The separation of two bodies over every pair of edges, without exclusion.
     fn of_all_edges(first: Side<'_>, second: Side<'_>, of_faces: f64) -> f64 {
         let (corners_1, corners_2) = (first.corners(), second.corners());
         let (Some(hull_1), Some(hull_2)) = (first.hull, second.hull) else {

@@ -5,13 +5,13 @@ use super::forces::Forces;
 use crate::structure::stack::{SideSupport, Tie};
 use glam::DVec3;
 
-/// A dowel or clamp between a point of one body and a point of another that coincide in the drawing.
+/// A dowel or clamp between two points that coincide in the drawing, one on each of two bodies.
 #[derive(Clone, Debug)]
 pub(super) struct Link {
     pub(super) lower: usize,
     pub(super) upper: usize,
     pub(super) drawn: DVec3,
-    /// In the axes as drawn.
+    /// Axis, in the axes as drawn.
     pub(super) axis: DVec3,
     pub(super) axial_stiffness: f64,
     pub(super) shear_stiffness: f64,
@@ -63,8 +63,8 @@ impl Link {
         0.0
     }
 
-    /// Force on the upper body, and its point of application on both, in the axes of the ground, while the link is
-    /// intact.
+    /// Force of the intact link on the upper body, and its point of application on both bodies, in the axes of the
+    /// ground.
     pub(super) fn force(&self, bodies: &[RigidBody]) -> (DVec3, DVec3) {
         let (along, across) = self.stretch(bodies);
         let pull = self.axis * (self.axial_stiffness * along) + across * self.shear_stiffness;
@@ -72,7 +72,6 @@ impl Link {
         (lower.rotation * -pull, upper.now(self.drawn))
     }
 
-    /// Elastic energy of the link, J.
     pub(super) fn stored(&self, bodies: &[RigidBody]) -> f64 {
         if self.broken {
             return 0.0;
@@ -130,7 +129,6 @@ impl Prop {
         forces.torque[self.body] += (at - body.position).cross(force);
     }
 
-    /// Elastic energy of the support, J.
     pub(super) fn stored(&self, bodies: &[RigidBody]) -> f64 {
         let depth = self.depth(&bodies[self.body]);
         0.5 * self.stiffness * depth * depth

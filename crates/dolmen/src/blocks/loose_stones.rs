@@ -1,4 +1,4 @@
-//! Loose stones under their own weight: where they come to rest, and which of them leave their places.
+//! Loose stones under their own weight: their positions of rest, and the stones that leave their places.
 
 use super::contact_law::{ContactLaw, simulate_stack};
 use super::error::BlocksError;
@@ -8,43 +8,43 @@ use super::hulls::Hull;
 use crate::structure::stack::Stack;
 use glam::{DQuat, DVec3};
 
-/// Energy that contacts make, over the height lost, above which a run cannot be used. Chosen here, as for springs.
+/// Energy created by contacts, over the energy of the lost height, above which a run is unusable. Our choice, as for springs.
 const MADE_MOST: f64 = 1e-2;
 
-/// How loose stones ended.
+/// State of loose stones at the end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LooseEnding {
-    /// All of them lie still, and each lies about where it was drawn.
+    /// All stones are at rest, each near its drawn position.
     Stood,
-    /// All of them lie still, and some left their places.
+    /// All stones are at rest, and some left their places.
     Fell,
     /// Stones still moved when the run ended.
     StillMoving {
-        /// One of them, as an index of the blocks.
+        /// One of these stones, as an index of the blocks.
         block: usize,
     },
-    /// The run cannot be used: it was stopped, diverged, or a step found no solution.
+    /// The run is unusable: it was stopped, diverged, or a step had no solution.
     Unusable,
 }
 
-/// Where a loose stone went.
+/// Motion of a loose stone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LooseStone {
-    /// Distance of its centroid from where it was drawn, m.
+    /// Distance of its centroid from the drawn position, m.
     pub moved_m: f64,
-    /// The vertical part of that, downwards, m.
+    /// Vertical part of this distance, downwards, m.
     pub dropped_m: f64,
-    /// Angle by which it turned, rad.
+    /// Angle of its rotation, rad.
     pub turned_rad: f64,
-    /// Half its least thickness: it left its place if its centroid moved farther, m.
+    /// Half its least thickness, m: if its centroid moved farther, the stone left its place.
     pub allowed_m: f64,
 }
 
 impl LooseStone {
-    /// Turn from which a stone has left its place, rad: 45°, as for a stone on a bed.
+    /// Rotation above which a stone has left its place, rad: 45°, as for a stone on a bed.
     pub const TURN_MOST_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
-    /// Whether it left its place: it moved by more than half its least thickness, or turned by more than 45°.
+    /// Whether it left its place: it moved by more than half its least thickness, or rotated by more than 45°.
     pub fn has_left(&self) -> bool {
         self.moved_m > self.allowed_m || self.turned_rad > LooseStone::TURN_MOST_RAD
     }
@@ -53,16 +53,16 @@ impl LooseStone {
 /// Loose stones after a run under their own weight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SettledStones {
-    /// How they ended.
+    /// How the run ended.
     pub ending: LooseEnding,
-    /// Each stone, in the order of the blocks.
+    /// Motion of each stone, in the order of the blocks.
     pub stones: Vec<LooseStone>,
     /// The run.
     pub history: StackHistory,
 }
 
 impl SettledStones {
-    /// The stone that moved farthest over what it may move, as an index of the blocks.
+    /// The stone with the largest displacement relative to its allowed one, as an index of the blocks.
     pub fn farthest(&self) -> usize {
         let part = |stone: &LooseStone| stone.moved_m / stone.allowed_m;
         let most = self
@@ -73,7 +73,7 @@ impl SettledStones {
         most.map_or(0, |(block, _)| block)
     }
 
-    /// Stones that left their places.
+    /// The stones that left their places.
     pub fn left(&self) -> Vec<usize> {
         let each = self.stones.iter().enumerate();
         each.filter(|(_, stone)| stone.has_left())
@@ -81,20 +81,20 @@ impl SettledStones {
             .collect()
     }
 
-    /// When the run ended, s.
+    /// Time of the end of the run, s.
     pub fn end_s(&self) -> f64 {
         self.history.time_s.last().copied().unwrap_or_default()
     }
 }
 
-/// Lets loose stones fall from where they are drawn until they lie still, by either law of contact.
+/// Lets loose stones fall from their drawn positions until they are at rest, by either contact law.
 ///
 /// # Errors
-/// [`BlocksError`] of the law; [`BlocksError::Option`] for a stack whose stones lie in joints.
+/// [`BlocksError`] of the law; [`BlocksError::Option`] for a stack with joints.
 ///
 /// # Limits
-/// Contact is between convex hulls, one patch for two stones. Stones start at rest where they are drawn; what overlaps as drawn is not pushed apart.
-/// Where a stone of a heap comes to rest is chaotic once it rolls. Tested by `loose_stones`.
+/// Contact is between convex hulls, with one patch for two stones. Stones start at rest in their drawn positions; drawn overlaps are not pushed
+/// apart. Once a stone of a heap rolls, its position of rest is chaotic. Tested by `loose_stones`.
 pub fn settle_loose(
     stack: &Stack,
     law: &ContactLaw,

@@ -15,7 +15,7 @@ use super::matrices::{Closed, Part, add_contacts, add_mass, within_outline};
 use dolmen_linalg::{LinalgError, Matrix, qr, symmetric_eigen};
 use glam::{DMat3, DVec3};
 
-/// Number of additional vectors in the iteration. Our choice: the next modes then do not slow down the last one.
+/// Number of additional vectors in the iteration. Our choice: the last requested mode then converges as fast as the others.
 const BESIDE: usize = 12;
 /// Largest residual of A x outside the subspace, over the eigenvalue, at which a mode has converged. Our choice: shapes to 1e-9.
 const RESIDUAL_MOST: f64 = 1e-9;
@@ -30,10 +30,11 @@ pub(super) struct LowMode {
     pub(super) shape: Vec<f64>,
 }
 
-/// The lowest modes; `None` where the matrix is singular or they are not found.
+/// The lowest modes; `None` if the matrix is singular or the modes do not converge.
 ///
 /// # Source
-/// Bathe & Wilson (1972), subspace iteration. Differs from the source: with the masses' roots, so that the vectors stay orthonormal.
+/// Bathe & Wilson (1972), subspace iteration. Differs from the source: scaled by the roots of the masses, so that the vectors stay
+/// orthonormal.
 pub(super) fn lowest(assembly: &Assembly, count: usize) -> Result<Option<Vec<LowMode>>, LinalgError> {
     let Some(inverse) = Inverse::of(assembly) else {
         return Ok(None);
@@ -45,11 +46,11 @@ pub(super) fn lowest(assembly: &Assembly, count: usize) -> Result<Option<Vec<Low
         let t = x.transpose_times(&y);
         let symmetric = Matrix::from_fn(t.rows(), t.rows(), |i, j| 0.5 * (t[(i, j)] + t[(j, i)]));
         let eigen = symmetric_eigen(&symmetric)?;
-        // the largest first
+        // largest first
         let order: Vec<usize> = (0..t.rows()).rev().collect();
         let turn = Matrix::from_fn(t.rows(), t.rows(), |i, j| eigen.vectors[(i, order[j])]);
         let (at, next) = (&x * &turn, &y * &turn);
-        // the part outside the subspace: inside it, rounding of the largest would hide the smallest
+        // the component outside the subspace: inside it, rounding of the largest eigenvalue would hide the smallest
         let within = &at * &at.transpose_times(&next);
         let is_done = |mode: usize| {
             let value = eigen.values[order[mode]];
@@ -80,7 +81,7 @@ fn start(rows: usize, columns: usize) -> Matrix {
     })
 }
 
-/// s, (rad/s)²: free motions then have a finite eigenvalue of A. Our choice: far below any stone's first mode.
+/// s, (rad/s)²: rigid-body motions then have a finite eigenvalue of A. Our choice: far below the first mode of any stone.
 const SHIFT: f64 = 1e-3;
 
 /// Lᵀ (K + s M)⁻¹ L.
@@ -90,7 +91,7 @@ struct Inverse<'a> {
 }
 
 impl<'a> Inverse<'a> {
-    /// `None` where the matrix is singular.
+    /// `None` if the matrix is singular.
     fn of(assembly: &'a Assembly) -> Option<Self> {
         let mut factors = within_outline(assembly);
         add_contacts(assembly, Part::Springs, Closed::Pressed, &mut factors);
@@ -151,7 +152,7 @@ fn massless(assembly: &Assembly, y: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// The lower Cholesky factor of the inertia about the present axes.
+/// The lower Cholesky factor of the inertia about the current axes.
 fn inertia_root(body: &RigidBody) -> DMat3 {
     let j = body.rotation * body.inertia * body.rotation.transpose();
     let xx = j.x_axis.x.sqrt();
@@ -201,7 +202,7 @@ mod tests {
             mass_matrix(&assembly),
         );
         let size = full.rows();
-        // K (M^-1/2 A x) = (L x) except for s
+        // K (M^-1/2 A x) = (L x), except for s
         let x: Vec<f64> = (0..size).map(|i| ((i * i) as f64).sin()).collect();
         let y = inverse.times(Matrix::from_column(&x));
         let shape = massless(&assembly, y.column(0));

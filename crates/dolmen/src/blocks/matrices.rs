@@ -1,4 +1,4 @@
-//! Stiffness, damping and mass of an assembly about its present state; its largest stable step.
+//! Stiffness, damping and mass matrices of an assembly in its current state, and its largest stable step.
 //!
 //! Degrees of freedom of each block: the displacement of its centroid [m] and its rotation [rad] about it, in the ground's axes.
 
@@ -9,17 +9,18 @@ use super::patch::{LANES, Patch};
 use dolmen_linalg::Matrix;
 use glam::{DMat3, DVec3};
 
-/// Share of the friction limit from which a point counts as slipping: a slipping point has all of it except for rounding.
+/// Fraction of the friction limit from which a point counts as slipping: a slipping point reaches the whole limit except for
+/// rounding.
 const SLIPPING: f64 = 1.0 - 1e-9;
 /// Gap up to which a joint as drawn is in contact, m: rounding of positions gives about 1e-16 m of either sign. Our choice.
 const ROUNDING_M: f64 = 1e-12;
-/// Steps of the power iteration: one per cent accuracy of the largest frequency is enough.
+/// Number of steps of the power iteration: an accuracy of one per cent of the largest frequency is sufficient.
 const POWER_STEPS: usize = 80;
 
 /// Number of stones from which matrices are stored within their skyline. Our choice: below it a full matrix costs no more.
 pub(super) const OUTLINE_FROM: usize = 40;
 
-/// A matrix [6n × 6n] that entries are added to.
+/// A matrix [6n × 6n] to which entries are added.
 pub(super) trait Entries {
     fn add(&mut self, row: usize, column: usize, value: f64);
 }
@@ -36,7 +37,7 @@ impl Entries for BlockSkyline {
     }
 }
 
-/// Zeros within the skyline of all contacts and ties.
+/// A zero matrix within the skyline of all contacts and ties.
 pub(super) fn within_outline(assembly: &Assembly) -> BlockSkyline {
     let mut first: Vec<usize> = (0..assembly.bodies.len() - 1).collect();
     let patches = assembly
@@ -52,7 +53,7 @@ pub(super) fn within_outline(assembly: &Assembly) -> BlockSkyline {
     BlockSkyline::within(first)
 }
 
-/// The property in a matrix: springs or dashpots.
+/// The property in the matrix: springs or dashpots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
     /// Springs of points in contact.
@@ -61,12 +62,12 @@ pub(super) enum Part {
     Dashpots,
 }
 
-/// The points that count as closed.
+/// The points taken as closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closed {
     /// All points in contact, sticking: as drawn.
     Touching,
-    /// Contacts in compression; for slipping ones only the normal springs.
+    /// Contacts in compression; slipping ones have only normal springs.
     Pressed,
     /// Contacts in compression, all sticking.
     Stuck,
@@ -90,7 +91,7 @@ impl Bond {
         }
     }
 
-    /// A 3 × 3 stiffness at the point itself.
+    /// A 3 × 3 stiffness without arm.
     fn at_point(force: DMat3) -> Self {
         Bond {
             force,
@@ -100,7 +101,7 @@ impl Bond {
 
     /// Adds springs along the axes at `place`, relative to the point.
     fn add(&mut self, place: DVec3, springs: DVec3) {
-        // displacement of the place: u + θ × r = u − [r] θ, its moment r × f = [r] f
+        // displacement of the place: u + θ × r = u − [r] θ; moment: r × f = [r] f
         let across = cross_matrix(place);
         let force = DMat3::from_diagonal(springs);
         let coupling = force * -across;
@@ -109,7 +110,7 @@ impl Bond {
         self.torque += across * coupling;
     }
 
-    /// The stiffness in other axes.
+    /// The stiffness in rotated axes.
     fn turned(&self, axes: &DMat3) -> Self {
         let turn = |matrix: DMat3| *axes * matrix * axes.transpose();
         Bond {
@@ -119,7 +120,7 @@ impl Bond {
         }
     }
 
-    /// Adds it to K between two bodies, each with the vector from its centroid to the point.
+    /// Adds the stiffness to K between two bodies, each with the vector from its centroid to the point.
     fn add_to(&self, matrix: &mut impl Entries, ends: [(usize, DVec3); 2]) {
         for (a, (body_a, arm_a)) in ends.iter().enumerate() {
             for (b, (body_b, arm_b)) in ends.iter().enumerate() {
@@ -189,23 +190,21 @@ pub(super) fn add_contacts(assembly: &Assembly, part: Part, closed: Closed, matr
     }
 }
 
-/// The springs between two bodies.
 #[derive(Clone, Debug)]
 pub(super) struct SpringsBetween {
     /// Indices of the bodies, 0 the ground.
     pub(super) bodies: [usize; 2],
     /// Whether they belong to a dowel, a clamp or a side support.
     pub(super) is_link: bool,
-    /// Stiffness of both bodies, [12 × 12]; rows of the ground are 0.
+    /// Stiffness of both bodies, [12 × 12]; the rows of the ground are 0.
     pub(super) stiffness: Matrix,
 }
 
-/// The springs of a side support alone.
 pub(super) fn springs_of_prop(assembly: &Assembly, prop: &Prop) -> SpringsBetween {
     let mut stiffness = Matrix::zeros(12, 12);
     let body = &assembly.bodies[prop.body];
     let arm = body.now(prop.drawn) - body.position;
-    // as the second of two bodies: 2, the ground 0
+    // the block is body 2 of two, the ground is 0
     stiff_along(prop).add_to(&mut stiffness, [(0, DVec3::ZERO), (2, arm)]);
     SpringsBetween {
         bodies: [0, prop.body],
@@ -223,7 +222,7 @@ pub(super) fn springs_between(assembly: &Assembly, closed: Closed) -> Vec<Spring
     let links = links.map(|link| (across_link(assembly, link), true));
     let alone = patches.chain(links).map(|(between, is_link)| {
         let bodies = between.ends.map(|(body, _)| body);
-        // as the only two bodies: 1 and 2, the ground 0
+        // the two bodies are 1 and 2, the ground is 0
         let mut ends = between.ends;
         for (own, (body, _)) in ends.iter_mut().enumerate() {
             *body = (own + 1) * usize::from(*body > 0);
@@ -286,7 +285,7 @@ fn across_link(assembly: &Assembly, link: &Link) -> Connection {
     }
 }
 
-/// Adds all side supports, as if in contact: for the stable step.
+/// Adds all side supports as if they were in contact, for the stable step.
 pub(super) fn add_props(assembly: &Assembly, matrix: &mut Matrix) {
     for prop in assembly.props() {
         add_prop(assembly, prop, matrix);
@@ -321,7 +320,6 @@ pub(super) fn mass_matrix(assembly: &Assembly) -> Matrix {
     matrix
 }
 
-/// Adds a multiple of mass and inertia.
 pub(super) fn add_mass(assembly: &Assembly, times: f64, matrix: &mut impl Entries) {
     for (block, body) in assembly.bodies.iter().skip(1).enumerate() {
         let inertia = (body.rotation * body.inertia * body.rotation.transpose()).to_cols_array_2d();
@@ -344,7 +342,7 @@ pub(super) fn add_mass(assembly: &Assembly, times: f64, matrix: &mut impl Entrie
 pub(super) fn longest_step(assembly: &Assembly) -> f64 {
     let mut springs = contact_matrix(assembly, Part::Springs, Closed::Touching);
     add_props(assembly, &mut springs);
-    // a block between two others is held on both sides
+    // a block between two others has contacts on both sides
     let square = largest(assembly, &springs).max(2.0 * assembly.stiffest());
     let damping = largest(
         assembly,
@@ -368,7 +366,7 @@ pub(super) fn longest_step_of_held(assembly: &Assembly) -> f64 {
 /// Largest eigenvalue of M⁻¹A, by power iteration, increased by one per cent for the error of the iteration.
 fn largest(assembly: &Assembly, matrix: &Matrix) -> f64 {
     let size = matrix.rows();
-    // an asymmetric start, so that no symmetry of the stack hides its largest mode
+    // an unsymmetric start vector, so that no symmetry of the stack hides its largest mode
     let mut x: Vec<f64> = (0..size).map(|i| 1.0 + 0.618 * ((i * i) as f64).sin()).collect();
     let mut value = 0.0;
     for _ in 0..POWER_STEPS {

@@ -1,4 +1,5 @@
-//! Stacks in motion: blocks that rock, slide, twist and jump on contact springs.
+//! Time histories of stacks: blocks that rock, slide, twist and jump, with springs or rigid
+//! contacts.
 
 mod after_fall;
 mod assembly;

@@ -1,4 +1,4 @@
-//! Time history of a stack with slowly moving supports: it passes from equilibrium to equilibrium until none exists, and then falls.
+//! Time history of a stack with slowly moving supports: it passes through equilibrium states until none exists, and then falls.
 
 use super::contact_law::ContactLaw;
 use super::error::BlocksError;
@@ -15,8 +15,8 @@ use glam::DVec3;
 pub struct SlowMovement {
     /// Factor on the movements of the stack at the end of the movement. Default 1.
     pub factor_most: f64,
-    /// Duration of the whole movement over the stack's own time ([`SlowGround::own_time_s`]). Default 300, our choice: a stack of several
-    /// stones falls in about three own times, in which the ground completes a hundredth of the movement.
+    /// Duration of the whole movement, in multiples of the stack's own time ([`SlowGround::own_time_s`]). Default 300, our choice: a stack of
+    /// several stones falls in about three own times, in which the ground completes a hundredth of the movement.
     pub own_times: f64,
 }
 
@@ -29,12 +29,12 @@ impl Default for SlowMovement {
     }
 }
 
-/// Slow movements of supports scaled for a stack, and the measure of slowness.
+/// Slow movement of supports for a stack, and its time scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlowGround {
     /// Motion of the ground.
     pub ground: MovingGround,
-    /// T: the longer of √(h/g), h the height of the stack, and the period of its lowest mode on the springs, s.
+    /// T, s: the longer of √(h/g), with h the height of the stack, and the period of its lowest mode on the springs.
     pub own_time_s: f64,
 }
 
@@ -42,7 +42,7 @@ impl SlowMovement {
     /// The movements of a stack, at a speed of `factor_most / (own_times T)`.
     ///
     /// # Errors
-    /// [`BlocksError`] for options out of range, a stack without movements, or without rest on its springs.
+    /// [`BlocksError`] for options out of range, or for a stack without movements or without a position of rest on its springs.
     pub fn of(&self, stack: &Stack, law: &ContactLaw) -> Result<SlowGround, BlocksError> {
         let positive = (f64::MIN_POSITIVE, "a positive number");
         for (option, given, (least, allowed)) in [
@@ -76,12 +76,12 @@ impl SlowMovement {
     }
 }
 
-/// Factor and time at which a stack stops following its supports.
+/// Factor and time at which a stack stopped following its supports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaveWay {
     /// Factor on the movements.
     pub factor: f64,
-    /// When, s.
+    /// Time, s.
     pub at_s: f64,
 }
 
@@ -92,15 +92,15 @@ pub struct MovedInTime {
     pub slow: SlowGround,
     /// The history of the run.
     pub history: StackHistory,
-    /// The last time before the fall at which all stones moved with the ground; `None` if none fell.
+    /// The last time before the fall at which all stones moved with the ground; `None` if no stone fell.
     pub gave_way: Option<GaveWay>,
 }
 
 impl MovedInTime {
-    /// Speed of the fastest stone over that of the fastest support, from which stones no longer follow the ground. Our choice.
+    /// Speed of the fastest stone, over that of the fastest support, above which stones no longer follow the ground. Our choice.
     pub const BY_ITSELF: f64 = 10.0;
 
-    /// The factor on the movements when the first stone had fallen.
+    /// The factor on the movements when the first stone fell.
     pub fn fell_at(&self) -> Option<f64> {
         match self.history.outcome {
             Outcome::Fell { at_s, .. } => Some(self.slow.ground.factor_at(at_s)),
@@ -108,14 +108,15 @@ impl MovedInTime {
         }
     }
 
-    /// The factor reached at the end.
+    /// The factor at the end of the run.
     pub fn reached(&self) -> f64 {
         let end_s = self.history.time_s.last().copied().unwrap_or_default();
         self.slow.ground.factor_at(end_s)
     }
 }
 
-/// Moves the supports of a stack slowly, by either contact law: a second way, besides limit analysis, to find the movement at which it falls.
+/// Moves the supports of a stack slowly, with either contact law. This is a second method, in addition to limit analysis, for the movement at
+/// which the stack falls.
 ///
 /// ```text
 /// gave way    the last sample before the fall at which no stone was faster than ten times the fastest support
@@ -144,7 +145,7 @@ pub fn move_supports(
     })
 }
 
-/// Characteristic time of the stack's own motion: of a fall, or of one period on its springs.
+/// Time scale of the stack's own motion: that of a fall, or one period on its springs.
 fn own_time_s(stack: &Stack, law: &ContactLaw) -> Result<f64, BlocksError> {
     let falls_s = (stack.height_m() / stack.gravity_m_s2()).sqrt();
     let swings_s = match law {

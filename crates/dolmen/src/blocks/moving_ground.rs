@@ -1,7 +1,7 @@
-//! Slow movement of the ground under single stones: its displacement at a time, and the bodies that represent it.
+//! Slow movement of the ground under single stones: its displacement over time, and the bodies that represent it.
 //!
-//! Each stone with a moving support stands on a half-space of its own. This half-space has no mass, and contact forces do not change its
-//! movement.
+//! Each stone with a moving support stands on its own half-space. This half-space has a prescribed movement, which contact forces do not
+//! change.
 
 use super::assembly::Assembly;
 use super::bodies::RigidBody;
@@ -18,13 +18,13 @@ use std::f64::consts::PI;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct MovingGround {
-    /// Each movement at a factor of 1.
+    /// Each movement, for a factor of 1.
     pub movements: Vec<SupportMovement>,
-    /// Increase of the factor on the movements per second at full speed r, 1/s.
+    /// Increase of the factor per second at full speed, r, 1/s.
     pub factor_per_s: f64,
-    /// Time t₀ from rest to full speed, and back, s; at most the duration of the whole movement at full speed.
+    /// Time t₀ from rest to full speed, and back to rest, s; at most the duration of the whole movement at full speed.
     pub start_s: f64,
-    /// Factor at which the ground is at rest again.
+    /// Factor at which the ground comes to rest again.
     pub factor_most: f64,
 }
 

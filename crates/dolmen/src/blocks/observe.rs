@@ -13,27 +13,26 @@ use super::watch::{RelativePose, Watch, length};
 use crate::structure::stack::Stack;
 use glam::DVec3;
 
-/// Time between observations of peaks and falls, s: peaks are flat, and no stone falls faster. Our choice.
+/// Time between observations of peaks and falls, s. Our choice: peaks are flat, and no stone falls faster.
 const LOOK_STEP_S: f64 = 5e-3;
-/// Slip, as a fraction of the width of the bed, from which a stone is on the brink; and remaining fraction of its distance to the edge below which
-/// it is. Our choice: half of its margin against tipping is gone.
+/// Limits from which a stone is on the brink: slip as a fraction of the width of the bed, and remaining fraction of its distance to the edge. Our
+/// choice: half of its margin against tipping is lost.
 const BRINK: f64 = 0.5;
 
-/// Gathers a [`StackHistory`].
 pub(super) struct Observer {
     watches: Vec<Watch>,
     /// Last observation of each joint.
     seen: Vec<RelativePose>,
     falls: Falls,
-    /// For each block, distance inside its support of the vertical through its centroid at rest, m; `None` if this distance does not indicate how
-    /// close the block is to tipping.
+    /// For each block, distance inside its support of the vertical through its centroid at rest, m; `None` if this distance does not show how close
+    /// the block is to tipping.
     margins: Vec<Option<f64>>,
     sample_every: usize,
-    /// Number of observations from one sample to the next, at most that of steps.
+    /// Number of observations per sample, at most that of steps.
     looks: usize,
     outcome: Option<Outcome>,
     stillness: Stillness,
-    /// Whether stones are loose: stillness is then that of the stones, two entries each.
+    /// Whether stones are loose. Stillness then uses two entries for each stone.
     is_loose: bool,
     swings: Swings,
     input: f64,
@@ -41,13 +40,13 @@ pub(super) struct Observer {
     friction: f64,
     first_potential: f64,
     first_stored: f64,
-    /// Largest energy lost in contacts so far; created energy is compared with it.
+    /// Largest energy lost in contacts so far, with which created energy is compared.
     most_lost: f64,
     history: StackHistory,
 }
 
 impl Observer {
-    /// Watches the settled stack.
+    /// Starts the observation of a stack at rest.
     pub(super) fn new(stack: &Stack, assembly: &Assembly, output_step_s: f64, h: f64) -> Self {
         let sample_every = ((output_step_s / h).round() as usize).max(1);
         let looks = whole_at_least(output_step_s / LOOK_STEP_S).min(sample_every);
@@ -105,7 +104,7 @@ impl Observer {
     }
 
     pub(super) fn wants(&self, step: usize) -> bool {
-        // distributed over the steps of a sample as evenly as possible; the sample itself is one observation
+        // distributed over the steps of a sample as evenly as possible; the sample is also an observation
         step * self.looks % self.sample_every < self.looks
     }
 
@@ -134,7 +133,6 @@ impl Observer {
         ((looks_done + 1) * self.sample_every).div_ceil(self.looks)
     }
 
-    /// The watched joints.
     pub(super) fn watches(&self) -> &[Watch] {
         &self.watches
     }
@@ -151,8 +149,8 @@ impl Observer {
         self.seen[joint] = seen;
     }
 
-    /// Observes the stack at time t, with the last observed poses of the joints: positions at t, velocities at t − h/2 (at the start those at 0)
-    /// with the accelerations that advance them over a kick.
+    /// Observes the stack at time t, with the last observed poses of the joints. Positions are those at t. Velocities are those at t − h/2 (at the
+    /// start: at 0), with the accelerations that advance them over a kick.
     pub(super) fn look(
         &mut self,
         assembly: &Assembly,
@@ -185,13 +183,13 @@ impl Observer {
             return;
         }
         self.history.time_s.push(time_s);
-        // work up to t of the current step; at the start there is none
+        // work up to t of the current step; none at the start
         let started = self.history.steps > 0;
         let half = if started { 0.5 * kick } else { 0.0 };
         let (mut kinetic, mut input, mut contact) = (0.0, self.input, self.contact);
         let stones = assembly.stones();
         for (body, force) in assembly.bodies.iter().zip(&forces.force).skip(stones.end) {
-            // moving ground: its work on the stone is input
+            // the work of moving ground on the stone is input energy
             let work = half * force.dot(body.velocity);
             contact += work;
             input -= work;
@@ -225,7 +223,7 @@ impl Observer {
         });
     }
 
-    /// Records the position and the rotation of every loose stone, as lengths.
+    /// Records the position and the rotation of every loose stone, both as lengths.
     fn see_loose(&mut self, assembly: &Assembly) {
         for (block, body) in assembly.bodies[assembly.stones()].iter().enumerate() {
             let (at, turned, r) = (body.position, body.rotation, body.radius);
@@ -261,7 +259,7 @@ impl Observer {
         }
     }
 
-    /// The joint with the largest opening or slip; the lowest of equal ones.
+    /// The joint with the largest opening or slip; the lowest of several equal ones.
     fn gave_way(&self, bodies: &[RigidBody]) -> usize {
         let (mut farthest, mut joint) = (f64::NEG_INFINITY, 0);
         for (index, watch) in self.watches.iter().enumerate() {
@@ -274,7 +272,7 @@ impl Observer {
         joint
     }
 
-    /// Remaining distance from the vertical through a stone's centroid to the edge of its support, over that at rest; 1 if there was none at rest.
+    /// Distance from the vertical through a stone's centroid to the edge of its support, over that at rest; 1 if there was none at rest.
     fn margin_ratio(&self, assembly: &Assembly, block: usize) -> f64 {
         let rest = self.margins[block].filter(|margin| *margin > 0.0);
         let now = plumb_margin(assembly, block + 1);
@@ -304,8 +302,8 @@ impl Observer {
         found
     }
 
-    /// A stone that is not at rest, if there is one, with the remaining fraction of its distance to the edge of the support: a stone whose centroid
-    /// is at or beyond its edge, or the upper stone of the joint with the largest motion.
+    /// A stone that is not at rest, if there is one, with the remaining fraction of its distance to the edge of the support. It is a stone whose
+    /// centroid is at or beyond its edge, or the upper stone of the joint with the largest motion.
     fn moving(&self, assembly: &Assembly) -> Option<(usize, f64)> {
         let each = (0..self.margins.len()).map(|block| (block, self.margin_ratio(assembly, block)));
         let least = each.min_by(|a, b| a.1.total_cmp(&b.1));
@@ -355,7 +353,7 @@ impl Observer {
         }
     }
 
-    /// Outcome by the final positions of the stones, except for uplift of joints.
+    /// Outcome from the final positions of the stones; uplift of joints is not considered here.
     fn at_the_end(&self, assembly: &Assembly) -> Option<Outcome> {
         let at_s = self.history.time_s.last().copied().unwrap_or_default();
         match self.moving(assembly) {
@@ -374,7 +372,7 @@ impl Observer {
         }
     }
 
-    /// The history; `steps` are the step of the run and the longest stable one, s.
+    /// The finished history; `steps` are the step of the run and the longest stable step, s.
     pub(super) fn finish(self, assembly: &Assembly, steps: [f64; 2]) -> StackHistory {
         let links = assembly.links().iter().enumerate();
         let broken_ties = links
@@ -395,13 +393,13 @@ impl Observer {
     }
 }
 
-/// The least whole number that is not smaller, except for rounding; at least 1.
+/// Rounds up, except for rounding errors; at least 1.
 pub(super) fn whole_at_least(number: f64) -> usize {
     const ROUNDING: f64 = 1e-9;
     ((number * (1.0 - ROUNDING)).ceil() as usize).max(1)
 }
 
-/// Σ m g z, J.
+/// Potential energy Σ m g z, J.
 fn potential(assembly: &Assembly) -> f64 {
     let bodies = assembly.bodies.iter().skip(1);
     bodies

@@ -1,4 +1,4 @@
-//! The outlines of a patch: it is clipped again when S has shifted on P, and its points keep their state.
+//! The outlines of a patch: it is clipped again if S has shifted on P, and its points keep their state.
 
 use super::contact_points::{ContactPoint, ContactRule, contact_points};
 use super::hulls::{Axis, Separation, Side, counterclockwise};
@@ -6,33 +6,32 @@ use super::patch::{LANES, Law, Motion, Patch, Points};
 use crate::structure::stack::Polygon;
 use glam::DVec3;
 
-/// Another face of S must be this much more opposite to P's to replace the present one, as cosine. Our choice.
+/// Difference of cosines by which another face of S must be more opposite to P's face to replace the current one. Our choice.
 const OPPOSITE_FAVOUR: f64 = 0.02;
-/// The same, as a part of 1 less the cosine of the angle between the two faces: of a rounded stone the next face must not be in P before it takes over.
+/// The same, as a fraction of 1 minus the cosine of the angle between the two faces: on a rounded stone, the next face must replace the current one
+/// before it penetrates P.
 const OPPOSITE_PART: f64 = 0.1;
-/// Turn between two faces from which others may carry, as sine. Chosen here.
+/// Sine of the angle between two faces above which other faces may be in contact. Our choice.
 pub(super) const LOOK_AGAIN: f64 = 0.03;
-/// A patch that lacks less than this part of S's face is all of it: rounding. Chosen here.
+/// Fraction of S's face that may be missing if the patch counts as the whole face; allows for rounding. Our choice.
 const WHOLE: f64 = 1e-9;
 
 /// The outlines of a patch, for clipping it again.
 #[derive(Clone, Debug)]
 pub(super) struct Outline {
-    /// The axis of the patch.
     pub(super) axis: Axis,
     /// Index of S's face.
     pub(super) opposite: usize,
-    /// Face of S in the frame of its points; empty where two edges cross.
+    /// Face of S in the frame of its points; empty for two crossing edges.
     pub(super) points_face: Polygon,
-    /// Face of P in the frame of its plane; empty for the ground, which has no edge.
+    /// Face of P in the frame of its plane; empty for the ground, which is unbounded.
     pub(super) plane_face: Polygon,
-    /// Its size, m.
     pub(super) size: f64,
-    /// Turn between the two faces from which others may carry, as sine.
+    /// Sine of the angle between the two faces above which other faces may be in contact.
     pub(super) lean_most: f64,
-    /// Whether the patch is all of S's face.
+    /// Whether the patch is the whole face of S.
     pub(super) whole: bool,
-    /// Pose of S on P when it was clipped.
+    /// Pose of S on P when the patch was clipped.
     pub(super) clipped_at: Motion,
 }
 
@@ -60,13 +59,13 @@ pub(super) fn grouped(points: &[ContactPoint], law: &Law) -> Vec<Points> {
 }
 
 impl Outline {
-    /// Whether two edges cross here.
+    /// Whether the patch is that of two crossing edges.
     pub(super) fn of_edges(&self) -> bool {
         self.points_face.corners_m.is_empty()
     }
 
-    /// Whether the points' frame has shifted on the plane by more than `shift` m since the patch was clipped, or its normal
-    /// has turned by more than [`Outline::lean_most`].
+    /// Whether the frame of the points has shifted on the plane by more than `shift` m since the patch was clipped, or its normal has rotated by more
+    /// than [`Outline::lean_most`].
     pub(super) fn has_drifted(&self, motion: &Motion, shift: f64) -> bool {
         let (now, then) = (motion, &self.clipped_at);
         let moved = (now.shift - then.shift).abs();
@@ -82,7 +81,7 @@ impl Outline {
         motion.along_x.z.hypot(motion.along_y.z)
     }
 
-    /// Whether the present faces separate the bodies as well as the best axis, within `favour`, m.
+    /// Whether the current faces separate the bodies as well as the best axis, within `favour`, m.
     pub(super) fn still_serves(
         &self,
         best: &Separation,
@@ -108,8 +107,8 @@ impl Outline {
         hull.normals[now].dot(down) <= hull.normals[self.opposite].dot(down) + favour
     }
 
-    /// Clips the patch at the present positions of its bodies. Keeps its points if it was and is the whole face of S;
-    /// otherwise each new point takes the stretch and bond of the nearest old one.
+    /// Clips the patch at the current positions of its bodies. A patch that was and is the whole face of S keeps its points; otherwise each new point
+    /// takes the stretch and bond of the nearest old point.
     pub(super) fn clip(&mut self, patch: &mut Patch, motion: &Motion, rule: ContactRule) {
         if self.of_edges() {
             return;
@@ -211,7 +210,7 @@ fn inherit(patch: &mut Patch, motion: &Motion, memories: &[Memory]) {
 
 /// Transfers the stretch of a patch to another patch of the same two bodies.
 pub(super) fn take_over(patch: &mut Patch, motion: &Motion, old: &Patch, old_motion: &Motion) {
-    // stretch is that of S relative to P: with exchanged roles it has the opposite sign
+    // stretch is that of S relative to P: exchanged roles change its sign
     let sign = if old.point_body == patch.point_body {
         1.0
     } else {

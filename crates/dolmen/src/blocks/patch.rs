@@ -9,7 +9,7 @@
 //! | k_n, k_s | `normal_stiffness`, `shear_stiffness` | springs per area | Pa/m |
 //! | c_n, c_s | `normal_damping`, `shear_damping` | dashpots per area | Pa s/m |
 //! | u | `y − anchor` | stretch of the shear spring | m |
-//! | μ | `friction` | present coefficient: static until a point slips, kinetic while it slips | – |
+//! | μ | `friction` | current coefficient: static until a point slips, kinetic while it slips | – |
 
 use super::bodies::RigidBody;
 use crate::structure::stack::JointMaterial;
@@ -18,28 +18,27 @@ use wide::f64x4;
 
 /// Number of points computed together, so that the compiler uses vector instructions.
 pub(super) const LANES: usize = 4;
-/// Against division by zero in a motionless contact, m: far below any penetration. Our choice.
+/// Prevents division by zero in a motionless contact, m. Our choice: far below any penetration.
 pub(super) const TINY: f64 = 1e-300;
 
-/// Four points with their memory.
+/// Four points with their state.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Points {
     pub(super) x: [f64; LANES],
     pub(super) y: [f64; LANES],
     pub(super) area: [f64; LANES],
-    /// 1 / (a k_s), 0 where there is no area.
+    /// 1 / (a k_s); 0 for points without area.
     pub(super) give: [f64; LANES],
     pub(super) anchor_x: [f64; LANES],
     pub(super) anchor_y: [f64; LANES],
-    /// Depth below which a point has no force, m; 0 except for points that were added while their faces overlapped, until they
-    /// open.
+    /// Depth below which a point has no force, m. It is 0 except for points that were added while their faces overlapped, until
+    /// they open.
     pub(super) held: [f64; LANES],
     pub(super) friction: [f64; LANES],
-    /// 1 while the bond holds, 0 after it broke or without bond.
+    /// 1 while the bond is intact, 0 after it broke or without bond.
     pub(super) bond: [f64; LANES],
 }
 
-/// Springs and friction of a patch.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Law {
     pub(super) normal_stiffness: f64,
@@ -56,14 +55,14 @@ pub(super) struct Law {
 /// Restitution of a joint in an impact.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Restitution {
-    /// Of faces that were separate.
+    /// For faces that were apart before.
     pub(super) falls: f64,
-    /// Of a stone that rocks from edge to edge; `None`: that of an impact at the edge.
+    /// For a stone that rocks from edge to edge; `None`: that of an impact at the edge.
     pub(super) rocks: Option<f64>,
 }
 
 impl Law {
-    /// The law of a joint: dashpots from the damping ratio of the two bodies on its springs only.
+    /// The law of a joint, with dashpots from the damping ratio of the two bodies on its springs alone.
     ///
     /// ```text
     /// c = 2 ζ √(k A m) / A,   m = 1 / (1/m_P + 1/m_S)
@@ -87,7 +86,7 @@ impl Law {
         }
     }
 
-    /// The law without bond: new faces have no bond.
+    /// The law without bond, for new faces.
     pub(super) fn dry(self) -> Self {
         Law {
             cohesion: 0.0,
@@ -106,17 +105,17 @@ impl Law {
 pub(super) struct Patch {
     pub(super) plane_body: usize,
     pub(super) point_body: usize,
-    /// Origin of the plane's frame in P, from its centroid, in the axes as drawn.
+    /// Origin of the plane's frame, from the centroid of P, in the axes as drawn.
     pub(super) plane_origin: DVec3,
-    /// Frame of the plane in P: two axes in it, then the normal out of P.
+    /// Frame of the plane in P: two axes in the plane, then the normal out of P.
     pub(super) plane_axes: DMat3,
-    /// Origin of the points' frame in S, from its centroid, in the axes as drawn.
+    /// Origin of the points' frame, from the centroid of S, in the axes as drawn.
     pub(super) point_origin: DVec3,
-    /// Frame of the points in S: they lie in its first two axes.
+    /// Frame of the points in S, which lie in the plane of its first two axes.
     pub(super) point_axes: DMat3,
     pub(super) law: Law,
     pub(super) points: Vec<Points>,
-    /// Whether any point is held.
+    /// Whether any point has a held depth.
     pub(super) holds: bool,
 }
 
@@ -136,9 +135,8 @@ impl Stored {
 /// Pose of the points' frame in the plane's frame, and its motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion {
-    /// From the frame of the plane to the ground's.
+    /// From the frame of the plane to the axes of the ground.
     pub(super) to_ground: DMat3,
-    /// Origin of the plane's frame.
     pub(super) origin: DVec3,
     /// y = along_x s_x + along_y s_y + shift.
     pub(super) along_x: DVec3,
@@ -153,7 +151,7 @@ pub(super) struct Twist {
     pub(super) spin: DVec3,
 }
 
-/// Force and torque of a patch on S, in the plane's frame about its origin; P gets the opposite.
+/// Force and torque of a patch on S, in the plane's frame about its origin; P receives the opposite.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Wrench {
     pub(super) force: DVec3,
@@ -204,7 +202,7 @@ impl Patch {
         }
     }
 
-    /// Forces of the springs, friction and dashpots over a step of `h` seconds; stores slips and broken bonds.
+    /// Forces of the springs, friction and dashpots over a step of `h` seconds. Updates slips and broken bonds.
     #[inline]
     pub(super) fn wrench(&mut self, motion: &Motion, twist: &Twist, h: f64) -> Wrench {
         if self.holds {
@@ -219,7 +217,7 @@ impl Patch {
         }
     }
 
-    /// Present position of a point in the plane's frame, with the depth that its spring has.
+    /// Current position of a point in the plane's frame, with the effective depth of its spring.
     pub(super) fn place(&self, group: &Points, lane: usize, motion: &Motion) -> DVec3 {
         motion.at(group.x[lane], group.y[lane]) + DVec3::Z * group.held[lane]
     }
@@ -240,7 +238,7 @@ impl Patch {
         stored
     }
 
-    /// Force of one point on S at rest, in the plane's frame, N; `at` is its place.
+    /// Force of one point on S at rest, in the plane's frame, N; `at` is the position of the point.
     pub(super) fn force_at_rest(&self, group: &Points, lane: usize, at: DVec3) -> DVec3 {
         let bonded = group.bond[lane] > 0.0;
         if at.z >= 0.0 && !bonded {
@@ -255,11 +253,11 @@ impl Patch {
         DVec3::new(-shear.x, -shear.y, normal)
     }
 
-    /// Limits the energy of new points to that of the old ones: depths and stretches are reduced where they would have more. The
-    /// rest of the depth has no force until the point opens, as if it were an error of its position.
+    /// Limits the energy of new points to that of the old ones by reducing depths and stretches. The removed depth has no force
+    /// until the point opens, like an error of its position.
     ///
     /// ```text
-    /// held = (1 − f) δ,   f² = normal energy allowed / that at depth δ;   the stretch likewise
+    /// held = (1 − f) δ,   f² = allowed normal energy / normal energy at depth δ;   the same for the stretch
     /// ```
     pub(super) fn hold_at_most(&mut self, motion: &Motion, most: Stored) {
         for group in &mut self.points {
@@ -282,7 +280,7 @@ impl Patch {
         }
     }
 
-    /// Ends the limit for points that have opened.
+    /// Removes the limit from points that have opened.
     fn let_go(&mut self, motion: &Motion) {
         self.holds = false;
         for group in &mut self.points {
@@ -310,10 +308,10 @@ impl Patch {
 /// The law for each point.
 ///
 /// ```text
-/// penetration   δ = −y_z (0 as drawn),   its mean over the step while it moves at v: δ̄ = ∫ max(δ + v τ, 0) dτ / h, and the
-///               part of the step in contact, φ: the moment of impact is located inside the step; τ from −h/2 to h/2
+/// penetration   δ = −y_z (0 as drawn),   its mean over the step at velocity v: δ̄ = ∫ max(δ + v τ, 0) dτ / h, and the
+///               fraction φ of the step in contact: the moment of impact is located inside the step; τ from −h/2 to h/2
 /// pressure      N = a (k_n δ̄ + φ c_n v), not below 0, or −a × tension while bonded
-/// spring        E = a k_s u in contact, limited to the disc |E| ≤ μN (+ a × cohesion while bonded); where it is limited its
+/// spring        E = a k_s u in contact, limited to the disc |E| ≤ μN (+ a × cohesion while bonded); if it is limited, its
 ///               anchor moves, and the energy lost by the spring is the work of friction
 /// shear         T = −(E + a c_s v_t), limited to the same disc
 /// ```
@@ -340,7 +338,7 @@ fn wrench_of_points<const BOND: bool, const HELD: bool>(
         let closing = -(wz + (ox * y - oy * x));
         let depth = if HELD { -(z + f64x4::new(group.held)) } else { -z };
         let Some(pressed) = press::<BOND>(law, group, depth, closing, half_step) else {
-            (group.anchor_x, group.anchor_y) = (x.to_array(), y.to_array()); // all open
+            (group.anchor_x, group.anchor_y) = (x.to_array(), y.to_array()); // all points are open
             group.friction = [law.friction_static; LANES];
             continue;
         };
@@ -364,7 +362,7 @@ fn wrench_of_points<const BOND: bool, const HELD: bool>(
         sums[5] += y * tx - x * ty;
         sums[6] += rubbed.work;
     }
-    // always in this order, for the same bits on every machine
+    // always in this order, for equal bits on every machine
     let [fx, fy, fz, mx, my, mz, rubbed] = sums.map(|lanes| {
         let [a, b, c, d] = lanes.to_array();
         (a + b) + (c + d)
@@ -376,7 +374,6 @@ fn wrench_of_points<const BOND: bool, const HELD: bool>(
     }
 }
 
-/// A vector in all lanes.
 #[inline(always)]
 fn in_all_lanes(vector: DVec3) -> [f64x4; 3] {
     [
@@ -386,9 +383,9 @@ fn in_all_lanes(vector: DVec3) -> [f64x4; 3] {
     ]
 }
 
-/// Contact of four points across the plane; masks have all bits of a lane set.
+/// Contact of four points normal to the plane; masks have all bits of a lane set.
 struct Pressed {
-    /// Mask: the point is in contact in some part of the step, or is bonded.
+    /// Mask: the point is in contact in some part of the step, or bonded.
     touches: f64x4,
     /// Mask: its bond holds this pressure.
     holds: f64x4,
@@ -396,7 +393,7 @@ struct Pressed {
     normal: f64x4,
 }
 
-/// Normal forces; `None` where all four points are open, without bond.
+/// Normal forces; `None` if all four points are open, without bond.
 #[inline(always)]
 fn press<const BOND: bool>(
     law: &Law,
@@ -451,11 +448,10 @@ struct Rubbed {
     force: [f64x4; 2],
     /// Mask: the spring was limited to the disc.
     slips: f64x4,
-    /// Work of friction, J.
     work: f64x4,
 }
 
-/// Shear forces of four points at a position with a velocity in the plane; moves their anchors and sets their friction.
+/// Shear forces of four points at a position with a velocity in the plane. Updates their anchors and friction.
 #[inline(always)]
 fn rub<const BOND: bool>(
     law: &Law,
@@ -486,7 +482,7 @@ fn rub<const BOND: bool>(
     let moves = slips | !touches;
     let anchor_x = moves.select(x - fx * give, before_x);
     let anchor_y = moves.select(y - fy * give, before_y);
-    // the work of the limited force: the excess in the step never acts on the stones
+    // work of the limited force: the excess in the step never acts on the stones
     let work = fx * (anchor_x - before_x) + fy * (anchor_y - before_y);
     let drag = touches & (area * all(law.shear_damping));
     let (mut tx, mut ty) = (fx + drag * vx, fy + drag * vy);

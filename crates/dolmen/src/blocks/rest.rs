@@ -1,4 +1,4 @@
-//! Settlement: the stack at rest under its own weight, computed by Newton steps instead of a simulation.
+//! Settlement: the position of rest of a stack under its own weight, by Newton steps instead of a simulation.
 
 use super::assembly::Assembly;
 use super::block_skyline::SIX;
@@ -12,28 +12,27 @@ use crate::structure::stack::{Body, Stack};
 use dolmen_linalg::{Matrix, solve};
 use glam::DVec3;
 
-/// Newton steps: contacts close or open in a few.
+/// Largest number of Newton steps: contacts close or open in a few steps.
 const NEWTON_STEPS: usize = 25;
-/// Residual force at rest, in parts of the stack's weight. Our choice.
+/// Residual force at rest, over the weight of the stack. Our choice.
 const LEFT_MOST: f64 = 1e-12;
-/// Residual force that is accepted if another step does not reduce it: with stiff joints, rounding of positions causes forces.
-/// Our choice.
+/// Residual force that is accepted if another step does not reduce it. Our choice: in stiff joints, rounding of positions causes
+/// forces.
 const LEFT_ROUNDING: f64 = 1e-7;
-/// Rounds of damped steps followed by Newton steps: many loose stones open and close in turn.
+/// Rounds of damped steps followed by Newton steps, because many loose stones open and close alternately.
 const ROUNDS: usize = 12;
-/// Halved Newton steps in every other round: contacts that close in one whole step and open in the next would alternate for ever.
+/// Halved Newton steps in every other round: with whole steps, contacts could close in one step and open in the next without end.
 const HALF_STEPS: usize = 15;
-/// Damped steps per round, and the part of the velocity removed by each. Our choice.
+/// Damped steps per round, and the fraction of the velocity that each removes. Our choice.
 const DAMPED_STEPS: usize = 400;
 const DAMPED_PART: f64 = 0.1;
 
-/// Forces left on the blocks.
 struct Unbalanced {
     /// Force and torque of each block, N and N m.
     forces: Vec<f64>,
-    /// The largest, in parts of the stack's weight.
+    /// The largest residual, over the weight of the stack.
     largest: f64,
-    /// The block on which it acts.
+    /// The block with the largest residual.
     block: usize,
 }
 
@@ -65,8 +64,8 @@ fn unbalanced(assembly: &mut Assembly, forces: &mut Forces) -> Unbalanced {
 /// Moves the bodies of an assembly to the equilibrium of gravity and springs.
 ///
 /// # Errors
-/// [`BlocksError::NoRest`] if there is no rest position nearby: the stack does not stand, or slides; [`BlocksError::Topples`]
-/// if there is one from which the slightest disturbance would topple the stack.
+/// [`BlocksError::NoRest`] if there is no position of rest nearby: the stack does not stand, or slides; [`BlocksError::Topples`]
+/// if the position of rest is unstable.
 pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), BlocksError> {
     let mut forces = Forces::default();
     let mut closed = Closed::Touching;
@@ -85,7 +84,7 @@ pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), Block
                 return check_standing(assembly, stack);
             }
             if !left.largest.is_finite() || left.largest > 1e3 {
-                *assembly = drawn.clone(); // it flies apart: damped steps from where it was drawn
+                *assembly = drawn.clone(); // it diverges: damped steps from the positions as drawn
                 break;
             }
             least = least.min(left.largest);
@@ -160,7 +159,7 @@ mod tests {
     use super::*;
     use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
 
-    /// Stones centred on each other, width and height of each in cm.
+    /// Stones centred on each other, with their width and height in cm.
     fn tower(sizes_cm: &[[u32; 2]]) -> Stack {
         let mut z = 0.0;
         let blocks = sizes_cm.iter().enumerate().map(|(i, size_cm)| {
@@ -179,7 +178,7 @@ mod tests {
         Stack::new(blocks.collect(), JointMaterial::default(), 9.81).unwrap()
     }
 
-    /// Settlement of the highest stone: the weight above each joint over its stiffness, m.
+    /// Settlement of the highest stone, m: for each joint, the weight above over its stiffness.
     fn settlement_m(sizes_cm: &[[u32; 2]]) -> f64 {
         let weight = |[width, height]: &[u32; 2]| {
             let (b, h) = (f64::from(*width) / 100.0, f64::from(*height) / 100.0);
@@ -209,7 +208,7 @@ mod tests {
                 }
             }
         }
-        // eight stones of all heights up to a metre
+        // eight stones with heights up to a metre
         for seed in 0..60 {
             let stone = |i: u32| [150 - 7 * i, 15 + (seed * 37 + i * 29 + i * i * seed) % 85];
             towers.push((0..8).map(stone).collect());

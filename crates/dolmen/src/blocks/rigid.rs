@@ -18,7 +18,7 @@ use crate::signal::GroundMotion;
 use crate::structure::stack::{Body, JointMaterial, Stack};
 use glam::DVec3;
 
-/// Contact detection with larger distances than under the springs law, because the steps are longer. Our choice: contacts of stones that approach at
+/// Tolerances for contact detection, larger than for the springs law because the steps are longer. Our choice: contacts of stones that approach at
 /// less than about 2 m/s are detected before they touch.
 const WATCHFULNESS: ContactTolerances = ContactTolerances {
     clip_again: 5e-5,
@@ -29,8 +29,8 @@ const WATCHFULNESS: ContactTolerances = ContactTolerances {
 /// Longest step, s. Our choice: with steps of 50 ms, a motion sampled every 20 ms left 0.5 mm of slip instead of 24 mm.
 const STEP_MOST_S: f64 = 5e-3;
 
-/// Largest and usual step, as fractions of the longest step that is stable for dowels, clamps and side supports. Our choice: with the usual step the
-/// apparent energy of a stone that swings on such a spring changes by less than 0.1 %, (ω h)²/4.
+/// Largest and usual step, as fractions of the longest step that is stable for dowels, clamps and side supports. Our choice: with the usual step, the
+/// apparent energy of a stone that oscillates on such a spring changes by less than 0.1 %, (ω h)²/4.
 const HELD_MOST: f64 = 0.9;
 const HELD_USUAL: f64 = 0.03;
 
@@ -76,9 +76,9 @@ impl Default for Rigid {
 }
 
 impl Rigid {
-    /// The usual step for a stack, s: 1 ms, or 0.2 ms if the kinetic friction of a joint is below its static friction. A stone that slides slowly
-    /// comes to rest within a step, and static friction then holds it. So a block under two-component noise, with μ 0.4 and 0.25, slipped 3.8 % too
-    /// little (6.0 % of the residual slip) at 1 ms, and 0.16 % too little at 0.2 ms. With dowels, clamps or side supports the step is at most 0.03 of
+    /// The usual step for a stack, s: 1 ms, or 0.2 ms if the kinetic friction of a joint is below its static friction. A slowly sliding stone comes
+    /// to rest within a step, and static friction then holds it. Under two-component noise, with μ 0.4 and 0.25, the slip of a block was therefore
+    /// 3.8 % too small (6.0 % of the residual slip) at 1 ms, and 0.16 % at 0.2 ms. With dowels, clamps or side supports the step is at most 0.03 of
     /// the longest step that is stable for them.
     ///
     /// ```
@@ -112,14 +112,14 @@ impl Rigid {
 
 /// Motion of a stack of rigid stones under base motion, with the rigid contact law: stones neither deform nor overlap.
 ///
-/// `progress` gets the simulated time at intervals, and stops the run by returning false. If a step finds no solution, the run ends as
+/// `progress` receives the simulated time at intervals, and stops the run by returning false. If a step has no solution, the run ends as
 /// [`super::Outcome::NotConverged`]. [`StackHistory::rigid`] contains the residuals of the contact law.
 ///
 /// ```text
 /// M (v⁺ − v⁻) = κ f + Σ Gᵀ p               kick over κ: half the step before and half the step after
-/// 0 ≤ gap⁺ ⟂ p_n ≥ 0                       gap at the end of the drift: places do not creep into each other
+/// 0 ≤ gap⁺ ⟂ p_n ≥ 0                       gap at the end of the drift, so that penetrations do not accumulate
 /// |p_t| ≤ μ p_n,  p_t = −μ p_n u_t/|u_t| where the point slips                 (Coulomb's disc)
-/// impact, inside the step:  0 ≤ u_n⁺ ⟂ p_n ≥ 0,  and  0 ≤ ū_n⁺ + e ū_n⁻ ⟂ p̄ ≥ 0  of the mean over the points that touch
+/// impact, inside the step:  0 ≤ u_n⁺ ⟂ p_n ≥ 0,  and  0 ≤ ū_n⁺ + e ū_n⁻ ⟂ p̄ ≥ 0  for the mean over the points in contact
 /// ```
 ///
 /// # Errors
@@ -245,7 +245,7 @@ pub(super) fn simulate_rigid_on(
     })
 }
 
-/// Refuses bonds: the rigid law has no force that holds faces together.
+/// Refuses bonds: the rigid law has no tensile force between faces.
 fn refuse_bonds(stack: &Stack) -> Result<(), BlocksError> {
     let name = |block: usize| stack.blocks().get(block).map_or("", |block| block.name.as_str());
     let between = |lower: Body, upper: usize| match lower {

@@ -1,4 +1,4 @@
-//! Distribution of a normal force over the points of a face: as on a uniform bed without tension.
+//! Distribution of a normal force over the points of a face, as on a uniform bed without tension.
 
 use super::rigid_point::{ForceTorque, Part, Point};
 
@@ -11,12 +11,12 @@ pub(super) fn on_bed(bed: &[f64; 3], point: &Point) -> f64 {
     (bed[0] + bed[1] * point.y - bed[2] * point.x).max(0.0)
 }
 
-/// Pressure of a uniform elastic bed without tension at the near points, under a normal force and two moments; false if there
-/// is none, because the force is outside the points. Starts from `bed`; `near` is the relative tolerance of the force
-/// balance.
+/// Pressure of a uniform elastic bed without tension at the near points, under a normal force and two moments. Returns false
+/// if there is none, because the force is outside the points. Starts from `bed`; `near` is the relative tolerance of the
+/// force balance.
 ///
 /// ```text
-/// Σ a max(c · e, 0) e = (N, M_x, M_y),   e = (1, y, −x),   by Newton steps over the points that press
+/// Σ a max(c · e, 0) e = (N, M_x, M_y),   e = (1, y, −x),   by Newton steps over the points with pressure
 /// ```
 pub(super) fn fit_bed(points: &[Point], wrench: &ForceTorque, bed: &mut [f64; 3], near: f64) -> bool {
     let wanted = [wrench[2], wrench[3], wrench[4]];
@@ -63,8 +63,8 @@ pub(super) fn fit_bed(points: &[Point], wrench: &ForceTorque, bed: &mut [f64; 3]
     false
 }
 
-/// Solves a symmetric 3 × 3 system (00, 01, 02, 11, 12, 22). It is singular if the points lie on a line or are one point: the
-/// undetermined part is then left out.
+/// Solves a symmetric 3 × 3 system (00, 01, 02, 11, 12, 22). It is singular if the points lie on a line or coincide; the
+/// undetermined component is then 0.
 fn solve_3(k: &[f64; 6], right: &[f64; 3]) -> Option<[f64; 3]> {
     if k[0] <= 0.0 {
         return None;
@@ -104,7 +104,7 @@ mod tests {
     use crate::blocks::{ContactRule, contact_points};
     use crate::structure::stack::Polygon;
 
-    /// Points of a face of 2 × 2 m about its middle.
+    /// Points of a face of 2 × 2 m relative to its centre.
     fn points() -> Vec<Point> {
         let corners_m = vec![[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
         let points = contact_points(&Polygon { corners_m }, ContactRule::Four);

@@ -1,5 +1,4 @@
-//! Solves a step of the rigid law through a sequence of convex problems. It is the last resort when Newton's method on the law itself
-//! does not converge.
+//! Solves a step of the rigid law through a sequence of convex problems, if Newton's method on the law itself does not converge.
 //!
 //! ```text
 //! K ∋ p ⊥ u + s + μ |u_t| n ∈ K*,   K = {|p_t| ≤ μ p_n}
@@ -20,8 +19,8 @@ use super::rigid_solve::{
     Candidate, LEFT_MOST_M_S, Momentum, OFF_MOST_M_S, Pressing, Solved, Solver, ahead, held_of, hold_impulses,
 };
 
-/// Largest number of updates of lifts and multipliers, and number of updates without improvement after which the method stops. Chosen
-/// here.
+/// Largest number of updates of lifts and multipliers; number of updates without improvement after which the method stops. Our
+/// choice.
 const ROUNDS_MOST: usize = 60;
 const WORSE_MOST: usize = 15;
 /// Largest number of Newton steps between updates, and of trial points along each step. Our choice.
@@ -31,7 +30,7 @@ const LINE_MOST: usize = 12;
 const SLOPE_MOST: f64 = 0.5;
 
 impl Solver {
-    /// Improves a solution whose residual is too large: `v` and the stored impulses become the best solution found.
+    /// Improves a solution with too large a residual: `v` and the stored impulses become the best solution found.
     pub(super) fn by_cones(
         &mut self,
         of: Momentum<'_>,
@@ -155,7 +154,7 @@ impl Face {
     /// Impulses at a twist with fixed lifts, their sum on S, and their derivative, which is symmetric.
     ///
     /// ```text
-    /// p = the point of K nearest to λ − ϱ (u + s + lift n), where velocities count by 1/ϱ
+    /// p = the point of K nearest to λ − ϱ (u + s + lift n), with the norm 1/ϱ
     /// ```
     pub(super) fn press_on_cones(
         &mut self,
@@ -216,7 +215,7 @@ impl Face {
     }
 }
 
-/// Adds Gᵀ k G of a point to the upper half of the stiffness: k in the plane (xx, xy, yy), and k of the normal (with x, with y, with
+/// Adds Gᵀ k G of a point to the upper half of the stiffness; k in the plane (xx, xy, yy), and k of the normal (with x, with y, with
 /// itself).
 fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [a, b, c]: [f64; 3], [d, e, n]: [f64; 3]) {
     // rows of G: (1, 0, 0, 0, 0, −y), (0, 1, 0, 0, 0, x), (0, 0, 1, y, −x, 0)
@@ -273,8 +272,8 @@ mod tests {
         }
     }
 
-    /// Inside, outside and opposite the cone: the impulse is the nearest point of the cone in the norm 1/ϱ, compared with a search
-    /// over the cone.
+    /// Inside, outside and opposite the cone, the impulse is the nearest point of the cone in the norm 1/ϱ, by a search over the
+    /// cone.
     #[test]
     fn exact_impulses_are_the_nearest_of_the_cone() {
         for held in [

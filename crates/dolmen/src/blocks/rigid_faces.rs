@@ -1,12 +1,12 @@
-//! The rigid law on the points of one contact: unilateral, with Coulomb's disc.
+//! The rigid law at the points of one contact: unilateral contact with Coulomb's disc.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | ξ = (w, Ω) | `twist` | velocity of S relative to P at the frame's origin, and its spin, in that frame | m/s, rad/s |
 //! | u = G ξ | `slip`, `lift` | velocity of a point of S relative to P, along the plane and along its normal | m/s |
-//! | s | `offset` | addition to u from the positions, such that h (u + s) is the motion of the point in the step | m/s |
-//! | p | `impulse` | on S at a point: two along the plane, one along the normal | N s |
-//! | λ | `held` | the impulse stored by the multipliers | N s |
+//! | s | `offset` | addition to u from the positions, so that h (u + s) is the motion of the point in the step | m/s |
+//! | p | `impulse` | impulse on S at a point: two components along the plane, one along the normal | N s |
+//! | λ | `held` | impulse stored as multiplier | N s |
 //! | ϱ | `weight` | factor from velocity to impulse: ρ a m / A | kg |
 //! | κ | `kick_s` | time over which the impulses act; 0 in an impact | s |
 
@@ -16,17 +16,16 @@ use super::rigid_bed::{fit_bed, on_bed};
 use super::rigid_point::{ForceTorque, Part, Point};
 use glam::{DMat3, DVec3};
 
-/// Ratio ρ of the weights to the mass: ϱ = ρ × the mass of both bodies and of all above, divided by area. It affects the speed of
-/// convergence, not the result. Our choice, by trial.
+/// Ratio ρ of the weights to the mass: ϱ = ρ × the mass of both bodies and of all bodies above, divided by the area. It affects the speed
+/// of convergence, not the result. Our choice, by trial.
 const HARDNESS: f64 = 1e5;
-/// Relative difference allowed between the initial bed of a solution and the force of the last step. Our choice.
+/// Largest relative difference between the initial bed of a solution and the force of the last step. Our choice.
 const HELD_NEAR: f64 = 1e-3;
-/// Least weight along the plane of a point that did not press, as a share of that by its area. Our choice.
+/// Smallest weight along the plane of a point without pressure, as a fraction of the weight by its area. Our choice.
 const SHEAR_LEAST: f64 = 0.1;
-/// Least share of a face's weight for each of its points: slivers from clipping must also bear. Our choice.
+/// Smallest fraction of a face's weight for each of its points: slivers from clipping must also carry force. Our choice.
 const WEIGHT_LEAST: f64 = 1e-3;
 
-/// Mass of the bodies above a height.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MassAbove {
     /// Height of each body, from the top, m, and the total mass from the top to it.
@@ -46,7 +45,7 @@ impl MassAbove {
         MassAbove { heights }
     }
 
-    /// kg.
+    /// Mass above a height, kg.
     fn at(&self, height_m: f64) -> f64 {
         let count = self.heights.partition_point(|[height, _]| *height > height_m);
         count.checked_sub(1).map_or(0.0, |last| self.heights[last][1])
@@ -60,7 +59,7 @@ pub(super) struct Face {
     pub(super) plane_body: usize,
     pub(super) point_body: usize,
     pub(super) to_ground: DMat3,
-    /// From the centroids of P and S to the origin, in the ground's axes, m.
+    /// Vectors from the centroids of P and S to the origin, in the axes of the ground, m.
     pub(super) arms: [DVec3; 2],
     pub(super) points: Vec<Point>,
     /// Twist used for the offsets.
@@ -68,7 +67,7 @@ pub(super) struct Face {
     pub(super) restitution: Restitution,
     /// Whether the stored impulses are those of the last step.
     pub(super) warm: bool,
-    /// Whether the last sum partly used presumed contact states instead of the law.
+    /// Whether the last sum used presumed contact states instead of the law for some points.
     pub(super) swung: bool,
     /// Factor σ on the weights.
     pub(super) softness: f64,
@@ -76,7 +75,7 @@ pub(super) struct Face {
     pub(super) whole_weight: f64,
 }
 
-/// Derivative of the impulses on S with respect to the twist, with the opposite sign.
+/// Derivative of the impulses on S with respect to the twist, with negative sign.
 pub(super) type Stiffness = [[f64; 6]; 6];
 
 /// G ξ.
@@ -102,16 +101,16 @@ pub(super) fn add_wrench(sum: &mut ForceTorque, x: f64, y: f64, p: &[f64; 3]) {
 
 /// A point that slips.
 struct SlipState {
-    /// Unit vector of its friction.
+    /// Unit vector of its friction force.
     along: [f64; 2],
-    /// Remaining stiffness across it.
+    /// Remaining stiffness perpendicular to it.
     part: f64,
-    /// Growth of the friction with the pressure, 0 without pressure.
+    /// Increase of the friction with the pressure; 0 without pressure.
     friction: f64,
 }
 
-/// Adds a pressing point at x, y to the derivative of its face's impulses; `r` contains its stiffness along the normal and across it. Only
-/// the upper triangle, and the asymmetric terms of friction: rows 0, 1 and 5 of columns 2 to 4.
+/// Adds a point with pressure at x, y to the derivative of its face's impulses; `r` contains its stiffness along the normal and along the
+/// plane. Only the upper triangle and the asymmetric terms of friction: rows 0, 1 and 5 of columns 2 to 4.
 #[inline(always)]
 fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [r, r_t]: [f64; 2], slipping: Option<SlipState>) {
     let (a, b, c) = match &slipping {
@@ -146,8 +145,8 @@ fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [r, r_t]: [f64; 2], slippi
 }
 
 impl Face {
-    /// A patch at the present pose of its bodies (`motion`), and at their pose after a step of `h` s at unchanged velocities
-    /// (`ahead`). `push_out_s` is the time in which penetrations are removed.
+    /// A patch at the current pose of its bodies (`motion`), and at their pose after a step of `h` s with unchanged velocities (`ahead`).
+    /// Penetrations are removed within `push_out_s`.
     pub(super) fn of(
         (pair, patch): (usize, &Patch),
         bodies: &[RigidBody],
@@ -204,13 +203,13 @@ impl Face {
                 });
             }
         }
-        // the mass above also presses: the joint stops more mass than that of its two stones
+        // the mass above also presses, so that the joint stops more mass than that of its two stones
         let mass = 1.0 / (p.inverse_mass + s.inverse_mass) + above.at(motion.origin.z);
         face.whole_weight = HARDNESS * mass;
         face
     }
 
-    /// Sets the weights of the active points, with the weight of the face as their sum.
+    /// Sets the weights of the active points; their sum is the weight of the face.
     pub(super) fn weigh(&mut self) {
         let near = |point: &&mut Point| point.part == Part::Near;
         let area: f64 = self.points.iter_mut().filter(near).map(|point| point.area).sum();
@@ -253,8 +252,8 @@ impl Face {
     ///
     /// `presume`: keep the points that pressed and slipped instead of evaluating the law, at the start of a solution.
     ///
-    /// A point that would slip in alternating directions counts as stuck in the next Newton step: `swung` marks that there
-    /// was one, so that the sum is not that of the law.
+    /// A point that would slip in alternating directions is stuck in the next Newton step. `swung` marks such a case, in which the sum is
+    /// not that of the law.
     pub(super) fn contact_force(
         &mut self,
         twist: &ForceTorque,
@@ -312,7 +311,7 @@ impl Face {
                 point.impulse = [0.0; 3];
                 continue;
             }
-            // with presumed states, the disc is that of the stored impulse
+            // with presumed states, the radius of the disc is that of the stored impulse
             let radius = if presume {
                 point.friction * point.held[2].max(0.0)
             } else {
@@ -348,14 +347,14 @@ impl Face {
         sum
     }
 
-    /// Clears the directions of slip.
+    /// Deletes the stored directions of slip.
     pub(super) fn forget(&mut self) {
         for point in &mut self.points {
             point.along = [0.0; 2];
         }
     }
 
-    /// Largest deviation of a point from its law as a velocity, m/s: the change of the impulses by another update, over ϱ.
+    /// Largest residual of the law at a point as a velocity, m/s: the change of the impulses by another update, over ϱ.
     pub(super) fn residual(&self) -> f64 {
         let near = self.points.iter().filter(|point| point.part == Part::Near);
         near.map(|point| {
@@ -381,8 +380,8 @@ impl Face {
         sum
     }
 
-    /// Replaces the offsets along the plane by the nearest rigid motion, weighted where the face presses: rotation shortens the
-    /// projection of a face, and sticking points would otherwise contradict each other.
+    /// Replaces the offsets along the plane by the nearest rigid motion, weighted by the pressure. A rotation shortens the projection of a
+    /// face, and sticking points would otherwise contradict each other.
     pub(super) fn rigid_offsets(&mut self) {
         let weight = |point: &Point| match (self.warm, point.part) {
             (true, _) => point.held[2],
@@ -417,7 +416,7 @@ impl Face {
         }
     }
 
-    /// Distributes an impulse on S over the near points: pressure as on a bed, and friction in proportion.
+    /// Distributes an impulse on S over the near points: pressure as on a bed, and friction proportional to it.
     pub(super) fn hold(&mut self, wrench: &ForceTorque, bed: &mut [f64; 3]) {
         let near = |point: &&mut Point| point.part == Part::Near;
         if !fit_bed(&self.points, wrench, bed, HELD_NEAR) {

@@ -4,7 +4,8 @@ use super::rigid_run::{Run, six};
 use super::rigid_solve::Inertia;
 use glam::{DMat3, DVec3};
 
-/// Mass of moving ground over that of all stones: they change its velocity by less than a billionth of g × step. Our choice.
+/// Mass of moving ground over that of all stones. Our choice: stones change its velocity by less than a billionth of g ×
+/// step.
 const HEAVY: f64 = 1e9;
 
 impl Run {
@@ -12,7 +13,7 @@ impl Run {
         HEAVY * self.assembly.bodies.iter().map(|body| body.mass).sum::<f64>()
     }
 
-    /// Includes moving ground in a solution, with its velocity and a mass so large that the velocity does not change.
+    /// Adds the moving ground to a solution, with its velocity and a mass so large that the velocity does not change.
     pub(super) fn hold_ground(&mut self) {
         let mass = self.ground_mass();
         for index in self.assembly.stones().end..self.assembly.bodies.len() {
@@ -27,7 +28,7 @@ impl Run {
         }
     }
 
-    /// Solved impulse of stones on moving ground, N s.
+    /// Impulse of the stones on moving ground in the solution, N s.
     pub(super) fn push_on_ground(&self, index: usize) -> DVec3 {
         let [x, y, z, ..] = self.velocity[index];
         (DVec3::new(x, y, z) - self.assembly.bodies[index].velocity) * self.ground_mass()

@@ -7,23 +7,23 @@ use super::rigid_run::{FOUND_M, Ground, IMPACT_FROM, Run, Unsolved, halves, six}
 use super::rigid_solve::Inertia;
 use glam::DVec3;
 
-/// Impacts closer together than this fraction of a step count as one. Our choice.
+/// Impacts closer together than this fraction of a step are one impact. Our choice.
 const SAME_TIME: f64 = 0.01;
-/// Largest number of halvings of a rebound until the impact creates no energy; after the last there is no rebound.
+/// Largest number of halvings of a rebound until the impact creates no energy; after them there is no rebound.
 const REBOUNDS_MOST: usize = 6;
-/// Relative energy that counts as zero. Our choice.
+/// Relative energy below which it counts as zero. Our choice.
 const ROUNDING: f64 = 1e-9;
 /// Tolerance of the restitution of a rocking joint, relative to the closing velocity, and largest number of trial solutions. Our choice.
 const KEPT_TO: f64 = 1e-6;
 const BRAKES_MOST: usize = 6;
-/// Largest couple in the search, relative to the first estimate, which is for the stone alone: the mass on its edge makes the couple up to about ten
-/// times as large. Our choice.
+/// Largest couple in the search, relative to the first estimate. The estimate is for the stone alone; mass on its edge makes the couple up to about
+/// ten times as large. Our choice.
 const COUPLE_MOST: f64 = 100.0;
 
-/// Largest number of false-position steps for locating an impact.
+/// Largest number of false-position steps for an impact.
 const FIND_MOST: usize = 30;
 
-/// A joint in which a stone rocks from edge to edge, and the velocity that the middle of the contact keeps, m/s.
+/// A joint in which a stone rocks from edge to edge, and the velocity that remains at the middle of the contact, m/s.
 struct Rocking {
     face: usize,
     at: [f64; 2],
@@ -31,7 +31,7 @@ struct Rocking {
 }
 
 impl Run {
-    /// Time of the first impact in the rest of the step, by the method of false position (Illinois).
+    /// Time of the first impact in the remaining step, by the method of false position (Illinois).
     pub(super) fn first_meeting(&self, left_s: f64) -> f64 {
         let least_gap = |part_s: f64| {
             let bodies = self.drifted(part_s);
@@ -67,14 +67,14 @@ impl Run {
         low
     }
 
-    /// Advances the stack to an impact `part_s` from now, and resolves it.
+    /// Advances the stack to an impact after `part_s`, and resolves the impact.
     pub(super) fn strike(&mut self, time_s: f64, part_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
         let there = self.drifted(part_s);
         for (body, there) in self.assembly.bodies.iter_mut().zip(&there).skip(1) {
             (body.position, body.turn, body.rotation) = (there.position, there.turn, there.rotation);
             body.travel = there.travel;
         }
-        // up to the impact, only points that touched before it are active
+        // up to the impact, only points that were in contact before it are active
         let parts = |face: &Face| face.points.iter().map(|point| point.part).collect();
         let parts_before: Vec<Vec<Part>> = self.faces.iter().map(parts).collect();
         self.see_faces(self.h, 0.0);
@@ -140,7 +140,7 @@ impl Run {
             if self.kinetic(&self.velocity) <= before * (1.0 + ROUNDING) {
                 break;
             }
-            // stones that strike several others would gain energy: reduce the rebound
+            // an impact on several stones would create energy: reduce the rebound
             self.velocity.clone_from(&start);
             for face in &mut self.faces {
                 face.rebound_less();
@@ -154,8 +154,8 @@ impl Run {
         Ok(())
     }
 
-    /// Reduces the velocity of a joint after an impact at its edge to its restitution, by a couple against its rotation, such that the middle of the
-    /// contact keeps `keeps_m_s`. Velocities are linear in the couple while the same points are active, so a secant method finds it.
+    /// Reduces the velocity of a joint after an impact at its edge according to its restitution. A couple against the rotation makes the velocity at
+    /// the middle of the contact `keeps_m_s`. Velocities are linear in the couple while the same points are active, so a secant method finds it.
     fn brake(&mut self, of: &Rocking) -> Result<(), Unsolved> {
         let opening = |run: &Run| {
             let twist = run.faces[of.face].twist_of(&run.velocity);
@@ -176,7 +176,7 @@ impl Run {
         let most = COUPLE_MOST * couple.length();
         for _ in 0..BRAKES_MOST {
             let is_done = (now - of.keeps_m_s).abs() <= KEPT_TO * of.keeps_m_s;
-            // no couple reaches the target: other points support the stone
+            // no couple reaches the target, because other points support the stone
             if is_done || couple.is_nan() || couple.length() > most {
                 break;
             }
@@ -206,7 +206,7 @@ impl Run {
 }
 
 impl Face {
-    /// Adds the rebound of an impact: the mean normal velocity of the contact points becomes at least −e times that before. The impulse acts
+    /// Adds the rebound of an impact: the mean normal velocity of the contact points becomes at least −e times its value before. The impulse acts
     /// uniformly on these points, that is at their middle. `None` if no contact closes fast enough for an impact.
     fn rebound(&mut self, before: &ForceTorque, slow: f64, restitution: f64) -> Option<([f64; 2], f64)> {
         let (mut area, mut at) = (0.0, [0.0; 2]);
@@ -225,7 +225,7 @@ impl Face {
         let keeps_m_s = -restitution * velocity(before, at[0], at[1])[2];
         self.points.push(Point {
             friction,
-            gap_ahead: keeps_m_s, // to detect when little of it is left
+            gap_ahead: keeps_m_s, // to detect when only a little of it remains
             offset: [0.0, 0.0, -keeps_m_s],
             part: Part::Near,
             index: usize::MAX,

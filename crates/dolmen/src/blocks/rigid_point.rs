@@ -9,40 +9,38 @@ pub(super) enum Part {
     Near,
 }
 
-/// One point of a contact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point {
     pub(super) x: f64,
     pub(super) y: f64,
     pub(super) area: f64,
     pub(super) weight: f64,
-    /// Weight along the plane: larger where the pressure is larger.
+    /// Weight along the plane; it increases with the pressure.
     pub(super) shear_weight: f64,
-    /// Expected share of the force; negative if no force on the face is expected.
+    /// Expected fraction of the force on the face; negative if no force is expected.
     pub(super) share: f64,
     pub(super) friction: f64,
-    /// Gap now, m.
     pub(super) gap: f64,
     /// Gap at the end of the step at unchanged velocities, m.
     pub(super) gap_ahead: f64,
-    /// Along the two axes of the plane, then the normal.
+    /// Components along the two axes of the plane, then along the normal.
     pub(super) offset: [f64; 3],
     pub(super) held: [f64; 3],
     pub(super) impulse: [f64; 3],
-    /// μ |u_t| as fixed by a convex problem, m/s.
+    /// μ |u_t| as fixed for a convex problem, m/s.
     pub(super) lift: f64,
     pub(super) part: Part,
     pub(super) slips: bool,
     /// Whether it slipped in the last step.
     pub(super) slid: bool,
-    /// Direction of its slip in the last Newton step; zeros without slip.
+    /// Direction of its slip in the last Newton step; zero without slip.
     pub(super) along: [f64; 2],
-    /// Index in the patch; beyond it for points added for an impact.
+    /// Index in the patch; larger indices are points added for an impact.
     pub(super) index: usize,
 }
 
 impl Point {
-    /// A point away from all.
+    /// A point without contact.
     pub(super) fn at([x, y]: [f64; 2], area: f64) -> Self {
         Point {
             x,

@@ -1,6 +1,6 @@
-//! Decides by equilibrium alone whether a stack moves rigidly with the ground. This needs every stone to stand on exactly one joint:
-//! the force in each joint is then known, and the stack holds if one distribution of this force over the contact points satisfies
-//! the contact law.
+//! Decides by equilibrium alone whether a stack moves rigidly with the ground. Every stone must stand on exactly one joint, so that
+//! the force in each joint is known. The stack holds if some distribution of this force over the contact points satisfies the
+//! contact law.
 
 use super::assembly::Assembly;
 use super::rigid_bed::{fit_bed, on_bed};
@@ -8,9 +8,9 @@ use super::rigid_faces::Face;
 use super::rigid_point::{ForceTorque, Part};
 use glam::{DMat3, DVec3};
 
-/// Tolerance of the force balance, relative, for rounding. Our choice.
+/// Relative tolerance of the force balance; allows for rounding. Our choice.
 const BALANCED: f64 = 1e-12;
-/// Largest fraction of the friction that may be used, for rounding. Our choice.
+/// Largest fraction of the friction that may be used; allows for rounding. Our choice.
 const FRICTION_PART: f64 = 1.0 - 1e-9;
 
 /// A joint and the mass above it.
@@ -90,14 +90,15 @@ impl AtRest {
         Some(AtRest { joints, held: false })
     }
 
-    /// Whether the stack holds while a force of `pull`, N/kg, balances every kilogram. `false` means that this method cannot decide.
+    /// Whether the stack stays at rest while a force of `pull`, N/kg, acts on all masses. `false` means that this method cannot
+    /// decide.
     pub(super) fn holds(&mut self, pull: DVec3) -> bool {
         self.held = self.joints.iter_mut().all(|joint| joint.holds(pull));
         self.held
     }
 
-    /// The force and torque that each joint must transmit so that nothing moves: pair, body of the plane, force and torque on S
-    /// about the origin of the plane.
+    /// The force and torque that each joint must transmit if nothing moves: pair, body of the plane, force and torque on S about the
+    /// origin of the plane.
     pub(super) fn carried(&self, pull: DVec3) -> impl Iterator<Item = (usize, usize, ForceTorque)> {
         self.joints
             .iter()

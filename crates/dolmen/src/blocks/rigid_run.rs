@@ -3,7 +3,7 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | h, τ | `h`, `left_s` | step; its remaining part | s |
-//! | κ | `kick_s` | duration of a kick: from the time of the velocities to the middle of the next drift | s |
+//! | κ | `kick_s` | duration of a kick, from the time of the velocities to the middle of the next drift | s |
 //! | – | `lag_s` | time by which velocities lag behind positions | s |
 
 use super::assembly::Assembly;
@@ -18,30 +18,30 @@ use super::rigid_rest::AtRest;
 use super::rigid_solve::{Inertia, LOOSE_FROM_M_S, Momentum, Solver};
 use glam::DVec3;
 
-/// Gap up to which a point counts as touching, m: far above rounding, far below visible gaps. Our choice.
+/// Gap up to which a point counts as in contact, m. Our choice: far above rounding, far below visible gaps.
 const TOUCHES_M: f64 = 1e-8;
 /// Gap at which the time of an impact is found, m. Our choice.
 pub(super) const FOUND_M: f64 = 1e-10;
-/// Most impacts located in one step; further ones are resolved at its end. Our choice.
+/// Largest number of impacts located in one step; further ones are resolved at its end. Our choice.
 const IMPACTS_MOST: usize = 30;
-/// Closing velocity, over g h, from which an impact is located inside the step and restitution applies: slower ones are an effect of
-/// the step. Our choice.
+/// Closing velocity, over g h, from which an impact is located inside the step and has restitution. Our choice: slower impacts are an
+/// effect of the step.
 pub(super) const IMPACT_FROM: f64 = 0.5;
-/// Velocity below which a stack is at rest, m/s: ten times the tolerance of a solution. Our choice: in terms of acceleration over a step,
+/// Velocity below which a stack is at rest, m/s: ten times the tolerance of a solution. Our choice: as an acceleration over a step, it is
 /// 1e-5 g.
 const AT_REST_M_S: f64 = 1e-7;
-/// Most additions of closing points to a solution.
+/// Largest number of times that closing points are added to a solution.
 const ADDED_MOST: usize = 8;
 /// Velocity along the plane from which a point slips, m/s. Our choice.
 const SLIPS_FROM_M_S: f64 = 1e-7;
-/// Shortest rest of a step that is computed after an impact, as a fraction: rounding. Our choice.
+/// Shortest remainder of a step that is computed after an impact, as a fraction; allows for rounding. Our choice.
 const SHORTEST_PART: f64 = 1e-9;
-/// Gap error of points at the end of a drift that is accepted if further iterations do not reduce it, m: a tenth of a micrometre. Chosen
-/// here.
+/// Gap error of points at the end of a drift that is accepted if further iterations do not reduce it, m: a tenth of a micrometre. Our
+/// choice.
 const OFF_WORST_M: f64 = 1e-7;
-/// Most halvings of a drift without a solution for the whole. Our choice.
+/// Largest number of halvings of a drift without a solution. Our choice.
 const HALVINGS_MOST: usize = 6;
-/// Depth of new points from which they are not pushed out, m. Our choice.
+/// Depth above which new points are not pushed out, m. Our choice.
 const HOLDS_FROM_M: f64 = 1e-9;
 
 /// Energies of a step: work input, work of contacts, friction loss, J.
@@ -58,7 +58,6 @@ pub(super) struct Memory {
     force: ForceTorque,
     bed: [f64; 3],
     plane_body: usize,
-    /// Points that slipped.
     slid: Vec<bool>,
     pub(super) known: bool,
 }
@@ -71,19 +70,18 @@ enum OpenPoints {
     Hard,
 }
 
-/// Residual of the last attempt, m/s, when a step has no solution.
+/// Residual of the last attempt, m/s, if a step has no solution.
 pub(super) type Unsolved = f64;
 
 /// Acceleration of the ground at a time.
 pub(super) type Ground<'a> = &'a dyn Fn(f64) -> DVec3;
 
-/// State of a run.
 pub(super) struct Run {
     pub(super) assembly: Assembly,
     pub(super) evidence: RigidEvidence,
     pub(super) h: f64,
     pub(super) solver: Solver,
-    /// Pairs of bodies of the present solver.
+    /// Pairs of bodies in the current solver.
     pub(super) touching: Vec<[usize; 2]>,
     pub(super) faces: Vec<Face>,
     pub(super) memory: Vec<Memory>,
@@ -95,7 +93,7 @@ pub(super) struct Run {
     held: Forces,
     pub(super) at_rest: Option<AtRest>,
     pub(super) lag_s: f64,
-    /// Length of the drift of the solved velocities.
+    /// Length of the drift for which velocities are solved.
     pub(super) drift_s: f64,
     /// Whether an impact is being resolved.
     pub(super) strikes: bool,
@@ -106,7 +104,6 @@ pub(super) struct Run {
     pub(super) acceleration: Vec<DVec3>,
     pub(super) forces: Forces,
     pub(super) counted: StepEnergy,
-    /// Moving ground.
     pub(super) ground: OwnGround,
 }
 
@@ -202,7 +199,7 @@ impl Run {
         }
     }
 
-    /// Solves for the velocities in the middle of a drift of `left_s`, or of the largest half, quarter … of it with a solution.
+    /// Solves for the velocities in the middle of a drift of `left_s`. Without a solution, the drift is halved until there is one.
     fn kick_on(&mut self, time_s: f64, left_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
         self.drift_s = left_s;
         let mut kicked = self.kick(time_s, ground);
@@ -248,7 +245,7 @@ impl Run {
         rests
     }
 
-    /// The present faces, for a drift of `h` s.
+    /// Evaluates the current faces for a drift of `h` s.
     pub(super) fn see_faces(&mut self, h: f64, same_time_s: f64) {
         let mut ahead: Vec<RigidBody> = self.assembly.bodies.clone();
         let moves = |body: &RigidBody| body.velocity != DVec3::ZERO || body.spin != DVec3::ZERO;
@@ -285,7 +282,7 @@ impl Run {
         }
     }
 
-    /// Solves for the velocities in the middle of the drift, including contacts that close slowly in it.
+    /// Solves for the velocities in the middle of the drift, including contacts that close slowly during it.
     fn kick(&mut self, time_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
         let h = self.drift_s;
         self.see_faces(h, 0.0);
@@ -301,7 +298,7 @@ impl Run {
         Ok(())
     }
 
-    /// Solves for the velocities at the end of a kick, with the present faces; bodies are rotated forward by `ahead_s`.
+    /// Solves for the velocities at the end of a kick, with the current faces; the bodies are rotated forward by `ahead_s`.
     pub(super) fn kick_over(
         &mut self,
         time_s: f64,
@@ -361,7 +358,7 @@ impl Run {
             inertia: &self.inertia,
             free: &self.momentum,
         };
-        // the next drift resolves closing velocities that an impact leaves below its threshold
+        // closing velocities that an impact leaves below its threshold are resolved by the next drift
         let worst_m_s = match self.strikes {
             true => IMPACT_FROM * self.assembly.gravity * self.h,
             false => OFF_WORST_M / self.drift_s,
@@ -413,7 +410,7 @@ impl Run {
         meets
     }
 
-    /// Activates open points that would close in a drift of `left_s` at no more than `most` m/s; returns whether there were any.
+    /// Activates open points that would close in a drift of `left_s` at no more than `most` m/s. Returns whether there were any.
     fn add_meeting(&mut self, left_s: f64, most: f64) -> bool {
         let mut any = false;
         for index in 0..self.faces.len() {
@@ -445,7 +442,7 @@ impl Run {
         bodies
     }
 
-    /// Gives the solved velocities to the bodies, and counts the energies.
+    /// Sets the bodies to the solved velocities, and adds the energies.
     pub(super) fn commit(&mut self) {
         let small = |v: &ForceTorque| v.iter().all(|value| value.abs() < AT_REST_M_S);
         let rests = self.velocity.iter().all(small);
@@ -510,7 +507,7 @@ impl Run {
         }
     }
 
-    /// Does not push out new points that penetrate as drawn or undetected.
+    /// Prevents new points that penetrate as drawn or undetected from being pushed out.
     fn hold_overlaps(&mut self) {
         let looked = self.assembly.looked().to_vec();
         for pair in looked {

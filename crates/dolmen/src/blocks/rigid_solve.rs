@@ -1,7 +1,7 @@
-//! Solves one step of the rigid law: velocities at which momentum balances and every contact point satisfies its law.
+//! Solves one step of the rigid law: the velocities at which momentum balances and every contact point satisfies its law.
 //!
 //! ```text
-//! M v − b − Σ Gᵀ p(v) = 0,   p(v) = the law's projection of λ − σ ϱ (u + s),   λ ← p until they agree
+//! M v − b − Σ Gᵀ p(v) = 0,   p(v) = projection by the law of λ − σ ϱ (u + s),   λ ← p until they agree
 //! ```
 //!
 //! Newton's method solves the inner equation with 6 × 6 blocks of the bodies (LU within their skyline: block-tridiagonal for a chain). The
@@ -16,20 +16,20 @@ use glam::{DMat3, DVec3};
 
 /// Residual of the momentum balance, over the mass, at which Newton's method ends, m/s. Our choice: far below any visible motion.
 pub(super) const LEFT_MOST_M_S: f64 = 1e-9;
-/// Residual of the contact law, m/s, at which a solution is converged, or at which it is accepted if further updates do not reduce it. Chosen
-/// here.
+/// Residual of the contact law, m/s, at which a solution has converged, or at which it is accepted if further updates do not reduce it. Our
+/// choice.
 pub(super) const OFF_MOST_M_S: f64 = 1e-8;
 const STAYS_M_S: f64 = 1e-6;
-/// Residual of the contact law from which an accepted solution counts as loose, m/s. Our choice.
+/// Residual of the contact law above which an accepted solution is inaccurate, m/s. Our choice.
 pub(super) const LOOSE_FROM_M_S: f64 = 1e-6;
-/// With unchanged weights: largest number of Newton steps per set of multipliers, and largest number of updates of the multipliers. Chosen
-/// here.
+/// With unchanged weights: largest number of Newton steps per set of multipliers, and largest number of updates of the multipliers. Our
+/// choice.
 const DIRECT_STEPS: usize = 10;
 const DIRECT_ROUNDS: usize = 20;
 /// Factor by which each update of the multipliers must reduce the residual of the contact law. Our choice.
 const SLOWEST: f64 = 0.8;
-/// Parameters of soft weights: the first σ, the factor to the next, Newton steps and halvings for each, sets of multipliers, and number of
-/// sets without a solution after which the method stops. Our choice, on falling stacks of 10 to 20 stones.
+/// Parameters of soft weights: the first σ, the factor to the next σ, Newton steps and halvings for each, sets of multipliers, and number of
+/// sets without a solution after which the method stops. Our choice, from tests on falling stacks of 10 to 20 stones.
 const SOFTEST_FIRST: f64 = 1e-2;
 const HARDER: f64 = 10.0;
 const SOFT_STEPS: usize = 20;
@@ -62,7 +62,6 @@ pub(super) struct Solved {
     pub(super) rounds: usize,
 }
 
-/// Options of Newton's method.
 #[derive(Clone, Copy, Debug)]
 struct NewtonOptions {
     /// Start from the active contacts and slips of the previous solution instead of evaluating the law.
@@ -72,16 +71,14 @@ struct NewtonOptions {
     steps_most: usize,
 }
 
-/// Residual of the momentum balance.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct MomentumResidual {
     /// Largest component, as a velocity, m/s.
     pub(super) largest_m_s: f64,
-    /// Kinetic energy of all bodies, J.
     energy_j: f64,
 }
 
-/// A tentative solution and its residual.
+/// A trial solution and its residual.
 #[derive(Clone, Debug)]
 pub(super) struct Candidate {
     pub(super) residual_m_s: f64,
@@ -89,12 +86,12 @@ pub(super) struct Candidate {
     pub(super) held: Vec<Vec<[f64; 3]>>,
 }
 
-/// How contact forces follow from a velocity.
+/// Calculation of the contact forces from a velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Pressing {
     /// From the contact law itself.
     ByLaw {
-        /// Assume that the same points stay active and slip, as in [`Face::contact_force`].
+        /// Whether the same points are assumed to stay active and to slip, as in [`Face::contact_force`].
         presume: bool,
     },
     /// From the convex problem with fixed lifts.
@@ -159,8 +156,8 @@ impl Solver {
         solved
     }
 
-    /// Solves with softer weights, for which Newton's method rarely cycles. The multipliers are passed on to ever harder weights, as long as
-    /// solutions exist.
+    /// Solves with softer weights, for which Newton's method rarely cycles. The multipliers are passed on to harder and harder weights, as
+    /// long as there are solutions.
     fn softly(
         &mut self,
         of: Momentum<'_>,
@@ -170,7 +167,7 @@ impl Solver {
         solved: &mut Solved,
     ) {
         let (mut softness, mut harder, mut failures) = (SOFTEST_FIRST, HARDER, 0);
-        // the hardest weights with a solution so far; 0 for none
+        // the hardest weights with a solution so far; 0 if there is none
         let mut served = 0.0;
         let mut best = start.clone();
         let mut last = start;

@@ -1,11 +1,11 @@
-//! Duration of a run: a run that ends while stones move has no verdict, so it continues for some time.
+//! Duration of a run. A run that ends while stones move has no verdict, so it is extended for some time.
 
 use super::assembly::Assembly;
 use super::error::BlocksError;
 use super::history::StackHistory;
 use super::observe::{Observer, whole_at_least};
 
-/// Time between tests whether a run may end, s. Our choice: relevant periods are several times as long.
+/// Time between tests whether a run may end, s. Our choice: relevant periods are several times longer.
 const AGAIN_S: f64 = 0.1;
 
 /// Largest number of steps without confirmation by the user. Our choice: with 20 stones they take about ten minutes.
@@ -13,7 +13,7 @@ const STEPS_MOST: f64 = 2e7;
 /// Largest number of history samples of such a run. Our choice: with 20 stones they take a few gigabytes.
 const SAMPLES_MOST: f64 = 1e6;
 
-/// Longest time between samples, s, of any run, however short: it then has only its first sample.
+/// Longest accepted time between samples of any run, s; a shorter run may have only its first sample.
 const SAMPLED_AT_LEAST_S: f64 = 1.0;
 
 /// Duration of a run, in steps.
@@ -28,10 +28,10 @@ pub(super) struct RunLength {
 }
 
 impl RunLength {
-    /// `given_s`; or the shaking, the time to rest, and up to [`StackHistory::LONGER_MOST_S`] more if the stack needs it.
+    /// Uses `given_s`, or the shaking, the time to rest, and up to [`StackHistory::LONGER_MOST_S`] more if the stack needs it.
     ///
     /// # Errors
-    /// [`BlocksError`] where the time between samples exceeds the run, or where the run needs more than [`STEPS_MOST`] steps of `h` or
+    /// [`BlocksError`] if the time between samples exceeds the run, or if the run needs more than [`STEPS_MOST`] steps of `h` or
     /// [`SAMPLES_MOST`] samples and `however_long` is false.
     pub(super) fn of(
         given_s: Option<f64>,
@@ -56,7 +56,7 @@ impl RunLength {
             ),
         ];
         for (what, count, most) in works {
-            // a number of steps beyond any counter is rejected anyway
+            // a number of steps beyond any counter is refused anyway
             if count > most && !(however_long && count < u32::MAX.into()) {
                 return Err(BlocksError::TooLong { what, count, most });
             }
@@ -75,7 +75,6 @@ impl RunLength {
         })
     }
 
-    /// The step of the next test.
     pub(super) fn due(&self) -> usize {
         self.due
     }

@@ -1,7 +1,7 @@
 //! A pile of flat blocks that slide and twist on each other but do not rock: a second method in addition to the two contact laws.
 //!
-//! Between state changes of joints (release, stop) the motion is smooth. An implicit Runge–Kutta method of fourth order with error
-//! control integrates it; steps end where a joint changes its state.
+//! Between state changes of joints (release, stop) the motion is smooth and is integrated by an implicit Runge–Kutta method of
+//! fourth order with error control. Steps end where a joint changes its state.
 
 use super::contact_points::ContactRule;
 use super::error::{BlocksError, check_times};
@@ -15,7 +15,7 @@ use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 use glam::{DVec2, DVec3};
 
-/// Stages, their weights and times, and the weights of the error: SDIRK with five stages, orders 4 and 3, L-stable.
+/// Coefficients of SDIRK with five stages, orders 4 and 3, L-stable: stages, their weights and times, and the weights of the error.
 ///
 /// # Source
 /// Hairer, E. & Wanner, G. (1996) Solving Ordinary Differential Equations II, 2nd ed., table IV.6.5.
@@ -40,9 +40,9 @@ const TOWARDS_STOP: f64 = 0.9;
 /// Smoothing of friction at rest, over gravity, from the first to the last step of its reduction.
 const SMOOTH_FIRST: f64 = 10.0;
 const SMOOTH_LAST: f64 = 1e-13;
-/// Acceleration over gravity from which a joint at rest counts as released.
+/// Acceleration over gravity above which a joint at rest is released.
 const MOVES: f64 = 1e-8;
-/// Fraction of the weight that counts as zero. Our choice: more than the change in a shortest step.
+/// Fraction of the weight that is zero except for rounding. Our choice: more than the change in a shortest step.
 const WEIGHTLESS: f64 = 1e-7;
 /// Shortest step, s: the run ends if it has no solution.
 const STEP_LEAST_S: f64 = 1e-11;
@@ -60,7 +60,7 @@ pub struct Sliding {
     pub rest_s: f64,
     /// Time between samples of the history, s. Default 0.01.
     pub output_step_s: f64,
-    /// Initial sliding velocity, m/s, and spin, rad/s, of each block relative to the one below, counted from the bottom. Default
+    /// Initial sliding velocity, m/s, and spin, rad/s, of each block relative to the block below, counted from the bottom. Default
     /// empty: at rest.
     pub starts: Vec<[f64; 3]>,
 }
@@ -80,12 +80,12 @@ impl Default for Sliding {
 
 /// Motion of a pile of blocks with level beds that slide and twist on each other under base motion of up to three components.
 ///
-/// `progress` gets the simulated time at intervals, and stops the run by returning false.
+/// `progress` receives the simulated time at intervals, and stops the run by returning false.
 ///
 /// ```text
 /// m_i (v̇_i + a_g) = F_i − F_{i+1},   I_i ω̇_i = T_i − T_{i+1} − d × F_{i+1}
-/// N_i(x, y) = C (1 + α x + β y), nowhere tension, balances the weight and the overturning moment of all above
-/// (F_i, T_i) = −∫ μ N u/|u| dA where the joint slides with u(x, y);  within reach of that where it is stuck
+/// N_i(x, y) = C (1 + α x + β y), without tension, balances the weight and the overturning moment of all blocks above
+/// (F_i, T_i) = −∫ μ N u/|u| dA if the joint slides with u(x, y);  within the limit surface of friction if it is stuck
 /// ```
 /// One law describes stick, slide, twist and both together; blocks that stick to each other move as one.
 ///
@@ -164,7 +164,6 @@ pub fn simulate_sliding(
     Ok(run.record.finish(outcome, &run.state, run.time_s))
 }
 
-/// A trial step.
 struct Step {
     state: State,
     k: Vec<Twist>,
@@ -271,7 +270,7 @@ impl Run<'_> {
 
     fn end(&self, trouble: NoAcceleration) -> Result<SlidingOutcome, BlocksError> {
         match trouble {
-            // without weight there is no pressure, so no rocking either
+            // without weight there is no pressure, and therefore no rocking
             NoAcceleration::Rocks(_) if self.shaking(self.time_s).weight < WEIGHTLESS * self.gravity => {
                 Ok(SlidingOutcome::LeftTheGround { at_s: self.time_s })
             }
@@ -309,7 +308,7 @@ impl Run<'_> {
         }
     }
 
-    /// Magnitude of a twist as a velocity: the spin counts at the half diagonal of a square bed.
+    /// Magnitude of a twist as a velocity: the spin is multiplied by the half diagonal of a square bed.
     fn size(&self, joint: usize, twist: Twist) -> f64 {
         twist
             .truncate()
@@ -332,7 +331,7 @@ impl Run<'_> {
         most
     }
 
-    /// Rate of decrease −½ d(size²)/dt of a joint's velocity.
+    /// Rate of decrease of a joint's velocity, −½ d(size²)/dt.
     fn slowing(&self, joint: usize) -> f64 {
         let (w, k) = (self.state.twists[joint], self.k[joint]);
         let half = 0.5 * self.chain.stones[joint].bed_size;
@@ -354,7 +353,7 @@ impl Run<'_> {
         stopped
     }
 
-    /// Determines which joints at rest are released and their motion; returns the largest friction ratio of the others.
+    /// Determines which joints at rest are released, and their motion. Returns the largest friction ratio of the other joints.
     fn release(&mut self) -> Result<f64, NoAcceleration> {
         let n = self.slides.len();
         let at_rest: Vec<bool> = self
@@ -424,7 +423,7 @@ impl Run<'_> {
         let solved = self.chain.accelerations(&stage, &self.k)?;
         let gauge = self.gauge(&solved, shaking)?;
         self.k = solved.k;
-        // the search found that the joint sticks: rounding must not release it immediately
+        // the joint sticks by this search: rounding must not release it immediately
         Ok(gauge.min(1.0 - LETS_GO))
     }
 

@@ -1,16 +1,16 @@
-//! One flat bed of the sliding model: pressure that balances a force and a moment, and the friction it can give.
+//! One flat bed of the sliding model: pressure that balances a force and a moment, and the available friction.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | x_p, A_p | `place`, `area` | points of the bed in plan, and their tributary areas | m, m² |
 //! | N_p | `force_n` | normal force at a point | N |
-//! | X | `resultant_m` | where the normal force acts | m |
+//! | X | `resultant_m` | point of application of the normal force | m |
 //! | u | [`Twist`] | sliding velocity at a reference point, and spin | m/s, rad/s |
 //! | W | [`Wrench`] | force and torque about the same point | N, N m |
 
 use glam::{DMat3, DVec2, DVec3};
 
-/// Most iterations in which points without pressure are removed.
+/// Largest number of iterations in which points without pressure are removed.
 const ROUNDS_MOST: usize = 50;
 /// Largest number of iterations for the ratio of required to available friction of a joint.
 const GAUGE_STEPS_MOST: usize = 40;
@@ -19,15 +19,15 @@ const GAUGE_SMOOTH: f64 = 1e-6;
 
 /// Squared friction radius of a point's tributary area, over the area, because the area also resists spin about its own point.
 /// Without it the centre of rotation would be trapped at a point. Our choice: a quarter of the value for a disc of that area.
-/// Pure twisting of 6 × 6 points is then 1.0 % too strong instead of 0.6 %.
+/// The resistance of 6 × 6 points to pure twisting is then 1.0 % too large instead of 0.6 %.
 const CELL: f64 = 1.0 / (16.0 * std::f64::consts::PI);
 
-/// Sliding and spin of one face on another; the third component the spin.
+/// Sliding and spin of one face on another; the third component is the spin.
 pub(super) type Twist = DVec3;
-/// Force and torque in the plane of a face.
+/// Force and torque in the plane of a face; the third component is the torque.
 pub(super) type Wrench = DVec3;
 
-/// A rotated by 90°: the velocity of a point at A from the centre of a unit spin.
+/// A rotated by 90°: the velocity of a point at A under unit spin about the origin.
 pub(super) fn turned(a: DVec2) -> DVec2 {
     DVec2::new(-a.y, a.x)
 }
@@ -35,7 +35,7 @@ pub(super) fn turned(a: DVec2) -> DVec2 {
 /// A point with pressure.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PressedPoint {
-    /// From the reference point of the joint, m.
+    /// Position relative to the reference point of the joint, m.
     pub(super) arm: DVec2,
     pub(super) area: f64,
     /// Normal force, N.
@@ -47,7 +47,7 @@ pub(super) struct PressedPoint {
 pub(super) struct Pressure {
     pub(super) points: Vec<PressedPoint>,
     total: f64,
-    /// The resultant, from the reference point.
+    /// Position of the resultant relative to the reference point.
     pub(super) resultant: DVec2,
     /// (Σ A φ φᵀ)⁻¹ over the loaded points, φ = (1, x, y).
     inverse: DMat3,
@@ -64,8 +64,8 @@ pub(super) struct Friction {
 }
 
 impl Pressure {
-    /// Linear pressure over the points without tension, with this sum and resultant; `None` if no such pressure exists,
-    /// because the resultant is outside the bed.
+    /// Linear pressure over the points, without tension, with this sum and resultant; `None` if it does not exist, because the
+    /// resultant is outside the bed.
     ///
     /// ```text
     /// N_p = A_p max(0, c·φ_p),   Σ N_p φ_p = N (1, X)           φ_p = (1, x_p, y_p)
@@ -122,7 +122,7 @@ impl Pressure {
             stiff: DMat3::ZERO,
             with_resultant: [DVec3::ZERO; 2],
         };
-        // tilt of the plane by a shift of the resultant by one unit
+        // inclination of the pressure plane for a unit shift of the resultant
         let tilt = [DVec3::Y, DVec3::Z].map(|axis| self.inverse * (self.total * axis));
         for point in &self.points {
             let lever = turned(point.arm);
@@ -130,7 +130,7 @@ impl Pressure {
             let cell = CELL * point.area;
             let size = (velocity.length_squared() + cell * u.z * u.z + smooth * smooth).sqrt();
             if size == 0.0 {
-                continue; // the centre of the spin itself
+                continue; // the centre of rotation itself
             }
             let t = velocity / size;
             let spin = cell * u.z / size;
@@ -141,7 +141,7 @@ impl Pressure {
             for (derivative, tilt) in friction.with_resultant.iter_mut().zip(tilt) {
                 *derivative += point.area * tilt.dot(phi) * unit;
             }
-            // (1 − t tᵀ)/|u| between velocities, transformed to the three components by the lever
+            // (1 − t tᵀ)/|u| for velocities, transformed to the three components by the lever arm
             let weight = mu * point.force / size;
             let (x, y) = (DVec3::new(1.0, 0.0, lever.x), DVec3::new(0.0, 1.0, lever.y));
             for (column, c) in [(0, DVec3::X), (1, DVec3::Y), (2, DVec3::Z)] {
@@ -152,7 +152,7 @@ impl Pressure {
         friction
     }
 
-    /// Equivalent radius for spin: √(Σ N x²/Σ N) about the resultant.
+    /// Equivalent radius for spin, √(Σ N x²/Σ N) about the resultant.
     pub(super) fn radius(&self) -> f64 {
         let moment: f64 = self
             .points

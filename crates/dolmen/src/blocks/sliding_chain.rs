@@ -3,10 +3,10 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | c_i, θ_i | `centre_m`, `yaw_rad` | centroid in plan and rotation of block i, counted from the bottom | m, rad |
-//! | s_i, ψ_i | [`Place`] | the same relative to the block below | m, rad |
+//! | s_i, ψ_i | [`Place`] | position and rotation relative to the block below | m, rad |
 //! | w_i | `twist` | velocity of block i at c_i, and its spin, relative to the block below | m/s, rad/s |
 //! | k_i | – | ẇ_i | m/s², rad/s² |
-//! | W_i | – | force and torque about c_i on block i from its bed | N, N m |
+//! | W_i | – | force and torque about c_i from the bed on block i | N, N m |
 
 use super::contact_points::{ContactRule, contact_points};
 use super::error::BlocksError;
@@ -14,31 +14,30 @@ use super::sliding_bed::{Twist, Wrench, turned};
 use crate::structure::stack::{Body, Polygon, Stack};
 use glam::{DVec2, DVec3};
 
-/// Tolerance for points of a bed in one plane, over the size of the stone. Our choice: rounding of coordinates.
+/// Tolerance within which points of a bed lie in one plane, over the size of the stone. Our choice: rounding of coordinates.
 const FLAT: f64 = 1e-9;
 
 /// One block of the chain.
 #[derive(Clone, Debug)]
 pub(super) struct Stone {
-    /// Its index in the stack, and that of its bed.
+    /// Its index in the stack, and the index of its bed.
     pub(super) block: usize,
     pub(super) joint: usize,
     pub(super) mass: f64,
-    /// About the vertical through its centroid, kg m².
+    /// Moment of inertia about the vertical through its centroid, kg m².
     inertia: f64,
     pub(super) centroid: DVec3,
-    /// Height of its bed, m.
     bed_z: f64,
-    /// Its lower and upper face, from its centroid, m.
+    /// Its lower and upper face, relative to its centroid, m.
     bottom: Polygon,
     top: Polygon,
-    /// Points of the whole lower face.
+    /// Contact points of the whole lower face.
     points: Vec<(DVec2, f64)>,
     pub(super) friction_static: f64,
     pub(super) friction_kinetic: f64,
     /// Largest extent of its bed, m.
     pub(super) bed_size: f64,
-    /// Mass of the block and of all above, kg.
+    /// Mass of the block and of all blocks above, kg.
     pub(super) carried: f64,
 }
 
@@ -65,18 +64,17 @@ pub(super) struct Motion {
 pub(super) struct Load {
     /// Force and torque about the centroid of the upper block.
     pub(super) wrench: Vec<Wrench>,
-    /// Where the normal force acts, from the centroid of the upper block.
+    /// Point of application of the normal force, relative to the centroid of the upper block.
     pub(super) resultant: Vec<DVec2>,
 }
 
-/// Acceleration of the ground at a time, the vertical one with gravity.
+/// Acceleration of the ground at a time; the vertical component includes gravity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shaking {
     pub(super) ground: DVec2,
     pub(super) weight: f64,
 }
 
-/// The chain.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     pub(super) stones: Vec<Stone>,
@@ -85,7 +83,8 @@ pub(super) struct Chain {
 
 impl Chain {
     /// # Errors
-    /// [`BlocksError::NotAPile`] unless each block lies on one other or the ground with a level bed, without ties, supports and bonds.
+    /// [`BlocksError::NotAPile`] unless each block lies with a level bed on one other block or on the ground, without ties, side
+    /// supports and bonds.
     pub(super) fn of(stack: &Stack, rule: ContactRule) -> Result<Chain, BlocksError> {
         let refuse = |block: usize, reason| {
             Err(BlocksError::NotAPile {
@@ -189,7 +188,7 @@ impl Chain {
         self.stones.iter().map(place).collect()
     }
 
-    /// Rates of the positions: ds_i/dt = R(−θ_{i−1}) times the sliding velocity.
+    /// Rates of the relative positions: ds_i/dt = R(−θ_{i−1}) times the sliding velocity.
     pub(super) fn rates(&self, motion: &Motion, twists: &[Twist]) -> Vec<Place> {
         let below = std::iter::once(0.0).chain(motion.yaw_rad.iter().copied());
         let rate = |(twist, below): (&Twist, f64)| Place {
@@ -220,12 +219,12 @@ impl Chain {
         motion
     }
 
-    /// Points of a bed, relative to the centroid of its upper block: of the whole face, or of the part on the block below.
+    /// Points of a bed relative to the centroid of its upper block: of the whole face, or of the part that lies on the block below.
     fn bed(&self, i: usize, lower_yaw: f64, yaw: f64, arm: DVec2) -> Vec<(DVec2, f64)> {
         let stone = &self.stones[i];
         let own = DVec2::from_angle(yaw);
         if i > 0 {
-            // the lower face's corners in the frame of the block below
+            // corners of the lower face in the frame of the block below
             let seen = DVec2::from_angle(yaw - lower_yaw);
             let shift = DVec2::from_angle(-lower_yaw).rotate(arm);
             let top = &self.stones[i - 1].top;
@@ -280,7 +279,7 @@ impl Chain {
         for i in (0..n).rev() {
             let stone = &self.stones[i];
             if i + 1 < n {
-                // the reaction of the block above, about this block's centroid
+                // the reaction of the block above, about the centroid of this block
                 torque += (motion.centre_m[i + 1] - motion.centre_m[i]).perp_dot(force);
             }
             let inertia = stone.mass * (accelerations[i].0 + shaking.ground);

@@ -9,21 +9,21 @@ pub enum SlidingOutcome {
     Stuck,
     /// At least one joint slid or twisted.
     Slid,
-    /// The pressure left a bed, so that the blocks above begin to rock, which the model does not include: the run ends there.
+    /// The pressure left a bed: the blocks above begin to rock, which the model does not include. The run ends there.
     Rocks {
         /// The joint, as an index of the stack's joints.
         joint: usize,
-        /// When, s.
+        /// Time, s.
         at_s: f64,
     },
-    /// The ground moved down faster than the blocks fall, which the model does not include: the run ends there.
+    /// The ground accelerated downwards faster than gravity, which the model does not include. The run ends there.
     LeftTheGround {
-        /// When, s.
+        /// Time, s.
         at_s: f64,
     },
     /// The caller stopped the run.
     Stopped {
-        /// When, s.
+        /// Time, s.
         at_s: f64,
     },
 }
@@ -33,7 +33,7 @@ pub enum SlidingOutcome {
 pub struct SlidingSpell {
     /// The joint, as an index of the stack's joints.
     pub joint: usize,
-    /// From when, s.
+    /// Start, s.
     pub from_s: f64,
     /// End, s; the end of the run if it still moved.
     pub to_s: f64,
@@ -50,16 +50,16 @@ pub struct SlidingHistory {
     pub blocks: usize,
     /// Pose of each block: samples × blocks, row by row.
     pub poses: Vec<Pose>,
-    /// One history per joint of the stack; none opens.
+    /// One history per joint of the stack; no joint opens.
     pub joints: Vec<JointHistory>,
     /// Periods of motion of the joints, in the order in which they stopped.
     pub spells: Vec<SlidingSpell>,
     /// Work of the shaking in the frame of the ground, J.
     pub input_j: f64,
-    /// Taken by friction, J.
+    /// Energy dissipated by friction, J.
     pub friction_j: f64,
     /// Largest error of the energy balance at any step: |motion + friction − input − start|, J.
     pub energy_error_j: f64,
-    /// Steps taken.
+    /// Number of steps.
     pub steps: usize,
 }

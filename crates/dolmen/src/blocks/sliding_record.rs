@@ -1,5 +1,4 @@
-//! Records the motion of a sliding pile: samples between the ends of steps, peaks, intervals of sliding, and the energy
-//! balance.
+//! Records the motion of a sliding pile: samples within steps, peaks, intervals of sliding, and the energy balance.
 
 use super::history::{JointHistory, Pose};
 use super::sliding_chain::{Chain, Place};
@@ -13,23 +12,22 @@ use glam::{DVec2, DVec3};
 #[derive(Debug)]
 struct Watch {
     joint: usize,
-    /// Middle of the joint from the centroids of the upper and the lower block, as drawn, m.
+    /// Middle of the joint relative to the centroids of the upper and the lower block, as drawn, m.
     from_upper: DVec2,
     from_lower: DVec2,
-    /// Its first two axes.
+    /// The first two axes of the joint.
     axes: [DVec2; 2],
-    /// Start of the present sliding.
+    /// Start of the current sliding, s.
     slides_from_s: Option<f64>,
 }
 
-/// Records the requested results of a run.
 #[derive(Debug)]
 pub(super) struct Recorder {
     output_step_s: f64,
     watches: Vec<Watch>,
-    /// Order of the pile, and heights of the centroids.
+    /// Blocks in the order of the pile, with the heights of their centroids.
     blocks: Vec<(usize, f64)>,
-    /// Energy of motion at the start.
+    /// Kinetic energy at the start.
     first: f64,
     history: SlidingHistory,
 }
@@ -79,7 +77,7 @@ impl Recorder {
         self.sample(0.0, &state.places);
     }
 
-    /// Records a step: the samples in it, by cubics through positions and velocities at its ends.
+    /// Records a step and the samples in it, by cubics through positions and velocities at its ends.
     pub(super) fn take(&mut self, chain: &Chain, before: &State, after: &State, [from_s, to_s]: [f64; 2]) {
         self.history.steps += 1;
         let h = to_s - from_s;
@@ -110,7 +108,7 @@ impl Recorder {
                     place.shift += *weight * end.shift;
                     place.yaw += *weight * end.yaw;
                 }
-                // a stuck joint stays exactly in place
+                // a stuck joint keeps its exact position
                 if before.places[i] == after.places[i] {
                     after.places[i]
                 } else {
@@ -169,7 +167,7 @@ impl Recorder {
         self.history.poses.extend(poses);
     }
 
-    /// Records joints that were released or have stopped.
+    /// Records which joints were released or have stopped.
     pub(super) fn changed(&mut self, slides: &[Slide], at_s: f64) {
         for (watch, slide) in self.watches.iter_mut().zip(slides) {
             match (*slide == Slide::Stuck, watch.slides_from_s) {
@@ -187,7 +185,6 @@ impl Recorder {
         }
     }
 
-    /// Whether any joint has moved.
     pub(super) fn moved(&self) -> bool {
         !self.history.spells.is_empty() || self.watches.iter().any(|watch| watch.slides_from_s.is_some())
     }

@@ -1,7 +1,7 @@
 //! Accelerations of a sliding pile, by Newton's method: the friction of every bed must equal its load.
 //!
 //! ```text
-//! W_i(k) = −μ Σ N_p(k) (t_p, x_p × t_p)  where a joint slides,   k_i = 0 where it is stuck        three rows per joint
+//! W_i(k) = −μ Σ N_p(k) (t_p, x_p × t_p)  if a joint slides,   k_i = 0 if it is stuck        three rows per joint
 //! ```
 
 use super::sliding_bed::{Friction, Pressure, Twist, Wrench};
@@ -9,28 +9,28 @@ use super::sliding_chain::{Chain, Load, Motion, Place, Shaking};
 use dolmen_linalg::{Matrix, solve};
 use glam::{DMat3, DVec2, DVec3};
 
-/// Newton steps of one solution.
+/// Largest number of Newton steps of one solution.
 const NEWTON_MOST: usize = 40;
 /// Tolerance of the force balance of each stone, over its weight.
 const TOLERANCE: f64 = 1e-12;
-/// Tolerance if rounding permits no better.
+/// Tolerance if rounding prevents a better solution.
 const ROUNDED: f64 = 1e-9;
 
 /// Motion of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Slide {
-    /// Moves as one with the block below.
+    /// The joint moves as one with the block below.
     Stuck,
-    /// Friction against its velocity.
+    /// Friction acts against the velocity.
     Slides,
-    /// Friction against its acceleration, from rest, with this coefficient.
+    /// Friction acts against the acceleration from rest, with this coefficient.
     LetsGo {
         /// Friction coefficient.
         mu: f64,
     },
 }
 
-/// Stage of the accelerations: positions and twists are `places` + gh ẋ and `twists` + gh k.
+/// A stage of the Runge–Kutta step: positions and twists are `places` + gh ẋ and `twists` + gh k.
 #[derive(Clone, Debug)]
 pub(super) struct Stage<'a> {
     pub(super) places: &'a [Place],
@@ -38,7 +38,7 @@ pub(super) struct Stage<'a> {
     pub(super) gh: f64,
     pub(super) shaking: Shaking,
     pub(super) slides: &'a [Slide],
-    /// Size of the velocities and accelerations below which friction is smoothed; 0: not at all.
+    /// Velocity or acceleration below which friction is smoothed; 0 means no smoothing.
     pub(super) smooth: f64,
 }
 
@@ -58,12 +58,12 @@ pub(super) struct Solved {
 pub(super) enum NoAcceleration {
     /// The pressure leaves the bed: the block above this joint begins to rock.
     Rocks(usize),
-    /// The iteration does not end.
+    /// The iteration does not converge.
     NoConvergence,
 }
 
 impl Chain {
-    /// Accelerations that satisfy friction at a stage, from a first guess.
+    /// Accelerations that satisfy the friction law at a stage, from an initial guess.
     pub(super) fn accelerations(&self, stage: &Stage<'_>, guess: &[Twist]) -> Result<Solved, NoAcceleration> {
         let free: Vec<usize> = (0..guess.len())
             .filter(|&i| stage.slides[i] != Slide::Stuck)
@@ -145,7 +145,6 @@ impl Chain {
         })
     }
 
-    /// Pressure on a bed.
     pub(super) fn pressure(
         &self,
         joint: usize,
@@ -157,7 +156,7 @@ impl Chain {
         Pressure::of(&motion.beds[joint], total, load.resultant[joint]).ok_or(NoAcceleration::Rocks(joint))
     }
 
-    /// Friction of the sliding joints, and its residual to their load.
+    /// Friction of the sliding joints, and the difference to their load.
     fn rows(&self, stage: &Stage<'_>, solved: &Solved, free: &[usize]) -> Vec<(Wrench, Friction)> {
         let row = |&i: &usize| {
             let (u, mu) = match stage.slides[i] {
@@ -188,7 +187,7 @@ impl Chain {
         rows.iter().zip(free).map(of).fold(0.0, f64::max)
     }
 
-    /// Newton step: the load is linear in k, friction rotates with the velocity and grows with the pressure.
+    /// Newton step: the load is linear in k; friction rotates with the velocity and increases with the pressure.
     fn newton(
         &self,
         stage: &Stage<'_>,
@@ -226,7 +225,7 @@ impl Chain {
             .iter()
             .flat_map(|(residual, _)| residual.to_array())
             .collect();
-        // columns of almost stuck joints are larger by a power of ten per digit
+        // columns of almost stuck joints are larger by orders of magnitude
         let scale: Vec<f64> = (0..3 * n)
             .map(|column| {
                 1.0 / matrix

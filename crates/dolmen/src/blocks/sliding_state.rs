@@ -12,7 +12,7 @@ pub(super) struct State {
     pub(super) friction: f64,
 }
 
-/// Adds rates over `h` seconds.
+/// Adds rates times `h` seconds.
 pub(super) fn add(state: &mut State, h: f64, places: &[Place], twists: &[Twist], energies: [f64; 2]) {
     for (place, rate) in state.places.iter_mut().zip(places) {
         place.shift += h * rate.shift;

@@ -1,7 +1,7 @@
-//! The springs law in time: explicit, symplectic, with a step that Dolmen chooses and states.
+//! Time integration with the springs law: explicit and symplectic, with a step that Dolmen chooses and reports.
 //!
-//! Stages of a step at time t: examine again pairs that have moved far → forces at the positions of t with the velocities
-//! of t − h/2 → velocities of t + h/2 → positions of t + h.
+//! Stages of a step at time t: examine pairs again that have moved far → forces at the positions of t with the velocities of t − h/2 → velocities of
+//! t + h/2 → positions of t + h.
 
 use super::after_fall::AfterFall;
 use super::assembly::Assembly;
@@ -18,33 +18,32 @@ use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 use glam::DVec3;
 
-/// Part of the longest stable step in use: the linear bound does not include friction and impacts. Our choice, from the
-/// errors in docs/stack-engine.md.
+/// Fraction of the longest stable step: the linear bound does not include friction and impacts. Our choice, from the errors in docs/stack-engine.md.
 const STEP_PART: f64 = 0.9;
 /// Fraction of the longest stable step if a joint has a `normal_restitution`: at 0.9 an impact on damped springs lasts two steps, and the restitution
 /// is up to a fifth too small. Our choice.
 const FALLS_STEP_PART: f64 = 0.1;
 
-/// Fraction of the longest stable step for loose stones, whose contacts come and go: the step does not know their dashpots. Chosen here.
+/// Fraction of the longest stable step for loose stones: contacts come and go, and the step does not consider their dashpots. Our choice.
 const LOOSE_STEP_PART: f64 = 0.3;
 
-/// Energy made by contacts, over the work put in, from which a run is done again at half the step. Chosen here.
+/// Energy created by contacts, over the input energy, above which a run is repeated with half the step. Our choice.
 const MADE_MOST: f64 = 1e-3;
-/// Fraction of created energy from which a run is unusable. Our choice.
+/// The same ratio above which a run is unusable. Our choice.
 const MADE_UNUSABLE: f64 = 1e-2;
-/// Most halvings of the step. Our choice.
+/// Largest number of halvings of the step. Our choice.
 const HALVINGS_MOST: usize = 3;
 
-/// An initial disturbance of one block: a rotation about a point, and velocities.
+/// An initial disturbance of one block: a rotation about a point, a shift, and velocities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// The block.
     pub block: usize,
-    /// The point of the rotation, m, as drawn.
+    /// A point on the axis of rotation, m, as drawn.
     pub pivot_m: [f64; 3],
     /// Rotation vector, rad.
     pub turn_rad: [f64; 3],
-    /// Shift after the turn, m.
+    /// Shift after the rotation, m.
     pub shift_m: [f64; 3],
     /// Velocity of its centroid, m/s.
     pub velocity_m_s: [f64; 3],
@@ -53,7 +52,7 @@ pub struct Start {
 }
 
 impl Start {
-    /// A start without velocity; set the fields as needed.
+    /// A disturbance without rotation and velocity; set the fields as needed.
     pub fn of(block: usize) -> Self {
         Start {
             block,
@@ -71,16 +70,15 @@ impl Start {
 pub struct Springs {
     /// Contact points of a joint. Default 4 × 4.
     pub contact_rule: ContactRule,
-    /// Time step, s; `None`, the default: 0.9 of the longest stable one (0.1 where a joint has a `normal_restitution`), shortened so that
-    /// samples are whole steps apart, and halved up to three times where contacts would create more than a thousandth of the input energy.
+    /// Time step, s. Default `None`: 0.9 of the longest stable step (0.1 if a joint has a `normal_restitution`), shortened so that samples fall on
+    /// steps, and halved up to three times if contacts would create more than a thousandth of the input energy.
     pub time_step_s: Option<f64>,
-    /// Duration of the run, s; `None`, the default: the motion and `rest_s`, and then until the stack is at rest or
-    /// rocks with decreasing amplitude, for at most [`StackHistory::LONGER_MOST_S`].
+    /// Duration of the run, s. Default `None`: the motion and `rest_s`, then until the stack is at rest or rocks with decreasing amplitude, for at
+    /// most [`StackHistory::LONGER_MOST_S`].
     pub duration_s: Option<f64>,
     /// Time that is always simulated after the motion, s. Default 2.
     pub rest_s: f64,
-    /// Time between samples of the history, s; with a `time_step_s` that does not divide it, the nearest whole number of
-    /// steps. Default 0.01.
+    /// Time between samples of the history, s. If `time_step_s` does not divide it, the nearest whole number of steps is used. Default 0.01.
     pub output_step_s: f64,
     /// What happens after a stone has fallen. Default: the run stops.
     pub after_fall: AfterFall,
@@ -107,7 +105,7 @@ impl Default for Springs {
 
 /// Motion of a stack under base motion, by springs between its stones.
 ///
-/// `progress` gets the simulated time now and then, and stops the run by returning false.
+/// `progress` receives the simulated time at intervals, and stops the run by returning false.
 ///
 /// ```text
 /// m (v̇ + a_g) = −m g ẑ + Σ F,   L̇ = Σ r × F          in the frame of the ground
@@ -115,17 +113,16 @@ impl Default for Springs {
 /// ```
 ///
 /// # Errors
-/// [`BlocksError`] for options out of range, a step longer than is stable, a block that is not there, and a stack that
-/// finds no rest under its own weight.
+/// [`BlocksError`] for options out of range, a step longer than the stable one, a block that does not exist, and a stack that does not come to rest
+/// under its own weight.
 ///
 /// # Limits
-/// Stones are rigid; contact is of convex hulls. Impacts are found inside the step, errors at them fall in proportion to it; the
-/// numbers are in docs/stack-engine.md. A stack that rocks far is chaotic: one run says little, a set of runs more.
+/// Stones are rigid, and contact is between convex hulls. Impacts are found inside the step, and their errors are proportional to it; the numbers are
+/// in docs/stack-engine.md. A stack that rocks far is chaotic: one run has little meaning, a set of runs has more.
 ///
 /// # Source
-/// Cundall, P. A. (1988) Int. J. Rock Mech. 25:107-116, the distinct element method with rigid blocks. Differs from the
-/// source: pressure acts on Gauss–Lobatto points of each face instead of its corners, friction is cut to the disc, impacts
-/// are located, dashpots act on the contacts alone.
+/// Cundall, P. A. (1988) Int. J. Rock Mech. 25:107-116, the distinct element method with rigid blocks. Differs from the source: pressure acts on
+/// Gauss–Lobatto points of each face instead of its corners, friction is limited to the disc, impacts are located, dashpots act only on the contacts.
 ///
 /// # Example
 /// ```
@@ -186,15 +183,14 @@ fn run_settled(
     }
 }
 
-/// A stack at rest under its own weight, with the step to take.
+/// A stack at rest under its own weight, with the step of its run.
 #[derive(Clone, Debug)]
 pub(super) struct SettledStack {
     pub(super) assembly: Assembly,
-    /// The step to begin with, s.
+    /// The initial step, s.
     h: f64,
-    /// The longest stable step, s.
     longest: f64,
-    /// Ground that moves, and for how long, s.
+    /// Moving ground, and the duration of its movement, s.
     ground: OwnGround,
     moves_for_s: f64,
 }
@@ -230,7 +226,7 @@ impl SettledStack {
             Some(_) => LOOSE_STEP_PART,
             None => STEP_PART,
         };
-        // a whole number of steps a sample
+        // a whole number of steps per sample
         let h = options.time_step_s.unwrap_or(
             options.output_step_s / whole_at_least(options.output_step_s / (part * longest)) as f64,
         );
@@ -244,7 +240,7 @@ impl SettledStack {
     }
 }
 
-/// A run at one step; the step is halved until contacts create no energy.
+/// A run with one step size; the step is halved until contacts create no energy.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt {
     pub(super) h: f64,
@@ -259,7 +255,7 @@ impl Attempt {
         }
     }
 
-    /// The history if it is usable or no shorter step would improve it, else the next attempt.
+    /// The history if it is usable or if no shorter step would improve it; otherwise the next attempt.
     pub(super) fn judge(self, mut history: StackHistory, options: &Springs) -> Result<StackHistory, Attempt> {
         let made = history.energy_made_ratio();
         let last = self.halvings == HALVINGS_MOST || options.time_step_s.is_some();
@@ -277,16 +273,16 @@ impl Attempt {
     }
 }
 
-/// A run from rest with one step.
+/// A run from rest with one step size.
 pub(super) struct Run<'a> {
     pub(super) assembly: Assembly,
     pub(super) observer: Observer,
     pub(super) motion: Option<&'a GroundMotion>,
     after_fall: AfterFall,
-    /// Step, and the longest stable one, s.
+    /// The step, and the longest stable step, s.
     pub(super) h: f64,
     longest: f64,
-    /// Steps done, and to do.
+    /// Number of completed steps and of all steps.
     pub(super) step: usize,
     pub(super) length: RunLength,
     acceleration: Vec<DVec3>,
@@ -333,19 +329,19 @@ impl<'a> Run<'a> {
         self.step as f64 * self.h
     }
 
-    /// Acceleration of the ground at the present step, m/s².
+    /// Acceleration of the ground at the current step, m/s².
     pub(super) fn shaking(&self) -> DVec3 {
         self.motion.map_or(DVec3::ZERO, |motion| {
             DVec3::from(motion.acceleration_at_m_s2(self.time_s()))
         })
     }
 
-    /// Length of the kick from the present velocities: those of t − h/2, or at the start those of 0.
+    /// Length of the kick from the current velocities: those of t − h/2, or at the start those of 0.
     pub(super) fn kick(&self) -> f64 {
         if self.step == 0 { 0.5 * self.h } else { self.h }
     }
 
-    /// Shows the forces of the present step to the observer if it requests them; false if the run is over.
+    /// Passes the forces of the current step to the observer if it requests them. Returns false if the run is over.
     pub(super) fn look(&mut self, forces: &Forces, progress: &mut dyn FnMut(f64) -> bool) -> bool {
         if !self.observer.wants(self.step) {
             return true;
@@ -354,7 +350,7 @@ impl<'a> Run<'a> {
         self.look_as_seen(forces, progress)
     }
 
-    /// As the function above, at a step that the observer requests and whose joints it has already observed.
+    /// As [`Self::look`], at a step that the observer requests and whose joints it has already observed.
     pub(super) fn look_as_seen(&mut self, forces: &Forces, progress: &mut dyn FnMut(f64) -> bool) -> bool {
         let (shaking, time_s) = (self.shaking(), self.time_s());
         let inertia = DVec3::new(0.0, 0.0, -self.assembly.gravity) - shaking;
@@ -376,7 +372,7 @@ impl<'a> Run<'a> {
         true
     }
 
-    /// One step; false if the run is over.
+    /// Advances by one step. Returns false if the run is over.
     fn advance(&mut self, forces: &mut Forces, progress: &mut dyn FnMut(f64) -> bool) -> bool {
         let h = self.h;
         self.assembly.look();
@@ -428,7 +424,6 @@ impl<'a> Run<'a> {
         !self.is_over()
     }
 
-    /// Whether all steps are done.
     pub(super) fn is_over(&mut self) -> bool {
         self.length.is_over(self.step, &mut self.observer, &self.assembly)
     }
@@ -453,6 +448,6 @@ pub(super) fn push(assembly: &mut Assembly, start: &Start) -> Result<(), BlocksE
     body.turn_by(start.turn_rad.into());
     body.velocity = start.velocity_m_s.into();
     body.set_spin(start.spin_rad_s.into());
-    body.travel = f64::INFINITY; // every pair of it is looked at again
+    body.travel = f64::INFINITY; // forces an examination of every pair with this body
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! Decides whether a stack at rest stands on its springs or topples, from its stiffness reduced by P-delta.
+//! Decides whether a stack at rest is stable on its springs, from its stiffness reduced by P-delta.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -14,7 +14,7 @@ use super::toppling::{NEUTRAL, Standing, TowerOutline, add_weights, factor_to_st
 use crate::structure::stack::{Body, Stack};
 use dolmen_linalg::{Matrix, cholesky, generalized_symmetric_eigen};
 
-/// Refuses a stack at rest that the slightest disturbance would topple.
+/// Refuses a stack whose position of rest is unstable.
 ///
 /// ```text
 /// K + G positive definite
@@ -41,7 +41,7 @@ pub(super) fn check_standing(assembly: &Assembly, stack: &Stack) -> Result<(), B
     }
 }
 
-/// The check by the full matrix, which also applies if nothing supports some stone.
+/// The check with the full matrix, which also applies if a stone has no support.
 fn by_full_matrix(assembly: &Assembly) -> Result<Standing, BlocksError> {
     let mut springs = contact_matrix(assembly, Part::Springs, Closed::Stuck);
     add_pressed_props(assembly, &mut springs);
@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn agrees_many_stones_that_topple_with_the_full_matrix() {
-        // 48 stones on a soft bed of springs; oblong, so that one direction is softer, and square
+        // 48 stones on soft springs; an oblong stack, in which one direction is softer, and a square one
         for (width, depth) in [(1.0, 1.2), (1.0, 1.0)] {
             let sizes: Vec<[f64; 3]> = (0..48)
                 .map(|i| [width - 0.004 * f64::from(i), depth - 0.004 * f64::from(i), 0.5])

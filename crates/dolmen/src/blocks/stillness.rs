@@ -1,26 +1,27 @@
 //! Decides when a stack has come to rest, so that a run may end.
 //!
 //! A stack is at rest when no joint moves and no centroid is near the edge of its support. After the shaking, contacts only dissipate
-//! energy. So a stack that rocks with decreasing amplitude for ten seconds, every stone far from its edge, will not fall either.
+//! energy. Therefore a stack that rocks with decreasing amplitude for ten seconds, with every stone far from its edge, will not fall
+//! either.
 
 use super::history::StackHistory;
 
 /// Time without joint motion that counts as rest, s, divided into `PARTS` intervals; the observed time is up to one interval longer.
-/// Our choice: half a second shows a rocking of 0.1 mm, except within 0.001 rad of the unstable position, which [`EDGE`] excludes.
+/// Our choice: half a second shows rocking of 0.1 mm, except within 0.001 rad of the unstable position, which [`EDGE`] excludes.
 const STILL_S: f64 = 0.5;
 const PARTS: usize = 5;
 /// Range of opening, slip or twist above which a joint moves, m: 0.1 mm, as for uplift. Our choice: elastic vibration of the contact
 /// springs is smaller.
 const STILL_M: f64 = StackHistory::UPLIFT_LEAST_M;
-/// Least distance of a stone from its edge for rest, as a fraction of that distance at the upright position. Our choice.
+/// Smallest distance of a stone from its edge at rest, as a fraction of that distance in the upright position. Our choice.
 pub(super) const EDGE: f64 = 0.01;
-/// Interval over which rocking amplitudes are compared, s: about one swing of a stone 6 m high. Our choice.
+/// Interval for the comparison of rocking amplitudes, s: about one oscillation of a stone 6 m high. Our choice.
 const SWING_S: f64 = 5.0;
-/// Least distance of every stone from its edge, as a fraction of that at the upright position, for rocking that decays. Our choice: a
-/// stone that leans by half of its overturning angle has three quarters of the energy to overturn, and gains none.
+/// Smallest distance of every stone from its edge, as a fraction of that in the upright position, for decaying rocking. Our choice: a
+/// stone that leans by half of its overturning angle has three quarters of the energy to overturn, and gains no energy.
 const SWINGS_LEFT: f64 = 0.5;
 
-/// Least and largest value of opening, both slips and twist of a joint, m.
+/// Smallest and largest value of opening, both slips and twist of a joint, m.
 type Range = [[f64; 2]; 4];
 const NOTHING: Range = [[f64::INFINITY, f64::NEG_INFINITY]; 4];
 
@@ -40,7 +41,7 @@ impl Stillness {
         }
     }
 
-    /// Starts an observation; begins a new interval when the current one is over.
+    /// Sets the time of an observation; begins a new interval when the current one is over.
     pub(super) fn at(&mut self, time_s: f64) {
         if time_s - self.began_s >= STILL_S / PARTS as f64 {
             self.began_s = time_s;
@@ -57,7 +58,7 @@ impl Stillness {
         }
     }
 
-    /// The joint with the largest motion, if that counts as motion.
+    /// The joint with the largest motion, if this exceeds the limit.
     pub(super) fn moving_joint(&self) -> Option<usize> {
         let (way, joint) = self.farthest()?;
         (way > STILL_M).then_some(joint)
@@ -128,7 +129,7 @@ impl Swings {
         }
     }
 
-    /// Whether the rocking amplitude decreases, with every stone far from its edge.
+    /// Whether the rocking amplitude decreases while every stone is far from its edge.
     pub(super) fn die_down(&self) -> bool {
         self.dies_down
     }

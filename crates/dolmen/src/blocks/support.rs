@@ -4,13 +4,12 @@ use super::assembly::Assembly;
 use super::patch::LANES;
 use glam::{DVec2, DVec3};
 
-/// Least upward component of a joint's normal for a support, as cosine: a face that leans against a stone is not one. Our choice.
+/// Least upward component of a joint's normal, as cosine, for a support; a face that leans against a stone is no support. Our choice.
 const CARRIES: f64 = 0.5;
-/// Sine of the slope of a bed from which a stone on it also leans on others: that of an angle of friction of 20°, below those of dressed
-/// stone. Our choice.
+/// Sine of the slope of a bed above which a stone on it also leans on others. Our choice: a friction angle of 20°, below that of dressed stone.
 const LEANS: f64 = 0.342;
-/// Sine of the slope of a bed, and of the angle between the faces of a stone, from which the stone is a wedge with lateral thrust. Our
-/// choice: stones of a leaning tower, and of scans, have less.
+/// Sine of the slope of a bed, and of the angle between the faces of a stone, above which the stone is a wedge with lateral thrust. Our choice:
+/// stones of a leaning tower, and of scans, have less.
 const WEDGE: [f64; 2] = [0.139, 0.052];
 
 /// Distance, in plan, from the centroid of a body to the edge of the convex hull of its support, m: negative outside; `None` if it has no support.
@@ -36,8 +35,8 @@ pub(super) fn plumb_margin(assembly: &Assembly, body: usize) -> Option<f64> {
     (!points.is_empty()).then(|| margin(&hull(points), centroid))
 }
 
-/// For each body, the ground first, whether the position of its centroid over the support indicates how close it is to tipping. This is not so for
-/// the stones of an arch and for those that carry them, because thrust supports them.
+/// For each body, the ground first, whether the position of its centroid over the support shows how close it is to tipping. It does not for the
+/// stones of an arch and those that carry them, because thrust supports them.
 pub(super) fn plumb_decides(assembly: &Assembly) -> Vec<bool> {
     let mut pushes: Vec<Vec<DVec3>> = vec![Vec::new(); assembly.bodies.len()];
     let mut carried: Vec<[usize; 2]> = Vec::new();
@@ -54,7 +53,7 @@ pub(super) fn plumb_decides(assembly: &Assembly) -> Vec<bool> {
         }
     }
     let mut decides: Vec<bool> = pushes.iter().map(|pushes| !is_wedge(pushes)).collect();
-    // thrust goes down to the ground, at most through every body
+    // thrust continues down to the ground, at most through every body
     for _ in 0..assembly.bodies.len() {
         let before = decides.clone();
         for &[upper, lower] in &carried {
@@ -67,7 +66,7 @@ pub(super) fn plumb_decides(assembly: &Assembly) -> Vec<bool> {
     decides
 }
 
-/// Whether a body leans on others, by the normals of its joints, which point into it.
+/// Whether a body leans on others, by the normals of its joints, which point into the body.
 fn is_wedge(pushes: &[DVec3]) -> bool {
     let slope = |normal: &DVec3| normal.truncate().length();
     let leans = |normal: &DVec3| slope(normal) > LEANS && normal.z.abs() > LEANS;
@@ -95,7 +94,7 @@ fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
             }
             chain.push(point);
         }
-        chain.pop(); // it begins the other half
+        chain.pop(); // the first point of the other half
         chain
     };
     let mut corners = half(&mut points.iter().copied());
@@ -106,7 +105,7 @@ fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
     corners
 }
 
-/// Distance from the edge of a convex polygon, positive inside; of a segment or a point never positive.
+/// Distance from the edge of a convex polygon, positive inside; never positive for a segment or a point.
 fn margin(corners: &[DVec2], from: DVec2) -> f64 {
     let mut least = f64::INFINITY;
     for (&a, &b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
@@ -137,7 +136,7 @@ mod tests {
             );
             assert!(!is_wedge(&[sloped(slope), -sloped(slope - 2.0)]), "scan {slope}");
         }
-        // a leaf between two posts, a lintel on one of them
+        // a leaf between two posts, and a lintel on one of them
         assert!(!is_wedge(&[sloped(0.0), DVec3::X, -DVec3::X]));
         for stones in [9.0, 17.0, 31.0, 101.0] {
             let wedge = 180.0 / stones;

@@ -1,4 +1,4 @@
-//! Reduction of the stiffness of a stack by gravity, and the number of toppling stones, within the skyline of the matrix.
+//! Reduction of the stiffness of a stack by gravity, and the stones that topple, with matrices within their skyline.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -7,7 +7,7 @@
 //! | M | `add_mass` | masses and inertias | kg, kg m² |
 //! | s | `shift` | (rad/s)² added to all eigenvalues | 1/s² |
 //! | f | `force` | force of a contact on the upper end S, in the ground's axes | N |
-//! | r_P, r_S | `arm` | from each body's centroid to the contact | m |
+//! | r_P, r_S | `arm` | vector from each body's centroid to the contact | m |
 
 use super::assembly::Assembly;
 use super::block_skyline::{BlockSkyline, SIX};
@@ -15,21 +15,22 @@ use super::matrices::{Closed, Entries, Part, add_contacts, add_mass, add_pressed
 use super::patch::LANES;
 use glam::DVec3;
 
-/// Fraction of the stiffness that is added to it against rounding: a stone without support counts as neutral. Chosen here.
+/// Relative increase of the stiffness against rounding, so that a stone without support counts as neutral. Our choice.
 pub(super) const NEUTRAL: f64 = 1e-12;
-/// Halvings of the interval in which the factor lies, and its upper end.
+/// Number of halvings of the interval of the factor, and its upper end.
 const HALVINGS: usize = 40;
 const FACTOR_MOST: f64 = 1e6;
 /// Smallest trial shift, (rad/s)², and factor to the next. Our choice.
 const SHIFT_LEAST: f64 = 1e-6;
 const SHIFT_GROWS: f64 = 16.0;
 const SHIFTS_MOST: usize = 40;
-/// Halvings of the interval in which the shift lies: to 0.3 %.
+/// Number of halvings of the interval of the shift: to 0.3 %.
 const SHIFT_HALVINGS: usize = 10;
-/// Number of inverse iterations: at such a shift each reduces all but the softest modes to a hundredth. Our choice.
+/// Number of inverse iterations. Our choice: at such a shift, each iteration reduces all but the softest modes to a
+/// hundredth.
 const ROUNDS: usize = 12;
 
-/// The smallest factor on all springs with which a stack stands that does not stand on its own springs.
+/// For a stack that is unstable on its springs: the smallest factor on all springs at which it is stable.
 pub(super) fn factor_to_stand(stands: impl Fn(f64) -> bool) -> f64 {
     let (mut topples, mut standing) = (1.0_f64, FACTOR_MOST);
     for _ in 0..HALVINGS {
@@ -42,12 +43,13 @@ pub(super) fn factor_to_stand(stands: impl Fn(f64) -> bool) -> f64 {
     standing
 }
 
-/// Whether it stands.
+/// Stability of a stack on its springs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Standing {
     /// K + G is positive definite.
     Stands,
-    /// It topples: the factor on K with which it would stand, and the block that moves farthest sideways in the softest mode.
+    /// It is unstable: the factor on K at which it would be stable, and the block with the largest lateral motion in the
+    /// softest mode.
     Topples { factor: f64, block: usize },
     /// The matrix has no factors within its skyline.
     Singular,
@@ -105,10 +107,10 @@ impl<'a> TowerOutline<'a> {
         factors.is_positive_definite().then_some(factors)
     }
 
-    /// The block that moves farthest sideways in the mode of the least eigenvalue of K + G with respect to M.
+    /// The block with the largest lateral motion in the mode of the smallest eigenvalue of K + G with respect to M.
     ///
     /// ```text
-    /// −s just below that eigenvalue, where K + G + s M is still positive definite:   (K + G + s M) x ← M x
+    /// with −s just below that eigenvalue, so that K + G + s M is still positive definite:   (K + G + s M) x ← M x
     /// ```
     fn softest_block(&self) -> Option<usize> {
         let mut shift = SHIFT_LEAST;
@@ -130,7 +132,7 @@ impl<'a> TowerOutline<'a> {
             }
         }
         let blocks = self.assembly.bodies.len() - 1;
-        // an asymmetric start, so that no symmetry of the stack hides its softest mode
+        // an unsymmetric start vector, so that no symmetry of the stack hides its softest mode
         let mut x: Vec<[f64; SIX]> = (0..blocks)
             .map(|block| std::array::from_fn(|i| 1.0 + 0.618 * (((SIX * block + i).pow(2)) as f64).sin()))
             .collect();
@@ -161,7 +163,7 @@ impl<'a> TowerOutline<'a> {
     }
 }
 
-/// Adds a share of an entry on either side of the diagonal.
+/// Adds `share` times each entry on both sides of the diagonal.
 struct Symmetrised<'a> {
     matrix: &'a mut BlockSkyline,
     share: f64,
@@ -174,7 +176,7 @@ impl Entries for Symmetrised<'_> {
     }
 }
 
-/// Adds G, not yet symmetric.
+/// Adds G without symmetrising it.
 pub(super) fn add_weights(assembly: &Assembly, matrix: &mut impl Entries) {
     let bodies = &assembly.bodies;
     for patch in assembly.patches() {

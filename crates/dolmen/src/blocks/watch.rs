@@ -5,7 +5,7 @@ use super::bodies::{RigidBody, index_of};
 use crate::structure::stack::{Body, Joint};
 use glam::{DMat3, DVec3};
 
-/// A joint between its two bodies, to be observed.
+/// A joint to be observed.
 #[derive(Clone, Debug)]
 pub(super) struct Watch {
     pub(super) lower: usize,
@@ -14,9 +14,9 @@ pub(super) struct Watch {
     pub(super) axes: DMat3,
     /// Whether the axes are those of the ground.
     pub(super) level: bool,
-    /// Corners of the patch along the first two axes, from the origin, m.
+    /// Corners of the patch along the first two axes, relative to the origin, m.
     pub(super) corners: Vec<[f64; 2]>,
-    /// Way to the farthest corner, m.
+    /// Distance to the farthest corner, m.
     pub(super) reach: f64,
     /// Slip and yaw after settlement.
     pub(super) settled: [f64; 3],
@@ -24,7 +24,7 @@ pub(super) struct Watch {
     pub(super) settled_opening: f64,
 }
 
-/// Pose of the upper body on the lower: largest gap at a corner, shift, rotation.
+/// Pose of the upper body relative to the lower one: largest gap at a corner, shift, rotation.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct RelativePose {
     pub(super) opening: f64,
@@ -32,7 +32,7 @@ pub(super) struct RelativePose {
     pub(super) yaw: f64,
 }
 
-/// The body below a joint; with moving ground, the ground body under its stone.
+/// The body below a joint; if the ground moves, the ground body under its stone.
 pub(super) fn lower_body(joint: &Joint, assembly: &Assembly) -> usize {
     match joint.lower {
         Body::Ground => assembly.ground_under(joint.upper + 1),
@@ -82,8 +82,9 @@ impl Watch {
     pub(super) fn see(&self, bodies: &[RigidBody]) -> RelativePose {
         let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
         let now = upper.now(self.origin) - lower.now(self.origin);
-        // the shift of the upper side's origin, and its axes, in the axes of the lower; a corner at (a, b) has shifted by
-        // middle + (a x + b y) − (a, b, 0)
+        // the shift of the upper side's origin, and its axes, in the axes of the lower side; a corner at (a, b) has
+        // shifted by
+        // // middle + (a x + b y) − (a, b, 0)
         let (middle, x, y) = if self.level {
             (
                 transposed_times(&lower.rotation, now),
@@ -117,7 +118,7 @@ fn transposed_times(matrix: &DMat3, v: DVec3) -> DVec3 {
     DVec3::new(matrix.x_axis.dot(v), matrix.y_axis.dot(v), matrix.z_axis.dot(v))
 }
 
-/// Angle of a direction, rad: for small ones by a series, ten times as fast, with an error below 1e-17.
+/// Angle of a direction, rad; for small angles by a series, ten times faster, with an error below 1e-17.
 pub(super) fn angle(across: f64, along: f64) -> f64 {
     const SMALL: f64 = 0.02;
     if across.abs() > SMALL * along {

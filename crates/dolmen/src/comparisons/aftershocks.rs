@@ -1,4 +1,4 @@
-//! A second motion on what the first left: both as one, beside a run that begins where the first came to rest.
+//! A second motion after a first: both motions in one run, and a run that restarts where the first came to rest.
 
 use super::{Case, ValidationError};
 use crate::dynamics::{
@@ -55,7 +55,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
 fn run(motion: &GroundMotion, start_m: f64) -> Result<FrameHistory, ValidationError> {
     let storey = Storey {
         mass_kg: 1e3,
-        height_m: 1e3, // drifts of any size are small
+        height_m: 1e3, // so high that drifts of any size are small
         axial_n: 0.0,
     };
     let frame = Frame::new(vec![storey], Convention::Drift)?;

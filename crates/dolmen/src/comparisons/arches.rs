@@ -1,4 +1,4 @@
-//! Semicircular arches: the least thickness at which they stand.
+//! Semicircular arches: the smallest thickness at which they stand.
 
 use super::{Case, ValidationError};
 use crate::assess::{StackCheckOptions, check_stack};
@@ -11,9 +11,9 @@ const SOURCE: &str = "Semicircular arches";
 const NOTE: &str = "Semicircular arches of flat-faced voussoirs that cannot slide, thickness over the radius of the middle line. Published: a \
                     linear programme of its own, hinges at the corners; its limit for many voussoirs is Milankovitch's 0.107478 (1907), not \
                     Heyman's 0.106.";
-/// Voussoirs, and the least thickness over the radius.
+/// Number of voussoirs, and the smallest thickness over the radius.
 const LEAST: [(u32, f64); 3] = [(9, 0.101525), (10, 0.107011), (17, 0.105463)];
-/// Half of the last interval of the bisection, and of the sixth digit.
+/// Half of the last interval of the bisection, plus half of the sixth digit.
 const TOLERANCE: f64 = 1e-5;
 
 /// Increase of the span, over R, at which a spreading arch of 10 voussoirs and t/R 0.15 falls.
@@ -54,7 +54,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     Ok(all)
 }
 
-/// The arch of 10 voussoirs, one support moved by a tenth of its radius.
+/// The arch of 10 voussoirs with one support moved by a tenth of its radius.
 fn spreading() -> Result<Stack, ValidationError> {
     let movement = SupportMovement {
         block: 9,
@@ -94,13 +94,12 @@ fn least_thickness(voussoirs: u32) -> Result<f64, ValidationError> {
     Ok(0.5 * (falls + stands))
 }
 
-/// Whether an arch of this thickness stands.
 fn stands_at(voussoirs: u32, thickness_m: f64) -> Result<bool, ValidationError> {
     let check = check_stack(&round(voussoirs, thickness_m)?, &StackCheckOptions::default())?;
     Ok(check.verdict != Verdict::Unstable)
 }
 
-/// An arch of this thickness, the radius of its middle line 1 m.
+/// An arch of this thickness; the radius of its middle line is 1 m.
 fn round(voussoirs: u32, thickness_m: f64) -> Result<Stack, ValidationError> {
     let inner_m = 1.0 - 0.5 * thickness_m;
     let blocks = arch(&ArchFactors {

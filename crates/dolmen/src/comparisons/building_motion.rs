@@ -1,4 +1,4 @@
-//! Buildings and dampers in time: compared with closed forms, and one method with another.
+//! Buildings and dampers in time: comparisons with closed forms and between two methods.
 
 use super::{Case, ValidationError, twisting_floor};
 use crate::damper::{
@@ -100,7 +100,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// Standard deviations under white noise along y, each by Lyapunov's equation and by superposition of complex modes.
+/// Standard deviations under white noise along y, by Lyapunov's equation and by superposition of complex modes.
 fn white_noise() -> Result<[[f64; 2]; 3], ValidationError> {
     let damping = BuildingDamping::Modal(vec![0.02]);
     let alone = VibratingBuilding::new(twisting_floor(1e5)?, &damping, Vec::new())?;

@@ -1,4 +1,4 @@
-//! Buildings that twist, for validation, examples and benchmarks.
+//! Buildings with torsion, for validation, examples and benchmarks.
 
 use super::ValidationError;
 use crate::dynamics::TunedMass;
@@ -6,10 +6,10 @@ use crate::known::hwang_min_hong as paper;
 use crate::structure::Building;
 use crate::structure::building::{Element, Floor, Outline, PDelta, PlanDirection, Storey, StoreyStiffness};
 
-/// The example of Hwang, Min and Hong, made again from its Table 1: one floor of 10 × 8 m on four walls.
+/// The example of Hwang, Min and Hong, reconstructed from its Table 1: one floor of 10 × 8 m on four walls.
 ///
 /// # Errors
-/// None: the numbers are fixed.
+/// No error occurs, because the numbers are fixed.
 pub fn twisting_floor(mass_kg: f64) -> Result<Building, ValidationError> {
     let [kx, ky] = paper::STIFFNESS.map(|k| k * mass_kg);
     let share = 0.5 * (1.0 - paper::RIGIDITY_X_M / 5.0);
@@ -39,10 +39,11 @@ pub fn twisting_floor(mass_kg: f64) -> Result<Building, ValidationError> {
     )?)
 }
 
-/// Twenty storeys of 24 × 16 m whose walls lie left of the middle, stiffness falling to half at the top: made for this crate.
+/// Twenty storeys of 24 × 16 m with walls left of the middle, whose stiffness at the top is half of that at the foot. Not
+/// from a source.
 ///
 /// # Errors
-/// None: the numbers are fixed.
+/// No error occurs, because the numbers are fixed.
 pub fn twenty_storeys() -> Result<Building, ValidationError> {
     let (mut floors, mut storeys) = (Vec::new(), Vec::new());
     for i in 0..20 {
@@ -57,7 +58,7 @@ pub fn twenty_storeys() -> Result<Building, ValidationError> {
     Ok(Building::new(floors, storeys, PDelta::LeftOut)?)
 }
 
-/// A mass of 120 t on the top floor of [`twenty_storeys`], right of the middle, moving along y.
+/// A mass of 120 t on the top floor of [`twenty_storeys`], right of the middle, which moves along y.
 pub fn twenty_storeys_mass() -> TunedMass {
     TunedMass {
         floor: 20,

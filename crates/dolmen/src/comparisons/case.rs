@@ -1,4 +1,4 @@
-/// One number of a source, or of a second method of this crate, compared with ours.
+/// One number of a source, or of a second method of this crate, compared with our result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
     /// Author and year.
@@ -11,9 +11,9 @@ pub struct Case {
     pub published: f64,
     /// The quantity computed by this crate, by the definition of the source.
     pub computed: f64,
-    /// Largest difference that the digits of the source allow, same unit.
+    /// Largest difference that the digits of the source allow, in the same unit.
     pub tolerance: f64,
-    /// The right number, where the source's definition is wrong.
+    /// The correct number, if the definition of the source is wrong.
     pub corrected: Option<f64>,
     /// Note: why the published number is wrong, or the reason for the tolerance. May be empty.
     pub note: &'static str,

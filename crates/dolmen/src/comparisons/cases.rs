@@ -11,7 +11,7 @@ use super::{
 /// All cases, source by source.
 ///
 /// # Errors
-/// [`ValidationError`] if one cannot be computed: a fault of this crate.
+/// [`ValidationError`] if a case cannot be computed, which is a fault of this crate.
 ///
 /// # Example
 /// ```

@@ -8,11 +8,12 @@ use crate::structure::{Chain, Inertia, Link};
 
 const SOURCE: &str = "Choi (2021)";
 const KILO: f64 = 1e3;
-/// Standard gravity of the source's region of use; critical stiffness does not depend on it, since weights are given.
+/// Gravity for the masses. Critical stiffness does not depend on it, because weights are given.
 const GRAVITY_M_S2: f64 = 9.81;
 /// Half a unit of the last printed digit, two decimals.
 const ROUNDED: f64 = 0.005;
-/// A unit of it: Table 3 cuts some numbers off (127.586 as 127.58) and rounds others (10.6676 as 10.67).
+/// One unit of the last digit: Table 3 truncates some numbers (127.586 as 127.58) and rounds others (10.6676 as
+/// 10.67).
 const CUT_OFF: f64 = 0.01;
 /// Half a unit of one printed decimal.
 const ROUNDED_1: f64 = 0.05;
@@ -24,8 +25,8 @@ const ARTEFACT: &str = "Lowering a centre of mass never asks for more stiffness:
                         Corrected: the joint's exact limit with every other joint rigid.";
 const RATE: &str = "Corrected: the change of the joint's exact limit, which never rises.";
 
-/// The stone flagpole of Naju, Table 1 of Choi (2021): five links as thin rods, without the cap stone, which the
-/// source leaves out (unsafe).
+/// The stone flagpole of Naju, Table 1 of Choi (2021): five links as thin rods, without the cap stone, as in the
+/// source (unsafe).
 ///
 /// # Errors
 /// [`ValidationError::Structure`] if `gravity_m_s2`, by which the weights are divided, is not positive.

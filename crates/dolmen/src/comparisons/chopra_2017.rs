@@ -10,7 +10,7 @@ use crate::structure::Building;
 use crate::structure::building::{BuildingDamping, Floor, PDelta, Storey, StoreyStiffness};
 
 const SOURCE: &str = "Chopra (2017)";
-/// g in in/s²; all here is in kip, inch and second.
+/// g in in/s²; all units here are kip, inch and second.
 const GRAVITY_IN_S2: f64 = 386.4;
 const STIFFNESS_KIP_IN: f64 = 31.54;
 const PERIODS_S: [f64; 5] = [1.99963, 0.68504, 0.43456, 0.33828, 0.29659];
@@ -23,7 +23,7 @@ const HISTORY: &str =
 const CORRELATION: &str =
     "Lower mode 2 %, higher 5 %. With the damping of the two modes swapped it would be 0.0763.";
 
-/// The record as the repository holds it, g.
+/// The record in the repository, g.
 const EL_CENTRO: &str = include_str!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv");
 
 fn el_centro() -> Result<GroundMotion, ValidationError> {
@@ -44,7 +44,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         gyration_m: 100.0,
         outline: None,
     };
-    // stiff along y and against twist: it moves along x
+    // so stiff along y and in torsion that it moves only along x
     let stiffness = StoreyStiffness::at_centre(
         STIFFNESS_KIP_IN,
         1e2 * STIFFNESS_KIP_IN,

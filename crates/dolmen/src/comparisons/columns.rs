@@ -112,7 +112,7 @@ fn beam_cases(source: &'static str, name: &str, published: [f64; 3], computed: V
     pairs.map(case).collect()
 }
 
-/// Relative: what the search for the degree leaves is below its last change, 1e-7.
+/// Relative tolerance: the error of the search for the degree is below its last change, 1e-7.
 const BEAM: f64 = 1e-7;
 const POISSON_RATIO: f64 = 0.2;
 
@@ -149,7 +149,7 @@ fn link(weight_n: f64, length_m: f64, centroid_m: f64) -> Link {
     }
 }
 
-/// Equal joints that n unit links with a unit weight at the very top need.
+/// Stiffness of n equal joints of unit links at which the chain just stands with a unit weight at the top.
 fn hencky_chain(links: u32) -> Result<f64, ValidationError> {
     let mut all = vec![link(WEIGHTLESS, 1.0, 0.5); links as usize];
     if let Some(top) = all.last_mut() {
@@ -158,7 +158,7 @@ fn hencky_chain(links: u32) -> Result<f64, ValidationError> {
     Ok(chain_limits(&Chain::new(all, 1.0)?)?.equal_joints_n_m_rad)
 }
 
-/// q H³/EI of n equal links of a column with H = 1, q = 1: base spring 2EI/h, the others EI/h.
+/// q H³/EI at which n equal links of a column with H = 1, q = 1 buckle: base spring 2EI/h, other springs EI/h.
 fn greenhill_chain(links: u32) -> Result<f64, ValidationError> {
     let n = f64::from(links);
     let h = 1.0 / n;

@@ -1,4 +1,4 @@
-//! Comparisons of beds with a strength or damage: crushing edges, a bed that is partly lost, soft soil. Closed forms.
+//! Closed forms of beds with a strength or damage: crushing edges, a bed that is partly lost, soft soil.
 
 use super::{Case, ValidationError};
 use crate::assess::{StackCheckOptions, check_stack};
@@ -76,7 +76,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     Ok(found.into_iter().map(case).collect())
 }
 
-/// Least acceleration at which something begins to move.
+/// Smallest acceleration at which a stone begins to move.
 fn first_motion_g(blocks: Vec<Block>, material: JointMaterial) -> Result<f64, ValidationError> {
     let stack = Stack::new(blocks, material, GRAVITY_M_S2)?;
     let check = check_stack(&stack, &StackCheckOptions::default())?;

@@ -1,4 +1,4 @@
-//! Dampers: tunings of one mode by their authors, and the twisting floors of Hwang, Min & Hong with a damper.
+//! Dampers: published tunings for one mode, and the twisting floors of Hwang, Min & Hong with a damper.
 
 use super::{Case, ValidationError};
 use crate::damper::{
@@ -150,7 +150,7 @@ fn tunings() -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// A floor with every mode damped by 2 %.
+/// A floor with 2 % damping in every mode.
 fn floor(stiffness: Matrix) -> Result<LinearSystem, ValidationError> {
     let mass = Matrix::from_diagonal(&[1.0, 1.0, paper::GYRATION_SQUARED_M2]);
     let bare = LinearSystem::new(mass.clone(), Matrix::zeros(3, 3), stiffness.clone())?;
@@ -182,7 +182,7 @@ fn edges(structure: &LinearSystem, dampers: &[AttachedDamper]) -> Result<Judged,
     )?)
 }
 
-/// The source's damper at x with its ζ on its own frequency.
+/// The damper of the source at x, with its damping ratio relative to its own frequency.
 fn damper(structure: &LinearSystem, x: f64, rule: TuningRule) -> Result<AttachedDamper, ValidationError> {
     let modes = structure.modes()?;
     let tuning = rule_tuning(rule, MU, 0.0)?;
@@ -278,7 +278,7 @@ fn floors() -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// Ratios by modal synthesis, ω = tan s in equal steps of s.
+/// Ratios by modal synthesis, with ω = tan s in equal steps of s.
 fn by_synthesis(
     structure: &LinearSystem,
     damper: &AttachedDamper,
@@ -299,7 +299,7 @@ fn by_synthesis(
     Ok(sums.into_iter().map(f64::sqrt).collect())
 }
 
-/// Both edges with place and tuning best together.
+/// Both edges, with position and tuning optimised together.
 fn best_of(structure: &LinearSystem) -> Result<Vec<f64>, ValidationError> {
     let DamperKind::TunedMass {
         mass_kg,
@@ -392,7 +392,7 @@ fn sign() -> Result<Case, ValidationError> {
     Ok(of)
 }
 
-/// Liquid columns: least variance by search of the closed form's neighbourhood.
+/// Liquid columns: smallest variance by a search near the closed form.
 fn columns() -> Result<Vec<Case>, ValidationError> {
     let mut cases = Vec::new();
     for (mu, alpha) in [(0.01, 0.9), (0.05, 0.7)] {
@@ -414,7 +414,7 @@ fn columns() -> Result<Vec<Case>, ValidationError> {
         };
         let [mut f, mut zeta] = liquid_column::least_variance_under_force(mu, alpha);
         let published = [f, zeta];
-        f *= 1.01; // found again from beside it
+        f *= 1.01; // a start next to the optimum
         zeta *= 0.98;
         for _ in 0..20 {
             f = vertex(f, 1e-3, |f| variance(f, zeta))?;

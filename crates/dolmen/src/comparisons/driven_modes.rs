@@ -1,4 +1,4 @@
-//! Modes on a held base, from records of a frame whose ground gives way.
+//! Modes on a fixed base, identified from records of a frame on flexible ground.
 
 use super::{Case, ValidationError};
 use crate::modal::{Identify, MadeOnGround, Method, identify};

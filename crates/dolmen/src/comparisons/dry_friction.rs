@@ -13,9 +13,10 @@ use std::f64::consts::TAU;
 
 /// Tolerance for rounding alone, in amplitudes of about 1.
 const ROUNDING: f64 = 1e-9;
-/// Cycles before the steady state is read: friction alone has damped the start by then.
+/// Number of cycles before the steady state is measured; by then, friction alone has damped the
+/// initial motion.
 const CYCLES: f64 = 400.0;
-/// A mass so heavy that a Jenkins element hardly slows it.
+/// A mass so heavy that a Jenkins element hardly affects it.
 const HEAVY: f64 = 1e9;
 
 const STEADY: &str = "Read after 400 cycles from rest.";
@@ -67,7 +68,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         unit: "J",
         published: jenkins_loop_energy_j(1.5, 2.0, 1.0),
         computed: taken(&swing) - taken(&first),
-        tolerance: 1e-7, // the element slows the mass by some 1e-8 of its amplitude
+        tolerance: 1e-7, // the element slows the mass by about 1e-8 of its amplitude
         corrected: None,
         note: "",
     });
@@ -78,7 +79,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
             unit: "",
             published: circle_radius(g, r, zeta).unwrap_or(f64::NAN),
             computed: circling(g, r, zeta)?,
-            tolerance: 1e-4, // of first order in a step of 1/5000 of a radian
+            tolerance: 1e-4, // first order in a step of 1/5000 of a radian
             corrected: None,
             note: "Read after 30 cycles from rest; both directions share one slip force.",
         });
@@ -86,7 +87,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// Frequency ratio, friction ratio and damping ratio of masses that circle.
+/// Frequency ratio, friction ratio and damping ratio of masses that move in circles.
 const CIRCLES: [(f64, f64, f64); 2] = [(0.6, 0.3, 0.05), (1.5, 0.5, 0.05)];
 
 /// Radius at the end of a run on a ground that moves in circles.
@@ -119,7 +120,8 @@ fn circling(g: f64, r: f64, damping_ratio: f64) -> Result<f64, ValidationError> 
     Ok(x.hypot(y))
 }
 
-/// A mass on a spring of the same number, with an element, let go or driven, for so long.
+/// A mass on a spring of the same number, with a Jenkins element, released or driven, for a given
+/// time.
 fn run(
     element: StoreyFriction,
     mass: f64,
@@ -149,7 +151,7 @@ fn steady_amplitude(g: f64, r: f64) -> Result<f64, ValidationError> {
         phase_rad: 0.0,
     });
     let history = run(StoreyFriction::coulomb(r), 1.0, &load, (0.0, CYCLES * TAU / g))?;
-    // the last slip but one is whole: from turn to turn, twice the amplitude
+    // the last slip but one is complete: from turning point to turning point, twice the amplitude
     let slip = history
         .slips
         .iter()

@@ -1,4 +1,4 @@
-//! The structure before, in and after a made earthquake whose stiffness is known at every moment.
+//! A structure before, during and after a simulated earthquake, with known stiffness at every time.
 
 use super::{Case, ValidationError};
 use crate::modal::{During, Identify, Losses, MadeEarthquake, strong_motion};

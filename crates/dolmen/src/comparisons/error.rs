@@ -7,7 +7,7 @@ use crate::stability::StabilityError;
 use crate::structure::StructureError;
 use crate::structure::stack::{SliceError, StackError};
 
-/// Why a case could not be computed.
+/// Reason why a case could not be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ValidationError {
     /// A structure of a source was refused.
@@ -22,19 +22,19 @@ pub enum ValidationError {
     /// A building of a source was refused.
     #[error(transparent)]
     Building(#[from] crate::structure::building::BuildingError),
-    /// Its stiffness in plan was not found.
+    /// The stiffness in plan was not found.
     #[error(transparent)]
     Plan(#[from] crate::structure::building::PlanStiffnessError),
-    /// Its stability could not be assessed.
+    /// Stability could not be assessed.
     #[error(transparent)]
     Stability(#[from] StabilityError),
     /// A wind was refused.
     #[error(transparent)]
     Wind(#[from] crate::structure::wind::WindError),
-    /// Its frequencies could not be computed.
+    /// The frequencies of a stack could not be computed.
     #[error(transparent)]
     Blocks(#[from] BlocksError),
-    /// Its motion in time could not be computed.
+    /// A motion in time could not be computed.
     #[error(transparent)]
     Dynamics(#[from] DynamicsError),
     /// A motion was refused.
@@ -49,7 +49,7 @@ pub enum ValidationError {
     /// A damper was refused.
     #[error(transparent)]
     Damper(#[from] DamperError),
-    /// It could not be assessed.
+    /// An assessment failed.
     #[error(transparent)]
     Assess(#[from] AssessError),
 }

@@ -6,11 +6,11 @@ use crate::assess::{
     sufficiency,
 };
 
-/// Half of the last digit that is printed.
+/// Half of the last printed digit.
 const SIX_DIGITS: f64 = 5e-7;
 const FOUR_DIGITS: f64 = 5e-5;
 
-/// Stripes of 40 motions, and how many of each collapsed.
+/// Stripes of 40 motions, and the number of collapses in each.
 const STRIPES: [(f64, usize); 8] = [
     (0.2, 0),
     (0.3, 0),
@@ -23,7 +23,7 @@ const STRIPES: [(f64, usize); 8] = [
 ];
 const CAPACITIES: [f64; 10] = [0.31, 0.36, 0.42, 0.44, 0.47, 0.52, 0.55, 0.58, 0.66, 0.83];
 
-/// Anscombe's first set: x, y.
+/// Anscombe's first data set: x, y.
 const ANSCOMBE: [[f64; 2]; 11] = [
     [10.0, 8.04],
     [8.0, 6.95],
@@ -38,7 +38,7 @@ const ANSCOMBE: [[f64; 2]; 11] = [
     [5.0, 5.68],
 ];
 
-/// A regression beside printed numbers, as sufficiency rests on it.
+/// A regression compared with printed numbers; sufficiency uses it.
 fn of_lines() -> Result<Vec<Case>, ValidationError> {
     let (x, y) = (ANSCOMBE.map(|pair| pair[0]), ANSCOMBE.map(|pair| pair[1]));
     let line = sufficiency(&y, &x)?;
@@ -83,7 +83,8 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         corrected: None,
         note: "",
     };
-    // ln of the capacities of three samples under three motions: motions .4 apart, samples .3
+    // ln of the capacities of three samples under three motions: the motions differ by .4, the
+    // samples by .3
     let table = [0.0, 0.3, -0.3]
         .map(|sample| [0.0, 0.4, 0.8].map(|motion: f64| Observation::At((sample + motion).exp())));
     let split = scatter_split(

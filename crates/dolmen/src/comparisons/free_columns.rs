@@ -1,4 +1,4 @@
-//! Columns that stand free on foot stones.
+//! Free-standing columns on foot stones.
 
 use super::{Case, ValidationError};
 use crate::dynamics::RockingBlock;

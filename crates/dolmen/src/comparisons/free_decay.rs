@@ -1,4 +1,4 @@
-//! Comparison: a free decay with known poles, and the lower bound of their scatter under noise.
+//! A free decay with known poles, and the lower bound of their scatter under noise.
 
 use super::{Case, ValidationError};
 use crate::modal::{Era, era};

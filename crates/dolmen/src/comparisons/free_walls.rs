@@ -1,4 +1,4 @@
-//! A free wall shaken out of its plane, by both laws of contact and by the equation of one rocking body.
+//! A free wall shaken out of its plane, with both contact laws and with the equation of one rocking body.
 
 use super::second_methods::el_centro;
 use super::{Case, ValidationError};
@@ -16,7 +16,7 @@ const DENSITY_KG_M3: f64 = 2400.0;
 const THICKNESS_M: f64 = 0.6;
 const LENGTH_M: f64 = 1.6;
 const HEIGHT_M: f64 = 3.0;
-/// Of El Centro, whose own peak is 0.31882 g.
+/// Scaled peak of El Centro, whose own peak is 0.31882 g.
 const PEAK_G: f64 = 1.3 * 0.31882;
 const STEP_S: f64 = 0.02;
 const DURATION_S: f64 = 6.0;
@@ -125,7 +125,7 @@ fn largest_turn(history: &StackHistory) -> f64 {
 mod tests {
     use super::*;
 
-    /// By SciPy 1.17.1, DOP853 restarted at every sample and event (as tests/validation/rocking_block_el_centro.py, 0.6 × 3.0 m).
+    /// SciPy 1.17.1, DOP853 restarted at every sample and event (as in tests/validation/rocking_block_el_centro.py, 0.6 × 3.0 m).
     #[test]
     fn agrees_one_body_with_scipy() {
         assert!(

@@ -1,4 +1,4 @@
-//! A turbulent wind on one mode: closed form of a narrow band, Annex B of EN 1991-1-4.
+//! A turbulent wind on one mode: closed form for a narrow band, and Annex B of EN 1991-1-4.
 
 use super::{Case, ValidationError};
 use crate::damper::{DamperError, GustMotion, GustQuantity, GustRow, gust_history, gust_motion};
@@ -15,7 +15,7 @@ const MASS_KG: f64 = 1e6;
 const FREQUENCY_HZ: f64 = 0.5;
 const HEIGHT_M: f64 = 60.0;
 const BREADTH_M: f64 = 24.0;
-/// Decay with which the coherence averaged over both lengths is R_h R_b of the code: 4.6 · 2.
+/// Decay for which the coherence averaged over both lengths equals R_h R_b of the code: 4.6 · 2.
 const DECAY_OF_ANNEX_B: f64 = 9.2;
 
 pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
@@ -45,12 +45,12 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     ])
 }
 
-/// Damping ratio of the mode in histories, and their number of hours.
+/// Damping ratio of the mode in time histories, and their number of hours.
 const DAMPING_RATIO_IN_TIME: f64 = 0.05;
 const HOURS: usize = 50;
 const TEN_MINUTES_S: f64 = 600.0;
 
-/// Displacement of the mode in hours of the wind, m.
+/// Displacement of the mode over hours of wind, m.
 fn hours(face: &GustFace) -> Result<Vec<f64>, ValidationError> {
     let times = GustTimes {
         time_step_s: 0.1,

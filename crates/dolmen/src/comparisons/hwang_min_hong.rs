@@ -1,4 +1,4 @@
-//! Hwang, Min & Hong: a floor that twists.
+//! Hwang, Min & Hong: a floor with torsion.
 
 use super::{Case, ValidationError, twisting_floor};
 use crate::known::hwang_min_hong as paper;
@@ -44,7 +44,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// Back from the printed modes to the storey: t = ρθ/v of mode 1 is −ρ/r_x.
+/// The storey from the printed modes: t = ρθ/v of mode 1 is −ρ/r_x.
 fn inverse() -> Result<Vec<Case>, ValidationError> {
     let gyration_m = paper::GYRATION_SQUARED_M2.sqrt();
     let storey = PlanStorey {

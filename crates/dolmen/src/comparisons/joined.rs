@@ -1,4 +1,4 @@
-//! Channels with clocks and rates of their own, beside the sines that they are.
+//! Channels with their own clocks and sampling rates, compared with the original sines.
 
 use super::{Case, ValidationError};
 use crate::signal::{Channel, Join, Piece, SignalError, join};
@@ -8,7 +8,8 @@ const SOURCE: &str = "Closed form";
 const NOTE: &str = "Published is the sine at that time; its amplitude is 1. The filter is flat to 0.8 of the Nyquist frequency, \
                     50 Hz.";
 
-/// The second of two channels, joined at 100 Hz: its largest value in the middle second, and the sine's own.
+/// Largest value in the middle second of the second of two channels, joined at 100 Hz, and that of the sine
+/// itself.
 fn largest(frequency_hz: f64, begins_s: f64, rate_hz: f64) -> Result<[f64; 2], SignalError> {
     let sine = |t: f64| (TAU * frequency_hz * t).sin();
     let piece = |name: &str, begins_s: f64, rate_hz: f64| Piece {
@@ -32,7 +33,7 @@ fn largest(frequency_hz: f64, begins_s: f64, rate_hz: f64) -> Result<[f64; 2], S
 }
 
 pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
-    const RIPPLE: f64 = 1e-5; // of the filter, as its documentation states
+    const RIPPLE: f64 = 1e-5; // of the filter, as stated in its documentation
     let case = |what: &str, published: f64, computed: f64, note| Case {
         source: SOURCE,
         what: what.to_owned(),

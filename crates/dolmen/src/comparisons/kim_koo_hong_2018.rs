@@ -1,4 +1,4 @@
-//! Pagodas as rigid blocks: Kim, Koo & Hong (2018), and their formulas on the stacks P10 and P20.
+//! Pagodas as rigid blocks: Kim, Koo & Hong (2018), and their formulas for the stacks P10 and P20.
 
 use super::{Case, ValidationError, p10, p20};
 use crate::assess::StackCheckOptions;
@@ -11,7 +11,7 @@ use crate::stability::stack::{
 use crate::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
 
 const SOURCE: &str = "Kim, Koo & Hong (2018)";
-/// Source of rows that are not in a paper: computed independently of this crate, by hand or by other programs.
+/// Source of rows that are not from a paper: computed by hand or by other programs.
 const BY_HAND_SOURCE: &str = "By hand: P10 and P20";
 const STONE_SOURCE: &str = "By hand: Housner's quantities of a stone";
 const ENGINES_SOURCE: &str = "Other engines: P10 on springs";
@@ -177,7 +177,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// Capacity over demand of five stones of 1.4 m with a slender finial under the spectrum of EN 1998-1, type 1, ground B, a_g 0.053 g: with S_a on
+/// Capacity over demand of five stones of 1.4 m with a slender finial, for the spectrum of EN 1998-1, type 1, ground B, a_g 0.053 g: with S_a on
 /// all masses, and by modes.
 fn finial() -> Result<(f64, f64), ValidationError> {
     let mut z = 0.0;

@@ -1,4 +1,4 @@
-//! Comparison: local mechanisms by codes against closed forms, for a wall in courses and for a portal that sways.
+//! Local mechanisms by codes against closed forms, for a wall in courses and for a portal.
 
 use super::{Case, ValidationError};
 use crate::assess::demand::{CircolareFactors, circolare_capacity};
@@ -61,7 +61,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
             TOLERANCE,
         ),
         case("wall: T_SLV", "s", 1.9458, period_s.unwrap_or(f64::NAN), 1e-4),
-        // pillars 0.32 m³ at half the displacement of the beam, 0.4 m³
+        // pillars 0.32 m³ with half the displacement of the beam, 0.4 m³
         case(
             "portal: α0 = b/h",
             "",

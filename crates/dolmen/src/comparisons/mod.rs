@@ -1,5 +1,5 @@
-//! Every number of others that this crate must reproduce: published beside computed, and where the published one is
-//! wrong the right one beside it.
+//! All external numbers that this crate must reproduce: published and computed values, with the correct value if
+//! the published one is wrong.
 
 mod aftershocks;
 mod arches;

@@ -7,7 +7,7 @@ use crate::numeric::normal_quantile;
 const SOURCE: &str = "Owen & Prieur (2017)";
 const NOTE: &str = "Two normal inputs, correlation −.77 as theory has it for tan α and λ. The closed form against shares of what surfaces explain of 900 designs left out, hence .005.";
 const CORRELATION: f64 = -0.77;
-/// Points of each of two independent inputs, in the middle of as many equal parts.
+/// Number of points of each of two independent inputs, in the middle of equal intervals.
 const POINTS: usize = 30;
 
 pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {

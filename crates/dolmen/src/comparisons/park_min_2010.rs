@@ -18,8 +18,7 @@ const ROUNDED: &str = "The source prints frequencies to 0.1 Hz and says stiffnes
                        P2 twice, its printed P1 being the sum of both levels already.";
 const FORWARD: &str = "From the stiffness printed; the source measured this frequency to 0.1 Hz.";
 
-/// The gate Heunginjimun of Park & Min (2010). The axial forces are as the source means its figures: P1 already includes
-/// P2.
+/// The gate Heunginjimun of Park & Min (2010), with the axial forces as the source intends: P1 already includes P2.
 ///
 /// # Errors
 /// No error occurs, because the numbers are fixed.
@@ -27,7 +26,7 @@ pub fn heunginjimun_gate(convention: Convention) -> Result<Frame, ValidationErro
     gate(convention, paper::AXIAL_KN.map(|p| p * KILO).to_vec())
 }
 
-/// The gate with P2 counted twice in the lower storey, as eq. 7 is printed.
+/// The gate with P2 counted twice in the lower storey, as in the printed eq. 7.
 ///
 /// # Errors
 /// No error occurs, because the numbers are fixed.

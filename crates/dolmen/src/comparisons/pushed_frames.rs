@@ -1,4 +1,4 @@
-//! Frames under forces from the side.
+//! Frames under lateral forces.
 
 use super::{Case, ValidationError};
 use crate::stability::{FootSection, FramePush, FreeColumns, frame_under_loads};

@@ -1,4 +1,4 @@
-//! Poles of one small record by pyOMA2 1.4.3, as `bench/ssi_cov/agrees.py` prints them.
+//! Poles of a small record by pyOMA2 1.4.3, as printed by `bench/ssi_cov/agrees.py`.
 
 use super::{Case, ValidationError};
 use crate::modal::{Plscf, Pole, Ssi, plscf, ssi_cov, ssi_data};
@@ -10,7 +10,7 @@ const NOTE: &str = "pyOMA2 1.4.3, 600 samples of 3 channels at 20 Hz, 8 block ro
                     order agrees to 1e-6 (a test).";
 const SAMPLES: usize = 600;
 const ORDER: usize = 12;
-/// Relative: rounding of two programs, amplified by the least singular values.
+/// Relative tolerance: rounding of two programs, amplified by the smallest singular values.
 const TOLERANCE: f64 = 1e-6;
 /// Frequency, Hz, and damping ratio of the first pole of order 12.
 const COV: [f64; 2] = [0.8719417232, 0.0563333749];

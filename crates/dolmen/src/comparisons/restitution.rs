@@ -1,4 +1,4 @@
-//! Comparisons: restitution of stones that rock and that fall.
+//! Restitution of rocking and of falling stones.
 
 use super::{Case, ValidationError};
 use crate::blocks::{Rigid, Springs, StackHistory, Start, simulate_rigid, simulate_springs};
@@ -84,7 +84,7 @@ fn dropped() -> Start {
     }
 }
 
-/// Root of the height of the first rebound over that of the fall.
+/// Square root of the height of the first rebound over the height of the fall.
 fn rebound(history: &StackHistory) -> f64 {
     let landed_s = (2.0 * FALL_M / GRAVITY_M_S2).sqrt();
     let after = (0..history.time_s.len()).filter(|&sample| history.time_s[sample] > landed_s);
@@ -95,7 +95,7 @@ fn rebound(history: &StackHistory) -> f64 {
 /// Angular velocity after the first impact of free rocking over that before it.
 ///
 /// ```text
-/// E ∝ cos(α − θ) at rest, less that upright:   r² = E_after / E_before
+/// E ∝ cos(α − θ) at rest, minus the value when upright:   r² = E_after / E_before
 /// ```
 fn rocking_kept(given: f64) -> Result<f64, ValidationError> {
     let [width, _, height] = BLOCK_M;

@@ -64,8 +64,8 @@ pub(super) fn cases() -> Vec<Case> {
     cases
 }
 
-/// Ratio of angular velocities at an impact: angular momentum about the new edge before it, over the moment of
-/// inertia, both per mass.
+/// Ratio of angular velocities at an impact: angular momentum about the new edge before it, divided by the
+/// moment of inertia, both per mass.
 fn angular_velocity_kept() -> f64 {
     let (b2, h2) = (HALF_WIDTH_M.powi(2), HALF_HEIGHT_M.powi(2));
     let about_the_centre = (b2 + h2) / 3.0;

@@ -1,4 +1,4 @@
-//! The two laws of contact beside methods that share nothing with them: one block that rocks by events, and the sliding model.
+//! The two contact laws against independent methods: one rocking block from event to event, and the sliding model.
 
 use super::{Case, ValidationError};
 use crate::blocks::{
@@ -13,7 +13,7 @@ use std::fmt;
 const SOURCE: &str = "Second methods";
 const GRAVITY_M_S2: f64 = 9.81;
 const MM: f64 = 1e-3;
-/// Friction of the blocks, from the ground up: so that all joints slide, each at its own times.
+/// Friction of the blocks, from the ground up, chosen so that all joints slide at different times.
 const FRICTION: [f64; 3] = [0.20, 0.18, 0.16];
 
 const SLIDING: &str = "Second methods, blocks of 0.3 × 0.2 × 0.1 m, μ 0.20, 0.18, 0.16 from the ground up: El Centro NS at 0.3 g along \
@@ -39,7 +39,7 @@ fn stone(name: String, solid: &Solid, z: f64) -> Block {
     }
 }
 
-/// El Centro 1940 north-south as the repository holds it, as parts of its peak.
+/// El Centro 1940 north-south from the repository, over its peak.
 pub(super) fn el_centro() -> Vec<f64> {
     let text = include_str!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv");
     let values: Vec<f64> = text
@@ -51,7 +51,7 @@ pub(super) fn el_centro() -> Vec<f64> {
     values.iter().map(|a| a / peak).collect()
 }
 
-/// The first seconds of it, along x and, backwards and times `across`, along y.
+/// Its first seconds along x and, reversed in time and multiplied by `across`, along y.
 fn shaking(peak_g: f64, across: f64, seconds: f64) -> Result<GroundMotion, SignalError> {
     let x: Vec<f64> = el_centro().iter().map(|a| a * peak_g * GRAVITY_M_S2).collect();
     let y = x.iter().rev().map(|a| across * a).collect();
@@ -66,7 +66,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// Paper 003's blocks, one to three high: peak slip of each joint, and the turn of the highest block.
+/// Blocks of paper 003, one to three high: peak slip of each joint, and rotation of the highest block.
 fn sliding(blocks: usize) -> Result<Vec<Case>, ValidationError> {
     const RIGID: f64 = 0.001; // of the slip; measured below .05 %
     const SPRINGS: f64 = 0.02; // of the slip; measured below 1.3 %
@@ -103,7 +103,6 @@ fn sliding(blocks: usize) -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// A law of contact.
 #[derive(Clone, Copy)]
 enum Law {
     Rigid,
@@ -119,7 +118,7 @@ impl fmt::Display for Law {
     }
 }
 
-/// The block of Housner's cases, let go and shaken.
+/// The block of Housner's cases, released and shaken.
 fn rocking() -> Result<Vec<Case>, ValidationError> {
     let block = RockingBlock::rectangle(0.4, 2.0, GRAVITY_M_S2)?;
     let start_rad = 0.5 * block.slenderness_rad;
@@ -201,7 +200,7 @@ fn rocking() -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// Turn of the only block about y, rad.
+/// Rotation of the only block about y, rad.
 fn tilts_rad(history: &StackHistory) -> Vec<f64> {
     let samples = 0..history.time_s.len();
     let tilt = |sample| {
@@ -211,7 +210,7 @@ fn tilts_rad(history: &StackHistory) -> Vec<f64> {
     samples.map(tilt).collect()
 }
 
-/// When the turn changes its sign, by straight lines between samples, s.
+/// Times at which the rotation changes its sign, by linear interpolation between samples, s.
 fn impact_times_s(history: &StackHistory) -> Vec<f64> {
     let tilts = tilts_rad(history);
     let crossing = |i: usize| {

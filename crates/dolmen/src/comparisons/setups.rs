@@ -1,4 +1,4 @@
-//! Comparisons: setups identified together against the assumed modes, and stiffness from correlated frequency errors
+//! Setups that are identified together, against the assumed modes; stiffness from correlated frequency errors,
 //! against a closed form.
 
 use super::{Case, ValidationError};

@@ -1,4 +1,4 @@
-//! Comparison: one mesh of two stones, cut at their bed; volumes and first motion against values by hand.
+//! A mesh of two stones that is cut at their bed: volumes and first motion against values by hand.
 
 use super::{Case, ValidationError};
 use crate::assess::{StackCheckOptions, check_stack};
@@ -16,7 +16,7 @@ const RINGS: [[f64; 3]; 4] = [
 ];
 /// Height of the bed as measured with a tape, m.
 const NAMED_M: f64 = 0.304;
-/// Largest difference: the cut is 1 µm beside a step.
+/// Largest difference: the cut is 1 µm away from a step.
 const TOLERANCE: f64 = 1e-5;
 
 pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
@@ -48,7 +48,8 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     ])
 }
 
-/// Surface mesh of both stones: rings of four corners, joined, with a lid below and above.
+/// Surface mesh of both stones: rings of four corners, connected, with a lid at the bottom and at the
+/// top.
 fn mesh() -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let ring = |[half, z, off]: [f64; 3]| corners.map(|[x, y]| [off + half * x, half * y, z]);

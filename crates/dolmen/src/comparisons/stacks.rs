@@ -1,4 +1,4 @@
-//! Two fixed stacks that programs are compared on: square blocks of granite, each centred on the one below.
+//! Two fixed stacks for the comparison of programs: square blocks of granite, each centred on the one below.
 
 use super::ValidationError;
 use crate::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
@@ -22,7 +22,7 @@ const P10_M: [[f64; 2]; 10] = [
 
 /// P10: a pagoda of three storeys on two bases, 10 square blocks of 2600 kg/m³, 5.2 m high, named "block 1" from the bottom.
 ///
-/// Made for comparisons; no real one has these dimensions.
+/// Made for comparisons; no real pagoda has these dimensions.
 ///
 /// # Errors
 /// [`ValidationError::Stack`] if material or gravity is out of its range.
@@ -40,9 +40,9 @@ pub fn p10(material: JointMaterial, gravity_m_s2: f64) -> Result<Stack, Validati
 }
 
 /// P20: a pagoda of seven storeys on two bases, 20 square blocks of 2600 kg/m³, 8.165 m high, named "block 1" from the
-/// bottom. Each storey is 8.5 % of the first one smaller than the one below.
+/// bottom. Each storey is smaller than the one below by 8.5 % of the first storey.
 ///
-/// Made for comparisons; no real one has these dimensions.
+/// Made for comparisons; no real pagoda has these dimensions.
 ///
 /// # Errors
 /// [`ValidationError::Stack`] if material or gravity is out of its range.
@@ -83,7 +83,7 @@ fn square_blocks(
 mod tests {
     use super::*;
 
-    /// Least (half width of the contact) / (height of the centroid above it) over the joints.
+    /// Smallest ratio of half width of the contact to height of the centroid above it, over the joints.
     fn least_slenderness(stack: &Stack) -> f64 {
         let blocks = stack.blocks();
         let threshold = |joint: usize| {

@@ -1,4 +1,4 @@
-//! Two surveys of one mode, and a line over temperature, as SciPy 1.17.1 has them.
+//! Two surveys of one mode, and a line over temperature, compared with SciPy 1.17.1.
 
 use super::{Case, ValidationError};
 use crate::assess::{SurveyChangeOptions, Surveyed, TemperatureEffect, survey_change};
@@ -9,7 +9,7 @@ const WELCH: &str = "SciPy 1.17.1, ttest_ind_from_stats(2.031, 0.012 √30, 30, 
                      is tested by.";
 const LINE: &str = "SciPy 1.17.1, linregress([18, 5, -3, 27, 11], [2.01, 2.06, 2.11, 1.99, 2.03]): slope and its standard error, over the frequency \
                     of the first survey.";
-/// Relative: the digits that SciPy prints are 16, its continued fractions good to fewer.
+/// Relative tolerance: SciPy prints 16 digits, but its continued fractions are less accurate.
 const TOLERANCE: f64 = 1e-9;
 
 fn survey(

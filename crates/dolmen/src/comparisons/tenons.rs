@@ -7,14 +7,14 @@ use crate::dynamics::{
 use crate::known::gap_spring::{crushed_m, period_s};
 use crate::structure::{Convention, Frame, Storey};
 
-/// Events are located to 1e-12 s; values are about 1.
+/// Tolerance: events are located to 1e-12 s, and values are about 1.
 const ROUNDING: f64 = 1e-9;
-/// Slack, m, and stiffness of the tenons, N/m, of 1 kg.
+/// Slack, m, and stiffness of the tenons, N/m, for a mass of 1 kg.
 const SLACK_M: f64 = 0.5;
 const STIFFNESS_N_M: f64 = 4.0;
-/// Force at which they crush, and slip force beside them, N.
+/// Crushing force of the tenons, and slip force in parallel, N.
 const FORCES_N: [f64; 2] = [2.0, 0.15];
-/// Crushed depth at which half of their stiffness is left, m.
+/// Crushed depth at which half of the stiffness remains, m.
 const HALF_M: f64 = 0.7;
 
 const SOURCE: &str = "Closed form";

@@ -1,11 +1,11 @@
-//! Limits of the moving average that alarms once in 500 surveys by chance, as Lucas & Saccucci (1990) have them.
+//! Limits of the moving average with one false alarm in 500 surveys, compared with Lucas & Saccucci (1990).
 
 use super::{Case, ValidationError};
 use crate::monitoring::ewma_limit;
 
 const SOURCE: &str = "Lucas & Saccucci (1990)";
 const NOTE: &str = "Technometrics 32:1-12, table 3, schemes whose mean run length is 500: the limit of the alarm on surveys over the years.";
-/// The chain has 81 cells: its limits are good to two units of the third decimal, the last that is printed.
+/// With 81 cells, the limits of the chain are accurate to two units of the third decimal, the last printed one.
 const TOLERANCE: f64 = 0.003;
 
 pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {

@@ -1,4 +1,4 @@
-//! Wind: pressures of codes, and the flagpole of Choi (2021) in a gust.
+//! Wind pressures of codes, and the flagpole of Choi (2021) in a gust.
 
 use super::{Case, ValidationError, naju_flagpole};
 use crate::stability::{BedEdge, ChainLoading, JointHold, LinkLoad, chain_under_loads};
@@ -7,7 +7,7 @@ use crate::structure::wind::{
     WindBody,
 };
 
-/// Height of the flagpole, m, with a mean width of 0.4 m; stiff.
+/// The rigid flagpole: height, m, and mean width of 0.4 m.
 const POLE: WindBody = WindBody {
     height_m: 10.8,
     breadth_m: 0.4,

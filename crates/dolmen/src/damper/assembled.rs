@@ -25,7 +25,7 @@ impl DampedSystem {
     /// ```
     ///
     /// # Errors
-    /// [`DamperError::Row`] for a row of another length; [`DamperError::Argument`] for a damper outside its range.
+    /// [`DamperError::Row`] for a row of the wrong length; [`DamperError::Argument`] for a damper outside its range.
     pub fn new(structure: &LinearSystem, dampers: &[AttachedDamper]) -> Result<Self, DamperError> {
         let n = structure.degrees_of_freedom();
         let mut size = n;
@@ -50,14 +50,14 @@ impl DampedSystem {
         })
     }
 
-    /// Extends a row over the structure by zeros for the degrees of freedom of the dampers.
+    /// Extends a row over the structure with zeros for the degrees of freedom of the dampers.
     pub fn row(&self, structure_row: &[f64]) -> Vec<f64> {
         let mut row = structure_row.to_vec();
         row.resize(self.system.degrees_of_freedom(), 0.0);
         row
     }
 
-    /// The row that gives the stroke of a damper (index from 0) from all degrees of freedom: z − z₀ of a mass, w of a liquid column, the
+    /// Row over all degrees of freedom that gives the stroke of a damper (index from 0): z − z₀ of a mass, w of a liquid column, the
     /// elongation of a dashpot. `None` if there is no such damper.
     pub fn stroke_row(&self, damper: usize) -> Option<Vec<f64>> {
         let of = self.dampers.get(damper)?;
@@ -76,7 +76,7 @@ impl DampedSystem {
         Some(row)
     }
 
-    /// Rows of the strokes of all dampers in order, followed by those of the liquid rises in columns on springs.
+    /// Stroke rows of all dampers in order, followed by the rows of the liquid rises in columns on springs.
     pub fn stroke_rows(&self) -> Vec<Vec<f64>> {
         let own = (0..self.dampers.len()).filter_map(|damper| self.stroke_row(damper));
         let apart = |k: &usize| matches!(self.dampers[*k].kind, DamperKind::LiquidColumnMass { .. });
@@ -97,7 +97,7 @@ impl DampedSystem {
         }
     }
 
-    /// Displacement of each degree of freedom for a base displacement of 1: a mass on a spring moves with its position, a liquid stays at rest
+    /// Displacement of each degree of freedom for a unit base displacement: a mass on a spring moves with its position; a liquid does not move
     /// in its tube.
     pub fn influence(&self, structure: &[f64]) -> Vec<f64> {
         let mut all = self.row(structure);
@@ -109,7 +109,7 @@ impl DampedSystem {
         all
     }
 
-    /// The row that gives the rise w of the liquid in a damper (index from 0); `None` if the damper has no liquid.
+    /// Row that gives the liquid rise w of a damper (index from 0); `None` if the damper has no liquid.
     pub fn liquid_row(&self, damper: usize) -> Option<Vec<f64>> {
         let at = match self.dampers.get(damper)?.kind {
             DamperKind::LiquidColumn { .. } => self.first[damper],

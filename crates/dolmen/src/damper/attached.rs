@@ -1,9 +1,9 @@
-//! Dampers attached to a structure. Each acts along one row: the combination of degrees of freedom that moves it.
+//! Dampers attached to a structure. The row of a damper is the combination of degrees of freedom along which it acts.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | z₀ | row · x | motion of the place where the damper stands, along it |
-//! | z, w | own degrees of freedom | motion of the mass; of the liquid in its column |
+//! | z₀ | row · x | motion of the damper's place, in the direction of the damper |
+//! | z, w | degrees of freedom of the damper | motion of the mass; of the liquid in its column |
 //! | k_o, c_o, m_o | `spring`, `dashpot`, `mass` | of a tuned mass |
 //! | α | `length_ratio` | horizontal over total length of a liquid column |
 //! | K(ω) | `stiffness` | force on the structure per z₀, eq. 7 of Hwang, Min & Hong |
@@ -19,18 +19,18 @@ pub enum DamperKind {
     TunedMass {
         /// m, kg.
         mass_kg: f64,
-        /// The damper's own frequency √(k/m)/2π, Hz.
+        /// Frequency √(k/m)/2π of the damper alone, Hz.
         frequency_hz: f64,
-        /// Damping ratio c/(2 m ω) with the damper's own ω.
+        /// Damping ratio c/(2 m ω), with ω of the damper alone.
         damping_ratio: f64,
     },
-    /// Liquid in a U-shaped tube of constant cross-section, with its head loss linearised.
+    /// Liquid in a U-shaped tube of constant cross-section, with a linearised head loss.
     LiquidColumn {
-        /// Mass of all the liquid, kg.
+        /// Mass of the whole liquid, kg.
         liquid_mass_kg: f64,
         /// α, horizontal length of the column over its total length; in (0, 1].
         length_ratio: f64,
-        /// The liquid's own frequency √(2g/L)/2π, Hz.
+        /// Frequency √(2g/L)/2π of the liquid alone, Hz.
         frequency_hz: f64,
         /// ζ of ẅ + 2ζω ẇ + ω² w = −α z̈₀.
         damping_ratio: f64,
@@ -39,7 +39,7 @@ pub enum DamperKind {
     LiquidColumnMass {
         /// Mass of the container without the liquid, kg.
         container_mass_kg: f64,
-        /// Mass of all the liquid, kg.
+        /// Mass of the whole liquid, kg.
         liquid_mass_kg: f64,
         /// α of the column; in (0, 1].
         length_ratio: f64,
@@ -47,12 +47,12 @@ pub enum DamperKind {
         frequency_hz: f64,
         /// Damping ratio c/(2 (m_c + m_l) ω) of the container.
         damping_ratio: f64,
-        /// The liquid's own frequency, Hz.
+        /// Frequency of the liquid alone, Hz.
         liquid_frequency_hz: f64,
         /// Damping ratio of the liquid.
         liquid_damping_ratio: f64,
     },
-    /// A dashpot between two places of the structure, or between one and the ground: its row is the difference of their rows.
+    /// A dashpot between two places of the structure, or between a place and the ground: its row is the difference of the two rows.
     Viscous {
         /// Force per velocity, N s/m.
         coefficient_n_s_m: f64,
@@ -69,7 +69,7 @@ pub struct AttachedDamper {
 }
 
 impl AttachedDamper {
-    /// One mass that is free to move along two rows, on two equal springs and dashpots.
+    /// One mass that moves freely along two rows, on two equal springs and dashpots.
     pub fn two_directions(kind: DamperKind, rows: [Vec<f64>; 2]) -> [AttachedDamper; 2] {
         rows.map(|row| AttachedDamper { kind, row })
     }
@@ -98,7 +98,7 @@ impl DamperKind {
         }
     }
 
-    /// Number of its own degrees of freedom.
+    /// Number of degrees of freedom of the damper itself.
     pub fn degrees_of_freedom(&self) -> usize {
         match self {
             DamperKind::TunedMass { .. } | DamperKind::LiquidColumn { .. } => 1,
@@ -107,7 +107,7 @@ impl DamperKind {
         }
     }
 
-    /// Apparent mass K(ω)/ω², kg: the mass that the place seems to carry. A dashpot has none: see [`DamperKind::stiffness`].
+    /// Apparent mass K(ω)/ω², kg, that the damper adds at its place. A dashpot has none: see [`DamperKind::stiffness`].
     ///
     /// ```text
     /// tuned mass            (k_o + iωc_o) m_o / (k_o + iωc_o − ω² m_o)
@@ -158,7 +158,7 @@ impl DamperKind {
         }
     }
 
-    /// Dynamic stiffness K(ω), N/m: force on the structure per displacement of the place.
+    /// Dynamic stiffness K(ω), N/m: force on the structure per unit displacement of the damper's place.
     pub fn stiffness(&self, angular_frequency_rad_s: f64) -> Complex64 {
         let w = angular_frequency_rad_s;
         match *self {
@@ -167,8 +167,8 @@ impl DamperKind {
         }
     }
 
-    /// Stroke per absolute acceleration of the place, with the sign reversed: z − z₀ of a mass, w of a liquid column, s²; 0 for a dashpot, which
-    /// moves as its ends do.
+    /// Stroke per absolute acceleration of the damper's place, with reversed sign, s²: z − z₀ of a mass, w of a liquid column; 0 for a dashpot,
+    /// which moves with its ends.
     ///
     /// ```text
     /// tuned mass            1 / (ω_d² − ω² + 2iζω_d ω)
@@ -201,7 +201,7 @@ impl DamperKind {
         }
     }
 
-    /// Own frequencies, Hz: of the mass, then of the liquid. A dashpot has none.
+    /// Frequencies of the damper alone, Hz: of the mass, then of the liquid. A dashpot has none.
     pub(super) fn own_frequencies_hz(&self) -> Vec<f64> {
         match *self {
             DamperKind::LiquidColumnMass {

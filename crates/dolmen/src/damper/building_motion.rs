@@ -1,4 +1,4 @@
-//! A building with dampers of any kind under a moving ground, in time.
+//! Time history of a building with dampers of any kind under ground motion.
 
 use super::{AttachedDamper, DampedSystem, DamperError};
 use crate::dynamics::{
@@ -9,19 +9,19 @@ use crate::signal::GroundMotion;
 use dolmen_linalg::{Matrix, solve};
 use std::f64::consts::TAU;
 
-/// The motion of a building with dampers under a ground motion, from rest: liquid columns, columns on springs and dashpots as well as tuned
-/// masses.
+/// Motion of a building with dampers under a ground motion, from rest. The dampers may be tuned masses, liquid columns, columns on springs
+/// and dashpots.
 ///
-/// The rows of `coordinates` after those of the floors are the strokes of the dampers in order (z − z₀ of a mass, w of a liquid column,
-/// the elongation of a dashpot), then the liquids' rise w of the liquid column masses.
+/// After the rows of the floors, `coordinates` contains the damper strokes in order (z − z₀ of a mass, w of a liquid column, the elongation
+/// of a dashpot), then the liquid rises w of the liquid column mass dampers.
 ///
 /// # Errors
 /// [`DamperError`] if a damper is out of its range; [`DamperError::Dynamics`] as in [`building_history`](crate::dynamics::building_history).
 ///
 /// # Limits
-/// Head loss is linear: its damping ratio is valid for one amplitude. If all dampers are tuned masses, `building_history` is faster, mode by
-/// mode. Here the matrix exponential advances building and dampers together; for 20 storeys with a mass under 40 s of El Centro both agree to
-/// 1e-9 m.
+/// Head loss is linear: its damping ratio is valid for one amplitude. If all dampers are tuned masses, `building_history` is faster, because
+/// it computes mode by mode. Here the matrix exponential advances building and dampers together. For 20 storeys with a tuned mass under 40 s
+/// of El Centro, both agree to 1e-9 m.
 pub fn damped_building_history(
     building: &VibratingBuilding,
     dampers: &[AttachedDamper],
@@ -60,7 +60,7 @@ pub fn damped_building_history(
     Ok(over.history(&stepping, HistoryMethod::MatrixExponential, &ground))
 }
 
-/// Building and dampers in the coordinates of the building's modes (M = I), followed by the dampers' own coordinates.
+/// Building and dampers in the modal coordinates of the building (M = I), followed by the coordinates of the dampers.
 pub(super) fn in_modes(
     building: &VibratingBuilding,
     dampers: &[AttachedDamper],

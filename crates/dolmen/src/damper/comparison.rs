@@ -1,4 +1,4 @@
-//! Compares a given damper with the rule of Hwang, Min & Hong and with the optimum: place, tuning, and the cost of each choice.
+//! Compares a given damper with the rule of Hwang, Min & Hong and with the optimum: place, tuning, and the cost of each.
 
 use super::position_map::along_line;
 use super::{Aim, DamperSite};
@@ -9,26 +9,26 @@ use super::{
 };
 use crate::structure::building::nearest_on_side;
 
-/// Options of a comparison: what is compared, and how finely.
+/// Scope and resolution of a comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparisonOptions {
-    /// The mode that the damper is for, from 0.
+    /// The target mode of the damper, from 0.
     pub mode: usize,
     /// Damping ratio of that mode.
     pub structure_damping_ratio: f64,
-    /// Whether the load is an acceleration of the base. It decides which exact tunings of one mode the table has.
+    /// Whether the load is a base acceleration. This selects the exact single-mode tunings in the table.
     pub base: bool,
     /// The quantity to minimise; [`Goal::LargestRms`] by default.
     pub goal: Goal,
-    /// Places of the map along x and along y; 60 each by default (our choice).
+    /// Number of map places along x and along y; 60 each by default (our choice).
     pub map_places: [usize; 2],
-    /// Places along the line; 61 by default (our choice).
+    /// Number of places along the line; 61 by default (our choice).
     pub line_places: usize,
     /// Largest detuning d in the robustness curves, as factors 1 ± d on frequency and damping; 0.2 by default (our choice).
     pub detuning: f64,
-    /// Upper bound on the stroke's standard deviation of designed dampers, as a multiple of that of the given damper; none by default.
+    /// Largest allowed standard deviation of the stroke of a designed damper, as a multiple of that of the given damper; no limit by default.
     pub stroke_most: Option<f64>,
-    /// Relative error d of the frequency that a design must tolerate: the worst of f (1 − d), f, f (1 + d) is minimised; 0 by default.
+    /// Relative frequency error d that a design must tolerate: the worst of f (1 − d), f, f (1 + d) is minimised; 0 by default.
     pub off_by: f64,
 }
 
@@ -51,20 +51,20 @@ impl Default for ComparisonOptions {
 /// The damper in a row of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
-    /// As given.
+    /// The damper as given.
     Given,
-    /// At the place of the rule, farthest from the centre of its mode, with the given tuning.
+    /// The given tuning at the rule's place, farthest from the centre of the mode.
     Rule,
-    /// At the given place, with the best tuning.
+    /// The best tuning at the given place.
     TunedBest,
-    /// At the best place, with the given tuning.
+    /// The given tuning at the best place.
     PlacedBest,
     /// Place and tuning optimised together.
     Best,
 }
 
 impl Choice {
-    /// Its name in JSON.
+    /// Name of the choice in JSON.
     pub fn name(self) -> &'static str {
         match self {
             Choice::Given => "given",
@@ -79,24 +79,24 @@ impl Choice {
 /// One damper of the comparison and its effect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
-    /// The damper.
+    /// How the damper was chosen.
     pub choice: Choice,
     /// The damper.
     pub damper: PlacedDamper,
-    /// Standard deviations by assembled matrices.
+    /// Standard deviations from the assembled matrices.
     pub judged: Judged,
     /// The quantity of the goal at each point: standard deviation, or largest amplitude under a harmonic load.
     pub point_values: Vec<f64>,
     /// Value of the goal.
     pub cost: f64,
-    /// How the search ended; `None` without a search.
+    /// The end of the search; `None` without a search.
     pub end: Option<DesignEnd>,
 }
 
-/// One row of the table of tunings, for one mode and the mass ratio of the damper at its place.
+/// One row of the table of tunings, for one mode and the mass ratio of the given damper.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TuningRow {
-    /// The closed form; `None` for the exact optimum of the mode with its own damping.
+    /// The closed form; `None` for the exact optimum of the mode including its damping.
     pub rule: Option<TuningRule>,
     /// The quantity that the exact optimum minimises; `None` for a closed form.
     pub aim: Option<Aim>,
@@ -121,23 +121,23 @@ pub struct Comparison {
     pub without: Vec<f64>,
     /// Value of the goal without a damper.
     pub cost_without: f64,
-    /// Given, rule, tuned, placed, both.
+    /// The dampers in the order given, rule, tuned, placed, both.
     pub rows: Vec<Compared>,
     /// Closed forms and exact optima.
     pub tunings: Vec<TuningRow>,
-    /// Places across the damper's direction through the given place, with the given tuning; none where the goal is a peak.
+    /// Places on the line through the given place across the damper's direction, with the given tuning; empty if the goal is a peak.
     pub line_given: Vec<MapCell>,
-    /// The same positions, each with its best tuning.
+    /// The same places, each with its best tuning.
     pub line_best: Vec<MapCell>,
-    /// Places in plan, each with its best tuning; without cells where the goal is a peak, for which no map is made.
+    /// Places in plan, each with its best tuning; without cells if the goal is a peak.
     pub map: PositionMap,
-    /// The given damper and the best one with detuned frequencies.
+    /// Cost of the given damper and of the best damper with detuned frequency.
     pub off_frequency: [Vec<RobustnessPoint>; 2],
-    /// The cost with detuned damping.
+    /// Their cost with detuned damping.
     pub off_damping: [Vec<RobustnessPoint>; 2],
-    /// Accuracy at the prepared frequencies, which maps, lines, tunings, robustness curves and searches use: the largest relative difference of
-    /// standard deviations from assembled matrices, over the rows, the ends of the curves and places of the map. From 1e-3 on the results are
-    /// rough, because structure or damper is damped too lightly.
+    /// Accuracy at the prepared frequencies, which maps, lines, tunings, robustness curves and searches use. This is the largest relative
+    /// difference to the standard deviations from the assembled matrices, over the rows, the ends of the curves and places of the map. Results
+    /// with 1e-3 or more are rough, because structure or damper has too little damping.
     pub apart: f64,
 }
 
@@ -148,12 +148,11 @@ impl Comparison {
     }
 }
 
-/// Range of frequency ratio and damping in which an optimum counts as a damper. Our choice.
+/// Range of frequency ratio and damping in which an optimum is a realistic damper. Our choice.
 const SENSIBLE: std::ops::RangeInclusive<f64> = 0.2..=2.0;
 const DAMPING_SENSIBLE: f64 = 1.0;
-/// Number of points of the robustness curves.
 const DETUNINGS: usize = 21;
-/// Number of places along each side of the floor among which the rule chooses.
+/// Number of places along each side of the floor that the rule considers.
 const SIDE_PLACES: usize = 40;
 /// Relative difference below which two costs count as equal.
 const SAME: f64 = 1e-6;
@@ -302,7 +301,7 @@ fn rows(
             ..DesignOptions::default()
         };
         let mut found: Option<Design> = None;
-        // among equally good places the one on the line through the damper is preferred, so it is tried first
+        // among equally good places the place on the line is preferred, so it is tried first
         for start in starts
             .iter()
             .flat_map(|start| [on_line(plan, given, start), *start])
@@ -343,7 +342,7 @@ fn rows(
     ])
 }
 
-/// The damper, moved along its direction onto the line across that direction through the given place: its mode of motion is the same there.
+/// Moves the damper along its direction onto the line through the given place: its modal motion is the same there.
 fn on_line(plan: &Plan, given: &PlacedDamper, damper: &PlacedDamper) -> PlacedDamper {
     let site = &plan.problem().sites[given.site];
     let [cos, sin, _] = site.coefficients(site.reference_m, given.direction_degrees);
@@ -360,7 +359,7 @@ fn far(a: &PlacedDamper, b: &PlacedDamper) -> f64 {
     (a.place_m[0] - b.place_m[0]).hypot(a.place_m[1] - b.place_m[1])
 }
 
-/// The best place of a map; among equally good ones, the nearest to the damper.
+/// The best place of a map; if several are equally good, the one nearest to the given damper.
 fn best_near<'a>(map: &'a PositionMap, given: &PlacedDamper) -> Option<&'a MapCell> {
     let least = map.best()?.cost;
     let as_good = map
@@ -376,7 +375,8 @@ fn best_near<'a>(map: &'a PositionMap, given: &PlacedDamper) -> Option<&'a MapCe
     )
 }
 
-/// The damper at the place where its mode moves most along it, farthest from the centre of the mode; among equally far places, the nearest.
+/// The damper at the place with the largest modal motion along its direction, farthest from the centre of the mode; if several are equally far,
+/// the nearest one.
 fn rule_place(plan: &Plan, given: &PlacedDamper, mode: usize) -> PlacedDamper {
     let site: &DamperSite = &plan.problem().sites[given.site];
     let sides = site.corners_m.iter().zip(site.corners_m.iter().cycle().skip(1));
@@ -403,7 +403,7 @@ fn rule_place(plan: &Plan, given: &PlacedDamper, mode: usize) -> PlacedDamper {
     best.0
 }
 
-/// Places across the damper's direction through its own place, from one end of the floor to the other.
+/// Places on the line through the damper across its direction, from one edge of the floor to the other.
 fn line(plan: &Plan, given: &PlacedDamper, places: usize) -> Vec<[f64; 2]> {
     let site = &plan.problem().sites[given.site];
     let [cos, sin, _] = site.coefficients(site.reference_m, given.direction_degrees);
@@ -413,7 +413,7 @@ fn line(plan: &Plan, given: &PlacedDamper, places: usize) -> Vec<[f64; 2]> {
     };
     let [x, y] = site.extent_m();
     let reach = (x[1] - x[0]).hypot(y[1] - y[0]);
-    // of a fine walk both ways, the contiguous part that lies on the floor
+    // fine steps in both directions; only the contiguous part on the floor is kept
     const WALK: i32 = 4000;
     let at = |s: f64| [0, 1].map(|i| given.place_m[i] + s * across[i]);
     let on = |s: f64| site.nearest_m(at(s)).1 < 1e-9 * reach;
@@ -475,7 +475,7 @@ fn tunings(
             mass_ratio: column.mass_ratio,
             structure_damping_ratio: column.frequency_factor * mode.structure_damping_ratio,
         };
-        // no optimum, or one that runs away to a pure dashpot, is not a tuning: the row is left out
+        // without an optimum, or if it degenerates to a pure dashpot, there is no tuning and the row is left out
         let found = optimal_tuning(&heavier, aim).ok().map(|found| found.tuning);
         let is_damper = |tuning: &Tuning| {
             SENSIBLE.contains(&tuning.frequency_ratio) && tuning.damping_ratio <= DAMPING_SENSIBLE

@@ -1,11 +1,10 @@
-//! Frequencies of a building with its dampers: those that a survey measures.
+//! Frequencies of a building with its dampers, as a survey measures them.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | λ_k, φ_k | | complex modes of building and dampers, upper half-plane | rad/s |
 //! | α_k | | φᵀ (2 λ M + C) φ | |
-//! | s_jk | `share` | 2 \|λ_k\| \|φ_jk² / α_k\|: share of mode k in the response of the building's own mode j to a force on it; 1 without
-//! dampers | – |
+//! | s_jk | `share` | 2 \|λ_k\| \|φ_jk² / α_k\|: share of mode k in the response of building mode j to a modal force; 1 without dampers | – |
 
 use super::building_motion::in_modes;
 use super::{AttachedDamper, DamperError};
@@ -13,11 +12,10 @@ use crate::dynamics::VibratingBuilding;
 use dolmen_linalg::{Complex64, Matrix, eigen, solve};
 use std::f64::consts::TAU;
 
-/// A mode counts as oscillating if the imaginary part of its λ is more than this fraction of \|λ\|: damping below 0.999 995 of critical. As for
-/// spectra.
+/// A mode oscillates if the imaginary part of its λ is more than this fraction of \|λ\|: damping below 0.999 995 of critical, as for spectra.
 const SWINGS: f64 = 3e-3;
-/// A mode of building and dampers counts as visible if its peak is at least this fraction of the highest peak of one of the building's own
-/// modes. Our choice.
+/// A mode of building and dampers is visible in a survey if its peak is at least this fraction of the highest peak in the response of a
+/// building mode. Our choice.
 const SEEN: f64 = 0.5;
 
 /// A mode of a building with its dampers.
@@ -27,7 +25,8 @@ pub struct DampedMode {
     pub frequency_hz: f64,
     /// −Re λ/|λ|.
     pub damping_ratio: f64,
-    /// Its share in the response of each of the building's own modes, lowest first: 1 in one of them without dampers.
+    /// Share of the mode in the response of each mode of the building alone, lowest first. Without dampers the share is 1 in one of them and 0
+    /// in the others.
     pub share: Vec<f64>,
 }
 
@@ -37,7 +36,7 @@ pub struct DampedMode {
 /// [`DamperError`] if a damper is out of its range, or the eigenvalues are not found.
 ///
 /// # Limits
-/// Dampers are linear, with the given coefficients. In the small motion of a survey a damper with friction sticks.
+/// Dampers are linear, with the given coefficients. Under the small motion of a survey a damper with friction sticks.
 pub fn damped_modes(
     building: &VibratingBuilding,
     dampers: &[AttachedDamper],
@@ -47,7 +46,7 @@ pub fn damped_modes(
     let (size, own) = (system.degrees_of_freedom(), building.modes().modes.len());
     let k = solve(system.mass(), system.stiffness())?;
     let c = solve(system.mass(), system.damping())?;
-    // velocities are scaled by a high frequency; otherwise rows of ω² beside rows of 1 lose digits
+    // velocities are scaled by a high frequency; otherwise rows of size ω² next to rows of size 1 lose digits
     let high = (0..size).map(|i| k[(i, i)].abs().sqrt()).fold(0.0, f64::max);
     let states = Matrix::from_fn(2 * size, 2 * size, |i, j| match (i < size, j < size) {
         (true, true) => 0.0,
@@ -82,8 +81,8 @@ pub fn damped_modes(
     Ok(modes)
 }
 
-/// The lowest mode of building and dampers whose peak (share over damping ratio) is at least half the highest peak of one of the building's own
-/// modes. A tuned mass splits one mode into two, and a survey sees the lower one first.
+/// The lowest mode of building and dampers whose peak (share over damping ratio) is at least half the highest peak in the response of building
+/// mode `own`. A tuned mass splits one mode into two, and a survey sees the lower one first.
 pub fn lowest_seen(modes: &[DampedMode], own: usize) -> Option<&DampedMode> {
     let peak = |mode: &DampedMode| {
         mode.share.get(own).copied().unwrap_or(0.0) / mode.damping_ratio.max(f64::MIN_POSITIVE)

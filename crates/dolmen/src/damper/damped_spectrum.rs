@@ -1,10 +1,10 @@
-//! The response of a building with dampers to a design spectrum: complex modes combined by CQC for damping that couples the modes.
+//! Response of a building with dampers to a design spectrum: complex modes, because the dampers couple the modes, combined by CQC.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | λ_k, φ_k | | complex modes of building and dampers, upper half-plane | rad/s |
 //! | ω_k, ζ_k | | \|λ_k\|, −Re λ_k/\|λ_k\| | rad/s, – |
-//! | p_k | `loads` | load of the ground on mode k: y′ = λ_k y + p_k a | |
+//! | p_k | `loads` | load of the ground motion on mode k: y′ = λ_k y + p_k a | |
 //! | q_k | | q″ + 2 ζ_k ω_k q′ + ω_k² q = −a: the oscillator of the spectrum | m |
 //! | A_k, B_k | | response = Σ A_k q_k + B_k q′_k,  A = 2 Re(R λ̄), B = −2 Re R, R = (row · φ_k) p_k | 1/s, … |
 //! | D_k | | S_a(T_k, ζ_k)/ω_k² | m |
@@ -15,31 +15,30 @@ use crate::dynamics::{DirectionalCombination, SpectralMode, VibratingBuilding};
 use dolmen_linalg::{Complex64, Matrix, eigen, solve};
 use std::f64::consts::TAU;
 
-/// A mode counts as not oscillating if the imaginary part of its λ is below this fraction of \|λ\|: damping above 0.999 995 of critical. Our
-/// choice.
+/// A mode does not oscillate if the imaginary part of its λ is below this fraction of \|λ\|: damping above 0.999 995 of critical. Our choice.
 const SWINGS: f64 = 3e-3;
-/// Tolerances of the modal expansion: the sum of the modes must reproduce the first ground acceleration to this fraction, and the terms may
-/// cancel by no more than this factor. With two coinciding modes both fail. Our choice.
+/// Tolerances of the modal expansion: the sum of the modes must reproduce the initial ground acceleration to this fraction, and its terms may
+/// cancel by at most this factor. Two coinciding modes fail both checks. Our choice.
 const COMPLETE: f64 = 1e-9;
 const CANCEL_MOST: f64 = 1e6;
 
-/// Largest responses of a building with dampers in each mode, ready to be combined for any quantity.
+/// Largest modal responses of a building with dampers, to be combined for any quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DampedSpectralAnalysis {
     /// The complex modes in the spectrum, lowest first: period 2π/\|λ\| and damping ratio.
     pub modes: Vec<SpectralMode>,
     damped: DampedSystem,
-    /// Shapes of the building's own modes, which turn rows over the building into rows over modes.
+    /// Mode shapes of the building alone, which transform rows over the building into rows over modes.
     building_shapes: Matrix,
-    /// φ of each complex mode, in the coordinates of the building's modes and of the dampers.
+    /// φ of each complex mode, in modal coordinates of the building and coordinates of the dampers.
     shapes: Vec<Vec<Complex64>>,
     lambda: Vec<Complex64>,
     loads: Vec<[Complex64; 2]>,
-    /// Correlations of q_i with q_n, of q_i with q′_n/ω_n, of q′_i/ω_i with q′_n/ω_n under white noise.
+    /// Correlations under white noise: of q_i with q_n, of q_i with q′_n/ω_n, and of q′_i/ω_i with q′_n/ω_n.
     correlations: [Matrix; 3],
 }
 
-/// Reads a spectrum at every complex mode of a building with dampers: `acceleration_m_s2(period_s, damping_ratio)` gives S_a along x and y.
+/// Evaluates a spectrum at every complex mode of a building with dampers: `acceleration_m_s2(period_s, damping_ratio)` gives S_a along x and y.
 ///
 /// ```text
 /// r² = ΣΣ D_i D_n [A_i A_n ρ_in + (A_i B_n ω_n σ_in + A_n B_i ω_i σ_ni) + B_i B_n ω_i ω_n τ_in]
@@ -50,12 +49,12 @@ pub struct DampedSpectralAnalysis {
 /// Without dampers B = 0, and ρ is that of [`spectral_analysis`](crate::dynamics::spectral_analysis) to round-off.
 ///
 /// # Errors
-/// [`DamperError::Argument`] if some mode does not oscillate, or two modes coincide: the spectrum has no such oscillator. [`DamperError`] if a
+/// [`DamperError::Argument`] if a mode does not oscillate (the spectrum has no such oscillator) or two modes coincide. [`DamperError`] if a
 /// damper is out of its range. Errors of the spectrum are passed on.
 ///
 /// # Limits
-/// The assumptions of CQC: wide-band shaking, and one ratio of peak to standard deviation for all modes, displacements and velocities. Under
-/// white noise the standard deviations are exact to 1e-9. `docs/measured.md` compares them with histories under motions of noise. Dampers are
+/// The assumptions of CQC apply: wide-band shaking, and one ratio of peak to standard deviation for all modes, displacements and velocities.
+/// Under white noise the standard deviations are exact to 1e-9. `docs/measured.md` compares them with time histories under noise. Dampers are
 /// linear.
 ///
 /// # Source
@@ -126,7 +125,7 @@ struct Coupled {
     loads: Vec<[Complex64; 2]>,
 }
 
-/// Complex modes of building and dampers, with the load of the ground along x and along y on each.
+/// Complex modes of building and dampers, with the load of a ground motion along x and along y on each mode.
 fn coupled(building: &VibratingBuilding, damped: &DampedSystem) -> Result<Coupled, DamperError> {
     let system = &damped.system;
     let size = system.degrees_of_freedom();
@@ -134,7 +133,7 @@ fn coupled(building: &VibratingBuilding, damped: &DampedSystem) -> Result<Couple
         solve(system.mass(), system.stiffness())?,
         solve(system.mass(), system.damping())?,
     );
-    // velocities are scaled by a high frequency; otherwise rows of ω² beside rows of 1 lose digits
+    // velocities are scaled by a high frequency; otherwise rows of size ω² next to rows of size 1 lose digits
     let high = (0..size).map(|i| k[(i, i)].abs().sqrt()).fold(0.0, f64::max);
     let states = Matrix::from_fn(2 * size, 2 * size, |i, j| match (i < size, j < size) {
         (true, true) => 0.0,
@@ -155,7 +154,7 @@ fn coupled(building: &VibratingBuilding, damped: &DampedSystem) -> Result<Couple
                       history",
         });
     }
-    // the first acceleration of the ground, −e in the velocities, as Σ 2 Re (v p): columns Re v, Im v
+    // the initial ground acceleration, −e in the velocities, as Σ 2 Re (v p): columns Re v, Im v
     let parts = Matrix::from_fn(2 * size, 2 * size, |i, j| {
         let value = found.vectors[(i, order[j % size])];
         if j < size { value.re } else { value.im }
@@ -194,7 +193,7 @@ fn coupled(building: &VibratingBuilding, damped: &DampedSystem) -> Result<Couple
 }
 
 impl DampedSpectralAnalysis {
-    /// The largest response of the quantity that `row` takes from all coordinates of the building.
+    /// The largest response of the quantity that `row` defines on the coordinates of the building.
     pub fn largest(&self, row: &[f64], directional: DirectionalCombination) -> f64 {
         let shapes = &self.building_shapes;
         let along = |j: usize| -> f64 {
@@ -207,7 +206,7 @@ impl DampedSpectralAnalysis {
     }
 
     /// The largest strokes of the dampers in order, m (relative displacement of a mass, rise of a liquid, elongation of a dashpot), then the
-    /// rises of the liquids of columns on springs.
+    /// liquid rises of columns on springs.
     pub fn largest_strokes_m(&self, directional: DirectionalCombination) -> Vec<f64> {
         let rows = self.damped.stroke_rows().into_iter();
         rows.map(|stroke| directional.of(|axis| self.along(&stroke, axis)))
@@ -222,7 +221,7 @@ impl DampedSpectralAnalysis {
             let shape = row.iter().zip(&self.shapes[k]).map(|(r, phi)| r * phi);
             let part = shape.sum::<Complex64>() * self.loads[k][axis];
             let oscillator_m = mode.acceleration_m_s2[axis] / lambda.norm_sqr();
-            // q moves as −a: the load of y as a
+            // q is the response to −a, y the response to a
             displaced.push(2.0 * (part * lambda.conj()).re * oscillator_m);
             moving.push(-2.0 * part.re * lambda.norm() * oscillator_m);
         }

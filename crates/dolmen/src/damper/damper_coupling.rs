@@ -1,35 +1,34 @@
-//! Any dampers on a prepared problem, frequency by frequency: eqs 7 and 8 of Hwang, Min & Hong with receptances that are known.
+//! Couples dampers of any kind to the prepared receptances at each frequency: eqs 7 and 8 of Hwang, Min & Hong.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | λ | `lambda` | forces of the dampers on the structure: λ = m_a a with the felt acceleration a, K z of a dashpot |
-//! | g | `g` | receptances among the places of the dampers, along them |
+//! | λ | `lambda` | forces of the dampers on the structure: λ = m_a a with the felt acceleration a; K z for a dashpot |
+//! | g | `g` | receptances between the places of the dampers, along their directions |
 
 use super::plan::Table;
 use super::{AttachedDamper, DamperError, DamperKind, Judged, PlacedDamper, Plan};
 use crate::numeric::complex_solve_all;
 use dolmen_linalg::Complex64;
 
-/// A damper as the sites of a plan see it: z₀ = Σ factor × coordinate, three coordinates a site.
+/// A damper on the coordinates of a plan's sites: z₀ = Σ factor × coordinate, with three coordinates for each site.
 #[derive(Clone, Debug)]
 pub(super) struct DamperRow {
     pub(super) row: Vec<(usize, f64)>,
     pub(super) kind: DamperKind,
 }
 
-/// Response of the structure at the positions of dampers, at one frequency.
+/// Receptances of the structure between loads, points and damper places, at one frequency.
 pub(super) struct Coupling {
-    /// Receptances among them: places × places.
+    /// Between the places: places × places.
     pub(super) g: Vec<Complex64>,
-    /// Felt acceleration, and motion, without dampers: places × loads.
+    /// Felt acceleration and motion of the places without dampers: places × loads.
     pub(super) felt: Vec<Complex64>,
     pub(super) moved: Vec<Complex64>,
-    /// Motion of the points per force: points × places.
+    /// Motion of the points per unit force at a place: points × places.
     pub(super) to_point: Vec<Complex64>,
 }
 
 impl Plan {
-    /// Dampers on floors.
     pub(super) fn damper_rows(&self, dampers: &[PlacedDamper]) -> Vec<DamperRow> {
         let each = dampers.iter().map(|damper| {
             let site = &self.problem().sites[damper.site];
@@ -42,7 +41,7 @@ impl Plan {
         each.collect()
     }
 
-    /// Dampers on rows of the structure, which may reach only the floors of the plan.
+    /// Dampers whose rows reach only the floors of the plan.
     pub(super) fn damper_rows_of(&self, dampers: &[AttachedDamper]) -> Result<Vec<DamperRow>, DamperError> {
         let mut damper_rows = Vec::with_capacity(dampers.len());
         for (k, damper) in dampers.iter().enumerate() {
@@ -73,7 +72,7 @@ impl Plan {
         Ok(damper_rows)
     }
 
-    /// Response of the structure at the positions of dampers at one frequency; independent of their tuning.
+    /// Receptances of the structure at the places of the dampers at one frequency; they do not depend on the tuning.
     pub(super) fn coupling(&self, table: &Table, dampers: &[DamperRow]) -> Coupling {
         let (c, loads, q) = (self.coordinates(), self.problem().loads.len(), dampers.len());
         let points = self.problem().points.len();
@@ -98,18 +97,17 @@ impl Plan {
         }
     }
 
-    /// Motion of the points and of the dampers in themselves per unit of each load at one frequency: points × loads, then dampers ×
-    /// loads; `None` at a resonance without damping.
+    /// Motion of the points, then strokes of the dampers, per unit load at one frequency: points × loads, then dampers × loads;
+    /// `None` at a resonance without damping.
     pub(super) fn responses(&self, table: &Table, dampers: &[DamperRow]) -> Option<Vec<Complex64>> {
         self.responses_of(table, &self.coupling(table, dampers), dampers)
     }
 
-    /// Responses with a known coupling.
     fn responses_of(&self, table: &Table, of: &Coupling, dampers: &[DamperRow]) -> Option<Vec<Complex64>> {
         let (loads, q) = (self.problem().loads.len(), dampers.len());
         let points = self.problem().points.len();
         let w2 = table.omega * table.omega;
-        // K, and what a felt acceleration or a motion of the place brings
+        // stiffness K, and force per unit acceleration (per unit motion for a dashpot) of the place
         let forces: Vec<Complex64> = dampers.iter().map(|d| d.kind.stiffness(table.omega)).collect();
         let masses: Vec<Option<Complex64>> = dampers
             .iter()
@@ -177,7 +175,7 @@ impl Plan {
     /// Standard deviations of the points and strokes with dampers of any kind, from the prepared frequencies.
     ///
     /// # Errors
-    /// [`DamperError`] if a damper cannot be or is tied to a floor that is not among the sites.
+    /// [`DamperError`] if a damper is invalid or connects to a floor that is not among the sites.
     pub fn judge_attached(&self, dampers: &[AttachedDamper]) -> Result<Judged, DamperError> {
         Ok(self.rows_at_nodes(&self.damper_rows_of(dampers)?))
     }
@@ -191,13 +189,12 @@ impl Plan {
         self.of_variances(dampers.len(), each)
     }
 
-    /// The couplings of dampers at all prepared frequencies.
     pub(super) fn couplings(&self, dampers: &[DamperRow]) -> Vec<Coupling> {
         let nodes = self.nodes.iter();
         nodes.map(|table| self.coupling(table, dampers)).collect()
     }
 
-    /// Standard deviations where the couplings are known: of dampers that keep their places.
+    /// Standard deviations from known couplings, for dampers that keep their places.
     pub(super) fn coupled_at_nodes(&self, couplings: &[Coupling], dampers: &[DamperRow]) -> Judged {
         let nodes = self.nodes.iter().zip(couplings);
         let each = nodes.map(|(table, coupling)| self.at_node_of(table, coupling, dampers));

@@ -1,11 +1,11 @@
-//! Derivatives of standard deviations with respect to all unknowns of dampers: one solution per frequency instead of two for every unknown.
+//! Derivatives of standard deviations with respect to all unknowns of the dampers, with one solution per frequency instead of two per unknown.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | A λ = b, A = 1 − F g | `inverse` | forces of the dampers; F their stiffness, g as in [`Coupling`] |
 //! | B = A⁻¹ | `inverse` | dampers × dampers |
-//! | Q = P B, R = g B | `to_points`, `to_places` | what a source of force at a damper moves; P = `to_point` |
-//! | s | `source` | (dF g + F dg) λ + db: what a change of a damper adds as a source |
+//! | Q = P B, R = g B | `to_points`, `to_places` | response of points and places to a source force at a damper; P = `to_point` |
+//! | s | `source` | (dF g + F dg) λ + db: source force from the change of a damper |
 
 use super::damper_coupling::{Coupling, DamperRow};
 use super::plan::Table;
@@ -13,7 +13,7 @@ use super::{DamperKind, Judged, Plan};
 use crate::numeric::{Piece, complex_solve_all};
 use dolmen_linalg::Complex64;
 
-/// How far to both sides of an unknown, a logarithm or a place over the size of its floor: the error is its square.
+/// Step of the central difference in an unknown, which is a logarithm or a place over the floor size: the error is of the order of its square.
 pub(super) const SIDE: f64 = 1e-5;
 
 /// A damper with one unknown decreased and increased by a step.
@@ -23,11 +23,11 @@ pub(super) struct MovedDamper {
     pub(super) above: DamperRow,
 }
 
-/// All dampers that an unknown moves by [`SIDE`] to both sides.
+/// All dampers affected by an unknown, moved by [`SIDE`] in both directions.
 pub(super) struct MovedDampers(Vec<MovedDamper>);
 
 impl MovedDampers {
-    /// The dampers that differ between both sides.
+    /// The dampers that differ between the two sides.
     pub(super) fn between(below: Vec<DamperRow>, above: Vec<DamperRow>) -> Self {
         let pairs = below.into_iter().zip(above).enumerate();
         let each = pairs.filter_map(|(damper, (below, above))| {
@@ -37,7 +37,7 @@ impl MovedDampers {
         MovedDampers(each.collect())
     }
 
-    /// The changed dampers for each unknown; `dampers` gives all dampers for given unknowns.
+    /// The affected dampers of each unknown; `dampers` returns all dampers for given unknowns.
     pub(super) fn of_each(x: &[f64], dampers: impl Fn(&[f64]) -> Vec<DamperRow>) -> Vec<Self> {
         let side = |i: usize, by: f64| {
             let mut moved = x.to_vec();
@@ -50,14 +50,14 @@ impl MovedDampers {
     }
 }
 
-/// Standard deviations, and their derivatives by each unknown.
+/// Standard deviations and their derivatives with respect to each unknown.
 pub(super) struct JudgedSlopes {
     pub(super) judged: Judged,
     pub(super) slopes: Vec<Judged>,
 }
 
 impl Judged {
-    /// So far along a slope.
+    /// The values after a step `by` along a slope.
     pub(super) fn along(&self, slope: &Judged, by: f64) -> Judged {
         let moved = |own: &[f64], slope: &[f64]| own.iter().zip(slope).map(|(a, b)| a + by * b).collect();
         Judged {
@@ -67,7 +67,7 @@ impl Judged {
     }
 }
 
-/// A damper at one frequency: F, its effect per unit excitation, and stroke per motion.
+/// A damper at one frequency: F, force per unit excitation, and stroke per unit motion.
 #[derive(Clone, Copy)]
 struct AtFrequency {
     force: Complex64,
@@ -102,7 +102,7 @@ impl AtFrequency {
     }
 }
 
-/// Functions of the standard deviations of one or several sets of dampers, with their gradients by the unknowns.
+/// Functions of the standard deviations of one or several sets of dampers, with their gradients.
 pub(super) fn pieces_of(
     found: &[JudgedSlopes],
     values: impl Fn(&[Judged]) -> Option<Vec<f64>>,
@@ -130,8 +130,8 @@ pub(super) fn pieces_of(
 }
 
 impl Plan {
-    /// Standard deviations from the prepared frequencies with their slopes; `couplings` where the dampers keep their places. `None` at a resonance without
-    /// damping.
+    /// Standard deviations from the prepared frequencies, with their slopes. Give `couplings` if the dampers keep their places. `None` at a resonance
+    /// without damping.
     pub(super) fn slopes_at_nodes(
         &self,
         couplings: Option<&[Coupling]>,
@@ -178,14 +178,13 @@ impl Plan {
     }
 }
 
-/// All that one frequency needs.
 struct Node<'a> {
     table: &'a Table,
     coupling: &'a Coupling,
     coordinates: usize,
     points: usize,
     loads: usize,
-    /// Dampers.
+    /// Number of dampers.
     q: usize,
     at: Vec<AtFrequency>,
     is_dashpot: Vec<bool>,
@@ -279,7 +278,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// Excitation of a damper without dampers on the structure: an acceleration; for a dashpot a motion.
+    /// Excitation of a damper when no dampers act on the structure: an acceleration; a motion for a dashpot.
     fn without(&self, k: usize, l: usize) -> Complex64 {
         match self.is_dashpot[k] {
             true => self.coupling.moved[k * self.loads + l],
@@ -295,7 +294,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// Excitation of a damper with all dampers.
+    /// Excitation of a damper when all dampers act.
     fn stirred(&self, k: usize, l: usize) -> Complex64 {
         self.without(k, l) + self.weight(k) * self.pushed[k * self.loads + l]
     }
@@ -327,7 +326,7 @@ impl<'a> Node<'a> {
         let place = |k: usize, list: &dyn Fn(usize) -> Complex64| -> Complex64 {
             dampers[k].row.iter().map(|&(i, a)| list(i) * a).sum()
         };
-        // of g: the row of this damper, and its column; where both meet the sum of both
+        // derivative of g: row and column of this damper; their common element is the sum of both
         let (mut d_row, mut d_column) = (vec![Complex64::ZERO; q], vec![Complex64::ZERO; q]);
         if !row.is_empty() {
             for k in 0..q {
@@ -337,7 +336,7 @@ impl<'a> Node<'a> {
         }
         for l in 0..loads {
             let force = self.forces[j * loads + l];
-            // dg λ: at this damper, and at the others
+            // dg λ, at this damper and at the others
             let own: Complex64 = (0..q).map(|k| d_row[k] * self.forces[k * loads + l]).sum();
             let d_pushed = |k: usize| d_column[k] * force + if k == j { own } else { Complex64::ZERO };
             let felt = match self.is_dashpot[j] {
@@ -386,7 +385,7 @@ mod tests {
     use crate::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum};
     use dolmen_linalg::Matrix;
 
-    /// A floor that twists, on which two forces and its base act.
+    /// A floor with torsion under two forces and a base acceleration.
     fn plan(expected: &PlacedDamper) -> Plan {
         let diagonal = Matrix::from_diagonal;
         let mut k = diagonal(&[30.0, 24.0, 500.0]);
@@ -426,7 +425,7 @@ mod tests {
         }
     }
 
-    /// A mass that moves about, two columns and a dashpot that change as they stand.
+    /// A mass with a variable place, two columns and a dashpot with fixed places.
     fn rows(plan: &Plan, x: &[f64]) -> Vec<DamperRow> {
         let first = PlacedDamper {
             place_m: [3.0 + 10.0 * x[0], 1.0 + 10.0 * x[1]],
@@ -498,7 +497,7 @@ mod tests {
             let (slopes, without) = (all(&found.slopes[i]), all(&kept.slopes[i]));
             for output in 0..slopes.len() {
                 let difference = (above[output] - below[output]) / 4e-5;
-                // of the differences' own third order
+                // third-order error of the differences themselves
                 let scale = difference.abs().max(0.1 * above[output]);
                 assert!(
                     (slopes[output] - difference).abs() < 1e-6 * scale,

@@ -1,7 +1,7 @@
 //! Optimal design of mass dampers: places, frequencies, damping and shares of the mass.
 //!
-//! The unknowns are x and y divided by the size of the floor, ln f, ln ζ, and ln of the mass shares. A place beyond the edge counts as the
-//! nearest point on the floor.
+//! The unknowns are x and y divided by the size of the floor, ln f, ln ζ, and ln of the mass shares. A place beyond the edge is replaced
+//! by the nearest point on the floor.
 
 use super::damper_slopes::{JudgedSlopes, MovedDampers, pieces_of};
 use super::single_damper::DAMPING_MOST;
@@ -16,16 +16,16 @@ pub enum Goal {
     /// The largest standard deviation of all points.
     #[default]
     LargestRms,
-    /// The root of the mean of all points' variances.
+    /// The root mean square over all points of their standard deviations.
     MeanSquare,
-    /// The largest amplitude of any point under a harmonic load of amplitude 1 at any frequency, one load at a time.
+    /// The largest amplitude of any point under a harmonic load of unit amplitude at any frequency, one load at a time.
     LargestPeak,
 }
 
 /// Region in which the search may move a damper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Place {
-    /// It stays at its place.
+    /// The damper keeps its place.
     Kept,
     /// Along x.
     AlongX,
@@ -39,9 +39,9 @@ pub enum Place {
 /// Whether the search may change a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Freedom {
-    /// It stays.
+    /// The quantity keeps its value.
     Kept,
-    /// It may change.
+    /// The quantity may change.
     #[default]
     Free,
 }
@@ -51,20 +51,20 @@ pub enum Freedom {
 pub struct DesignOptions {
     /// The quantity to minimise; default: the largest standard deviation.
     pub goal: Goal,
-    /// Weight of each point, multiplied with its motion; empty means 1 each.
+    /// Weight of each point, multiplied by its motion; empty means 1 each.
     pub weights: Vec<f64>,
     /// Region in which dampers may move; default: anywhere on their floor.
     pub place: Place,
-    /// Whether their frequencies may change; default free.
+    /// Whether the frequencies may change; default: free.
     pub frequency: Freedom,
-    /// Whether their damping ratios may change; default free.
+    /// Whether the damping ratios may change; default: free.
     pub damping: Freedom,
-    /// Whether the shares of their total mass may change; default free, without effect on a single damper.
+    /// Whether the shares of the total mass may change; default: free, without effect on a single damper.
     pub mass_split: Freedom,
-    /// Relative error d of the frequencies that the design must tolerate: the worst of f (1 − d), f and f (1 + d) is minimised. Default 0;
+    /// Relative frequency error d that the design must tolerate: the worst of f (1 − d), f and f (1 + d) is minimised. Default 0; for
     /// standard deviations only.
     pub detuning_ratio: f64,
-    /// Upper bound on the standard deviation of a damper's stroke, m; none by default.
+    /// Upper bound on the standard deviation of the stroke of a damper, m; none by default.
     pub stroke_rms_most_m: Option<f64>,
     /// Largest number of steps of one search; default 200 (our choice).
     pub iterations_most: usize,
@@ -91,11 +91,11 @@ impl Default for DesignOptions {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DesignEnd {
-    /// At an optimum: no step of 1e-6 in ln f, in ln ζ or of the floor's size improves the cost.
+    /// An optimum: no step of 1e-6 in ln f, in ln ζ or in place over floor size improves the cost.
     Optimum,
-    /// At the lightest or heaviest damping or the farthest frequency allowed: less of a damper would be better.
+    /// A limit: the damping or frequency reached the end of its allowed range, and beyond it the cost would fall further.
     Limit,
-    /// No step improved the cost, but the steps were longer than 1e-6: the result is the best cost found.
+    /// No step improved the cost, but the last steps were longer than 1e-6: the result is the best design found.
     Stalled,
 }
 
@@ -106,7 +106,7 @@ pub struct Design {
     pub dampers: Vec<PlacedDamper>,
     /// Value of the minimised cost.
     pub cost: f64,
-    /// Standard deviations of points and strokes, by assembled matrices.
+    /// Standard deviations of points and strokes, from the assembled matrices.
     pub judged: Judged,
     /// The end of the search.
     pub end: DesignEnd,
@@ -116,14 +116,14 @@ pub struct Design {
     pub last_step: f64,
 }
 
-/// Finds the dampers that minimise the goal, starting from those given.
+/// Finds the dampers that minimise the goal, starting from the given dampers.
 ///
 /// # Errors
-/// [`DamperError`] if a given damper is out of its range, or the search finds nothing.
+/// [`DamperError`] if a given damper is out of its range, or the search fails.
 ///
 /// # Limits
-/// Finds a local optimum: with free places, start from several, such as the best of a `position_map`. The tolerance for which [`Plan`] was
-/// prepared bounds the accuracy of the cost; `judged` is computed afresh from assembled matrices.
+/// Finds a local optimum: if places are free, start from several designs, for example the best of a `position_map`. The tolerance of the
+/// prepared [`Plan`] bounds the accuracy of the cost; `judged` is computed from the assembled matrices.
 pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> Result<Design, DamperError> {
     plan.judge(start)?;
     let points = plan.problem().points.len();
@@ -169,7 +169,7 @@ pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> R
     let mut dampers = search.dampers(&least.x);
     let mut at_limit = search.at_limit(&dampers);
     if options.place != Place::Kept {
-        // at the edge of a floor only the tuning remains to be found
+        // at the edge of a floor only the tuning remains to be optimised
         let there = DesignOptions {
             place: Place::Kept,
             ..options.clone()
@@ -213,7 +213,7 @@ pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> R
     })
 }
 
-/// Step length of a search that ended at an optimum.
+/// Largest last step of a search that ended at an optimum.
 const LAST_STEP_MOST: f64 = 1e-6;
 
 pub(super) struct Search<'a> {
@@ -223,7 +223,7 @@ pub(super) struct Search<'a> {
     pub(super) weights: Vec<f64>,
 }
 
-/// A damper's frequency must stay within this factor of its start.
+/// Largest factor between a damper's frequency and its start.
 const FREQUENCY_FACTOR_MOST: f64 = 5.0;
 /// Slope of the penalty on a stroke beyond its limit, in ln of the cost per ln of the stroke: steeper than any gain from the damper.
 const STROKE_PRICE: f64 = 50.0;
@@ -298,7 +298,7 @@ impl Search<'_> {
         dampers
     }
 
-    /// Range of the frequency, Hz, and damping ratio of a damper, from its start.
+    /// Allowed frequencies, Hz, and damping ratios of a damper, from its start.
     fn limits(&self, start: &PlacedDamper) -> [[f64; 2]; 2] {
         let factor = FREQUENCY_FACTOR_MOST;
         let [low, high] = self.plan.tuning_range_hz();
@@ -313,7 +313,7 @@ impl Search<'_> {
         ]
     }
 
-    /// Whether the search drove a damper to one of its limits.
+    /// Whether the search moved a damper to a limit.
     fn at_limit(&self, dampers: &[PlacedDamper]) -> bool {
         dampers.iter().zip(self.start).any(|(damper, start)| {
             let [frequency, damping] = self.limits(start);
@@ -322,14 +322,14 @@ impl Search<'_> {
         })
     }
 
-    /// ln of each function whose maximum is minimised: standard deviations, without and with the penalty on strokes.
+    /// ln of each function of which the search minimises the maximum: standard deviations, without and with the stroke penalty.
     fn values(&self, dampers: &[PlacedDamper]) -> Option<Vec<f64>> {
         let factors = self.detunings().into_iter();
         let judged = factors.map(|factor| self.plan.at_nodes(&detuned(dampers, factor)));
         self.values_of(&judged.collect::<Vec<_>>())
     }
 
-    /// Factors of the detuned frequencies.
+    /// Frequency factors of the detuned designs.
     fn detunings(&self) -> Vec<f64> {
         match self.options.detuning_ratio {
             d if d > 0.0 => vec![1.0, 1.0 - d, 1.0 + d],
@@ -337,7 +337,7 @@ impl Search<'_> {
         }
     }
 
-    /// The functions for the standard deviations at each detuning.
+    /// The same functions, from the standard deviations at each detuning.
     fn values_of(&self, all_judged: &[Judged]) -> Option<Vec<f64>> {
         let mut all = Vec::new();
         for judged in all_judged {
@@ -373,7 +373,7 @@ impl Search<'_> {
         values.iter().all(|value| value.is_finite()).then_some(values)
     }
 
-    /// The cost without the penalty on strokes.
+    /// The cost without the stroke penalty.
     pub(super) fn cost(&self, dampers: &[PlacedDamper]) -> Option<f64> {
         if self.options.goal == Goal::LargestPeak {
             let peaks = self.peaks(dampers)?;
@@ -395,7 +395,7 @@ impl Search<'_> {
         search.values(dampers)?.into_iter().reduce(f64::max).map(f64::exp)
     }
 
-    /// ln of the weighted amplitude of one point under one load.
+    /// ln of the weighted amplitude of one point under one load at one frequency.
     fn amplitude(&self, dampers: &[PlacedDamper], which: usize, omega: f64) -> Option<f64> {
         let loads = self.plan.problem().loads.len();
         let table = self.plan.table(omega, 1.0).ok()?;
@@ -403,7 +403,7 @@ impl Search<'_> {
         Some((self.weights[which / loads] * response.norm()).ln())
     }
 
-    /// The highest amplitude of each local maximum of each response.
+    /// The amplitude at each local maximum of each response.
     pub(super) fn peaks(&self, dampers: &[PlacedDamper]) -> Option<Vec<Peak>> {
         let (points, loads) = (self.plan.problem().points.len(), self.plan.problem().loads.len());
         let tables = &self.plan.nodes;

@@ -43,7 +43,7 @@ pub enum DamperError {
         /// Number of the damper, from 1.
         damper: usize,
     },
-    /// A damper is at a position that does not move.
+    /// A damper is at a place that does not move.
     #[error("damper {damper}: every value of its row is 0, so that nothing moves it")]
     Unmoved {
         /// Number of the damper, from 1.
@@ -61,7 +61,7 @@ pub enum DamperError {
         /// Distance from the edge of the floor, m.
         beyond_m: f64,
     },
-    /// A damper is tuned to a mode that does not move it.
+    /// A damper is tuned to a mode that does not move its place.
     #[error(
         "mode {mode} does not move the damper at x = {x_m} m, y = {y_m} m in direction {direction_degrees}°: {only}; turn the damper, move it, or tune it to another mode"
     )]

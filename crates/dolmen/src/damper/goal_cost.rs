@@ -1,9 +1,9 @@
-//! The cost of given dampers for a goal, as a design computes it.
+//! Cost of given dampers for a goal, as in a design.
 
 use super::design::Search;
 use super::{DamperError, DesignOptions, Goal, PlacedDamper, Plan};
 
-/// The cost of given dampers for a goal, as [`design`](super::design()) computes it, with weights of 1.
+/// Cost of given dampers for a goal, as [`design`](super::design()) computes it, with unit weights.
 ///
 /// # Errors
 /// [`DamperError`] if a damper is out of its range.
@@ -25,7 +25,7 @@ pub fn goal_cost(plan: &Plan, dampers: &[PlacedDamper], goal: Goal) -> Result<f6
     })
 }
 
-/// The quantity of the goal at each point: standard deviations, or the largest amplitudes under a harmonic load.
+/// The quantity of the goal at each point: the standard deviation, or the largest harmonic amplitude.
 ///
 /// # Errors
 /// [`DamperError`] if a damper is out of its range.

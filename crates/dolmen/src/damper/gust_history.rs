@@ -1,11 +1,11 @@
-//! The response of a structure with dampers to a turbulent wind, in time.
+//! Time history of a structure with dampers in turbulent wind.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | c_k | `GustForces::line_n` | amplitudes of the forces on the strips at one spectral line | strips |
-//! | E | `columns` | load on the structure per force on each strip | n × strips |
+//! | c_k | `GustForces::line_n` | amplitudes of the strip forces at one spectral line | strips |
+//! | E | `columns` | load on the structure per unit force on each strip | n × strips |
 //! | H(n) | `ModalSynthesis` | receptance of structure and dampers | n × n |
-//! | x(t) | `GustHistory::values` | x̄ + Σ_k Re[r H(n_k) E c_k e^(2πi n_k t)] of each row r | rows |
+//! | x(t) | `GustHistory::values` | x̄ + Σ_k Re[r H(n_k) E c_k e^(2πi n_k t)] for each row r | rows |
 
 use super::gust_row::{GustQuantity, GustRow};
 use super::gust_strokes::strokes_under;
@@ -17,25 +17,25 @@ use dolmen_linalg::{Complex64, Matrix, solve};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Number of line spacings in ζ f of a mode from which equally spaced lines represent its resonance: the sum over the lines is within 2 e^(−2π ·
-/// 1.5) = 1.6e-4 of the integral.
+/// Least ratio of ζ f of a mode to the line spacing at which equally spaced lines represent the resonance: the sum over the lines is within 2
+/// e^(−2π · 1.5) = 1.6e-4 of the integral.
 const DAMPED_PERIODS: f64 = 1.5;
 /// Largest number of samples in a period. Our choice.
 const SAMPLES_MOST: f64 = 4e6;
 
-/// A structure in the wind over time.
+/// Time history of a structure in wind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GustHistory {
     /// Times of the samples.
     pub times: GustTimes,
-    /// Each row over time.
+    /// Value of each row at each time.
     pub values: Vec<Vec<f64>>,
-    /// For each case of columns, each stroke over time, m: of the dampers, then the rises of the liquids of columns on springs.
+    /// Strokes over time for each case of columns, m: of the dampers, then the liquid rises of columns on springs.
     pub strokes: Vec<Vec<Vec<f64>>>,
 }
 
-/// Times at which a history of the wind over `duration_s` is sampled, and its period. The period is at least twice the duration, and long enough
-/// that the lines represent every resonance: 1.5 periods of each mode and damper over its damping ratio.
+/// Sampling times of a wind history over `duration_s`, and its period. The period is at least twice the duration. It is also long enough for the
+/// lines to represent every resonance: 1.5 periods of each mode and damper over its damping ratio.
 ///
 /// # Errors
 /// [`DamperError::Argument`] for a duration or step that is not positive, a mode or damper without damping, or more than 4 million samples;
@@ -105,17 +105,17 @@ fn least_decay_hz(structure: &LinearSystem, dampers: &[AttachedDamper]) -> Resul
     Ok(own.chain(attached).fold(f64::INFINITY, f64::min))
 }
 
-/// The motion in time under one history of the wind; `columns` as in [`gust_motion`](super::gust_motion), one set for each case.
+/// Motion under one wind history. `columns` holds one set for each case, as in [`gust_motion`](super::gust_motion).
 ///
-/// Each spectral line of the history produces a steady motion of structure and dampers, given by their receptances. So the motion is exact for
-/// these forces, has no transient, and repeats with the forces.
+/// Each spectral line of the wind produces a steady motion of structure and dampers, given by their receptances. So the motion is exact for
+/// these forces, has no transient, and is periodic like the forces.
 ///
 /// # Errors
-/// [`DynamicsError::Entries`] for columns, rows or cases that do not fit; [`DamperError`] if a damper is out of its range, or a line hits an
-/// undamped mode.
+/// [`DynamicsError::Entries`] for columns, rows or cases that do not fit; [`DamperError`] if a damper is out of its range, or if a line
+/// coincides with an undamped mode.
 ///
 /// # Limits
-/// Structure and dampers are linear: no stops, head loss as a damping ratio. Compared with stepping in time (Newmark, steps of 2 ms): 2e-4 of
+/// Structure and dampers are linear: no stops; head loss is a damping ratio. The difference to time stepping (Newmark, steps of 2 ms) is 2e-4 of
 /// the largest value.
 pub fn gust_history(
     structure: &LinearSystem,
@@ -159,9 +159,8 @@ pub fn gust_history(
     wanted.in_time(gusts)
 }
 
-/// One set of columns.
 struct Case {
-    /// For each strip: Φᵀ of its column.
+    /// Φᵀ of the column of each strip.
     loads: Vec<Vec<f64>>,
     /// Mean of each degree of freedom.
     mean: Vec<f64>,
@@ -185,7 +184,7 @@ impl Case {
         })
     }
 
-    /// Motion of the modes under the forces of a line.
+    /// Motion of the modes under the forces of one spectral line.
     fn moved(
         &self,
         synthesis: &ModalSynthesis,
@@ -208,7 +207,6 @@ impl Case {
     }
 }
 
-/// The requested rows of the structure.
 struct RequestedRows<'a> {
     cases: Vec<Case>,
     /// The row in modal coordinates.
@@ -249,7 +247,7 @@ impl RequestedRows<'_> {
         })
     }
 
-    /// Amplitudes of the rows, then of the strokes of each case.
+    /// Amplitudes of the rows, then of the strokes, of each case.
     fn at_line(&self, omega: f64, forces: &[Complex64]) -> Result<Vec<Complex64>, DamperError> {
         let moved = self
             .cases
@@ -271,7 +269,7 @@ impl RequestedRows<'_> {
         Ok(all)
     }
 
-    /// Means in the same order: a dashpot stretches with its floors, masses and liquids hang still.
+    /// Mean values in the same order: a dashpot elongates with its floors; masses and liquids have no mean stroke.
     fn means(&self) -> Vec<f64> {
         let along =
             |row: &[f64], case: &Case| -> f64 { row.iter().zip(&case.mean).map(|(a, x)| a * x).sum() };

@@ -1,12 +1,12 @@
-//! The response of a structure with dampers to a turbulent wind: means and standard deviations, by an integral over frequency.
+//! Response of a structure with dampers to turbulent wind: means and standard deviations, integrated over frequency.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | E | `columns` | load on the structure per force on each strip of the face | n × strips |
-//! | S_F(n) | `GustFace::force_density_n2_hz` | one-sided cross spectra of the forces on the strips | strips × strips |
+//! | E | `columns` | load on the structure per unit force on each strip of the face | n × strips |
+//! | S_F(n) | `GustFace::force_density_n2_hz` | one-sided cross spectra of the strip forces | strips × strips |
 //! | H(n) | `ModalSynthesis` | receptance of structure and dampers | n × n |
 //! | m_k | `moments` | ∫ (2πn)^2k Re[H E S_F Eᵀ H*] dn: of displacements, velocities, accelerations and their rates | n + strokes, squared |
-//! | ν, g | `up_crossing_hz`, `peak_factor` | rate of crossing the mean upwards; Davenport's factor | Hz, |
+//! | ν, g | `up_crossing_hz`, `peak_factor` | rate of upward crossings of the mean; Davenport's factor | Hz, |
 
 use super::gust_row::{GustQuantity, GustRow};
 use super::gust_strokes::strokes_under;
@@ -17,20 +17,20 @@ use crate::structure::wind::GustFace;
 use dolmen_linalg::{Matrix, solve};
 use std::f64::consts::TAU;
 
-/// Tolerance of the variance of each mode, of its acceleration and of each stroke, by a conservative error estimate. Our choice: standard
-/// deviations are then accurate to 2e-5.
+/// Tolerance of the variance of each mode, of its acceleration and of each stroke, by a conservative error estimate. Standard deviations are
+/// then accurate to 2e-5. Our choice.
 const TOLERANCE: f64 = 5e-4;
 const INTERVALS_MOST: usize = 4000;
-/// The integral begins at this fraction of V/L; below it the spectrum is taken as flat, which holds 1e-6 of the variance of the gusts.
+/// The integral begins at this fraction of V/L. Below it the spectrum is taken as constant; that part holds 1e-6 of the gust variance.
 const LOWEST: f64 = 1e-4;
-/// The integral ends at this multiple of the highest frequency of modes and dampers. From there inertia dominates the response, and densities
+/// The integral ends at this multiple of the highest frequency of modes and dampers. Above it inertia dominates the response, and densities
 /// fall as n^(−5/3 − 2).
 const HIGHEST: f64 = 100.0;
-/// The integral does not resolve the peak of a mode with less than this fraction of the largest variance; below rounding the wind does not
-/// excite the mode. Our choice.
+/// The integral does not resolve the peak of a mode with less than this fraction of the largest variance: such a variance is rounding, because
+/// the wind does not excite the mode. Our choice.
 const UNSEEN: f64 = 1e-6;
 const ROUNDING: f64 = 1e-22;
-/// Euler's constant: Davenport (1964), the mean of the largest value of a Gaussian process.
+/// Euler's constant, in the mean largest value of a Gaussian process (Davenport 1964).
 const EULER: f64 = 0.577_215_664_901_532_9;
 
 /// A random response about its mean.
@@ -41,9 +41,9 @@ pub struct GustPeak {
     pub mean: f64,
     /// Standard deviation, σ.
     pub rms: f64,
-    /// Rate of crossing the mean upwards, Hz.
+    /// Rate of upward crossings of the mean, Hz.
     pub up_crossing_hz: f64,
-    /// Davenport's peak factor g for the ten minutes.
+    /// Davenport's peak factor g over ten minutes.
     pub peak_factor: f64,
 }
 
@@ -59,7 +59,7 @@ impl GustPeak {
             true => rate_variance.max(0.0).sqrt() / (TAU * rms),
             false => 0.0,
         };
-        // with fewer than e crossings g stays at that for e: √2 + 0.58/√2
+        // below e crossings, g keeps its value at e crossings: √2 + 0.58/√2
         let spread = (2.0 * (up_crossing_hz * duration_s).ln().max(1.0)).sqrt();
         GustPeak {
             mean,
@@ -78,8 +78,8 @@ impl GustPeak {
 pub struct GustMotion {
     /// Mean of each degree of freedom of the structure, m or rad.
     pub mean: Vec<f64>,
-    /// Strokes of the dampers about their means, m: z − z₀ of a mass, w of a liquid column, the elongation of a dashpot; then the rise of
-    /// the liquids of columns on springs.
+    /// Strokes of the dampers about their means, m: z − z₀ of a mass, w of a liquid column, the elongation of a dashpot; then the liquid rises
+    /// of columns on springs.
     pub strokes: Vec<GustPeak>,
     /// m_0 to m_3 of the structure, n × n each.
     moments: [Matrix; 4],
@@ -102,7 +102,7 @@ impl GustMotion {
         GustPeak::of(0.0, of(2), of(3), self.duration_s)
     }
 
-    /// The quantity of a row that is requested, for given columns.
+    /// The quantity of a requested row, for its case of columns.
     pub fn of(&self, row: &GustRow) -> GustPeak {
         match row.quantity {
             GustQuantity::Displacement => self.displacement(&row.row),
@@ -110,7 +110,7 @@ impl GustMotion {
         }
     }
 
-    /// The row of a point along the direction in which its acceleration has the largest standard deviation, from its rows along x and y.
+    /// Row for the acceleration of a point in the direction with the largest standard deviation, from its rows along x and y.
     pub fn most_accelerated(&self, [x, y]: [&[f64]; 2]) -> Vec<f64> {
         let of = |a: &[f64], b: &[f64]| self.moments[2].form(a, b);
         let angle = 0.5 * (2.0 * of(x, y)).atan2(of(x, x) - of(y, y));
@@ -119,8 +119,8 @@ impl GustMotion {
     }
 }
 
-/// The motion in a turbulent wind over `duration_s`, the ten minutes of the mean. One answer for each set of `columns`, so that the same forces
-/// can also act off the middle of the face.
+/// Motion in turbulent wind over `duration_s`, the ten minutes of the mean. The result has one answer for each set of `columns`, so that the
+/// same forces can also act off the centre of the face.
 ///
 /// ```text
 /// mean: K x̄ = E F̄                                          columns: a list of strips of n values each
@@ -129,12 +129,12 @@ impl GustMotion {
 /// ```
 ///
 /// # Errors
-/// [`DamperError::Wind`] if the face is out of its range; [`DamperError`] if a damper is, or the integral needs too many frequencies;
-/// [`DynamicsError::Entries`] for columns that do not fit.
+/// [`DamperError::Wind`] if the face is out of its range; [`DamperError`] if a damper is out of its range, or if the integral needs too many
+/// frequencies; [`DynamicsError::Entries`] for columns that do not fit.
 ///
 /// # Limits
-/// Rules of 7 and 15 points agree to 5e-4 of each variance; other quadratures give variances within 5e-5. Gusts are Gaussian. See also what
-/// [`GustFace::force_density_n2_hz`] leaves out.
+/// Quadrature rules of 7 and 15 points agree to 5e-4 of each variance; other quadratures give variances within 5e-5. Gusts are Gaussian. See
+/// also the limits of [`GustFace::force_density_n2_hz`].
 ///
 /// # Source
 /// Davenport A. G. (1961) Proc. ICE 19:449–472, (1964) Proc. ICE 28:187–196; receptances after eqs 4 to 9 of Hwang, Min & Hong.
@@ -195,22 +195,22 @@ pub fn gust_motion(
         .collect()
 }
 
-/// All matrices in the coordinates of the structure's modes, followed by the strokes of the dampers.
+/// All matrices in modal coordinates of the structure, followed by the strokes of the dampers.
 struct GustResponse<'a> {
     synthesis: ModalSynthesis,
     modes: SystemModes,
     dampers: &'a [AttachedDamper],
     face: &'a GustFace,
-    /// For each case and strip: Φᵀ of its column.
+    /// Φᵀ of the column of each strip, for each case.
     loads: Vec<Vec<Vec<f64>>>,
     /// Row of each damper in modal coordinates.
     places: Vec<Vec<f64>>,
-    /// Active modes: all of them where dampers or damping couple them, otherwise those that the wind excites.
+    /// Active modes: all modes if dampers or damping couple them, otherwise those that the wind excites.
     active: Vec<usize>,
 }
 
 impl GustResponse<'_> {
-    /// Motion of the active modes, then of the dampers, under a unit of force on each strip: real and imaginary parts, strips × motions each.
+    /// Motion of the active modes, then of the dampers, per unit force on each strip: real and imaginary parts, each strips × motions.
     fn transfer(&self, case: usize, hz: f64) -> Result<[Matrix; 2], DamperError> {
         let strips = self.loads[case].len();
         let mut parts = [(); 2].map(|()| Matrix::zeros(strips, self.size()));
@@ -230,7 +230,6 @@ impl GustResponse<'_> {
         Ok(parts)
     }
 
-    /// Active modes and strokes.
     fn size(&self) -> usize {
         let liquids = self.dampers.iter();
         let liquids = liquids.filter(|damper| matches!(damper.kind, DamperKind::LiquidColumnMass { .. }));
@@ -265,7 +264,7 @@ impl GustResponse<'_> {
         let mut nodes = looked.ok_or(fault.unwrap_or(DamperError::TooManyFrequencies {
             intervals: INTERVALS_MOST,
         }))?;
-        // below the first frequency: flat, ∫₀^n S dn = n S(n), which in ln n is the value itself
+        // below the first frequency S is constant: ∫₀^n S dn = n S(n), which is the integrand in ln n, so its weight is 1
         nodes.push(Node {
             x: lowest.ln(),
             weight: 1.0,
@@ -273,7 +272,7 @@ impl GustResponse<'_> {
         Ok(nodes)
     }
 
-    /// The smallest height of a strip or breadth, m.
+    /// The smallest height or breadth of a strip, m.
     fn least_m(&self) -> f64 {
         let strips = self.face.strips.iter();
         strips.fold(f64::INFINITY, |least, strip| {
@@ -281,7 +280,7 @@ impl GustResponse<'_> {
         })
     }
 
-    /// How strongly the wind excites each mode: the largest variance of its acceleration at resonance over all cases.
+    /// Excitation of each mode by the wind: the largest variance of its acceleration at resonance over all cases.
     fn seen(&self) -> Vec<f64> {
         let omegas = &self.modes.angular_frequency_rad_s;
         let mut seen = vec![0.0_f64; omegas.len()];
@@ -289,19 +288,19 @@ impl GustResponse<'_> {
             let density = self.face.force_density_n2_hz(omegas[j] / TAU);
             for loads in &self.loads {
                 let pushed: Vec<f64> = loads.iter().map(|load| load[j]).collect();
-                // ω² times that of its displacement: π S/(2 c) with S two-sided
+                // ω² times the variance of its displacement: π S/(2 c) with S two-sided
                 let damping = self.modes.damping[(j, j)].max(f64::MIN_POSITIVE);
                 *seen = seen.max(density.form(&pushed, &pushed) / damping);
             }
         }
         let most = seen.iter().copied().fold(0.0, f64::max);
-        // rounding errors in a mode across the wind
+        // the wind excites a cross-wind mode only by rounding errors
         seen.iter()
             .map(|own| if *own > ROUNDING * most { *own } else { 0.0 })
             .collect()
     }
 
-    /// Frequencies of the distinct modes and of the dampers, Hz, in ascending order; at least one.
+    /// Frequencies of the resolved modes and of the dampers, Hz, in ascending order; at least one.
     fn peaks_hz(&self, told: &[bool]) -> Vec<f64> {
         let omegas = &self.modes.angular_frequency_rad_s;
         let kept = omegas.iter().zip(told).filter(|(_, told)| **told);
@@ -316,7 +315,7 @@ impl GustResponse<'_> {
         all
     }
 
-    /// The quantities that the integral must give to the tolerance: variance of each distinct mode, of its acceleration, and of each stroke.
+    /// The quantities that the integral must give to the tolerance: variance of each resolved mode, of its acceleration, and of each stroke.
     fn watched(&self, hz: f64, told: &[bool]) -> Result<Vec<f64>, DamperError> {
         let density = self.face.force_density_n2_hz(hz);
         let quick = (TAU * hz).powi(4);
@@ -360,7 +359,7 @@ impl GustResponse<'_> {
         Ok(moments)
     }
 
-    /// Transforms modal coordinates into degrees of freedom.
+    /// Transforms a matrix from modal coordinates to degrees of freedom.
     fn of_structure(&self, modal: &Matrix) -> Matrix {
         let n = self.modes.shapes.rows();
         let shapes = Matrix::from_fn(n, self.active.len(), |i, k| {

@@ -1,4 +1,4 @@
-//! Standard deviations of the response to turbulent wind, in modal coordinates. The results equal those of the assembled matrices, in far less time.
+//! Standard deviations of the response to turbulent wind, in modal coordinates. The results equal those of the assembled matrices, but much faster.
 
 use super::{AttachedDamper, DamperError, DamperKind, ModalSynthesis};
 use crate::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum};
@@ -7,14 +7,13 @@ use crate::structure::wind::GustFace;
 use dolmen_linalg::{Complex64, Matrix, symmetric_eigen};
 use std::f64::consts::TAU;
 
-/// Relative tolerance of each variance: the difference between rules of 7 and 15 points. The integral itself is far more accurate. Our choice.
+/// Relative tolerance of each variance: the difference between the rules of 7 and 15 points. The integral is far more accurate. Our choice.
 const TOLERANCE: f64 = 1e-5;
 const INTERVALS_MOST: usize = 4000;
-/// Ends of the integral: this fraction of the lowest frequency of the gusts and the structure, and this multiple of the highest frequency of the
-/// structure.
+/// Ends of the integral: a fraction of the lowest frequency of gusts and structure, and a multiple of the highest frequency of the structure.
 const ENDS: [f64; 2] = [1e-4, 30.0];
 
-/// The face on which a force of a turbulent wind acts.
+/// The face on which a force of turbulent wind acts.
 fn face_of(load: &RandomLoad) -> Option<&GustFace> {
     match (&load.spectrum, &load.input) {
         (Spectrum::Gusts { face, .. }, RandomInput::Force(_)) => Some(face),
@@ -53,7 +52,7 @@ pub(super) fn gust_factor(loads: &[RandomLoad], omega: f64) -> Result<Matrix, Da
     }))
 }
 
-/// Transforms responses to the loads into responses to independent loads: each row, with one value per load, times A.
+/// Transforms responses to the loads into responses to independent loads: multiplies each row, with one value per load, by A.
 pub(super) fn in_parts(rows: &[Complex64], factor: &Matrix) -> Vec<Complex64> {
     let count = factor.rows();
     let each = rows.chunks_exact(count).flat_map(|row| {
@@ -66,7 +65,7 @@ pub(super) fn in_parts(rows: &[Complex64], factor: &Matrix) -> Vec<Complex64> {
 /// Standard deviations of the points, followed by those of the damper strokes.
 ///
 /// # Errors
-/// [`DamperError`] if the length of a row or damper does not fit, or the integral needs too many frequencies.
+/// [`DamperError`] if a row or damper has the wrong length, or if the integral needs too many frequencies.
 pub(super) fn gust_rms(
     structure: &LinearSystem,
     loads: &[RandomLoad],

@@ -1,11 +1,11 @@
-//! Quantities of a structure in the wind that can be requested.
+//! Quantities that can be requested for a structure in wind.
 
 /// The quantity of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GustQuantity {
-    /// Its displacement, mean and gusts.
+    /// Displacement: mean and gusts.
     Displacement,
-    /// Its acceleration; the mean is 0.
+    /// Acceleration; its mean is 0.
     Acceleration,
 }
 

@@ -1,11 +1,11 @@
-//! Strokes of dampers whose places move.
+//! Strokes of dampers from the modal displacements of the structure.
 
 use super::{AttachedDamper, DamperKind};
 use dolmen_linalg::Complex64;
 use std::f64::consts::TAU;
 
-/// Strokes of the dampers, then rises of the liquids of columns on springs, for modal displacements `eta`; `places` are the rows of the dampers
-/// in modal coordinates.
+/// Strokes of the dampers, then liquid rises of columns on springs, for modal displacements `eta`; `places` are the damper rows in modal
+/// coordinates.
 pub(super) fn strokes_under(
     dampers: &[AttachedDamper],
     places: &[Vec<f64>],

@@ -1,4 +1,4 @@
-//! Dampers of structures: tuned masses and liquid columns, their tuning and their place.
+//! Dampers of structures: tuned masses and liquid columns, their tuning and placement.
 
 mod assembled;
 mod attached;

@@ -1,11 +1,11 @@
-//! The response of a structure with dampers in modal coordinates, frequency by frequency: eqs 4 to 9 of Hwang, Min & Hong, with damping.
+//! Response of a structure with dampers in modal coordinates at each frequency: eqs 4 to 9 of Hwang, Min & Hong, with damping.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | η | result of eq. 8 | modal coordinates | k |
-//! | Φ | `shapes` | modes of modal mass 1 | n × k |
+//! | Φ | `shapes` | modes with unit modal mass | n × k |
 //! | D | rows of the dampers | z₀ = Dᵀ x, displacements of the places of the dampers | n × q |
-//! | K(ω) | `stiffness` | of the dampers, diagonal: λ = K z₀ | q |
+//! | K(ω) | `stiffness` | dynamic stiffness of the dampers, diagonal: λ = K z₀ | q |
 //! | G(ω) | `receptance` | (K̄ + iωC̄ − ω²M̄)⁻¹ | k × k |
 //! | Q | `modal_load` | load on the modes | k |
 
@@ -15,7 +15,7 @@ use crate::dynamics::{DynamicsError, LinearSystem, RandomInput};
 use crate::numeric::complex_solve;
 use dolmen_linalg::{Complex64, Matrix};
 
-/// A structure in modal coordinates, ready for dampers to be attached.
+/// A structure in modal coordinates, to which dampers can be attached.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModalSynthesis {
     omega_rad_s: Vec<f64>,
@@ -34,15 +34,14 @@ struct Tied {
     modal: Vec<f64>,
 }
 
-/// Off-diagonal modal damping below this, relative to the largest, is rounding.
+/// Off-diagonal modal damping below this fraction of the largest value is rounding.
 const CLASSICAL: f64 = 1e-12;
 
 impl ModalSynthesis {
-    /// The first `modes` modes of a structure; with all of them the result is exact.
+    /// The first `modes` modes of a structure; the result is exact with all modes.
     ///
     /// # Errors
-    /// [`DamperError::Dynamics`] if the modes cannot be computed; [`DamperError::Argument`] for a number of modes that
-    /// the structure does not have.
+    /// [`DamperError::Dynamics`] if the modes cannot be computed; [`DamperError::Argument`] if the structure has fewer modes.
     pub fn new(structure: &LinearSystem, modes: usize) -> Result<Self, DamperError> {
         let n = structure.degrees_of_freedom();
         if modes == 0 || modes > n {
@@ -68,10 +67,10 @@ impl ModalSynthesis {
         })
     }
 
-    /// The synthesis with fixed dampers, which count as part of the structure.
+    /// The synthesis with fixed dampers, which become part of the structure.
     ///
     /// # Errors
-    /// [`DamperError::Row`] for a row of another length, [`DamperError::Argument`] for a damper out of its range.
+    /// [`DamperError::Row`] for a row of the wrong length, [`DamperError::Argument`] for a damper out of its range.
     pub fn with_fixed(mut self, dampers: &[AttachedDamper]) -> Result<Self, DamperError> {
         for (i, damper) in dampers.iter().enumerate() {
             check_row(i + 1, &damper.row, self.degrees_of_freedom())?;
@@ -90,19 +89,19 @@ impl ModalSynthesis {
         self.shapes.rows()
     }
 
-    /// Whether the damping leaves the modes uncoupled.
+    /// Whether damping does not couple the modes.
     pub(super) fn is_classical(&self) -> bool {
         self.classical
     }
 
-    /// A row over the structure in modal coordinates: Φᵀ a.
+    /// Φᵀ a: a row over the structure, in modal coordinates.
     pub(super) fn in_modes(&self, row: &[f64]) -> Vec<f64> {
         (0..self.shapes.columns())
             .map(|k| self.shapes.column(k).iter().zip(row).map(|(p, a)| p * a).sum())
             .collect()
     }
 
-    /// Q of a load of 1: Φᵀ f, or −Φᵀ M e.
+    /// Q of a unit load: Φᵀ f, or −Φᵀ M e.
     pub(super) fn modal_load(&self, input: &RandomInput) -> Vec<f64> {
         match input {
             RandomInput::Force(force) => self.in_modes(force),
@@ -110,13 +109,13 @@ impl ModalSynthesis {
         }
     }
 
-    /// G(ω) times a real load on the modes, with the fixed dampers.
+    /// G(ω) times a real modal load, with the fixed dampers.
     pub(super) fn receptance(&self, w: f64, load: &[f64]) -> Result<Vec<Complex64>, DamperError> {
         let free = self.bare_receptance(w, load)?;
         self.with_forces(w, free, |_| 0.0)
     }
 
-    /// Motion of the modes under a load of 1, with the fixed dampers.
+    /// Modal motion under a unit load, with the fixed dampers.
     pub(super) fn loaded(&self, w: f64, input: &RandomInput) -> Result<Vec<Complex64>, DamperError> {
         let free = self.bare_receptance(w, &self.modal_load(input))?;
         self.with_forces(w, free, |tied| match input {
@@ -165,7 +164,7 @@ impl ModalSynthesis {
         Ok(eta)
     }
 
-    /// G(ω) times a real load on the modes, of the structure alone.
+    /// G(ω) times a real modal load, for the structure alone.
     fn bare_receptance(&self, w: f64, load: &[f64]) -> Result<Vec<Complex64>, DamperError> {
         let k = load.len();
         if self.classical {
@@ -194,18 +193,18 @@ impl ModalSynthesis {
         }
     }
 
-    /// z_g of eq. 9: the motion of each of `rows` per load of 1 at one frequency, with the dampers.
+    /// z_g of eq. 9: motion of each of `rows` per unit load at one frequency, with the dampers.
     ///
     /// ```text
     /// z₀ = [I − DᵀΦGΦᵀD K]⁻¹ (DᵀΦG Q − …)      eq. 7
     /// η  = G ΦᵀD λ + G Q,  λ = K z₀ − m_a e      eq. 8
     /// z_g = D_gᵀΦ η                              eq. 9
     /// ```
-    /// Under a base acceleration, the acceleration at a damper is that of its position plus that of the base, e for its row: −m_a e with
-    /// the apparent mass m_a = K/ω².
+    /// Under a base acceleration, the acceleration at a damper is that of its place plus that of the base, which is e for its row: −m_a
+    /// e with the apparent mass m_a = K/ω².
     ///
     /// # Errors
-    /// [`DamperError::Row`] for a row of another length; [`DamperError::Dynamics`] at an undamped resonance.
+    /// [`DamperError::Row`] for a row of the wrong length; [`DamperError::Dynamics`] at an undamped resonance.
     pub fn response(
         &self,
         angular_frequency_rad_s: f64,

@@ -1,13 +1,13 @@
-//! Prepares a structure, its random loads and points at a set of frequencies, so that the effect of any mass dampers on its floors can be
-//! computed in microseconds, whatever the number of degrees of freedom.
+//! Prepares a structure, its random loads and its points at a set of frequencies. The effect of any mass dampers on its floors then takes
+//! microseconds, for any number of degrees of freedom.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | ω, w | `omega`, `weight` | nodes of an integral over frequency | nodes |
-//! | G_cc | `own` | receptances among u, v, θ of the floors with dampers | c × c |
+//! | G_cc | `own` | receptances between u, v, θ of the floors with dampers | c × c |
 //! | G_pc | `to_point` | receptances from the floors to the points | p × c |
-//! | a_cl | `felt` | −(absolute acceleration) of the floors, per load: ω² G_cl − e_c | c × l |
-//! | G_pl | `free` | motion of the points without dampers, per load | p × l |
+//! | a_cl | `felt` | −(absolute acceleration) of the floors per unit load: ω² G_cl − e_c | c × l |
+//! | G_pl | `free` | motion of the points without dampers per unit load | p × l |
 
 use super::gust_rms::{are_gusts, gust_factor, gust_rms, in_parts};
 use super::{AttachedDamper, DampedSystem, DamperError, DamperSite, ModalSynthesis, PlacedDamper};
@@ -18,29 +18,29 @@ use crate::numeric::adaptive_nodes;
 use dolmen_linalg::Complex64;
 use std::f64::consts::{PI, TAU};
 
-/// The problem: the points whose motion is to be reduced, and the floors that may carry dampers.
+/// The design problem: points whose motion is to be reduced, and floors that may carry dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DamperProblem {
     /// The structure without dampers.
     pub structure: LinearSystem,
-    /// Random loads on it, independent of each other.
+    /// Independent random loads on the structure.
     pub loads: Vec<RandomLoad>,
-    /// Displacements to be reduced, one row each over the structure.
+    /// Displacements to be reduced; each is a row over the structure.
     pub points: Vec<Vec<f64>>,
     /// Floors that may carry dampers.
     pub sites: Vec<DamperSite>,
-    /// Fixed dampers, which count as part of the structure.
+    /// Fixed dampers, which are part of the structure.
     pub fixed: Vec<AttachedDamper>,
 }
 
 /// Resolution of the frequencies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanOptions {
-    /// Tolerance of the variances without dampers and with those expected, by a conservative error estimate; default 1e-4 (our choice). Standard
-    /// deviations are then accurate to 1e-5 for any damping above the lightest and frequencies within 30 % of those expected, most of them to
-    /// 1e-9.
+    /// Tolerance of the variances without dampers and with expected dampers, by a conservative error estimate; default 1e-4 (our choice).
+    /// Standard deviations are then accurate to 1e-5, and mostly to 1e-9. This holds for any damping above `damping_least` and frequencies
+    /// within 30 % of the expected ones.
     pub relative_tolerance: f64,
-    /// Lightest damping ratio that a damper may have; default 0.01 (our choice: no spring keeps less for long). Lighter dampers need more
+    /// Smallest damping ratio of a damper; default 0.01 (our choice: no real spring stays below it for long). Lighter damping needs more
     /// frequencies.
     pub damping_least: f64,
 }
@@ -80,11 +80,11 @@ pub(super) struct Table {
 }
 
 impl Plan {
-    /// Prepares a problem. `expected` are dampers similar to those that will be judged: frequencies are chosen so that variances with them, and
-    /// with lighter damping, meet the tolerance.
+    /// Prepares a problem. `expected` are dampers similar to those to be judged: the frequencies are chosen so that the variances with these
+    /// dampers, and with lighter damping, meet the tolerance.
     ///
     /// # Errors
-    /// [`DamperError`] if a row, a site or a load does not fit the structure, or the tolerance needs too many frequencies.
+    /// [`DamperError`] if a row, a site or a load does not fit the structure, or if the tolerance needs too many frequencies.
     pub fn new(
         problem: DamperProblem,
         expected: &[PlacedDamper],
@@ -128,18 +128,16 @@ impl Plan {
         &self.problem
     }
 
-    /// Standard deviations of the points without the dampers to be designed, but with fixed ones.
+    /// Standard deviations of the points with the fixed dampers only.
     pub fn without(&self) -> &[f64] {
         &self.without
     }
 
-    /// Lightest damping ratio that a damper may have.
     pub(super) fn damping_least(&self) -> f64 {
         self.damping_least
     }
 
-    /// Range of the frequencies of dampers, Hz: from half the lowest to 1.5 times the highest mode that has at least a hundredth of some point's
-    /// variance.
+    /// Range of damper frequencies, Hz: from half the lowest to 1.5 times the highest mode that has at least 1 % of the variance of some point.
     pub fn tuning_range_hz(&self) -> [f64; 2] {
         self.tuning_range_hz
     }
@@ -149,11 +147,11 @@ impl Plan {
         self.nodes.len()
     }
 
-    /// Modal mass of a mode, numbered from 0, its shape scaled to 1 at a place along a direction, kg. For modes that share one frequency, the
-    /// smallest over all their shapes, 1/Σ b².
+    /// Modal mass of a mode (index from 0), kg, with its shape scaled to 1 at a place along a direction. For modes with a common frequency, this
+    /// is the smallest modal mass over all their combinations, 1/Σ b².
     ///
     /// # Errors
-    /// [`DamperError::ModeStill`] if the mode does not move there that way.
+    /// [`DamperError::ModeStill`] if the mode does not move that place in that direction.
     pub fn modal_mass_kg(&self, mode: usize, damper: &PlacedDamper) -> Result<f64, DamperError> {
         if mode >= self.omega_rad_s.len() {
             return Err(DamperError::Argument {
@@ -166,7 +164,7 @@ impl Plan {
             .attached(&self.problem.sites, self.problem.structure.degrees_of_freedom())?
             .row;
         let shape = self.shapes.column(mode);
-        // of modes that share one frequency all move, in the proportion that moves the place most
+        // modes with a common frequency all take part, in the combination that moves the place most
         let near = |j: &usize| (self.omega_rad_s[*j] / self.omega_rad_s[mode] - 1.0).abs() < ONE_FREQUENCY;
         let together = (0..self.omega_rad_s.len()).filter(near);
         let moves = together
@@ -179,7 +177,7 @@ impl Plan {
             .fold(0.0, f64::hypot);
         let site = &self.problem.sites[damper.site];
         let local: Vec<f64> = shape[site.first_degree_of_freedom..][..3].to_vec();
-        // the floor's largest motion at a corner, beside which the motion of a still place is small
+        // the floor's largest motion is at a corner; it is the scale for the motion of a still place
         let corners = site.corners_m.iter().flat_map(|corner| {
             [0.0, 90.0].map(|degrees| {
                 let a = site.coefficients(*corner, degrees);
@@ -204,13 +202,13 @@ impl Plan {
         Ok(1.0 / (moves * moves))
     }
 
-    /// Frequency of a mode, numbered from 0, Hz.
+    /// Frequency of a mode (index from 0), Hz.
     pub fn mode_frequency_hz(&self, mode: usize) -> Option<f64> {
         self.omega_rad_s.get(mode).map(|omega| omega / TAU)
     }
 
-    /// Standard deviations of the points with dampers, by assembled matrices: Lyapunov's equation, or the integral over
-    /// frequency where a load is a table.
+    /// Standard deviations of the points with dampers, from the assembled matrices: by Lyapunov's equation, or by integration over frequency if
+    /// a load is a table.
     ///
     /// # Errors
     /// [`DamperError`] if a damper is out of its range.
@@ -312,7 +310,7 @@ impl Plan {
         })
     }
 
-    /// Whether each mode has more than this fraction of some point's variance, so that the integral must resolve its peak.
+    /// Whether each mode has more than this fraction of the variance of some point, so that the integral must resolve its peak.
     fn modes_seen(&self, part: f64) -> Result<Vec<bool>, DamperError> {
         let damping = self.problem.structure.modes()?.damping;
         let mut seen = vec![false; self.omega_rad_s.len()];
@@ -418,7 +416,8 @@ impl Plan {
     }
 }
 
-/// Dampers at which the integrands are resolved: none, each alone tuned to every frequency of the building, and each as expected and near it.
+/// Dampers for which the integrands must be resolved: none, each alone tuned to every frequency of the building, and each at and near its
+/// expected tuning.
 fn trial_dampers(
     expected: &[PlacedDamper],
     excited_hz: &[f64],
@@ -426,7 +425,7 @@ fn trial_dampers(
 ) -> Vec<Vec<PlacedDamper>> {
     let mut trials: Vec<Vec<PlacedDamper>> = vec![Vec::new()];
     for damper in expected {
-        // the damper may be far out of tune, and may be tuned to any of these frequencies
+        // the damper may be far out of tune, or tuned to any of these frequencies
         for &frequency_hz in excited_hz {
             trials.push(vec![PlacedDamper {
                 frequency_hz,
@@ -447,13 +446,13 @@ fn trial_dampers(
 
 /// The integral does not resolve the peak of a mode with less than this fraction of the tolerance in every variance. Our choice.
 const SEEN: f64 = 1e-3;
-/// A damper may be meant for any mode with this fraction of some point's variance. Frequencies are considered from `RANGE[0]` times the lowest
-/// of these modes to `RANGE[1]` times the highest. Our choice.
+/// A damper may be tuned to any mode with this fraction of the variance of some point. The frequency range is `RANGE[0]` times the lowest to
+/// `RANGE[1]` times the highest of these modes. Our choice.
 const EXCITED: f64 = 0.01;
 const RANGE: [f64; 2] = [0.5, 1.5];
-/// Modes whose frequencies are this close, relatively, count as one frequency: their shapes are then one choice of many.
+/// Modes with frequencies closer than this (relative) have a common frequency: any combination of their shapes is a mode.
 const ONE_FREQUENCY: f64 = 1e-6;
-/// A place that moves less than this fraction of the floor's largest motion counts as still.
+/// A place that moves less than this fraction of the floor's largest motion is still.
 const STILL: f64 = 1e-6;
 
 fn extent(site: &DamperSite) -> f64 {
@@ -470,7 +469,7 @@ pub struct Judged {
     pub stroke_rms_m: Vec<f64>,
 }
 
-/// The effect of any dampers on a structure, by assembled matrices.
+/// The effect of any dampers on a structure, from the assembled matrices.
 ///
 /// # Errors
 /// [`DamperError`] if a damper or a load is out of its range.

@@ -34,7 +34,7 @@ pub struct PositionMapOptions {
     pub tuning: MapTuning,
     /// The quantity to minimise; [`Goal::LargestRms`] or [`Goal::MeanSquare`].
     pub goal: Goal,
-    /// Weight of each point, a factor of its motion; empty for 1 each.
+    /// Weight of each point, multiplied by its motion; empty means 1 each.
     pub weights: Vec<f64>,
 }
 
@@ -63,7 +63,7 @@ pub struct PositionMap {
 }
 
 impl PositionMap {
-    /// The position with the smallest cost.
+    /// The cell with the smallest cost.
     pub fn best(&self) -> Option<&MapCell> {
         let cells = self.cells.iter().flatten();
         cells.reduce(|best, cell| if cell.cost < best.cost { cell } else { best })
@@ -93,7 +93,7 @@ impl PositionMapOptions {
 const ITERATIONS_MOST: usize = 60;
 /// Steps in ln f and ln ζ at which a search ends; the relative error of the cost is then far smaller.
 const STEP_LEAST: f64 = 1e-5;
-/// If the tuning of a neighbour is better by this fraction, it belongs to another local minimum.
+/// If the tuning of a neighbour is better by this fraction, it is at another local minimum.
 const BETTER: f64 = 1e-5;
 /// Number of positions along each side at which the search covers all local minima.
 const COARSE: usize = 8;
@@ -117,8 +117,8 @@ const SWEEPS_MOST: usize = 4;
 ///
 /// # Limits
 /// Finds the best tuning within [`Plan::tuning_range_hz`]. At 8 × 8 positions the search evaluates a grid of frequencies, 6 % apart, and 6
-/// damping ratios, and refines the lowest local minima. Every other position starts from the minima of the nearest of these positions and of the
-/// previous position. It starts again from the tuning of a neighbour if that is better. The tolerance of the tuning is 1e-4.
+/// damping ratios, and refines the lowest local minima. At every other position it starts from the minima of the nearest grid position and of
+/// the previous position, and again from the tuning of a neighbour if that is better. The tolerance of the tuning is 1e-4.
 ///
 /// Tested by `damper_designs`.
 pub fn position_map(
@@ -213,7 +213,6 @@ pub(super) fn along_line(
     each.collect()
 }
 
-/// Data that all positions share.
 struct SearchData<'a> {
     plan: &'a Plan,
     given: PlacedDamper,

@@ -1,11 +1,12 @@
-//! The effect of a design whose dampers are detuned.
+//! Robustness of a design against detuned dampers.
 
 use super::{DamperError, Goal, PlacedDamper, Plan, goal_cost};
 
 /// The detuned quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detuned {
-    /// The dampers' frequencies (by their springs, or inversely by the structure's stiffness).
+    /// Frequencies of the dampers (a change of their springs, or an inverse change of the structure's
+    /// stiffness).
     Frequency,
     /// Damping ratios of the dampers.
     Damping,
@@ -14,7 +15,7 @@ pub enum Detuned {
 /// One point of a robustness curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RobustnessPoint {
-    /// Factor on the quantity; 1 as designed.
+    /// Factor on the quantity; 1 is the design.
     pub factor: f64,
     /// Value of the goal.
     pub cost: f64,
@@ -24,7 +25,7 @@ pub struct RobustnessPoint {
     pub stroke_rms_m: Vec<f64>,
 }
 
-/// The goal, the points and the strokes with the frequency or damping of every damper multiplied by each factor.
+/// The goal, the points and the strokes if each factor multiplies the frequency or damping of every damper.
 ///
 /// # Errors
 /// [`DamperError`] if a damper is out of its range, or a factor is not positive.

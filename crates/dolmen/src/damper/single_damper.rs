@@ -1,12 +1,13 @@
-//! The effect of one mass damper at one place, for any tuning, in one pass over the prepared frequencies, with derivatives.
+//! Effect of one mass damper at one place, for any tuning, in one pass over the prepared frequencies, with derivatives.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | N | `link` | ω_d² + 2iζω_d ω, spring and dashpot over the mass |
-//! | N′ | `above`, `link` | N − (1 − α²) ω²: the part 1 − α² of the mass of a liquid column moves with its place; α = 1 for a mass on a spring |
+//! | N′ | `above`, `link` | N − (1 − α²) ω²: the fraction 1 − α² of the mass of a liquid column moves with its place; α = 1 for a mass on a
+//! spring |
 //! | T | `force` | m N′ / (N − ω² − ω² m N′ g): force on the structure per acceleration of the place without the damper |
 //! | g | `own` | receptance of the place along the damper |
-//! | q | `through` | motion of a point per T: receptance from place to point times acceleration of the place |
+//! | q | `through` | motion of a point per unit T: receptance from place to point times acceleration of the place |
 
 use super::{PlacedDamper, Plan};
 use crate::numeric::{Piece, Worst};
@@ -80,11 +81,11 @@ impl SingleDamper {
         single
     }
 
-    /// Each point's standard deviation with a tuning.
+    /// Standard deviation of each point with a tuning.
     pub(super) fn judge(&self, frequency_hz: f64, damping_ratio: f64) -> Vec<SingleDamperValue> {
         let own = TAU * frequency_hz;
         let (spring, dashpot) = (own * own, 2.0 * damping_ratio * own);
-        // in the widest vectors of the machine; the operations, and so the bits, are the same on any
+        // runs in the widest vectors of the processor; the operations, and so the bits, are the same on each
         let sums = Arch::new().dispatch(
             #[inline(always)]
             || self.sums(spring, dashpot),
@@ -195,7 +196,7 @@ pub(super) struct SingleDamperSearch<'a> {
     last: Option<(Vec<f64>, Vec<Piece>)>,
 }
 
-/// Upper limit of the damping ratio. Above 1 nothing oscillates; where a damper does harm, the best one is such a brace.
+/// Upper limit of the damping ratio. Above 1 nothing oscillates; where a damper does harm, the optimum is such a rigid link.
 pub(super) const DAMPING_MOST: f64 = 3.0;
 
 impl<'a> SingleDamperSearch<'a> {
@@ -227,7 +228,7 @@ impl<'a> SingleDamperSearch<'a> {
     fn look(&mut self, x: &[f64]) -> Option<&Vec<Piece>> {
         if self.last.as_ref().is_none_or(|(at, _)| at != x) {
             let tuning = self.within(x);
-            // beyond a limit nothing changes
+            // beyond a limit the derivative is zero
             let moves = [0, 1].map(|i| if tuning[i] == x[i].exp() { 1.0 } else { 0.0 });
             let values = self.single.judge(tuning[0], tuning[1]);
             let mut pieces: Vec<Piece> = values

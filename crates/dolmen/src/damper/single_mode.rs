@@ -7,10 +7,10 @@ use super::{DamperError, Tuning, TuningRule, rule_tuning};
 use crate::known::tuned_mass::{Acts, TunedMass, response, variance};
 use crate::numeric::{Minimax, Piece, Worst, by_differences, minimax};
 
-/// The response that the tuning minimises, and its load.
+/// The minimised response, and its load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aim {
-    /// Largest displacement under a harmonic force of any frequency (bells, machines).
+    /// Largest displacement under a harmonic force at any frequency (bells, machines).
     ForceHarmonic,
     /// Standard deviation of displacement under a white-noise force (wind).
     ForceRandom,
@@ -51,7 +51,7 @@ impl Aim {
     }
 }
 
-/// One mode and the mass ratio of its damper, dimensionless: mass and frequency of the mode are 1.
+/// One mode and the mass ratio of its damper, dimensionless: the mode has unit mass and frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingleMode {
     /// μ, damper mass over modal mass, the mode shape scaled to 1 at the damper; in (0, 1].
@@ -113,8 +113,8 @@ pub struct OptimalTuning {
 }
 
 const ITERATIONS_MOST: usize = 200;
-/// Largest last step of a search that ended because no step improved the cost. Near the optimum the cost is flat, so its rounding permits a
-/// step of this length.
+/// Largest last step of a search that ended because no step improved the cost. Near the optimum the cost is so flat that steps of this
+/// length change only its rounding.
 const LAST_STEP_MOST: f64 = 1e-5;
 
 /// Frequency and damping that minimise the response of `aim` for a mode with its own damping.
@@ -202,7 +202,7 @@ impl Worst for Search {
 
 /// Frequencies of all local maxima of |H|, ascending.
 fn peaks(of: TunedMass, acts: Acts) -> Vec<f64> {
-    // both peaks lie within the splitting factor of two coupled oscillators, which is less than this
+    // both peaks are within the frequency splitting of two coupled oscillators, which is less than this range
     const LOW: f64 = 0.05;
     const HIGH: f64 = 5.0;
     const SAMPLES: usize = 1200; // in ln r, 0.4 % apart

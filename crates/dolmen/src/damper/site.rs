@@ -6,11 +6,11 @@ use crate::structure::building::{nearest_on_floor, nearest_on_side};
 /// A rigid floor that can carry dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DamperSite {
-    /// Index of the floor's u at its reference point among the structure's degrees of freedom; v and θ follow.
+    /// Index of the floor's u at its reference point among the degrees of freedom of the structure; v and θ follow.
     pub first_degree_of_freedom: usize,
     /// Reference point in plan, m.
     pub reference_m: [f64; 2],
-    /// Corners of the floor in order, m; dampers stand inside.
+    /// Corners of the floor in order, m; dampers must be inside.
     pub corners_m: Vec<[f64; 2]>,
 }
 
@@ -25,13 +25,14 @@ pub struct PlacedDamper {
     pub place_m: [f64; 2],
     /// Direction of its motion, counter-clockwise from x, degrees.
     pub direction_degrees: f64,
-    /// Mass m, kg; for a liquid column of all the liquid.
+    /// Mass m, kg; the whole liquid for a liquid column.
     pub mass_kg: f64,
-    /// Own frequency, Hz.
+    /// Frequency of the damper alone, Hz.
     pub frequency_hz: f64,
-    /// Damping ratio c/(2 m ω) with its own ω.
+    /// Damping ratio c/(2 m ω), with ω of the damper alone.
     pub damping_ratio: f64,
-    /// α of a liquid column, horizontal over total length, in (0, 1); 1 for a mass on a spring, which equals a column of α = 1.
+    /// α of a liquid column, horizontal over total length, in (0, 1); 1 for a mass on a spring, which is equivalent to a column with
+    /// α = 1.
     pub length_ratio: f64,
 }
 
@@ -53,7 +54,7 @@ impl DamperSite {
         })
     }
 
-    /// The nearest point of the floor and its distance, m; inside, the point itself and 0.
+    /// The nearest point of the floor and its distance, m; a point on the floor is its own nearest point.
     pub fn nearest_m(&self, place_m: [f64; 2]) -> ([f64; 2], f64) {
         nearest_on_floor(&self.corners_m, place_m)
     }

@@ -1,7 +1,7 @@
-//! Several dampers of any kind together: their effect, and their simultaneous tuning at fixed positions.
+//! Several dampers of any kind together: their effect, and their joint tuning at fixed positions.
 //!
-//! The unknowns are logarithms: frequency and damping ratio of a tuned mass or liquid column, both pairs of a liquid column mass damper, and
-//! on request the coefficient of a dashpot.
+//! The unknowns are logarithms: frequency and damping ratio of a tuned mass or liquid column, both pairs for a liquid column mass damper, and
+//! optionally the coefficient of a dashpot.
 
 use super::damper_coupling::{Coupling, DamperRow};
 use super::damper_slopes::{MovedDampers, pieces_of};
@@ -9,7 +9,7 @@ use super::single_damper::DAMPING_MOST;
 use super::{AttachedDamper, DamperError, DamperKind, DesignEnd, Freedom, Goal, Judged, Plan, judge};
 use crate::numeric::{Minimax, Piece, Worst, minimax};
 
-/// Options for the simultaneous tuning of dampers.
+/// Options for the joint tuning of dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TogetherOptions {
     /// The quantity to minimise: [`Goal::LargestRms`] or [`Goal::MeanSquare`].
@@ -17,7 +17,7 @@ pub struct TogetherOptions {
     /// Upper bound of the standard deviation of each damper's stroke, m; empty for no bound.
     pub stroke_rms_most_m: Vec<f64>,
     /// Whether the coefficients of dashpots are unknowns too; default: fixed. A larger dashpot is better until it acts as a rigid strut, so
-    /// its cost decides.
+    /// its price must decide.
     pub coefficients: Freedom,
     /// Largest number of steps of one search; default 60 (our choice).
     pub iterations_most: usize,
@@ -130,7 +130,7 @@ pub fn cost_of(judged: &Judged, goal: Goal) -> f64 {
 }
 
 impl Plan {
-    /// Standard deviations of the points and strokes with dampers of any kind, by assembled matrices.
+    /// Standard deviations of the points and strokes with dampers of any kind, from the assembled matrices.
     ///
     /// # Errors
     /// [`DamperError`] if a damper is outside its range.
@@ -143,7 +143,6 @@ impl Plan {
     }
 }
 
-/// One unknown of one damper.
 #[derive(Clone, Copy)]
 enum Knob {
     Frequency(usize),

@@ -2,35 +2,34 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | μ | `mass_ratio` | damper mass / modal mass, mode shape scaled to 1 at the damper |
-//! | f | `frequency_ratio` | damper's own frequency / frequency of the mode |
-//! | ζ | `damping_ratio` | c / (2 m ω), with m and ω the **damper's own** mass and frequency |
-//! | β | `structure_damping_ratio` | damping ratio of the mode itself |
+//! | μ | `mass_ratio` | damper mass / modal mass, with the mode shape scaled to 1 at the damper |
+//! | f | `frequency_ratio` | frequency of the damper alone / frequency of the mode |
+//! | ζ | `damping_ratio` | c / (2 m ω), with mass m and frequency ω of the **damper alone** |
+//! | β | `structure_damping_ratio` | damping ratio of the mode without damper |
 
 use super::DamperError;
 
-/// Largest mass ratio. Above it 1 − μ/2 is no longer safely positive, and no real damper is that heavy.
+/// Largest mass ratio: above it 1 − μ/2 approaches zero, and no real damper is that heavy.
 pub(super) const MASS_RATIO_MOST: f64 = 1.0;
-/// Largest damping ratio of a mode. Beyond it the mode hardly oscillates, and no damper is tuned to it.
+/// Largest damping ratio of a mode: above it the mode hardly oscillates, and a damper is of no use.
 pub(super) const STRUCTURE_DAMPING_MOST: f64 = 0.3;
 
 /// A tuned damper, relative to the mode it is tuned to. All dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tuning {
-    /// f, damper's own frequency over the frequency of the mode.
+    /// f, frequency of the damper alone over the frequency of the mode.
     pub frequency_ratio: f64,
-    /// ζ = c / (2 m ω), relative to the damper's own mass and frequency.
+    /// ζ = c / (2 m ω), with mass and frequency of the damper alone.
     pub damping_ratio: f64,
 }
 
 impl Tuning {
-    /// c / (2 m Ω) with Ω the frequency of the **structure**: the normalisation of Den Hartog's book and of Hwang, Min
-    /// & Hong. f ζ.
+    /// f ζ = c / (2 m Ω), with Ω the frequency of the **structure**: the normalisation of Den Hartog's book and of Hwang, Min & Hong.
     pub fn damping_ratio_on_structure(&self) -> f64 {
         self.frequency_ratio * self.damping_ratio
     }
 
-    /// From a ratio c / (2 m Ω) on the frequency of the structure.
+    /// Converts a ratio c / (2 m Ω) relative to the frequency of the structure.
     pub fn from_damping_on_structure(frequency_ratio: f64, damping_ratio_on_structure: f64) -> Self {
         Tuning {
             frequency_ratio,
@@ -39,19 +38,20 @@ impl Tuning {
     }
 }
 
-/// A liquid column as its equivalent tuned mass: the part α² of the liquid oscillates, the rest moves with the structure.
+/// A liquid column as its equivalent tuned mass: the fraction α² of the liquid oscillates, the rest moves with the structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColumnAsMass {
-    /// α² μ / (1 + (1 − α²) μ): the oscillating mass over that of the mode, with the rest of the liquid on it.
+    /// α² μ / (1 + (1 − α²) μ): the oscillating mass over the modal mass that includes the rest of the liquid.
     pub mass_ratio: f64,
-    /// 1/√(1 + (1 − α²) μ): frequency of the mode with the rest of the liquid over that without; its damping ratio changes by the same factor.
+    /// 1/√(1 + (1 − α²) μ): frequency of the mode with the rest of the liquid over its frequency without; its damping ratio changes by the same
+    /// factor.
     pub frequency_factor: f64,
 }
 
 impl ColumnAsMass {
-    /// From the liquid's mass over the modal mass, and α = `length_ratio`; α = 1 is itself a mass on a spring.
+    /// From the ratio of liquid mass to modal mass, and α = `length_ratio`; α = 1 is a mass on a spring.
     ///
-    /// Exact for one mode. With Warburton's tuning under a force it is the optimum of Yalla & Kareem (2000),
+    /// Exact for one mode. Warburton's tuning under a force then gives the optimum of Yalla & Kareem (2000),
     /// [`known::liquid_column::least_variance_under_force`](crate::known::liquid_column::least_variance_under_force).
     pub fn new(mass_ratio: f64, length_ratio: f64) -> Self {
         let swings = length_ratio * length_ratio;
@@ -75,7 +75,7 @@ impl ColumnAsMass {
         Ok(self.of_mode(tuning))
     }
 
-    /// Turns a tuning to the mode with the rest of the liquid into one to the mode without.
+    /// Converts a tuning relative to the mode with the rest of the liquid into a tuning relative to the mode without it.
     pub(super) fn of_mode(&self, tuning: Tuning) -> Tuning {
         Tuning {
             frequency_ratio: self.frequency_factor * tuning.frequency_ratio,
@@ -95,18 +95,18 @@ pub enum TuningRule {
     WarburtonBase,
     /// Warburton (1982): equal fixed points of the relative displacement under a harmonic base acceleration.
     WarburtonBaseHarmonic,
-    /// Nishihara & Asami (2002): least largest displacement under a harmonic force, exact.
+    /// Nishihara & Asami (2002): smallest peak displacement under a harmonic force, exact.
     NishiharaAsami,
-    /// Sadek, Mohraz, Taylor & Chung (1997): both modes that the damper makes of one equally damped.
+    /// Sadek, Mohraz, Taylor & Chung (1997): equal damping of the two modes into which the damper splits the mode.
     Sadek,
-    /// Villaverde (1985): in resonance, the damper's damping √μ above the structure's.
+    /// Villaverde (1985): resonance, with a damper ratio √μ above that of the structure.
     Villaverde,
-    /// Hwang, Min & Hong as printed, with their "damping ratio" applied to the damper's own frequency: less damping than they mean.
+    /// Hwang, Min & Hong as printed, with their "damping ratio" applied to the damper's own frequency: less damping than they intended.
     HwangMinHongLiteral,
 }
 
 impl TuningRule {
-    /// All of them, in the order in which tables show them.
+    /// All forms, in the order of the tables.
     pub const ALL: [TuningRule; 8] = [
         TuningRule::DenHartog,
         TuningRule::NishiharaAsami,
@@ -118,7 +118,7 @@ impl TuningRule {
         TuningRule::HwangMinHongLiteral,
     ];
 
-    /// Its name in project files and in JSON.
+    /// Name of the form in project files and JSON.
     pub fn name(self) -> &'static str {
         match self {
             TuningRule::DenHartog => "den_hartog",
@@ -146,7 +146,7 @@ impl TuningRule {
         }
     }
 
-    /// The quantity it minimises.
+    /// The minimised quantity.
     pub fn aim(self) -> &'static str {
         match self {
             TuningRule::DenHartog => "peak under a harmonic force, fixed points",
@@ -177,14 +177,13 @@ impl TuningRule {
 ///
 /// # Input
 /// * `structure_damping_ratio` -- β, in [0, 0.3]; only Sadek's and Villaverde's forms use it
-/// * `structure_damping_ratio` -- β, in [0, 0.3]; only Sadek's and Villaverde's know of it
 ///
 /// # Errors
 /// [`DamperError::MassRatio`] if μ is not in (0, 1]; [`DamperError::Argument`] if β is not in [0, 0.3].
 ///
 /// # Limits
-/// All but Sadek's and Villaverde's forms take the structure's own damping as 0. At 2 % own damping and μ = 0.05 the best f of `WarburtonForce`
-/// lies 0.2 % lower, and its variance is 0.01 % above the minimum.
+/// All forms except Sadek's and Villaverde's take the damping of the structure as 0. With 2 % structural damping and μ = 0.05, the best f of
+/// `WarburtonForce` is 0.2 % lower, and its variance is 0.01 % above the minimum.
 ///
 /// # Source
 /// Den Hartog (1956) *Mechanical Vibrations*, 4th ed., sec. 3.3; Warburton (1982) Earthq. Eng. Struct. Dyn. 10(3):381-401,

@@ -1,9 +1,10 @@
 //! Determines which joints of a chain stick and which rotate after an event, by Coulomb's law for all joints together.
 //!
 //! Moments and rates are compared by their Taylor series, coefficient by coefficient: if the moment of a joint is exactly at its limit,
-//! the first coefficient above rounding decides whether the joint rotates or sticks. In these series the law is a linear complementarity
-//! problem with a positive definite matrix, solved by pivoting: the joint with the largest violation changes first. If that does not end
-//! after some iterations, the violating joint with the lowest index changes instead, which always ends (Murty).
+//! the first coefficient above rounding decides whether the joint rotates or sticks. For these series the law is a linear
+//! complementarity problem with a positive definite matrix. It is solved by pivoting: the joint with the largest violation changes
+//! first. If the iteration does not end after some steps, the violating joint with the lowest index changes instead, which always ends
+//! (Murty).
 //!
 //! # Source
 //! Murty, K. G. (1974) Note on a Bard-type scheme for solving the complementarity problem. Opsearch 11:123-130. Differs from the
@@ -16,14 +17,14 @@ use super::frame_model::Slider;
 use super::{ChainSlip, DynamicsError, TimeFunction};
 use crate::numeric::first_descent;
 
-/// Events closer together than this count as one, s.
+/// Events closer together than this are one event, s.
 const PILE_S: f64 = 1e-9;
-/// Fraction of the largest moment below which a moment at an event, or its rate over the step, counts as rounding; as for frames.
+/// Fraction of the largest moment below which a moment at an event, or its rate over the step, counts as rounding, as for frames.
 const ROUNDING: f64 = 1e-12;
 /// Angular velocity of every link below which a chain is at rest, rad/s.
 const REST_RAD_S: f64 = 1e-13;
 
-/// A joint that violates the law: the power of time at which it does, by how much, and the state that it should take.
+/// A joint that violates the law: the power of time of the violation, its size, and the required state of the joint.
 struct LawViolation {
     power: usize,
     excess: f64,
@@ -51,7 +52,7 @@ impl Run<'_> {
                 for sign in [1.0, -1.0] {
                     let mut left = held.map(|c| -sign * c);
                     left[0] += holds;
-                    // only for the limit at which the moment is
+                    // compare only with the limit on the side of the moment
                     if left[0] < 0.5 * holds {
                         left[..zeros].fill(0.0);
                     }
@@ -96,19 +97,19 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Determines which joints at rest stick and which rotate, if an event has left that open. `h` is the length of the next step, s.
+    /// Determines which joints at rest stick and which rotate, if this is open after an event. `h` is the length of the next step, s.
     pub(super) fn settle(&mut self, load: &TimeFunction, mut h: f64) -> Result<(), DynamicsError> {
         let Some(before) = self.friction.unsettled.take() else {
             return Ok(());
         };
         let n = self.state.sliders.len();
         for joint in 0..n {
-            // released at the same time, so still at rest
+            // joints that were released at this event are still at rest
             let at_rest = self.friction.zeros[joint] > 0 && !self.friction.gone.contains(&joint);
             if at_rest && matches!(self.state.sliders[joint], Slider::Slipping(_)) {
                 self.state.sliders[joint] = Slider::Stuck;
             }
-            // links on both sides of a stuck joint have exactly the same angular velocity
+            // the links on both sides of a stuck joint have exactly equal angular velocities
             if self.state.sliders[joint] == Slider::Stuck {
                 self.state.omega[joint] = joint.checked_sub(1).map_or(0.0, |below| self.state.omega[below]);
             }
@@ -117,7 +118,7 @@ impl Run<'_> {
             .filter(|joint| self.state.sliders[*joint] == Slider::Stuck)
             .collect();
         let worst_first = 10 + 4 * n;
-        // upper bound of the states that Murty's rule visits with few joints; with many joints it visits far fewer
+        // upper bound of the states that Murty's rule visits for few joints; for many joints it visits far fewer
         let tries_most = worst_first + (1usize << resting.len().min(12));
         for tried in 0..=tries_most {
             self.series.coefficients(&self.state, load, self.at_s, h);
@@ -144,7 +145,7 @@ impl Run<'_> {
         })
     }
 
-    /// The joints at rest that violate the law, in order. Also records the power at which the series of each joint begins.
+    /// The joints at rest that violate the law, in order. Also stores the first power of the series of each joint.
     fn off_the_law(&mut self, resting: &[usize], h: f64) -> Vec<LawViolation> {
         let mut rounding_n_m = [0.0; DEGREE - 1];
         let mut largest: f64 = 0.0;
@@ -181,7 +182,7 @@ impl Run<'_> {
             };
             let power = (0..DEGREE - 1).find(|&k| margin(k).abs() > rounding_n_m[k]);
             let stuck = matches!(to, Slider::Slipping(_));
-            // at a static limit above the kinetic one the joint sticks until the limit is exceeded
+            // a joint at its static limit, above the kinetic limit, sticks until it exceeds the limit
             let may_pass = |power: usize| !(stuck && power > 0 && holds > turns);
             if let Some(power) = power.filter(|power| margin(*power) < 0.0 && may_pass(*power)) {
                 let excess = -margin(power) / holds;
@@ -236,7 +237,6 @@ impl Run<'_> {
         }
     }
 
-    /// Whether all links are at rest.
     pub(super) fn is_at_rest(&self) -> bool {
         self.state.omega.iter().all(|rate| rate.abs() <= REST_RAD_S)
     }

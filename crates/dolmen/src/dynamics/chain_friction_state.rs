@@ -6,21 +6,20 @@ use super::frame_model::Slider;
 /// Change of the friction of a joint within a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Change {
-    /// Its moment has reached the static one, in this direction.
+    /// Its moment has reached the static limit, in this direction.
     Goes(f64),
-    /// It has stopped.
+    /// It has stopped rotating.
     Stops,
 }
 
-/// State of friction during a run.
 pub(super) struct Friction {
     /// For each joint, number of first coefficients that are zero after an event and contain only rounding.
     pub(super) zeros: Vec<usize>,
     /// States of the joints before the event, if they may have to change before the next step.
     pub(super) unsettled: Option<Vec<Slider>>,
-    /// Joints that go at any price: their static moment was reached and is above the kinetic one.
+    /// Joints that must rotate: their static moment was reached and is above the kinetic one.
     pub(super) gone: Vec<usize>,
-    /// Rotation and time at the start of the current turn.
+    /// Rotation and time at the start of the current slip.
     pub(super) turning: Vec<Option<(f64, f64)>>,
     pub(super) pile: usize,
     pub(super) pile_at_s: f64,
@@ -30,7 +29,7 @@ pub(super) struct Friction {
 }
 
 impl Friction {
-    /// As a run begins: joints that turn slip, the others stick until the law says otherwise.
+    /// State at the start of a run: joints that rotate slip; the others stick until the law is evaluated.
     pub(super) fn start(sliders: &[Slider]) -> Self {
         let any = sliders.iter().any(|slider| *slider != Slider::Absent);
         Friction {
@@ -46,7 +45,7 @@ impl Friction {
         }
     }
 
-    /// Time has passed since the last event: nothing is just at its limit any more.
+    /// After some time, no quantity is exactly at its limit any more.
     pub(super) fn moved_on(&mut self) {
         self.zeros.fill(0);
         self.gone.clear();

@@ -1,23 +1,23 @@
-//! The rate at which a chain that does not stand leaves the vertical, compared with its linear equations.
+//! Growth rate of the motion of an unstable chain, compared with its linear equations.
 
 use super::DynamicsError;
 use super::chain_history::ChainHistory;
 use super::chain_model::ChainModel;
 use dolmen_linalg::generalized_symmetric_eigen;
 
-/// Growth is measured from where the motion is this many times that of the start: cosh is an exponential there to a part in 200.
+/// The measurement begins when the motion is this many times its initial value: cosh then is an exponential within 1/200.
 const FROM_TIMES: f64 = 10.0;
-/// … to where it is this many times that.
+/// The measurement ends when the motion is this many times its initial value.
 const TO_TIMES: f64 = 100.0;
-/// Largest rotation for the measurement, rad: the linear equations hold to a part in a thousand.
+/// Largest rotation for the measurement, rad: the linear equations are then accurate to 1/1000.
 const SMALL_RAD: f64 = 0.05;
 
-/// Growth of the fastest falling shape of a chain.
+/// Growth rate of the fastest growing shape of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainGrowth {
-    /// λ of the linear equations, K φ = −λ² M φ: it grows as e^(λ t), 1/s.
+    /// λ of the linear equations, K φ = −λ² M φ: the shape grows as e^(λ t), 1/s.
     pub linear_rate_per_s: f64,
-    /// The growth in the motion while it was small; `None` if the run was too short.
+    /// Growth measured while the motion was small; `None` if the run was too short.
     pub measured: Option<MeasuredGrowth>,
 }
 
@@ -65,7 +65,7 @@ pub fn chain_growth(
     let push = amplitude(0);
     let samples = history.times_s.len();
     let small = |sample: &usize| (0..n).all(|i| history.rotation_rad[i][*sample].abs() <= SMALL_RAD);
-    // the first time at which the motion is this many times the push
+    // the first time at which the motion is this many times the initial push
     let reaches = |times: f64| -> Option<f64> {
         let sample = (1..samples)
             .take_while(small)
@@ -74,7 +74,7 @@ pub fn chain_growth(
         let step_s = history.times_s[sample] - history.times_s[sample - 1];
         Some(history.times_s[sample - 1] + step_s * ((times * push).ln() - low) / (high - low))
     };
-    // a chain that leans starts from its lean, not from the vertical
+    // a leaning chain starts from its lean, not from the vertical
     let from_to = (push > 0.0 && model.lean_rad() == 0.0)
         .then(|| reaches(FROM_TIMES).zip(reaches(TO_TIMES)))
         .flatten();

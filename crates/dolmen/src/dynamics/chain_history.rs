@@ -1,27 +1,27 @@
-//! The motion of a chain: its end, and all data to draw, check and repeat it.
+//! The motion of a chain, its end, and all data to draw, check and repeat it.
 
 use super::chain_rigid::ChainRigidJoint;
 
 /// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ChainOutcome {
-    /// It stood until the end, and no joint opened.
+    /// The chain stood until the end, and no joint opened.
     Stood,
-    /// It stood until the end, but a joint opened.
+    /// The chain stood until the end, but a joint opened.
     Uplifted {
         /// The first joint that opened, 0 the lowest.
         joint: usize,
-        /// Time of that, s.
+        /// Time of opening, s.
         at_s: f64,
     },
-    /// A link leaned by the angle of a fall; the run ends there.
+    /// A link reached the angle of a fall; the run ends there.
     Fell {
         /// The link, 0 the lowest.
         link: usize,
-        /// When, s.
+        /// Time of the fall, s.
         at_s: f64,
     },
-    /// At the end a link leaned further than before and moved outwards: whether it falls is unknown.
+    /// At the end a link leaned further than before and still moved outwards, so it is unknown whether it falls.
     StillLeaning {
         /// The link, 0 the lowest.
         link: usize,
@@ -30,7 +30,7 @@ pub enum ChainOutcome {
     },
     /// The caller stopped the run.
     Stopped {
-        /// When, s.
+        /// Time of the stop, s.
         at_s: f64,
     },
 }
@@ -40,7 +40,7 @@ pub enum ChainOutcome {
 pub struct ChainPeak {
     /// The rotation with its sign, rad.
     pub rotation_rad: f64,
-    /// When, s.
+    /// Its time, s.
     pub at_s: f64,
 }
 
@@ -60,9 +60,9 @@ pub struct ChainUplift {
 pub struct ChainSupportPeak {
     /// Displacement from the stress-free position, with its sign, m.
     pub displacement_m: f64,
-    /// Force of the support there, with the same sign, N; 0 within its gap.
+    /// Force of the support at that time, with the same sign, N; 0 within its gap.
     pub force_n: f64,
-    /// When, s.
+    /// Its time, s.
     pub at_s: f64,
 }
 
@@ -82,26 +82,26 @@ pub struct ChainTouch {
 pub struct ChainSlip {
     /// The joint, 0 the lowest.
     pub joint: usize,
-    /// Start, s.
+    /// Start of the rotation, s.
     pub from_s: f64,
     /// Stop or reversal, s; the end of the run if it lasted.
     pub to_s: f64,
-    /// Rotation across it during the interval, rad.
+    /// Rotation across the joint during the interval, rad.
     pub slip_rad: f64,
 }
 
-/// The balance of energy at one time, J.
+/// The energy balance at one time, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ChainEnergy {
     /// Kinetic energy of motion relative to the ground, J.
     pub kinetic_j: f64,
-    /// Potential energy of the weight, 0 upright, otherwise negative.
+    /// Potential energy of the weight: 0 if upright, otherwise negative.
     pub gravity_j: f64,
-    /// In the springs of the joints and the side supports.
+    /// Energy in the springs of the joints and the side supports.
     pub springs_j: f64,
-    /// Dissipated by the dashpots.
+    /// Energy dissipated by the dashpots.
     pub damping_j: f64,
-    /// Dissipated by dry friction.
+    /// Energy dissipated by dry friction.
     pub friction_j: f64,
     /// Energy at the start, and the work of the ground's inertia forces.
     pub input_j: f64,
@@ -127,7 +127,7 @@ pub struct ChainHistory {
     pub velocity_rad_s: Vec<Vec<f64>>,
     /// Moments of the joints, N m: spring and friction, without dashpots.
     pub joint_moment_n_m: Vec<Vec<f64>>,
-    /// Contribution of friction to them, N m: positive where it resists a rotation to the right.
+    /// Contribution of friction to the joint moments, N m: positive where it resists a rotation to the right.
     pub friction_moment_n_m: Vec<Vec<f64>>,
     /// The balance of energy at the samples.
     pub energy: Vec<ChainEnergy>,
@@ -139,7 +139,7 @@ pub struct ChainHistory {
     pub joint_moment_peaks_n_m: Vec<f64>,
     /// Largest displacement of the top relative to the ground, with its sign, m.
     pub top_peak_m: f64,
-    /// When, s.
+    /// Its time, s.
     pub top_peak_at_s: f64,
     /// Intervals of open joints, in order of opening.
     pub uplifts: Vec<ChainUplift>,
@@ -180,7 +180,8 @@ impl ChainHistory {
         of_joint.fold(0.0, |way, slip| way + slip.slip_rad.abs())
     }
 
-    /// The link that at the end leans further than at any sample since `from_s`, and moves outwards; of several the one with the largest lean.
+    /// The link that leans further at the end than at any sample since `from_s`, and moves outwards; if there are several, the one with the
+    /// largest lean.
     pub(super) fn leaning_out(&self, from_s: f64) -> Option<usize> {
         let since = self.times_s.partition_point(|at_s| *at_s < from_s);
         let leaning = (0..self.rotation_rad.len()).filter_map(|link| {
@@ -205,7 +206,7 @@ impl ChainHistory {
         across
     }
 
-    /// Its rate, rad/s; 0 for a joint taken as rigid.
+    /// Rate of the rotation across a joint, rad/s; 0 for a joint taken as rigid.
     pub fn across_rad_s(&self, joint: usize) -> Vec<f64> {
         across(&self.velocity_rad_s, joint)
     }

@@ -31,7 +31,7 @@ pub enum JointOpening {
 /// Dry friction of a joint against rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum JointFriction {
-    /// None.
+    /// No friction.
     #[default]
     None,
     /// A slider in parallel with the spring: Coulomb's law without regularisation; sticking is exact.
@@ -52,7 +52,8 @@ impl JointFriction {
         }
     }
 
-    /// Static and kinetic moment, N m; `None` without friction, or for a moment of 0, which would stick and slip at the same time.
+    /// Static and kinetic moment, N m; `None` without friction. A moment of 0 counts as no friction, because the joint would stick and slip at
+    /// the same time.
     pub(super) fn moments_n_m(self) -> Option<[f64; 2]> {
         match self {
             JointFriction::Coulomb {
@@ -95,14 +96,14 @@ impl ChainJoint {
 /// moment of joint i:  τ_i = k_i φ_i                                      held
 ///                     τ_i = k_i φ_i, at most N_i b_i/2 in size           at the edge of the bed
 /// side support:       F = s (u − g) beyond its gap g, 0 within; u = Σ c_i sin θ_i
-/// with friction:      τ_i + q_i, q_i = f_k sign φ_i' while it turns; while it sticks φ_i' = 0 and |q_i| ≤ f_s
+/// with friction:      τ_i + q_i, q_i = f_k sign φ_i' while the joint rotates; while it sticks φ_i' = 0 and |q_i| ≤ f_s
 /// ```
 ///
 /// # Limits
 /// An open joint is elastic: its moment stays at N b/2, with N the weight above it at rest, and it closes on the same path. A landing stone
-/// loses no energy, although a real bed takes some, and no stone slides. The moment of friction is a constant that adds to that of the bed: it
-/// represents friction beside the bed (posts, dowels, packing), not in the bed itself, whose moment the edge limits. The centre of rotation
-/// stays in the middle of the bed; the edge at b/2 enters only through the moment.
+/// loses no energy, although a real bed dissipates some, and no stone slides. The moment of friction is a constant that adds to that of the
+/// bed: it represents friction next to the bed (posts, dowels, packing). It does not represent friction in the bed itself, whose moment is
+/// limited by the edge. The centre of rotation stays in the middle of the bed; the edge at b/2 is included only through the moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainModel {
     pub(super) chain: Chain,
@@ -191,7 +192,7 @@ impl ChainModel {
         })
     }
 
-    /// The model with a stress-free lean of all links and beds: the whole chain is rotated about its foot, and the gaps of side supports are
+    /// The model with a stress-free lean of all links and beds: the whole chain is rotated about its foot. The gaps of side supports are
     /// measured from that position.
     ///
     /// # Errors
@@ -224,7 +225,7 @@ impl ChainModel {
         rotation_rad[joint] - below
     }
 
-    /// The model with dashpots in proportion to the springs, such that the first mode of the chain has a given damping ratio.
+    /// The model with dashpots proportional to the springs, so that the first mode of the chain has a given damping ratio.
     ///
     /// ```text
     /// d_i = 2 ζ ω (φᵀ M φ)/(φᵀ K_E φ) k_i          K φ = ω² M φ, K_E: K without gravity

@@ -1,7 +1,7 @@
 //! The motion of a chain of links up to collapse.
 //!
-//! A step: find the sticking joints → expand from the state → shorten the step until the series is exact → find the first event in it →
-//! record until there → change the joint.
+//! Stages of a step: find the sticking joints → expand the series from the state → shorten the step until the series is exact → find the first
+//! event in it → record until the event → change the joint.
 
 use super::chain_friction_state::Change;
 use super::chain_history::{ChainHistory, ChainOutcome};
@@ -24,13 +24,13 @@ const STEPS_A_CALL: usize = 256;
 /// ```text
 /// Σ_j M_ij (cos(θ_i − θ_j) θ_j'' + sin(θ_i − θ_j) θ_j'²) = G_i sin θ_i − τ_i + τ_{i+1} − δ_i + δ_{i+1} − Γ_i a_g cos θ_i
 /// τ_i = k_i φ_i, at most N_i b_i/2 in size where the joint opens;  δ_i = d_i φ_i';  φ_i = θ_i − θ_{i−1}         n links
-/// θ_0 = 0, or the lean of the whole;  a side support adds −Σ c_i F cos θ_i, F = s (u − g) beyond its gap, u = Σ c_i sin θ_i
-/// with friction τ_i + q_i:  q_i = f_k sign φ_i' while the joint turns; while it sticks φ_i' = 0 and |q_i| ≤ f_s
+/// θ_0 = 0, or the lean of the whole chain;  a side support adds −Σ c_i F cos θ_i, F = s (u − g) beyond its gap, u = Σ c_i sin θ_i
+/// with friction τ_i + q_i:  q_i = f_k sign φ_i' while the joint rotates; while it sticks φ_i' = 0 and |q_i| ≤ f_s
 /// ```
 /// The solution is a Taylor series of degree 24 whose last terms are below rounding. The ground acceleration is linear between its samples,
 /// where steps end. Events are the first roots of these polynomials: a joint that opens or closes, a contact with a side support that begins or
-/// ends, the fall of a link. None is missed, however short. Peaks are those of the polynomials, too. Links connected by stuck joints rotate
-/// together. So do links connected by joints that are so stiff that they change every other natural frequency by less than 1e-4
+/// ends, the fall of a link. No event is missed, however short. Peaks are also those of the polynomials. Links connected by stuck joints rotate
+/// together, and so do links connected by very stiff joints, which change every other natural frequency by less than 1e-4
 /// ([`ChainHistory::rigid_joints`]), unless the bed of such a joint would come to its edge. Friction is not regularised: sticking, slipping and
 /// reversal are events, at which the states of all joints at rest are determined together.
 ///
@@ -69,7 +69,7 @@ pub fn simulate_chain(
     }
 }
 
-/// Computes a run to its end; returns the rigid joint that would rock on the edge of its bed, if there is one.
+/// Computes a run to its end. Returns the rigid joint that would rock on the edge of its bed, if there is one.
 fn follow(
     run: &mut Run<'_>,
     load: &TimeFunction,
@@ -114,7 +114,6 @@ fn follow(
     Ok(None)
 }
 
-/// An event within a step.
 #[derive(Clone, Copy)]
 enum Event {
     Joint(usize, JointState),
@@ -124,7 +123,7 @@ enum Event {
 }
 
 impl Run<'_> {
-    /// Takes the expanded step of `h` s, up to the first event in it; returns whether the run is over.
+    /// Advances by the expanded step of `h` s, or to the first event in it. Returns whether the run is over.
     fn step(&mut self, h: f64, end_s: f64) -> Result<bool, DynamicsError> {
         let mut first = (1.0, None);
         for i in 0..self.state.theta.len() {
@@ -192,7 +191,7 @@ impl Run<'_> {
         })
     }
 
-    /// A rigid joint whose moment within the step reaches that at the edge of its bed.
+    /// A rigid joint whose moment within the step reaches N b/2, the moment at the edge of its bed.
     fn beyond_its_bed(&self) -> Option<usize> {
         let mut rigid = self.history.rigid_joints.iter().map(|of| of.joint);
         rigid.find(|joint| {

@@ -16,20 +16,19 @@ use crate::numeric::{first_descent, polynomial};
 
 /// Times closer than this are equal, s.
 pub(super) const TOGETHER_S: f64 = 1e-12;
-/// Fraction of a step next to a turning point in which the next one is not searched: the value there differs by its square.
+/// Fraction of a step after a turning point in which the next one is not searched: the value changes there by its square only.
 const BESIDE: f64 = 1e-7;
 
-/// A run of a chain.
 pub(super) struct Run<'a> {
     pub(super) series: ChainSeries<'a>,
     pub(super) state: ChainState,
     pub(super) friction: Friction,
-    /// Moment of each joint's friction where the run is, N m.
+    /// Friction moment of each joint at the current time, N m.
     friction_n_m: Vec<f64>,
     pub(super) at_s: f64,
     output_step_s: f64,
     pub(super) fall_rad: f64,
-    /// Joints that changed at the start of this step: they are at their limit, and rounding does not tell on which side.
+    /// Joints that changed at the start of this step: they are at their limit, and rounding hides on which side.
     pub(super) changed: Vec<usize>,
     /// Contacts with side supports that began or ended at the start of this step.
     pub(super) touched: Vec<usize>,
@@ -249,7 +248,7 @@ impl<'a> Run<'a> {
         self.left_over_most_j = self.left_over_most_j.max(self.energy.left_over_j().abs());
     }
 
-    /// Energy dissipated by friction for these rotations of the joints, J: none of them reverses within a step.
+    /// Energy dissipated by friction for these rotations of the joints, J: no joint reverses within a step.
     fn friction_work_j(&self, from_rad: &[f64]) -> f64 {
         let of_joint = |(i, from): (usize, &f64)| match (
             self.state.sliders[i],
@@ -297,7 +296,6 @@ impl<'a> Run<'a> {
         self.history.energy.push(self.energy);
     }
 
-    /// Kinetic and potential energy.
     pub(super) fn weigh(&mut self) {
         let (theta, omega) = (&self.state.theta, &self.state.omega);
         let large = self.series.model.rotations == ChainRotations::Large;
@@ -328,8 +326,8 @@ impl<'a> Run<'a> {
         self.kinetic_most_j = self.kinetic_most_j.max(kinetic);
     }
 
-    /// Returns the link that was falling at the end of the run. Looks back to the end of the load, and over at least half of the run: a decaying
-    /// oscillation has leaned further in that time.
+    /// Sets the outcome to `StillLeaning` if a link was falling at the end of the run. It compares with the samples since the end of the load,
+    /// at least with the second half of the run, in which a decaying oscillation leans further.
     pub(super) fn end_undecided(&mut self) {
         let is_over = matches!(
             self.history.outcome,
@@ -345,7 +343,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Rate of joint i from those of its links.
+/// Rate of the rotation across joint i, from its links.
 fn relative(omega: &[f64], i: usize) -> f64 {
     omega[i] - i.checked_sub(1).map_or(0.0, |below| omega[below])
 }
@@ -366,7 +364,7 @@ fn look(c: &Series, at_s: f64, h: f64, peak: &mut ChainPeak) {
     };
     take(0.0);
     take(1.0);
-    // turning points: zeros of the rate, alternately from above and from below
+    // turning points: zeros of the rate, alternately falling and rising
     let rising = rate(c);
     let falling = rising.map(|c| -c);
     let mut sigma = 0.0;

@@ -15,11 +15,10 @@ use crate::structure::{Chain, SideSupport, StructureError};
 pub(super) enum PropState {
     /// No contact: the place is within the gap.
     Free,
-    /// Contact against a displacement of this sign.
+    /// Contact at a displacement of this sign.
     Touching(f64),
 }
 
-/// A side support.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Prop {
     pub(super) lever_m: Vec<f64>,
@@ -62,7 +61,7 @@ impl Prop {
         }
     }
 
-    /// Its compression, m, with the sign of the displacement.
+    /// Compression of the support, m, with the sign of the displacement.
     fn pressed_m(&self, beside_m: f64) -> f64 {
         (beside_m.abs() - self.gap_m).max(0.0).copysign(beside_m)
     }

@@ -8,7 +8,7 @@ use dolmen_linalg::{Matrix, cholesky, solve_lower, solve_lower_transposed};
 
 /// Newton's method ends when no rotation changes by more than this, rad.
 const FOUND_RAD: f64 = 1e-14;
-/// Largest number of iterations. Newton's method doubles the correct digits, and takes six iterations from a lean of 1/12. If it needs more than
+/// Largest number of iterations. Newton's method doubles the correct digits and takes six iterations from a lean of 1/12. If it needs more than
 /// the limit, the chain does not come to rest.
 const ROUNDS: usize = 50;
 
@@ -88,7 +88,7 @@ pub fn chain_at_rest(model: &ChainModel) -> Result<Option<Vec<f64>>, DynamicsErr
             most_rad = most_rad.max(turned.abs());
         }
         if most_rad <= FOUND_RAD {
-            // the contacts of side supports stay fixed until all else is at rest, so that an overshooting iterate does not release them
+            // the contacts of side supports stay fixed until everything else is at rest, so that an overshooting iteration does not release them
             let beside = |prop: &Prop| prop.state(prop.beside_m(&theta, model.rotations()));
             let now: Vec<PropState> = model.props.iter().map(beside).collect();
             if now != props {
@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn exact_a_lean_is_a_steady_push_of_the_ground_sideways() {
-        // small rotations: gravity along the leaning axis is as for an upright chain; across the axis it is lean · g on every stone
+        // small rotations: along the leaning axis gravity acts as on an upright chain; across it, lean · g acts on every stone
         let (lean, n) = (0.01, 4);
         let model = pole(n, 3e6, ChainRotations::Small);
         let leaning = model.clone().leaning(lean).unwrap();

@@ -1,10 +1,10 @@
-//! Joints that a run takes as rigid because they are much stiffer than the others.
+//! Joints that a run takes as rigid because they are much stiffer than the other joints.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | ω², φ | `eigen` | square of a circular frequency and shape, with the joints rigid | 1/s², rad |
 //! | q_i | `held_n_m` | moment in rigid joint i in that shape | N m |
-//! | k_i | `stiffness_n_m_rad` | its spring | N m/rad |
+//! | k_i | `stiffness_n_m_rad` | spring of joint i | N m/rad |
 
 use super::chain_model::{ChainModel, JointFriction};
 use super::chain_props::Prop;
@@ -13,7 +13,7 @@ use dolmen_linalg::{LinalgError, Matrix, generalized_symmetric_eigen};
 
 /// Largest relative change of a natural frequency by joints taken as rigid. Our choice: a hundredth of the effect of 1 % of mass.
 const FREQUENCY_CHANGE_MOST: f64 = 1e-4;
-/// Least ratio of a candidate's stiffness over its load to that of the softest joint: below it the change of frequencies is too large anyway.
+/// Least stiffness over load of a candidate, relative to the softest joint: below it the frequencies change too much anyway.
 const STIFFER_AT_LEAST: f64 = 100.0;
 /// Fraction of the largest initial rotation of any joint above which the spring of a joint is integrated, because it would oscillate.
 const START_MOST: f64 = 1e-3;
@@ -29,7 +29,7 @@ pub struct ChainRigidJoint {
     pub frequency_change_ratio: f64,
 }
 
-/// The joints of a chain that a run takes as rigid: as many as possible without a relative change of any other natural frequency above 1e-4.
+/// The joints of a chain that a run takes as rigid: as many as possible, with a relative change of at most 1e-4 in every other natural frequency.
 ///
 /// ```text
 /// δω/ω = Σ_i q_i²/(2 k_i ω² φᵀMφ)          first order in 1/k_i; i: rigid joints
@@ -54,7 +54,7 @@ pub(super) fn rigid_joints(
         .collect();
     stiff.sort_by(|a, b| relative(*b).total_cmp(&relative(*a)));
     while !stiff.is_empty() {
-        // without accurate modes the springs are integrated
+        // if the modes are not accurate, the springs are integrated
         let of = |touched| frequency_change(model, &stiff, touched).unwrap_or(f64::INFINITY);
         let change = of(false).max(of(true));
         if change <= FREQUENCY_CHANGE_MOST {
@@ -71,8 +71,8 @@ pub(super) fn rigid_joints(
     Vec::new()
 }
 
-/// The lowest joint that a push turns, 0 the lowest of all: those below are taken as rigid in a run from this state, and the push would not bring
-/// their bed to its edge. 0 if nothing else turns.
+/// The lowest joint that a push rotates, from 0 at the bottom. The joints below it are rigid in a run from this state, and the push would not
+/// bring their beds to their edges. 0 if no joint rotates.
 ///
 /// ```text
 /// joint i is passed over if it is rigid and k_i |push| < N_i b_i/2
@@ -90,7 +90,7 @@ pub fn lowest_turning_joint(model: &ChainModel, at_rest: &ChainRun, push_rad: f6
     (0..model.joints.len()).find(turns).unwrap_or(0)
 }
 
-/// The chain without the springs and dashpots of these joints; their moments follow from the balance of the links.
+/// The chain without the springs and dashpots of these joints. Their moments follow from the equilibrium of the links.
 pub(super) fn holding(model: &ChainModel, rigid: &[ChainRigidJoint]) -> ChainModel {
     let mut model = model.clone();
     for of in rigid {

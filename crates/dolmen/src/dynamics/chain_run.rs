@@ -15,7 +15,7 @@ pub struct ChainRun {
     pub start_rotation_rad: Vec<f64>,
     /// Initial angular velocities of the links, rad/s. Default empty: all zero.
     pub start_velocity_rad_s: Vec<f64>,
-    /// Rotation of a link from the vertical that counts as a fall, rad. Default 60° (our choice).
+    /// Rotation of a link from the vertical that is a fall, rad. Default 60° (our choice).
     pub fall_rad: f64,
 }
 

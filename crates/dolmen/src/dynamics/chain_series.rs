@@ -8,10 +8,10 @@
 //! | G, Γ | `gravity`, `gamma` | gravity moment and base influence | N m, kg m |
 //! | a | `ground` | acceleration of the ground | m/s² |
 //! | u, F | `beside`, `pushed` | displacement at each side support, and its force | m, N |
-//! | q_i | `held` | moment of a stuck joint's friction, positive against a turn to the right | N m |
+//! | q_i | `held` | friction moment of a stuck joint, positive against a rotation to the right | N m |
 //!
-//! Links connected by stuck joints turn as one, or stand if they are connected to the ground: their equations are summed, and q follows from the
-//! balance of each link, from the top down.
+//! Links that stuck joints connect rotate as one, or stand still if they are connected to the ground. Their equations are summed, and q follows
+//! from the equilibrium of each link, from the top down.
 
 use super::chain_model::ChainModel;
 use super::chain_props::PropState;
@@ -21,18 +21,18 @@ use super::{DynamicsError, TimeFunction};
 use crate::numeric::polynomial;
 use dolmen_linalg::Matrix;
 
-/// Degree of the series. Jorba and Zou (2005): −½ ln ε + 1 = 19 for double precision; a few more lengthen the step.
+/// Degree of the series. Jorba and Zou (2005): −½ ln ε + 1 = 19 for double precision; a few more terms allow longer steps.
 pub(super) const DEGREE: usize = 24;
 /// Largest size of the last two terms, as a fraction of the sum of the first ones: below half a unit in the last place.
 const TAIL: f64 = 1e-17;
-/// A step that overflows and is not longer than this ends the run with an error, s.
+/// Length of a step, s, at or below which an overflow ends the run with an error.
 const SHORTEST_S: f64 = 1e-12;
 /// Number of first terms with which the last two are compared.
 const FIRST_TERMS: usize = 4;
 
 /// Coefficients of one function.
 pub(super) type Series = [f64; DEGREE + 1];
-/// Coefficients of the integral of a product of two.
+/// Coefficients of the integral of a product of two functions.
 pub(super) type Work = [f64; 2 * DEGREE + 2];
 
 /// State of a joint's spring during a step.
@@ -73,7 +73,7 @@ pub(super) struct ChainSeries<'a> {
     pushed: Vec<Series>,
     /// M_ij cos(θ_i − θ_j), lower triangle.
     turned: Vec<f64>,
-    /// The group of each link that turns as one; `None` for links that stand.
+    /// The group of each link that rotates as one; `None` for links that stand still.
     group: Vec<Option<usize>>,
     /// The matrix of the groups, factorized.
     factor: Vec<f64>,
@@ -108,7 +108,7 @@ impl<'a> ChainSeries<'a> {
         }
     }
 
-    /// A first trial step, s: one radian of the stiffest link alone.
+    /// Length of the first trial step, s: one radian of the stiffest single link.
     pub(super) fn first_step_s(&self) -> f64 {
         let joints = self.model.joints();
         let mut step = f64::INFINITY;
@@ -124,7 +124,7 @@ impl<'a> ChainSeries<'a> {
         step
     }
 
-    /// Finds the groups of links that turn as one; returns their number.
+    /// Finds the groups of links that rotate as one; returns their number.
     fn join(&mut self, sliders: &[Slider]) -> usize {
         let mut groups = 0;
         for (i, slider) in sliders.iter().enumerate() {
@@ -140,7 +140,7 @@ impl<'a> ChainSeries<'a> {
         groups
     }
 
-    /// Expands the motion from `state` at `at_s` and returns the length of the step, s, at most `h`, on which it is exact to rounding; the
+    /// Expands the motion from `state` at `at_s`. Returns the length of the step, s, at most `h`, on which the series are exact to rounding. The
     /// series are in fractions of that length.
     ///
     /// ```text
@@ -272,7 +272,7 @@ impl<'a> ChainSeries<'a> {
         factorize(&mut self.factor, groups);
     }
 
-    /// Coefficient `power` of sin θ and cos θ, without what θ of that power adds.
+    /// Coefficient `power` of sin θ and cos θ, without the contribution of θ of the same power.
     fn known_rotations(&mut self, power: usize) {
         for ((sin, cos), theta) in self.sin.iter_mut().zip(&mut self.cos).zip(&self.theta) {
             let (mut s, mut c) = (0.0, 0.0);
@@ -296,7 +296,7 @@ impl<'a> ChainSeries<'a> {
         (p, r)
     }
 
-    /// Begins the right side of power k: gravity, ground and side supports, less the inertia known from lower powers.
+    /// Starts the right side of power k: gravity, ground and side supports, minus the inertia known from lower powers.
     fn gravity_and_inertia(&mut self, ground: &[f64], k: usize, h: f64) {
         let twice = ((k + 1) * (k + 2)) as f64;
         for i in 0..self.theta.len() {
@@ -352,7 +352,7 @@ impl<'a> ChainSeries<'a> {
         }
     }
 
-    /// Coefficient k of the moments of the side supports on link i, Σ c_i F cos θ_i, each term through `of`.
+    /// Coefficient k of the moments of the side supports on link i, Σ c_i F cos θ_i, with each term passed through `of`.
     fn pushed_moment(&self, i: usize, k: usize, of: impl Fn(f64) -> f64) -> f64 {
         let mut sum = 0.0;
         for (prop, pushed) in self.model.props.iter().zip(&self.pushed) {
@@ -364,7 +364,7 @@ impl<'a> ChainSeries<'a> {
         sum
     }
 
-    /// Coefficient k of the rotation below joint i: of the link, or of the ground, which leans.
+    /// Coefficient k of the rotation below joint i: of the lower link, or of the ground, which leans.
     fn below(&self, i: usize, k: usize) -> f64 {
         match i.checked_sub(1) {
             Some(below) => self.theta[below][k],
@@ -373,7 +373,7 @@ impl<'a> ChainSeries<'a> {
         }
     }
 
-    /// Coefficient k of the moments of stuck joints, from the balance of the links above them.
+    /// Coefficient k of the moments of stuck joints, from the equilibrium of the links above them.
     fn hold(&mut self, state: &ChainState, k: usize, h: f64) {
         let n = state.theta.len();
         let mut left = 0.0;
@@ -395,7 +395,7 @@ impl<'a> ChainSeries<'a> {
         }
     }
 
-    /// Largest sum of the magnitudes of the moments of order k that balance each other in one link, N m: the scale of rounding.
+    /// Largest sum of the magnitudes of the moments of order k in one link, N m: the scale of rounding.
     pub(super) fn moment_scale(&self, state: &ChainState, k: usize, h: f64) -> f64 {
         let n = state.theta.len();
         let second = ((k + 1) * (k + 2)) as f64 / (h * h);
@@ -425,7 +425,7 @@ impl<'a> ChainSeries<'a> {
         (0..n).map(of_link).fold(0.0, f64::max)
     }
 
-    /// Coefficient k of inertia times the rate of φ', N m.
+    /// Coefficient k of the inertia moment of φ'', N m.
     pub(super) fn inertia(&self, joint: usize, k: usize, h: f64) -> f64 {
         let second = ((k + 1) * (k + 2)) as f64 / (h * h);
         self.mass[(joint, joint)] * second * self.across[joint][k + 2]
@@ -521,7 +521,7 @@ fn add_integral(factor: f64, f: &Series, g: &Series, sum: &mut Work) {
     }
 }
 
-/// Cholesky: the lower triangle of A becomes L with A = L Lᵀ. A mass matrix of a turned chain is positive definite.
+/// Cholesky factorization: the lower triangle of A becomes L with A = L Lᵀ. The mass matrix of a rotated chain is positive definite.
 fn factorize(a: &mut [f64], n: usize) {
     for j in 0..n {
         for i in j..n {

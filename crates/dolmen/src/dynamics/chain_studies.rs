@@ -4,9 +4,9 @@ use super::chain_history::ChainOutcome;
 use super::harmonic_map::{HarmonicPoint, harmonic_ground};
 use super::{ChainModel, ChainRun, DynamicsError, simulate_chain};
 
-/// Steady response of a chain to harmonic motions of the ground, one point for each frequency and acceleration, rows of one frequency.
+/// Steady response of a chain to harmonic ground motions: one point for each frequency and acceleration, in rows of equal frequency.
 ///
-/// `progress` receives the share done, and stops the map by returning false: the remaining points are missing.
+/// `progress` receives the finished fraction. If it returns false, the map stops and the remaining points are missing.
 ///
 /// # Errors
 /// As for [`simulate_chain`].

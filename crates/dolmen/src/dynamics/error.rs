@@ -46,24 +46,24 @@ pub enum DynamicsError {
         "at {at_s} s no state of sticking and slipping was found in {tried} tries: the friction of some storey is far below the others', or the numbers of the frame lie too far apart"
     )]
     NoState {
-        /// When, s.
+        /// Time of the event, s.
         at_s: f64,
-        /// Number of states tried.
+        /// Number of tried states.
         tried: usize,
     },
-    /// Peaks still change as the step of a run is halved.
+    /// The peaks still change when the step of a run is halved.
     #[error(
         "halving the step to {step_s} s still changes the largest drift by {change}, more than {most}: shorten output_step_s, or look whether the friction of some storey is next to nothing"
     )]
     NotConverged {
         /// The shortest step tried, s.
         step_s: f64,
-        /// Change over the largest drift.
+        /// Change relative to the largest drift.
         change: f64,
         /// The allowed range.
         most: f64,
     },
-    /// Tenons with slack where joints share friction in both directions.
+    /// Tenons with slack in a frame whose joints have friction in both directions.
     #[error(
         "{directions} of 2 directions have tenons with slack, but 0 may where joints rub in both directions at once: shake one direction at a time, or leave out the tenons or the friction of one"
     )]
@@ -71,17 +71,17 @@ pub enum DynamicsError {
         /// Directions that have tenons.
         directions: usize,
     },
-    /// Endless events.
+    /// Too many events at the same time.
     #[error(
         "{events} changes between sticking and slipping within 1e-9 s of {at_s} s: look at the friction forces, of which one may be next to nothing"
     )]
     TooManyEvents {
-        /// When, s.
+        /// Time of the events, s.
         at_s: f64,
         /// Number of changes.
         events: usize,
     },
-    /// A frame for a release falls with its sliders stuck.
+    /// A frame that is to be released falls while its sliders stick.
     #[error(
         "the frame cannot be let go from {displacement_m} m: it falls as it stands, with every slider stuck; give it stiffness first"
     )]
@@ -98,7 +98,7 @@ pub enum DynamicsError {
         displacement_m: f64,
         /// The storey, 1 the lowest.
         storey: usize,
-        /// When, s.
+        /// Time at which it leaned too far, s.
         at_s: f64,
     },
     /// A value of one joint or link of a chain out of its range.
@@ -138,9 +138,9 @@ pub enum DynamicsError {
         "at {at_s} s no state of sticking and turning joints was found in {tried} tries: the friction of some joint is far below the others', or the numbers of the chain lie too far apart"
     )]
     NoJointState {
-        /// When, s.
+        /// Time of the event, s.
         at_s: f64,
-        /// Number of states tried.
+        /// Number of tried states.
         tried: usize,
     },
     /// Steps of a chain's motion became too short.
@@ -148,15 +148,15 @@ pub enum DynamicsError {
         "the motion of the chain cannot go on at {at_s} s: a step of {step_s} s was left; look for a dashpot or spring many decades above the others"
     )]
     StepTooShort {
-        /// When, s.
+        /// Time at which the steps became too short, s.
         at_s: f64,
         /// The remaining step, s.
         step_s: f64,
     },
-    /// A matrix that is not that of a structure.
+    /// A matrix that is not valid for a structure.
     #[error("the {matrix} matrix must be {needed}")]
     Matrix {
-        /// Which one.
+        /// Name of the matrix.
         matrix: &'static str,
         /// The allowed range.
         needed: &'static str,
@@ -168,7 +168,7 @@ pub enum DynamicsError {
         argument: &'static str,
         /// Its length.
         given: usize,
-        /// The number needed.
+        /// The required number.
         needed: usize,
     },
     /// An unbounded random response.
@@ -176,10 +176,10 @@ pub enum DynamicsError {
     Unbounded {
         /// The requested quantity.
         quantity: &'static str,
-        /// Why, and what to do.
+        /// The reason, and a remedy.
         why: &'static str,
     },
-    /// Lyapunov's equation needs loads that are filtered white noise.
+    /// A load is not filtered white noise, which Lyapunov's equation needs.
     #[error("a spectrum given as a table is no filtered white noise: use the integral over frequency")]
     NotRational,
     /// A random motion without a steady state.
@@ -190,7 +190,7 @@ pub enum DynamicsError {
         "the integral over frequency needs more than {intervals} intervals: raise relative_tolerance or intervals_most, or give the modes more damping"
     )]
     Integral {
-        /// Intervals allowed.
+        /// Allowed number of intervals.
         intervals: usize,
     },
     /// The frame is refused.

@@ -85,7 +85,6 @@ impl TimeFunction {
         }
     }
 
-    /// The constant part of the load.
     pub(super) fn constant(&self) -> f64 {
         match self {
             TimeFunction::Constant(value) => *value,
@@ -145,7 +144,7 @@ impl TimeFunction {
                 1
             }
             TimeFunction::Sampled { time_step_s, values } => {
-                // take the interval that contains the middle of the step: rounding of at_s could select its neighbour
+                // select the interval at the middle of the step: rounding of at_s could select its neighbour
                 let interval = ((at_s + 0.5 * h) / time_step_s).floor() as usize;
                 let (Some(&start), Some(&end)) = (values.get(interval), values.get(interval + 1)) else {
                     return 0;

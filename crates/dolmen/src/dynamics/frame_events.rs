@@ -23,9 +23,8 @@ pub(super) struct Event {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-/// Change of a slider.
 pub(super) enum Change {
-    /// Its force has reached the static limit, in this direction.
+    /// Its force has reached the static force, in this direction.
     Goes(f64),
     /// It has stopped.
     Stops,
@@ -46,12 +45,12 @@ pub(super) struct Motion<'a> {
     pub(super) zeros: Vec<usize>,
     /// The sliders before the event, if they may have to change before the next step.
     pub(super) unsettled: Option<Vec<Slider>>,
-    /// A force or a rate of it below this is rounding, N; it grows with the order of the rate.
+    /// Force, or rate of a force, below which it counts as rounding, N; it grows with the order of the rate.
     pub(super) rounding_n: f64,
     /// Sliders that must slip: their static force was reached and is above the kinetic one.
     pub(super) gone: Vec<usize>,
     pub(super) events: Vec<Event>,
-    /// Drift of each storey up to which the model is valid, m, and the storey that has reached it.
+    /// Drift of each storey up to which the model is valid, m, and the storey that has exceeded it.
     pub(super) drift_most_m: Vec<f64>,
     pub(super) leaned: Option<usize>,
     pub(super) pile: usize,
@@ -95,7 +94,7 @@ impl<'a> Motion<'a> {
                     static_force_n,
                     kinetic_force_n,
                 } => {
-                    // a start beyond its force means that the slider has slipped so far
+                    // a start beyond the static force means that the slider has already slipped by the difference
                     if stuck_stiffness_n_m * across.abs() > static_force_n {
                         state.offset_m[i] = across - across.signum() * kinetic_force_n / stuck_stiffness_n_m;
                     }
@@ -131,7 +130,7 @@ impl<'a> Motion<'a> {
         Ok(motion)
     }
 
-    /// Advances by h at most, to the next event; `end_s` is the end of the load's series.
+    /// Advances by at most h, to the next event; `end_s` is the end of the current load series.
     pub(super) fn step(
         &mut self,
         mut h: f64,
@@ -180,7 +179,7 @@ impl<'a> Motion<'a> {
         Ok(())
     }
 
-    /// The first storey whose drift exceeds its limit, and its place in the step.
+    /// The first storey whose drift exceeds its limit, and the fraction of the step at which it does.
     fn leans_too_far(&self) -> Option<(usize, f64)> {
         let s = &self.series;
         let mut first: Option<(usize, f64)> = None;
@@ -206,7 +205,7 @@ impl<'a> Motion<'a> {
         first
     }
 
-    /// Collects the first event and simultaneous ones in `events`; returns the end of the step.
+    /// Collects the first event and all simultaneous events in `events`. Returns the end of the step.
     fn first_events(&mut self, h: f64) -> f64 {
         self.events.clear();
         let mut first = 1.0_f64;
@@ -283,7 +282,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// First time at which a force, given by its coefficients, reaches the static one in either direction.
+/// First time at which a force, given by its coefficients, reaches the static limit in either direction.
 fn goes(storey: usize, force: &[f64], static_force_n: f64, zeros: usize) -> Option<Event> {
     if polynomial_most(force) < static_force_n {
         return None;
@@ -296,7 +295,7 @@ fn goes(storey: usize, force: &[f64], static_force_n: f64, zeros: usize) -> Opti
             *c = -sign * force;
         }
         c[0] += static_force_n;
-        // its own limit, not the other
+        // only the limit on the side of the force
         if c[0] < 0.5 * static_force_n {
             settle(c, zeros);
         }
@@ -313,7 +312,7 @@ fn goes(storey: usize, force: &[f64], static_force_n: f64, zeros: usize) -> Opti
     first
 }
 
-/// Removes rounding where a slider that has just changed starts at a zero, so that the first true coefficient decides.
+/// Removes rounding if a slider that has just changed starts at zero, so that the first true coefficient decides.
 fn settle(c: &mut [f64], zeros: usize) {
     let zeros = zeros.min(c.len());
     c[..zeros].fill(0.0);

@@ -6,32 +6,32 @@
 //! | k_s | `stuck_stiffness_n_m` | spring in series with the slider (Jenkins) | N/m |
 //! | f_s, f_k | `static_force_n`, `kinetic_force_n` | slip force before and while slipping | N |
 //! | μ | `friction_coefficient` | slip force over axial force | – |
-//! | ζ | `damping_ratio` | damping of modes of the frame with every slider slipping | – |
+//! | ζ | `damping_ratio` | damping ratio of a mode | – |
 
 use super::DynamicsError;
 use super::frame_tenon::Tenon;
 use crate::structure::Frame;
 use dolmen_linalg::{Matrix, generalized_symmetric_eigen};
 
-/// Dry friction of one storey. Together with the storey's own spring k_i it covers the three readings of the source:
+/// Dry friction of one storey. Together with the storey's own spring k_i it covers the three interpretations of the source:
 ///
 /// ```text
 /// (a) k_i > 0, Coulomb     rigid until it slips, then k_i and a constant force
-/// (b) k_i = 0, Jenkins     spring in series with a slider: what the text of the source says
+/// (b) k_i = 0, Jenkins     spring in series with a slider: the text of the source
 /// (c) k_i > 0, Jenkins     both: stiff when stuck (k_i + k_s), soft when slipping (k_i)
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StoreyFriction {
-    /// None.
+    /// No friction.
     None,
-    /// A slider beside the spring: Coulomb's law, set-valued; sticking is exact.
+    /// A slider in parallel with the storey's own spring: Coulomb's law without regularisation; sticking is exact.
     Coulomb {
         /// Force at which it starts to slip, N; at least the kinetic one.
         static_force_n: f64,
         /// Force while it slips, N.
         kinetic_force_n: f64,
     },
-    /// A slider in series with a spring, beside the storey's own.
+    /// A slider in series with a spring, both in parallel with the storey's own spring.
     Jenkins {
         /// Stiffness of the series spring k_s, N/m.
         stuck_stiffness_n_m: f64,
@@ -76,7 +76,7 @@ impl StoreyFriction {
         }
     }
 
-    /// The friction in effect: a slider with zero force counts as none, because it would stick and slip at the same time.
+    /// The effective friction: a slider with zero force is left out, because it would stick and slip at the same time.
     pub(super) fn acting(self) -> Self {
         match self {
             StoreyFriction::Coulomb { static_force_n, .. }
@@ -102,7 +102,7 @@ pub enum FrictionActsOn {
 /// Viscous damping.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ViscousDamping {
-    /// None, only friction.
+    /// No spring, only friction.
     None,
     /// A dashpot in each storey, on its drift, N s/m.
     Dashpots(Vec<f64>),
@@ -130,11 +130,11 @@ pub struct FrictionFrame {
 }
 
 impl FrictionFrame {
-    /// A frame with stiffness k_i and friction in each storey, on its drift, without viscous damping.
+    /// A frame with stiffness k_i and friction in each storey, both on its drift, without viscous damping.
     ///
     /// # Errors
     /// [`DynamicsError::Count`]; [`DynamicsError::Storey`] for a force or stiffness that is negative or not a number, a static
-    /// force below the kinetic one, or a series spring of no stiffness; [`DynamicsError::Structure`] for a stiffness.
+    /// force below the kinetic one, or a series spring with zero stiffness; [`DynamicsError::Structure`] for a stiffness.
     pub fn new(
         frame: Frame,
         stiffness_n_m: Vec<f64>,
@@ -161,7 +161,7 @@ impl FrictionFrame {
         })
     }
 
-    /// The frame with sliders that act on another motion.
+    /// The frame with sliders that act on the given motion.
     pub fn acting_on(self, acts_on: FrictionActsOn) -> Self {
         FrictionFrame { acts_on, ..self }
     }
@@ -169,8 +169,7 @@ impl FrictionFrame {
     /// The frame with tenons in its storeys, in parallel with their springs and friction.
     ///
     /// # Errors
-    /// [`DynamicsError::Count`]; [`DynamicsError::Storey`] for a slack that is negative, and a stiffness, force or depth that is not
-    /// positive.
+    /// [`DynamicsError::Count`]; [`DynamicsError::Storey`] for a negative slack, or a stiffness, force or depth that is not positive.
     pub fn with_tenons(self, tenons: Vec<Option<Tenon>>) -> Result<Self, DynamicsError> {
         if tenons.len() != self.frame.storeys().len() {
             return Err(DynamicsError::Count {
@@ -188,8 +187,8 @@ impl FrictionFrame {
     /// The frame with viscous damping.
     ///
     /// # Errors
-    /// [`DynamicsError::Count`], [`DynamicsError::Storey`] and [`DynamicsError::Argument`] for values that are negative, not
-    /// numbers, a damping ratio of 1 or more, or a Rayleigh damping that drives a shape in which the frame falls.
+    /// [`DynamicsError::Count`], [`DynamicsError::Storey`] and [`DynamicsError::Argument`] for values that are negative or not numbers,
+    /// for a damping ratio of 1 or more, or for Rayleigh damping that drives a falling shape.
     pub fn with_damping(self, damping: ViscousDamping) -> Result<Self, DynamicsError> {
         match &damping {
             ViscousDamping::None => {}
@@ -233,7 +232,7 @@ impl FrictionFrame {
         Ok(FrictionFrame { damping, ..self })
     }
 
-    /// In a falling shape of K, ω² < 0, b K drives that shape further: a + b ω² must not be negative.
+    /// In a falling shape of K, ω² < 0, and b K drives that shape further: a + b ω² must not be negative.
     fn check_rayleigh(&self, mass_per_s: f64, stiffness_s: f64) -> Result<(), DynamicsError> {
         let k = self.stiffness_matrix(Sliders::Slipping)?;
         let eigen = generalized_symmetric_eigen(&k, &self.frame.mass_matrix())?;
@@ -275,8 +274,8 @@ impl FrictionFrame {
         self.acts_on
     }
 
-    /// Frequencies of the frame within the slack of its tenons with all sliders slipping, or with `stuck` all those of Jenkins elements
-    /// sticking, Hz, lowest first; `None` for a falling shape. A stuck Coulomb slider is rigid and does not count.
+    /// Frequencies of the frame within the slack of its tenons, Hz, lowest first, with all sliders slipping, or all sliders of Jenkins
+    /// elements sticking; `None` for a falling shape. A stuck Coulomb slider is rigid and does not count.
     ///
     /// # Errors
     /// [`DynamicsError::Structure`] if the range of values exceeds the precision of the numbers.
@@ -311,7 +310,7 @@ impl FrictionFrame {
         Ok(eigen.values.iter().enumerate().map(ratio).collect())
     }
 
-    /// K with P-delta for slipping sliders, or for sticking ones of Jenkins elements, N/m.
+    /// K with P-delta, with slipping sliders or with sticking sliders of Jenkins elements, N/m.
     pub(super) fn stiffness_matrix(&self, sliders: Sliders) -> Result<Matrix, DynamicsError> {
         let mut k = self.frame.stiffness_matrix(&self.stiffness_n_m)?;
         if sliders == Sliders::Stuck {

@@ -1,4 +1,4 @@
-//! The motion of a frame: how it ended, and everything needed to draw, to doubt and to repeat it.
+//! The motion of a frame, its end, and all data to draw, check and repeat it.
 
 use super::frame_tenon::TenonFace;
 
@@ -11,12 +11,12 @@ pub enum FrameOutcome {
     DriftLimit {
         /// The storey, 0 the lowest.
         storey: usize,
-        /// When, s.
+        /// Time at which it leaned too far, s.
         at_s: f64,
     },
     /// The caller stopped the run.
     Stopped {
-        /// When, s.
+        /// Time of the stop, s.
         at_s: f64,
     },
 }
@@ -24,18 +24,18 @@ pub enum FrameOutcome {
 /// A largest value.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FramePeak {
-    /// With its sign, m, including times between the samples.
+    /// The value with its sign, m, including times between samples.
     pub value_m: f64,
-    /// When, s.
+    /// Its time, s.
     pub at_s: f64,
-    /// Largest absolute value at the samples of the history, m, as many programs print it.
+    /// Largest absolute value at the samples of the history, m, for comparison with other programs.
     pub at_samples_m: f64,
 }
 
 /// A turning point of the top level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {
-    /// When, s.
+    /// Its time, s.
     pub at_s: f64,
     /// Displacement of the top relative to the ground, m.
     pub displacement_m: f64,
@@ -59,15 +59,15 @@ pub struct Slip {
 pub struct FrameEnergy {
     /// Kinetic energy of motion relative to the ground, J.
     pub kinetic_j: f64,
-    /// In springs, minus the contribution of gravity (P-delta).
+    /// Energy in the springs, minus the contribution of gravity (P-delta).
     pub stored_j: f64,
-    /// Work of the load and energy at the start: of inertia forces in the frame of the ground, and of forces.
+    /// Energy at the start and work of the load: of the ground's inertia forces, and of forces at the levels.
     pub input_j: f64,
-    /// Dissipated by friction.
+    /// Energy dissipated by friction.
     pub friction_j: f64,
-    /// Dissipated by crushing tenons.
+    /// Energy dissipated by crushing tenons.
     pub crushing_j: f64,
-    /// Dissipated by dashpots.
+    /// Energy dissipated by dashpots.
     pub damping_j: f64,
 }
 
@@ -83,7 +83,7 @@ impl FrameEnergy {
 pub struct FrameHistory {
     /// Its end.
     pub outcome: FrameOutcome,
-    /// Duration of the run, s, until it was complete or ended early.
+    /// Duration of the run, s, to its end or its early end.
     pub duration_s: f64,
     /// Times of the samples, s.
     pub time_s: Vec<f64>,
@@ -99,7 +99,7 @@ pub struct FrameHistory {
     pub displacement_peaks: Vec<FramePeak>,
     /// Largest drift of each storey.
     pub drift_peaks: Vec<FramePeak>,
-    /// Both faces of the tenons of each storey at the end, that of positive drift first; `None` for storeys without tenons.
+    /// Both faces of the tenons of each storey at the end, the face for positive drift first; `None` for storeys without tenons.
     pub tenons: Vec<Option<[TenonFace; 2]>>,
     /// Slips of the sliders, in the order of their ends.
     pub slips: Vec<Slip>,
@@ -107,14 +107,14 @@ pub struct FrameHistory {
     pub turns: Vec<Turn>,
     /// Displacements at the end, m.
     pub residual_m: Vec<f64>,
-    /// Displacements of the rest position without further slip, m; those at the end if the run is not complete, or there is no rest position.
+    /// Displacements of the rest position without further slip, m; those at the end if the run ended early, or if there is no rest position.
     pub rest_m: Vec<f64>,
     /// Whether everything was at rest at the end, relative to the ground.
     pub at_rest: bool,
     /// Number of times at which a slider began to slip, reversed or stopped, or a tenon came into contact, opened, crushed or stopped
     /// crushing; simultaneous changes count once.
     pub events: usize,
-    /// Number of series.
+    /// Number of series, that is, of steps.
     pub steps: usize,
     /// Energy at the samples.
     pub energy: Vec<FrameEnergy>,
@@ -142,7 +142,7 @@ impl FrameHistory {
         difference(&self.velocity_m_s, storey)
     }
 
-    /// Share of the run in which the slider of a storey slipped, –.
+    /// Fraction of the run in which the slider of a storey slipped, –.
     pub fn slipping_share(&self, storey: usize) -> f64 {
         let whole_s = self.duration_s;
         let of_storey = self.slips.iter().filter(|s| s.storey == storey);

@@ -1,5 +1,5 @@
-//! A frame under two components of ground motion: each direction separately if no joint has friction in both, otherwise both together in time
-//! steps.
+//! A frame under two components of ground motion. Without friction in both directions of a joint, each direction is computed separately;
+//! otherwise both together in time steps.
 //!
 //! A storey with friction in both directions slides on the same faces: it has one slip force for all directions. The direction of slip changes
 //! during the motion, so the solution has no power series, and the run uses equal time steps.

@@ -1,4 +1,4 @@
-//! States of a frame's sliders after an event: Coulomb's law for all of them together.
+//! States of a frame's sliders after an event, from Coulomb's law for all sliders together.
 
 use super::DynamicsError;
 use super::frame_events::{Change, Event, Motion};
@@ -6,17 +6,17 @@ use super::frame_friction::StoreyFriction;
 use super::frame_model::{Slider, drift_m};
 use super::frame_record::Recorder;
 
-/// Events closer than this count as an accumulation, s.
+/// Events closer than this accumulate, s.
 const PILE_S: f64 = 1e-9;
-/// Fraction of the largest force below which a force at an event, or its rate over the step, is rounding: some thousand times that of one
-/// number, for the sums in the balance of twenty levels.
+/// Fraction of the largest force below which a force at an event, or its rate over the step, counts as rounding: some thousand units in the
+/// last place, for the sums over twenty levels.
 const ROUNDING: f64 = 1e-12;
-/// Number of rates examined where a force is exactly at its limit: the deepest known case, springs that a slip begins to stretch, is decided by
-/// the third rate for each storey up.
+/// Number of rates examined for a force exactly at its limit. The deepest known case, springs that a slip begins to stretch, needs three
+/// further rates for each storey up.
 const DECIDING_ORDERS: usize = 24;
 
 impl Motion<'_> {
-    /// Changes the sliders of `events` and finds the resulting states of the others.
+    /// Changes the sliders of `events` and determines the states of the others.
     pub(super) fn change(&mut self, recorder: &mut Recorder) -> Result<(), DynamicsError> {
         if self.at_s - self.pile_at_s > PILE_S {
             (self.pile, self.pile_at_s) = (0, self.at_s);
@@ -43,7 +43,7 @@ impl Motion<'_> {
             match (self.model.friction[storey], change) {
                 (StoreyFriction::Jenkins { .. }, Change::Goes(sign)) => {
                     self.state.slider[storey] = Slider::Slipping(sign);
-                    // a slider that has just stopped and is pushed on immediately: its velocity is rounding, its acceleration is not
+                    // a slider that has just stopped and is pushed on immediately: only its velocity is rounding, not its acceleration
                     self.zeros[storey] = self.zeros[storey].min(1);
                     recorder.jump(&self.model, storey);
                 }
@@ -60,7 +60,7 @@ impl Motion<'_> {
                         self.state.offset_m[storey] = across - sign * kinetic_force_n / stuck_stiffness_n_m;
                     }
                     self.state.slider[storey] = Slider::Stuck;
-                    // with one force it is at its limit, and its rate is that of the drift: zero
+                    // with equal forces it is at its limit, and the rate of its force is that of the drift: zero
                     self.zeros[storey] = if static_force_n == kinetic_force_n { 2 } else { 0 };
                 }
                 (
@@ -73,7 +73,7 @@ impl Motion<'_> {
                     self.state.slider[storey] = Slider::Slipping(sign);
                     self.gone.push(storey);
                 }
-                // the balance of all decides whether it continues, sticks or reverses
+                // the balance of all sliders decides whether it continues, sticks or reverses
                 _ => self.state.slider[storey] = Slider::Stuck,
             }
         }
@@ -86,12 +86,12 @@ impl Motion<'_> {
         Ok(())
     }
 
-    /// Finds which Coulomb sliders at rest stick and which slip: those that cannot stick are released, the worst first, until all satisfy the
-    /// law.
+    /// Determines which Coulomb sliders at rest stick and which slip. Those that cannot stick are released, the one with the largest violation
+    /// first, until all satisfy the law.
     ///
     /// With equal static and kinetic forces the accelerations minimise a strictly convex function, so the state is unique. If a force is
-    /// exactly at its limit, its first nonzero derivative decides, order by order: storeys with slip forces in proportion to their weight reach
-    /// their limits at the same instant.
+    /// exactly at its limit, its first nonzero derivative decides, order by order. This happens if slip forces are proportional to the weight:
+    /// several storeys then reach their limits at the same time.
     pub(super) fn find_state(&mut self, h: f64) -> Result<(), DynamicsError> {
         self.series.act(self.load, self.at_s, h);
         self.series.begin(&self.state);
@@ -111,7 +111,7 @@ impl Motion<'_> {
         Ok(())
     }
 
-    /// Order 0: forces against their limits. Returns the sliders exactly at theirs, with the direction of slip.
+    /// Order 0: compares forces with their limits. Returns the sliders exactly at their limits, with the direction of slip.
     fn let_go(&mut self) -> Result<Vec<(usize, f64)>, DynamicsError> {
         let n = self.model.levels();
         let mut going = self.gone.clone();
@@ -145,7 +145,7 @@ impl Motion<'_> {
                         if inertia > self.rounding_n || self.gone.contains(&i) {
                             self.zeros[i] = 1;
                         } else if inertia < -self.rounding_n {
-                            // driven back: it would have stuck
+                            // pushed back: it would have stuck
                             worst.consider(-inertia / kinetic_force_n.max(-inertia), i, Slider::Stuck);
                         } else {
                             open.push((i, sign));
@@ -166,7 +166,7 @@ impl Motion<'_> {
         Err(self.no_state())
     }
 
-    /// Order k: rates of the forces exactly at their limits. Keeps in `open` those that this order does not decide.
+    /// Order k: rates of the forces exactly at their limits. Sliders that this order does not decide remain in `open`.
     fn decide(&mut self, open: &mut Vec<(usize, f64)>, k: usize) -> Result<(), DynamicsError> {
         for &(i, _) in open.iter() {
             self.state.slider[i] = Slider::Stuck;
@@ -211,7 +211,7 @@ impl Motion<'_> {
         Err(self.no_state())
     }
 
-    /// An error of one order persists in all that follow: the springs of a step pass it on undiminished.
+    /// The rounding error of one order propagates to all higher orders: the springs transmit it undiminished.
     fn measure_rounding(&mut self, k: usize) {
         let scale = self.series.force_scale(&self.model, &self.state, k);
         self.rounding_n = self.rounding_n.max(ROUNDING * scale);
@@ -229,7 +229,7 @@ fn tries_most(sliders: usize) -> usize {
     20 + 10 * sliders
 }
 
-/// The slider that violates the law most, and its required state.
+/// The slider with the largest violation of the law, and its required state.
 #[derive(Default)]
 struct LawViolation(Option<(f64, usize, Slider)>);
 

@@ -12,12 +12,13 @@ use super::frame_tenon::Joint;
 pub struct FrameLeaning {
     /// Constant forces of P-delta at the levels, lowest first.
     pub forces_n: Vec<TimeFunction>,
-    /// Initial displacements, m: where springs balance these forces with every slider stuck; 0 without such a state.
+    /// Initial displacements, m: the springs balance these forces with every slider stuck; 0 if there is no such state.
     pub start_displacement_m: Vec<f64>,
 }
 
 impl FrictionFrame {
-    /// A frame with a stress-free lean `tilt`, horizontal over vertical, as built or settled; displacements count from there.
+    /// A frame with a stress-free lean `tilt`, horizontal over vertical, as built or settled. Displacements are relative to the leaning
+    /// position.
     ///
     /// ```text
     /// M Y'' + C Y' + K Y + Σ b_i q_i = −M 1 a_ground + Bᵀ N τ,     start: K_stuck Y = Bᵀ N τ, no Coulomb slider moved
@@ -30,7 +31,7 @@ impl FrictionFrame {
         let forces_n = self.frame.lean_forces_n(tilt);
         let n = forces_n.len();
         let rigid = |of: &StoreyFriction| matches!(of.acting(), StoreyFriction::Coulomb { .. });
-        // a frame that falls with stuck sliders can start only upright
+        // a frame that falls with stuck sliders can only start without displacement
         let is_held = self.friction.iter().all(rigid)
             || self.frequencies_hz(Sliders::Stuck)?.iter().all(Option::is_some);
         let start_displacement_m = match is_held && tilt != 0.0 {

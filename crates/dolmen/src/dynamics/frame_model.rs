@@ -3,7 +3,7 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | M, K, C | `mass_kg`, `k`, `c` | masses of the levels, stiffness with P-delta, viscous damping | kg, N/m, N s/m |
-//! | z | `offset_m` | place of the slider of a Jenkins element, on the axis of its drift | m |
+//! | z | `offset_m` | position of the slider of a Jenkins element, on the axis of its drift | m |
 
 use super::DynamicsError;
 use super::frame_friction::{FrictionFrame, StoreyFriction};
@@ -11,7 +11,6 @@ use super::frame_tenon::Joint;
 use dolmen_linalg::Matrix;
 use std::ops::Range;
 
-/// State of a slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Slider {
     /// No slider.
@@ -22,7 +21,6 @@ pub(super) enum Slider {
     Slipping(f64),
 }
 
-/// State of a frame and its sliders.
 #[derive(Clone, Debug, Default)]
 pub(super) struct State {
     pub(super) y: Vec<f64>,
@@ -45,7 +43,7 @@ pub(super) struct Model {
     pub(super) c: Option<Rows>,
 }
 
-/// Rows of a matrix without zeros: the entries of all rows one after the other.
+/// A sparse matrix: the nonzero entries of all rows, one row after the other.
 #[derive(Default)]
 pub(super) struct Rows {
     ends: Vec<usize>,
@@ -63,7 +61,6 @@ impl Rows {
         rows
     }
 
-    /// Removes all rows.
     pub(super) fn clear(&mut self) {
         self.ends.clear();
         self.entries.clear();
@@ -95,7 +92,7 @@ impl Rows {
         &self.entries[begin..self.ends[i]]
     }
 
-    /// Adds row i to `sum`; the columns it has entries in, from the first to the last.
+    /// Adds row i to `sum`. Returns the range of columns in which it has entries.
     pub(super) fn sum_up(&self, i: usize, sum: &mut [f64]) -> Range<usize> {
         let row = self.row(i);
         for (j, a) in row {
@@ -189,7 +186,6 @@ impl Model {
         step
     }
 
-    /// Power dissipated by the dashpots, W.
     pub(super) fn damping_power(&self, v: &[f64]) -> f64 {
         self.c.as_ref().map_or(0.0, |c| c.form(v))
     }
@@ -200,7 +196,7 @@ impl Model {
         0.5 * terms.map(|(m, v)| m * v * v).sum::<f64>()
     }
 
-    /// Energy in springs minus the contribution of P-delta, J.
+    /// Energy in the springs minus the contribution of P-delta, J.
     pub(super) fn stored_j(&self, state: &State) -> f64 {
         let mut series = 0.0;
         for (i, friction) in self.friction.iter().enumerate() {
@@ -236,7 +232,6 @@ impl Model {
     }
 }
 
-/// Drift of a storey, m.
 pub(super) fn drift_m(y: &[f64], storey: usize) -> f64 {
     y[storey] - storey.checked_sub(1).map_or(0.0, |below| y[below])
 }

@@ -1,7 +1,7 @@
 //! Time history of a frame with dry friction: exact from event to event, for any number of storeys.
 //!
-//! Stages of a step: series of the motion while no slider changes → first event in it → record until there → let sliders slip or stick, and find
-//! the states of the others.
+//! Stages of a step: series of the motion while no slider changes → first event in it → record until the event → let sliders slip or stick, and
+//! find the states of the others.
 
 use super::DynamicsError;
 use super::excitation::{FrameLoad, TimeFunction};
@@ -15,13 +15,13 @@ use super::frame_run::FrameRun;
 ///
 /// ```text
 /// M Y'' + C Y' + K Y + Σ b_i q_i = −M 1 a_ground + F                              n levels
-/// Coulomb:  q = s f_k while the slider moves (s its direction); while it stands |q| ≤ f_s and b·Y' = 0
+/// Coulomb:  q = s f_k while the slider moves (s its direction); while it sticks |q| ≤ f_s and b·Y' = 0
 /// Jenkins:  q = k_s (b·Y − z), |q| ≤ f_s; at f_s the slider moves with q = s f_k
 /// ```
-/// Between events the equation is linear and its solution is expanded in a Taylor series to the last digit (the exponential of its matrix,
-/// applied to the state); the ground's acceleration is linear between its samples. Events are the first roots of these polynomials: none is
-/// missed, however short, and each is located to rounding. At an event the sliders at rest are released one by one, the one furthest above its
-/// force first, until all satisfy the law: a search of order n.
+/// Between events the equation is linear, and its solution is a Taylor series accurate to the last digit (the exponential of its matrix, applied
+/// to the state); the ground acceleration is linear between its samples. Events are the first roots of these polynomials: no event is missed,
+/// however short, and each is located to rounding. At an event the sliders at rest are released one by one, starting with the one that exceeds
+/// its force most, until all satisfy the law: a search of order n.
 ///
 /// `progress` receives the simulated time at intervals, and stops the run by returning false.
 ///
@@ -79,7 +79,7 @@ pub(super) fn load_step_most_s(load: &FrameLoad) -> f64 {
     forces.fold(load.ground_acceleration_m_s2.step_most_s(), f64::min)
 }
 
-/// Ends of the intervals on which the load is one series, in order; the last is that of the run.
+/// Ends of the intervals with one load series, in order; the last is the end of the run.
 fn ends_s(load: &FrameLoad, duration_s: f64) -> Vec<f64> {
     let mut ends = load.ground_acceleration_m_s2.breaks_s(duration_s);
     for force in &load.forces_n {

@@ -1,4 +1,4 @@
-//! Records the motion of a frame that is stepped in two directions.
+//! Records the time steps of a frame in two directions.
 
 use super::DynamicsError;
 use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
@@ -7,10 +7,10 @@ use super::frame_plan_steps::{Direction, Steps};
 use super::frame_record::{REST_M_S, peaks_at_samples};
 use super::frame_rest::rest_m;
 
-/// Share of the slip force in a direction below which a storey does not slip in that direction.
+/// Component of the slip force in a direction, as a fraction, below which a storey does not slip in
+/// that direction.
 const NO_SHARE: f64 = 1e-9;
 
-/// A current slip.
 #[derive(Clone, Copy)]
 struct Open {
     from_s: f64,
@@ -18,7 +18,6 @@ struct Open {
     sign: f64,
 }
 
-/// The record of both directions.
 pub(super) struct PlanRecord {
     histories: [FrameHistory; 2],
     open: [Vec<Option<Open>>; 2],
@@ -101,14 +100,13 @@ impl PlanRecord {
         }
     }
 
-    /// The storey that leans, in both directions together, by more than a share of its height.
+    /// The storey whose resultant drift exceeds this fraction of its height.
     pub(super) fn leans_beyond(&self, ratio: f64) -> Option<usize> {
         self.leaned
             .iter()
             .position(|leaned| *leaned > ratio || leaned.is_nan())
     }
 
-    /// Records a sample.
     pub(super) fn sample(&mut self, steps: &Steps, at_s: f64) {
         for (history, direction) in self.histories.iter_mut().zip(&steps.directions) {
             history.time_s.push(at_s);
@@ -155,7 +153,7 @@ impl PlanRecord {
     }
 }
 
-/// The state with every slider held where it is.
+/// The state with every slider fixed in its position.
 fn stuck(direction: &Direction) -> State {
     let n = direction.state.y.len();
     State {

@@ -1,4 +1,4 @@
-//! Time steps of a frame whose two directions share their slip forces. For the symbols see `frame_in_plan`.
+//! Time steps of a frame whose two directions share their slip forces; symbols as in `frame_in_plan`.
 
 use super::DynamicsError;
 use super::excitation::{FrameLoad, TimeFunction};
@@ -17,7 +17,7 @@ pub(super) struct Direction {
     pub(super) model: Model,
     k: Matrix,
     c: Option<Matrix>,
-    /// (M/h + C/2 + h K/4)⁻¹; and the drift velocities that unit forces of the storeys cause through it.
+    /// (M/h + C/2 + h K/4)⁻¹, and the drift velocities under unit forces of the storeys.
     inverse: Matrix,
     gives: Matrix,
     load: FrameLoad,
@@ -144,8 +144,8 @@ impl Direction {
         }
     }
 
-    /// Force of a friction element that represents a step ending at `end_n`: the end value for Coulomb's law, the mean for a Jenkins
-    /// spring.
+    /// Mean force of a friction element over a step that ends at `end_n`: the end value for Coulomb's law, the mean value for a
+    /// Jenkins spring.
     fn over_step_n(&self, storey: usize, end_n: f64) -> f64 {
         match self.series_n_m(storey) {
             Some(_) => 0.5 * (self.friction_n[storey] + end_n),
@@ -158,7 +158,6 @@ impl Direction {
         self.load.forces_n.iter().map(TimeFunction::constant).collect()
     }
 
-    /// Position of the slider, m.
     pub(super) fn slider_m(&self, storey: usize) -> f64 {
         let across = self.model.across(storey, &self.state.y);
         across
@@ -183,7 +182,6 @@ impl Steps {
         })
     }
 
-    /// Advances one step from `at_s`.
     pub(super) fn step(&mut self, at_s: f64) -> Result<(), DynamicsError> {
         let h = self.step_s;
         let loads = [0, 1].map(|d| self.directions[d].loads_n(at_s, h));
@@ -329,7 +327,7 @@ fn on_the_disc(alpha: [f64; 2], beta: [f64; 2]) -> Slipped {
     if held[0].hypot(held[1]) <= 1.0 {
         return Slipped { share: held, work_j };
     }
-    // |s|² − 1 decreases and is convex in λ: Newton's method from the left does not pass the root
+    // |s|² − 1 decreases and is convex in λ: Newton's method from the left does not overshoot the root
     for _ in 0..100 {
         let s = share(work_j);
         let over = s[0] * s[0] + s[1] * s[1] - 1.0;

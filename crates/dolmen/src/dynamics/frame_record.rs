@@ -8,7 +8,7 @@ use super::frame_series::{Series, at_with_rates};
 use super::frame_work::Work;
 use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial};
 
-/// Events closer together than this count as one, s.
+/// Events closer together than this are one event, s.
 const ONE_EVENT_S: f64 = 1e-9;
 /// Speed below which a frame is at rest, m/s: a third of a millimetre per century.
 pub(super) const REST_M_S: f64 = 1e-13;
@@ -21,7 +21,6 @@ pub(super) struct Recorder {
     output_step_s: f64,
     samples: usize,
     work: Work,
-    /// Number of samples taken so far.
     taken: usize,
     /// State at each evaluated sample of the current series.
     now: [State; LANES],
@@ -143,7 +142,7 @@ impl Recorder {
     }
 
     /// Records a turning point of the top level in the interval. There is at most one, because a step is shorter than half a cycle of any mode.
-    /// It counts only when the level moves back, so that a mere stop does not count.
+    /// A mere stop does not count: the level must move back.
     fn turn(&mut self, series: &Series, ahead: &State, begin_s: f64, sigma: f64) {
         let top = series.n - 1;
         let last = ahead.v[top];
@@ -230,7 +229,6 @@ impl Recorder {
         self.follow_slips(model, state, before, at_s);
     }
 
-    /// Counts an event.
     pub(super) fn happened(&mut self, at_s: f64) {
         if at_s - self.last_event_s > ONE_EVENT_S {
             self.history.events += 1;

@@ -3,15 +3,15 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | y | `state.y` | displacements at the end of the run | m |
-//! | f | `unbalanced` | force of springs and Jenkins elements there | N |
-//! | λ | | forces of the Coulomb sliders, which hold the drift they have | N |
+//! | f | `unbalanced` | force of springs and Jenkins elements at these displacements | N |
+//! | λ | | forces of the Coulomb sliders, which keep their drifts | N |
 
 use super::frame_friction::StoreyFriction;
 use super::frame_model::{Model, State, drift_m};
 use super::frame_tenon::{Joint, TenonChange};
 use dolmen_linalg::{Matrix, solve};
 
-/// Displacements at rest, m: springs and elements in balance with constant forces, every slider fixed.
+/// Displacements at rest, m: springs and Jenkins elements are in equilibrium with constant forces, and every slider is fixed.
 ///
 /// ```text
 /// [K + K_J  Bᵀ] [Δ]   [F − f]
@@ -44,7 +44,7 @@ pub(super) fn rest_m(model: &Model, state: &State, forces_n: &[f64]) -> Vec<f64>
     state.y.clone()
 }
 
-/// Number of states of tenons tried: each storey has five, and one seldom changes twice.
+/// Largest number of tried states of tenons: each storey has five, and a storey seldom changes twice.
 fn tries_most(storeys: usize) -> usize {
     10 + 5 * storeys
 }
@@ -64,7 +64,7 @@ fn with_tenons(model: &Model, state: &State, forces_n: &[f64], joints: &[Option<
             right[(i, 0)] -= k * state.y[j];
         }
     }
-    // ends of a slider with their signs: its own level, and the one below unless that is the ground
+    // the levels at both ends of a slider with their signs; the ground has none
     let ends = |i: usize| [(Some(i), 1.0), (model.below[i], -1.0)];
     for i in 0..n {
         let StoreyFriction::Jenkins {
@@ -138,7 +138,7 @@ mod tests {
         history
     }
 
-    /// A frame that never slipped rests at its start, however large its present vibration.
+    /// A frame that never slipped rests at its start position, however large its vibration is.
     #[test]
     fn exact_a_frame_without_sliders_rests_at_zero() {
         let history = let_go([StoreyFriction::None; 2]);
@@ -150,8 +150,8 @@ mod tests {
         );
     }
 
-    /// Two springs in series, the lower with an element whose slider went: k_1 u_1 + k_J (u_1 − z) = 0, and the upper storey
-    /// carries no force at rest.
+    /// Two springs in series, the lower one with a Jenkins element that slipped: k_1 u_1 + k_J (u_1 − z) = 0, and the upper storey carries
+    /// no force at rest.
     #[test]
     fn exact_a_slipped_element_holds_its_storey_off() {
         let element = StoreyFriction::Jenkins {

@@ -60,7 +60,7 @@ fn of_storey(histories: [&FrameHistory; 2], storey: usize) -> FrameResultant {
             }
         }
     }
-    // the located peaks of each direction, combined with the other drift at that time
+    // the exact peaks of each direction, combined with the drift of the other direction at that time
     for (d, history) in histories.iter().enumerate() {
         let peak = history.drift_peaks[storey];
         let before = times[..samples]

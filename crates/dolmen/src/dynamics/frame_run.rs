@@ -4,26 +4,26 @@ use super::DynamicsError;
 use super::excitation::FrameLoad;
 use super::frame_friction::FrictionFrame;
 
-/// Longest run, s: somewhat more than a day. Our choice: a frame of two storeys takes a minute or two for it.
+/// Longest run, s: somewhat more than a day. Our choice: a frame of two storeys needs a minute or two for it.
 pub(super) const DURATION_MOST_S: f64 = 1e5;
-/// The allowed range in the error for a longer one.
+/// The allowed range, for the error of a longer run.
 pub(super) const DURATION_ALLOWED: &str = "at most 100 000 s, which is more than a day";
-/// Largest number of samples of a history: a larger one is a mistaken unit rather than intended, and memory ends. Our choice.
+/// Largest number of samples of a history: more would exhaust the memory and are probably a wrong unit. Our choice.
 pub(super) const SAMPLES_MOST: f64 = 1e7;
 
 /// Options of [`simulate_frame`](super::simulate_frame).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameRun {
-    /// Length of the run, s. `None`, the default, for that of the load.
+    /// Length of the run, s. Default `None`: the length of the load.
     pub duration_s: Option<f64>,
     /// Time between samples of the history, s. Default 0.005.
     pub output_step_s: f64,
-    /// Displacements at the start, m; empty, the default, for none.
+    /// Displacements at the start, m. Default empty: all zero.
     pub start_displacement_m: Vec<f64>,
-    /// Velocities at the start, m/s; empty, the default, for none.
+    /// Velocities at the start, m/s. Default empty: all zero.
     pub start_velocity_m_s: Vec<f64>,
-    /// Ratio of drift to storey height at which the run ends, because the model is valid for small drifts only. Default 0.1 (our choice): sin
-    /// and tan of it differ from it by 0.2 and 0.3 %. For a leaning frame give the remaining part.
+    /// Ratio of drift to storey height at which the run ends, because the model is valid only for small drifts. Default 0.1 (our choice): sin
+    /// and tan differ from the angle by 0.2 and 0.3 % there. For a leaning frame, subtract the lean.
     pub drift_ratio_most: f64,
 }
 

@@ -26,7 +26,7 @@ use std::ops::Range;
 
 /// Terms below this fraction of the largest are negligible: a tenth of the rounding of the largest.
 const TERM_LEAST: f64 = 1e-17;
-/// Levels fixed to the ground.
+/// Marks levels that are fixed to the ground.
 const GROUND: usize = usize::MAX;
 /// 1/((k + 1)(k + 2)), the factor from integrating σᵏ twice.
 const TWICE: [f64; COEFFICIENTS_MOST] = {
@@ -39,7 +39,6 @@ const TWICE: [f64; COEFFICIENTS_MOST] = {
     twice
 };
 
-/// Coefficients of one power series.
 pub(super) type Coefficients = [f64; COEFFICIENTS_MOST];
 
 /// The series of one step, with one row of coefficients per level or storey.
@@ -232,8 +231,8 @@ impl Series {
         }
     }
 
-    /// Computes the coefficients of the motion from a state, while no slider changes. Returns whether the series converged. Call [`Series::act`]
-    /// and [`Series::join`] first.
+    /// Computes the coefficients of the motion from a state, as long as no slider changes. Returns whether the series converged. Call
+    /// [`Series::act`] and [`Series::join`] first.
     pub(super) fn expand(&mut self, model: &Model, state: &State) -> bool {
         self.begin(state);
         // without dashpots coefficient k + 2 depends only on coefficient k, so two coefficients are computed at a time

@@ -1,5 +1,5 @@
-//! The behaviour of a frame with dry friction as the shaking grows: apparent frequency and damping against amplitude, and maps of stick and slip
-//! over frequency and amplitude of a harmonic ground motion.
+//! The behaviour of a frame with dry friction at different amplitudes: apparent frequency and damping, and maps of stick and slip under harmonic
+//! ground motion.
 
 use super::excitation::FrameLoad;
 use super::frame_friction::{FrictionFrame, Sliders};
@@ -10,30 +10,30 @@ use super::{DynamicsError, FrameOutcome};
 use dolmen_linalg::generalized_symmetric_eigen;
 use std::f64::consts::{PI, TAU};
 
-/// Number of cycles of a release, at the lowest frequency. Our choice.
+/// Number of cycles after a release, at the lowest frequency. Our choice.
 const RELEASE_SWINGS: f64 = 60.0;
-/// Logarithmic decrement below which a cycle loses nothing.
+/// Logarithmic decrement below which a cycle has no loss.
 const LOSS_LEAST: f64 = 1e-9;
 /// One cycle of a released frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AtAmplitude {
     /// Half the distance between two turning points of the top level, averaged over two successive half cycles, m.
     pub amplitude_m: f64,
-    /// 1 / (duration of both half cycles), Hz.
+    /// Reciprocal of the duration of both half cycles, Hz.
     pub apparent_frequency_hz: f64,
     /// Damping ratio of a viscous oscillator with the same loss from one half cycle to the next: ln(A_j/A_{j+1})/√(π² + ln²).
     pub equivalent_damping_ratio: f64,
 }
 
-/// Apparent frequency and equivalent damping against amplitude: the frame is displaced in its first shape to `displacement_m` at the top,
-/// released, and each half cycle is measured until it rests.
+/// Apparent frequency and equivalent damping against amplitude. The frame is displaced in its first mode shape to `displacement_m` at the top
+/// and released; each half cycle is measured until the frame rests.
 ///
 /// # Errors
 /// [`DynamicsError::Argument`] for a displacement that is not positive; [`DynamicsError::NoSwing`] for an unstable frame and
 /// [`DynamicsError::SwingFalls`] for one that leans too far after the release; the errors of [`simulate_frame`].
 ///
 /// # Limits
-/// The release starts from the first shape of the frame with all sliders stuck (Coulomb: slipping). Where the shape changes with amplitude,
+/// The release starts from the first mode shape of the frame with all sliders stuck (Coulomb: slipping). If the shape depends on amplitude,
 /// higher modes take part and the values scatter.
 pub fn amplitude_dependence(
     frame: &FrictionFrame,
@@ -69,7 +69,7 @@ pub fn amplitude_dependence(
     }
     let mut turns = vec![(0.0, displacement_m)];
     turns.extend(history.turns.iter().map(|t| (t.at_s, t.displacement_m)));
-    // the middle shifts with every stop: half the distance between two turning points is an amplitude
+    // every stop shifts the middle position, so half the distance between two turning points is the amplitude
     let half_ways: Vec<(f64, f64)> = turns
         .windows(2)
         .map(|pair| (pair[1].0 - pair[0].0, 0.5 * (pair[0].1 - pair[1].1).abs()))
@@ -87,22 +87,22 @@ pub fn amplitude_dependence(
             equivalent_damping_ratio: loss / PI.hypot(loss),
         });
         if loss.abs() < LOSS_LEAST {
-            break; // every further cycle is like it
+            break; // all further cycles are equal
         }
     }
     Ok(found)
 }
 
-/// Steady response to harmonic motions of the ground, one point for each frequency and acceleration, rows of one frequency.
+/// Steady response to harmonic ground motions: one point for each frequency and acceleration, in rows of equal frequency.
 ///
-/// `progress` receives the share done, and stops the map by returning false: the remaining points are missing.
+/// `progress` receives the finished fraction. If it returns false, the map stops and the remaining points are missing.
 ///
 /// # Errors
 /// As for [`simulate_frame`].
 ///
 /// # Limits
-/// 40 cycles from rest, both of the ground and of the slowest mode of the frame, then 5 of the ground are measured. A response that is not
-/// steady by then (beating, or chaotic) is marked.
+/// Each run has 40 cycles from rest, both of the ground and of the slowest mode of the frame; then 5 cycles of the ground are measured. A
+/// response that is not steady by then (beating, or chaotic) is marked.
 pub fn harmonic_map(
     frame: &FrictionFrame,
     frequencies_hz: &[f64],

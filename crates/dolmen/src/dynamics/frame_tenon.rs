@@ -1,10 +1,10 @@
-//! Tenons with slack: a spring on either side of a gap, whose faces crush and thereby soften.
+//! Tenons with slack: a spring on either side of a gap, with faces that crush and lose stiffness.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | δ | `drift_m` | drift of the storey | m |
 //! | g | `gap_m` | drift at which a face comes into contact, on its own side | m |
-//! | k | `stiffness_n_m` | present stiffness of the joints of a storey in contact | N/m |
+//! | k | `stiffness_n_m` | current stiffness of the joints of a storey in contact | N/m |
 //! | f | `crushing_force_n` | force at which the faces crush | N |
 //! | d | `crushed_m` | crushed depth of a face | m |
 //! | s | `sign` | +1 if the face for positive drift is in contact, −1 for the other | – |
@@ -15,25 +15,25 @@
 //! crushing   at f, s δ' > 0        s f, and g_s = s δ − f/k_s grows with δ
 //! opening    s δ = g_s, s δ' < 0   k_s = k_0/(1 + d_s/d_½)
 //! ```
-//! A face softens when it opens, because it then stores no energy: so softening neither creates nor loses energy.
+//! A face softens when it opens, because it then stores no energy; softening therefore neither creates nor loses energy.
 
 use super::DynamicsError;
 
-/// Tenons of one storey together: two faces, equal as built.
+/// All tenons of one storey together: two faces, equal as built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tenon {
-    /// Drift before contact, from the upright position to either side, m; 0 for no slack.
+    /// Drift before contact, from the upright position to either side, m; 0 without slack.
     pub slack_m: f64,
-    /// Stiffness after contact, N/m, in parallel with the spring of the storey.
+    /// Stiffness after contact, parallel to the spring of the storey, N/m.
     pub stiffness_n_m: f64,
-    /// Force at which the faces crush, N; `None` if they never do.
+    /// Force at which the faces crush, N; `None` if they never crush.
     pub crushing_force_n: Option<f64>,
-    /// Crushed depth, as drift, at which half of a face's stiffness remains, m; `None` if it keeps all of it.
+    /// Crushed depth, as drift, at which half of a face's stiffness remains, m; `None` if it does not change.
     pub half_stiffness_depth_m: Option<f64>,
 }
 
 impl Tenon {
-    /// Secant stiffness at a drift before anything is crushed, N/m: force over drift.
+    /// Secant stiffness at a drift before any crushing, N/m: force over drift.
     ///
     /// ```text
     /// k (1 − g/|δ|), at most f/|δ|
@@ -85,7 +85,7 @@ impl Tenon {
 /// State of the tenons of a storey.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Touch {
-    /// Nothing touches.
+    /// No face is in contact.
     Free,
     /// The face of this side is in contact.
     Bearing(f64),
@@ -93,16 +93,15 @@ pub(super) enum Touch {
     Crushing(f64),
 }
 
-/// Change of the state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum TenonChange {
     /// The face of this side comes into contact.
     Bears(f64),
-    /// It opens.
+    /// The face opens.
     Opens,
-    /// It begins to crush.
+    /// The face begins to crush.
     Crushes,
-    /// It stops crushing.
+    /// The face stops crushing.
     Stops,
 }
 
@@ -122,12 +121,12 @@ pub struct TenonFace {
 pub(super) struct Joint {
     pub(super) law: Tenon,
     pub(super) touch: Touch,
-    /// Face for positive drift, then that for negative drift.
+    /// The face for positive drift, then the face for negative drift.
     pub(super) faces: [TenonFace; 2],
 }
 
 impl Joint {
-    /// State at a drift; faces beyond the crushing force are crushed already.
+    /// State at a drift; if the force exceeds the crushing force, the faces are already crushed.
     pub(super) fn at(law: Tenon, drift_m: f64) -> Self {
         let face = TenonFace {
             gap_m: law.slack_m,
@@ -161,7 +160,7 @@ impl Joint {
         &mut self.faces[usize::from(sign < 0.0)]
     }
 
-    /// Crushes the face of a side until it carries the crushing force at a drift.
+    /// Crushes the face on one side until it carries the crushing force at a drift.
     fn crush_to(&mut self, sign: f64, drift_m: f64) {
         let most_n = self.law.crushing_force_n.unwrap_or(f64::INFINITY);
         let face = self.face_mut(sign);
@@ -171,7 +170,7 @@ impl Joint {
         face.crushed_m += crushed_m;
     }
 
-    /// The acting spring, N/m, and the force at zero drift, N: force = spring × drift + the second.
+    /// Current spring, N/m, and force at zero drift, N: total force = spring × drift + force at zero drift.
     pub(super) fn spring(&self) -> [f64; 2] {
         match self.touch {
             Touch::Free => [0.0, 0.0],
@@ -183,7 +182,6 @@ impl Joint {
         }
     }
 
-    /// Energy stored at a drift, J.
     pub(super) fn stored_j(&self, drift_m: f64) -> f64 {
         let (Touch::Bearing(sign) | Touch::Crushing(sign)) = self.touch else {
             return 0.0;
@@ -193,7 +191,7 @@ impl Joint {
         0.5 * force_n * force_n / self.face(sign).stiffness_n_m
     }
 
-    /// Power of crushing over the rate of the drift, N; 0 without crushing.
+    /// Crushing power divided by the rate of the drift, N; 0 without crushing.
     pub(super) fn crushing_n(&self) -> f64 {
         match (self.touch, self.law.crushing_force_n) {
             (Touch::Crushing(_), Some(force_n)) => force_n,

@@ -3,12 +3,12 @@
 use super::frame_tenon::{Joint, TenonChange, Touch};
 use crate::numeric::{COEFFICIENTS_MOST, first_descent};
 
-/// Fraction of the largest motion of the storey's levels within the step below which a distance from a limit, or its rate, is rounding; the
-/// first larger rate decides. The force is continuous at each change, so that rate is the same before and after it.
+/// Fraction of the largest motion of the storey's levels within the step below which a distance from a limit, or its rate, counts as
+/// rounding; the first larger rate decides. The force is continuous at each change, so that rate is the same before and after it.
 const ROUNDING: f64 = 1e-12;
 
-/// The first change of a storey's tenons within a step, and its time, from the coefficients of the drift. `moved_m` bounds the motion of the
-/// two levels whose difference is the drift.
+/// The first change of a storey's tenons within a step and its time, from the coefficients of the drift. `moved_m` bounds the motion of the
+/// two levels of the storey.
 pub(super) fn tenon_event(joint: &Joint, drift: &[f64], moved_m: f64) -> Option<(TenonChange, f64)> {
     let reaches = |sign: f64, at_m: f64| {
         // s δ − at becomes positive
@@ -47,7 +47,7 @@ pub(super) fn tenon_event(joint: &Joint, drift: &[f64], moved_m: f64) -> Option<
     }
 }
 
-/// A distance that is rounding counts as zero, and so do the rates before the first larger one.
+/// Sets a distance below rounding to zero, and also the rates before the first larger rate.
 fn at_limit(c: &mut [f64], largest: f64) {
     for c in c {
         if c.abs() > ROUNDING * largest {

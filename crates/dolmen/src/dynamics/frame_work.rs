@@ -9,7 +9,7 @@ use crate::numeric::{COEFFICIENTS_MOST, polynomial};
 
 /// Number of coefficients of the work: a product of two series.
 const WORK_MOST: usize = 2 * COEFFICIENTS_MOST;
-/// Nodes and weights of Gauss and Legendre on [0, 1], 8 points: exact for polynomials of degree 15.
+/// Nodes and weights of 8-point Gauss-Legendre quadrature on [0, 1]: exact for polynomials up to degree 15.
 const GAUSS: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
     (0.525_532_409_916_329, 0.313_706_645_877_887_3),
@@ -20,7 +20,7 @@ const GAUSS: [(f64, f64); 4] = [
 pub(super) struct Work {
     /// State at the start of the current series; its stored energy is not updated.
     pub(super) energy: FrameEnergy,
-    /// Input since then: coefficients of σ, and their number.
+    /// Input since the start of the series: coefficients of σ, and their number.
     put_in: [f64; WORK_MOST],
     orders: usize,
     within: State,
@@ -77,7 +77,8 @@ impl Work {
         }
     }
 
-    /// Work input and dissipated up to σ of the series, from state `from` to state `to`, without stored energy.
+    /// Work input and dissipated energy up to σ of the series, from state `from` to state `to`, without stored
+    /// energy.
     pub(super) fn at(
         &mut self,
         model: &Model,
@@ -123,7 +124,7 @@ impl Work {
     }
 }
 
-/// Coefficient j times j: those of σ p'(σ).
+/// Multiplies coefficient j by j: the coefficients of σ p'(σ).
 fn times_power(c: &mut [f64]) {
     let mut power = 0.0;
     for c in c {

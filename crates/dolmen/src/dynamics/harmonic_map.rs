@@ -1,10 +1,9 @@
-//! Steady response to harmonic ground motion, measured in a time history: the part that the maps of frames and of chains share.
+//! Steady response to harmonic ground motion, measured in a time history; shared by the maps of frames and of chains.
 
 use super::TimeFunction;
 
-/// `CYCLES_BEFORE`: number of cycles, of the ground and of the slowest mode, before the measurement. `CYCLES_READ`: number of measured cycles of the
-/// ground. Our choice: at a damping ratio of 2 % the transient has then decayed to 1/150, with friction sooner. `steady` reports a transient that
-/// remains.
+/// Number of cycles, of the ground and of the slowest mode, before the measurement; number of measured cycles of the ground. Our choice: at a damping
+/// ratio of 2 % the transient has then decayed to 1/150, with friction sooner. `steady` reports whether a transient remains.
 const CYCLES_BEFORE: f64 = 40.0;
 const CYCLES_READ: f64 = 5.0;
 /// Largest number of cycles of the ground before the measurement, which limits memory and time. Our choice.
@@ -37,11 +36,9 @@ pub struct HarmonicPoint {
 pub(super) struct Window {
     frequency_hz: f64,
     amplitude_m_s2: f64,
-    /// Time between samples, s.
     pub(super) step_s: f64,
     first: usize,
     from_s: f64,
-    /// End of the run, s.
     pub(super) to_s: f64,
     finished: bool,
 }
@@ -55,8 +52,8 @@ pub(super) struct PartAtPoint {
     is_steady: bool,
 }
 
-/// A harmonic ground motion and its measurement window. The run first has the required number of cycles of the ground and of the slowest mode, in
-/// whole cycles of the ground; the measured cycles follow.
+/// A harmonic ground motion and its measurement window. The run first has the required number of cycles of the ground and of the slowest mode,
+/// rounded up to whole cycles of the ground; the measured cycles follow.
 pub(super) fn harmonic_ground(
     frequency_hz: f64,
     amplitude_m_s2: f64,

@@ -3,7 +3,8 @@
 use super::DynamicsError;
 use dolmen_linalg::{Complex64, Matrix, eigen, generalized_symmetric_eigen, solve};
 
-/// Mass, damping and stiffness of a stable linear structure. Construction checks them: symmetric, mass and stiffness positive definite.
+/// Mass, damping and stiffness of a stable linear structure. The constructor checks that they are symmetric, with positive definite
+/// mass and stiffness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinearSystem {
     mass: Matrix,
@@ -16,9 +17,9 @@ pub struct LinearSystem {
 pub struct SystemModes {
     /// Natural frequencies without damping, ascending, rad/s.
     pub angular_frequency_rad_s: Vec<f64>,
-    /// Shapes in columns, each of modal mass 1: ΦᵀMΦ = I.
+    /// Mode shapes in columns, each with modal mass 1: ΦᵀMΦ = I.
     pub shapes: Matrix,
-    /// ΦᵀCΦ: diagonal where damping is classical.
+    /// ΦᵀCΦ; diagonal for classical damping.
     pub damping: Matrix,
 }
 
@@ -31,14 +32,14 @@ pub struct Pole {
     pub damping_ratio: f64,
 }
 
-/// Asymmetry of an assembled matrix by rounding, relative to its largest entry.
+/// Largest asymmetry of an assembled matrix due to rounding, relative to its largest entry.
 const SYMMETRY: f64 = 1e-9;
 
 impl LinearSystem {
     /// Builds the system from M, C and K, all n × n.
     ///
     /// # Errors
-    /// [`DynamicsError::Matrix`] if a matrix has another size or is not symmetric, or M or K is not positive definite.
+    /// [`DynamicsError::Matrix`] if a matrix has a wrong size or is not symmetric, or if M or K is not positive definite.
     pub fn new(mass: Matrix, damping: Matrix, stiffness: Matrix) -> Result<Self, DynamicsError> {
         let n = mass.rows();
         for (matrix, name) in [(&mass, "mass"), (&damping, "damping"), (&stiffness, "stiffness")] {
@@ -95,10 +96,10 @@ impl LinearSystem {
         &self.stiffness
     }
 
-    /// x of (K + iωC − ω²M) x = load, n values.
+    /// Solves (K + iωC − ω²M) x = load for the n values of x.
     ///
     /// # Errors
-    /// [`DynamicsError::Entries`] if `load` has another length; [`DynamicsError::Linalg`] at an undamped resonance.
+    /// [`DynamicsError::Entries`] if `load` has a wrong length; [`DynamicsError::Linalg`] at an undamped resonance.
     pub fn frequency_response(
         &self,
         angular_frequency_rad_s: f64,
@@ -123,7 +124,7 @@ impl LinearSystem {
         Ok((0..n).map(|i| Complex64::new(x[(i, 0)], x[(n + i, 0)])).collect())
     }
 
-    /// A of ẏ = A y with y = (x, ẋ), 2n × 2n.
+    /// State matrix A of ẏ = A y with y = (x, ẋ), 2n × 2n.
     ///
     /// # Errors
     /// [`DynamicsError::Linalg`] if the mass matrix is singular to rounding.
@@ -181,7 +182,7 @@ impl LinearSystem {
     }
 }
 
-/// Whether a list has one entry for each degree of freedom, all finite.
+/// Checks that a list has one finite entry for each degree of freedom.
 pub(crate) fn fits(argument: &'static str, list: &[f64], needed: usize) -> Result<(), DynamicsError> {
     if list.len() != needed {
         return Err(DynamicsError::Entries {

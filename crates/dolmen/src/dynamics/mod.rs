@@ -1,4 +1,4 @@
-//! Structures in time: exact between events, whose times are located. Frames with dry friction; chains up to their fall; one rocking block.
+//! Time histories that are exact between events: frames with dry friction, chains up to collapse, one rocking block.
 
 mod building;
 mod chain_friction;

@@ -15,15 +15,15 @@ pub enum Spectrum {
         /// S0, unit² s/rad.
         density: f64,
     },
-    /// S0 ω_c² / (ω² + ω_c²): gusts that do not follow each other faster than the corner, as in wind.
+    /// S0 ω_c² / (ω² + ω_c²): slow load such as wind gusts, with few components above the corner frequency.
     LowPass {
         /// S0 at ω = 0, unit² s/rad.
         density: f64,
         /// ω_c, rad/s.
         corner_rad_s: f64,
     },
-    /// Ground acceleration of Kanai (1957) and Tajimi (1960): white noise through soil as one oscillator. It does not vanish at ω = 0, so the
-    /// ground's velocity and displacement are unbounded.
+    /// Ground acceleration of Kanai (1957) and Tajimi (1960): white noise filtered by the soil as one oscillator. Its density does not vanish
+    /// at ω = 0, so the velocity and displacement of the ground are unbounded.
     KanaiTajimi {
         /// S0 of the rock, (m/s²)² s/rad.
         density: f64,
@@ -32,7 +32,7 @@ pub enum Spectrum {
         /// ζ_g of the soil.
         ground_damping_ratio: f64,
     },
-    /// As above, through the second filter of Clough & Penzien (1975), which removes slow motion.
+    /// As Kanai-Tajimi, with the second filter of Clough & Penzien (1975), which removes slow motion.
     CloughPenzien {
         /// S0 of the rock, (m/s²)² s/rad.
         density: f64,
@@ -45,23 +45,23 @@ pub enum Spectrum {
         /// ζ_f of the second filter.
         filter_damping_ratio: f64,
     },
-    /// Linear between given points; 0 beyond the last, the first value below the first.
+    /// Linear between given points; below the first point constant, above the last point 0.
     Table {
-        /// Ascending, rad/s.
+        /// Angular frequencies, ascending, rad/s.
         angular_frequency_rad_s: Vec<f64>,
-        /// One each, unit² s/rad.
+        /// Density at each frequency, unit² s/rad.
         density: Vec<f64>,
     },
     /// Force of a turbulent wind on the strips of a face, weighted by a pattern: φᵀ S_F φ/4π, N² s/rad.
     Gusts {
         /// The face.
         face: Box<GustFace>,
-        /// φ, one each strip.
+        /// φ, one value for each strip.
         shape: Vec<f64>,
     },
 }
 
-/// White noise of intensity 1 through ẋ = A x + b w gives the load c·x.
+/// Filter ẋ = A x + b w: white noise w of intensity 1 gives the load c·x.
 pub(super) struct ShapingFilter {
     pub(super) a: Matrix,
     pub(super) b: Vec<f64>,
@@ -69,7 +69,7 @@ pub(super) struct ShapingFilter {
 }
 
 impl Spectrum {
-    /// White noise of E w(t) w(t') = δ(t − t'): S0 = 1/2π.
+    /// White noise with E w(t) w(t') = δ(t − t'): S0 = 1/2π.
     pub fn unit_white() -> Self {
         Spectrum::White { density: 1.0 / TAU }
     }
@@ -115,7 +115,7 @@ impl Spectrum {
                     density[above - 1] + part * (density[above] - density[above - 1])
                 }
             }
-            // one-sided over Hz is 4π times two-sided over rad/s; at ω = 0 as at the lowest frequency above it
+            // one-sided over Hz is 4π times two-sided over rad/s; ω = 0 uses the lowest positive frequency
             Spectrum::Gusts { face, shape } => {
                 let hz = (w.abs() / TAU).max(face.lowest_hz());
                 face.force_density_n2_hz(hz).form(shape, shape) / (2.0 * TAU)
@@ -123,10 +123,10 @@ impl Spectrum {
         }
     }
 
-    /// Standard deviation of the ground's own displacement, where this is the density of its acceleration, m.
+    /// Standard deviation of the ground displacement, m, if this is the density of the ground acceleration.
     ///
     /// # Errors
-    /// [`DynamicsError::Unbounded`] unless the density vanishes with ω⁴ at ω = 0: only that of Clough & Penzien does.
+    /// [`DynamicsError::Unbounded`] unless the density vanishes with ω⁴ at ω = 0, as only that of Clough & Penzien does.
     pub fn ground_displacement_rms_m(&self) -> Result<f64, DynamicsError> {
         let Spectrum::CloughPenzien {
             density,
@@ -142,7 +142,7 @@ impl Spectrum {
             });
         };
         self.check()?;
-        // x of the second filter: white noise through two oscillators, ∫ of a rational spectrum of order four
+        // displacement of the second filter: white noise through two oscillators, ∫ of a rational spectrum of order four
         let (g, zg, f, zf) = (
             *ground_rad_s,
             *ground_damping_ratio,
@@ -273,7 +273,7 @@ impl Spectrum {
         }
     }
 
-    /// The filter that generates it from white noise; `None` for a table and for gusts, and no states for white noise itself.
+    /// The filter that generates the load from white noise; `None` for a table and for gusts. White noise itself has no states.
     pub(super) fn filter(&self) -> Option<ShapingFilter> {
         let intensity = |density: f64| (TAU * density).sqrt();
         match self {
@@ -342,29 +342,29 @@ fn ascending(at: &[f64]) -> Result<(), DynamicsError> {
 /// Kind of a random load.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RandomInput {
-    /// A force: its part in each degree of freedom, n values.
+    /// A force: its component at each degree of freedom, n values.
     Force(Vec<f64>),
     /// An acceleration of the base: the displacement of each degree of freedom per base displacement, n values.
     Base(Vec<f64>),
 }
 
-/// A random load; several are independent of each other.
+/// A random load; several loads are independent of each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RandomLoad {
-    /// Its kind.
+    /// Type of the input.
     pub input: RandomInput,
     /// Its spectral density.
     pub spectrum: Spectrum,
 }
 
-/// Correlated loads: their spectral matrix at given frequencies, linear between, 0 beyond.
+/// Correlated loads: their spectral matrix at given frequencies, linear between them, 0 beyond.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectralMatrix {
     /// The kinds of the m loads.
     pub inputs: Vec<RandomInput>,
-    /// Ascending, rad/s.
+    /// Angular frequencies, ascending, rad/s.
     pub angular_frequency_rad_s: Vec<f64>,
-    /// One each: m × m, Hermitian and positive semidefinite, two-sided, unit² s/rad.
+    /// Density at each frequency: m × m, Hermitian and positive semidefinite, two-sided, unit² s/rad.
     pub density: Vec<ComplexMatrix>,
 }
 

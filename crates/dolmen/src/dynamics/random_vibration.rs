@@ -1,4 +1,4 @@
-//! Standard deviations of the response of a linear structure to random loads: by Lyapunov's equation, or by an integral over
+//! Standard deviations of the response of a linear structure to random loads, by Lyapunov's equation or by an integral over
 //! frequency.
 //!
 //! | symbol | code | meaning |
@@ -222,7 +222,7 @@ pub fn rms_by_integral(
 /// Standard deviations under correlated loads, by an integral over frequency.
 ///
 /// # Errors
-/// [`DynamicsError::Matrix`] if the spectral matrix is not valid; otherwise as in [`rms_by_integral`].
+/// [`DynamicsError::Matrix`] if the spectral matrix is invalid; otherwise as in [`rms_by_integral`].
 pub fn rms_by_spectral_matrix(
     system: &LinearSystem,
     loads: &SpectralMatrix,
@@ -259,7 +259,7 @@ pub fn rms_by_spectral_matrix(
     integrate(system, &mut breaks, last, options, density)
 }
 
-/// A range of the integral, with the breaks between its intervals.
+/// A range of the integral, with the ends of its intervals.
 enum Range<'a> {
     /// Integrated over ω.
     Frequency(&'a [f64]),

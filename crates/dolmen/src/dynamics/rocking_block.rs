@@ -1,13 +1,13 @@
-//! One rigid block that rocks on its edges (Housner's model), exact between events: a second, fast method beside the simulation of stacks.
+//! One rigid block that rocks on its edges (Housner's model), exact between events: a fast second method besides simulating stacks.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | α | `slenderness_rad` | angle between the vertical and the line from the edge to the mass centre | rad |
 //! | p | `frequency_parameter_rad_s` | √(m g R / I_0), I_0 about the edge | rad/s |
 //! | r | `velocity_ratio` | angular velocity after an impact / before it | – |
-//! | u, s | `u`, `side` | size and sign of the rotation, positive towards +x | rad |
+//! | u, s | `u`, `side` | magnitude and sign of the rotation, positive towards +x | rad |
 //! | a_x, a_z | `horizontal`, `vertical` | acceleration of the ground | m/s² |
-//! | σ | – | time in a step, in parts of the step | – |
+//! | σ | – | time within a step, as a fraction of the step | – |
 
 use super::DynamicsError;
 use std::f64::consts::FRAC_PI_2;
@@ -62,20 +62,20 @@ impl RockingBlock {
     /// ```text
     /// tan α = b/h,  R = √(b² + h²)/2,  p² = 3g/(4R)          of a column
     /// p̂² = p² (1 + 2γ)/(1 + 3γ)                              γ: mass of the beam over that of all columns
-    /// r = (1 − 1.5 sin²α + 3γ cos 2α)/(1 + 3γ)               no bounce, no slip at foot and head; 0 where that is negative
+    /// r = (1 − 1.5 sin²α + 3γ cos 2α)/(1 + 3γ)               no bounce, no slip at foot and head; 0 where the formula is negative
     /// ```
     ///
     /// Lift-off is at g tan α for any γ. `inertia_ratio` is 1, so `friction_needed` and `least_pressure_ratio` of its history are
     /// meaningless.
     ///
     /// # Input
-    /// * `beam_to_columns` -- γ: 0 for columns that carry nothing, infinite for columns without weight
+    /// * `beam_to_columns` -- γ: 0 for columns without a beam, infinite for massless columns
     ///
     /// # Errors
     /// [`DynamicsError::Argument`] unless width, height and gravity are positive and γ is 0 or more.
     ///
     /// # Limits
-    /// Uniform columns of rectangular section; with an infinite γ any section. The beam stays level: equal columns.
+    /// Uniform columns of rectangular section; for an infinite γ, any section. The beam stays level because the columns are equal.
     ///
     /// # Source
     /// Makris, N. & Vassiliou, M. F. (2013) Earthquake Eng. Struct. Dyn. 42(5):707-726, whose r is the square of ours.
@@ -103,7 +103,7 @@ impl RockingBlock {
                 allowed: "0 or a positive number",
             });
         }
-        let share = 1.0 / (1.0 + 3.0 * beam_to_columns); // 0 for columns without weight
+        let share = 1.0 / (1.0 + 3.0 * beam_to_columns); // 0 for columns without mass
         let of = |column: f64, beam: f64| column * share + beam * (1.0 - share);
         let alpha = column.slenderness_rad;
         let velocity_ratio = of(1.0 - 1.5 * alpha.sin().powi(2), (2.0 * alpha).cos());
@@ -156,7 +156,7 @@ pub enum RockingEquation {
     /// u″ = −p² ((1 + a_z/g) sin(α − u) + s (a_x/g) cos(α − u)).
     #[default]
     Exact,
-    /// u″ = −p² ((1 + a_z/g) (α − u) + s a_x/g): slender blocks, Housner's. It lifts off at α g instead of g tan α.
+    /// u″ = −p² ((1 + a_z/g) (α − u) + s a_x/g): Housner's equation for slender blocks. The block lifts off at α g instead of g tan α.
     Linear,
 }
 
@@ -167,7 +167,7 @@ pub struct Rocking {
     pub equation: RockingEquation,
     /// Rotation at the start, at rest, rad; positive towards +x. Default 0.
     pub start_rad: f64,
-    /// Length of the run, s; `None`, the default, for the motion and `rest_s` more.
+    /// Length of the run, s. Default `None`: the length of the motion plus `rest_s`.
     pub duration_s: Option<f64>,
     /// Time after the motion, s. Default 2.
     pub rest_s: f64,
@@ -190,18 +190,18 @@ impl Default for Rocking {
 /// End of a run of [`rock_block`](super::rock_block).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RockingOutcome {
-    /// It never lifted off.
+    /// The block never lifted off.
     Stood,
-    /// It rocked and did not fall.
+    /// The block rocked and did not fall.
     Rocked,
-    /// It fell: its rotation passed 90°.
+    /// The block fell: its rotation exceeded 90°.
     Fell {
-        /// When, s.
+        /// Time of the fall, s.
         at_s: f64,
     },
-    /// The ground fell away faster than the block, which the model does not cover; the run ends there.
+    /// The ground accelerated downwards faster than the block, which the model does not cover; the run ends there.
     LeftTheGround {
-        /// When, s.
+        /// Its time, s.
         at_s: f64,
     },
 }
@@ -209,9 +209,9 @@ pub enum RockingOutcome {
 /// One impact of the block on its base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockingImpact {
-    /// When, s.
+    /// Its time, s.
     pub at_s: f64,
-    /// Angular velocity just before it, rad/s; negative if it fell back from a positive rotation.
+    /// Angular velocity just before the impact, rad/s; negative if the block returned from a positive rotation.
     pub velocity_rad_s: f64,
 }
 
@@ -231,8 +231,8 @@ pub struct RockingHistory {
     /// All impacts.
     pub impacts: Vec<RockingImpact>,
     /// Smallest friction coefficient without slip of the edge, from the forces at the ends of all steps, –; infinite where the edge carried
-    /// nothing.
+    /// no force.
     pub friction_needed: f64,
-    /// Smallest force on the ground at those times, over the weight, –: below 0 the block would have jumped.
+    /// Smallest force on the ground at those times, over the weight, –; below 0 the block would have jumped.
     pub least_pressure_ratio: f64,
 }

@@ -17,7 +17,7 @@ const TRUNCATION: f64 = 1e-16;
 const REST_RATIO: f64 = 1e-10;
 /// Shortest step, over 1/p. Our choice: no meaningful motion needs shorter ones.
 const STEP_LEAST: f64 = 1e-9;
-/// Largest number of impacts of a run.
+/// Largest number of impacts of a run. Our choice.
 const IMPACTS_MOST: usize = 1_000_000;
 
 /// Motion of one block that rocks on the edges of its base.
@@ -30,8 +30,8 @@ const IMPACTS_MOST: usize = 1_000_000;
 /// after a million impacts.
 ///
 /// # Limits
-/// The edge does not slip and the block does not jump, whatever the motion: check `friction_needed` and `least_pressure_ratio`. Every impact is
-/// at the edge, with the ratio `velocity_ratio`. A block that rotates beyond its edge meets no ground before 90°. Rotations are accurate to
+/// The edge does not slip and the block does not jump: check `friction_needed` and `least_pressure_ratio`. Every impact is at the edge, with
+/// the ratio `velocity_ratio`. The model has no ground beside the block: a falling block rotates freely up to 90°. Rotations are accurate to
 /// 1e-13 rad until the motion becomes chaotic. Tested by `rocking_block`.
 ///
 /// # Source
@@ -79,7 +79,6 @@ pub fn rock_block(
     Ok(run.history())
 }
 
-/// State of a run.
 pub(super) struct Run<'a> {
     block: &'a RockingBlock,
     ground: [&'a TimeFunction; 2],
@@ -91,7 +90,7 @@ pub(super) struct Run<'a> {
     side: f64,
     u: f64,
     v: f64,
-    /// Whether the block has just lifted off: rounding must not set it down again.
+    /// Whether the block has just lifted off; then rounding must not put it to rest again.
     lifted: bool,
     /// Time at which the block last came to rest, s.
     rested_s: f64,
@@ -99,7 +98,6 @@ pub(super) struct Run<'a> {
     history: RockingHistory,
 }
 
-/// Event at the end of a step.
 #[derive(Clone, Copy, PartialEq)]
 enum Event {
     None,
@@ -204,7 +202,7 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    /// A step of rotation about one edge, to its end or to the event in it.
+    /// A step of rotation about one edge, to its end or to the first event in it.
     fn rock(&mut self, mut h: f64) -> Result<(), DynamicsError> {
         let mut u = self.series(h);
         loop {
@@ -266,7 +264,7 @@ impl<'a> Run<'a> {
         (self.side, self.u, self.v) = (-self.side, 0.0, -self.block.velocity_ratio * before);
         if self.v < REST_RATIO * self.block.frequency_parameter_rad_s {
             self.rested_s = self.time_s;
-            (self.side, self.v) = (0.0, 0.0); // if the ground lifts it off again, `rest` finds that at the same time
+            (self.side, self.v) = (0.0, 0.0); // if the ground lifts it off again, `rest` finds this at the same time
         }
         Ok(())
     }
@@ -385,7 +383,7 @@ impl<'a> Run<'a> {
         let to_break = self.breaks_s[self.next_break];
         self.time_s += at * h;
         if at == 1.0 && (to_break - self.time_s).abs() < 1e-6 * h {
-            self.time_s = to_break; // exactly, so that rounding leaves no tiny step
+            self.time_s = to_break; // set exactly, so that rounding leaves no tiny step
         }
     }
 

@@ -1,4 +1,4 @@
-//! A change of sign between two points, by halving: slow, and nothing in it to go wrong.
+//! Bisection of a sign change: slow, but simple enough to contain no error.
 
 /// Bisects a sign change of `f` between `low` and `high` down to adjacent floating-point numbers. The caller
 /// guarantees opposite signs.

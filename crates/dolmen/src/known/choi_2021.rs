@@ -1,6 +1,6 @@
 //! Numbers printed in Choi, J.-S. (2021) "A study on dynamic analysis model and stability of stone cultural properties
-//! of inverted pendulum type with 5 joints", J. Korea Inst. Struct. Maint. Insp.; and its formulas written out as
-//! printed. The pole is the stone flagpole of Naju, lowest part first.
+//! of inverted pendulum type with 5 joints", J. Korea Inst. Struct. Maint. Insp.; its formulas as printed. The pole is
+//! the stone flagpole of Naju, lowest part first.
 
 /// Table 1: weight of each part, kN.
 pub const WEIGHT_KN: [f64; 5] = [38.95, 15.13, 6.78, 4.51, 2.93];

@@ -35,7 +35,7 @@ pub const UNIFORM_CANTILEVER: [f64; 3] = [3.516_015_268_5, 22.034_491_564_7, 61.
 /// Kirchhoff, G. R. (1879) Monatsber. Akad. Wiss. Berlin 815-828. The roots are those of a clamped circular plate with m
 /// nodal diameters.
 pub fn pointed_cantilever(order: i32) -> [f64; 3] {
-    const STEP: f64 = 0.05; // the roots lie more than 3 apart
+    const STEP: f64 = 0.05; // adjacent roots are more than 3 apart
     const HALVINGS: usize = 60;
     let f = |z: f64| {
         bessel_series(order, z, -1.0) * bessel_series(order + 1, z, 1.0)
@@ -102,8 +102,8 @@ pub fn timoshenko_cantilever(r: f64, s: f64) -> [f64; 3] {
     })
 }
 
-/// Distance between the centre of a unit square and that of the part that a line across the diagonal cuts off, for a fraction a of the area:
-/// a triangle with legs √(2 a) up to half of the square, beyond that the square without such a triangle.
+/// Distance between the centre of a unit square and the centre of the part that a line across the diagonal cuts off, for a fraction a of the
+/// area. Up to half of the square the part is a triangle with legs √(2 a), beyond that the square without such a triangle.
 pub fn square_cut_across_its_diagonal(share: f64) -> f64 {
     let of_triangle = |share: f64| 2.0_f64.sqrt() * (0.5 - (2.0 * share).sqrt() / 3.0);
     match share <= 0.5 {

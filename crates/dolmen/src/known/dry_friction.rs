@@ -9,19 +9,19 @@
 
 use std::f64::consts::PI;
 
-/// Points of the search for the maximum in S before it is refined.
+/// Number of points in the search for the maximum in S, before refinement.
 const SCAN: usize = 4000;
 
-/// Radius of the steady circle of a mass on equal springs along x and y, with Coulomb friction in the plane, on a ground that moves in circles: times k/P,
-/// P mass times acceleration of the ground.
+/// Steady-state radius, times k/P, of a mass on equal springs along x and y with Coulomb friction in the plane, on a ground that moves in circles. P
+/// is mass times acceleration of the ground.
 ///
 /// ```text
-/// x0² (1 − g²)² + (r + 2 ζ g x0)² = 1              friction stands across the spring, against the speed
+/// x0² (1 − g²)² + (r + 2 ζ g x0)² = 1              friction acts perpendicular to the spring force, against the velocity
 /// ```
-/// `None` where friction holds, r ≥ 1.
+/// `None` if friction holds the mass, r ≥ 1.
 ///
 /// # Source
-/// Balance of forces in axes that turn with the mass: |P|² = |k x0 − m ω² x0|² + |f + c ω x0|².
+/// Balance of forces in axes that rotate with the mass: |P|² = |k x0 − m ω² x0|² + |f + c ω x0|².
 ///
 /// # Example
 /// ```
@@ -37,12 +37,12 @@ pub fn circle_radius(frequency_ratio: f64, friction_ratio: f64, damping_ratio: f
     (r < 1.0).then(|| (-b + (b * b + a * c).sqrt()) / a)
 }
 
-/// Displacements at the successive turns of a free oscillator with Coulomb friction, until it sticks; the first is the start.
+/// Displacements at the successive turning points of a free oscillator with Coulomb friction, until it sticks; the first is the start.
 ///
 /// ```text
 /// x_{j+1} = −(x_j − 2 (f/k) sign x_j)        while |x_j| > f/k
 /// ```
-/// Four f/k are lost in a cycle. It rests where |k x| ≤ f.
+/// The amplitude decreases by four f/k in a cycle. The oscillator rests where |k x| ≤ f.
 ///
 /// # Source
 /// Lorenz, H. (1924), in Den Hartog (1931) Trans. ASME 53:107-115.
@@ -63,16 +63,16 @@ pub fn free_decay_turns_m(start_m: f64, stiffness_n_m: f64, slip_force_n: f64) -
     turns
 }
 
-/// Amplitude of a harmonically forced oscillator with Coulomb friction in steady state without stops, times k/P.
+/// Steady-state amplitude, times k/P, of a harmonically forced oscillator with Coulomb friction that moves without stops.
 ///
 /// ```text
 /// x0 = (P/k) √(V² − (rU)²)      V = 1/(1 − g²)      U = sin(π/g) / (g (1 + cos(π/g)))
 /// no stops if r < |V| / √(U² + S²),  S = max_{0<τ<π} [sin(τ/g)/g + U (cos τ − cos(τ/g))] / sin τ
 /// ```
-/// `None` where the mass stops twice or more in a cycle, for which this is no solution.
+/// `None` if the mass stops at least twice in a cycle: the solution is then not valid.
 ///
 /// # Limits
-/// g = 1/2, 1/4, … make U infinite, g = 1 V; there it gives `None` or numbers without digits.
+/// U is infinite at g = 1/2, 1/4, …, and V at g = 1; the result there is `None` or inaccurate.
 ///
 /// # Source
 /// Den Hartog, J. P. (1931) Forced vibrations with combined Coulomb and viscous friction. Trans. ASME 53:107-115.
@@ -115,7 +115,7 @@ pub fn forced_amplitude(frequency_ratio: f64, friction_ratio: f64) -> Option<f64
     Some((v * v - (friction_ratio * u).powi(2)).sqrt())
 }
 
-/// Energy that a spring in series with a slider takes in one cycle of amplitude X, J.
+/// Energy that a spring in series with a slider dissipates in one cycle of amplitude X, J.
 ///
 /// ```text
 /// 4 f (X − f/k)      0 for X ≤ f/k
@@ -143,7 +143,7 @@ mod tests {
             let found = forced_amplitude(g, r).unwrap();
             assert!((found - wanted).abs() < 6e-10, "{found} for {wanted}");
         }
-        // far below resonance with much friction the mass stops
+        // far below resonance, with large friction, the mass stops
         assert_eq!(forced_amplitude(0.3, 0.9), None);
     }
 

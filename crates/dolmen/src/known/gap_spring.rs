@@ -1,27 +1,27 @@
-//! Closed forms for a mass on a spring, and on a second spring that acts only beyond a gap.
+//! Closed forms for a mass on a spring with a second spring that acts only beyond a gap.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | k, k_t | `within`, `bearing` | spring that always acts, and the one beyond the gap | N/m |
+//! | k, k_t | `within`, `bearing` | spring that always acts, and spring beyond the gap | N/m |
 //! | g | `gap` | displacement at which the second spring comes into contact, on either side | m |
 //! | A | `amplitude` | amplitude of a free vibration | m |
 //! | f | `crushing` | force at which the face of the second spring crushes | N |
-//! | c | `friction` | slip force of a slider in parallel with both | N |
+//! | c | `friction` | slip force of a slider in parallel with both springs | N |
 
-/// Time of one free swing, s.
+/// Period of free vibration, s.
 ///
 /// ```text
 /// T = 4 [acos((g − e)/(A − e))/ω₁ + atan(ω₀ g/v)/ω₀]         A > g; ω₀ = √(k/m), ω₁ = √((k + k_t)/m), e = k_t g/(k + k_t)
 /// v = ω₁ √((A − e)² − (g − e)²)                                k = 0: the second term is g/v
 /// ```
-/// `None` where nothing brings it back: no spring within the gap, and A not beyond it.
+/// `None` without a restoring force: no spring within the gap, and A not beyond it.
 ///
 /// # Source
-/// Each part of a quarter of the swing is that of a linear oscillator.
+/// Each part of a quarter of the period is that of a linear oscillator.
 ///
 /// # Example
 /// ```
-/// // no spring within the gap: half a turn on the spring to either side, and four times the way g at speed ω (A − g)
+/// // no spring within the gap: half a period on the second spring, and four times the distance g at speed ω (A − g)
 /// let period = dolmen::known::gap_spring::period_s([0.0, 4.0], 1.0, 0.5, 1.5).unwrap();
 /// assert!((period - (std::f64::consts::PI + 4.0 * 0.5 / 2.0)).abs() < 1e-14);
 /// ```
@@ -43,7 +43,7 @@ pub fn period_s([within, bearing]: [f64; 2], mass: f64, gap: f64, amplitude: f64
     Some(4.0 * (beyond + inside))
 }
 
-/// How far the face is crushed when a mass with that energy, J, comes from the middle, without a spring within the gap, m.
+/// Crushed depth of the face, m, after the mass passes the middle with this energy, J; without a spring within the gap.
 ///
 /// ```text
 /// E = c (g + f/k_t + d) + f²/2k_t + f d                         0 where E does not reach f

@@ -1,12 +1,12 @@
 //! Hwang, Min, Hong: Control of coupled lateral torsional vibration of tall building under dynamic lateral loads (in Korean), with
-//! reference to Hua Gao et al. (1994). Its example is a floor of 10 × 8 m whose walls do not lie about its middle; the drawing is
-//! all that is lost of it, and the numbers here give back its Table 1.
+//! reference to Hua Gao et al. (1994). Its example is a floor of 10 × 8 m with eccentric walls. The drawing is lost; the numbers
+//! here reproduce its Table 1.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | k_x, k_y | `STIFFNESS` | stiffness of the storey over the mass of the floor | 1/s² |
-//! | e | `RIGIDITY_X_M` | centre of rigidity from the centre of mass, along x | m |
-//! | k_θ | `rotation` | stiffness against turning about the centre of mass, over the mass | m²/s² |
+//! | e | `RIGIDITY_X_M` | position of the centre of rigidity relative to the centre of mass, along x | m |
+//! | k_θ | `rotation` | torsional stiffness about the centre of mass, over the mass | m²/s² |
 //! | ρ² | `GYRATION_SQUARED_M2` | square of the radius of gyration | m² |
 
 /// Sides of the floor along x and y, m.
@@ -19,7 +19,7 @@ pub const STIFFNESS: [f64; 2] = [2.2821 * 2.2821, 0.7 * 2.2821 * 2.2821];
 pub const RIGIDITY_X_M: f64 = -1.5;
 /// Table 1: circular frequencies, rad/s.
 pub const OMEGA_RAD_S: [f64; 3] = [1.8471, 2.2821, 3.6056];
-/// Table 1: r_x of modes 1 and 3, m; mode 2 moves along x alone.
+/// Table 1: r_x of modes 1 and 3, m; mode 2 moves along x only.
 pub const RADIUS_M: [f64; 2] = [-23.378, 0.5845];
 /// Table 1: |φ_y| and |φ_θ| of modes 1 and 3, mode by mode, to a common norm.
 pub const SHAPE: [[f64; 2]; 2] = [[5.04, 0.22], [0.79, 1.36]];
@@ -29,7 +29,7 @@ pub fn rotation() -> f64 {
     16.0 * STIFFNESS[0] + 25.0 * STIFFNESS[1]
 }
 
-/// A mode in which y and θ of one floor are mixed.
+/// A mode that combines y and θ of one floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MixedMode {
     /// ω, rad/s.
@@ -38,7 +38,7 @@ pub struct MixedMode {
     pub radius_m: f64,
 }
 
-/// The two modes of a floor of unit mass on k_y at e with k_θ about its centre of mass, lower first.
+/// The two modes of a floor of unit mass with stiffness k_y at e and k_θ about its centre of mass, lower mode first.
 ///
 /// ```text
 /// ω² = (a + b)/2 ∓ √((a − b)²/4 + (k_y e)²/ρ²),  a = k_y, b = k_θ/ρ²        r_x = k_y e/(k_y − ω²)

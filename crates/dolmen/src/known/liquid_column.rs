@@ -1,19 +1,19 @@
-//! Liquid in a U-shaped tube of one section.
+//! Liquid in a U-shaped tube of constant section.
 //!
 //! ```text
 //! ẅ + (ξ / 2L) |ẇ| ẇ + ω_d² w = −α z̈₀,   ω_d = √(2g/L),  α = horizontal / total length
 //! ```
 
-/// Frequency ratio and damping ratio of a liquid column of mass ratio μ (all of its liquid) that make the variance of an undamped
-/// structure least under a white-noise force.
+/// Frequency ratio and damping ratio of a liquid column that minimise the variance of an undamped structure under a white-noise force. The
+/// mass ratio μ includes all of its liquid.
 ///
 /// ```text
 /// γ = √(1 + μ(1 − α²/2)) / (1 + μ)        ζ = (α/2) √( μ(1 + μ − α²μ/4) / ((1 + μ)(1 + μ − α²μ/2)) )
 /// ```
 ///
 /// # Source
-/// Yalla & Kareem (2000) J. Struct. Eng. 126(8):906-915, doi:10.1061/(ASCE)0733-9445(2000)126:8(906). Derived again here: the column is a
-/// tuned mass of α²m and a mass of (1 − α²)m that rides along, so that Warburton's form holds for them.
+/// Yalla & Kareem (2000) J. Struct. Eng. 126(8):906-915, doi:10.1061/(ASCE)0733-9445(2000)126:8(906). Also derived here: the column is a
+/// tuned mass of α²m and a mass of (1 − α²)m that moves with the structure, so Warburton's form is valid for them.
 ///
 /// # Example
 /// ```
@@ -29,7 +29,7 @@ pub fn least_variance_under_force(mass_ratio: f64, length_ratio: f64) -> [f64; 2
     [f, zeta]
 }
 
-/// Equivalent damping ratio of the head loss ξ, for a column with Gaussian velocity of this standard deviation: both dissipate the same mean
+/// Equivalent damping ratio for the head loss ξ of a column with Gaussian velocity of this standard deviation: both dissipate the same mean
 /// power.
 ///
 /// ```text
@@ -44,7 +44,7 @@ pub fn equivalent_damping_ratio(
     head_loss * velocity_rms_m_s / (std::f64::consts::TAU.sqrt() * length_m * angular_frequency_rad_s)
 }
 
-/// The next turn of a column let go from w = A: the amplitude B on the other side, by bisection of the exact first integral.
+/// The next turning point of a column released from w = A: the amplitude B on the other side, by bisection of the exact first integral.
 ///
 /// ```text
 /// (1 + βA) e^(−βA) = (1 − βB) e^(βB),   β = ξ/L

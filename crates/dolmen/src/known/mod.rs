@@ -1,5 +1,5 @@
-//! Closed forms and published numbers in plain `f64`, with none of our types: what tests, `dolmen validate` and
-//! the docs compare with, so that a mistake in a type cannot hide in the reference.
+//! Closed forms and published numbers in plain `f64`, without our types: references of tests, `dolmen validate`
+//! and the docs. A mistake in a type cannot hide in such a reference.
 
 mod bisection;
 pub mod choi_2021;

@@ -1,10 +1,10 @@
 //! The smallest acceleration pulse that overturns a rigid rectangular block: closed forms of the linear equation, and the
-//! exact equation in small steps.
+//! exact equation by numerical integration.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | α | `alpha`, `slenderness_rad` | angle between the diagonal and the vertical | rad |
-//! | p | – | frequency parameter: time is counted in 1/p | rad/s |
+//! | p | – | frequency parameter: time is in units of 1/p | rad/s |
 //! | q | `q`, `frequency_ratio` | circular frequency of the pulse / p | – |
 //! | A | `amplitude` | largest acceleration of the pulse / (α g) | – |
 //! | ψ | `psi` | phase of the pulse at which the block lifts off | rad |
@@ -26,8 +26,8 @@ pub enum Pulse {
     Cosine,
 }
 
-/// The equation of motion of the block, time in 1/p; s the sign of the rotation, a the base acceleration that drives
-/// positive rotation.
+/// The equation of motion of the block, with time in units of 1/p; s is the sign of the rotation, a the base acceleration
+/// that drives positive rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Equation {
     /// z'' = z − α + s a/g: lifts off at a = α g.
@@ -61,11 +61,11 @@ pub fn linear_half_sine(frequency_ratio: f64) -> f64 {
     .sin()
 }
 
-/// Smallest amplitude A of a half sine by Housner (1963) as printed: √(1 + q²). **Unsafe**: 7 % above the right one,
-/// [`linear_half_sine`], at q = 1, and 48 % at q = 4.
+/// Smallest amplitude A of a half sine by Housner (1963) as printed: √(1 + q²). **Unsafe**: larger than the correct value,
+/// [`linear_half_sine`], by 7 % at q = 1 and by 48 % at q = 4.
 ///
 /// # Source
-/// Housner (1963). It is the value for an infinite sine that starts as the block lifts off; the term exp(−(π − ψ)/q) for
+/// Housner (1963). It is the value for an infinite sine that starts when the block lifts off. The term exp(−(π − ψ)/q) for
 /// the end of the pulse is missing.
 pub fn housner_half_sine(frequency_ratio: f64) -> f64 {
     frequency_ratio.hypot(1.0)
@@ -99,16 +99,17 @@ pub fn linear_cosine(frequency_ratio: f64) -> f64 {
     (1.0 + q * q) / (1.0 - (-TAU / q).exp())
 }
 
-/// Smallest amplitude A of a pulse that overturns a block without an impact or, where a velocity ratio is given, after
-/// exactly one; none below A = `amplitude_most`.
+/// Smallest amplitude A of a pulse that overturns a block: without an impact, or after exactly one impact if a velocity
+/// ratio is given. `None` if there is none up to `AMPLITUDE_MOST`.
 ///
 /// # Limits
-/// Digits: 1e-9 of A, by 2000 steps of the classical Runge–Kutta method a pulse and impacts located in the step. A is
-/// searched upwards in steps of 1 %: a narrower range of overturning would be missed. The base and the ground below do not
+/// A is accurate to 1e-9, with 2000 steps of the classical Runge–Kutta method per pulse and impacts located within the
+/// step. A is searched upwards in steps of 1 %: a narrower range of overturning would be missed. Base and ground do not
 /// stop a block that has passed its edge.
 ///
 /// # Source
-/// The block falls if it leaves the pulse beyond the motion that ends upright on the edge: z' > −2 sin((z − α)/2).
+/// The block falls if, at the end of the pulse, it is beyond the motion that ends upright on the edge: z' > −2 sin((z −
+/// α)/2).
 ///
 /// # Example
 /// ```
@@ -124,7 +125,7 @@ pub fn first_overturning(
     slenderness_rad: f64,
     velocity_ratio: Option<f64>,
 ) -> Option<f64> {
-    const SEARCH: f64 = 1.01; // our choice: the ranges of the cases in the tests are 10 times as wide
+    const SEARCH: f64 = 1.01; // our choice: the ranges in the tests are 10 times as wide
     const AMPLITUDE_MOST: f64 = 1e3; // our choice: far beyond any motion
     let beyond = |amplitude: f64| {
         beyond_the_edge(
@@ -148,7 +149,7 @@ pub fn first_overturning(
 }
 
 impl Pulse {
-    /// Phase at which it ends, and the acceleration at a phase, largest 1.
+    /// Phase at the end of the pulse.
     fn end(self) -> f64 {
         if self == Pulse::HalfSine { PI } else { TAU }
     }
@@ -179,7 +180,7 @@ impl Equation {
         }
     }
 
-    /// How far, as a velocity, the free block is beyond the motion that ends upright on its edge.
+    /// Distance, as a velocity, of the free block from the motion that ends upright on its edge.
     fn beyond(self, alpha: f64, z: f64, velocity: f64) -> f64 {
         match self {
             Equation::Linear => velocity + z - alpha,
@@ -188,7 +189,7 @@ impl Equation {
     }
 }
 
-/// Positive if the pulse overturns the block after exactly the given number of impacts, none or one.
+/// Positive if the pulse overturns the block after exactly the given number of impacts, zero or one.
 fn beyond_the_edge(
     pulse: Pulse,
     q: f64,
@@ -204,7 +205,7 @@ fn beyond_the_edge(
     };
     let (end, step) = ((pulse.end() - psi) / q, (pulse.end() - psi) / (q * STEPS));
     let (mut time, mut side, mut z, mut velocity) = (0.0, 1.0, 0.0, 0.0);
-    let mut impacts = velocity_ratio; // still to come
+    let mut impacts = velocity_ratio; // remaining impacts
     while end - time > 1e-9 * step {
         let whole = step.min(end - time);
         let after = |h: f64| {
@@ -227,7 +228,7 @@ fn beyond_the_edge(
         (z, side) = (0.0, -side);
     }
     if impacts.is_some() {
-        return -1.0; // what comes after the pulse only takes energy
+        return -1.0; // after the pulse, impacts only remove energy
     }
     equation.beyond(alpha, z, velocity)
 }
@@ -288,8 +289,8 @@ mod tests {
         }
     }
 
-    /// Coefficient of the growing term of the linear block under one sine after one impact, beyond its edge, from the
-    /// trajectory y = z/α = 1 + c exp(t) + d exp(−t) − B sin(q t + ψ) in closed form.
+    /// Coefficient of the growing term of the linear block, rotated beyond its edge, under one sine after one impact, from
+    /// the closed-form trajectory y = z/α = 1 + c exp(t) + d exp(−t) − B sin(q t + ψ).
     fn closed_form_after_one_impact(a: f64, q: f64, ratio: f64) -> f64 {
         let psi = (1.0 / a).asin();
         let (end, b) = ((TAU - psi) / q, a / (1.0 + q * q));
@@ -313,7 +314,7 @@ mod tests {
         }
     }
 
-    /// Ours. An independent solution printed to four digits agrees within a unit of its last.
+    /// Our own values. An independent solution, printed to four digits, agrees within a unit of its last digit.
     #[test]
     fn regress_amplitudes_of_the_exact_equation() {
         let half_sine = [1.3391, 1.8250, 2.3264, 2.8319];
@@ -326,8 +327,8 @@ mod tests {
         }
     }
 
-    /// A little above the amplitude the block lies down after the pulse, a little below it comes back: followed to the end,
-    /// without the criterion that decides at the end of the pulse.
+    /// Slightly above the amplitude the block falls after the pulse, slightly below it returns. The motion is followed to
+    /// its end, without the criterion at the end of the pulse.
     #[test]
     fn holds_the_block_falls_just_above_and_returns_just_below() {
         const STEP: f64 = 1e-3;

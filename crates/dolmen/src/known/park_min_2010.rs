@@ -1,16 +1,16 @@
 //! Numbers printed in Park, S.-A. and Min, K.-W. (2010) "Simple structural model of Heunginjimun with Coulomb friction",
-//! and its formulas written out as printed. The gate is the east gate of Seoul, lower storey first. Units here are those
-//! of the source: t, m, kN, kN/mm = 1000 kN/m.
+//! and its formulas as printed. The gate is the east gate of Seoul, lower storey first. Units are those of the source: t,
+//! m, kN, kN/mm = 1000 kN/m.
 
 /// Section 3.1: mass of each storey, t.
 pub const MASS_T: [f64; 2] = [290.0, 314.0];
 /// Section 3.1: column height of each storey, m.
 pub const HEIGHT_M: [f64; 2] = [5.84, 7.69];
-/// Section 3.1: P of each storey, kN. P1 − P2 = 2842 kN is the weight of 290 t: P1 already holds P2.
+/// Section 3.1: P of each storey, kN. P1 − P2 = 2842 kN is the weight of 290 t: P1 already includes P2.
 pub const AXIAL_KN: [f64; 2] = [5919.0, 3077.0];
 /// Section 2: translational modes about the weak axis, Hz.
 pub const WEAK_HZ: [f64; 2] = [1.1, 4.2];
-/// Section 2: the mode about the weak axis that twists, Hz.
+/// Section 2: torsional mode about the weak axis, Hz.
 pub const TWISTING_HZ: f64 = 1.3;
 /// Section 2: the mode about the strong axis, Hz.
 pub const STRONG_HZ: f64 = 1.5;
@@ -19,7 +19,7 @@ pub const ROUNDING_HZ: f64 = 0.05;
 /// Section 3.2: storey stiffness, kN/mm.
 pub const STIFFNESS_KN_MM: [f64; 2] = [202.0, 15.1];
 
-/// kN/mm in kN/m.
+/// Conversion from kN/mm to kN/m.
 const KILO: f64 = 1e3;
 
 /// Eq. 7 as printed: the stiffness matrix in kN/m for k in kN/mm.
@@ -37,7 +37,7 @@ pub fn matrix_kn_m(k_kn_mm: [f64; 2]) -> [[f64; 2]; 2] {
     ]
 }
 
-/// Both frequencies of eq. 8 with these stiffnesses, Hz.
+/// Both frequencies of eq. 8 for these stiffnesses, Hz.
 pub fn frequencies_hz(k_kn_mm: [f64; 2]) -> [f64; 2] {
     let [[a, c], [_, b]] = matrix_kn_m(k_kn_mm);
     let [m1, m2] = MASS_T;
@@ -46,7 +46,7 @@ pub fn frequencies_hz(k_kn_mm: [f64; 2]) -> [f64; 2] {
     [0.5 * sum - root, 0.5 * sum + root].map(|lambda| lambda.sqrt() / std::f64::consts::TAU)
 }
 
-/// Both pairs of stiffness, kN/mm, with which eq. 8 holds for these frequencies, the smaller k1 first; `None` if there is
+/// Both pairs of stiffness, kN/mm, that satisfy eq. 8 for these frequencies, the smaller k1 first; `None` if there are
 /// none. With K11 = m1 u and K22 = m2 v, u and v are the roots of x² − (λ1 + λ2) x + λ1 λ2 + K12²/(m1 m2) = 0.
 pub fn stiffness_kn_mm(frequencies_hz: [f64; 2]) -> Option<[[f64; 2]; 2]> {
     let [l1, l2] = frequencies_hz.map(|f| (std::f64::consts::TAU * f).powi(2));

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-/// Period of a pendulum that swings by up to `amplitude_rad` from hanging, s; ω² = G/M of its small swings.
+/// Period, s, of a pendulum with amplitude `amplitude_rad`; ω² = G/M for small oscillations.
 ///
 /// ```text
 /// T = (4/ω) K(sin A/2) = 2π / (ω agm(1, cos A/2))

@@ -3,10 +3,10 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | α | `alpha`, `slenderness_rad` | angle between the diagonal and the vertical | rad |
-//! | R | `radius` | from the edge to the centre of mass | m |
-//! | p | `p`, `frequency_parameter_rad_s` | √(W R / I_0), of a rectangle √(3g/4R) | rad/s |
+//! | R | `radius` | distance from the edge to the centre of mass | m |
+//! | p | `p`, `frequency_parameter_rad_s` | √(W R / I_0), for a rectangle √(3g/4R) | rad/s |
 //! | r | `r`, `velocity_ratio` | angular velocity after an impact / before it | – |
-//! | θ_0 | `rotation_rad` | rotation at which the block is let go | rad |
+//! | θ_0 | `rotation_rad` | rotation at which the block is released | rad |
 //! | θ_n | `amplitude_rad` | largest rotation after n impacts | rad |
 
 /// Slenderness α of a block from half its width and half its height, rad: tan α = b/h.
@@ -14,8 +14,8 @@ pub fn slenderness_rad(half_width_m: f64, half_height_m: f64) -> f64 {
     half_width_m.atan2(half_height_m)
 }
 
-/// Frequency parameter p = √(W R / I_0) = √(3g / 4R) of a uniform rectangle about its edge, rad/s: how fast it falls, not
-/// a natural frequency.
+/// Frequency parameter p = √(W R / I_0) = √(3g / 4R) of a uniform rectangle about its edge, rad/s. It describes how fast
+/// the block falls and is not a natural frequency.
 ///
 /// # Source
 /// Housner, G. W. (1963) Bull. Seism. Soc. Am. 53(2):403-417.
@@ -23,8 +23,8 @@ pub fn frequency_parameter_rad_s(half_width_m: f64, half_height_m: f64, gravity_
     (0.75 * gravity_m_s2 / half_width_m.hypot(half_height_m)).sqrt()
 }
 
-/// Base acceleration above which a block at rest lifts off one edge, m/s²: g tan α = g b/h. The linear equation of motion,
-/// which writes α for tan α, would have it lift too early.
+/// Base acceleration above which a block at rest lifts off one edge, m/s²: g tan α = g b/h. In the linear equation of
+/// motion, with α instead of tan α, the block lifts off too early.
 ///
 /// # Example
 /// ```
@@ -35,15 +35,15 @@ pub fn uplift_acceleration_m_s2(half_width_m: f64, half_height_m: f64, gravity_m
     gravity_m_s2 * half_width_m / half_height_m
 }
 
-/// Angular velocity of a uniform rectangle just after an impact, divided by that just before it, if the impact acts at the
-/// new edge and neither bounces nor slides.
+/// Ratio of the angular velocities of a uniform rectangle just after and just before an impact, if the impact acts at the
+/// new edge, which neither bounces nor slides.
 ///
 /// ```text
 /// r = 1 − (m R² / I_0) (1 − cos 2α) = 1 − 1.5 sin² α
 /// ```
 ///
 /// # Limits
-/// Zero at α = 54.7°, negative above: such a block does not rock on.
+/// Zero at α = 54.7°, negative above: such a block does not continue to rock.
 ///
 /// # Source
 /// Housner (1963). Differs from the source: his r is the ratio of the kinetic energies, the square of this one, see
@@ -52,8 +52,8 @@ pub fn velocity_ratio(slenderness_rad: f64) -> f64 {
     1.0 - 1.5 * slenderness_rad.sin().powi(2)
 }
 
-/// r of Housner (1963) as printed: kinetic energy just after an impact divided by that just before it, in `inertia_ratio`
-/// = m R² / I_0, ¾ for every uniform rectangle.
+/// r of Housner (1963) as printed: ratio of the kinetic energies just after and just before an impact, with
+/// `inertia_ratio` = m R² / I_0, which is ¾ for every uniform rectangle.
 ///
 /// ```text
 /// r = [1 − (m R² / I_0) (1 − cos 2α)]²
@@ -103,7 +103,7 @@ pub fn quarter_period_s(slenderness_rad: f64, frequency_parameter_rad_s: f64, ro
     quadrature(|x| 1.0 / (1.0 - (k * x.cosh()).powi(2)).sqrt(), end) / frequency_parameter_rad_s
 }
 
-/// ∫ f from 0 to `end`, by Gauss and Legendre on panels.
+/// ∫ f from 0 to `end`, by Gauss-Legendre quadrature on panels.
 fn quadrature(f: impl Fn(f64) -> f64, end: f64) -> f64 {
     const PANELS: u32 = 64; // our choice: 32 give the same 14 digits
     const POINTS: [(f64, f64); 5] = [
@@ -124,7 +124,7 @@ fn quadrature(f: impl Fn(f64) -> f64, end: f64) -> f64 {
     half * (0..PANELS).map(panel).sum::<f64>()
 }
 
-/// Largest rotation of a block let go at `rotation_rad` after a number of impacts, linear equation, rad.
+/// Largest rotation of a block released at `rotation_rad` after a number of impacts, by the linear equation, rad.
 ///
 /// ```text
 /// θ_n = α (1 − √(1 − r^2n (1 − (1 − θ_0/α)²)))
@@ -143,14 +143,14 @@ pub fn linear_amplitude_rad(
     slenderness_rad * (1.0 - (1.0 - energy).sqrt())
 }
 
-/// Largest rotation of a block let go at `rotation_rad` after a number of impacts, exact, rad.
+/// Exact largest rotation of a block released at `rotation_rad` after a number of impacts, rad.
 ///
 /// ```text
 /// sin²((α − θ_n)/2) = sin²(α/2) − r^2n (sin²(α/2) − sin²((α − θ_0)/2))
 /// ```
 ///
 /// # Source
-/// Energy: each impact leaves r² of it.
+/// Energy: a fraction r² remains after each impact.
 pub fn amplitude_rad(slenderness_rad: f64, velocity_ratio: f64, rotation_rad: f64, impacts: u32) -> f64 {
     let rest = (0.5 * slenderness_rad).sin().powi(2);
     let released = (0.5 * (slenderness_rad - rotation_rad)).sin().powi(2);
@@ -162,7 +162,7 @@ pub fn amplitude_rad(slenderness_rad: f64, velocity_ratio: f64, rotation_rad: f6
 /// others after half a period for its amplitude.
 ///
 /// # Limits
-/// 0 < θ_0 < α. Of the times themselves 1e-13; amplitudes below 1e-8 rad lose digits.
+/// 0 < θ_0 < α. Times are accurate to 1e-13 of their value; amplitudes below 1e-8 rad lose digits.
 pub fn impact_times_s(
     slenderness_rad: f64,
     frequency_parameter_rad_s: f64,
@@ -216,7 +216,7 @@ mod tests {
             near(linear_quarter_period_s(ALPHA, p, 0.5 * ALPHA), linear, 5e-7);
             near(quarter_period_s(ALPHA, p, 0.5 * ALPHA), exact, 5e-7);
         }
-        // A slender block is linear; the difference goes with the square of the slenderness.
+        // A slender block is nearly linear; the difference is proportional to the square of the slenderness.
         near(
             quarter_period_s(1e-5, 1.0, 0.7e-5),
             linear_quarter_period_s(1e-5, 1.0, 0.7e-5),
@@ -237,7 +237,8 @@ mod tests {
         }
     }
 
-    /// The same fall and impacts in small steps of the equation of motion, which is independent of the quadrature.
+    /// The same fall and impacts by numerical integration of the equation of motion, which is independent of the
+    /// quadrature.
     #[test]
     fn holds_steps_of_the_equation_of_motion_reach_the_same_impacts() {
         const STEP: f64 = 1e-3;

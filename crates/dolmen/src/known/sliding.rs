@@ -1,4 +1,4 @@
-//! A rigid block that slides on a moving base by Coulomb's law, in one direction: closed forms, and the exact solution from
+//! A rigid block that slides on a moving base by Coulomb's law in one direction: closed forms, and the exact solution from
 //! event to event.
 //!
 //! | symbol | code | meaning | unit |
@@ -6,11 +6,11 @@
 //! | a | `a` | acceleration of the base | m/s² |
 //! | u, w | `slip`, `w` | displacement and velocity of the block relative to the base | m, m/s |
 //! | d | `direction` | sign of w; 0 where the block sticks | – |
-//! | μ_s g, μ_k g | `hold`, `drag` | acceleration that static friction holds, and that kinetic friction gives | m/s² |
+//! | μ_s g, μ_k g | `hold`, `drag` | largest acceleration with static friction; deceleration by kinetic friction | m/s² |
 //! | η | – | μ g / largest acceleration of the base | – |
 //!
 //! ```text
-//! stuck while |a| ≤ μ_s g; else w' = −a − μ_k g d, until w = 0
+//! stuck while |a| ≤ μ_s g; otherwise w' = −a − μ_k g d, until w = 0
 //! ```
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -29,7 +29,7 @@ pub struct Friction {
 }
 
 impl Friction {
-    /// One coefficient, static and kinetic.
+    /// Equal static and kinetic coefficients.
     pub fn single(coefficient: f64, gravity_m_s2: f64) -> Friction {
         Friction {
             static_coefficient: coefficient,
@@ -42,9 +42,9 @@ impl Friction {
 /// The slip of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slip {
-    /// Largest distance from where it started on the base, m: between the samples too.
+    /// Largest distance from its starting point on the base, m, including times between samples.
     pub peak_m: f64,
-    /// Slip once the block has come to rest, with its sign, m.
+    /// Slip after the block has come to rest, with its sign, m.
     pub residual_m: f64,
     /// Time of the final rest, s; 0 if it never moved.
     pub rest_s: f64,
@@ -52,7 +52,7 @@ pub struct Slip {
     pub slip_m: Vec<f64>,
 }
 
-/// Slip of a block whose base is accelerated at a constant A for a time t from rest and then keeps its velocity, m.
+/// Slip, m, of a block on a base that accelerates from rest with a constant A for a time t and then keeps its velocity.
 ///
 /// ```text
 /// ½ A t² (A/μg − 1)      0 for A ≤ μ g
@@ -76,13 +76,14 @@ pub fn rectangular_pulse_slip_m(
     0.5 * acceleration_m_s2 * duration_s * duration_s * excess.max(0.0)
 }
 
-/// Peak to peak slip of a block on a base that has long moved with a sin ω t, if it slides all the time, m.
+/// Peak-to-peak slip, m, of a block in steady state on a base that moves with acceleration a sin ω t, if it slides all the
+/// time.
 ///
 /// ```text
 /// (2a/ω²) √(1 − (πη/2)²)      η = μg/a ≤ 1/√(1 + π²/4) = 0.53703
 /// ```
 ///
-/// None above that η: the block then sticks twice in a period.
+/// `None` above that η: the block then sticks twice in a period.
 pub fn harmonic_slip_m(
     acceleration_m_s2: f64,
     frequency_hz: f64,
@@ -95,17 +96,17 @@ pub fn harmonic_slip_m(
     (eta.abs() <= 1.0 / FRAC_PI_2.hypot(1.0)).then(|| 2.0 * acceleration_m_s2 / (omega * omega) * part.sqrt())
 }
 
-/// Exact slip of a block on a base whose acceleration goes in straight lines from sample to sample; after the last the base
-/// keeps its velocity. Between two events u is a cubic in time. None unless every number is finite, the step positive, and
-/// 0 < μ_k ≤ μ_s.
+/// Exact slip of a block on a base whose acceleration is linear between samples; after the last sample the base keeps its
+/// velocity. Between two events u is a cubic in time. `None` unless every number is finite, the step positive, and 0 < μ_k
+/// ≤ μ_s.
 ///
 /// # Limits
-/// Rounding: 1e-13 of the peak on a record of 1560 samples.
+/// Rounding: 1e-13 of the peak for a record of 1560 samples.
 ///
 /// # Example
 /// ```
 /// use dolmen::known::sliding::{record_slip, Friction};
-/// // 0.5 g for 0.2 s, which ends in a flank of 0.1 ms
+/// // 0.5 g for 0.2 s, with a final ramp of 0.1 ms
 /// let base: Vec<f64> = (0..4001).map(|i| if i < 2000 { 0.5 * 9.81 } else { 0.0 }).collect();
 /// let slip = record_slip(&base, 1e-4, &Friction::single(0.3, 9.81));
 /// assert!(slip.is_some_and(|slip| (slip.peak_m - 0.0654).abs() < 5e-5));
@@ -130,12 +131,12 @@ pub fn record_slip(base_acceleration_m_s2: &[f64], step_s: f64, friction: &Frict
     Some(block.report(slip_m))
 }
 
-/// Exact slip of a block on a base that is accelerated with A sin(2π f t) for a time, from rest, and then keeps its
-/// velocity: after whole periods it stands still. Slip is given every `sample_s` as long as the base is accelerated. None
-/// unless every number is finite, f, the time and the step positive, and 0 < μ_k ≤ μ_s.
+/// Exact slip of a block on a base that accelerates from rest with A sin(2π f t) for a time and then keeps its velocity,
+/// which is zero after whole periods. Slip is given every `sample_s` as long as the base accelerates. `None` unless every
+/// number is finite, f, the time and the step positive, and 0 < μ_k ≤ μ_s.
 ///
 /// # Limits
-/// Events are bracketed by the extremes of w, which are known, and found to neighbouring numbers.
+/// Events are bracketed by the extremes of w, which are known, and located to adjacent floating-point numbers.
 ///
 /// # Example
 /// ```
@@ -151,7 +152,7 @@ pub fn sine_slip(
     sample_s: f64,
     friction: &Friction,
 ) -> Option<Slip> {
-    const SAME: f64 = 1e-12; // the sample at the end of the motion, in spite of rounding
+    const SAME: f64 = 1e-12; // includes the sample at the end of the motion in spite of rounding
     let positive = |x: f64| x > 0.0 && x.is_finite();
     let given = [frequency_hz, duration_s, sample_s].into_iter().all(positive);
     if !given || !acceleration_m_s2.is_finite() {
@@ -193,7 +194,7 @@ pub fn sine_slip(
     Some(block.report(slip_m))
 }
 
-/// A base accelerated with `amplitude` sin(`omega` t).
+/// A base that moves with acceleration `amplitude` sin(`omega` t).
 struct Sine {
     amplitude: f64,
     omega: f64,
@@ -235,7 +236,7 @@ impl Block {
             if a.abs() >= self.hold && (a.abs() > self.hold || a * slope > 0.0) {
                 self.direction = -a.signum();
             } else {
-                // Stuck until |a| reaches what static friction holds.
+                // Stuck until |a| reaches the limit of static friction.
                 let reach = (slope.signum() * self.hold - a) / slope;
                 let spent = if slope != 0.0 && reach < left { reach } else { left };
                 self.time += spent;
@@ -245,11 +246,11 @@ impl Block {
                 return spent;
             }
         }
-        // d w = d w_0 + s t + q t², from d w_0 ≥ 0 to its first fall through 0.
+        // d w = d w_0 + s t + q t², from d w_0 ≥ 0 to its first descent through 0.
         let d = self.direction;
         let (start, mut s, q) = (d * self.w, d * -a - self.drag, -0.5 * d * slope);
         if start == 0.0 && s.abs() < ROUNDING * self.drag {
-            s = 0.0; // it has just been let go: rounding must not stop it
+            s = 0.0; // the block has just been released: rounding must not stop it
         }
         let stop = first_fall(start, s, q);
         let spent = stop.min(left);
@@ -262,7 +263,7 @@ impl Block {
         spent
     }
 
-    /// After the motion of the base: friction alone.
+    /// After the motion of the base, only friction acts.
     fn coast(&mut self) {
         if self.direction != 0.0 {
             self.slip += 0.5 * self.direction * self.w * self.w / self.drag;
@@ -286,7 +287,7 @@ impl Block {
         }
     }
 
-    /// Slip and slip velocity at a time not after the next event.
+    /// Slip and slip velocity at a time that is not after the next event.
     fn under_a_sine(&self, base: &Sine, time: f64) -> (f64, f64) {
         if self.direction == 0.0 {
             return (self.slip, 0.0);
@@ -320,9 +321,10 @@ impl Block {
         }
     }
 
-    /// When a sliding block stops; none if not before `end`. Between the times at which |a| = μ_k g, w is monotonic.
+    /// Time at which a sliding block stops; `None` if it does not stop before `end`. Between the times at which |a| = μ_k
+    /// g, w is monotonic.
     fn stops(&self, base: &Sine, end: f64) -> Option<f64> {
-        const SAME: f64 = 1e-9; // of 1/ω: the block has just been let go there
+        const SAME: f64 = 1e-9; // of 1/ω: the block has just been released at this time
         let reach = (self.drag / base.amplitude.abs()).asin();
         let along = |time: f64| self.direction * self.under_a_sine(base, time).1;
         let mut half_period = (base.omega * self.time / PI).floor();
@@ -344,13 +346,13 @@ impl Block {
     }
 }
 
-/// First t ≥ 0 at which start + s t + q t² falls through 0, from start ≥ 0; infinity if never.
+/// First t ≥ 0 at which start + s t + q t² decreases through 0, from start ≥ 0; infinity if there is none.
 fn first_fall(start: f64, s: f64, q: f64) -> f64 {
     let under = s * s - 4.0 * q * start;
     if under < 0.0 || (q >= 0.0 && s >= 0.0) {
         return f64::INFINITY;
     }
-    // The smaller root if the curve is hollow, the positive one if it is not, both without cancellation.
+    // The smallest positive root, without cancellation.
     if s < 0.0 {
         2.0 * start / (under.sqrt() - s)
     } else {
@@ -372,7 +374,7 @@ mod tests {
         );
     }
 
-    /// El Centro 1940 north-south as the repository holds it, scaled to a peak, m/s².
+    /// El Centro 1940 north-south from the repository, scaled to a peak, m/s².
     fn el_centro(peak_m_s2: f64) -> Vec<f64> {
         let text = include_str!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv");
         let values: Vec<f64> = text
@@ -394,7 +396,7 @@ mod tests {
             5e-7,
         );
         assert_eq!(rectangular_pulse_slip_m(0.2 * G, 0.2, 0.3, G), 0.0);
-        // The straight lines between samples end the pulse in a flank of one step: first order in the step.
+        // Linear interpolation gives the pulse a final ramp of one step: the error is of first order in the step.
         let slip = |steps: usize| {
             let base: Vec<f64> = (0..2 * steps)
                 .map(|i| if i < steps { 0.5 * G } else { 0.0 })
@@ -416,7 +418,7 @@ mod tests {
 
     #[test]
     fn exact_harmonic_base() {
-        // η = 0.5, after the drift of the start has died out: the last two periods of many.
+        // η = 0.5, after the initial drift has died out: the last two of many periods.
         let (a, frequency) = (0.4 * G, 2.0);
         let slip = sine_slip(a, frequency, 50.0, 1e-4, &Friction::single(0.2, G)).unwrap();
         let last = &slip.slip_m[slip.slip_m.len() - 10_000..];
@@ -453,8 +455,8 @@ mod tests {
         );
     }
 
-    /// The record that engines are compared with. Ours; written separately in arithmetic of fifty digits it gave the same
-    /// fifteen.
+    /// Reference record for other engines. Our own value; a separate program with fifty digits gave the same fifteen
+    /// digits.
     #[test]
     fn regress_el_centro() {
         let slip = record_slip(&el_centro(0.5 * G), 0.02, &Friction::single(0.2, G)).unwrap();
@@ -463,7 +465,7 @@ mod tests {
         near(slip.rest_s, 26.266_088_939, 1e-9);
     }
 
-    /// Small steps that limit the change of velocity by friction, without any events.
+    /// Small steps with limited velocity change by friction, without event detection.
     #[test]
     fn holds_small_steps_slide_alike() {
         const PARTS: u32 = 20_000;

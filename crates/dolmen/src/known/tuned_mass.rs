@@ -29,7 +29,7 @@ pub struct TunedMass {
     pub structure_damping_ratio: f64,
 }
 
-/// Response x per unit load at the frequency r, relative to that of the structure.
+/// Response x per unit load at the frequency r, which is relative to that of the structure.
 pub fn response(of: TunedMass, acts: Acts, r: f64) -> Complex64 {
     let (mu, f) = (of.mass_ratio, of.frequency_ratio);
     let s = Complex64::new(0.0, r);
@@ -51,7 +51,7 @@ pub fn response(of: TunedMass, acts: Acts, r: f64) -> Complex64 {
 /// # Example
 /// ```
 /// use dolmen::known::tuned_mass::{variance, Acts, TunedMass};
-/// // without a tuned mass to speak of: 1 / 4ζ
+/// // with a negligible tuned mass: 1 / 4ζ
 /// let bare = TunedMass { mass_ratio: 1e-12, frequency_ratio: 1.0, damping_ratio: 1.0, structure_damping_ratio: 0.02 };
 /// assert!((variance(bare, Acts::Force) - 12.5).abs() < 1e-9);
 /// ```

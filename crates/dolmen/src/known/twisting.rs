@@ -1,4 +1,4 @@
-//! Dry friction of a face that spins, or spins and slides, under uniform pressure, closed forms.
+//! Closed forms of dry friction of a face that spins, or spins and slides, under uniform pressure.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,8 +11,8 @@ use std::f64::consts::TAU;
 
 use super::bisection::sign_change;
 
-/// Mean distance of the points of a rectangle from its centre, m: a face that spins about its centre resists with the
-/// torque μ N times this.
+/// Mean distance of the points of a rectangle from its centre, m. A face that spins about its centre resists with μ N
+/// times this distance.
 ///
 /// ```text
 /// d/6 + a²/(12 b) ln((b + d)/a) + b²/(12 a) ln((a + d)/b)      d = √(a² + b²)
@@ -46,12 +46,12 @@ pub fn rectangle_spin_deceleration_rad_s2(
     friction_coefficient * gravity_m_s2 * rectangle_mean_radius_m(a_m, b_m) / gyration
 }
 
-/// Time until a spin dies under a constant deceleration, s.
+/// Time until a spin stops under a constant deceleration, s.
 pub fn spin_down_time_s(spin_rad_s: f64, deceleration_rad_s2: f64) -> f64 {
     spin_rad_s / deceleration_rad_s2
 }
 
-/// Angle it turns through until then, rad.
+/// Angle of rotation until it stops, rad.
 pub fn spin_down_angle_rad(spin_rad_s: f64, deceleration_rad_s2: f64) -> f64 {
     0.5 * spin_rad_s * spin_rad_s / deceleration_rad_s2
 }
@@ -59,9 +59,9 @@ pub fn spin_down_angle_rad(spin_rad_s: f64, deceleration_rad_s2: f64) -> f64 {
 /// Friction of a disc that spins and slides, relative to that of pure sliding: force / (μ N), torque / (μ N R).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiscFriction {
-    /// Against the sliding.
+    /// Component against the sliding.
     pub force: f64,
-    /// Against the spin, about the centre of the disc.
+    /// Moment against the spin, about the centre of the disc.
     pub torque: f64,
 }
 
@@ -73,11 +73,11 @@ pub struct DiscFriction {
 /// ```
 ///
 /// # Limits
-/// 0 ≤ ε < 1: the point that does not move lies within the disc. 1e-12 below ε = 0.9; NaN above 1.
+/// 0 ≤ ε < 1: the instantaneous centre of rotation lies within the disc. Accuracy 1e-12 below ε = 0.9; NaN above 1.
 ///
 /// # Source
-/// Polar coordinates about the point that does not move, where the direction of slip depends on φ alone. The coupling is
-/// that of Farkas, Z., Bartels, G., Unger, T. and Wolf, D. E. (2003) Phys. Rev. Lett. 90:248302.
+/// Polar coordinates about the instantaneous centre of rotation, where the direction of slip depends only on φ. The
+/// coupling is that of Farkas, Z., Bartels, G., Unger, T. and Wolf, D. E. (2003) Phys. Rev. Lett. 90:248302.
 pub fn disc_friction(speed_ratio: f64) -> DiscFriction {
     const POINTS: u32 = 512; // our choice: 256 give the same digits below 0.9
     let epsilon = speed_ratio;
@@ -102,7 +102,7 @@ pub fn disc_friction(speed_ratio: f64) -> DiscFriction {
 /// start except pure sliding or pure spin.
 ///
 /// ```text
-/// force(ε) = 2 ε torque(ε)      the ratio then stays: v'/v = ω'/ω
+/// force(ε) = 2 ε torque(ε)      the ratio then stays constant: v'/v = ω'/ω
 /// ```
 ///
 /// # Source
@@ -158,7 +158,7 @@ mod tests {
     /// Sums over small squares of the disc, independent of polar coordinates.
     #[test]
     fn holds_friction_of_small_squares() {
-        const SIDE: i32 = 1000; // squares in the radius
+        const SIDE: i32 = 1000; // squares per radius
         for epsilon in [0.0, 0.3, 0.653, 0.9] {
             let (mut force, mut torque, mut squares) = (0.0, 0.0, 0.0);
             for i in -SIDE..SIDE {

@@ -1,4 +1,4 @@
-//! Modes that the user requests: a refused candidate near a given frequency becomes a mode with the reason of its refusal.
+//! Modes that the user requests: a refused candidate near a given frequency becomes a mode that carries the reason of its refusal.
 
 use super::candidate::Candidate;
 use super::options::Identify;
@@ -8,11 +8,11 @@ use super::subspace::{Cluster, Criteria, Deviations, Fate};
 use super::{Accepted, ModalError, Mode, Modes, Note, Pole, Refusal, RefusedPeak};
 use crate::signal::Record;
 
-/// Fewest model orders in a group of poles that may be accepted. Our choice: in a record of many channels two orders agree by chance.
+/// Fewest model orders in an acceptable cluster of poles. Our choice: with many channels, two orders agree by chance.
 const ORDERS_LEAST: usize = 3;
 
-/// For each frequency that the user requests, the refused candidate: the cluster of poles, else a single pole that may not be a mode, else the
-/// visible peak itself. `set_aside` are peaks that an earlier step classified as something else.
+/// The refused candidate for each requested frequency: a cluster of poles, otherwise a single pole that may not be a mode, otherwise the
+/// visible peak. `set_aside` are peaks that an earlier step classified as something else.
 pub(super) fn candidates(
     options: &Identify,
     (peaks, set_aside): (&Modes, &[Candidate]),
@@ -81,7 +81,6 @@ pub(super) fn candidates(
     Ok(found)
 }
 
-/// A requested frequency, Hz.
 #[derive(Clone, Copy)]
 enum Asked {
     /// There is a visible peak near the requested frequency.
@@ -113,7 +112,7 @@ fn group_at<'a>(diagram: &Diagram<'a>, asked: Asked, is_here: &dyn Fn(f64) -> bo
     }
 }
 
-/// The decaying pole at a peak that is nearest to all others, for a peak without a mode.
+/// For a peak without a mode: the decaying pole at this peak that is nearest to all other poles there.
 fn pole_at(diagram: &Diagram<'_>, peak_hz: f64) -> Option<Pole> {
     const AT_PEAK: f64 = 0.01; // relative
     let poles = diagram.stabilization.poles.iter();
@@ -145,8 +144,8 @@ pub(super) fn taken_out(
         .collect()
 }
 
-/// For each requested frequency without a mode, the nearest refused candidate. Notes name the modes that were found anyway, and the frequencies
-/// without a candidate. `seen_hz` are the peaks of the spectrum.
+/// The nearest refused candidate for each requested frequency without a mode. Notes name the requested modes that were found anyway, and the
+/// frequencies without a candidate. `seen_hz` are the peaks of the spectrum.
 pub(super) fn accepted(
     options: &Identify,
     found: &[Mode],
@@ -207,7 +206,7 @@ fn nothing(asked_hz: f64, within_hz: f64, found: &[Mode], seen_hz: &[f64]) -> No
     }
 }
 
-/// Adds the accepted modes, with the channels that were kept, and tests each for machines.
+/// Adds the accepted modes, with the remaining channels, and tests each for machines.
 pub(super) fn put_in(
     record: &Record,
     options: &Identify,
@@ -278,7 +277,7 @@ mod tests {
     use dolmen_linalg::Complex64;
     use std::f64::consts::TAU;
 
-    /// Modes of two floors (1.1 and 4.2 Hz, ζ 2 %), where a cluster may scatter by `most` times its lower bound.
+    /// Modes of two floors (1.1 and 4.2 Hz, ζ 2 %). `most` is the largest allowed scatter of a cluster over its lower bound.
     fn two_floors(most: f64, accept_hz: &[f64]) -> ModalAnalysis {
         let record = ReferenceCase::ShearChain.made(3).unwrap().make().unwrap();
         let options = Identify {
@@ -310,7 +309,7 @@ mod tests {
             matches!(told.refusal, Some(Refusal::Scattered { most: 0.3, .. })),
             "{told:?}"
         );
-        // the frequency as a note prints it, to three decimals
+        // the frequency as a note prints it, with three decimals
         let asked_hz = (told.frequency_hz * 1e3).round() / 1e3;
         let insisted = two_floors(0.3, &[asked_hz]);
         let [mode] = &insisted.modes.modes[..] else {

@@ -6,7 +6,7 @@
 //! | L | `segment` | samples a segment (streaming_sums.rs) |
 //! | S | `starts` | number of start times t, the same for every lag |
 //!
-//! Any other window of the same record follows from these by displacement ([`Ends`]): no product is summed twice.
+//! Correlations for any other window of the same record follow from these and its end samples ([`Ends`]): no product is summed twice.
 
 use super::ModalError;
 use super::products::Pairs;
@@ -16,16 +16,16 @@ use crate::signal::Record;
 use pulp::{Arch, Simd, WithSimd};
 use std::f64::consts::PI;
 
-/// Segments shorter than this waste the FFT on its overhead.
+/// Shorter segments make the FFT inefficient.
 const SEGMENT_LEAST: usize = 512;
-/// Zero crossings of the anti-alias filter on each side: with Blackman's window its transition is 0.83 to 1.17 of
-/// the new Nyquist frequency, and 74 dB are stopped (Oppenheim & Schafer, Discrete-Time Signal Processing, table 7.2).
+/// Zero crossings of the anti-alias filter on each side: with Blackman's window its transition band is 0.83 to 1.17 of the new Nyquist
+/// frequency, and its stop-band attenuation is 74 dB (Oppenheim & Schafer, Discrete-Time Signal Processing, table 7.2).
 const CROSSINGS: usize = 16;
 
 /// Share of the Nyquist frequency that is free of aliases after [`Correlations::decimated`].
 pub(crate) const CLEAN_SHARE: f64 = 0.8;
 
-/// R_0 … R_K, and for each block of time its R minus the mean of all blocks.
+/// R_0 … R_K of the record; for each block of time also the deviation from the mean of all blocks.
 #[derive(Clone, Debug)]
 pub(crate) struct Correlations {
     pub(crate) channels: usize,
@@ -35,11 +35,12 @@ pub(crate) struct Correlations {
     pub(crate) step_s: f64,
     /// R_k of the whole record: lag after lag, each row by row.
     pub(crate) mean: Vec<f64>,
-    /// Share of block j in the mean times (R_k of block j - mean): they sum to zero. In 32 bits: only deviations come from them.
+    /// Share of block j in the mean times (R_k of block j - mean); their sum is zero. In 32 bits: only standard deviations use them.
     pub(crate) deviations: Vec<Vec<f32>>,
-    /// The samples that windows other than this one gain or lose; `None` after decimation.
+    /// The samples at the ends, which other windows include or omit; `None` after decimation.
     pub(crate) ends: Option<Ends>,
-    /// After decimation and on request: as `mean`, for the record followed by zeros. Matrices of these correlations are never indefinite.
+    /// As `mean`, but for the record followed by zeros; only after decimation and on request. Matrices of these correlations are never
+    /// indefinite.
     pub(crate) padded: Option<Vec<f64>>,
 }
 
@@ -50,7 +51,7 @@ pub(crate) struct Ends {
     pub(crate) head: Vec<f64>,
     /// y(S + t), t = 0 … K - 1.
     pub(crate) tail: Vec<f64>,
-    /// Start times S.
+    /// Number of start times, S.
     pub(crate) starts: usize,
 }
 
@@ -70,9 +71,9 @@ pub(crate) fn wide(lags: &[f32]) -> Vec<f64> {
 
 /// Division of a record for one pass.
 pub(crate) struct Windows {
-    /// Start times, the same for every lag.
+    /// Number of start times, the same for every lag.
     pub(crate) starts: usize,
-    /// Samples a segment.
+    /// Samples of a segment.
     pub(crate) segment: usize,
 }
 
@@ -104,8 +105,8 @@ pub(crate) fn windows(record: &Record, lags: usize, blocks: usize) -> Result<Win
 /// ```text
 /// R_k = 1/S Σ y(t + k) y(t)ᵀ,  t = 0 … S - 1,  S = samples - lags      shape: channels × channels
 /// ```
-/// Each lag sums over the same start times, so that all lags weigh the record alike. The mean of each channel is
-/// removed while reading; the record is not copied.
+/// Each lag sums over the same start times, so that all lags weigh the record equally. The mean of each channel is removed while reading;
+/// the record is not copied.
 #[cfg(test)]
 pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<Correlations, ModalError> {
     let all: Vec<usize> = (0..record.channels().len()).collect();
@@ -117,8 +118,8 @@ pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<C
 /// ```text
 /// R'_k = Σ h_m R_(factor k - m),   h_m = sinc(m / factor) / factor × Blackman's window
 /// ```
-/// h is the autocorrelation of the filter. It is zero at every multiple of `factor` except 0, so white sensor noise stays white, in R_0
-/// alone. Each block of time is filtered when its sum is complete, so only one block is stored at the old rate.
+/// h is the autocorrelation of the filter. It is zero at every multiple of `factor` except 0, so white sensor noise stays white and
+/// affects only R_0. Each block of time is filtered when its sum is complete, so only one block is stored at the old rate.
 pub(crate) fn correlate_decimated(
     record: &Record,
     (lags, blocks): (usize, usize),
@@ -205,7 +206,7 @@ fn pairs_with(columns: &[usize], l: usize, is_filtered: bool) -> (Vec<usize>, Ve
 }
 
 impl Ends {
-    /// Sums over the start times up to the last with an end, for the mean of `lags` lags, one pair of channels after the other.
+    /// Sums of products over the start times, divided for the mean of `lags` lags, one channel pair after the other.
     fn products(&self, l: usize, lags: usize, of_pairs: &mut [f64]) {
         let share = 1.0 / self.starts as f64;
         let tail = |c: usize| -> Vec<f64> { self.tail[c..].iter().step_by(l).copied().collect() };
@@ -222,10 +223,9 @@ impl Ends {
 /// Number of channel pairs filtered together: two or more vector registers on every processor.
 const PAIRS: usize = 16;
 
-/// The filter of [`correlate_decimated`].
 struct LowPass {
     factor: usize,
-    /// h from -reach to reach, of sum 1.
+    /// h from -reach to reach, with sum 1.
     weights: Vec<f64>,
 }
 
@@ -280,7 +280,7 @@ impl LowPass {
     }
 }
 
-/// The columns; each filter output starts at its own value.
+/// The filtered columns; each starts at its own lag.
 struct Filtered<'a, C> {
     along: &'a [[f64; PAIRS]],
     weights: &'a [f64],

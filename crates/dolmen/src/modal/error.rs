@@ -11,7 +11,7 @@ pub enum ModalError {
          block_rows or lower order_most"
     )]
     Order {
-        /// Order asked.
+        /// Requested order.
         given: usize,
         /// Block rows.
         block_rows: usize,
@@ -26,7 +26,7 @@ pub enum ModalError {
          noise; lower order_most to {rank} or less"
     )]
     Rank {
-        /// Order asked.
+        /// Requested order.
         given: usize,
         /// Singular values above rounding.
         rank: usize,
@@ -37,7 +37,7 @@ pub enum ModalError {
          others, and their QR needs the samples as they are; set decimation to 1, lower block_rows, or take ssi_cov"
     )]
     Dependent {
-        /// Decimation asked.
+        /// Requested decimation.
         decimation: usize,
     },
     /// More modes are requested than the model order can have.
@@ -46,7 +46,7 @@ pub enum ModalError {
          ask for fewer"
     )]
     ModesWanted {
-        /// Modes asked.
+        /// Number of requested modes.
         given: usize,
         /// Largest model order.
         order_most: usize,
@@ -59,9 +59,9 @@ pub enum ModalError {
          sensors where the missing modes move, or ask for {found}"
     )]
     ModesMissing {
-        /// Modes asked.
+        /// Number of requested modes.
         given: usize,
-        /// Modes found.
+        /// Number of modes found.
         found: usize,
         /// Frequencies of these modes, Hz.
         found_hz: Vec<f64>,
@@ -72,7 +72,7 @@ pub enum ModalError {
          is returned in its place"
     )]
     NoModeAt {
-        /// Frequency asked, Hz.
+        /// Requested frequency, Hz.
         given_hz: f64,
         /// Allowed distance of a mode, Hz.
         within_hz: f64,
@@ -100,7 +100,7 @@ pub enum ModalError {
          record for longer, or lower block_rows or time_blocks"
     )]
     TooShort {
-        /// Samples a channel.
+        /// Samples of each channel.
         samples: usize,
         /// Lags.
         lags: usize,
@@ -125,7 +125,7 @@ pub enum ModalError {
          the record may hold noise alone; for a free decay after a pull or a blow set method = \"era\"; else give block_rows and the frequency range to try all the same"
     )]
     NoPeak {
-        /// Prominence asked, dB.
+        /// Requested prominence, dB.
         prominence_db: f64,
         /// Lowest frequency of the analysis, Hz.
         low_hz: f64,
@@ -135,7 +135,7 @@ pub enum ModalError {
     /// A channel is dead or has the same signal as another.
     #[error("{0}")]
     Channel(ChannelFault),
-    /// The user requests a mode of a free decay, for which no test refuses any.
+    /// The user requests a mode of a free decay, but no test refuses modes of free decays.
     #[error(
         "no test refuses a mode of a free decay (era), so that {given_hz} Hz cannot be accepted: leave it out"
     )]
@@ -153,7 +153,7 @@ pub enum ModalError {
         /// The mode, Hz.
         found_hz: f64,
     },
-    /// A mode of a simulated record is out of range.
+    /// A given mode of a simulated record is out of range.
     #[error(
         "mode {mode} of the made record has frequency {frequency_hz} Hz and damping ratio {damping_ratio}, but must lie \
          between 0 and {nyquist_hz} Hz and between 0 and 1, with one finite shape component a channel"
@@ -183,7 +183,7 @@ pub enum ModalError {
         "the decay has {samples} samples, but needs {least}: record it at a higher rate, or until it has died away"
     )]
     DecayTooShort {
-        /// Samples a channel.
+        /// Samples of each channel.
         samples: usize,
         /// Samples needed.
         least: usize,
@@ -196,7 +196,7 @@ pub enum ModalError {
     NoDecay {
         /// Order of the model.
         order: usize,
-        /// Samples a channel.
+        /// Samples of each channel.
         samples: usize,
     },
     /// A force acts within a decay.
@@ -206,7 +206,7 @@ pub enum ModalError {
         listed_s(times_s)
     )]
     SeveralBlows {
-        /// When, s from the first sample.
+        /// Times of the forces, s from the first sample.
         times_s: Vec<f64>,
     },
     /// A channel of a decay is clipped.
@@ -222,7 +222,7 @@ pub enum ModalError {
         /// Start of the part without clipping, s from the first sample.
         whole_from_s: f64,
     },
-    /// Too few swings.
+    /// A decay has too few cycles.
     #[error(
         "the decay has {extrema} extrema of clear swings, but one value needs {needed}: strike harder, or lower extrema or the noise"
     )]
@@ -285,7 +285,7 @@ pub enum ModalError {
         "the inputs move as one: only {share:.3} of their motion is not shared, and what each of them does cannot be told apart: keep one of them"
     )]
     InputsAlike {
-        /// Smallest eigenvalue of their coherence matrix over the mean one, the median over the lines.
+        /// Smallest over mean eigenvalue of their coherence matrix; the median over the lines.
         share: f64,
     },
     /// The inputs shake at one frequency only.
@@ -297,10 +297,10 @@ pub enum ModalError {
     InputsSine {
         /// The frequency of the strongest input, Hz.
         frequency_hz: f64,
-        /// Share of the power there, 0 to 1, of the input with the least share.
+        /// Share of the power at that frequency, 0 to 1; the smallest over the inputs.
         share: f64,
     },
-    /// Nothing follows the inputs.
+    /// No channel responds to the inputs.
     #[error(
         "at most {:.0} % of the motion at any mode follows the inputs, which is no more than chance: is the input channel connected, of this record, \
          and of the same clock? Without it leave inputs out, and the modes are those of structure and ground together",
@@ -328,7 +328,7 @@ pub enum ModalError {
 }
 
 impl ModalError {
-    /// Whether an iteration ended before it converged: the input may be valid.
+    /// Whether an iteration did not converge. In this case the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Linalg(why) => why.did_not_converge(),
@@ -372,7 +372,6 @@ fn listed_s(times_s: &[f64]) -> String {
     all.join(", ")
 }
 
-/// The refusal of one option.
 pub(super) fn refused<T>(option: &'static str, given: f64, allowed: &'static str) -> Result<T, ModalError> {
     Err(ModalError::Option {
         option,

@@ -1,4 +1,4 @@
-//! Identification from a record to its modes: spectrum, machines, subspace method, clusters, and a report of every choice.
+//! Identifies the modes of a record: spectrum, machines, subspace method, clusters, and a report of every choice.
 
 use super::accept::{accepted, candidates, put_in, taken_out};
 use super::candidate::Candidate;
@@ -28,11 +28,11 @@ use super::subspace::{ssi_cov, ssi_data};
 use super::{Method, ModalError, Modes, Note, Propagation, Refusal};
 use crate::signal::{Record, leave_out};
 
-/// Modes of an ambient record, without user interaction: spectrum, a subspace method at all orders, clusters; or only the peaks
-/// of the spectrum, depending on `method`.
+/// Modes of an ambient record, without user interaction: spectrum, a subspace method at all orders, clusters. Some values of
+/// `method` use only the peaks of the spectrum.
 ///
-/// The lowest and the highest peak of the spectrum determine the length of the correlations and the decimation, as reported in
-/// [`Settings`](super::Settings). Two passes over the record: one with long lags for the spectrum, one for SSI.
+/// The lowest and highest peaks of the spectrum determine the length of the correlations and the decimation, as reported in
+/// [`Settings`](super::Settings). The record is read twice: with long lags for the spectrum, and for SSI.
 ///
 /// # Errors
 /// [`ModalError::Channel`], [`ModalError::NoPeak`], [`ModalError::BlockRows`],
@@ -95,7 +95,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     let insisted = accepted(options, &analysis.modes.modes, (&refused, &seen_hz), &mut notes);
     let not_picked_hz = pick(options, &mut analysis.modes)?;
     wanted(options, &analysis.modes)?;
-    // requested modes give no information about the channels
+    // modes that only the user requested give no information about the channels
     let mut of_channels = Vec::new();
     doubt_channels(&analysis.modes, &mut of_channels);
     put_in(record, options, insisted, &mut analysis.modes, &mut notes)?;
@@ -126,8 +126,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     Ok(analysis)
 }
 
-/// Identification with the channels of one clock, if others were left out: the phases of the others would split or destroy a
-/// mode.
+/// Identification with only the channels of one clock, if others were left out: their phases would split or destroy a mode.
 fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Note]) -> Option<ModalAnalysis> {
     const CHANNELS_LEAST: usize = 2; // one alone has no shape, and modes with a node there are lost
     let is_off = |name: &&str| modes.channels.iter().all(|kept| kept.name != **name);

@@ -1,8 +1,8 @@
-//! Similarity of two shapes, and deviation of one shape from a real one.
+//! Similarity of two mode shapes, and deviation of a shape from a real one.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | φ, ψ | `phi`, `psi` | complex mode shapes, one component a channel |
+//! | φ, ψ | `phi`, `psi` | complex mode shapes, one component for each channel |
 
 use dolmen_linalg::Complex64;
 use std::f64::consts::FRAC_PI_2;
@@ -12,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 /// ```text
 /// MAC = |φ* ψ|² / (φ*φ) (ψ*ψ)        φ, ψ: channels × 1
 /// ```
-/// 0 if one of them is zero or they differ in length.
+/// 0 if one of the shapes is zero or their lengths differ.
 ///
 /// # Source
 /// Allemang & Brown (1982) Proc. 1st IMAC, 110-116; the complex form.
@@ -79,7 +79,7 @@ pub fn phase_deviation(phi: &[Complex64]) -> f64 {
     }
 }
 
-/// The shape scaled so that its largest component is 1 + 0i (the first of them if several are as large).
+/// The shape scaled so that its largest component (the first if several are equal) is 1 + 0i.
 pub(crate) fn normalized(phi: &[Complex64]) -> Vec<Complex64> {
     match largest(phi) {
         Some(m) if phi[m].norm_sqr() > 0.0 => {
@@ -92,7 +92,7 @@ pub(crate) fn normalized(phi: &[Complex64]) -> Vec<Complex64> {
     }
 }
 
-/// Index of the component of largest modulus.
+/// Index of the component with the largest modulus.
 pub(crate) fn largest(phi: &[Complex64]) -> Option<usize> {
     (0..phi.len()).reduce(|best, i| {
         if phi[i].norm_sqr() > phi[best].norm_sqr() {
@@ -113,7 +113,7 @@ fn scatter(phi: &[Complex64]) -> [f64; 3] {
     })
 }
 
-/// Direction (cos, sin) of the line through 0 that fits the components best in the complex plane.
+/// Direction (cos, sin) of the best-fitting line through 0 in the complex plane.
 fn line(phi: &[Complex64]) -> (f64, f64) {
     let [xx, yy, xy] = scatter(phi);
     let angle = 0.5 * (2.0 * xy).atan2(xx - yy);

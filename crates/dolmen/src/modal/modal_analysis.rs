@@ -11,33 +11,32 @@ use super::subspace::Stabilization;
 use super::{Mode, Modes};
 use crate::signal::Record;
 
-/// The modes of a record, with all data to draw, judge and repeat them.
+/// The modes of a record, with all data to draw, evaluate and reproduce them.
 #[derive(Clone, Debug)]
 pub struct ModalAnalysis {
     /// The modes, by frequency. Their shapes contain only the channels of one clock.
     pub modes: Modes,
     /// Singular values of the spectral matrix over frequency.
     pub spectrum: SingularSpectrum,
-    /// Peaks of the spectrum as modes: a second opinion on frequency and shape.
+    /// Modes from the peaks of the spectrum, for comparison of frequency and shape.
     pub fdd_modes: Modes,
     /// Every pole with its verdict.
     pub stabilization: Stabilization,
-    /// Every cluster of poles with its fate; those with `Fate::Mode` are the modes, in order.
+    /// Every cluster of poles with its verdict; those with `Fate::Mode` are the modes, in order.
     pub clusters: Vec<Cluster>,
     /// Singular values of the Hankel matrix, descending.
     pub hankel_singular_values: Vec<f64>,
     /// Settings that were chosen from the data.
     pub settings: Settings,
-    /// For a free decay: how well the record is one, and the dependence on amplitude.
+    /// For a free decay: quality of the exponential model, and dependence on amplitude.
     pub decay: Option<Decay>,
-    /// For a record with measured inputs: the motion that they explain, and the modes of the structure together with
-    /// its ground.
+    /// For a record with measured inputs: the motion that the inputs explain, and the modes of structure and ground.
     pub driven: Option<Driven>,
     /// Notes on the modes.
     pub notes: Vec<Note>,
 }
 
-/// The analysis in which the peaks are the modes.
+/// The analysis with the spectral peaks as modes.
 pub(super) fn of_peaks(peaks: FddResult, record: &Record, options: &Identify) -> ModalAnalysis {
     let lines = peaks.spectrum.frequency_hz.len() - 1;
     let nyquist_hz = peaks.spectrum.frequency_hz.last().copied().unwrap_or(0.0);

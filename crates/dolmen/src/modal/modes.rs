@@ -1,4 +1,4 @@
-//! Result of every method of identification.
+//! Result of the identification, common to all methods.
 
 use super::indicators::{normalized, phase_collinearity};
 use super::{Accepted, Kurtosis, ModalError, Wander};
@@ -13,20 +13,20 @@ pub enum Method {
     Fdd,
     /// Enhanced frequency domain decomposition: with damping, from the singular values about a peak.
     Efdd,
-    /// Frequency-spatial domain decomposition: with damping, from the spectrum seen along the shape.
+    /// Frequency-spatial domain decomposition: with damping, from the spectrum projected on the shape.
     Fsdd,
     /// Covariance-driven stochastic subspace identification.
     SsiCov,
     /// Data-driven stochastic subspace identification.
     SsiData,
-    /// Covariance-driven subspace identification, with the modes fitted to the nearby Fourier lines by maximum likelihood: Bayesian
-    /// operational modal analysis.
+    /// Bayesian operational modal analysis: covariance-driven subspace identification, with the modes then fitted to the nearby Fourier
+    /// lines by maximum likelihood.
     Bayoma,
     /// Poly-reference least squares in the frequency domain.
     Plscf,
     /// Eigensystem realization of a free decay.
     Era,
-    /// Observer of a structure with measured inputs, realized: observer/Kalman filter identification.
+    /// Observer/Kalman filter identification: realization of the observer of a structure with measured inputs.
     Okid,
 }
 
@@ -44,7 +44,7 @@ impl Method {
         Method::Okid,
     ];
 
-    /// Its name in a project file: "ssi-cov".
+    /// Name of the method in a project file, such as "ssi-cov".
     pub fn name(self) -> &'static str {
         match self {
             Method::Fdd => "fdd",
@@ -59,21 +59,22 @@ impl Method {
         }
     }
 
-    /// The method of that name.
+    /// The method with this name.
     pub fn named(name: &str) -> Option<Method> {
         Method::ALL.into_iter().find(|method| method.name() == name)
     }
 }
 
-/// One mode: its estimate, standard deviations, and the data for judging it.
+/// One mode: estimates, standard deviations, and data for an assessment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
     /// Natural (undamped) frequency, Hz.
     pub frequency_hz: f64,
     /// Standard deviation of the frequency, Hz; `None` if the method gives none.
     pub frequency_sd_hz: Option<f64>,
-    /// Change of the frequency by each block of time, Hz. The sum of its squares is the variance between blocks. Modes of one
-    /// identification have the same blocks, and the sum of products with another mode is their covariance. Empty if the method gives none.
+    /// Change of the frequency by each block of time, Hz. The sum of the squares is the variance from the scatter of the blocks. Modes of
+    /// one identification have the same blocks, and the sum of the products of two modes is their covariance. Empty if the method gives
+    /// none.
     pub frequency_changes_hz: Vec<f64>,
     /// Damping ratio.
     pub damping_ratio: Option<f64>,
@@ -87,15 +88,15 @@ pub struct Mode {
     pub phase_collinearity: f64,
     /// Number of observed cycles, N_c = f T. For a long record the lower bound is sd(ζ)/ζ = 1/√(2πζN_c) (Au 2014).
     pub cycles: f64,
-    /// Model orders at which a pole of this mode was found stable (empty for FDD).
+    /// Model orders with a stable pole of this mode (empty for FDD).
     pub orders: Vec<usize>,
-    /// Steadiness of the amplitude near its frequency; `None` if the record is too short, or the test was not requested.
+    /// Steadiness of the amplitude near the frequency; `None` if the record is too short, or if the test was not requested.
     pub kurtosis: Option<Kurtosis>,
-    /// Comparison of the changes of amplitude and phase; `None` as for the kurtosis.
+    /// Comparison of the changes of amplitude and phase; `None` under the same conditions as the kurtosis.
     pub wander: Option<Wander>,
     /// Relative bias of the damping ratio due to the window of the spectrum, already removed; `None` for methods without a window.
     pub window_bias: Option<f64>,
-    /// Set if the user requested the mode although a test refused it. Such a mode does not count as found.
+    /// Set if the user requested the mode although a test refused it. Such a mode is not counted as found.
     pub accepted: Option<Accepted>,
 }
 
@@ -115,7 +116,7 @@ pub struct Modes {
 }
 
 impl Mode {
-    /// Keeps the components of these channels, the largest 1.
+    /// Keeps only the components of these channels, scaled so that the largest is 1.
     pub(super) fn keep_channels(&mut self, kept: &[usize]) {
         let shape: Vec<Complex64> = kept.iter().map(|&c| self.shape[c]).collect();
         let most = shape.iter().map(|z| z.norm()).fold(0.0, f64::max);
@@ -134,13 +135,13 @@ impl Mode {
         self.accepted.is_none()
     }
 
-    /// Whether the amplitude is too steady for random forces, or amplitude and phase vary in a way impossible under random forces: a
-    /// machine, not a mode.
+    /// Whether the mode is a machine: its amplitude is too steady for random forces, or amplitude and phase vary in a way that is
+    /// impossible under random forces.
     pub fn harmonic(&self) -> bool {
         self.wanders() || self.kurtosis.is_some_and(|k| k.harmonic())
     }
 
-    /// Whether the amplitude changes more than the phase, or less, than is possible under random forces.
+    /// Whether the ratio of the changes of amplitude and phase is impossible under random forces.
     pub(super) fn wanders(&self) -> bool {
         self.wander.is_some_and(|of| of.is_machine())
     }
@@ -156,7 +157,7 @@ impl Mode {
         }
     }
 
-    /// Whether the half-power bands of the two modes meet: |f - f'| < ζf + ζ'f'.
+    /// Whether the half-power bands of the two modes overlap: |f - f'| < ζf + ζ'f'.
     pub fn overlaps(&self, other: &Mode) -> bool {
         let half_width_hz = |m: &Mode| m.damping_ratio.unwrap_or(0.0) * m.frequency_hz;
         (self.frequency_hz - other.frequency_hz).abs() < half_width_hz(self) + half_width_hz(other)
@@ -179,7 +180,7 @@ impl Modes {
     /// The mode nearest to `frequency_hz`, if it lies within `within_hz`.
     ///
     /// # Errors
-    /// [`ModalError::NoModeAt`] if there is none: another mode is never returned instead.
+    /// [`ModalError::NoModeAt`] if there is none; the result is never another mode.
     pub fn nearest(&self, frequency_hz: f64, within_hz: f64) -> Result<&Mode, ModalError> {
         let apart = |m: &Mode| (m.frequency_hz - frequency_hz).abs();
         self.modes

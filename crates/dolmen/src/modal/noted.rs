@@ -1,26 +1,26 @@
-//! Subjects of notes: tones, machines on modes, channels with a delayed clock.
+//! Subjects of notes: tones, machines at modes, channels with a delayed clock.
 
 use super::Kurtosis;
 
 /// A peak of the spectrum caused by a machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tone {
-    /// Its frequency, Hz.
+    /// Frequency of the peak, Hz.
     pub frequency_hz: f64,
-    /// Its width 3 dB below the top, Hz.
+    /// Width 3 dB below the top, Hz.
     pub width_hz: f64,
-    /// Its steadiness; `None` if the record is too short.
+    /// Kurtosis of the amplitude; `None` if the record is too short.
     pub kurtosis: Option<Kurtosis>,
 }
 
-/// A machine that runs on a mode.
+/// A machine that runs at the frequency of a mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToneOnMode {
-    /// Its frequency, Hz.
+    /// Frequency of the machine, Hz.
     pub frequency_hz: f64,
-    /// The mode or peak at its frequency, Hz.
+    /// The mode or peak at this frequency, Hz.
     pub mode_hz: f64,
-    /// Its power over that of the mode, –.
+    /// Power of the machine over that of the mode, –.
     pub strength: f64,
 }
 
@@ -59,18 +59,18 @@ impl std::fmt::Display for Kurtosis {
     }
 }
 
-/// A channel whose clock is late by the same time throughout.
+/// A channel whose clock has a constant delay.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LateClock {
-    /// Its name.
+    /// Name of the channel.
     pub channel: String,
     /// Delay relative to the channels that agree with each other, s; negative if it is early.
     pub delay_s: f64,
     /// Standard deviation of the delay, s.
     pub sd_s: f64,
-    /// The next larger delay that explains the phases as well, s, if there is one.
+    /// The next larger delay that also explains the phases, s, if there is one.
     pub or_s: Option<f64>,
-    /// Number of modes whose phases show it.
+    /// Number of modes whose phases show the delay.
     pub modes: usize,
 }
 
@@ -103,14 +103,14 @@ pub enum ShapeQuantity {
 }
 
 impl ShapeQuantity {
-    /// All, by how often displacement is differentiated.
+    /// All quantities, in the order of differentiation.
     pub(crate) const ALL: [ShapeQuantity; 3] = [
         ShapeQuantity::Displacement,
         ShapeQuantity::Velocity,
         ShapeQuantity::Acceleration,
     ];
 
-    /// How often displacement is differentiated.
+    /// Number of differentiations of the displacement.
     pub(crate) fn order(self) -> i32 {
         match self {
             ShapeQuantity::Displacement => 0,

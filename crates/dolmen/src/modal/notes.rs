@@ -8,18 +8,18 @@ use crate::signal::ChannelFault;
 /// A note on the modes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
-    /// A channel that is faint or clipped; it is used anyway.
+    /// A faint or clipped channel that is used anyway.
     Channel(ChannelFault),
     /// The block rows are fewer than recommended, to limit the size of the matrices.
     BlockRowsBounded {
-        /// Wished.
+        /// Recommended number.
         wished: usize,
-        /// Taken.
+        /// Number used.
         taken: usize,
     },
     /// The record is too short for the requested blocks of time.
     FewBlocks {
-        /// Taken.
+        /// Number used.
         time_blocks: usize,
     },
     /// Peaks that are too narrow for a structure or too steady for random forces. They affect neither block rows nor
@@ -28,7 +28,7 @@ pub enum Note {
         /// The peaks.
         tones: Vec<Tone>,
     },
-    /// Peaks narrower than a mode with the least damping, or steadier than modes, that no test identifies as a machine.
+    /// Peaks that are narrower than a mode with the least damping, or steadier than modes, but no test finds a machine.
     Narrow {
         /// The peaks.
         peaks: Vec<Tone>,
@@ -44,23 +44,23 @@ pub enum Note {
     Harmonics {
         /// Kurtosis of each.
         steady: Vec<Kurtosis>,
-        /// Whether they were removed from the modes.
+        /// Whether these modes were removed.
         removed: bool,
     },
-    /// Modes whose motion varies as it cannot under random forces.
+    /// Modes whose amplitude and phase vary in a way that is impossible under random forces.
     Wandering {
         /// The variation of each.
         machines: Vec<Wander>,
-        /// Whether they were removed from the modes.
+        /// Whether these modes were removed.
         removed: bool,
     },
-    /// Modes left out because they are above their surroundings only while somebody walks, or similar, and not in
-    /// quiet times.
+    /// Modes left out because they exceed their surroundings only in some periods, for example while somebody walks, and
+    /// not in quiet times.
     InSpells {
         /// The modes.
         modes: Vec<InSpells>,
     },
-    /// Peaks cut off by neighbouring modes, or with too short a decay: they have no damping ratio.
+    /// Peaks without a damping ratio: neighbouring modes cut them off, or their decay is too short.
     NoDamping {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
@@ -70,9 +70,9 @@ pub enum Note {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// Modes whose half-power bands meet.
+    /// Modes whose half-power bands overlap.
     ClosePairs {
-        /// Frequencies of these modes, Hz.
+        /// Frequencies of the two modes of each pair, Hz.
         pairs: Vec<[f64; 2]>,
     },
     /// The record was decimated earlier: no modes are identified above the cutoff of its filter.
@@ -82,12 +82,12 @@ pub enum Note {
         /// Highest frequency below the cutoff, Hz.
         passed_hz: f64,
     },
-    /// Groups of poles that belong to several modes: left out.
+    /// Clusters of poles that mix several modes: left out.
     Blends {
-        /// Frequency, Hz, and damping ratio of each.
+        /// Frequency, Hz, and damping ratio of each cluster.
         blends: Vec<[f64; 2]>,
     },
-    /// Modes whose band of the spectrum could not be fitted: they are unchanged results of the subspace method.
+    /// Modes whose band of the spectrum could not be fitted: they keep the result of the subspace method.
     NotFitted {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
@@ -102,7 +102,7 @@ pub enum Note {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// Peaks of the spectrum that are no modes.
+    /// Peaks of the spectrum that are not modes.
     PeaksWithoutMode {
         /// The peaks, each with the reason of its refusal.
         peaks: Vec<RefusedPeak>,
@@ -117,26 +117,27 @@ pub enum Note {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// Nothing is near a requested frequency: no mode, no peak and no group of poles.
+    /// No mode, peak or cluster of poles is near a requested frequency.
     NothingToAccept {
         /// The frequency, Hz.
         asked_hz: f64,
         /// Allowed distance, Hz.
         within_hz: f64,
-        /// The nearest mode or peak below and above, where there is one, Hz.
+        /// The nearest mode or peak below and above, if any, Hz.
         nearest_hz: Vec<f64>,
     },
-    /// Modes that were found and not picked by hand.
+    /// Modes that were found but not picked by hand.
     NotPicked {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// Channels measure different quantities: shapes are given in one of them.
+    /// Channels measure different quantities; the shapes are given in one quantity.
     OneQuantity {
         /// The quantity of the shapes.
         quantity: ShapeQuantity,
     },
-    /// Channels with a phase of 90° to the others at every frequency: they measure another quantity, and are in no shape.
+    /// Channels with a phase of 90° relative to the others at every frequency: they measure another quantity and are left
+    /// out of the shapes.
     QuarterTurn {
         /// Names of these channels.
         channels: Vec<String>,
@@ -145,39 +146,39 @@ pub enum Note {
     },
     /// A channel without motion in any mode.
     StandsStill {
-        /// Its name.
+        /// Name of the channel.
         channel: String,
         /// Its largest component over the largest component of the mode, –.
         share: f64,
     },
-    /// A channel with a phase impossible in a shape: its clock may be late.
+    /// A channel with a phase that is impossible in a mode shape: its clock may have a delay.
     PhaseOff {
-        /// Its name.
+        /// Name of the channel.
         channel: String,
         /// Angle from the real axis, 0 to 90°, and the frequency of the mode, Hz.
         degrees_at_hz: Vec<[f64; 2]>,
     },
-    /// Channels whose clock drifts relative to most others: they are in no shape.
+    /// Channels whose clock drifts relative to most others: they are left out of the shapes.
     ClockDrift {
-        /// Each channel with the error of its clock and its standard deviation, 1e-6.
+        /// Each channel with the error of its clock and the standard deviation of this error, 1e-6.
         drifting: Vec<(String, [f64; 2])>,
-        /// Largest rotation of the phase along the record, degrees.
+        /// Largest rotation of a phase over the record, degrees.
         turn_degrees: f64,
         /// Frequency of the mode with this rotation, Hz.
         frequency_hz: f64,
-        /// Sampling rate assumed for all, Hz.
+        /// Sampling rate assumed for all channels, Hz.
         sampling_rate_hz: f64,
     },
-    /// Channels with a constant delay of the clock, late or early: they are in no shape.
+    /// Channels whose clock has a constant delay, positive or negative: they are left out of the shapes.
     LateClocks {
-        /// Each with its delay.
+        /// Each channel with its delay.
         late: Vec<LateClock>,
     },
     /// A mode with so few cycles in the record that its damping ratio is inaccurate.
     FewCycles {
         /// Its frequency, Hz.
         frequency_hz: f64,
-        /// Long-record floor of the relative standard deviation of its damping ratio.
+        /// Lower bound of the relative standard deviation of its damping ratio, for a long record.
         damping_floor: f64,
     },
 }

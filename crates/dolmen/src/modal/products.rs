@@ -12,10 +12,10 @@
 use pulp::{Arch, Simd, WithSimd};
 use std::ops::Range;
 
-/// Bins stored together: a whole number of registers on every processor, and one cache line.
+/// Number of bins stored together: full registers on every processor, and one cache line.
 pub(super) const WIDTH: usize = 8;
 
-/// Bins of one channel, aligned because a register across two cache lines needs two loads.
+/// Bins of one channel, aligned because a register that crosses two cache lines needs two loads.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C, align(64))]
 pub(super) struct Bins {
@@ -39,7 +39,7 @@ impl Pairs {
 /// Spectra of a few segments.
 pub(super) struct Segments {
     channels: usize,
-    /// Largest number of segments, and number of stored ones.
+    /// Largest number of segments, and number of segments stored.
     most: usize,
     held: usize,
     bins: Vec<Bins>,
@@ -55,7 +55,7 @@ impl Segments {
         }
     }
 
-    /// Segments there is room for.
+    /// Capacity in segments.
     pub(super) fn most(&self) -> usize {
         self.most
     }
@@ -68,7 +68,7 @@ impl Segments {
         self.held = 0;
     }
 
-    /// Adds the next segment: the spectra of all channels, group after group, of which `of` are stored.
+    /// Adds the next segment: the spectra of all channels, group by group; only the channels `of` are stored.
     pub(super) fn push(&mut self, spectra: &[Bins], of: Range<usize>) {
         let all = self.all(spectra);
         for (group, from) in self.next().zip(spectra.chunks_exact(all)) {
@@ -82,7 +82,7 @@ impl Segments {
         spectra.len() / (self.bins.len() / (self.most * self.channels))
     }
 
-    /// Adds the sum of two consecutive segments: a shift by half the FFT length is a factor (-1)^bin, and groups begin at even bins.
+    /// Adds the sum of two consecutive segments. The shift by half the FFT length is a factor (-1)^bin; groups begin at even bins.
     pub(super) fn push_shifted_sum(&mut self, past: &[Bins], next: &[Bins], of: Range<usize>) {
         let all = self.all(past);
         let both = past.chunks_exact(all).zip(next.chunks_exact(all));
@@ -96,7 +96,7 @@ impl Segments {
         self.held += 1;
     }
 
-    /// Place of the next segment, group after group.
+    /// Memory of the next segment, group by group.
     fn next(&mut self) -> impl Iterator<Item = &mut [Bins]> {
         let (l, at) = (self.channels, self.held * self.channels);
         self.bins
@@ -104,7 +104,6 @@ impl Segments {
             .map(move |group| &mut group[at..at + l])
     }
 
-    /// The stored segments of each group.
     fn groups(&self) -> impl Iterator<Item = &[Bins]> {
         let whole = self.most * self.channels;
         self.bins

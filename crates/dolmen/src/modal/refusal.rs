@@ -56,7 +56,7 @@ pub enum Refusal {
         /// Least damping ratio of a mode.
         least: f64,
     },
-    /// The peak vanishes while the structure is quiet.
+    /// The peak disappears while the structure is quiet.
     InSpells,
 }
 

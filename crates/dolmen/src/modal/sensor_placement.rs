@@ -1,29 +1,29 @@
-//! Sensor sites at which the modes of a structure are best observed and distinguished.
+//! Sensor sites that give the best information about the modes of a structure.
 //!
 //! | symbol | here |
 //! |:--|:--|
-//! | φ_c | a channel's row: its displacement in each mode, over the largest of that mode at any site |
+//! | φ_c | row of a channel: its displacement in each mode, over the largest displacement of that mode at any site |
 //! | ν | noise of a channel over the largest motion of a mode |
-//! | A | information about the modes' motions, I + Σ φ_cᵀ φ_c / ν² |
+//! | A | information about the modal motions, I + Σ φ_cᵀ φ_c / ν² |
 
 use super::error::{ModalError, refused};
 use dolmen_linalg::{Matrix, cholesky, solve};
 
-/// Relative difference below which gains are equal: then the earlier site is used, so that a symmetric structure always gets the same sensors.
+/// Relative difference below which gains are equal. The earlier site is then used, so that a symmetric structure always gets the same sensors.
 const SAME_GAIN: f64 = 1e-9;
-/// Largest number of sites for the method of deleting sites one after the other, whose cost grows with its square.
+/// Largest number of sites for successive deletion, whose cost grows with the square.
 const DELETED_FROM_MOST: usize = 1000;
-/// Rounds of exchange; each raises ln det A, and two or three suffice.
+/// Largest number of exchange rounds. Each round raises ln det A, and two or three suffice.
 const ROUNDS_MOST: usize = 50;
 
 /// Number and type of the sensors to place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorPlacement {
-    /// Number of sensors, including given ones.
+    /// Number of sensors, including the given ones.
     pub sensors: usize,
     /// Sites with a given sensor, by index.
     pub given: Vec<usize>,
-    /// ν, the noise of a channel over the largest motion of a mode. With as many channels as modes the choice hardly depends on it.
+    /// ν, the noise of a channel over the largest motion of a mode. If there are as many channels as modes, the choice hardly depends on it.
     pub noise_ratio: f64,
 }
 
@@ -40,12 +40,11 @@ impl Default for SensorPlacement {
 /// Positions of the placed sensors, and the modes that they measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedSensors {
-    /// Sites by index: the given ones, then the others, the most informative one first.
+    /// Sites by index: the given sites first, then the others, the most informative one first.
     pub sites: Vec<usize>,
-    /// For each mode, its largest displacement at a selected channel over that at any channel of any site; 0 for a mode that no site
-    /// measures.
+    /// Largest displacement of each mode at a selected channel over that at any channel of any site; 0 for a mode that no site measures.
     pub seen_ratio: Vec<f64>,
-    /// Similarity of each two modes at the chosen channels (MAC): 1 on the diagonal, 0 for a mode without motion there.
+    /// Similarity of each pair of modes at the chosen channels (MAC): 1 on the diagonal, 0 for a mode without motion there.
     pub likeness: Matrix,
 }
 
@@ -60,23 +59,23 @@ impl PlacedSensors {
 }
 
 impl SensorPlacement {
-    /// Places sensors where they give most information about the modes' motions.
+    /// Chooses the sites that give most information about the modal motions.
     ///
     /// `sites[s][c][m]` is the displacement of channel c of a sensor at site s in mode m; a sensor with three axes has three channels.
     ///
     /// ```text
     /// largest ln det A,  A = I + Σ φ_cᵀ φ_c / ν²        sites added one by one, or deleted one by one; then each exchanged for a better one
     /// ```
-    /// The unit matrix represents prior knowledge: the amplitude of each mode is about its largest motion. With fewer channels than modes A
-    /// still has an inverse, and the selected sites distinguish the most modes.
+    /// The unit matrix represents prior knowledge: the amplitude of each mode is about its largest motion. So A has an inverse even with fewer
+    /// channels than modes, and the sites then distinguish as many modes as possible.
     ///
     /// # Errors
-    /// [`ModalError::Option`] without sites or modes, for rows of different lengths, numbers that are not finite, more sensors than sites or
-    /// none, a given site that does not exist, and a noise that is not positive.
+    /// [`ModalError::Option`] if there are no sites or modes, if rows have different lengths or values are not finite, if there are no sensors
+    /// or more than sites, if a given site does not exist, or if the noise is not positive.
     ///
     /// # Limits
-    /// The exchange ends when no single exchange is an improvement: of 200 random cases of five sensors on twelve sites the worst
-    /// has 0.995 of the best ln det A of all (test).
+    /// The search ends when no single exchange improves the result. Over 200 random cases of five sensors on twelve sites, the worst result is
+    /// 0.995 of the best possible ln det A (test).
     ///
     /// # Example
     /// ```
@@ -89,7 +88,8 @@ impl SensorPlacement {
     /// ```
     ///
     /// # Source
-    /// D-optimal design; with many sensors the sites of effective independence (Kammer 1991), which deletes sites instead of adding them.
+    /// D-optimal design. With many sensors this gives the sites of effective independence (Kammer 1991), which deletes sites instead of adding
+    /// them.
     pub fn place(&self, sites: &[Vec<Vec<f64>>]) -> Result<PlacedSensors, ModalError> {
         let modes = self.check(sites)?;
         let scaled = scaled(sites, modes);
@@ -136,8 +136,8 @@ impl SensorPlacement {
         Ok(modes)
     }
 
-    /// The remaining sites as those with the least information are removed one after the other; the most informative ones come last, in order
-    /// as if added.
+    /// The given sites remain while the others are removed, the least informative first. The result lists the last removed first, as if sites
+    /// had been added.
     fn left(&self, scaled: &[Vec<Vec<f64>>], modes: usize) -> Result<Vec<usize>, ModalError> {
         let mut left: Vec<usize> = (0..scaled.len())
             .filter(|site| !self.given.contains(site))
@@ -157,7 +157,7 @@ impl SensorPlacement {
         Ok([self.given.clone(), left].concat())
     }
 
-    /// The given sites, then the others, the one with the largest gain first.
+    /// The given sites, then the others, the site with the largest gain first.
     fn ordered(
         &self,
         scaled: &[Vec<Vec<f64>>],
@@ -181,7 +181,7 @@ impl SensorPlacement {
         Ok(ordered)
     }
 
-    /// The sites after exchanging each for a better one, as long as there is one.
+    /// Exchanges each site for a better one, as long as there is one.
     fn exchanged(
         &self,
         scaled: &[Vec<Vec<f64>>],
@@ -218,7 +218,6 @@ impl SensorPlacement {
         Ok((0..modes).map(|i| 2.0 * lower[(i, i)].ln()).sum())
     }
 
-    /// The site with the largest gain.
     fn best(&self, scaled: &[Vec<Vec<f64>>], chosen: &[usize], modes: usize) -> Result<usize, ModalError> {
         let gains = Gains::of(self.noise_ratio, scaled, chosen, modes)?;
         let mut best: Option<(usize, f64)> = None;
@@ -287,7 +286,7 @@ impl Gains {
         Ok((0..channels.len()).map(|i| 2.0 * lower[(i, i)].ln()).sum())
     }
 
-    /// −ln det(I − Φ A⁻¹ Φᵀ / ν²) of channels included in A.
+    /// −ln det(I − Φ A⁻¹ Φᵀ / ν²) of channels that A already includes.
     fn loss(&self, channels: &[Vec<f64>]) -> Result<f64, ModalError> {
         let variance = self.noise_ratio * self.noise_ratio;
         let inner = Matrix::from_fn(channels.len(), channels.len(), |i, j| {
@@ -386,7 +385,7 @@ mod tests {
         }
     }
 
-    /// Effective independence by Kammer (1991): the sites with the least share of the information are deleted one after the other.
+    /// Effective independence (Kammer 1991): the sites with the least share of the information are deleted one by one.
     #[test]
     fn holds_no_less_information_than_effective_independence() {
         for seed in 300..350 {
@@ -412,8 +411,8 @@ mod tests {
         }
     }
 
-    /// A shear beam that is fixed below: sin((2m − 1)πz/2). One sensor for one mode stands at the top; two for two modes stand at the top and
-    /// where sin(πz/2) sin(3πz/2) … the determinant of both is largest: z 0.392, from d/dz (s₁ + s₃) = 0.
+    /// A shear beam with a fixed base: sin((2m − 1)πz/2). One sensor for one mode is at the top. Two sensors for two modes are at the top and
+    /// where the determinant of both modes is largest: z = 0.392, from d/dz (s₁ + s₃) = 0.
     #[test]
     fn exact_two_sensors_on_a_shear_beam() {
         let heights: Vec<f64> = (1..=1000).map(|i| f64::from(i) / 1000.0).collect();

@@ -1,11 +1,11 @@
-//! Contradictions between sensors: two sensors with one place and direction but different motion; or, on a floor that moves as a rigid body in its
-//! lowest modes, a reversed sensor or station, or two exchanged ones.
+//! Finds contradictions between sensors: two sensors with one place and direction but different motion; or, on a floor that moves as a rigid body
+//! in its lowest modes, a reversed sensor or station, or two exchanged ones.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | φ | `shapes` | shapes of the lowest modes at the horizontal sensors of one floor, scaled to length 1 |
 //! | G | `motions` | unit motions of the floor (along x, along y, rotation about z) at the sensors: d_x, d_y, d_y p_x - d_x p_y |
-//! | r | `unexplained` | mean of 1 - \|Gᵀ φ\|² with orthonormal G: share of the shapes impossible for a rigid floor |
+//! | r | `unexplained` | mean of 1 - \|Gᵀ φ\|² with orthonormal G: share of the shapes that is impossible for a rigid floor |
 
 use super::modes::Mode;
 use crate::signal::{Channel, Record};
@@ -23,14 +23,14 @@ pub enum SensorDoubt {
     },
     /// With the sign of one sensor changed, a floor moves as a rigid body.
     Turned {
-        /// Its name.
+        /// Name of the channel.
         channel: String,
         /// Share of the motion impossible for a rigid floor.
         unexplained: f64,
         /// Similarity after the change of sign.
         changed: f64,
     },
-    /// With the signs of both sensors of one place changed, a floor moves as a rigid body: the station is turned by 180°.
+    /// With the signs of both sensors of one place changed, a floor moves as a rigid body: the station is rotated by 180°.
     StationTurned {
         /// Names of these channels.
         channels: Vec<String>,
@@ -39,7 +39,7 @@ pub enum SensorDoubt {
         /// Similarity after the changes of sign.
         changed: f64,
     },
-    /// With the sensors of two places exchanged, those of one direction with each other, a floor moves as a rigid body.
+    /// With the sensors of two places exchanged (each with the one of the same direction), a floor moves as a rigid body.
     StationsSwapped {
         /// Names of the channels at each place.
         channels: [Vec<String>; 2],
@@ -59,20 +59,20 @@ pub enum SensorDoubt {
     },
 }
 
-/// Largest distance of sensors, m, that measure the same motion, within 10° of one direction. Our choice.
+/// Largest distance between sensors at one place, m; their directions agree within 10°. Our choice.
 const ONE_PLACE_M: f64 = 0.02;
 const ONE_DIRECTION: f64 = 0.985;
-/// Likeness, 2 a·b / (a·a + b·b), below which twins contradict each other. Our choice: noise of a third of the motion in each gives 0.9.
+/// Likeness, 2 a·b / (a·a + b·b), below which twins contradict each other. Our choice: noise of a third of the motion in each sensor gives 0.9.
 const TWINS_LEAST: f64 = 0.85;
 /// Largest difference of heights on one floor, m. Our choice.
 const ONE_FLOOR_M: f64 = 0.5;
-/// Fewest sensors of a floor: three determine its motion, and two more identify the wrong one.
+/// Fewest sensors on a floor: three determine its motion, and two more identify the faulty one.
 const SENSORS_LEAST: usize = 5;
-/// Largest number of lowest modes in the check, and the fewest that allow a conclusion. Our choice: higher modes bend floors.
+/// Largest number of lowest modes in the check, and the smallest number for a conclusion. Our choice: higher modes bend floors.
 const MODES_MOST: usize = 3;
 const MODES_LEAST: usize = 2;
-/// Share of the shapes above which the described sensors contradict a rigid floor, factor by which a change must reduce it, and factor to
-/// the second-best change. Our choice: the roof of Palisaden has 0.008, and 0.17 and more with one reversed sensor.
+/// Share of the shapes above which the sensors contradict a rigid floor, factor by which a change must reduce it, and factor to the second-best
+/// change. Our choice: the roof of Palisaden has 0.008, and at least 0.17 with one reversed sensor.
 const UNEXPLAINED: f64 = 0.05;
 const LESSENS: f64 = 4.0;
 const CLEARLY: f64 = 2.0;
@@ -80,8 +80,8 @@ const CLEARLY: f64 = 2.0;
 /// Contradictions between the sensors of a record.
 ///
 /// # Limits
-/// An exchange of two sensors with similar motion is not detected, and neither is a fault of a sensor that is alone at its height. A sensor with
-/// a wrong position may look like two exchanged stations. A floor that is not rigid gives no finding unless a single change explains it.
+/// An exchange of two sensors with similar motion is not detected, nor is a fault of a single sensor at its height. A sensor with a wrong position
+/// may look like two exchanged stations. A floor that is not rigid is reported only if a single change explains its motion.
 pub fn doubt_sensors(record: &Record, modes: &[Mode]) -> Vec<SensorDoubt> {
     let channels = record.channels();
     let mut doubts = twins(record);
@@ -210,7 +210,6 @@ fn exchanged(channels: &[Channel], floor: &[usize], stations: [&[usize]; 2]) -> 
     (first.len() == second.len()).then(|| Change::swapped(pairs))
 }
 
-/// All single changes of sensors and stations.
 fn changes(channels: &[Channel], floor: &[usize]) -> Vec<Change> {
     let count = floor.len();
     let turned = (0..count).map(|i| Change::turned(vec![i]));
@@ -305,7 +304,7 @@ fn orthonormal(vectors: [Vec<f64>; 3]) -> Option<Vec<Vec<f64>>> {
     Some(all)
 }
 
-/// The shape at the sensors of a floor, with length 1; `None` if it does not have these channels, or does not move there.
+/// The shape at the sensors of a floor, with length 1; `None` if it lacks these channels or does not move there.
 fn shape_of(mode: &Mode, channels: usize, floor: &[usize]) -> Option<Vec<Complex64>> {
     if mode.shape.len() != channels {
         return None;
@@ -357,7 +356,7 @@ mod tests {
         .collect()
     }
 
-    /// The field of a rigid body, u = a - θ y, v = b + θ x, written by hand without `motions`.
+    /// Motion of a rigid body, u = a - θ y, v = b + θ x, written without `motions`.
     fn rigid(a: f64, b: f64, theta: f64) -> Vec<Complex64> {
         let each = [[0.0, 0.0], [10.0, 0.0], [3.0, 8.0]].into_iter();
         each.flat_map(|[x, y]| [a - theta * y, b + theta * x])

@@ -1,4 +1,4 @@
-//! Block rows, decimation and order chosen from the peaks of the spectrum.
+//! Chooses block rows, decimation and order from the peaks of the spectrum.
 
 use super::correlations::{CLEAN_SHARE, lags_before};
 use super::error::{references_of, refused};
@@ -8,36 +8,36 @@ use super::subspace::Ssi;
 use super::{Method, ModalError, Mode, Modes, Note};
 use crate::signal::{CORNER_OF_NYQUIST, Processing, Record};
 
-/// Periods of the lowest mode within the 2 br lags; theory needs at least one. Over 200 records of two floors the scatter of
-/// frequencies is 1.20, 1.25, 1.37, 1.42 of its floor with 1.5, 2, 3, 4 periods; close modes need more than one.
+/// Periods of the lowest mode within the 2 br lags; theory needs at least one. Over 200 records of two floors the scatter of the
+/// frequencies is 1.20, 1.25, 1.37, 1.42 of its lower bound with 1.5, 2, 3, 4 periods; close modes need more than one.
 const PERIODS_REACHED: f64 = 2.0;
 /// The same for the covariance-driven method, which improves with longer lags.
 const PERIODS_REACHED_BY_COVARIANCE: f64 = 3.0;
-/// The same for half spectra, whose resolution depends on the lags. From 6 to 30 periods the scatter of the two floors rises from 1.27 to
-/// 1.6 of its floor, that of the pairs stays at 1.3.
+/// The same for half spectra, whose resolution depends on the lags. From 6 to 30 periods, the scatter of the two floors rises from 1.27
+/// to 1.6 of its lower bound; that of close pairs stays at 1.3.
 const PERIODS_REACHED_BY_LINES: f64 = 8.0;
-/// Fewest degrees of their polynomials, each with as many orders as references: enough to see which poles recur.
+/// Fewest polynomial degrees, each with as many orders as references: enough to see which poles recur.
 const DEGREES_LEAST: usize = 12;
-/// Periods of the lowest mode within the polynomials, one sample per degree: on ten minutes of a timber building 0.7 shows none of its
-/// first three modes, 1.1 all three with four references, 1.5 with two.
+/// Periods of the lowest mode within the polynomials, with one sample per degree. In ten minutes of a timber building, 0.7 periods show
+/// none of its first three modes; 1.1 show all three with four references, and 1.5 with two.
 const PERIODS_IN_DEGREES: f64 = 1.5;
 /// Largest order, references times degrees: each degree needs an eigenvalue problem of that size.
 const ORDER_BY_DEGREES: usize = 160;
-/// Range of the lines over the highest peak: more decimation spreads the lowest modes over more of the unit circle.
+/// Highest line over the highest peak: more decimation spreads the lowest modes over more of the unit circle.
 const RANGE_ABOVE_PEAK_BY_LINES: f64 = 1.4;
-/// Range without aliases over the highest peak: a mode near its end is less accurate.
+/// Frequency range without aliases over the highest peak: a mode near the end of the range is less accurate.
 const RANGE_ABOVE_PEAK: f64 = 1.6;
-/// Default ratio of the highest model order to the number of peaks and tones, or of channels if larger: two orders for each
-/// mode, the rest for noise and close neighbours. With far more, poles that fit noise displace the modes. Tones need poles
-/// too: on ten minutes of a timber building with four tones, order 36 has a mode 0.3 % low that is stable from 50 on.
+/// Default ratio of the highest model order to the number of peaks and tones (or of channels, if larger): two orders for each mode, the
+/// rest for noise and close neighbours. With a much higher order, poles that fit noise displace the modes. Tones need poles too: in ten
+/// minutes of a timber building with four tones, order 36 has a mode 0.3 % too low, which is stable from order 50 on.
 const ORDER_OVER_PEAKS: usize = 6;
-/// Bounds of that order: enough orders to see which poles recur, and at most a minute of work. With many channels the
-/// upper bound is three times their number, so that each can have its own mode.
+/// Bounds of that order: enough orders to see which poles recur, and at most a minute of computation. With many channels the upper bound
+/// is three times their number, so that each can have a mode of its own.
 const ORDER_RANGE: [usize; 2] = [24, 60];
 const ORDER_OVER_CHANNELS: usize = 3;
 const ORDER_LIMIT: usize = 120;
 
-/// Settings chosen from the data, and their basis.
+/// Settings chosen from the data, and the values they are based on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Lowest peak of the spectrum (or lowest requested frequency), Hz: the block rows cover its period.
@@ -48,9 +48,9 @@ pub struct Settings {
     pub decimation: usize,
     /// Sampling rate after decimation, Hz.
     pub sampling_rate_hz: f64,
-    /// Lines of the spectrum; 0 where the modes do not come from its peaks.
+    /// Lines of the spectrum; 0 if the modes do not come from its peaks.
     pub lines: usize,
-    /// Block rows; 0 where the modes come from the peaks of the spectrum, as for the next three.
+    /// Block rows; 0 if the modes come from the peaks of the spectrum. The same holds for the next three.
     pub block_rows: usize,
     /// Least block rows for the lowest frequency: half a period.
     pub block_rows_least: usize,
@@ -58,9 +58,9 @@ pub struct Settings {
     pub order_most: usize,
     /// Blocks of time.
     pub time_blocks: usize,
-    /// Effective number of blocks with equal power: fewer in a record of gusts. Standard deviations have one degree of freedom less.
+    /// Effective number of blocks with equal power, smaller in a record with gusts. Standard deviations have one degree of freedom less.
     pub time_blocks_effective: usize,
-    /// Reference channels, by index; none where the modes come from the peaks or from a decay.
+    /// Reference channels, by index; empty if the modes come from the peaks or from a decay.
     pub references: Vec<usize>,
     /// Share of the motion at the peaks that the references explain, 0 to 1, if they were chosen from the spectrum.
     pub references_keep: Option<f64>,
@@ -69,7 +69,6 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Options of a subspace method.
     pub(super) fn ssi(&self) -> Ssi {
         Ssi {
             block_rows: self.block_rows,
@@ -81,11 +80,11 @@ impl Settings {
     }
 }
 
-/// Fewest blocks of time: with fewer, the error of the standard deviations exceeds 24 %.
+/// Fewest blocks of time: with fewer blocks, the error of the standard deviations exceeds 24 %.
 const TIME_BLOCKS_LEAST: usize = 10;
 
-/// Highest frequency passed by the filters of an earlier resampling of the record, Hz; `None` without resampling. Motion above it is
-/// partly removed and partly aliased: the edge of the remaining noise looks like a mode.
+/// Highest frequency that the filters of an earlier resampling pass, Hz; `None` without resampling. Motion above it is partly removed and
+/// partly aliased: the edge of the remaining noise looks like a mode.
 pub(super) fn passed_hz(record: &Record) -> Option<f64> {
     let lowered =
         |step: &Processing| matches!(step, Processing::Decimate { .. } | Processing::Resampled { .. });
@@ -172,7 +171,7 @@ pub(super) fn choose(
         0.5 * rate_hz
     };
     let clean_hz = clean_hz.min(passed_hz(record).unwrap_or(clean_hz));
-    // with fewer block rows than the least, the lags cover less than half a period
+    // with fewer block rows than the smallest number, the lags cover less than half a period
     let seen_hz = 0.5 * sampling_rate_hz / block_rows as f64;
     Ok(Settings {
         lowest_hz,
@@ -194,7 +193,7 @@ pub(super) fn choose(
     })
 }
 
-/// The lowest and the highest requested frequency, or else peak, Hz.
+/// The lowest and highest requested frequencies, or otherwise those of the peaks, Hz.
 fn peak_range_hz(options: &Identify, peaks: &Modes, rate_hz: f64) -> Result<[f64; 2], ModalError> {
     let peak = |mode: Option<&Mode>, asked: Option<f64>| {
         asked.or(mode.map(|m| m.frequency_hz)).ok_or(ModalError::NoPeak {
@@ -207,7 +206,6 @@ fn peak_range_hz(options: &Identify, peaks: &Modes, rate_hz: f64) -> Result<[f64
     Ok([lowest_hz, peak(peaks.modes.last(), options.frequency_high_hz)?])
 }
 
-/// Bounds of the order of the model.
 struct OrderBounds {
     /// Order needed for the peaks and tones.
     sought: usize,
@@ -219,7 +217,7 @@ struct OrderBounds {
     degrees: usize,
 }
 
-/// The highest order: the requested one, else as many as the peaks need and the block rows allow.
+/// The highest order: the requested one, or otherwise the one that the peaks need, limited by the block rows.
 fn order_most(options: &Identify, bounds: OrderBounds) -> Result<usize, ModalError> {
     let OrderBounds {
         sought,
@@ -267,7 +265,7 @@ mod tests {
 
     #[test]
     fn holds_no_mode_is_found_at_the_edge_of_the_filter_of_a_lower_rate() {
-        // a chain of four floors, two of its modes above the new Nyquist frequency
+        // a chain of four floors, with two modes above the new Nyquist frequency
         let shapes = [
             [0.428, 0.657, 0.228],
             [0.577, 0.0, 0.577],

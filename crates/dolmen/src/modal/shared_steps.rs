@@ -1,4 +1,4 @@
-//! Steps common to all methods of identification: refusals, spectrum, from poles to modes, picked modes.
+//! Steps common to all methods of identification: faults of channels, spectrum, poles to modes, picked modes.
 
 use super::decay::{SHORT, short_spectrum};
 use super::error::{references_of, refused};
@@ -56,7 +56,7 @@ pub(super) fn note_blends(clusters: &[Cluster], notes: &mut Vec<Note>) {
     }
 }
 
-/// The diagram, and the groups of its poles.
+/// The diagram, and the clusters of its poles.
 pub(super) fn judged(
     all: &AllOrders<'_>,
     deviations: &mut dyn Deviations,
@@ -114,10 +114,11 @@ pub(super) fn check(record: &Record, options: &Identify) -> Result<(), ModalErro
     Ok(())
 }
 
-/// Share of the record that a channel may stand still. Our choice.
+/// Largest share of the record in which a channel may be stuck. Our choice.
 const STUCK_MOST: f64 = 0.02;
 
-/// Refuses dead and duplicated channels, and those that stand still for more than a fiftieth of the record; notes all else.
+/// Refuses dead and duplicated channels, and channels that are stuck for more than 2 % of the record; adds notes on all
+/// other faults.
 pub(super) fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
     let mut notes = Vec::new();
     for fault in inspect(record) {
@@ -134,7 +135,8 @@ pub(super) fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
     Ok(notes)
 }
 
-/// Keeps the modes picked by hand, each of which must occur exactly once; returns the frequencies of the others, Hz.
+/// Keeps only the modes picked by hand; each pick must have exactly one mode. Returns the frequencies of the other modes,
+/// Hz.
 pub(super) fn pick(options: &Identify, modes: &mut Modes) -> Result<Vec<f64>, ModalError> {
     if options.pick_hz.is_empty() {
         return Ok(Vec::new());
@@ -166,7 +168,7 @@ pub(super) fn modes_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
         .collect()
 }
 
-/// The mode that a group of poles is.
+/// The mode of a cluster of poles.
 pub(super) fn mode_of(c: &Cluster, duration_s: f64) -> Mode {
     Mode {
         frequency_hz: c.medoid.frequency_hz,
@@ -193,8 +195,8 @@ pub(super) fn mode_of(c: &Cluster, duration_s: f64) -> Mode {
     }
 }
 
-/// Combines the scatter between blocks of time with that between orders: the choice of the order is as random as the choice
-/// of the recorded ten minutes.
+/// Combines the scatter between blocks of time with the scatter between orders, because the choice of an order is as random
+/// as that of the recorded ten minutes.
 fn sd(cluster: &Cluster, of_time: fn(&PoleDeviation) -> f64, of_order: f64) -> Option<f64> {
     cluster.deviation.as_ref().map(|d| of_time(d).hypot(of_order))
 }

@@ -1,4 +1,4 @@
-//! One streaming pass over a record: sums of products over the start times of whole segments, from their spectra.
+//! Sums of products over the start times of whole segments, from the spectra of the segments, in one pass over a record.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -12,8 +12,8 @@ use crate::signal::Record;
 use realfft::RealFftPlanner;
 use std::ops::Range;
 
-/// Segments whose spectra are multiplied in one go: their part of one group of bins, of 32 channels, stays in the second cache. Fewer where
-/// their spectra would take more memory than this.
+/// Number of segments whose spectra are multiplied together, so that one group of bins of 32 channels stays in the second-level cache.
+/// Fewer if their spectra need more memory than this.
 const SEGMENTS_AT_ONCE: usize = 16;
 const SPECTRA_BYTES: usize = 1 << 24;
 
@@ -25,7 +25,7 @@ pub(super) struct StreamingSums<'a> {
     stored: [Range<usize>; 2],
     lags: usize,
     segment: usize,
-    /// Start of the segment whose spectra are stored in `kept` for the next step, if there is one.
+    /// Start of the segment whose spectra `kept` holds for the next step, if any.
     kept_from: Option<usize>,
     kept: Vec<Bins>,
     next: Vec<Bins>,
@@ -100,7 +100,7 @@ impl<'a> StreamingSums<'a> {
         range.flat_map(sample).collect()
     }
 
-    /// Σ y(t + k) y(t)ᵀ over the start times of the given segments: each pair of channels and its lags go to `use_it`.
+    /// Σ y(t + k) y(t)ᵀ over the start times of the given segments; `use_it` receives each pair of channels with its lags.
     pub(super) fn block(
         &mut self,
         segments: Range<usize>,
@@ -206,7 +206,7 @@ impl Reader<'_> {
                 *t = y - mean;
             }
             tail.fill(0.0);
-            // the buffers come from the plan itself: their lengths fit, so this cannot fail
+            // the buffers have the required lengths
             let _ = self
                 .forward
                 .process_with_scratch(&mut self.time, &mut self.bins, &mut self.scratch);

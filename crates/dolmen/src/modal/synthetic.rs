@@ -1,10 +1,10 @@
-//! Simulated ambient records with exactly known poles, to measure the accuracy of every method of this chapter.
+//! Simulated ambient records with exactly known poles, which measure the accuracy of all methods of this chapter.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | q, q̇ | `q`, `v` | modal coordinate and its velocity | m, m/s |
 //! | ω, ζ | `omega`, `zeta` | natural frequency, damping ratio | rad/s, - |
-//! | p | `p` | white modal force per modal mass, constant over one sample | m/s² |
+//! | p | `p` | white-noise modal force per modal mass, constant within a sample | m/s² |
 
 use super::ModalError;
 use crate::numeric::Random;
@@ -12,7 +12,7 @@ use crate::signal::{Channel, Quantity, Record};
 use dolmen_linalg::{Complex64, Matrix, generalized_symmetric_eigen};
 use std::f64::consts::PI;
 
-/// Number of decay times before the first stored sample: e⁻⁸ = 0.03 % of the start remains.
+/// Number of decay times before the first stored sample: e⁻⁸ = 0.03 % of the initial transient remains.
 const DECAYS_BEFORE_START: f64 = 8.0;
 
 /// One mode of a simulated record, with exact values.
@@ -57,7 +57,8 @@ impl Default for MadeRecord {
 }
 
 impl MadeRecord {
-    /// The record: each mode a single degree of freedom under its own white force, plus white sensor noise.
+    /// The record: each mode is a single degree of freedom under its own white-noise force; white sensor noise is
+    /// added.
     ///
     /// ```text
     /// q̈ + 2ζω q̇ + ω² q = p,   p constant over each sample:   [q v]ₖ₊₁ = Ad [q v]ₖ + Bd pₖ   exact (zero-order hold)
@@ -65,7 +66,7 @@ impl MadeRecord {
     /// ```
     ///
     /// # Errors
-    /// [`ModalError::MadeMode`] for a mode that cannot be made; [`ModalError::Record`] if there is nothing to record.
+    /// [`ModalError::MadeMode`] for a mode out of range; [`ModalError::Record`] if there is nothing to record.
     ///
     /// # Example
     /// ```
@@ -131,7 +132,7 @@ impl MadeRecord {
     }
 }
 
-/// One mode as a recursion, exact for forces constant over a sample.
+/// One mode as a recursion, exact for forces that are constant within a sample.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Oscillator {
     omega: f64,
@@ -166,7 +167,7 @@ impl Oscillator {
         }
     }
 
-    /// Samples after which the start has no effect.
+    /// Number of samples after which the start has no effect.
     pub(super) fn samples_before(&self) -> usize {
         (DECAYS_BEFORE_START / (self.zeta * self.omega * self.dt)).ceil() as usize
     }
@@ -211,14 +212,14 @@ impl Oscillator {
 pub enum ReferenceCase {
     /// Two floors, 1.1 and 4.2 Hz, ζ 2 %: 2 channels × 10 min × 100 Hz.
     ShearChain,
-    /// Four floors × (x, y), y 4 % stiffer so that modes come in pairs 2 % apart, axes rotated by 30°, f1 1.5
-    /// Hz, ζ 1 %: 8 channels × 10 min × 100 Hz.
+    /// Four floors × (x, y), y 4 % stiffer so that pairs of modes are 2 % apart, axes rotated by 30°, f1 1.5 Hz, ζ 1
+    /// %: 8 channels × 10 min × 100 Hz.
     ClosePairs,
-    /// Four floors × (x, y, rotation) with the centre of mass off the centre of stiffness, f1 1.2 Hz, ζ 1.2 %,
-    /// three sensors per floor at two corners: 12 channels × 1 h × 200 Hz.
+    /// Four floors × (x, y, rotation) with eccentric mass, f1 1.2 Hz, ζ 1.2 %, three sensors per floor at two corners:
+    /// 12 channels × 1 h × 200 Hz.
     Twisting,
-    /// Sixteen floors × (x, y), storeys, axes and pairs as those of `ClosePairs`, f1 0.8 Hz, ζ 1 %:
-    /// 32 channels × 1 h × 200 Hz.
+    /// Sixteen floors × (x, y); storeys, axes and pairs as in `ClosePairs`, f1 0.8 Hz, ζ 1 %: 32 channels × 1 h × 200
+    /// Hz.
     Tower,
 }
 
@@ -226,7 +227,7 @@ impl ReferenceCase {
     /// Plan of a simulated record: `made.make()` gives the record, `made.modes` the true modes.
     ///
     /// # Errors
-    /// [`ModalError::Linalg`], which these fixed buildings do not raise.
+    /// [`ModalError::Linalg`], which does not occur for these fixed buildings.
     pub fn made(self, seed: u64) -> Result<MadeRecord, ModalError> {
         Ok(match self {
             ReferenceCase::ShearChain => MadeRecord {
@@ -274,7 +275,7 @@ fn shear_stiffness(i: usize, j: usize, floors: usize) -> f64 {
     }
 }
 
-/// Modes of K with unit masses, first frequency `first_hz`, seen by sensors that read `sensors` × coordinates.
+/// Modes of K with unit masses, scaled to the first frequency `first_hz`; the sensors measure `sensors` × coordinates.
 fn modes_of(
     k: &Matrix,
     sensors: &Matrix,
@@ -316,7 +317,7 @@ fn close_pairs(floors: usize, first_hz: f64) -> Result<Vec<MadeMode>, ModalError
 
 fn twisting() -> Result<Vec<MadeMode>, ModalError> {
     const FLOORS: usize = 4;
-    // lengths in radii of gyration, so that each coordinate (x, y, turn × radius) has unit mass
+    // lengths in radii of gyration, so that each coordinate (x, y, rotation × radius) has unit mass
     const STIFFER_Y: f64 = 1.04;
     const TWIST: f64 = 1.5; // twisting over sway stiffness: uncoupled frequencies 22 % apart
     const OFF_CENTRE: [f64; 2] = [0.12, 0.06];

@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | u_i | `score` | normal score of a survey: 0 as predicted, ±3 in one of 370 | - |
+//! | u_i | `score` | normal score of a survey: 0 as predicted; beyond ±3 in one of 370 | - |
 //! | E_i | `average` | moving average of the scores | - |
 
 use super::MonitoringError;
@@ -13,47 +13,46 @@ use super::weather::{FROST_SURVEYS_LEAST, ModeSeries, WeatherKnown, columns, ear
 use super::whitening::Disturbance;
 use crate::numeric::{normal_quantile, student_two_sided};
 
-/// Limit of single scores: by chance one in 370 is beyond it.
+/// Limit of single scores; by chance, one in 370 is beyond it.
 pub(super) const OUTSIDE: f64 = 3.0;
-/// Numbers of readings outside the limit, among the last ones, that confirm an alarm.
+/// Number of readings outside the limit, among the last ones, that confirms an alarm.
 const OUTSIDE_LEAST: usize = 3;
 const AMONG: usize = 5;
-/// Largest score in the average, so that one wild survey hardly confirms an alarm. Our choice.
+/// Largest score in the average, so that one wrong survey hardly confirms an alarm. Our choice.
 const SCORE_MOST: f64 = 3.0;
 /// Surveys for the estimate of a new level.
 const LEVEL_SURVEYS: usize = 3;
-/// Fewest earlier surveys that were at least as cold, and at least as warm, within a margin, °C. Our choice.
+/// Fewest earlier surveys that were as cold or colder, and as warm or warmer, within a margin, °C. Our choice.
 const TEMPERATURES_LEAST: usize = 3;
 const MARGIN_C: f64 = 1.0;
-/// Factor on the limit, because disturbance and weather are estimated: without it false alarms came 1.2 to 2.5 times as often as stated
+/// Factor on the limit, because disturbance and weather are estimated. Without it, false alarms were 1.2 to 2.5 times as frequent as stated
 /// (`examples/watch_power.rs`, with training repeated in each history).
 const ALLOWANCE: f64 = 1.06;
 /// Growth of the number of surveys after which the disturbance is estimated again. Our choice.
 const AGAIN: f64 = 1.1;
 
-/// Options of the alarm.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct AlarmOptions {
     /// Weight of the newest score in the average; default 0.2.
     pub(super) weight: f64,
-    /// Surveys for training before one is judged; default 10.
+    /// Number of surveys for training before the first one is judged; default 10.
     pub(super) training: usize,
-    /// Limit of the average over its own deviation, [`alarm_limit`].
+    /// Limit of the average over its standard deviation, [`alarm_limit`].
     pub(super) limit: f64,
     /// Temperature below which stone freezes, °C; default 0.
     pub(super) frost_below_c: f64,
 }
 
-/// Why a survey of a mode was not judged.
+/// Reason why a survey of a mode was not judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotJudged {
     /// Too few earlier surveys.
     Training,
     /// One of the first surveys after the structure was changed, or after an alarm: they determine the new level.
     NewLevel,
-    /// Colder or warmer than the surveys for training.
+    /// Its temperature is outside the range of the surveys for training.
     Temperature,
-    /// Its temperature is unknown, while those of the others are known.
+    /// Its temperature is unknown, while the temperatures of the other surveys are known.
     NoTemperature,
 }
 
@@ -62,20 +61,20 @@ pub enum NotJudged {
 pub struct Judged {
     /// Index of the survey.
     pub survey: usize,
-    /// The predicted relative reading, and the deviation of reading less prediction.
+    /// The predicted relative reading, and the standard deviation of reading minus prediction.
     pub predicted: Option<(f64, f64)>,
-    /// Its score, or why it has none.
+    /// Its score, or the reason why it has none.
     pub score: Result<f64, NotJudged>,
-    /// The moving average over its limit; beyond ±1 is an alarm.
+    /// The moving average over its limit; a value beyond ±1 is an alarm.
     pub average: f64,
 }
 
 /// The cause of an alarm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AlarmKind {
-    /// The moving average went beyond its limit.
+    /// The moving average exceeded its limit.
     Average,
-    /// Three of the last five surveys were outside.
+    /// Three of the last five surveys were outside their limit.
     ThreeOfFive,
 }
 
@@ -84,11 +83,11 @@ pub enum AlarmKind {
 pub struct ModeAlarm {
     /// Index of the confirming survey.
     pub survey: usize,
-    /// The survey at which it may have begun.
+    /// The survey at which the change may have begun.
     pub since: usize,
     /// Its cause.
     pub kind: AlarmKind,
-    /// The average, or the newest score outside.
+    /// The average, or the newest score outside its limit.
     pub value: f64,
     /// Its limit.
     pub limit: f64,
@@ -103,8 +102,8 @@ pub struct JudgedMode {
     pub alarms: Vec<ModeAlarm>,
 }
 
-/// The limit of the moving average over its own deviation with one false alarm of one mode in `run_length` surveys: that for known
-/// parameters, times the allowance for estimated ones.
+/// The limit of the moving average over its standard deviation, for one false alarm of one mode in `run_length` surveys: the limit for known
+/// parameters, times the allowance for estimated parameters.
 ///
 /// # Errors
 /// As [`ewma_limit`](super::ewma_limit).
@@ -112,13 +111,13 @@ pub(super) fn alarm_limit(weight: f64, run_length: f64) -> Result<f64, Monitorin
     Ok(ALLOWANCE * ewma_limit(weight, run_length)?)
 }
 
-/// Judges each survey against those before it.
+/// Judges each survey by the surveys before it.
 ///
 /// ```text
-/// z_i = (y_i − prediction)/sd of both,   u_i = Φ⁻¹(T_ν(z_i)),   E_i = (1 − λ) E_{i−1} + λ u_i
+/// z_i = (y_i − prediction)/sd of the difference,   u_i = Φ⁻¹(T_ν(z_i)),   E_i = (1 − λ) E_{i−1} + λ u_i
 /// ```
-/// The scores of a regression that is estimated from the surveys before are independent and normal (Hawkins 1987), so that the limit of E is
-/// that of known parameters. `levels` are indices of readings from which on the level is another (works).
+/// The scores of a regression that is estimated from the earlier surveys are independent and normal (Hawkins 1987), so the limit of E is that of
+/// known parameters. `levels` are indices of readings at which a new level begins (works).
 pub(super) fn judge(
     series: &ModeSeries,
     levels: &[usize],
@@ -190,7 +189,7 @@ pub(super) fn judge(
         } else if score == Err(NotJudged::Temperature) {
             pool.waiting.push(i);
         } else if !needs_temperature || temperature_c.is_finite() {
-            // waiting surveys are used once a survey that can be judged is as predicted
+            // waiting surveys are used as soon as a survey that can be judged agrees with its prediction
             let is_released = score.is_ok() && pool.release();
             pool.used.push(i);
             if is_released {
@@ -218,9 +217,9 @@ pub(super) fn judge(
 /// Scores since the last alarm, each with its survey.
 #[derive(Default)]
 struct Scores {
-    /// Their moving average E.
+    /// Moving average E of the scores.
     average: f64,
-    /// Those since the last zero of the average.
+    /// Scores since the average was last zero.
     one_sided: Vec<(usize, f64)>,
     all: Vec<(usize, f64)>,
 }
@@ -235,7 +234,6 @@ struct Confirmed {
 }
 
 impl Confirmed {
-    /// As an alarm of survey i.
     fn alarm(&self, surveys: &[usize], i: usize) -> ModeAlarm {
         ModeAlarm {
             survey: surveys[i],
@@ -248,7 +246,7 @@ impl Confirmed {
 }
 
 impl Scores {
-    /// Adds the score of survey i; an alarm where the average is beyond `h`, or three of the last five scores are outside.
+    /// Adds the score of survey i. Returns an alarm if the average is beyond `h`, or if three of the last five scores are outside.
     fn add(&mut self, i: usize, score: f64, weight: f64, h: f64) -> Option<Confirmed> {
         let before = self.average;
         self.average = (1.0 - weight) * before + weight * score.clamp(-SCORE_MOST, SCORE_MOST);
@@ -277,10 +275,11 @@ impl Scores {
     }
 }
 
-/// The most likely first survey of a change in scores of one sign: the start of the sum that is largest over its own deviation.
+/// The most likely first survey of a change, from scores of one sign: the start of the sum that is largest relative to its standard deviation.
 ///
 /// # Source
-/// Pignatiello & Samuel (2001) J. Qual. Technol. 33(3):357-365: the step of largest likelihood. The last zero of the average may be years earlier.
+/// Pignatiello & Samuel (2001) J. Qual. Technol. 33(3):357-365: the step of largest likelihood. Differs from the last zero of the average, which
+/// may be years earlier.
 fn likeliest_start(scores: &[(usize, f64)]) -> usize {
     let (mut sum, mut best, mut start) = (0.0, 0.0, scores.last().map_or(0, |(i, _)| *i));
     for (count, (i, score)) in scores.iter().rev().enumerate() {
@@ -296,11 +295,11 @@ fn likeliest_start(scores: &[(usize, f64)]) -> usize {
 /// Surveys for training.
 #[derive(Clone, Debug, Default)]
 struct Pool {
-    /// Surveys as predicted, ascending.
+    /// Surveys that agree with their predictions, ascending.
     used: Vec<usize>,
-    /// Those outside.
+    /// Surveys outside the limit.
     outside: Vec<usize>,
-    /// Surveys at new temperatures: the effects of weather and structure cannot be separated yet.
+    /// Surveys at new temperatures, at which the effects of weather and structure cannot be separated yet.
     waiting: Vec<usize>,
 }
 
@@ -317,7 +316,7 @@ impl Pool {
         frost.take(FROST_SURVEYS_LEAST).count() == FROST_SURVEYS_LEAST
     }
 
-    /// Whether there were surveys at least as cold, and at least as warm.
+    /// Whether there were surveys that were as cold or colder, and as warm or warmer.
     fn has_seen(&self, series: &ModeSeries, temperature_c: f64) -> bool {
         let enough = |as_far: &dyn Fn(f64) -> bool| {
             let all = self.used.iter().filter(|i| as_far(series.temperatures_c[**i]));
@@ -334,7 +333,7 @@ impl Pool {
         is_any
     }
 
-    /// Uses the surveys outside the limit since a survey: they belong to a new level.
+    /// Uses the surveys outside the limit since a given survey: they belong to a new level.
     fn take_back(&mut self, since: usize) {
         self.release();
         let back: Vec<usize> = self.outside.iter().copied().filter(|i| *i >= since).collect();
@@ -354,11 +353,11 @@ fn normal_score(score: f64, degrees_of_freedom: f64) -> Result<f64, MonitoringEr
     Ok(-normal_quantile(0.5 * both.min(1.0 - 1e-16))?.min(0.0) * score.signum())
 }
 
-/// The state at one time.
+/// The regression at one time.
 struct Model {
     weather: WeatherKnown,
     online: Online,
-    /// Surveys in the pool when it was trained.
+    /// Number of surveys in the pool when it was trained.
     pool: usize,
     accepted: usize,
     columns: usize,
@@ -378,7 +377,7 @@ impl Model {
         let mut is_kept = vec![false; series.len()];
         index.iter().for_each(|i| is_kept[*i] = true);
         let known = series.kept(|i| is_kept[i]);
-        // a level without a survey explains nothing yet
+        // a level without a survey cannot explain anything yet
         let step =
             |level: &usize| -> Vec<f64> { index.iter().map(|i| f64::from(u8::from(i >= level))).collect() };
         let extra: Vec<Vec<f64>> = levels
@@ -393,7 +392,7 @@ impl Model {
         if known.len() < all.len() + 2 {
             return None;
         }
-        // from the same start each time: started from the last estimate, the search ends too early, and false alarms come 1.4 times as often
+        // always from the same start: from the last estimate the search would end too early, and false alarms would be 1.4 times as frequent
         let disturbance: Disturbance = restricted_likelihood(&known.series, &all, None)?;
         let mut model = Model {
             weather,
@@ -417,12 +416,12 @@ impl Model {
         Some(model)
     }
 
-    /// Whether there are many more surveys for training, or other levels.
+    /// Whether there are many more surveys for training, or other levels, than at the last estimate.
     fn is_outgrown(&self, surveys: usize, levels: &[usize]) -> bool {
         surveys as f64 >= AGAIN * self.pool as f64 || self.levels != levels
     }
 
-    /// Regressors of a survey, the reading last.
+    /// Regressors of a survey, followed by the reading.
     fn row(&self, series: &ModeSeries, i: usize, at: (f64, f64)) -> Vec<f64> {
         let mut row = explaining(self.weather, (series.days[i], series.temperatures_c[i]), at);
         row.extend(self.levels.iter().map(|level| f64::from(u8::from(i >= *level))));

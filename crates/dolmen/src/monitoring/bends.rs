@@ -1,4 +1,4 @@
-//! A series with steps and changes of slope, as a regression whose level and slope are those of the last reading.
+//! Regression of a series with steps and changes of slope; its level and slope are those at the last reading.
 
 use super::changes::Changes;
 use super::regression::{Fit, restricted_likelihood};
@@ -17,7 +17,7 @@ pub(super) struct Break {
 }
 
 impl Break {
-    /// The result of a search, by time; including a step of the last readings.
+    /// The changes of a search by time, including a step of the last readings.
     pub(super) fn of(found: &Changes) -> Vec<Self> {
         let lasting = found.found.iter().map(|of| {
             let is_step = of.change.form == ChangeForm::Step;
@@ -39,7 +39,7 @@ impl Break {
         all
     }
 
-    /// The change with its date in days.
+    /// The change with its date as a day.
     pub(super) fn dated(&self, days: &[f64]) -> DatedBreak {
         DatedBreak {
             form: self.form,
@@ -48,7 +48,7 @@ impl Break {
     }
 }
 
-/// A change from one day on.
+/// A change that begins on a given day.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct DatedBreak {
     pub(super) form: ChangeForm,
@@ -57,12 +57,12 @@ pub(super) struct DatedBreak {
 }
 
 impl DatedBreak {
-    /// Its column, 0 from the change on, because level and slope of the regression are those of the last reading.
+    /// Its column, which is 0 after the change, because level and slope of the regression are those at the last reading.
     pub(super) fn column(&self, days: &[f64]) -> Vec<f64> {
         days.iter().map(|day| self.value(*day)).collect()
     }
 
-    /// Value on one day.
+    /// Value of the column on one day.
     pub(super) fn value(&self, day: f64) -> f64 {
         match self.form {
             ChangeForm::Step => f64::from(u8::from(day < self.day)),
@@ -71,8 +71,8 @@ impl DatedBreak {
     }
 }
 
-/// Refines the dates of changes of slope between the readings of the search: the derivative with respect to a date is a step, whose coefficient moves
-/// the date. Each date stays within its interval.
+/// Refines the dates of changes of slope between the readings of the search. The derivative with respect to a date is a step, whose coefficient gives
+/// the correction of the date. Each date stays within its interval.
 ///
 /// # Source
 /// Muggeo (2003) Statistics in Medicine 22:3055-3071.
@@ -122,8 +122,8 @@ pub(super) fn refined(
     dated
 }
 
-/// The regression on columns whose last ones are those of the breaks. The deviations hold that the dates of changes of slope are estimated: a date is
-/// a regular parameter, whose column is a step there.
+/// The regression on columns, the last of which are those of the breaks. The standard deviations include the uncertainty of the dates of changes of
+/// slope: a date is a regular parameter, and its column is a step at the date.
 ///
 /// # Source
 /// Muggeo (2003) Statistics in Medicine 22:3055-3071.
@@ -169,7 +169,6 @@ pub(super) fn bent_fit(
     })
 }
 
-/// See [`bent_fit`].
 pub(super) struct BentFit {
     pub(super) fit: Fit,
     pub(super) disturbance: Disturbance,

@@ -10,8 +10,9 @@ use super::watched_mode::WatchedMode;
 use crate::assess::HistoryEffect;
 
 impl Watched {
-    /// For each fitted mode in both surveys: the effect of weather on its difference, and the scatter of the difference of two surveys. The
-    /// weather's coefficient, its deviation and the scatter are those of all surveys, estimated with all lasting changes.
+    /// For each fitted mode in both surveys: the effect of weather on the difference of its frequencies, and the scatter of this
+    /// difference. The weather coefficient, its standard deviation and the scatter come from all surveys, and were estimated together with
+    /// all lasting changes.
     ///
     /// Tests: `holds_two_surveys_differ_by_chance_as_stated` of `tests/validation/watched_pairs.rs`.
     pub fn between(&self, from: usize, to: usize) -> Vec<HistoryEffect> {

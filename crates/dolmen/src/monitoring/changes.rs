@@ -1,4 +1,4 @@
-//! Detects changes of a series, with date and size: regression on weather and change together, over all possible dates.
+//! Detects changes of a series, with date and size, by regression on weather and change together for all possible dates.
 
 use super::critical::{disturbed, limit_of, probability_of};
 use super::regression::Fit;
@@ -15,37 +15,34 @@ const STEP_DATES: f64 = 7.35;
 const SLOPE_DATES: f64 = 3.84;
 /// Relative distance from the limit within which a simulation of the series itself decides.
 const NEAR_LIMIT: f64 = 0.2;
-/// Longest series with a simulated limit; for longer ones the table is enough, because their disturbance is well known.
+/// Longest series with a simulated limit. For longer series the table is sufficient, because their disturbance is well known.
 const SIMULATED_MOST: usize = 400;
 /// Number of larger simulated statistics at which a simulation ends. Besag & Clifford (1991) Biometrika 78:301-304.
 const LARGER_MOST: usize = 20;
-/// Largest number of changes in one series.
+/// Largest number of changes in one series. Our choice.
 const CHANGES_MOST: usize = 6;
 
-/// Options of [`changes`].
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Seeking {
-    /// Probability of a false finding in any of the modes without a change.
+    /// Probability of finding a change in any of the modes although there is none.
     pub(super) significance: f64,
     /// Number of modes in the search.
     pub(super) modes: usize,
-    /// Simulated series, at most.
+    /// Largest number of simulated series.
     pub(super) replicates: usize,
     pub(super) seed: u64,
 }
 
-/// A change that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct DetectedChange {
     pub(super) change: Candidate,
-    /// The first and the last survey that may have been the first with the change.
+    /// First and last survey at which the change may have begun.
     pub(super) earliest: usize,
     pub(super) latest: usize,
     /// Probability of a change this strong in any mode by chance.
     pub(super) p_value: f64,
 }
 
-/// Result of a search.
 #[derive(Clone, Debug)]
 pub(super) struct Changes {
     pub(super) found: Vec<DetectedChange>,
@@ -53,7 +50,7 @@ pub(super) struct Changes {
     pub(super) late: Option<Candidate>,
     /// Disturbance with all changes in the regression.
     pub(super) disturbance: Disturbance,
-    /// Least step halfway through the series that would have been seen with 80 % probability.
+    /// Smallest step halfway through the series that would be found with 80 % probability.
     pub(super) seen_from: f64,
     /// The fit with all changes, and its columns.
     pub(super) fit: Fit,
@@ -67,13 +64,13 @@ pub(super) fn effective_correlation(series: &Series, of: Disturbance) -> f64 {
     of.correlation * variance / (variance + noise).max(f64::MIN_POSITIVE)
 }
 
-/// Probability for all modes together.
+/// The probability adjusted for all modes together.
 fn family(p: f64, modes: usize) -> f64 {
     -(modes as f64 * (-p).ln_1p()).exp_m1()
 }
 
-/// Probability of a change at least this strong in this series by chance: by simulation, with everything estimated again that is estimated
-/// from the series.
+/// Probability by chance of a change at least this strong in this series, by simulation. All quantities that are estimated from the series
+/// are estimated again for each simulated series.
 fn simulated(
     series: &Series,
     columns: &[Vec<f64>],
@@ -100,7 +97,7 @@ fn simulated(
     (larger + 1) as f64 / (done + 1) as f64
 }
 
-/// Searches for changes one after the other, each in addition to the earlier ones, until the rest may be chance.
+/// Searches for changes one after the other, each in addition to the earlier ones, until the remaining ones may be chance.
 pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> Option<Changes> {
     let alone = 1.0 - (1.0 - how.significance).powf(1.0 / how.modes as f64);
     let n = series.len();
@@ -123,10 +120,10 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
             break;
         };
         let statistic = best.change.statistic.abs();
-        // the series without a change, as if there were none: with one the disturbance would be underestimated
+        // estimated without a change: with a change, the disturbance would be underestimated
         let correlation = effective_correlation(series, best.without);
         let limit = limit_of(alone, n, correlation);
-        // a step in the last surveys only would otherwise be found as a drift with wrong start and size
+        // otherwise a step in the last surveys would be found as a drift with wrong start and size
         let later = best
             .late
             .filter(|of| late.is_none() && of.statistic.abs() > statistic.max(limit));
@@ -145,7 +142,7 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
         }
         found.push((best.change, p));
         disturbance = best.disturbance;
-        // each date again, together with the others
+        // each date is searched again, together with the other changes
         for i in 0..found.len() {
             let columns = with((&found, late), Some(i));
             let fit = Fit::new(series, &columns, disturbance)?;
@@ -157,7 +154,7 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
     let columns = with((&found, late), None);
     disturbance = super::regression::restricted_likelihood(series, &columns, Some(disturbance))?;
     let fit = Fit::new(series, &columns, disturbance)?;
-    // sized with everything else in the regression
+    // the size is estimated with all other columns in the regression
     let beside = with((&found, None), None);
     let late = late.and_then(|of| {
         let scanned = scan(series, &beside, &Fit::new(series, &beside, disturbance)?);
@@ -194,11 +191,11 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
     })
 }
 
-/// Ratio of the step found with 80 % probability to the step whose statistic exceeds the limit with 80 % probability: a search that does
-/// not know the step takes part of it for a disturbance, and more so with fewer surveys.
+/// Ratio of the step that is found with 80 % probability to the step whose statistic exceeds the limit with 80 % probability. Before the
+/// step is known, part of it is attributed to the disturbance, more so with few surveys.
 ///
-/// Measured on simulated histories of three modes with a disturbance of correlation 0.3 and known weather (`examples/watch_power.rs`, the
-/// table of steps seen); interpolated linearly in ln n. Disturbances without correlation need less.
+/// Measured on simulated histories of three modes with known weather and a disturbance with correlation 0.3 (`examples/watch_power.rs`,
+/// the table of steps found); interpolated linearly in ln n. The ratio is smaller for disturbances without correlation.
 fn power_factor(surveys: usize) -> f64 {
     const MEASURED: [(f64, f64); 5] = [(15.0, 2.7), (25.0, 2.25), (40.0, 2.2), (80.0, 1.5), (200.0, 1.0)];
     let ln_n = (surveys as f64).ln();

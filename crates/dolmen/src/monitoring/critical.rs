@@ -1,4 +1,4 @@
-//! Distribution of the strongest change by chance alone: limits and probabilities from simulated series without change.
+//! Distribution of the strongest change by chance: limits and probabilities from simulated series without change.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -15,18 +15,19 @@ use crate::numeric::Random;
 /// Series without change for a table of limits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NullSeries {
-    /// Surveys of each, 8 or more.
+    /// Number of surveys of each series, 8 or more.
     pub surveys: usize,
     /// Correlation of two successive surveys.
     pub correlation: f64,
     /// Number of series.
     pub replicates: usize,
-    /// Seed.
+    /// Seed of the simulation.
     pub seed: u64,
 }
 
-/// The statistic of the strongest change, |t|, of series without change: a level, a temperature through the seasons and a disturbance,
-/// estimated again in each. The table of this chapter contains quantiles of these (`examples/watch_limits.rs`).
+/// The statistic |t| of the strongest change in series without change. Each has a level, a temperature through the
+/// seasons and a disturbance, which are estimated from it. The table of this chapter contains quantiles of these
+/// statistics (`examples/watch_limits.rs`).
 pub fn null_statistics(of: &NullSeries) -> Vec<f64> {
     let n = of.surveys;
     let at: Vec<f64> = (0..n).map(|i| i as f64).collect();
@@ -57,7 +58,7 @@ pub fn null_statistics(of: &NullSeries) -> Vec<f64> {
     (0..of.replicates).filter_map(one).collect()
 }
 
-/// A disturbance with the noise of the readings.
+/// A simulated disturbance, with the noise of the readings.
 pub(super) fn disturbed(at: &[f64], noise_sd: &[f64], of: Disturbance, random: &mut Random) -> Vec<f64> {
     let mut state = of.sd * random.normal();
     let mut out = Vec::with_capacity(at.len());
@@ -71,7 +72,7 @@ pub(super) fn disturbed(at: &[f64], noise_sd: &[f64], of: Disturbance, random: &
     out
 }
 
-/// Quantiles for a number of surveys and a correlation, interpolated in the table linearly in ln n and ρ.
+/// Quantiles for a number of surveys and a correlation, by linear interpolation of the table in ln n and ρ.
 fn quantiles(surveys: usize, correlation: f64) -> [f64; PROBABILITIES.len()] {
     let ln_n = (surveys as f64).ln();
     let between = |grid: &[f64], value: f64| -> (usize, f64) {
@@ -87,7 +88,7 @@ fn quantiles(surveys: usize, correlation: f64) -> [f64; PROBABILITIES.len()] {
     })
 }
 
-/// ln p is assumed linear in t² between the entries and beyond them.
+/// Interpolation and extrapolation with ln p linear in t².
 fn between_probabilities(x: f64, from: &[f64], to: &[f64]) -> f64 {
     let last = from.len() - 2;
     let i = (0..last).find(|i| x <= from[i + 1]).unwrap_or(last);
@@ -101,7 +102,7 @@ pub(super) fn probability_of(statistic: f64, surveys: usize, correlation: f64) -
     ln_p.exp().min(1.0)
 }
 
-/// The statistic that the strongest change of one series without change exceeds with a probability.
+/// The statistic that the strongest change of a series without change exceeds with this probability.
 pub(super) fn limit_of(probability: f64, surveys: usize, correlation: f64) -> f64 {
     let squares = quantiles(surveys, correlation).map(|q| q * q);
     let minus_ln_p = PROBABILITIES.map(|p| -p.ln());

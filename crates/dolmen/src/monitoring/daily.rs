@@ -3,7 +3,7 @@
 use crate::numeric::middle_mean;
 
 const DAY_S: f64 = 86_400.0;
-/// Largest number of days at an end of a log that may come from a wrong clock; and their least distance from the others, in days and in
+/// Largest number of days at one end of a log that may come from a wrong clock; their least distance from the other days, in days and in
 /// usual gaps. Our choice.
 const STRAY_MOST: usize = 4;
 const STRAY_APART_DAYS: f64 = 366.0;
@@ -16,15 +16,16 @@ pub struct DailyReadings {
     pub days: Vec<f64>,
     /// The median of each day.
     pub values: Vec<f64>,
-    /// Number of readings on all days.
+    /// Total number of readings.
     pub readings: usize,
-    /// Number of readings left out at either end, on days far from all others: the clock was wrong.
+    /// Number of readings that were left out at either end because their days are far from all others: the clock was wrong.
     pub stray: usize,
 }
 
-/// The median of each day, from readings with times in s from 1970.
+/// The median of each day, from readings with times in s since 1970-01-01.
 ///
-/// Up to four days at an end that are more than a year and fifty usual gaps away from the rest come from a wrong clock, and are left out.
+/// Up to four days at either end, if they are more than a year and fifty usual gaps away from the other days, come from a wrong clock and
+/// are left out.
 pub fn daily_medians(times_s: &[f64], values: &[f64]) -> DailyReadings {
     let mut found = DailyReadings::default();
     let mut counts = Vec::new();
@@ -76,7 +77,7 @@ mod tests {
 
     #[test]
     fn exact_medians_of_days_and_the_days_of_a_wrong_clock() {
-        // thirty days of three readings, one of them a spike; before them two readings of 1990, after them one of 2099
+        // thirty days with three readings each, one of them a spike; before them two readings of 1990, after them one of 2099
         let first = 20_000.0;
         let mut times_s = vec![7305.0 * DAY_S, 7305.5 * DAY_S];
         let mut values = vec![9.0, 9.0];

@@ -4,10 +4,10 @@ use crate::numeric::NumericError;
 /// Why a history cannot be analysed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MonitoringError {
-    /// A number is refused.
+    /// A number is invalid.
     #[error(transparent)]
     Numeric(#[from] NumericError),
-    /// Modes are refused.
+    /// Modes are invalid.
     #[error(transparent)]
     Modal(#[from] ModalError),
     /// An option is outside its range.
@@ -20,7 +20,7 @@ pub enum MonitoringError {
         /// The allowed range.
         allowed: &'static str,
     },
-    /// Surveys that are not in order of time.
+    /// Surveys are not in order of time.
     #[error(
         "survey {survey} is on day {day}, not after the one before it: give each survey its own day, in order"
     )]
@@ -33,9 +33,9 @@ pub enum MonitoringError {
     /// Too few surveys.
     #[error("{given} surveys, but a history needs {least}: compare two surveys instead")]
     TooFewSurveys {
-        /// Surveys given.
+        /// Number of surveys.
         given: usize,
-        /// Surveys needed.
+        /// Smallest number of surveys.
         least: usize,
     },
 }

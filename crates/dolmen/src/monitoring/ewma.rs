@@ -1,8 +1,8 @@
-//! The limit of an exponentially weighted moving average at a stated rate of false alarms.
+//! The limit of an exponentially weighted moving average for a given rate of false alarms.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | λ | `weight` | weight of the newest score | - |
+//! | L | `limit` | limit over the standard deviation of the average, √(λ/(2 − λ)) | - |
 //! | L | `limit` | limit over the average's own deviation √(λ/(2 − λ)) | - |
 //! | | `run_length` | mean number of surveys until a false alarm | - |
 
@@ -10,22 +10,23 @@ use super::MonitoringError;
 use crate::numeric::normal_probability;
 use dolmen_linalg::{Matrix, solve};
 
-/// Cells of the chain between 0 and the limit. With 40 the run length of published tables is met to 1 %.
+/// Number of cells of the Markov chain between 0 and the limit. With 40 cells, the run lengths agree with
+/// published tables to 1 %.
 const CELLS: usize = 40;
 /// Range of the limits in the search.
 const LIMIT_LEAST: f64 = 1.0;
 const LIMIT_MOST: f64 = 6.0;
-/// Steps between them: the tolerance of a limit is one step, 6e-4.
+/// Number of steps between them: the tolerance of a limit is one step, 6e-4.
 const LIMIT_STEPS: usize = 8192;
 /// Largest number of secant steps before the search bisects; about five are usual.
 const LINES_MOST: usize = 12;
 
-/// Mean number of surveys until the average of independent normal scores goes beyond its limit, on either side.
+/// Mean number of surveys until the average of independent normal scores exceeds its limit on either side.
 ///
 /// ```text
 /// E_i = (1 − λ) E_{i−1} + λ u_i,   beyond: |E_i| > L √(λ/(2 − λ))
 /// ```
-/// E is followed between cells of equal width, by a Markov chain; both signs in one.
+/// A Markov chain follows E between cells of equal width; positive and negative values are combined.
 ///
 /// # Errors
 /// [`MonitoringError::Option`] for a weight or limit out of range.
@@ -46,10 +47,10 @@ pub fn ewma_run_length(weight: f64, limit: f64) -> Result<f64, MonitoringError> 
     if !(limit > 0.0 && limit <= 10.0) {
         return refused("limit", limit, "above 0 and at most 10");
     }
-    // from −h to h an odd number of cells, one about 0; the states are |E|
+    // from −h to h an odd number of cells, one of them about 0; the states are |E|
     let h = limit * (weight / (2.0 - weight)).sqrt();
     let width = 2.0 * h / (2 * CELLS + 1) as f64;
-    // for each cell the probabilities of an average below the edges of the cells, from the lowest on
+    // for each cell, the probabilities of an average below the edges of all cells, from the lowest on
     let below: Vec<Vec<f64>> = (0..=CELLS)
         .map(|i| {
             let at = i as f64 * width;
@@ -74,14 +75,14 @@ pub fn ewma_run_length(weight: f64, limit: f64) -> Result<f64, MonitoringError> 
     }
 }
 
-/// The limit at which a false alarm comes once in `run_length` surveys, between 1 and 6.
+/// The limit with one false alarm in `run_length` surveys, between 1 and 6.
 ///
 /// # Errors
 /// As [`ewma_run_length`].
 pub fn ewma_limit(weight: f64, run_length: f64) -> Result<f64, MonitoringError> {
     let limit_at = |step: f64| LIMIT_LEAST + (LIMIT_MOST - LIMIT_LEAST) * step / LIMIT_STEPS as f64;
     let (mut low, mut high) = (0, LIMIT_STEPS);
-    // ln of the run length is nearly straight in L²: a line through the last two steps asked finds the next
+    // ln of the run length is nearly linear in L²: secant steps through the last two points
     let mut asked: [Option<(f64, f64)>; 2] = [None, None];
     let mut next = LIMIT_STEPS / 2;
     let mut lines = 0;
@@ -117,7 +118,7 @@ mod tests {
 
     #[test]
     fn published_run_lengths_of_lucas_and_saccucci() {
-        // Lucas & Saccucci (1990) table 3, no shift: schemes of about 500
+        // Lucas & Saccucci (1990) table 3, no shift: run lengths of about 500
         for (weight, limit) in [(0.4, 3.054), (0.25, 2.998), (0.2, 2.962), (0.1, 2.814)] {
             let found = ewma_run_length(weight, limit).unwrap();
             assert!((found / 500.0 - 1.0).abs() < 0.02, "{weight} {limit}: {found}");

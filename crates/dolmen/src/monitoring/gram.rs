@@ -1,18 +1,18 @@
-//! Products of whitened columns and readings with each other, made for one disturbance after the other.
+//! Products of whitened columns and readings with each other, for many disturbances in turn.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | n | `variances.len()` | surveys | - |
 //! | w | `width` | columns and the readings | - |
-//! | φ^Δt | `fades` | remaining share of a disturbance after a gap between two surveys | - |
+//! | φ^Δt | `fades` | correlation of the disturbance after a gap between two surveys | - |
 
 use super::series::Series;
 use super::whitening::{Disturbance, Filter, Gains, Whitening};
 
-/// Least independent share of the square of a column; with less it cannot be separated from the earlier ones.
+/// Least independent fraction of the squared length of a column; with less, the column cannot be separated from the earlier ones.
 const OWN_LEAST: f64 = 1e-9;
 
-/// Products of the whitened columns and readings with each other: one pass through the surveys.
+/// Products of the whitened columns and readings with each other, from one pass through the surveys.
 pub(super) struct Gram {
     /// w × w, the readings last; the lower half is filled.
     products: Vec<f64>,
@@ -38,7 +38,7 @@ impl Gram {
         }
     }
 
-    /// Its Cholesky factor; the square of its last entry is the residual after all columns.
+    /// Its Cholesky factor; the square of its last entry is the residual sum of squares.
     pub(super) fn factor(&self) -> Option<Vec<f64>> {
         let mut l = self.products.clone();
         factored(&self.products, &mut l, self.width)?;
@@ -46,7 +46,7 @@ impl Gram {
     }
 }
 
-/// The Cholesky factor of `products`; `None` if a column is a combination of earlier ones.
+/// The Cholesky factor of `products`; `None` if a column is a linear combination of earlier ones.
 fn factored(products: &[f64], l: &mut [f64], m: usize) -> Option<()> {
     for i in 0..m {
         for j in 0..=i {
@@ -66,20 +66,20 @@ fn factored(products: &[f64], l: &mut [f64], m: usize) -> Option<()> {
     Some(())
 }
 
-/// A series with its columns, stored for a quick likelihood of many disturbances.
+/// A series with its columns, stored for a fast likelihood of many disturbances.
 ///
-/// One pass whitens all columns and sums their products, and a power is computed once for all gaps of the same length. Each number is that
-/// of [`Gram`], to the last bit.
+/// One pass whitens all columns and sums their products, and each power is computed once for all gaps of the same length. Each number
+/// equals that of [`Gram`] to the last bit.
 pub(super) struct Likelihood {
     width: usize,
     /// n × w, the readings last.
     rows: Vec<f64>,
     /// σ².
     variances: Vec<f64>,
-    /// Lengths of gaps, and the index of the gap after each survey.
+    /// Lengths of the gaps, and for each survey the index of the gap after it.
     gaps: Vec<f64>,
     gap_after: Vec<usize>,
-    /// φ^Δt of each length.
+    /// φ^Δt for each length.
     fades: Vec<f64>,
     gains: Vec<Gains>,
     /// w × w, and its factor.
@@ -112,8 +112,8 @@ impl Likelihood {
         }
     }
 
-    /// −2 ln of the restricted likelihood, except for a constant: Σ ln F + ln |Xᵀ V⁻¹ X| + rᵀ V⁻¹ r. `None` if a column is a combination of
-    /// the others.
+    /// −2 ln of the restricted likelihood, except for a constant: Σ ln F + ln |Xᵀ V⁻¹ X| + rᵀ V⁻¹ r. `None` if a column is a linear
+    /// combination of the others.
     pub(super) fn criterion(&mut self, of: Disturbance) -> Option<f64> {
         for (fade, gap) in self.fades.iter_mut().zip(&self.gaps) {
             *fade = of.correlation.powf(*gap);
@@ -163,7 +163,7 @@ impl Likelihood {
         self.products.copy_from_slice(products.as_flattened());
     }
 
-    /// The same of more columns.
+    /// The same for more columns.
     fn whiten_wide(&mut self) {
         let width = self.width;
         let (mut white, mut predicted) = (vec![0.0; width], vec![0.0; width]);

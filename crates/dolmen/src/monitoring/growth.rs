@@ -1,4 +1,4 @@
-//! Growth of sizes that inspections measure: the width of a crack, the gap of a joint, the settlement of a part.
+//! Growth of sizes measured in inspections: the width of a crack, the gap of a joint, the settlement of a part.
 
 use super::MonitoringError;
 use super::tilt::{Level, SlopeLimit, TiltSeeking, TiltSeries, TiltTrend, tilt_trend};
@@ -10,29 +10,29 @@ pub struct GrowthSeries {
     pub days: Vec<f64>,
     /// Readings, m.
     pub sizes_m: Vec<f64>,
-    /// Standard deviation of each reading by its own error, m; 0 if unknown.
+    /// Standard deviation of the error of each reading, m; 0 if unknown.
     pub reading_sds_m: Vec<f64>,
 }
 
 /// Options of [`growth`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthOptions {
-    /// Days of repairs, each with its index: the size has a new level after each.
+    /// Days of repairs, each with its index: after each, the size has a new level.
     pub repairs: Vec<(usize, f64)>,
-    /// The size that it must not reach, m.
+    /// The largest allowed size, m.
     pub limit_m: Option<f64>,
-    /// Probability below which a slope is beyond chance.
+    /// Probability by chance below which a slope is significant.
     pub significance: f64,
     /// Largest number of simulated series for a change near the limit of chance.
     pub replicates: usize,
-    /// Seed of the samples.
+    /// Seed of the simulated series.
     pub seed: u64,
 }
 
-/// The slope of a size over the years, as for a tilt: together with a yearly wave, repairs, steps and changes of slope. Its ratios are sizes, m, and the
-/// limit applies on the positive side only.
+/// The slope of a size over the years, fitted as for a tilt, with a yearly wave, repairs, steps and changes of slope. The ratios in the result are
+/// sizes, m, and the limit applies on the positive side only.
 ///
-/// The error of reading is a floor of the scatter: equal readings of a coarse gauge do not prove a slope of exactly 0.
+/// The scatter is at least the error of reading: equal readings with a coarse gauge do not prove that the slope is exactly 0.
 ///
 /// ```text
 /// Cov e = σ_r² I + s² φ^|Δt|,   σ_r² = mean of σ_i²        e: n

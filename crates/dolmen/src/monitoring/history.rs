@@ -1,4 +1,4 @@
-//! History of a structure: surveys in time, and works.
+//! History of a structure: its surveys and the works on it.
 
 use crate::modal::ObservedMode;
 
@@ -7,7 +7,7 @@ use crate::modal::ObservedMode;
 pub struct HistorySurvey {
     /// Its name.
     pub name: String,
-    /// Its day, counted from any day that is the same for all.
+    /// Its day, counted from an origin that is the same for all surveys.
     pub day: f64,
     /// Temperature, °C; `None` if not known.
     pub temperature_c: Option<f64>,
@@ -22,7 +22,7 @@ pub struct HistorySurvey {
 pub struct TiltReading {
     /// The direction in which it leans.
     pub direction: String,
-    /// The mark of the reading; tilts of two marks never form one series.
+    /// The reference mark of the reading; tilts of two marks never form one series.
     pub datum: Option<String>,
     /// Horizontal over vertical.
     pub ratio: f64,
@@ -33,9 +33,9 @@ pub struct TiltReading {
 pub struct Work {
     /// Its day, counted like those of the surveys.
     pub day: f64,
-    /// Whether the structure was changed on purpose: new levels begin.
+    /// Whether the structure was changed on purpose, so that new levels begin.
     pub splits: bool,
-    /// Whether somebody inspected the structure: this answers earlier alarms.
+    /// Whether the structure was inspected, which answers earlier alarms.
     pub answers: bool,
 }
 

@@ -18,23 +18,23 @@ use super::wave::{amplitude, yearly_wave};
 use super::weather::YEAR_DAYS;
 use crate::numeric::{middle_mean, student_two_sided};
 
-/// Numbers of days whose medians are used in the search for a slope: each in turn, and the least significant result counts. Our choice: a
-/// disturbance with a longer memory than neighbouring days show appears in medians of weeks and months.
+/// Numbers of days whose medians are used in the search for a slope. Each number is tried, and the least significant result counts. Our choice: a
+/// disturbance with a longer memory than neighbouring days show becomes visible in medians of weeks and months.
 const BLOCKS_DAYS: [f64; 3] = [1.0, 7.0, 30.0];
-/// Fewest medians besides the number of explanatory variables. Our choice.
+/// Smallest number of medians in excess of the number of explanatory variables. Our choice.
 const SPARE_LEAST: usize = 8;
-/// Least share of the days with a temperature for its use. Our choice.
+/// Least fraction of the days with a temperature for its use. Our choice.
 const TEMPERATURES_LEAST: f64 = 0.6;
-/// Correlation of two neighbouring monthly medians from which they drift randomly: then no slope is significant. Our choice.
+/// Correlation of two neighbouring monthly medians from which they drift randomly, so that no slope is significant. Our choice.
 const WANDERS_FROM: f64 = 0.9;
-/// Fraction of the significance level for a change of slope: a false one would create a trend. Our choice, so that false trends remain as rare as
-/// stated.
+/// Fraction of the significance level that is used for changes of slope, because a false change would create a trend. Our choice, so that false
+/// trends remain as rare as stated.
 const OF_BENDS: f64 = 0.2;
-/// Largest correlation of neighbouring months together with changes of slope, for these to count. Our choice.
+/// Largest correlation of neighbouring months, with changes of slope in the regression, at which these changes count. Our choice.
 const BENT_BELOW: f64 = 0.7;
-/// Simulated logs where a change is near the limit of chance, as of frequencies.
+/// Number of simulated logs for a change near the limit of chance, as for frequencies.
 const REPLICATES: usize = 999;
-/// Number of days whose median is the present reading, if there is no slope.
+/// Number of days whose median is the current reading, if there is no slope.
 const NOW_DAYS: f64 = 7.0;
 
 /// Readings of a logger.
@@ -42,7 +42,7 @@ const NOW_DAYS: f64 = 7.0;
 pub struct LoggedSeries {
     /// One value per day.
     pub daily: DailyReadings,
-    /// The temperature of each of these days, °C; NaN if unknown. Empty without a temperature log.
+    /// The temperature of each day, °C; NaN if unknown. Empty without a temperature log.
     pub temperatures_c: Vec<f64>,
 }
 
@@ -53,8 +53,8 @@ pub struct LoggedOptions {
     pub significance: f64,
     /// Limit of the reading.
     pub limit: Option<SlopeLimit>,
-    /// The first and last day of each work or event, counted like the readings: it may have shifted the readings, and those of these days,
-    /// of the day before and of the day after are left out. NaN for one without this effect.
+    /// The first and last day of each work or event, counted like the readings. It may have shifted the readings; those of these days, of the day
+    /// before and of the day after are left out. NaN for a work without this effect.
     pub works: Vec<[f64; 2]>,
 }
 
@@ -71,17 +71,17 @@ impl Default for LoggedOptions {
 /// Why there is no slope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoSlope {
-    /// Below two years a slope cannot be separated from the season.
+    /// In less than two years, a slope cannot be separated from the season.
     TooShort {
-        /// From the first to the last day, years.
+        /// Years from the first to the last day.
         years: f64,
     },
     /// Too few days.
     TooFew {
-        /// Their number.
+        /// Number of these days.
         days: usize,
     },
-    /// Monthly medians drift randomly: chance alone can reach any slope.
+    /// Monthly medians drift randomly, so that chance can produce any slope.
     Wanders,
 }
 
@@ -103,13 +103,13 @@ pub struct LoggedLevel {
 pub struct LoggedChange {
     /// Step or slope.
     pub form: ChangeForm,
-    /// Its first day.
+    /// First day of the change.
     pub day: f64,
-    /// Its date is between these days with 95 % probability.
+    /// Its date is between `after` and `before` with 95 % probability.
     pub after: f64,
-    /// See `after`.
+    /// End of this interval.
     pub before: f64,
-    /// Its size; for a slope its change, 1/year.
+    /// Its size; for a change of slope, 1/year.
     pub size: f64,
     /// Its standard deviation.
     pub sd: f64,
@@ -118,13 +118,13 @@ pub struct LoggedChange {
 /// Result of the analysis of a log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedTrend {
-    /// The readings in use.
+    /// The readings that are used.
     pub daily: DailyReadings,
     /// Days left out because they are far from the median of the surrounding fortnight: spikes.
     pub spikes: Vec<f64>,
-    /// The largest significant jump without a work, if there is one: it may cause an apparent slope.
+    /// The largest significant jump without a work, if there is one. It may cause an apparent slope.
     pub jump: Option<LoggedJump>,
-    /// The day from which the sensor shows one value: it and later days are left out.
+    /// The day from which the sensor shows a constant value; it and all later days are left out.
     pub stuck_since: Option<f64>,
     /// Number of days left out because their temperature is unknown.
     pub without_temperature: usize,
@@ -132,37 +132,37 @@ pub struct LoggedTrend {
     pub of_works: usize,
     /// The slope, or the reason why there is none.
     pub slope: Result<TiltSlope, NoSlope>,
-    /// Number of days of the medians for the slope.
+    /// Number of days of each median for the slope.
     pub block_days: f64,
-    /// Half of the height of the yearly wave; `None` if the days do not determine it.
+    /// Amplitude of the yearly wave; `None` if the days do not determine it.
     pub season: Option<f64>,
-    /// Change per °C and its standard deviation, where temperatures are known.
+    /// Change per °C and its standard deviation, if temperatures are known.
     pub per_c: Option<(f64, f64)>,
     /// Shifts at works.
     pub levels: Vec<LoggedLevel>,
-    /// Significant steps and changes of slope, by time: the slope is that after the last change, without steps.
+    /// Significant steps and changes of slope, by time. The slope is that after the last change, without steps.
     pub changes: Vec<LoggedChange>,
-    /// For each day the reading without season and temperature; empty without a slope.
+    /// For each day, the reading without season and temperature; empty without a slope.
     pub line: Vec<f64>,
-    /// The reading on the last day: from a significant slope, or the median of the last seven days.
+    /// The reading on the last day: from a significant slope, otherwise the median of the last seven days.
     pub now: f64,
-    /// The median of the last day as read, independent of earlier days: the newest reading is never treated as a spike.
+    /// The median of the readings of the last day, independent of earlier days: the newest reading is never treated as a spike.
     pub newest: f64,
-    /// Days at the limit, without spikes.
+    /// Days on which the limit was reached, without spikes.
     pub at_limit: Vec<f64>,
-    /// Probability below which a slope is beyond chance.
+    /// Probability by chance below which a slope is significant.
     pub significance: f64,
     /// Limit of the reading.
     pub limit: Option<SlopeLimit>,
 }
 
 impl LoggedTrend {
-    /// Whether it has a slope beyond chance.
+    /// Whether the slope is significant.
     pub fn is_beyond_chance(&self) -> bool {
         self.slope.is_ok_and(|slope| slope.p_value < self.significance)
     }
 
-    /// Size that is compared with the limit: the reading of the last day, or the fitted value on that day if that is larger.
+    /// Value that is compared with the limit: the reading of the last day, or the fitted value on that day if it is larger.
     pub fn size_to_judge(&self) -> f64 {
         let is_larger = match self.limit {
             Some(limit) if limit.is_one_sided => self.newest > self.now,
@@ -186,13 +186,13 @@ impl LoggedTrend {
 /// ```text
 /// y = y₀ + b t + c cos ωt + d sin ωt + β (T − T̄) + Σ shifts + e,   Cov e = s² φ^|Δt|
 /// ```
-/// It is estimated from medians of a day, a week and 30 days; the estimate with the largest standard deviation counts.
+/// It is estimated from medians of a day, a week and 30 days; the estimate with the largest standard deviation is used.
 ///
 /// # Errors
 /// [`MonitoringError::Numeric`].
 ///
 /// # Limits
-/// A shift without a work and a drifting sensor look like a slope; a shift within days is a jump.
+/// A shift without a work, or a drifting sensor, looks like a slope; a shift within days is a jump.
 pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<LoggedTrend, MonitoringError> {
     let (mut trend, temperatures_c) = sound(series, options);
     let days = &trend.daily.days;
@@ -248,7 +248,7 @@ fn usual_gap(days: &[f64]) -> f64 {
     gaps.get(gaps.len() / 2).copied().unwrap_or(1.0)
 }
 
-/// The readings without sensor faults, the results that do not need a slope, and the temperatures of these days.
+/// The readings without sensor faults, the results that do not need a slope, and the temperatures of the remaining days.
 fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f64>) {
     let all = &series.daily;
     let stuck_from = stuck(&all.values);
@@ -312,9 +312,8 @@ fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f6
     (trend, temperatures_c)
 }
 
-/// Medians of this number of days each.
+/// Medians over this number of days each.
 struct Blocks {
-    /// The first day of each.
     begins: Vec<f64>,
     days: Vec<f64>,
     values: Vec<f64>,
@@ -348,7 +347,7 @@ impl Blocks {
     }
 }
 
-/// Slope from medians over one length of time.
+/// Slope from medians over blocks of one length.
 struct SlopeFit {
     slope: TiltSlope,
     block_days: f64,
@@ -359,7 +358,7 @@ struct SlopeFit {
     line: Vec<f64>,
 }
 
-/// A change of the months with the interval of its date.
+/// A change between months, with the interval of its date.
 #[derive(Clone, Copy)]
 struct MonthBreak {
     dated: DatedBreak,
@@ -367,7 +366,7 @@ struct MonthBreak {
     before: f64,
 }
 
-/// The jump, and the significant steps and changes of slope besides it in medians of 30 days, by the criterion of frequencies.
+/// The jump, and the significant steps and changes of slope besides the jump, in medians of 30 days, by the criterion for frequencies.
 fn breaks(trend: &LoggedTrend, temperatures_c: &[f64], options: &LoggedOptions) -> Vec<MonthBreak> {
     let mut all: Vec<MonthBreak> = Vec::new();
     all.extend(trend.jump.map(|jump| MonthBreak {
@@ -395,7 +394,7 @@ fn breaks(trend: &LoggedTrend, temperatures_c: &[f64], options: &LoggedOptions) 
     let Some(found) = changes(&blocks.series(), &columns, &seeking) else {
         return all;
     };
-    // a series that still wanders cannot be distinguished from chance by any number of bends
+    // a series that still drifts randomly cannot be distinguished from chance by any number of changes of slope
     if found.disturbance.correlation >= BENT_BELOW {
         return all;
     }
@@ -413,7 +412,7 @@ fn breaks(trend: &LoggedTrend, temperatures_c: &[f64], options: &LoggedOptions) 
 }
 
 impl Blocks {
-    /// Level and slope on the last day, season, temperature, and a step at each work; returns the indices of the works too.
+    /// Columns of level and slope on the last day, season, temperature, and a step at each work. Also returns the indices of the works.
     fn columns(&self, last: f64, options: &LoggedOptions) -> (Vec<Vec<f64>>, Vec<usize>) {
         let n = self.days.len();
         let mut columns = vec![
@@ -455,7 +454,7 @@ impl Blocks {
     }
 }
 
-/// The slope of medians, and the correlation of neighbouring ones; `None` with too few of them.
+/// The slope of medians, and the correlation of neighbouring medians; `None` with too few medians.
 fn fitted_slope(
     blocks: &Blocks,
     days: &[f64],
@@ -531,7 +530,7 @@ fn fitted_slope(
             day: dated.day,
             after: of.after.min(dated.day),
             before: of.before.max(dated.day),
-            // the columns are those before the change
+            // the columns are 1 before the change
             size: -fit.coefficients[first_break + i],
             sd: fit.sd[first_break + i],
         });
@@ -601,13 +600,13 @@ mod tests {
             made
         }
 
-        /// Fractions of simulated histories whose interval contains the true slope, and whose slope is called significant.
+        /// Fractions of simulated histories with the true slope inside the interval, and with a slope that is called significant.
         fn shares(&self, histories: u64) -> [f64; 2] {
             let (mut held, mut called, mut changed) = (0, 0, 0);
             for seed in 0..histories {
                 let trend = logged_trend(&self.series(seed), &LoggedOptions::default()).unwrap();
                 let slope = trend.slope.unwrap();
-                // the half width of 95 % is that at which a slope would just be beyond 5 % of chance
+                // half width at 95 %: a slope of this size would be exactly at the 5 % limit of chance
                 let degrees = self.years * YEAR_DAYS / trend.block_days - 4.0;
                 let half =
                     slope.sd_per_year * crate::numeric::student_two_sided_quantile(0.05, degrees).unwrap();
@@ -658,11 +657,11 @@ mod tests {
         assert!((per_c - 0.4).abs() < 3.0 * sd && sd < 0.06, "{per_c} {sd}");
         let slope = trend.slope.unwrap();
         assert!((slope.per_year - 0.3).abs() < 3.0 * slope.sd_per_year);
-        // one month without
+        // one month without temperatures
         series.temperatures_c[100..130].fill(f64::NAN);
         let trend = logged_trend(&series, &LoggedOptions::default()).unwrap();
         assert_eq!((trend.without_temperature, trend.per_c.is_some()), (30, true));
-        // most of the time without
+        // most of the time without temperatures
         series.temperatures_c[100..900].fill(f64::NAN);
         let trend = logged_trend(&series, &LoggedOptions::default()).unwrap();
         assert_eq!((trend.without_temperature, trend.per_c.is_none()), (0, true));
@@ -687,9 +686,9 @@ mod tests {
         let reach = trend.slope.unwrap().reach.unwrap();
         let [earliest, latest] = [reach.years_earliest, reach.years_latest].map(Option::unwrap);
         assert!(earliest < 3.0 && 3.0 < latest && latest < 5.0, "{reach:?}");
-        // the last day's own reading, with season and disturbance, is there already
+        // the reading of the last day, with season and disturbance, has reached the limit
         assert!(trend.now < 12.0 && trend.newest >= 12.0 && trend.is_beyond_limit());
-        // a closing crack never reaches it
+        // a closing crack never reaches the limit
         let mut closing = series;
         closing.daily.values.iter_mut().for_each(|value| *value = -*value);
         let reach = logged_trend(&closing, &options)
@@ -713,7 +712,7 @@ mod tests {
             ..LoggedOptions::default()
         };
         let blind = logged_trend(&series, &LoggedOptions::default()).unwrap();
-        assert!(!blind.is_beyond_chance()); // the jump is beside the slope
+        assert!(!blind.is_beyond_chance()); // the jump is not part of the slope
         let jump = blind.jump.unwrap();
         assert!(
             (jump.before - at).abs() <= 2.0 && (jump.by - 8.0).abs() < 2.0,
@@ -743,7 +742,7 @@ mod tests {
         assert_eq!(trend.spikes, [50, 51, 1300].map(|i| series.daily.days[i]));
         assert_eq!(trend.stuck_since, Some(series.daily.days[1381]));
         assert_eq!(trend.daily.days.len(), 1378);
-        // a sensor of coarse steps reads the same for long, and is not stuck
+        // a sensor with coarse steps shows equal values for long, but is not stuck
         let coarse = LoggedSeries {
             daily: DailyReadings {
                 values: series.daily.days.iter().map(|day| (day / 90.0).floor()).collect(),
@@ -761,7 +760,7 @@ mod tests {
         let trend = logged_trend(&short.series(1), &LoggedOptions::default()).unwrap();
         assert!(matches!(trend.slope, Err(NoSlope::TooShort { years }) if (years - 1.5).abs() < 0.01));
         assert!(trend.now.is_finite());
-        // a random walk: each day adds to the one before
+        // a random walk: each day adds to the day before
         let mut walk = USUAL.series(1);
         let mut random = Random::new(5, 5);
         let mut at = 0.0;

@@ -3,33 +3,33 @@
 use super::daily::DailyReadings;
 use crate::numeric::middle_mean;
 
-/// Fewest days with one value at the end of a log for a stuck sensor, if neighbouring days differed before. Our choice.
+/// Fewest days with a constant value at the end of a log for a stuck sensor, if neighbouring days differed before. Our choice.
 const STUCK_DAYS: usize = 30;
-/// Days on either side for the comparison of a day with their median, and the number of standard deviations beyond which it is a spike.
-/// Our choice.
+/// Number of days on either side whose median is compared with a day, and number of standard deviations beyond which the day is a spike. Our
+/// choice.
 const BESIDE_DAYS: usize = 7;
 const SPIKE_FROM: f64 = 8.0;
-/// Days before and after a date whose medians are compared, and the number of standard deviations beyond which the readings jumped there. Chosen
-/// here: by chance once in several thousand logs.
+/// Number of days before and after a date whose medians are compared, and number of standard deviations beyond which the readings jumped. Our
+/// choice: by chance once in several thousand logs.
 const JUMP_DAYS: usize = 7;
 const JUMP_FROM: f64 = 6.0;
-/// Most missing days among those.
+/// Largest number of missing days among them.
 const DAYS_MISSING_MOST: usize = 5;
-/// A deviation of normal values over their median absolute deviation.
+/// Ratio of the standard deviation to the median absolute deviation of normal values.
 const OF_MEDIAN: f64 = 1.4826;
 
 /// A sudden shift.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoggedJump {
-    /// The last day before it.
+    /// The last day before the jump.
     pub after: f64,
-    /// The first day after it.
+    /// The first day after the jump.
     pub before: f64,
     /// Its size.
     pub by: f64,
 }
 
-/// Index from which all values are equal, if that is unusual for the sensor.
+/// Index from which all values are equal, if this is unusual for the sensor.
 pub(super) fn stuck(values: &[f64]) -> Option<usize> {
     let last = values.last()?;
     let run = values.iter().rev().take_while(|value| *value == last).count();
@@ -73,7 +73,7 @@ pub(super) fn jump(daily: &DailyReadings, works: &[[f64; 2]]) -> Option<LoggedJu
     };
     let all: Vec<(usize, f64)> = (JUMP_DAYS..=n - JUMP_DAYS).map(|i| (i, by(i))).collect();
     let usual = OF_MEDIAN * middle_mean(all.iter().map(|(_, by)| by.abs()).collect());
-    // over a gap the slope and the season make a difference too
+    // across a gap, slope and season cause a difference too
     let is_free = |i: usize| {
         let (from, to) = (days[i - JUMP_DAYS], days[i + JUMP_DAYS - 1]);
         let is_near = to - from <= (2 * JUMP_DAYS + DAYS_MISSING_MOST) as f64;
@@ -110,7 +110,7 @@ mod tests {
     use super::*;
     use crate::numeric::Random;
 
-    /// 400 days at 3 with noise of 0.06, and 0.8 more from index 200 on; `missing` days lie before it.
+    /// 400 days at 3 with noise of 0.06, increased by `step` from index 200 on; `missing` days lie before this index.
     fn readings(seed: u64, step: f64, missing: f64) -> DailyReadings {
         let mut random = Random::new(seed, 0);
         let later = |i: i32| f64::from(u8::from(i >= 200));

@@ -1,13 +1,14 @@
-//! Modes found regularly in earlier surveys but not in the last ones: a mode that changes beyond the search range leaves no frequency to judge.
+//! Modes that were found regularly in earlier surveys but not in the last ones. A mode that changes beyond the search range leaves no frequency
+//! to judge.
 
 use super::history::{History, HistorySurvey};
 use super::tracking::{Jumped, Track};
 
-/// Fewest surveys that could have shown a mode, before it can be missing. Our choice.
+/// Fewest surveys that could have shown a mode before it can count as missing. Our choice.
 const SURVEYS_LEAST: usize = 5;
-/// Probability of missing this number of surveys by chance below which there is an alarm, however rare surveys are. Our choice.
+/// Probability of so many surveys without the mode by chance, below which there is an alarm, however rare surveys are. Our choice.
 const CHANCE_MOST: f64 = 0.005;
-/// Share of surveys without a mode above which it is not considered together with others. Our choice.
+/// Fraction of surveys without a mode above which it is not tested together with other modes. Our choice.
 const REGULAR_FROM: f64 = 0.15;
 
 /// A mode missing in the last surveys.
@@ -19,15 +20,15 @@ pub struct LostMode {
     pub since: usize,
     /// Number of surveys that could show it but do not.
     pub missed: usize,
-    /// Number of surveys with it,
+    /// Number of earlier surveys with the mode,
     pub found: usize,
-    /// among this number that could show it.
+    /// out of this number that could show it.
     pub of: usize,
-    /// The largest number of successive ones without it.
+    /// The largest number of successive earlier surveys without it.
     pub gap: usize,
-    /// Probability of missing it this often by chance.
+    /// Probability of so many surveys without it by chance.
     pub chance: f64,
-    /// Whether each survey without it has a mode that no earlier survey had: the record was then not poor.
+    /// Whether each survey without it has a mode that no earlier survey had, which shows that the record was not poor.
     pub is_replaced: bool,
     /// Frequency of a mode with a similar shape that began later, Hz.
     pub began_hz: Option<f64>,
@@ -41,8 +42,8 @@ impl LostMode {
     }
 }
 
-/// Whether the missing modes are significant: one mode missing for longer than ever before, or several regular modes together while surveys show
-/// other modes. `surveys_between`: number of surveys times modes per allowed false alarm.
+/// Whether the missing modes are significant: one mode is missing for longer than ever before, or several regular modes are missing together
+/// while the surveys show other modes. `surveys_between`: number of surveys times modes per allowed false alarm.
 pub(super) fn is_beyond_chance(lost: &[LostMode], surveys_between: f64) -> bool {
     let most = CHANCE_MOST.min(1.0 / surveys_between);
     let regular = lost.iter().filter(|of| of.is_regular() && of.is_replaced);
@@ -50,15 +51,15 @@ pub(super) fn is_beyond_chance(lost: &[LostMode], surveys_between: f64) -> bool 
     lost.iter().any(|of| of.chance <= most && of.missed > of.gap) || together <= most
 }
 
-/// The modes that the last surveys miss.
+/// The modes that are missing in the last surveys.
 ///
 /// ```text
-/// p = ((n − f + 1)/(n + 2))^k        f of n surveys showed it, then k did not: each misses it as often as before (Laplace's rule)
+/// p = ((n − f + 1)/(n + 2))^k        f of n surveys had the mode, then k did not; each misses it as often as before (Laplace's rule)
 /// ```
 ///
-/// A survey counts if it has a mode in the direction of the missing one, or without direction: a survey along y alone cannot miss a mode along x.
-/// Directions that no survey had while the mode was found count as well: they may be the same direction under a new name. `answered`: whether
-/// somebody inspected the structure after a survey.
+/// A survey is included if it has a mode in the direction of the missing mode, or a mode without a direction: a survey along y alone cannot show
+/// a mode along x. A new direction that no survey had while the mode was found is also included, because it may be the same direction with a new
+/// name. `answered`: whether an inspection followed a survey.
 pub(super) fn lost(
     history: &History,
     tracks: &[Track],
@@ -73,7 +74,7 @@ pub(super) fn lost(
             before.any(|mode| mode.direction.as_deref() == Some(direction))
         };
         let fits = |other: Option<&str>| match (track.direction.as_deref(), other) {
-            // with another name than any before: somebody renamed the directions, or measured others
+            // a new name: the directions were renamed, or others were measured
             (Some(own), Some(other)) => own == other || !is_known(other),
             _ => true,
         };
@@ -135,7 +136,7 @@ mod tests {
         }
     }
 
-    /// Daily surveys that miss each of three modes with a probability, the first one for good in the last `gone` of them.
+    /// Daily surveys that miss each of three modes with a probability, and always miss the first mode in the last `gone` surveys.
     fn missed(seed: u64, probability: f64, gone: usize) -> Vec<LostMode> {
         const SURVEYS: usize = 200;
         let mut random = Random::new(seed, 0);
@@ -166,7 +167,7 @@ mod tests {
                 tilts: Vec::new(),
             });
         }
-        // the mode of 1 Hz is tracked, too
+        // the mode of 1 Hz is also tracked
         tracks.push(Track {
             frequency_hz: 1.0,
             direction: None,
@@ -190,7 +191,7 @@ mod tests {
                 .filter(|seed| is_beyond_chance(&missed(*seed, probability, gone), BETWEEN))
                 .count()
         };
-        // 300 days, of which one in 3,650 may alarm
+        // 300 days, of which one in 3,650 may have a false alarm
         assert!(alarms(0.1, 0) <= 1 && alarms(0.3, 0) <= 1);
         assert_eq!(alarms(0.0, 3), 300);
         assert!(alarms(0.1, 8) >= 290, "{}", alarms(0.1, 8));

@@ -6,28 +6,28 @@ use crate::numeric::Random;
 use crate::signal::Channel;
 use std::f64::consts::TAU;
 
-/// Description of a simulated history: modes that depend on temperature, with noise of reading and a disturbance.
+/// Description of a simulated history: modes that depend on temperature, with reading noise and a disturbance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MadeHistory {
-    /// Surveys.
+    /// Number of surveys.
     pub surveys: usize,
-    /// Days between two.
+    /// Days between two surveys.
     pub interval_days: f64,
     /// Frequencies at the mean temperature, Hz.
     pub frequencies_hz: Vec<f64>,
     /// Relative change per °C.
     pub per_c: f64,
-    /// Relative deviation, stated by the surveys and true.
+    /// Relative standard deviation of the readings, which is also the stated one.
     pub noise: f64,
-    /// Deviation of the disturbance.
+    /// Standard deviation of the disturbance.
     pub disturbance: f64,
-    /// Its correlation from survey to survey.
+    /// Correlation of the disturbance between successive surveys.
     pub correlation: f64,
     /// Half the difference of summer and winter, °C.
     pub seasons_c: f64,
-    /// Warming, °C a year.
+    /// Warming, °C per year.
     pub warming_c: f64,
-    /// A step of all modes: the first survey with it, and its ratio.
+    /// A step of all modes: its first survey, and the frequency ratio.
     pub step: Option<(usize, f64)>,
     /// Seed.
     pub seed: u64,
@@ -51,7 +51,7 @@ impl Default for MadeHistory {
     }
 }
 
-/// Shapes of simulated modes: those of a fixed column with four sensors.
+/// Simulated mode shapes: those of a cantilever column with four sensors.
 fn shape(mode: usize, random: &mut Random) -> Vec<ObservedPoint> {
     let points = (1..=4).map(|place| {
         let turn = (2 * mode + 1) as f64 * 0.25 * TAU * f64::from(place) / 4.0;

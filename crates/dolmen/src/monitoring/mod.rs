@@ -1,5 +1,4 @@
-//! The history of a structure over the years: tracking of modes through many surveys, the effect of weather, changes with their dates, and
-//! alarms from new surveys.
+//! Monitoring over the years: tracking of modes through many surveys, effect of weather, changes with their dates, alarms.
 
 mod alarm;
 mod bends;

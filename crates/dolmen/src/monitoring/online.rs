@@ -1,13 +1,13 @@
-//! A regression that grows by one survey at a time, and predicts the next.
+//! A regression that grows by one survey at a time and predicts the next one.
 
 use super::regression::solve_lower;
 use super::whitening::Disturbance;
 
-/// Whitened surveys so far, and the filter's state behind them.
+/// Whitened surveys so far, and the state of the filter after them.
 #[derive(Clone, Debug)]
 pub(super) struct Online {
     disturbance: Disturbance,
-    /// Prediction of each column by the filter, with the reading last.
+    /// Prediction of each column by the filter; the last entry is that of the reading.
     predicted: Vec<f64>,
     variance: f64,
     at: Option<f64>,
@@ -20,18 +20,16 @@ pub(super) struct Online {
 pub(super) struct Reading<'a> {
     pub(super) at: f64,
     pub(super) noise_sd: f64,
-    /// The columns' values, the reading last.
+    /// Values of the columns, followed by the reading.
     pub(super) row: &'a [f64],
 }
 
-/// Prediction of a survey.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Prediction {
-    /// Reading less prediction, over the deviation of both.
+    /// Reading minus prediction, over the standard deviation of this difference.
     pub(super) score: f64,
-    /// The predicted reading.
     pub(super) expected: f64,
-    /// Deviation of reading less prediction.
+    /// Standard deviation of reading minus prediction.
     pub(super) sd: f64,
 }
 
@@ -47,7 +45,7 @@ impl Online {
         }
     }
 
-    /// Prediction and its variance at a time, before the reading.
+    /// Prediction and its variance at a time, before the reading there.
     fn moved_to(&self, at: f64) -> (Vec<f64>, f64) {
         let Some(before) = self.at else {
             return (self.predicted.clone(), self.variance);
@@ -58,7 +56,7 @@ impl Online {
         (predicted, rho * rho * self.variance + all * (1.0 - rho * rho))
     }
 
-    /// Prediction from the surveys so far; `None` while they do not determine the columns.
+    /// Prediction from the surveys so far; `None` if they do not determine the columns yet.
     pub(super) fn predict(&self, reading: &Reading<'_>) -> Option<Prediction> {
         let width = reading.row.len();
         let k = width - 1;
@@ -97,7 +95,7 @@ impl Online {
         })
     }
 
-    /// Takes a survey in.
+    /// Adds a survey.
     pub(super) fn accept(&mut self, reading: &Reading<'_>) {
         let (predicted, variance) = self.moved_to(reading.at);
         let total = variance + reading.noise_sd.powi(2);
@@ -124,7 +122,8 @@ mod tests {
 
     #[test]
     fn holds_squares_of_scores_add_up_to_what_the_regression_leaves() {
-        // recursive residuals: their squares sum to rᵀ V⁻¹ r of the whole (Brown, Durbin & Evans 1975)
+        // recursive residuals: their squares sum to rᵀ V⁻¹ r of the full fit (Brown, Durbin & Evans
+        // 1975)
         let n = 30;
         let mut random = Random::new(8, 0);
         let of = Disturbance {

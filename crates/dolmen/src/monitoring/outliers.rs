@@ -1,18 +1,18 @@
-//! Isolated surveys of a mode: one wild reading is not a lasting change, and must neither hide nor cause one.
+//! Isolated surveys of a mode: a single wrong reading is not a lasting change, and must neither hide nor cause one.
 
 use super::regression::{Fit, restricted_likelihood};
 use super::weather::{ModeSeries, WeatherKnown, columns, has_temperature};
 use crate::numeric::middle;
 
-/// Deviations from its neighbours beyond which a reading is isolated. Our choice: by chance one in 500 million.
+/// Number of standard deviations from its neighbours beyond which a reading is isolated. Our choice: by chance one in 500 million.
 const ALONE: f64 = 6.0;
-/// A deviation of normal values over their median absolute deviation.
+/// Ratio of the standard deviation to the median absolute deviation of normal values.
 const OF_MEDIAN: f64 = 1.4826;
 /// Fewest readings for a comparison with neighbours.
 const READINGS_LEAST: usize = 8;
 
-/// Indices of the readings that differ from the two before and the two after them by more than six deviations, without the effect of
-/// weather. The last two are left to the alarm.
+/// Indices of the readings that differ by more than six standard deviations from the two readings before and the two after them,
+/// after the effect of weather is removed. The last two readings are left to the alarm.
 pub(super) fn outliers(series: &ModeSeries) -> Vec<usize> {
     let n = series.len();
     if n < READINGS_LEAST {
@@ -44,7 +44,7 @@ pub(super) fn outliers(series: &ModeSeries) -> Vec<usize> {
     found
         .filter(|(i, off)| {
             let limit = ALONE * spread.max(series.series.noise_sd[i + 2]);
-            // next to a step a reading is far from two neighbours, but not from all
+            // next to a step, a reading is far from two neighbours but not from all of them
             off.iter().all(|off| *off > limit) || off.iter().all(|off| *off < -limit)
         })
         .map(|(i, _)| i + 2)

@@ -7,14 +7,14 @@ use crate::modal::ObservedMode;
 use crate::numeric::middle_mean;
 use std::f64::consts::PI;
 
-/// Combines the surveys of one day. Name and day are those of the first survey. The modes are those in at least half of the surveys with
-/// modes, each with the median frequency and the shape of the survey nearest to it. Temperature and tilts are medians as well.
+/// Combines the surveys of one day. Name and day are those of the first survey. A mode is kept if at least half of the surveys with modes
+/// have it; it has the median frequency and the shape of the survey nearest to the median. Temperature and tilts are medians as well.
 ///
 /// ```text
-/// sd of the median of k readings = rms(σ_i) √(c/k),   c = 1 of one or two, π/2 of more
+/// sd of the median of k readings = rms(σ_i) √(c/k),   c = 1 for one or two readings, π/2 for more
 /// ```
-/// That is the uncertainty of the readings. Effects of sun, wind and traffic within the day are part of the disturbance of the history,
-/// which is estimated from the days.
+/// The standard deviations are those of the readings. Effects of sun, wind and traffic within the day are part of the disturbance of the
+/// history, which is estimated from the days.
 ///
 /// # Errors
 /// As [`track`]; [`MonitoringError::TooFewSurveys`] without surveys.
@@ -141,7 +141,7 @@ mod tests {
         let day = [
             survey(&[2.00, 5.0], Some(10.0), 1e-3),
             survey(&[2.02], Some(14.0), 2e-3),
-            survey(&[2.90, 2.01], None, 9e-3), // a wild reading
+            survey(&[2.90, 2.01], None, 9e-3), // a wrong reading
             survey(&[2.03], Some(12.0), 2e-3),
             survey(&[], None, 3e-3),
         ];
@@ -153,7 +153,7 @@ mod tests {
         let sd = 0.01 * (PI / 8.0).sqrt();
         assert!((mode.frequency_sd_hz.unwrap() - sd).abs() < 1e-12, "{mode:?}");
         assert_eq!((pooled.temperature_c, pooled.tilts[0].ratio), (Some(12.0), 2e-3));
-        // of two, the mean
+        // of two readings, the mean
         let two = super::pooled(&day[..2], &Tracking::default()).unwrap();
         assert!((two.modes[0].frequency_hz - 2.01).abs() < 1e-12);
         assert!((two.modes[0].frequency_sd_hz.unwrap() - 0.01 / 2f64.sqrt()).abs() < 1e-12);

@@ -11,9 +11,9 @@ use super::gram::{Gram, Likelihood};
 use super::series::Series;
 use super::whitening::{Disturbance, Whitening};
 
-/// Largest correlation over one interval in the search; with a larger one, the level and the disturbance cannot be separated. Our choice.
+/// Largest correlation over one interval in the search; beyond it, the level and the disturbance cannot be separated. Our choice.
 const CORRELATION_MOST: f64 = 0.95;
-/// Least disturbance in the search, relative to the noise of the readings. Our choice: its variance is then 0.04 % of theirs.
+/// Least disturbance in the search, relative to the noise of the readings. Our choice: its variance is then 0.04 % of that of the noise.
 const SD_LEAST: f64 = 0.02;
 /// Tolerance of the search in −2 ln of the likelihood. Our choice.
 const LIKELIHOOD_STEP: f64 = 2e-3;
@@ -109,8 +109,8 @@ fn solve_upper(factor: &[f64], k: usize, mut b: Vec<f64>) -> Vec<f64> {
 
 /// The disturbance that maximises the restricted likelihood (REML); `None` if a column is a linear combination of the others.
 ///
-/// The search is that of Nelder & Mead in ln s and φ, clamped to their bounds. Clamping can flatten a simplex onto a bound, where it stays. So a
-/// search that ends on a bound is repeated from another start, and the better result is used.
+/// The search is that of Nelder & Mead in ln s and φ, clamped to their bounds. Clamping can collapse a simplex onto a bound, where it stays.
+/// Therefore a search that ends on a bound is repeated from another start, and the better result is used.
 ///
 /// # Source
 /// Patterson & Thompson (1971) Biometrika 58:545-554; Nelder & Mead (1965) Computer Journal 7:308-313.
@@ -152,7 +152,7 @@ pub(super) fn restricted_likelihood(
     Some(of(best.1))
 }
 
-/// Smallest value that a search from one start finds, and its position. ln s is clamped to its bounds, φ to 0 and its largest value.
+/// Minimum found by a search from one start, and its position. ln s is clamped to its bounds, φ to 0 and its largest value.
 fn least_of(
     value: &mut impl FnMut([f64; 2]) -> Option<f64>,
     start: [f64; 2],
@@ -243,7 +243,7 @@ mod tests {
                     }));
                 }
             }
-            // a fit without the step ends here: the disturbance explains all of it
+            // without the step, the fit ends at this bound: the disturbance explains the whole step
             let without = Disturbance {
                 sd: 6e-3,
                 correlation: 0.95,

@@ -1,4 +1,4 @@
-//! The change that explains a series best in addition to its regression: a step or the beginning of a slope, at any survey.
+//! The change that best explains a series in addition to its regression: a step or the beginning of a slope, at any survey.
 //!
 //! ```text
 //! t(c) = cᵀ V⁻¹ r / √(cᵀ V⁻¹ c − hᵀ (Xᵀ V⁻¹ X)⁻¹ h),   h = Xᵀ V⁻¹ c,   r = y − X β
@@ -9,22 +9,23 @@ use super::regression::{Fit, restricted_likelihood};
 use super::series::Series;
 use super::whitening::Disturbance;
 
-/// Fewest surveys on each side of a step, and from the beginning of a slope on. Our choice: changes with fewer surveys are left to the
+/// Fewest surveys on each side of a step, and after the beginning of a slope. Our choice: changes with fewer surveys are left to the
 /// alarm.
 pub(super) const STEP_SURVEYS_LEAST: usize = 3;
 pub(super) const SLOPE_SURVEYS_LEAST: usize = 6;
-/// Least fraction of the information on a change that must be independent of the known columns; otherwise the change cannot be separated
-/// from them. Our choice.
+/// Least fraction of the information on a change that is independent of the known columns; with less, the change cannot be separated from
+/// them. Our choice.
 const OWN_LEAST: f64 = 2e-3;
-/// Iterations of estimating the disturbance with the found change, and searching again. Our choice: the date rarely moves in the second.
+/// Number of iterations that estimate the disturbance with the found change and search again. Our choice: the date rarely moves in the
+/// second.
 const ROUNDS: usize = 2;
 
 /// The change of a frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChangeForm {
-    /// At once, to stay.
+    /// A sudden and lasting change.
     Step,
-    /// Steadily, from its date on.
+    /// A steady change that begins at its date.
     Slope,
 }
 
@@ -32,18 +33,18 @@ pub enum ChangeForm {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Candidate {
     pub(super) form: ChangeForm,
-    /// The first survey after a step; the last before a slope.
+    /// For a step, the first survey after it; for a slope, the last survey before it.
     pub(super) from: usize,
     pub(super) statistic: f64,
-    /// Size: of a step, or of a slope over one interval.
+    /// Size of a step, or change of a slope over one interval.
     pub(super) size: f64,
     pub(super) sd: f64,
 }
 
-/// Every possible change.
+/// All possible changes.
 pub(super) struct Scan {
     pub(super) all: Vec<Candidate>,
-    /// Steps with too few surveys: they explain a change that is not yet lasting and would otherwise be taken for a drift.
+    /// Steps with too few surveys: they explain a change that is not yet lasting and that would otherwise look like a drift.
     pub(super) late: Vec<Candidate>,
 }
 
@@ -76,7 +77,7 @@ pub(super) fn column(at: &[f64], form: ChangeForm, from: usize) -> Vec<f64> {
         .collect()
 }
 
-/// All changes in addition to `columns`, whose regression is `fit`.
+/// All possible changes in addition to `columns`, whose regression is `fit`.
 pub(super) fn scan(series: &Series, columns: &[Vec<f64>], fit: &Fit) -> Scan {
     let (n, k, at) = (series.len(), columns.len(), &series.at);
     let inverse = |z: &[f64]| fit.whitening.adjoint(&fit.whitening.white(z));
@@ -84,7 +85,7 @@ pub(super) fn scan(series: &Series, columns: &[Vec<f64>], fit: &Fit) -> Scan {
     let of_columns: Vec<Vec<f64>> = columns.iter().map(|column| inverse(column)).collect();
     let (steps, slopes) = fit.whitening.energies(at);
     let (mut all, mut late) = (Vec::with_capacity(2 * n), Vec::new());
-    // sums from survey i on of V⁻¹ times the columns, and of t times these; the residuals last
+    // sums from survey i on of V⁻¹ times the columns, and of t times these; the last column is the residual
     let (mut sums, mut moments) = (vec![0.0; k + 1], vec![0.0; k + 1]);
     let mut with_columns = vec![0.0; k];
     for i in (0..n).rev() {
@@ -122,18 +123,18 @@ pub(super) fn scan(series: &Series, columns: &[Vec<f64>], fit: &Fit) -> Scan {
     Scan { all, late }
 }
 
-/// The strongest change in addition to `columns`, and the disturbance estimated with it in the regression.
+/// The strongest change in addition to `columns`, with the disturbance that is estimated together with it.
 pub(super) struct Strongest {
     pub(super) change: Candidate,
-    /// The strongest step with too few surveys, by the same disturbance.
+    /// The strongest step with too few surveys, with the same disturbance.
     pub(super) late: Option<Candidate>,
     pub(super) disturbance: Disturbance,
-    /// The estimate without the change.
+    /// The disturbance estimated without the change.
     pub(super) without: Disturbance,
 }
 
-/// Searches for the strongest change: estimates the disturbance without it, finds it, estimates again with it, and finds it again. Without
-/// the step in the regression, the step would look like a slowly decaying disturbance.
+/// Searches for the strongest change in iterations: the disturbance is estimated without the change, the change is found, and both are
+/// repeated with the change in the regression. Without it, a step would look like a slowly decaying disturbance.
 pub(super) fn strongest(
     series: &Series,
     columns: &[Vec<f64>],

@@ -1,4 +1,4 @@
-//! Detects a moved, replaced or turned sensor: mode shapes jump between surveys while frequencies stay.
+//! Detects a moved, replaced or reversed sensor: mode shapes jump between surveys while frequencies stay the same.
 
 use crate::modal::{ObservedMode, assurance, shared};
 use crate::numeric::quantile;
@@ -9,9 +9,9 @@ use dolmen_linalg::Complex64;
 pub(super) const JUMPED_BELOW: f64 = 0.8;
 /// Median MAC without one sensor from which that sensor explains the jump. Our choice.
 pub(super) const EXPLAINED: f64 = 0.95;
-/// Relative difference up to which a frequency counts as unchanged. Our choice: twice the effect of weather from one survey to the next.
+/// Relative difference within which a frequency is unchanged. Our choice: twice the effect of weather between surveys.
 const STAYED: f64 = 0.03;
-/// Fewest common sensors for naming the changed one: with fewer, the remaining sensors prove little.
+/// Fewest common sensors for identifying the changed one: with fewer, the remaining sensors prove little.
 const NAMED_FROM: usize = 4;
 
 /// A jump of mode shapes without a change of frequencies.
@@ -21,12 +21,12 @@ pub struct SensorChange {
     pub survey: usize,
     /// Median MAC between the modes of this survey and the reference.
     pub assurance: f64,
-    /// The changed sensor: without it the shapes agree. `None` if several sensors changed, or there are too few sensors to tell.
+    /// The changed sensor: without it the shapes agree. `None` if several sensors changed, or if there are too few sensors.
     pub channel: Option<String>,
 }
 
-/// Tests for a jump of shapes between pairs of modes (reference, survey). Modes are tested in groups that the same sensors measured,
-/// because a turned sensor changes only the modes of its own direction.
+/// Tests for a jump of shapes between pairs of modes (reference, survey). Modes are tested in groups measured by the same sensors,
+/// because a reversed sensor changes only the modes of its own direction.
 pub(super) fn sensor_change(pairs: &[(&ObservedMode, &ObservedMode)], within_m: f64) -> Option<SensorChange> {
     let mut groups: Vec<Vec<(&ObservedMode, &ObservedMode)>> = Vec::new();
     for pair in pairs {

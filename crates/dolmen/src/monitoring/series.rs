@@ -1,12 +1,11 @@
 //! Readings of one quantity in time.
 
-/// Readings in time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Series {
-    /// Times in usual intervals between surveys, ascending.
+    /// Times in units of the usual interval between surveys, ascending.
     pub(super) at: Vec<f64>,
     pub(super) readings: Vec<f64>,
-    /// Standard deviation stated by the survey; 0 if none.
+    /// Standard deviations stated by the surveys; 0 if not stated.
     pub(super) noise_sd: Vec<f64>,
 }
 

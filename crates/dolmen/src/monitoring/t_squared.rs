@@ -7,7 +7,8 @@ use dolmen_linalg::{Matrix, solve};
 
 /// Probability that a survey without change lies beyond the limit: one in 365.
 const BEYOND: f64 = 1.0 / 365.0;
-/// Earlier surveys needed per mode for T²; with ten surveys of one mode a limit by χ² would give one alarm in four.
+/// Earlier surveys needed per mode for T²; with ten surveys of one mode, a χ² limit would give one alarm in four
+/// surveys.
 const SURVEYS_FOR_EACH: usize = 4;
 
 /// T² of one survey.
@@ -23,7 +24,7 @@ pub struct SurveyTSquared {
     pub limit: f64,
 }
 
-/// T² of each survey with two judged modes or more, relative to earlier surveys in which the same modes were judged.
+/// T² of each survey with two or more judged modes, relative to earlier surveys in which the same modes were judged.
 ///
 /// ```text
 /// T² = (u − ū)ᵀ S⁻¹ (u − ū),   limit p (n + 1)(n − 1)/(n (n − p)) F(p, n − p)        u: p × 1, n surveys before
@@ -77,7 +78,7 @@ pub(super) fn t_squared(
                     limit,
                 });
                 if value > limit {
-                    continue; // what is outside is not learned from
+                    continue; // surveys outside the limit are not used for training
                 }
             }
         }

@@ -3,7 +3,7 @@
 pub(super) const PROBABILITIES: [f64; 7] = [0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.002];
 pub(super) const SURVEYS: [u32; 9] = [8, 10, 14, 20, 30, 60, 120, 365, 1000];
 pub(super) const CORRELATIONS: [f64; 5] = [0.0, 0.3, 0.6, 0.8, 0.95];
-/// By surveys, correlation, probability.
+/// Indexed by number of surveys, correlation and probability.
 #[rustfmt::skip]
 pub(super) const QUANTILES: [[[f64; 7]; 5]; 9] = [
     [ // 8 surveys, 20000 series

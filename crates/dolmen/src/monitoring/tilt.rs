@@ -16,16 +16,16 @@ const READINGS_LEAST: usize = 4;
 const SEASON_READINGS_LEAST: usize = 10;
 pub(super) const SEASON_YEARS_LEAST: f64 = 2.0;
 
-/// The readings of one tilt: one direction, one datum.
+/// The readings of one tilt, with one direction and one mark.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TiltSeries {
     /// The direction in which it leans.
     pub direction: String,
-    /// The mark of the readings.
+    /// The reference mark of the readings.
     pub datum: Option<String>,
-    /// Index of each reading's survey.
+    /// Index of the survey of each reading.
     pub surveys: Vec<usize>,
-    /// Its day.
+    /// Day of each reading.
     pub days: Vec<f64>,
     /// Horizontal over vertical.
     pub ratios: Vec<f64>,
@@ -36,35 +36,35 @@ pub struct TiltSeries {
 pub struct TiltTrend {
     /// The readings.
     pub series: TiltSeries,
-    /// Indices of isolated readings, which are excluded from slope and changes.
+    /// Isolated readings, which are excluded from slope and changes.
     pub outliers: Vec<TiltOutlier>,
-    /// The slope after the last change of slope; `None` with fewer than four readings of one level.
+    /// The slope after the last change of slope; `None` with fewer than four readings at one level.
     pub slope: Option<TiltSlope>,
-    /// Slope of the previous mark, with the present tilt and the uncertainty of its own readings, if this mark is new and has no significant slope.
+    /// If this mark is new and has no significant slope: the slope of the previous mark, with the current tilt and the uncertainty of this mark's
+    /// readings.
     pub carried: Option<TiltSlope>,
-    /// Standard deviation of the readings about the fit; 0 without one.
+    /// Standard deviation of the readings about the fit; 0 without a fit.
     pub scatter: f64,
     /// Significant steps and changes of slope, by time; the slope excludes the steps.
     pub changes: Vec<TiltChange>,
     /// Effect of works on the tilt.
     pub works: Vec<TiltWork>,
-    /// Significance level of slopes, divided among all tilts; the probability of finding a change although there is none.
+    /// Significance level of slopes, divided among all tilts; also the probability of finding a change although there is none.
     pub significance: f64,
 }
 
-/// A step of a tilt, lasting or only in its last readings, or a change of its slope.
+/// A step of a tilt (lasting, or only in its last readings), or a change of its slope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TiltChange {
     /// Step or slope.
     pub form: ChangeForm,
-    /// Index of the first reading after a step; of the last before a slope.
+    /// For a step, index of the first reading after it; for a change of slope, index of the last reading before it.
     pub from: usize,
-    /// Index of the last reading certainly before it, and of the first one certainly after it: the interval contains the date with 95 %
-    /// probability.
+    /// Index of the last reading certainly before the change. The interval from `after` to `before` contains the date with 95 % probability.
     pub after: usize,
-    /// See `after`.
+    /// Index of the first reading certainly after it.
     pub before: usize,
-    /// Its size, horizontal over vertical; for a slope its change, 1/year.
+    /// Its size, horizontal over vertical; for a change of slope, 1/year.
     pub size: f64,
     /// Its standard deviation.
     pub sd: f64,
@@ -81,7 +81,7 @@ pub struct TiltWork {
     pub sd: f64,
 }
 
-/// A work that begins a new level: its index, and its day.
+/// A work that begins a new level: its index and its day.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Level {
     pub(super) work: usize,
@@ -91,19 +91,17 @@ pub(super) struct Level {
 /// Options of the search for changes and slopes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TiltSeeking {
-    /// Probability of a false finding.
     pub(super) significance: f64,
-    /// Limit of the reading.
     pub(super) limit: Option<SlopeLimit>,
-    /// Standard deviation of a reading by its own error; 0 if unknown.
+    /// Standard deviation of a reading due to its own error; 0 if unknown.
     pub(super) reading_sd: f64,
-    /// Largest number of simulated series for a change near the limit of chance; and their seed.
+    /// Largest number of simulated series for a change near the limit of chance, and their seed.
     pub(super) replicates: usize,
     pub(super) seed: u64,
 }
 
 impl TiltTrend {
-    /// Whether it has a slope beyond chance.
+    /// Whether the slope is significant.
     pub fn is_beyond_chance(&self) -> bool {
         self.slope.is_some_and(|slope| slope.p_value < self.significance)
     }
@@ -128,17 +126,17 @@ pub struct TiltSlope {
     pub sd_per_year: f64,
     /// Probability of such a slope by chance.
     pub p_value: f64,
-    /// The slope that would have been seen with 80 % probability.
+    /// The slope that would have been found with 80 % probability.
     pub seen_from_per_year: f64,
-    /// Tilt on the day of the last reading, without the yearly wave about its mean over the last year, or over the season of the readings
-    /// if they do not cover the year.
+    /// Tilt on the day of the last reading, without the yearly wave relative to its mean over the last year, or over the season of the readings if
+    /// they do not cover the year.
     pub now: f64,
-    /// Time at which it reaches the limit; `None` without a limit.
+    /// Time at which the tilt reaches the limit; `None` without a limit.
     pub reach: Option<TiltReach>,
 }
 
 impl TiltSlope {
-    /// Present tilt over its limit, as absolute values; `None` without a limit.
+    /// Current tilt over its limit, as absolute values; `None` without a limit.
     pub fn share_of_limit(&self) -> Option<f64> {
         self.reach.map(|reach| (self.now / reach.limit).abs())
     }
@@ -147,17 +145,17 @@ impl TiltSlope {
 /// Time at which a tilt reaches its limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TiltReach {
-    /// The limit, with the sign of the slope if that is significant, else of the present tilt.
+    /// The limit, with the sign of the slope if that is significant, otherwise with the sign of the current tilt.
     pub limit: f64,
-    /// Years from the last reading until it, at the slope; `None` if the slope is not significant, or the tilt is beyond the limit.
+    /// Years from the last reading until the limit, at the slope; `None` if the slope is not significant, or if the tilt is already beyond the limit.
     pub years: Option<f64>,
-    /// Ends of the 95 % interval of a ratio of two estimates (Fieller 1954), present tilt and slope, not before the last reading.
+    /// Earlier end of the 95 % interval for the ratio of two estimates, current tilt and slope (Fieller 1954); not before the last reading.
     pub years_earliest: Option<f64>,
-    /// The later end.
+    /// Later end of this interval.
     pub years_latest: Option<f64>,
 }
 
-/// The slope through the readings together with a yearly wave, the levels of works, and the significant steps and changes of slope. The
+/// The slope through the readings, fitted together with a yearly wave, the levels of works, and the significant steps and changes of slope. The
 /// disturbance is estimated with all of them.
 ///
 /// # Errors
@@ -252,7 +250,7 @@ pub(super) fn tilt_trend(
             from: kept[of.from],
             after: kept[of.after],
             before: kept[of.before],
-            // the columns are those before the change
+            // the columns are 1 before the change
             size: -fit.coefficients[known + i],
             sd: fit.sd[known + i],
         });
@@ -271,7 +269,7 @@ pub struct SlopeLimit {
 }
 
 impl SlopeLimit {
-    /// Whether a reading has reached it.
+    /// Whether a reading has reached the limit.
     pub(super) fn is_reached(&self, reading: f64) -> bool {
         match self.is_one_sided {
             true => reading >= self.size,
@@ -280,7 +278,7 @@ impl SlopeLimit {
     }
 }
 
-/// The slope of a fit whose first column is the level at the last reading and whose second is years from it.
+/// The slope of a fit whose first column is the level at the last reading and whose second column is the time from it in years.
 pub(super) fn slope_of(
     fit: &Fit,
     degrees: f64,
@@ -322,7 +320,7 @@ pub(super) fn slope_of(
     })
 }
 
-/// Time at which a line with the fitted present tilt and slope has moved this far: the ends of the interval that contains the truth with the probability of the quantile.
+/// Time at which a line with the fitted current tilt and slope has moved by this amount: ends of an interval with the probability of the quantile.
 ///
 /// ```text
 /// (d − b T)² ≤ q² Var(a + b T),   Var = v_aa + 2 T v_ab + T² v_bb
@@ -410,7 +408,7 @@ mod tests {
 
     #[test]
     fn holds_the_interval_of_years_holds_the_truth_as_often_as_it_says() {
-        // 40 half years that end below the limit by the change of the slope in 2, 5 and 20 years
+        // 40 half years; the last tilt is below the limit by the growth of 2, 5 and 20 years
         for years_left in [2.0, 5.0, 20.0] {
             let mut held = 0;
             let drawn = 400;
@@ -436,7 +434,7 @@ mod tests {
                     .unwrap();
                 let reach = found.reach.unwrap();
                 assert_eq!(reach.limit, -5e-3);
-                // without a forecast, where noise looked like a jump, the interval is empty
+                // the interval is empty without a forecast, where noise looked like a jump
                 let of = reach.years_earliest.zip(reach.years_latest);
                 held += usize::from(of.is_some_and(|(from, to)| from <= years_left && years_left <= to));
             }
@@ -515,7 +513,7 @@ mod tests {
         assert!(jumps <= 18, "{jumps} of {RUNS}"); // 5 %: at most 18 with 99 %; 10 were
     }
 
-    /// 40 quarterly readings of 2.0 mm/m, noise 0.03, that grow by `per_year` from year 8 on; and the years left to 1/150.
+    /// 40 quarterly readings of 2.0 mm/m with noise 0.03, which grow by `per_year` from year 8 on; also returns the years left to 1/150.
     fn bent(seed: u64, per_year: f64) -> (TiltSeries, f64) {
         let mut random = Random::new(seed, 3);
         let days: Vec<f64> = (0..40).map(|i| 0.25 * YEAR_DAYS * f64::from(i)).collect();
@@ -559,7 +557,7 @@ mod tests {
         let found = tilt_trend(series.clone(), &[], &seeking(None)).unwrap();
         let bend = *found.bend().unwrap();
         let slope = found.slope.unwrap();
-        // level, year, a yearly wave, and the part after the bend: normal equations by Gauss
+        // level, year, a yearly wave, and the part after the bend: normal equations by Gauss elimination
         let at = series.days[bend.from];
         let row = |i: usize| {
             let t = series.days[i] / YEAR_DAYS;
@@ -586,7 +584,7 @@ mod tests {
             }
         }
         let solved: Vec<f64> = (0..5).map(|j| a[j][5] / a[j][j]).collect();
-        // the true disturbance is uncorrelated; its estimate changes the weights slightly
+        // the true disturbance is uncorrelated, but its estimate changes the weights slightly
         assert!(
             (slope.per_year - (solved[1] + solved[4])).abs() < 0.3 * slope.sd_per_year,
             "{slope:?} {solved:?}"
@@ -665,7 +663,7 @@ mod tests {
         assert!(found.outliers.is_empty());
         let jump = found.changes[0];
         assert!(jump.from == 39 && (jump.size - 11.8e-3).abs() < 2e-4, "{jump:?}");
-        // as accurate as the readings, however large the step
+        // as accurate as the readings, whatever the size of the step
         assert!(jump.sd < 5e-5, "{jump:?}");
         let limit = found.slope.unwrap();
         assert!(limit.share_of_limit().unwrap() > 2.0, "{limit:?}");

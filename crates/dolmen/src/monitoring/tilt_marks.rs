@@ -5,15 +5,15 @@ use super::tilt::{SlopeLimit, TiltReach, TiltSlope, TiltTrend};
 use super::weather::YEAR_DAYS;
 use crate::numeric::student_two_sided_quantile;
 
-/// Number of last readings whose mean, moved along the slope, is the present tilt. Our choice: a year of quarterly ones.
+/// Number of last readings whose mean, moved along the slope, is the current tilt. Our choice: a year of quarterly readings.
 const READINGS_MOST: usize = 4;
 /// Number of standard deviations up to which the slope of the new mark agrees with that of the previous mark. Our choice.
 const OTHER_FROM: f64 = 2.5;
-/// Degrees of freedom used by level, slope and a yearly wave in the readings of the previous mark.
+/// Degrees of freedom that level, slope and yearly wave use in the readings of the previous mark.
 const TAKEN: usize = 4;
 
 impl TiltTrend {
-    /// The slope for the forecast: its own if significant, or that of the previous mark; `None` if the sign is uncertain.
+    /// The slope for the forecast: its own slope if significant, otherwise that of the previous mark; `None` if the sign is uncertain.
     pub fn forecast(&self) -> Option<&TiltSlope> {
         let own = self.slope.as_ref().filter(|_| self.is_beyond_chance());
         own.or(self.carried.as_ref())
@@ -21,8 +21,8 @@ impl TiltTrend {
     }
 }
 
-/// Slope of the previous mark, for each tilt with a newer mark in its direction and no significant slope of its own: a new mark does not mean a new
-/// structure.
+/// Slope of the previous mark, for each tilt that has a newer mark in the same direction and no significant slope of its own: a new mark does not
+/// mean a new structure.
 ///
 /// # Errors
 /// [`MonitoringError::Numeric`].
@@ -54,7 +54,7 @@ pub(super) fn carry(trends: &mut [TiltTrend], limit: Option<SlopeLimit>) -> Resu
     Ok(())
 }
 
-/// The slope of the previous mark, with the present tilt and the reach of the new one.
+/// The slope of the previous mark, with the current tilt and the time to the limit of the new mark.
 fn moved(
     own: &TiltTrend,
     (before, slope): (&TiltTrend, &TiltSlope),

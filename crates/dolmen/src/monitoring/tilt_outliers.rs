@@ -2,13 +2,14 @@
 
 use crate::numeric::{middle, middle_mean};
 
-/// Number of readings on either side in the comparison, and how many of them may agree with the reading.
+/// Number of readings on either side for the comparison, and how many of them may agree with the reading.
 const BESIDE: usize = 3;
 const WITH_IT: usize = 1;
-/// Deviations beyond which a reading is isolated, as for frequencies; also for the first one from the line of the next ones. Our choice.
+/// Number of standard deviations beyond which a reading is isolated, as for frequencies; also for the first reading, relative to the line through the
+/// next ones. Our choice.
 const ALONE: f64 = 6.0;
 const ALONE_FIRST: f64 = 12.0;
-/// A deviation of normal values over their median absolute deviation.
+/// Ratio of the standard deviation to the median absolute deviation of normal values.
 const OF_MEDIAN: f64 = 1.4826;
 /// Fewest readings for a comparison with neighbours.
 const READINGS_LEAST: usize = 8;
@@ -22,12 +23,12 @@ pub struct TiltOutlier {
     pub expected: f64,
 }
 
-/// Readings that lie beyond the six around them, or all but one of these, by more than six deviations; the first one beyond the line of those behind it,
-/// too.
+/// Readings that differ by more than six standard deviations from the six readings around them, or from all but one of these. The first reading is
+/// also an outlier if it is that far from the line through the next ones.
 ///
-/// Two adjacent outliers are found. A step is not an outlier, because the readings before it agree with each other; nor is the first reading after a
-/// step, or the last before it, if it is on the line of the three readings on its side. The last reading is never an outlier: only the next one can
-/// show whether the structure moved.
+/// Two adjacent outliers are found. A step is not an outlier, because the readings before it agree with each other. Neither is the first reading
+/// after a step, or the last before it, if it is on the line of the three readings on its side. The last reading is never an outlier: only the next
+/// reading can show whether the structure moved.
 pub(super) fn tilt_outliers(days: &[f64], ratios: &[f64]) -> Vec<TiltOutlier> {
     let n = days.len();
     if n < READINGS_LEAST {
@@ -64,7 +65,6 @@ pub(super) fn tilt_outliers(days: &[f64], ratios: &[f64]) -> Vec<TiltOutlier> {
     .collect()
 }
 
-/// Distance of a reading from its neighbours.
 struct NeighbourDistance {
     at: usize,
     near: Vec<usize>,
@@ -79,7 +79,7 @@ impl NeighbourDistance {
         NeighbourDistance { at, near, off }
     }
 
-    /// The same after removing the median slope of all pairs of the others, which a single slip among them does not change (Theil 1950, Sen
+    /// The same after removing the median slope of all pairs of the other readings, which a single wrong reading does not change (Theil 1950, Sen
     /// 1968).
     fn without_slope(&self, days: &[f64], ratios: &[f64]) -> Self {
         let pairs = self.near.iter().enumerate();
@@ -96,7 +96,7 @@ impl NeighbourDistance {
         }
     }
 
-    /// Whether the reading is beyond all others on one side, except for this number.
+    /// Whether the reading is beyond all other readings on one side, except for this number.
     fn is_alone(&self, limit: f64, with_it: usize) -> bool {
         let most = self.off.len() - with_it;
         let above = self.off.iter().filter(|off| **off > limit).count();

@@ -1,17 +1,17 @@
-//! Steps of a tilt that only change its sign: more likely a reading with the wrong sign than a structure that swung through the vertical.
+//! Steps of a tilt that only change its sign: probably a reading with the wrong sign, not a structure that moved through the vertical.
 
 use super::scan::ChangeForm;
 use super::tilt::{TiltChange, TiltTrend};
 
-/// Most readings on either side of a step whose means are compared.
+/// Largest number of readings on either side of a step whose means are compared.
 const BESIDE: usize = 3;
-/// Sum of the tilts before and after over their difference, below which only the sign changed. Our choice.
+/// Sum over difference of the tilts before and after, below which only the sign changed. Our choice.
 const OPPOSITE: f64 = 0.1;
-/// Least size of the step for this question, in standard deviations. Our choice.
+/// Least size of a step for this test, in standard deviations. Our choice.
 const SIZE_LEAST: f64 = 6.0;
 
 impl TiltTrend {
-    /// Whether the tilt after a step is that before it with the opposite sign.
+    /// Whether the tilt after a step equals the tilt before it with the opposite sign.
     pub fn turns_sign(&self, step: &TiltChange) -> bool {
         let ratios = &self.series.ratios;
         let is_sound = |i: &usize| self.outliers.iter().all(|of| of.at != *i);
@@ -25,8 +25,8 @@ impl TiltTrend {
             && (behind + before).abs() <= OPPOSITE * size
     }
 
-    /// Whether the first and the last readings have opposite signs for that reason only: the right one determines the direction of the
-    /// tilt, so that there is no forecast.
+    /// Whether the first and the last readings have opposite signs only because of such steps. The direction of the tilt is then
+    /// uncertain, and there is no forecast.
     pub fn is_sign_in_question(&self) -> bool {
         self.changes.iter().filter(|of| self.turns_sign(of)).count() % 2 == 1
     }

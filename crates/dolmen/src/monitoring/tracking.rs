@@ -1,8 +1,8 @@
-//! Tracks modes through many surveys: one assignment problem per survey, against a reference from the last surveys.
+//! Tracks modes through many surveys: each survey is assigned to references from the last surveys.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | Δf | | frequency minus that of the reference, the median of the last surveys | Hz |
+//! | Δf | | frequency minus the reference, which is the median of the last surveys | Hz |
 //! | σ_f | | standard deviation of the difference | Hz |
 //! | w | `width_hz` | max(`frequency_within` f, 4 σ_f) | Hz |
 
@@ -22,7 +22,7 @@ const FORBIDDEN: f64 = 1e6;
 const FORGOTTEN_AFTER: usize = 30;
 /// Fewest common sensors for comparing shapes.
 const PLACES_LEAST: usize = 2;
-/// MAC from which a mode that ended and one that began may be one mode that jumped.
+/// MAC from which a mode that ended and a mode that began may be one mode that jumped.
 const JUMPED_LEAST: f64 = 0.8;
 
 /// Options of [`track`].
@@ -36,7 +36,7 @@ pub struct Tracking {
     pub found_least: usize,
     /// Smallest fraction of the surveys with the mode for a track; default 0.2 (our choice).
     pub share_least: f64,
-    /// Largest distance between two sensors that count as the same position, m; default 0.1.
+    /// Largest distance between two sensors at the same position, m; default 0.1.
     pub place_within_m: f64,
 }
 
@@ -93,7 +93,7 @@ pub struct Tracked {
     pub tracks: Vec<Track>,
     /// Median frequencies of the other modes, Hz, and the number of surveys with each.
     pub rare: Vec<(f64, usize)>,
-    /// Modes that may have jumped.
+    /// Modes that may have jumped in frequency.
     pub jumped: Vec<Jumped>,
     /// Jumps of shapes without changes of frequency.
     pub sensors: Vec<SensorChange>,
@@ -112,7 +112,7 @@ impl Reference {
         middle(self.recent.iter().map(|mode| mode.frequency_hz).collect())
     }
 
-    /// Median of the last shapes at their common sensors, each scaled to the length and phase of the newest.
+    /// Median of the last shapes at their common sensors, each scaled to the amplitude and phase of the newest one.
     fn shape(&self, within_m: f64) -> Vec<ObservedPoint> {
         let Some(newest) = self.recent.iter().rev().find(|mode| !mode.shape.is_empty()) else {
             return Vec::new();
@@ -127,7 +127,7 @@ impl Reference {
             let power: f64 = old.iter().map(|o| o.norm_sqr()).sum();
             if power > 0.0 {
                 for (values, (o, n)) in each.iter_mut().zip(old.iter().zip(&new)) {
-                    // component in phase with the newest shape: the other component is noise of both
+                    // component in phase with the newest shape; the other component is noise
                     let phase = if n.norm() > 0.0 { n / n.norm() } else { 1.0.into() };
                     values.push((o * inner / power * phase.conj()).re);
                 }
@@ -229,8 +229,8 @@ pub fn track(surveys: &[HistorySurvey], options: &Tracking) -> Result<Tracked, M
     Ok(gathered(retired, sensors, surveys, options))
 }
 
-/// The first of the surveys up to this one that already has the changed shapes. An earlier survey may have had too few comparable modes to show the
-/// jump itself.
+/// The first survey that already has the changed shapes. It may be before `at`, because an earlier survey may have had too few comparable modes to
+/// show the jump itself.
 fn jumped_since(surveys: &[HistorySurvey], references: &[Reference], at: usize, options: &Tracking) -> usize {
     let mut since = at;
     while since > 0 {
@@ -262,7 +262,7 @@ fn likeness(shape: &[ObservedPoint], mode: &ObservedMode, options: &Tracking) ->
     (phi.len() >= PLACES_LEAST).then(|| assurance(&phi, &psi))
 }
 
-/// For each reference, the same mode in the survey.
+/// For each reference, the index of the same mode in the survey.
 fn assigned(
     known: &[ObservedMode],
     modes: &[ObservedMode],
@@ -295,7 +295,7 @@ fn assigned(
         .collect())
 }
 
-/// Sorts the tracks: those found often enough, by frequency; the others; and possible jumps.
+/// Sorts the tracks into those found often enough, by frequency, the others, and possible jumps.
 fn gathered(
     references: Vec<Reference>,
     sensors: Vec<SensorChange>,

@@ -1,25 +1,25 @@
-//! Surveys without a temperature among others with one.
+//! Surveys without a temperature in a series with temperatures.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | w | `effect` | effect of weather on a reading: β (T − T₀) + γ max(0, T_k − T) | - |
-//! | n | `near` | surveys with a temperature at that time of the year | - |
+//! | n | `near` | surveys with a temperature at the same time of the year | - |
 
 use super::regression::{Fit, restricted_likelihood};
 use super::weather::{ModeSeries, YEAR_DAYS, columns, earned, explaining};
 
-/// Largest difference in days for the same time of the year, and fewest known temperatures there. Our choice.
+/// Largest difference in days for the same time of the year, and smallest number of known temperatures in it. Our choice.
 const SAME_TIME_DAYS: f64 = 45.0;
 const NEAR_LEAST: usize = 3;
-/// Duration of one weather, days: surveys within it share its error. Our choice.
+/// Duration of one weather situation, days: surveys within it have the same error. Our choice.
 const WEATHER_DAYS: f64 = 7.0;
 
-/// The series with the mean temperature of the same time of the year, in other years and this one, where a survey has none; its error holds what the
-/// weather does to readings at one time of the year.
+/// The series in which surveys without a temperature have the mean temperature of the same time of the year, over all years. Their error includes
+/// the scatter of the weather effect at that time of the year.
 ///
 /// ```text
 /// T̂ = mean of T within 45 days of the time of the year,   σ² → σ² + m s²
-/// s² = mean over the known surveys of (w − mean of w of the others at their time of the year)²,   m: such surveys within 7 days
+/// s² = mean over the known surveys of (w − mean of the other w at their time of the year)²,   m: such surveys within 7 days
 /// ```
 /// A survey at a time of the year with fewer than three known temperatures keeps none. `levels` are columns of works for the surveys with a
 /// temperature.
@@ -67,7 +67,7 @@ pub(super) fn filled(series: &ModeSeries, levels: &[Vec<f64>], frost_below_c: f6
             continue;
         }
         let temperature_c = mean(&of_time, &known.temperatures_c);
-        // frost makes the effect nonlinear: its mean is not that of the mean temperature
+        // with frost the effect is nonlinear: its mean is not the effect of the mean temperature
         let bent = mean(&of_time, &effects) - effect(temperature_c);
         let together = without
             .iter()
@@ -96,7 +96,7 @@ mod tests {
     use super::*;
     use crate::monitoring::series::Series;
 
-    /// Ten years of surveys in spring, summer and autumn, −0.15 % per °C, without noise; those that `without` names have no temperature.
+    /// Ten years of surveys in spring, summer and autumn, −0.15 % per °C, without noise; the surveys `without` have no temperature.
     fn series(without: &[usize]) -> ModeSeries {
         let days: Vec<f64> = (0..30)
             .map(|i| YEAR_DAYS * (f64::from(i / 3) + 0.25 * f64::from(1 + i % 3)))
@@ -124,18 +124,18 @@ mod tests {
     #[test]
     fn exact_a_survey_without_a_temperature_has_that_of_its_season() {
         let found = filled(&series(&[28]), &[], 0.0);
-        // the nine summers that are known, by hand
+        // the nine summers with a temperature, by hand
         let summers: Vec<f64> = (0..9)
             .map(|year| series(&[]).temperatures_c[3 * year + 1])
             .collect();
         let mean = summers.iter().sum::<f64>() / 9.0;
         assert!((found.temperatures_c[28] - mean).abs() < 1e-12);
-        // residual weather effect at one time of the year: 1.5e-3 times a deviation of √2 °C; that of the mean of the others is 9/8 to 10/9 times
-        // this
+        // residual weather effect at one time of the year: 1.5e-3 times a standard deviation of √2 °C; the difference to the mean of the others is
+        // 9/8 to 10/9 times as large
         let own = (found.series.noise_sd[28].powi(2) - 1e-6).sqrt();
         let expected = 1.5e-3 * 2f64.sqrt() * 1.11;
         assert!((own / expected - 1.0).abs() < 0.08, "{own} {expected}");
-        // the others stay as they are
+        // the other surveys do not change
         assert_eq!(found.series.noise_sd[27], 1e-3);
     }
 

@@ -1,4 +1,4 @@
-//! Watches the history of a structure: all results in one analysis.
+//! Analyses the whole history of a structure: changes, alarms and tilts.
 
 use super::MonitoringError;
 use super::alarm::{AlarmOptions, JudgedMode, ModeAlarm, alarm_limit, judge};
@@ -19,11 +19,11 @@ use crate::numeric::middle;
 
 /// Fewest surveys in a history.
 const SURVEYS_LEAST: usize = 3;
-/// Days after the last survey within which a work answers alarms. Our choice: a work dated a year ahead is planned, or its year is wrong.
+/// Days after the last survey within which a work answers alarms. Our choice: a work dated a year ahead is only planned, or its date is wrong.
 pub const ANSWERED_DAYS: f64 = 366.0;
-/// Fewest surveys of a mode for a search of changes. Our choice: with fewer, the limit of chance is beyond any change.
+/// Fewest surveys of a mode for a search of changes. Our choice: with fewer, no change can exceed the limit of chance.
 const READINGS_LEAST: usize = 8;
-/// Correlation of temperature and time from which it is reported; as in the comparison of two surveys.
+/// Correlation of temperature and time above which it is reported, as in the comparison of two surveys.
 const WITH_TIME: f64 = 0.7;
 
 /// Options of [`watch`].
@@ -35,7 +35,7 @@ pub struct WatchOptions {
     pub significance: f64,
     /// Mean time between false alarms of all modes together, years; default 10.
     pub years_between_false_alarms: f64,
-    /// Number of surveys for training before one is judged; default 10.
+    /// Number of surveys for training before the first one is judged; default 10.
     pub training: usize,
     /// Weight of the newest survey in the moving average; default 0.2.
     pub weight: f64,
@@ -43,7 +43,7 @@ pub struct WatchOptions {
     pub frost_below_c: f64,
     /// Largest allowed tilt, horizontal over vertical.
     pub tilt_limit: Option<f64>,
-    /// Number of simulated histories for a change near the limit of chance; default 999. With 0 only the table is used.
+    /// Number of simulated histories for a change near the limit of chance; default 999. With 0, only the table is used.
     pub replicates: usize,
     /// Seed of the simulated histories.
     pub seed: u64,
@@ -85,7 +85,7 @@ pub struct Watched {
     pub tracked: Tracked,
     /// Confirmed alarms, by time.
     pub alarms: Vec<StructureAlarm>,
-    /// Modes that the last surveys do not show and that no later inspection has answered.
+    /// Modes that are missing in the last surveys, without a later inspection.
     pub lost: Vec<LostMode>,
     /// Number of surveys times modes per allowed false alarm.
     pub surveys_between: f64,
@@ -104,7 +104,7 @@ pub struct Watched {
 }
 
 impl Watched {
-    /// The result for a history with too few surveys.
+    /// The empty result for a history with too few surveys.
     pub fn nothing(significance: f64) -> Self {
         Watched {
             modes: Vec::new(),
@@ -121,13 +121,13 @@ impl Watched {
         }
     }
 
-    /// Whether a mode vanished significantly: an alarm like one of a frequency.
+    /// Whether a mode is missing significantly, which is an alarm like that of a frequency.
     pub fn is_mode_lost(&self) -> bool {
         !self.lost.is_empty() && is_beyond_chance(&self.lost, self.surveys_between)
     }
 }
 
-/// Watches a history: tracks the modes, removes the effect of weather, finds changes, and compares each survey and tilt with those before.
+/// Analyses a history: tracks the modes, removes the effect of weather, finds changes, and compares each survey and tilt with earlier ones.
 ///
 /// ```text
 /// f_i(t) = f_i0 [1 + β_i (T − T₀) + γ_i max(0, T_k − T) + changes] + e,   Cov e = diag(σ_i²) + s² φ^|Δt|
@@ -167,7 +167,7 @@ pub fn watch(history: &History, options: &WatchOptions) -> Result<Watched, Monit
         })
         .collect::<Result<_, _>>()?;
     let judged: Vec<JudgedMode> = modes.iter().map(|mode| mode.judged.clone()).collect();
-    // works dated far after the last survey are planned, or have a wrong date
+    // works dated long after the last survey are only planned, or have a wrong date
     let answered_until = days[days.len() - 1] + ANSWERED_DAYS;
     let answered = |survey: usize| {
         history
@@ -379,7 +379,7 @@ fn watched_mode(
     Ok(mode)
 }
 
-/// Adds the results to the mode.
+/// Adds the explained frequencies, changes and effects of works to the mode.
 fn explain(
     mode: &mut WatchedMode,
     (kept, found): (&ModeSeries, &Changes),
@@ -406,7 +406,7 @@ fn explain(
         let explained: f64 = parts.map(|(column, beta)| column[i] * beta).sum();
         mode.explained_hz[kept.surveys[i]] = Some(mode.track.frequency_hz * (1.0 + explained));
     }
-    // the level before a change: the effect of works and earlier changes
+    // the level before a change: the effects of works and earlier changes
     let level_before = |from: usize, but: usize| -> f64 {
         let steps = (of_weather..found.columns.len()).filter(|c| *c != but);
         let before = from.saturating_sub(1);

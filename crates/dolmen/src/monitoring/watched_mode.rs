@@ -11,11 +11,11 @@ use super::whitening::Disturbance;
 /// Effect of weather on one mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeatherEffect {
-    /// Effects that the series determines.
+    /// The weather effects that the series determines.
     pub known: WeatherKnown,
     /// Relative change per °C, and its standard deviation.
     pub per_c: Option<(f64, f64)>,
-    /// Additional relative rise per °C below freezing, and its standard deviation.
+    /// Additional relative increase per °C below freezing, and its standard deviation.
     pub frost_per_c: Option<(f64, f64)>,
     /// Correlation of temperature with time, if it is strong: weather and ageing cannot then be separated.
     pub with_time: Option<f64>,
@@ -30,26 +30,26 @@ pub struct WatchedChange {
     pub form: ChangeForm,
     /// The first survey with the change.
     pub from: usize,
-    /// The change came after this survey,
+    /// The change occurred after this survey,
     pub after: usize,
-    /// and not after this one: the interval holds the date with 95 % probability.
+    /// and not after this one: the interval contains the date with 95 % probability.
     pub before: usize,
-    /// Relative change: of a step, or of a slope up to the last survey.
+    /// Relative change: size of a step, or accumulated change of a slope up to the last survey.
     pub ratio: f64,
     /// Its standard deviation.
     pub sd: f64,
     /// Relative change per year, for a slope.
     pub per_year: Option<f64>,
-    /// Probability of such a strong change in any mode by chance.
+    /// Probability of a change this strong in any mode by chance.
     pub p_value: f64,
 }
 
-/// Deviation of the last one or two surveys from the prediction by earlier ones, weather, works and changes.
+/// Difference of the last one or two surveys from the prediction by earlier surveys, weather, works and changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LastOff {
-    /// The first of them.
+    /// The first of these surveys.
     pub from: usize,
-    /// Number of them with the mode.
+    /// Number of these surveys with the mode.
     pub surveys: usize,
     /// Relative change of the frequency.
     pub ratio: f64,
@@ -79,18 +79,18 @@ pub struct WatchedMode {
     pub explained_hz: Vec<Option<f64>>,
     /// Changes of the mode.
     pub changes: Vec<WatchedChange>,
-    /// Deviation of only the last one or two surveys: not yet a lasting change, and not explained by weather.
+    /// Difference of only the last one or two surveys: not yet a lasting change, and not explained by weather.
     pub last_off: Option<LastOff>,
     /// Effects of works.
     pub works: Vec<WorkEffect>,
-    /// Least lasting step halfway through the years that would have been seen with 80 % probability.
+    /// Smallest lasting step halfway through the years that would have been found with 80 % probability.
     pub seen_from_ratio: Option<f64>,
-    /// Isolated surveys: left out of the search.
+    /// Isolated surveys, which are left out of the search.
     pub outliers: Vec<usize>,
-    /// Surveys at temperatures that too few others had, or with an unknown temperature at a time of the year with too few known ones: left
-    /// out of the search.
+    /// Surveys that are left out of the search: at temperatures with too few other surveys, or with an unknown temperature at a time of the year
+    /// with too few known ones.
     pub strange: Vec<usize>,
-    /// Surveys without a temperature that use the mean of their time of the year, with the scatter of its weather as their error.
+    /// Surveys without a temperature. They have the mean temperature of their time of the year, with the scatter of the weather effect as error.
     pub guessed: Vec<usize>,
     /// Each survey compared with earlier ones.
     pub judged: JudgedMode,
@@ -102,9 +102,9 @@ pub struct WatchedMode {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct FittedMode {
     pub(super) series: Series,
-    /// The level, the weather, then works and changes.
+    /// Columns of level and weather, then of works and changes.
     pub(super) columns: Vec<Vec<f64>>,
-    /// Number of those for the level and the weather.
+    /// Number of the columns for level and weather.
     pub(super) of_weather: usize,
     pub(super) disturbance: Disturbance,
     /// Index of each reading's survey.
@@ -114,15 +114,15 @@ pub(super) struct FittedMode {
 /// A change of a frequency at a given date, significant or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChangeThere {
-    /// Relative change: of a step, or of a slope up to the last survey.
+    /// Relative change: size of a step, or accumulated change of a slope up to the last survey.
     pub ratio: f64,
     /// Its standard deviation.
     pub sd: f64,
 }
 
 impl WatchedMode {
-    /// Change of the mode at a survey: the change found there, or else one of that form, estimated together with all other explanations. `None` if
-    /// too few readings are on one side.
+    /// Change of the mode at a survey: the detected change, or otherwise a change of this form that is estimated together with all other effects.
+    /// `None` if there are too few readings on one side.
     pub fn change_there(&self, form: ChangeForm, from: usize) -> Option<ChangeThere> {
         let own = self.changes.iter().find(|of| {
             let interval = of.after..=of.before;

@@ -1,19 +1,19 @@
-//! Fits a yearly wave beside a level and a slope. The readings need not cover the whole year.
+//! Fits a yearly wave in addition to a level and a slope. The readings need not cover the whole year.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | ω t | `turn` | time of the year, as an angle |
 //! | α | `angle` | time of the year at which a column has its maximum |
-//! | v | `variance` | mean square of a column after subtraction of its fit by level, slope and works |
+//! | v | `variance` | mean square of a column after its fit by level, slope and works is subtracted |
 
 use super::weather::{WAVE_VARIANCE_LEAST, YEAR_DAYS};
 use std::f64::consts::TAU;
 
 /// Regression columns of a yearly wave that the days can distinguish from the columns `beside`. There are two columns if the readings cover the year,
-/// one if they fall at two times of the year, and none if they fall at one time.
+/// one if they fall at two times of the year, and none for a single time of the year.
 ///
 /// ```text
-/// cos(ω t − α) − m        α: principal axes of (cos ω t, sin ω t) less their fit by the other columns,   v(α) ≥ 0.05
+/// cos(ω t − α) − m        α: principal axes of (cos ω t, sin ω t) minus their fit by the other columns,   v(α) ≥ 0.05
 /// m = 1/year ∫ cos(ω t − α) dt over the last year, the integrand constant around each reading
 /// ```
 /// If v is small, the data do not determine the amplitude, and so neither the level nor the slope: ten readings from the first days of February would
@@ -53,7 +53,7 @@ pub(super) fn amplitude(coefficients: &[f64]) -> Option<f64> {
     coefficients.iter().copied().reduce(f64::hypot).map(f64::abs)
 }
 
-/// Mean of values over the year that ends with the last day. Each value represents the time that is nearest to its reading.
+/// Mean over the year that ends with the last day; each value represents the time that is nearest to its reading.
 fn of_last_year(days: &[f64], values: &[f64]) -> f64 {
     let Some(last) = days.last().copied() else {
         return 0.0;
@@ -76,7 +76,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Residuals of two columns after subtraction of their fit by other columns: modified Gram-Schmidt.
+/// Residuals of two columns after their fit by other columns is subtracted: modified Gram-Schmidt.
 fn left(columns: &[Vec<f64>], mut of: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
     let take = |from: &mut Vec<f64>, unit: &[f64]| {
         let along = dot(from, unit);
@@ -142,7 +142,7 @@ mod tests {
         for column in columns(&at(4, &monthly)) {
             assert!((column.iter().sum::<f64>()).abs() < 1e-9, "{column:?}");
         }
-        // two times of the year, 1/4 apart: the later reading represents 1/8 + 3/8 of the year, the earlier one the same
+        // two times of the year, 1/4 apart: the later reading represents 1/8 + 3/8 of the year, and so does the earlier one
         let [column] = columns(&at(8, &[0.2, 0.45])).try_into().unwrap();
         let [.., before, last] = column.as_slice() else {
             panic!("{column:?}")

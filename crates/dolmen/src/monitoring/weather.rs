@@ -1,4 +1,4 @@
-//! Explanatory variables of a frequency besides a change: level, temperature, frost and season.
+//! Explanatory variables of a frequency other than changes: level, temperature, frost and season.
 
 use super::regression::{Fit, restricted_likelihood};
 use super::series::Series;
@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 /// Fewest surveys below freezing for a frost coefficient, and fewest surveys with a temperature for a line. Our choice.
 pub(super) const FROST_SURVEYS_LEAST: usize = 3;
 const LINE_SURVEYS_LEAST: usize = 6;
-/// Least range of temperatures for a fitted coefficient, °C; as in the comparison of two surveys.
+/// Least range of temperatures for a fitted coefficient, °C, as in the comparison of two surveys.
 const SPREAD_LEAST_C: f64 = 2.0;
 /// Fewest surveys and years for a season. Our choice: two of each.
 const SEASON_SURVEYS_LEAST: usize = 12;
@@ -20,7 +20,6 @@ pub(super) struct ModeSeries {
     pub(super) series: Series,
     /// Index of the survey of each reading.
     pub(super) surveys: Vec<usize>,
-    /// Day of each reading.
     pub(super) days: Vec<f64>,
     /// Temperature of each reading, °C; NaN if unknown.
     pub(super) temperatures_c: Vec<f64>,
@@ -57,13 +56,13 @@ pub enum WeatherKnown {
     TemperatureAndFrost,
     /// Temperatures are unknown: a yearly wave.
     Season,
-    /// Temperatures are unknown and the surveys fall at only two times of the year: the difference between these times.
+    /// Temperatures are unknown, and the surveys fall at only two times of the year: the difference between these times.
     TwoSeasons(Wave),
     /// No weather effect, so that changes and weather cannot be separated.
     Nothing,
 }
 
-/// The part of a yearly wave that distinguishes two times of the year.
+/// The component of a yearly wave that distinguishes two times of the year.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wave {
     /// The cosine of the yearly wave.
@@ -72,11 +71,11 @@ pub enum Wave {
     Sine,
 }
 
-/// Variance of the yearly wave over the surveys below which the wave cannot be separated from the level: all surveys are then within about two
+/// Variance of the yearly wave over the surveys below which the wave cannot be separated from the level. All surveys are then within about two
 /// weeks of one day of the year, or of two opposite days. Our choice.
 pub(super) const WAVE_VARIANCE_LEAST: f64 = 0.05;
 
-/// Which part of a yearly wave the days of a series separate from the level.
+/// The components of a yearly wave that the days of a series separate from the level.
 fn season(days: &[f64]) -> WeatherKnown {
     let turns = || days.iter().map(|day| (TAU * day / YEAR_DAYS).sin_cos());
     let count = days.len() as f64;
@@ -99,7 +98,7 @@ fn season(days: &[f64]) -> WeatherKnown {
     }
 }
 
-/// Whether temperatures can explain a series: nearly all are known, and their range is large enough.
+/// Whether temperatures can explain a series: nearly all are known, and their range is sufficient.
 pub(super) fn has_temperature(series: &ModeSeries) -> bool {
     let known = series.temperatures_c.iter().copied().filter(|t| t.is_finite());
     let count = known.clone().count();
@@ -115,7 +114,7 @@ pub(super) fn explaining(
     (day, temperature_c): (f64, f64),
     (middle_c, frost_below_c): (f64, f64),
 ) -> Vec<f64> {
-    // in tens of degrees, so that the coefficients have the size of the readings
+    // in units of ten degrees, so that the coefficients have the magnitude of the readings
     let warmth = 0.1 * (temperature_c - middle_c);
     let turn = TAU * day / YEAR_DAYS;
     match known {
@@ -147,7 +146,7 @@ pub(super) fn knows_frost(series: &ModeSeries, frost_below_c: f64) -> bool {
     frost.count() >= FROST_SURVEYS_LEAST
 }
 
-/// The weather effects that a series supports: frost only if the Bayesian information criterion favours it.
+/// The weather effects that a series supports; frost only if the Bayesian information criterion favours it.
 pub(super) fn earned(series: &ModeSeries, extra: &[Vec<f64>], at: (f64, f64)) -> WeatherKnown {
     let frost_below_c = at.1;
     if has_temperature(series) {

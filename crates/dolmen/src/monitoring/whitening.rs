@@ -6,7 +6,7 @@
 //! | t_i | `at` | time of a survey, in units of the usual interval between surveys | - |
 //! | σ_i | `noise_sd` | standard deviation stated by the survey | as y |
 //! | s | `sd` | standard deviation of the disturbance | as y |
-//! | φ | `correlation` | its correlation over one interval | - |
+//! | φ | `correlation` | correlation of the disturbance over one interval | - |
 //! | V | | Cov e = diag(σ_i²) + s² φ^|t_i − t_j| | |
 //! | L | | V = L Lᵀ | |
 
@@ -24,9 +24,9 @@ pub struct Disturbance {
 pub(super) struct Gains {
     /// 1/√F.
     pub(super) scale: f64,
-    /// ρ_{i+1} (1 − K_i): weight of the present prediction in the next one.
+    /// ρ_{i+1} (1 − K_i): weight of the current prediction in the next one.
     pub(super) keeps: f64,
-    /// ρ_{i+1} K_i: weight of the present reading in the next prediction.
+    /// ρ_{i+1} K_i: weight of the current reading in the next prediction.
     pub(super) learns: f64,
 }
 
@@ -77,7 +77,6 @@ impl Filter {
 #[derive(Clone, Debug)]
 pub(super) struct Whitening {
     gains: Vec<Gains>,
-    /// Σ ln F.
     pub(super) ln_determinant: f64,
 }
 
@@ -130,8 +129,8 @@ impl Whitening {
 
     /// For each survey τ, the value |L⁻¹ c|² of two changes c that begin there: a step (0 before τ, 1 from τ on) and a slope (max(0, t − t_τ)).
     ///
-    /// The remaining squared length is a quadratic form in the prediction a and in α, β of c = α + β t. Its coefficients are computed backwards from
-    /// the end.
+    /// From each survey on, the remaining squared length is a quadratic form in the prediction a and in α, β of c = α + β t. Its coefficients are
+    /// computed backwards from the end.
     pub(super) fn energies(&self, at: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = at.len();
         let (mut steps, mut slopes) = (vec![0.0; n], vec![0.0; n]);

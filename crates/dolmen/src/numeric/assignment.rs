@@ -1,19 +1,19 @@
-//! Who goes with whom at the least total cost.
+//! The assignment problem: pairs of rows and columns with the smallest total cost.
 
 use super::NumericError;
 
-/// For each row the column that is its own, so that the sum of their costs is least; `cost` holds rows of one length, at least as many
-/// columns as rows.
+/// For each row, a column of its own, such that the sum of the costs is smallest. `cost` holds rows of equal length, with at least as
+/// many columns as rows.
 ///
 /// ```text
 /// minimise Σ_i cost(i, c(i)) over all c: rows → columns with c(i) ≠ c(j)        cost: rows × columns
 /// ```
-/// Row after row is brought in along the path of least reduced cost (Dijkstra's), which keeps all reduced costs from below 0:
-/// rows² × columns operations.
+/// Each row is added along the path of smallest reduced cost (Dijkstra), which keeps all reduced costs at 0 or above: rows² × columns
+/// operations.
 ///
 /// # Errors
-/// [`NumericError::NotFinite`] for a cost that is no finite number; [`NumericError::Count`] for rows of other lengths than the first, or
-/// more rows than columns.
+/// [`NumericError::NotFinite`] for a cost that is not finite; [`NumericError::Count`] for rows of different lengths, or more rows than
+/// columns.
 ///
 /// # Source
 /// Kuhn (1955) Nav. Res. Logist. Q. 2:83-97; shortest augmenting paths after Jonker & Volgenant (1987) Computing 38:325-340, without
@@ -22,7 +22,7 @@ use super::NumericError;
 /// # Example
 /// ```
 /// use dolmen::numeric::assignment;
-/// // the nearest partner of the first row is the only good one of the second
+/// // the nearest column of the first row is the only good one for the second row
 /// assert_eq!(assignment(&[vec![1.0, 2.0], vec![1.0, 9.0]])?, [1, 0]);
 /// # Ok::<(), dolmen::numeric::NumericError>(())
 /// ```
@@ -79,7 +79,7 @@ pub fn assignment(cost: &[Vec<f64>]) -> Result<Vec<usize>, NumericError> {
     Ok(found)
 }
 
-/// Columns of a cost that can be used.
+/// Checks a cost matrix and returns its number of columns.
 fn check(cost: &[Vec<f64>]) -> Result<usize, NumericError> {
     let columns = cost.first().map_or(0, Vec::len);
     let count = |quantity, given: usize, least: usize, most: usize| NumericError::Count {
@@ -111,7 +111,7 @@ mod tests {
     use super::*;
     use crate::numeric::Random;
 
-    /// The least total over every way there is.
+    /// The smallest total over all assignments.
     fn by_trying_all(cost: &[Vec<f64>], taken: &mut Vec<usize>) -> f64 {
         let Some(row) = cost.get(taken.len()) else {
             return 0.0;
@@ -132,7 +132,7 @@ mod tests {
         let mut random = Random::new(7, 0);
         for trial in 0..300 {
             let (rows, columns) = (1 + trial % 6, 1 + trial % 6 + trial % 3);
-            // whole numbers: many ties
+            // integers give many equal costs
             let draw = |random: &mut Random| match trial % 2 {
                 0 => random.normal(),
                 _ => (2.0 * random.normal()).round(),

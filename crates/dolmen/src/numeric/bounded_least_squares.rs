@@ -8,19 +8,17 @@
 use super::levenberg_marquardt::Residuals;
 use dolmen_linalg::{Matrix, solve_least_squares};
 
-/// First damping, relative to the largest diagonal entry of JᵀJ, as in the method without bounds.
+/// First damping, relative to the largest diagonal entry of JᵀJ, as in the unbounded method.
 const DAMPING_FIRST: f64 = 1e-3;
 /// Damping at which the search ends: no step improves the point, which is a minimum to rounding.
 const DAMPING_MOST: f64 = 1e10;
 /// Largest step of one unknown. The unknowns are logarithms, so this is a factor of e².
 const STEP_MOST: f64 = 2.0;
-/// Length of a step below which only rounding is left.
+/// Length of a step below which it is only rounding.
 const STEP_LEAST: f64 = 1e-13;
 
-/// Stopping criteria of a bounded fit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BoundedStop {
-    /// Largest number of evaluations.
     pub(crate) evaluations_most: usize,
     /// Sum of squares at which the fit ends; 0 to continue to the minimum.
     pub(crate) enough: f64,
@@ -28,19 +26,17 @@ pub(crate) struct BoundedStop {
     pub(crate) decrease_least: f64,
 }
 
-/// Result of a bounded fit.
 pub(crate) struct BoundedFit {
     pub(crate) x: Vec<f64>,
     pub(crate) at: Residuals,
-    /// ‖r‖².
     pub(crate) squares: f64,
 }
 
 /// A local minimum of ‖r(x)‖² with lower ≤ x ≤ upper. The search begins at the start point, moved into the bounds; `None` if `at`
-/// refuses that point.
+/// refuses this point.
 ///
-/// In each step, unknowns at a bound that would leave it are fixed, and the step of the others is cut at their bounds. An unknown
-/// with equal bounds is always fixed.
+/// In each step, unknowns at a bound that they would leave are fixed, and the step of the other unknowns is limited by their
+/// bounds. An unknown with equal bounds is always fixed.
 pub(crate) fn bounded_least_squares(
     start: &[f64],
     [lower, upper]: [&[f64]; 2],

@@ -2,14 +2,14 @@
 
 use super::{Bracketing, NumericError, bracketed_root};
 
-/// Largest number of terms of the series and of the continued fraction, and the relative size at which they end.
+/// Largest number of terms of the series and of the continued fraction, and the relative size at which they are truncated.
 const TERMS_MOST: usize = 100_000;
 const PART_LEAST: f64 = 1e-16;
 
-/// P(χ² ≥ value) with this number of degrees of freedom, which need not be whole; 1 with none.
+/// P(χ² ≥ value) with this number of degrees of freedom, which need not be an integer; 1 for zero degrees of freedom.
 ///
 /// ```text
-/// Q(ν/2, value/2),   Q the upper regularised incomplete gamma function: 1 less its series below ν/2 + 1, its continued fraction above
+/// Q(ν/2, value/2),   Q the upper regularised incomplete gamma function: by series (1 − P) below ν/2 + 1, by continued fraction above
 /// ```
 ///
 /// # Errors
@@ -75,7 +75,7 @@ pub fn chi_squared_above(value: f64, degrees_of_freedom: f64) -> Result<f64, Num
     Err(NumericError::Evaluations { most: TERMS_MOST })
 }
 
-/// The value below which χ² with this number of degrees of freedom lies with the given probability.
+/// The quantile of χ² with this number of degrees of freedom.
 ///
 /// # Errors
 /// [`NumericError::Range`] unless 0 < probability < 1 and the degrees of freedom are above 0.

@@ -1,13 +1,14 @@
-//! Small systems of complex equations.
+//! Solves small systems of complex equations.
 
 use num_complex::Complex64;
 
-/// x of A x = b by elimination with row pivoting, A given row by row and overwritten; `false` if A is singular.
+/// Solves A x = b by elimination with row pivoting; A is given row by row and overwritten. Returns `false` if A
+/// is singular.
 pub(crate) fn complex_solve(a: &mut [Vec<Complex64>], b: &mut [Complex64]) -> bool {
     complex_solve_all(a, &mut [b])
 }
 
-/// Solves for several right sides b.
+/// Solves the system for several right sides b.
 pub(crate) fn complex_solve_all(a: &mut [Vec<Complex64>], right: &mut [&mut [Complex64]]) -> bool {
     let n = a.len();
     for j in 0..n {

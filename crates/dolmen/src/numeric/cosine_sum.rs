@@ -11,7 +11,7 @@ pub(crate) struct CosineSum {
 }
 
 impl CosineSum {
-    /// Of N samples a period.
+    /// Prepares sums of N samples per period.
     pub(crate) fn new(samples: usize) -> Self {
         CosineSum {
             transform: RealFftPlanner::<f64>::new().plan_fft_inverse(samples),
@@ -19,8 +19,8 @@ impl CosineSum {
         }
     }
 
-    /// The first `kept` samples of the sum with these amplitudes, fewer than N/2 of them, the first of frequency 0; `None` if the transform refuses
-    /// them.
+    /// The first `kept` samples of the sum with these amplitudes. The first amplitude has frequency 0; there must be fewer than N/2. `None` if the
+    /// transform fails.
     pub(crate) fn first(&self, amplitudes: &[Complex64], kept: usize) -> Option<Vec<f64>> {
         let mut spectrum = self.transform.make_input_vec();
         for (line, (to, c)) in spectrum.iter_mut().zip(amplitudes).enumerate() {

@@ -2,7 +2,7 @@
 
 /// Largest number of coefficients of a polynomial.
 pub(crate) const COEFFICIENTS_MOST: usize = 40;
-/// Number of halvings of [0, 1] after which an interval counts as a point: 2⁻⁵² is the resolution of numbers near 1.
+/// Number of halvings of [0, 1] after which an interval is a point: 2⁻⁵² is the resolution of numbers near 1.
 const HALVINGS_MOST: u32 = 52;
 
 /// The first σ in [`from`, 1] at which p(σ) = Σ c_k σᵏ becomes negative; `None` if p stays at or above zero.

@@ -1,15 +1,15 @@
-//! Natural logarithm and exponential from +, −, ×, ÷ alone, so that their bits are the same on every platform.
+//! Natural logarithm and exponential from +, −, ×, ÷ only, so that their bits are equal on every platform.
 //!
-//! IEEE 754 fixes the bits of these four and of the square root. It does not fix `ln` and `exp`, which the standard
-//! library takes from the system: seeded samples that went through them would differ between Linux, macOS and
-//! Windows in the last bit. These are for random numbers; everything else uses the standard library.
+//! IEEE 754 fixes the bits of these four operations and of the square root. It does not fix `ln` and `exp`, which
+//! the standard library takes from the system: seeded samples would differ between Linux, macOS and Windows in the
+//! last bit. Only random numbers use these functions; everything else uses the standard library.
 
 /// ln 2 in two parts: the first has 21 trailing zero bits, so its product with an exponent is exact.
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
-/// Terms of the series of atanh: with |s| ≤ 0.1716 the first one left out is below 2e-18 of the sum.
+/// Number of terms of the series of atanh: with |s| ≤ 0.1716 the first omitted term is below 2e-18 of the sum.
 const TERMS_LN: u32 = 11;
-/// Terms of the series of exp: with |r| ≤ 0.3466 the first one left out is below 1e-19.
+/// Number of terms of the series of exp: with |r| ≤ 0.3466 the first omitted term is below 1e-19.
 const TERMS_EXP: u32 = 15;
 const MANTISSA_BITS: i32 = 52;
 const EXPONENT_BIAS: i32 = 1023;
@@ -41,7 +41,7 @@ pub(super) fn ln(x: f64) -> f64 {
     e * LN_2_HIGH + (e * LN_2_LOW + 2.0 * s * series)
 }
 
-/// eˣ for −700 ≤ x ≤ 700 (held to that range); within 2 units in the last place of the true value.
+/// eˣ within 2 units in the last place of the true value; x is limited to −700 ≤ x ≤ 700.
 ///
 /// ```text
 /// x = j ln 2 + r,  |r| ≤ ½ ln 2:   eˣ = 2^j (1 + r + r²/2! + …)

@@ -1,4 +1,4 @@
-/// Why a number cannot be computed. Each variant carries the value that was refused.
+/// Why a number cannot be computed. Each variant contains the refused value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NumericError {
     /// A quantity lies outside the range in which the function is defined.
@@ -18,17 +18,17 @@ pub enum NumericError {
         quantity: &'static str,
         /// The value given.
         given: u64,
-        /// Smallest allowed.
+        /// Smallest allowed value.
         least: u64,
-        /// Largest allowed.
+        /// Largest allowed value.
         most: u64,
     },
-    /// A value among many is not a finite number.
+    /// One of many values is not finite.
     #[error("value {number} of {quantity} is {given}, but must be a finite number")]
     NotFinite {
         /// Name of the quantity.
         quantity: &'static str,
-        /// Its number, from 1.
+        /// Position of the value, from 1.
         number: usize,
         /// The value given.
         given: f64,
@@ -40,23 +40,23 @@ pub enum NumericError {
     NoSignChange {
         /// One end.
         a: f64,
-        /// The other.
+        /// The other end.
         b: f64,
         /// Value at one end.
         at_a: f64,
-        /// Value at the other.
+        /// Value at the other end.
         at_b: f64,
     },
     /// The function gave NaN.
     #[error("the function is not a number at {x}")]
     NotANumber {
-        /// Where.
+        /// Argument at which it occurred.
         x: f64,
     },
-    /// A search did not end.
+    /// A search did not converge.
     #[error("no root within {most} evaluations: raise evaluations_most or width_most")]
     Evaluations {
-        /// Evaluations allowed.
+        /// Largest number of evaluations.
         most: usize,
     },
 }

@@ -4,7 +4,7 @@ use super::error::NumericError;
 use super::roots::{Bracketing, bracketed_root};
 use super::statistics::beta_probability;
 
-/// The value that F of `above` and `below` degrees of freedom exceeds with a probability.
+/// The value that F with degrees of freedom `above` and `below` exceeds with a probability.
 ///
 /// ```text
 /// P(F > x) = I_y(m/2, p/2),   y = m/(m + p x)
@@ -38,7 +38,7 @@ pub fn fisher_quantile(probability: f64, above: f64, below: f64) -> Result<f64, 
             return refused("degrees of freedom", degrees, "above 0 and finite");
         }
     }
-    // I_y rises with y from 0 to 1
+    // I_y increases with y from 0 to 1
     let excess = |y: f64| beta_probability(y, 0.5 * below, 0.5 * above) - probability;
     let y = bracketed_root(excess, 0.0, 1.0, &Bracketing::default())?;
     Ok(below * (1.0 - y) / (above * y.max(f64::MIN_POSITIVE)))

@@ -1,11 +1,12 @@
-//! The top of a smooth hump between two points.
+//! The maximum of a function with a single peak in an interval, by golden sections.
 
-/// Part of an interval that golden sections keep.
+/// Fraction of an interval that a golden section keeps.
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
-/// Where `f` is largest between `low` and `high`, where it has one hump, to the square root of rounding.
+/// The position of the maximum of `f` between `low` and `high`, for a single peak; accurate to the
+/// square root of rounding.
 pub(crate) fn maximum_between(f: &impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
-    const WIDTH_LEAST: f64 = 1e-9; // relative: a top is flat to rounding over 1e-8
+    const WIDTH_LEAST: f64 = 1e-9; // relative: a maximum is flat to rounding over 1e-8
     let (mut low, mut high) = (low, high);
     let mut inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
     let mut values = inner.map(f);

@@ -1,4 +1,4 @@
-//! Legendre polynomials P_k, their integrals, and the quadrature of Gauss.
+//! Legendre polynomials P_k, their integrals, and Gauss-Legendre quadrature.
 
 /// P_k on [−1, 1].
 pub(crate) fn legendre(k: usize, x: f64) -> f64 {
@@ -10,7 +10,7 @@ pub(crate) fn legendre(k: usize, x: f64) -> f64 {
     now
 }
 
-/// Its integral from −1.
+/// Integral of P_k from −1 to x.
 pub(crate) fn integral(k: usize, x: f64) -> f64 {
     match k {
         0 => x + 1.0,
@@ -25,7 +25,7 @@ pub(crate) fn second_integral(k: usize, x: f64) -> f64 {
     }
 }
 
-/// Places and weights of Gauss and Legendre on [−1, 1]: roots of P_n by Newton's method.
+/// Nodes and weights of Gauss-Legendre quadrature on [−1, 1]: roots of P_n by Newton's method.
 pub(crate) fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
     const STEPS: usize = 30;
     let degree = n as f64;

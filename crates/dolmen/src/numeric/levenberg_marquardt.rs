@@ -1,9 +1,9 @@
-//! Damped Gauss–Newton for small problems whose Jacobian is known.
+//! Damped Gauss–Newton method for small problems with a known Jacobian.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | r, J | `residual`, `jacobian` | residuals (m) and dr/dx (m × n) |
-//! | μ | `damping` | damping of the step, grows where the model of J fails |
+//! | μ | `damping` | damping of the step; increases when the linear model fails |
 //! | ρ | `gain` | decrease of ½‖r‖² over the decrease that J predicts |
 
 use dolmen_linalg::{Matrix, solve_least_squares};
@@ -22,21 +22,21 @@ pub(crate) struct LeastSquaresFit {
     pub(crate) at: Residuals,
 }
 
-/// First damping relative to the largest diagonal entry of JᵀJ (Nielsen 1999: 1e-3 for a fair start).
+/// First damping, relative to the largest diagonal entry of JᵀJ (Nielsen 1999: 1e-3 for a good start).
 const DAMPING_FIRST: f64 = 1e-3;
-/// Damping beyond which no step can be found: the point is a minimum to rounding.
+/// Damping above which no step can be found: the point is a minimum to rounding.
 const DAMPING_MOST: f64 = 1e12;
 /// Longest step of one unknown; unknowns are logarithms, so this is a factor of e³.
 const STEP_MOST: f64 = 3.0;
-/// Steps below this are rounding.
+/// Length of a step below which it is only rounding.
 const STEP_LEAST: f64 = 1e-14;
 
-/// Minimum of ½‖r(x)‖² that the start leads to; `None` if `at` refuses the start. `at` may refuse any trial point
-/// (a structure that falls has no frequency): the step is then shortened.
+/// A local minimum of ½‖r(x)‖² from the start point; `None` if `at` refuses the start. `at` may refuse any trial
+/// point (a structure that falls has no frequency); the step is then shortened.
 ///
 /// # Source
-/// Nielsen, H. B. (1999) Damping parameter in Marquardt's method, IMM-REP-1999-05, with the steps from a QR of
-/// [J; √μ I] instead of normal equations, so that their accuracy is not squared away.
+/// Nielsen, H. B. (1999) Damping parameter in Marquardt's method, IMM-REP-1999-05. Differs from the source: steps
+/// come from a QR factorization of [J; √μ I] instead of normal equations, which would lose half of the digits.
 pub(crate) fn levenberg_marquardt(
     start: Vec<f64>,
     iterations_most: usize,
@@ -96,7 +96,7 @@ fn predicted_decrease(here: &Residuals, step: &[f64], shortened: f64) -> f64 {
     squares(&here.residual) - after.map(|(r, c)| (r + shortened * c).powi(2)).sum::<f64>()
 }
 
-/// d that makes ‖J d + r‖² + μ ‖d‖² smallest.
+/// The step d that minimises ‖J d + r‖² + μ ‖d‖².
 fn damped_step(here: &Residuals, root_damping: f64) -> Option<Vec<f64>> {
     let (m, n) = (here.jacobian.rows(), here.jacobian.columns());
     let stacked = Matrix::from_fn(m + n, n, |i, j| match i.checked_sub(m) {

@@ -1,4 +1,4 @@
-//! The covariance that a stable linear system driven by white noise settles to.
+//! The stationary covariance of a stable linear system under white noise.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -8,10 +8,11 @@
 
 use dolmen_linalg::{LinalgError, Matrix, solve};
 
-/// Doublings: 2^40 steps of the equivalent discrete system, far more than any structure needs to forget its start.
+/// Largest number of doublings: 2^40 steps of the equivalent discrete system, far more than any structure needs to
+/// reach its steady state.
 const DOUBLINGS_MOST: usize = 40;
 
-/// P of A P + P Aᵀ + Q = 0, symmetric; `None` if it does not settle because A is not stable.
+/// Symmetric solution P of A P + P Aᵀ + Q = 0; `None` if there is no convergence because A is not stable.
 ///
 /// ```text
 /// U = (pI − A)⁻¹(pI + A),  P₀ = 2p (pI − A)⁻¹ Q (pI − A)⁻ᵀ:   P ← P + U P Uᵀ,  U ← U²

@@ -1,10 +1,10 @@
-//! The point at which the largest of several smooth functions is smallest.
+//! Minimises the maximum of several smooth functions.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | f_k, g_k | `Piece` | value and gradient of one function (n entries) |
-//! | B | `curvature` | n × n, curvature of Σ λ_k f_k, learnt from changes of the gradients |
-//! | λ | `weights` | share of each function, λ ≥ 0, Σ λ = 1: which of them hold the optimum |
+//! | B | `curvature` | n × n, curvature of Σ λ_k f_k, estimated from changes of the gradients |
+//! | λ | `weights` | weight of each function, λ ≥ 0, Σ λ = 1; positive for the functions that are active at the optimum |
 //! | d | `step` | minimum of max_k (f_k + g_k·d) + ½ dᵀBd |
 
 /// One of the functions at one point.
@@ -14,23 +14,22 @@ pub(crate) struct Piece {
     pub(crate) slope: Vec<f64>,
 }
 
-/// The functions whose maximum is minimised. Functions and relevant changes of x should be of the order of 1, as logarithms of positive quantities
-/// are.
+/// The functions whose maximum is minimised. Functions and relevant changes of x should be of order 1, for example logarithms of positive
+/// quantities.
 pub(crate) trait Worst {
-    /// The largest of the functions; `None` if there is none.
+    /// The largest of the functions; `None` if there is no value.
     fn worst(&mut self, x: &[f64]) -> Option<f64>;
-    /// The functions that are or may become the largest nearby, in an order that does not depend on x.
+    /// The functions that are, or may become, the largest near x, in an order that does not depend on x.
     fn pieces(&mut self, x: &[f64]) -> Option<Vec<Piece>>;
 }
 
 /// Parameters of the search.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Minimax {
-    /// Steps allowed.
     pub(crate) iterations_most: usize,
-    /// Steps below this end it; at best 1e-10, the rounding of gradients from differences.
+    /// Length of a step below which the search ends; at best 1e-10, the rounding of gradients by differences.
     pub(crate) step_least: f64,
-    /// B of a search that ended nearby.
+    /// B of a search that ended nearby, as a start.
     pub(crate) curvature: Option<Vec<Vec<f64>>>,
 }
 
@@ -50,24 +49,24 @@ pub(crate) struct MinimaxPoint {
     pub(crate) x: Vec<f64>,
     pub(crate) worst: f64,
     pub(crate) iterations: usize,
-    /// Length of the last step that was tried, largest entry.
+    /// Largest entry of the last trial step.
     pub(crate) last_step: f64,
     pub(crate) curvature: Vec<Vec<f64>>,
 }
 
 /// Longest step of one unknown; unknowns are logarithms, so this is a factor of 1.6.
 const STEP_MOST: f64 = 0.5;
-/// Part of the predicted decrease that a step must bring (Nocedal and Wright 2006, sec. 3.1).
+/// Fraction of the predicted decrease that a step must achieve (Nocedal and Wright 2006, sec. 3.1).
 const DECREASE_LEAST: f64 = 1e-4;
 /// Largest number of halvings of a step.
 const HALVINGS: usize = 25;
 /// Damping of the update of B (Powell 1978).
 const POWELL: f64 = 0.2;
 
-/// The minimum of max_k f_k(x) that the start leads to; `None` if the start is refused.
+/// A local minimum of max_k f_k(x) from the start point; `None` if the start is refused.
 ///
-/// Sequential quadratic programming: each step solves the piecewise linear model with the curvature B, is corrected
-/// once for the curvature of the functions if it brings no decrease, and then halved.
+/// Sequential quadratic programming: each step solves the piecewise linear model with curvature B. If it brings no decrease, it is corrected once
+/// for the curvature of the functions, and then halved.
 ///
 /// # Source
 /// Han, S.-P. (1981) J. Optim. Theory Appl. 35:199-210 for the model and its step; Powell (1978) for B; the correction is that of Fletcher (1982).
@@ -126,8 +125,7 @@ pub(crate) fn minimax(start: Vec<f64>, options: &Minimax, problem: &mut impl Wor
     })
 }
 
-/// A piece from a function and its central differences, h = 1e-5: their error is h² of the third derivative and 1e-11
-/// of rounding.
+/// A function value and its gradient by central differences, h = 1e-5. Their error is h² times the third derivative, and 1e-11 of rounding.
 pub(crate) fn by_differences(x: &[f64], mut value: impl FnMut(&[f64]) -> Option<f64>) -> Option<Piece> {
     all_by_differences(x, |x| Some(vec![value(x)?]))?.pop()
 }
@@ -181,7 +179,7 @@ fn model(values: &[f64], pieces: &[Piece], curvature: &[Vec<f64>], step: &[f64])
     linear.fold(f64::NEG_INFINITY, f64::max) + 0.5 * quadratic
 }
 
-/// The whole step, its correction, or a part of it: the first that brings a decrease.
+/// The full step, its correction, or a fraction of it: the first that brings a decrease.
 fn search(
     problem: &mut impl Worst,
     (x, worst): (&[f64], f64),
@@ -224,8 +222,7 @@ struct Direction {
     weights: Vec<f64>,
 }
 
-/// The minimum over d of max_k (f_k + g_k·d) + ½ dᵀBd, by its dual: λ of the simplex that makes
-/// Σ λ f − ½ ‖Σ λ g‖²_B⁻¹ largest, with an active set.
+/// The minimum over d of max_k (f_k + g_k·d) + ½ dᵀBd, by its dual: λ in the simplex that maximises Σ λ f − ½ ‖Σ λ g‖²_B⁻¹, with an active set.
 fn direction(values: &[f64], pieces: &[Piece], curvature: &[Vec<f64>]) -> Option<Direction> {
     let m = values.len();
     let solved: Vec<Vec<f64>> = pieces
@@ -256,7 +253,7 @@ fn direction(values: &[f64], pieces: &[Piece], curvature: &[Vec<f64>]) -> Option
         b.push(1.0);
         let stationary = gauss(a, b)?;
         let level = stationary[p];
-        // go there, or as far as all weights stay positive
+        // move there, or as far as all weights stay positive
         let mut part = 1.0;
         let mut leaving = None;
         for (i, &k) in active.iter().enumerate() {
@@ -298,7 +295,7 @@ fn direction(values: &[f64], pieces: &[Piece], curvature: &[Vec<f64>]) -> Option
     Some(Direction { step, weights })
 }
 
-/// x of A x = b by elimination with row pivoting; `None` if A is singular.
+/// Solves A x = b by elimination with row pivoting; `None` if A is singular.
 fn gauss(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
     let n = b.len();
     for j in 0..n {
@@ -324,7 +321,7 @@ fn gauss(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
     Some(b)
 }
 
-/// B from a step s and the change y of the weighted gradient, damped so that it stays positive definite.
+/// Updates B from a step s and the change y of the weighted gradient, damped so that B stays positive definite.
 fn learn(curvature: &mut [Vec<f64>], s: &[f64], y: &[f64], fresh: bool) {
     let n = s.len();
     let (sy, ss) = (dot(s, y), dot(s, s));

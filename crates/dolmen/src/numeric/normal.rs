@@ -3,7 +3,7 @@
 use super::NumericError;
 use std::f64::consts::{FRAC_1_SQRT_2, LN_2, PI};
 
-/// Below this z the error function approaches underflow, and the asymptotic series is exact to rounding.
+/// z below which the error function approaches underflow, and the asymptotic series is exact to rounding.
 const FAR: f64 = -20.0;
 
 /// Φ(z), the probability that a standard normal variable is below z.
@@ -32,12 +32,12 @@ pub(crate) fn ln_normal_density(z: f64) -> f64 {
     -0.5 * (z * z + LN_2 + PI.ln())
 }
 
-/// φ(z)/Φ(z): the slope of ln Φ.
+/// φ(z)/Φ(z), the derivative of ln Φ.
 pub(crate) fn normal_hazard(z: f64) -> f64 {
     (ln_normal_density(z) - ln_normal_probability(z)).exp()
 }
 
-/// The z below which a standard normal variable lies with the given probability.
+/// The quantile z of the standard normal distribution.
 ///
 /// # Errors
 /// [`NumericError::Range`] unless 0 < probability < 1.
@@ -62,7 +62,8 @@ pub fn normal_quantile(probability: f64) -> Result<f64, NumericError> {
     Ok(lower_quantile(probability.ln()))
 }
 
-/// Solves ln Φ(z) = `ln_probability` for values ≤ ln ½ by Newton's method. ln Φ is concave, so the iterates rise to the root after the first step.
+/// Solves ln Φ(z) = `ln_probability` for values ≤ ln ½ by Newton's method. ln Φ is concave, so after the first step the iterates increase to the
+/// root.
 fn lower_quantile(ln_probability: f64) -> f64 {
     const STEPS_MOST: usize = 60;
     let mut z = -(-2.0 * ln_probability).sqrt();
@@ -82,7 +83,7 @@ mod tests {
 
     #[test]
     fn published_probabilities_and_quantiles() {
-        // Abramowitz & Stegun, tables 26.1 and 26.2; ln Φ far out: mpmath with 40 digits
+        // Abramowitz & Stegun, tables 26.1 and 26.2; ln Φ in the tail: mpmath with 40 digits
         assert!((normal_probability(1.0) - 0.841_344_746_068_543).abs() < 1e-15);
         assert!((normal_probability(-3.0) / 1.349_898_031_630_095e-3 - 1.0).abs() < 1e-14);
         for (z, ln) in [

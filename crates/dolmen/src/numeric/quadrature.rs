@@ -37,8 +37,8 @@ pub(crate) struct Node {
 }
 
 /// Nodes and weights of 15-point rules on intervals that are short enough to integrate each function to `tolerance`
-/// times its own whole integral. The functions must not change sign. `None` if this takes more than `intervals_most`
-/// intervals, or if `functions` returns `None`.
+/// times its integral over the whole range. The functions must not change sign. `None` if this takes more than
+/// `intervals_most` intervals, or if `functions` returns `None`.
 ///
 /// `breaks` are ascending: both ends of the range, and points of special interest between them. An interval is halved
 /// while the 7-point and 15-point rules differ by more than the interval's share of the tolerance.

@@ -12,16 +12,16 @@ use rand_pcg::Pcg64Dxsm;
 
 /// A reproducible sequence of random numbers.
 ///
-/// A study gives every sample its own stream, numbered by the sample: sample 17 is then the same in any order, on any
-/// number of threads, and in a study of any size.
+/// In a study each sample has its own stream, numbered by the sample. Sample 17 is therefore the same in any order,
+/// on any number of threads, and in a study of any size.
 ///
-/// The generator is PCG64-DXSM, whose integers are the same on every platform. `uniform`, `normal` and `lognormal`
-/// use only operations with bits fixed by IEEE 754, and a logarithm and an exponential of our own. Nothing here
-/// depends on the system's mathematics library.
+/// The generator is PCG64-DXSM, whose integers are equal on every platform. `uniform`, `normal` and `lognormal` use
+/// only operations whose bits IEEE 754 fixes, and a logarithm and an exponential of our own, not the system's
+/// mathematics library.
 ///
 /// # Source
 /// O'Neill (2014) *PCG: a family of simple fast space-efficient statistically good algorithms for random number
-/// generation*, HMC-CS-2014-0905. Differs from it: seed and stream go through the finaliser of SplitMix64
+/// generation*, HMC-CS-2014-0905. Differs from the source: seed and stream pass through the finaliser of SplitMix64
 /// (Steele et al. 2014, OOPSLA, doi:10.1145/2660193.2660195) before they become the state, so that streams 0, 1, 2, …
 /// of one seed start from unrelated states.
 ///
@@ -36,7 +36,7 @@ use rand_pcg::Pcg64Dxsm;
 #[derive(Clone, Debug)]
 pub struct Random {
     generator: Pcg64Dxsm,
-    /// Second of the two normal numbers that the polar method gives at a time, for the next call.
+    /// The second of the two normal numbers that the polar method gives at a time, kept for the next call.
     spare_normal: Option<f64>,
 }
 
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn exact_first_outputs_of_splitmix64() {
-        // Seed 1234567: the values of the reference code of SplitMix64, printed in many test suites.
+        // Seed 1234567: the values of the reference code of SplitMix64, as in many test suites.
         const GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
         assert_eq!(mix(1_234_567), 6_457_827_717_110_365_317);
         assert_eq!(mix(1_234_567_u64.wrapping_add(GAMMA)), 3_203_168_211_198_807_973);

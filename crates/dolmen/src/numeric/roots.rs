@@ -2,14 +2,14 @@
 
 use super::NumericError;
 
-/// Stop criterion of a bracketed search.
+/// Stopping criterion of a bracketed search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bracketing {
     /// Width of the bracket at which the search ends, in the unit of x; 0 (the default) continues to adjacent
     /// floating-point numbers.
     pub width_most: f64,
-    /// Evaluations allowed, default 200 (our choice): bisection alone needs 53 when the root is as large as the
-    /// bracket, and 3.3 more for each power of ten that it is smaller.
+    /// Largest number of evaluations, default 200 (our choice): bisection alone needs 53 if the root is as large as
+    /// the bracket, and 3.3 more for each power of ten by which it is smaller.
     pub evaluations_most: usize,
 }
 
@@ -24,15 +24,15 @@ impl Default for Bracketing {
 
 /// A point where `f` changes sign between `a` and `b`.
 ///
-/// Inverse quadratic interpolation through the last three points where that is safe, else bisection; the bracket
-/// always holds the root, so it never leaves [a, b].
+/// Inverse quadratic interpolation through the last three points if that is safe, otherwise bisection. The bracket
+/// always contains the root, so the search never leaves [a, b].
 ///
 /// # Errors
 /// [`NumericError::NoSignChange`] unless f(a) and f(b) differ in sign; [`NumericError::NotANumber`] if f gives NaN;
-/// [`NumericError::Evaluations`] if the limit is reached first.
+/// [`NumericError::Evaluations`] if the largest number of evaluations is reached first.
 ///
 /// # Limits
-/// One root of several, and a pole that changes sign counts as one.
+/// Finds one of several roots. A pole at which the sign changes counts as a root.
 ///
 /// # Source
 /// Chandrupatla (1997) Adv. Eng. Software 28(3):145-149, doi:10.1016/S0965-9978(96)00051-8.
@@ -92,7 +92,7 @@ pub fn bracketed_root(
         if best_y == 0.0 || share > 0.5 {
             return Ok(best);
         }
-        // eq. 2 of the source: where the interpolation through the three points is monotone in the bracket
+        // eq. 2 of the source: the interpolation through the three points is monotone in the bracket
         let xi = (x1 - x2) / (x3 - x2);
         let phi = (y1 - y2) / (y3 - y2);
         part = if phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi {
@@ -126,12 +126,12 @@ mod tests {
         assert!((root(cosine, 0.0, 1.0).unwrap() - 0.739_085_133_215_160_6).abs() < 2e-16);
         assert!(calls <= 12, "{calls} evaluations");
         assert_eq!(root(|x| x - 3.0, 3.0, 4.0), Ok(3.0));
-        // ninth-order contact: interpolation fails, bisection does not
+        // contact of ninth order: interpolation fails, bisection does not
         assert!(root(|x| (x - 1.0).powi(9), -3.0, 4.0).unwrap() - 1.0 < 1e-15);
         // a step
         let step = root(|x| if x < 0.3 { -1.0 } else { 1.0 }, 0.0, 1.0).unwrap();
         assert!((step - 0.3).abs() < 1e-15);
-        // forty powers of ten below the bracket
+        // a root forty powers of ten below the bracket
         assert!((root(|x| x.ln() + 92.0, 1e-300, 1.0).unwrap().ln() + 92.0).abs() < 1e-13);
     }
 

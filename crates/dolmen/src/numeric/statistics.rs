@@ -1,8 +1,8 @@
-//! Mean, variance, quantiles, and the interval of a counted proportion.
+//! Mean, variance, quantiles, and the confidence interval of a proportion.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | x | `count` | samples in which it happened |
+//! | x | `count` | samples with the event |
 //! | n | `samples` | samples drawn |
 //! | α | | 1 − `confidence` |
 //! | I_p(a, b) | `beta_probability` | regularised incomplete beta function |
@@ -25,7 +25,7 @@ pub fn mean(values: &[f64]) -> Result<f64, NumericError> {
 pub fn variance(values: &[f64]) -> Result<f64, NumericError> {
     enough(values, 2)?;
     let centre = mean(values)?;
-    // the second sum removes what rounding of the mean left (Chan et al. 1983)
+    // the second sum removes the rounding error of the mean (Chan et al. 1983)
     let (squares, rest) = values.iter().fold((0.0, 0.0), |(squares, rest), x| {
         (squares + (x - centre).powi(2), rest + (x - centre))
     });
@@ -33,13 +33,13 @@ pub fn variance(values: &[f64]) -> Result<f64, NumericError> {
     Ok((squares - rest * rest / n) / (n - 1.0))
 }
 
-/// The middle value, of an even count the upper one of the two; 0 of none.
+/// The middle value; for an even count, the upper one of the two middle values; 0 without values.
 pub(crate) fn middle(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// The median: of an even count the mean of the two in the middle; 0 of none.
+/// The median; for an even count, the mean of the two middle values; 0 without values.
 pub(crate) fn middle_mean(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let upper = values.len() / 2;
@@ -50,7 +50,7 @@ pub(crate) fn middle_mean(mut values: Vec<f64>) -> f64 {
     }
 }
 
-/// The value below which a share `probability` of the values lies, between order statistics by straight lines.
+/// The quantile of the values at `probability`, with linear interpolation between order statistics.
 ///
 /// ```text
 /// h = (n − 1) p,  j = ⌊h⌋:   x_(j) + (h − j)(x_(j+1) − x_(j)),   x_(0) ≤ … ≤ x_(n−1)
@@ -98,7 +98,7 @@ fn enough(values: &[f64], least: u64) -> Result<(), NumericError> {
     }
 }
 
-/// The two ends of an interval.
+/// An interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     /// Lower end.
@@ -107,7 +107,8 @@ pub struct Interval {
     pub upper: f64,
 }
 
-/// Interval that holds a probability with at least this confidence, when it happened `count` times in `samples`.
+/// Confidence interval of at least this confidence for the probability of an event that occurred `count` times in
+/// `samples`.
 ///
 /// ```text
 /// lower:  Σ_{i≥x} C(n,i) pⁱ (1−p)ⁿ⁻ⁱ = I_p(x, n−x+1) = α/2      0 if x = 0
@@ -122,8 +123,9 @@ pub struct Interval {
 /// [`NumericError::Count`] unless 1 ≤ samples ≤ 10⁹ and count ≤ samples; [`NumericError::Range`] for the confidence.
 ///
 /// # Limits
-/// It is never too narrow, at the price of being wider than needed: at n = 100 and p = 0.05 it holds the truth in 98.3 %
-/// of cases when 95 % is asked. The ends satisfy their equation to 1e-12 of α up to n = 10⁴, to 1e-8 at n = 10⁹.
+/// The interval is never too narrow, and therefore wider than necessary: for n = 100 and p = 0.05 it contains the true
+/// value in 98.3 % of cases if 95 % is requested. The ends satisfy their equation to 1e-12 of α up to n = 10⁴, and to
+/// 1e-8 at n = 10⁹.
 ///
 /// # Source
 /// Clopper & Pearson (1934) Biometrika 26(4):404-413, doi:10.1093/biomet/26.4.404.
@@ -136,7 +138,7 @@ pub struct Interval {
 /// # Ok::<(), dolmen::numeric::NumericError>(())
 /// ```
 pub fn clopper_pearson(count: usize, samples: usize, confidence: f64) -> Result<Interval, NumericError> {
-    const SAMPLES_MOST: usize = 1_000_000_000; // where the logarithm of the gamma function still leaves 8 digits
+    const SAMPLES_MOST: usize = 1_000_000_000; // up to here the logarithm of the gamma function leaves 8 digits
     if !(1..=SAMPLES_MOST).contains(&samples) {
         return Err(NumericError::Count {
             quantity: "samples",
@@ -162,7 +164,7 @@ pub fn clopper_pearson(count: usize, samples: usize, confidence: f64) -> Result<
     }
     let tail = 0.5 * (1.0 - confidence);
     let (x, n) = (count as f64, samples as f64);
-    // upper end of x is 1 − lower end of n − x: one function serves both
+    // the upper end for x is 1 − the lower end for n − x: one function gives both
     let lower = |x: f64| {
         if x == 0.0 {
             return Ok(0.0);
@@ -184,7 +186,7 @@ pub fn clopper_pearson(count: usize, samples: usize, confidence: f64) -> Result<
     })
 }
 
-/// I_p(a, b) by its continued fraction, on the side where it converges fast.
+/// I_p(a, b) by its continued fraction, on the side with fast convergence.
 ///
 /// Source: DLMF 8.17.22, evaluated by the modified method of Lentz (Thompson & Barnett 1986).
 pub(super) fn beta_probability(p: f64, a: f64, b: f64) -> f64 {
@@ -203,7 +205,7 @@ pub(super) fn beta_probability(p: f64, a: f64, b: f64) -> f64 {
 
 /// 1 + d₁/(1 + d₂/(1 + …)) of DLMF 8.17.22.
 fn beta_fraction(p: f64, a: f64, b: f64) -> f64 {
-    const TINY: f64 = 1e-300; // stands in for 0 where the method divides
+    const TINY: f64 = 1e-300; // replaces 0 in the divisions of the method
     const TERMS_MOST: u32 = 100_000; // some √max(a, b) are needed: 32,000 at 10⁹
     let away_from_zero = |x: f64| if x.abs() < TINY { TINY } else { x };
     let (mut above, mut below, mut value) = (1.0, 0.0, 1.0);
@@ -224,9 +226,9 @@ fn beta_fraction(p: f64, a: f64, b: f64) -> f64 {
     value
 }
 
-/// ln Γ(x) for x ≥ 1/2: Stirling's series, reached by recurrence.
+/// ln Γ(x) for x ≥ 1/2: Stirling's series, after recurrence to large x.
 ///
-/// Source: DLMF 5.11.1; from 15 on the first term left out is below 1e-17.
+/// Source: DLMF 5.11.1; from 15 on the first omitted term is below 1e-17.
 fn ln_gamma(x: f64) -> f64 {
     const SERIES: [f64; 7] = [
         1.0 / 12.0,
@@ -281,7 +283,7 @@ mod tests {
 
     #[test]
     fn published_interval_of_five_in_ten() {
-        // The ends for 5 of 10 at 95 % as tables of exact binomial limits print them.
+        // The ends for 5 of 10 at 95 % in tables of exact binomial limits.
         let i = clopper_pearson(5, 10, 0.95).unwrap();
         assert!((i.lower - 0.187_086_03).abs() < 5e-9, "{}", i.lower);
         assert!((i.upper - 0.812_913_97).abs() < 5e-9, "{}", i.upper);
@@ -303,7 +305,7 @@ mod tests {
 
     #[test]
     fn exact_ends_satisfy_the_binomial_sums() {
-        // The definition itself, term by term: C(n,i) p^i (1−p)^(n−i) by recurrence.
+        // The definition, term by term: C(n,i) p^i (1−p)^(n−i) by recurrence.
         for (x, n, confidence) in [
             (1, 2, 0.9),
             (5, 10, 0.95),

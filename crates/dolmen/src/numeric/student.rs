@@ -1,16 +1,16 @@
-//! Student's distribution: what a difference over its own estimated deviation says.
+//! Student's t distribution, for testing a difference by its estimated standard deviation.
 
 use super::statistics::beta_probability;
 use super::{Bracketing, NumericError, bracketed_root, normal_probability, normal_quantile};
 
-/// P(|t| ≥ |statistic|) of Student's distribution; with infinite degrees of freedom the normal one.
+/// P(|t| ≥ |statistic|) of Student's distribution; for infinite degrees of freedom, of the normal distribution.
 ///
 /// ```text
 /// p = I_x(ν/2, 1/2),   x = ν/(ν + t²)
 /// ```
 ///
 /// # Errors
-/// [`NumericError::Range`] unless the statistic is a number and there is more than 0 degrees of freedom.
+/// [`NumericError::Range`] unless the statistic is a number and the degrees of freedom are above 0.
 ///
 /// # Source
 /// DLMF 8.17; Abramowitz & Stegun 26.7.1.
@@ -46,11 +46,11 @@ pub fn student_two_sided(statistic: f64, degrees_of_freedom: f64) -> Result<f64,
 /// Number of degrees of freedom from which Student's distribution equals the normal one within 1e-7 of its probability, up to |t| = 8.
 const NORMAL_FROM: f64 = 1e10;
 
-/// The t > 0 beyond which, on both sides together, Student's distribution holds a probability.
+/// The t > 0 that |t| of Student's distribution exceeds with a probability.
 ///
 /// # Errors
-/// [`NumericError::Range`] unless 0 < probability < 1 and there is more than 0 degrees of freedom; [`NumericError::Evaluations`] where it lies
-/// beyond 1e15.
+/// [`NumericError::Range`] unless 0 < probability < 1 and the degrees of freedom are above 0; [`NumericError::Evaluations`] if t is above
+/// 1e15.
 ///
 /// # Example
 /// ```
@@ -75,12 +75,12 @@ pub fn student_two_sided_quantile(probability: f64, degrees_of_freedom: f64) -> 
     bracketed_root(off, 0.0, most, &Bracketing::default())
 }
 
-/// The shift, in standard deviations, that is found with a power by a two-sided test of Student's of a significance.
+/// The shift, in standard deviations, that Student's two-sided test with a given significance finds with a given power.
 ///
 /// ```text
 /// P(T > t) = power,   T = (Z + δ)/√(χ²_ν/ν) of the noncentral distribution,   P(T > t) = ∫ Φ(δ − t s) f_ν(s) ds,   s = √(χ²_ν/ν)
 /// ```
-/// The other side counts for nothing at powers above a half, to less than the significance.
+/// The other side is neglected: for powers above a half its contribution is less than the significance.
 ///
 /// # Errors
 /// [`NumericError::Range`] unless 0 < significance < 1, ½ ≤ power < 1 and there is at least one degree of freedom.
@@ -116,7 +116,7 @@ pub fn student_detectable(
     if nu > NORMAL_SHIFT_FROM {
         return Ok(t + z);
     }
-    // Simpson over s, within twelve deviations of 1 on either side: beyond is less than 1e-16 of it
+    // Simpson's rule over s, within twelve standard deviations of 1: the rest contributes less than 1e-16
     let wide = 12.0 / nu.sqrt();
     let (low, high) = ((1.0 - wide).max(0.0), 1.0 + wide);
     let h = (high - low) / PARTS as f64;
@@ -152,7 +152,7 @@ pub fn student_detectable(
 
 /// Number of degrees of freedom from which the shift equals the difference between the normal distribution and Student's t within 1e-5.
 const NORMAL_SHIFT_FROM: f64 = 1e5;
-/// Parts of the integral.
+/// Number of intervals of the integral.
 const PARTS: usize = 2000;
 
 #[cfg(test)]

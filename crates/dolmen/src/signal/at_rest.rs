@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-/// The window that brings a series to zero at both ends: half a cosine over the first and last `ramp` samples.
+/// Window that reduces a series to zero at both ends: half a cosine over the first and last `ramp` samples.
 pub(super) fn edges(i: usize, length: usize, ramp: usize) -> f64 {
     let from_end = i.min(length - 1 - i);
     if from_end >= ramp {
@@ -11,8 +11,8 @@ pub(super) fn edges(i: usize, length: usize, ramp: usize) -> f64 {
     0.5 * (1.0 - (PI * from_end as f64 / ramp as f64).cos())
 }
 
-/// Subtracts from the samples a straight line times a window, so that their sum and their first moment vanish. As the ends are zero, velocity
-/// and displacement of the ground are then zero after them.
+/// Subtracts a straight line times a window so that the sum of the samples and their first moment vanish. The ends are zero, so velocity and
+/// displacement of the ground stay zero after the last sample.
 ///
 /// ```text
 /// a_i ← a_i − g_i (c_0 + c_1 x_i)      Σ a_i = 0, Σ x_i a_i = 0      x_i = i − centre

@@ -1,4 +1,4 @@
-//! Base lines of ground motions: polynomials and high-pass filters, each written into the history.
+//! Base-line correction of ground motions by polynomials or high-pass filters; the history lists each step.
 
 use super::sections::Sections;
 use super::{Component, GroundMotion, Processing, SignalError};
@@ -7,14 +7,14 @@ use dolmen_linalg::{Matrix, solve_least_squares};
 /// How to correct a base line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Baseline {
-    /// Subtract the polynomial of least squares from the acceleration: degree 0 its mean, 1 a straight line, up to 6.
+    /// Subtract the least-squares polynomial from the acceleration: degree 0 is its mean, 1 a straight line; 6 is the highest.
     Polynomial {
-        /// Its degree.
+        /// Degree of the polynomial.
         degree: usize,
     },
-    /// Remove everything below a frequency: a zero-phase Butterworth filter, run forwards and backwards, gain ½ at the corner.
+    /// Remove everything below a corner frequency: a zero-phase Butterworth filter, run forwards and backwards; its gain at the corner is ½.
     HighPass {
-        /// The corner, Hz.
+        /// Corner frequency, Hz.
         corner_hz: f64,
         /// Order of one pass, 1 to 12; 4 is usual.
         order: usize,
@@ -26,14 +26,14 @@ const DEGREE_MOST: usize = 6;
 const ORDER_MOST: usize = 12;
 
 impl GroundMotion {
-    /// The motion with corrected base lines, in all given directions.
+    /// Corrects the base line in all directions of the motion.
     ///
     /// # Errors
     /// [`SignalError::Argument`] for a degree above 6, [`SignalError::FilterOrder`], [`SignalError::Corner`],
     /// [`SignalError::TooShortForFilter`] if the filter rings for longer than the motion lasts.
     ///
     /// # Limits
-    /// A high-pass filter also removes permanent displacements, which are real near a fault. The ends are continued by odd reflection, as for
+    /// A high-pass filter also removes permanent displacements, which are real near a fault. The ends are extended by odd reflection, as for
     /// records.
     ///
     /// # Source
@@ -102,7 +102,7 @@ impl GroundMotion {
     }
 }
 
-/// Subtracts the polynomial of least squares. The basis is Chebyshev polynomials of x = −1 … 1, whose columns are nearly orthogonal.
+/// Subtracts the least-squares polynomial. The basis is Chebyshev polynomials on −1 … 1, whose columns are nearly orthogonal.
 fn without_polynomial(samples: &mut [f64], degree: usize) -> Result<(), SignalError> {
     let last = (samples.len() - 1) as f64;
     let degree = degree.min(samples.len() - 1);

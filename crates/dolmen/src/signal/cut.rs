@@ -1,11 +1,11 @@
-//! Keeping a part of the time.
+//! Cuts a time span out of a record.
 
 use super::{Processing, Record, SignalError};
 
 /// The part of the record from `from_s` to `to_s`, seconds from its start.
 ///
-/// Sample i is taken at i / rate. The first sample kept is the one nearest to `from_s`, the last is the one before that
-/// nearest to `to_s`, so that neighbouring cuts neither share nor lose a sample. Time starts again at 0.
+/// Sample i is at time i / rate. The first sample kept is the nearest to `from_s`; the sample nearest to `to_s` is the
+/// first one dropped. So two adjacent cuts neither share nor lose a sample. Time starts again at 0.
 ///
 /// # Errors
 /// [`SignalError::Cut`] if the part is not within the record or holds fewer than 2 samples.

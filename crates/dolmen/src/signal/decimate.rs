@@ -1,29 +1,29 @@
-//! Lowering the sampling rate.
+//! Lowers the sampling rate.
 
 use super::filter::run;
 use super::sections::{Prototype, Sections};
 use super::{Processing, Record, SignalError};
 
-/// Corner of the anti-alias filter over the new Nyquist frequency (as `scipy.signal.decimate` has it).
+/// Corner of the anti-alias filter over the new Nyquist frequency, as in `scipy.signal.decimate`.
 pub(crate) const CORNER_OF_NYQUIST: f64 = 0.8;
-/// Order and ripple of one pass of the anti-alias filter, as `scipy.signal.decimate` has them.
+/// Order and ripple of one pass of the anti-alias filter, as in `scipy.signal.decimate`.
 const ORDER: usize = 8;
 const RIPPLE_DB: f64 = 0.05;
 
 /// The record at 1/`factor` of its sampling rate, without delay.
 ///
-/// A zero-phase Chebyshev low-pass of order 8 with its corner at 0.8 of the new Nyquist frequency, then each
-/// `factor`-th sample, beginning with the first.
+/// A zero-phase Chebyshev low-pass of order 8 with its corner at 0.8 of the new Nyquist frequency, then every `factor`-th sample, beginning
+/// with the first.
 ///
 /// # Errors
 /// [`SignalError::Factor`] below 2 or if fewer than 2 samples would be left, [`SignalError::TooShortForFilter`].
 ///
 /// # Limits
-/// Up to 0.8 of the new Nyquist frequency the gain is between 0.988 and 1. At the new Nyquist frequency it is 0.0053 or less, so aliases below
-/// 0.8 of it are at most 1e-4 (−80 dB) of the original, for factors of 2 to 20.
+/// Up to 0.8 of the new Nyquist frequency the gain is between 0.988 and 1. At the new Nyquist frequency the gain is at most 0.0053, so aliases
+/// below 0.8 of that frequency are at most 1e-4 (−80 dB) of the original, for factors of 2 to 20.
 ///
 /// # Source
-/// The filter is that of `scipy.signal.decimate`. Differs from it: the ends are continued as in [`low_pass`](super::low_pass).
+/// The filter is that of `scipy.signal.decimate`. Differs from it: the ends are extended as in [`low_pass`](super::low_pass).
 ///
 /// # Example
 /// ```

@@ -1,18 +1,18 @@
-//! Removing the mean, or the straight line that fits best.
+//! Removes the mean or the least-squares line.
 
 use super::{Processing, Record};
 
 /// The trend that is removed from each channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Trend {
-    /// The mean: what an accelerometer shows at rest.
+    /// The mean: the offset of an accelerometer at rest.
     #[default]
     Mean,
-    /// The straight line of least squares: a sensor that drifts.
+    /// The least-squares line: the drift of a sensor.
     Line,
 }
 
-/// The record with the mean, or the straight line of least squares, taken from each channel.
+/// Subtracts the mean or the least-squares line from each channel.
 ///
 /// ```text
 /// Mean   y_i = x_i - x̄

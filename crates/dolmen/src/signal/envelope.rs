@@ -1,4 +1,4 @@
-//! Envelope of a channel: smallest and largest sample in equal parts, so that a drawing shows every spike.
+//! Envelope of a channel: smallest and largest sample of equal parts, so that a drawing shows every spike.
 
 use crate::numeric::largest_of;
 
@@ -13,8 +13,8 @@ pub struct Envelope {
     pub most: Vec<f64>,
 }
 
-/// Smallest and largest sample of `parts` parts whose lengths differ by one sample at most; one part for each sample if there are fewer samples
-/// than that.
+/// Smallest and largest sample of `parts` parts, whose lengths differ by at most one sample. A series with fewer samples than `parts` gives one
+/// part a sample.
 ///
 /// # Example
 /// ```
@@ -39,7 +39,6 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Every sample lies within its part, and each end of a part is one of its samples.
         #[test]
         fn holds_every_extreme_is_kept(x in prop::collection::vec(-1.0..1.0, 1..300), parts in 1_usize..400) {
             let drawn = envelope(&x, parts);

@@ -17,11 +17,11 @@ pub enum SignalError {
          their time stamps"
     )]
     Ragged {
-        /// Name of the odd channel.
+        /// Name of the channel with a different length.
         channel: String,
         /// Its number of samples.
         samples: usize,
-        /// Number of samples of the first channel.
+        /// Number of samples of the first channel, for comparison.
         first: usize,
     },
     /// The sampling rate is not a positive number.
@@ -45,7 +45,7 @@ pub enum SignalError {
         /// The value found.
         value: f64,
     },
-    /// A sample too large for a measurement: sums of squares would overflow.
+    /// A sample is too large for a measurement: sums of squares would overflow.
     #[error(
         "channel \"{channel}\" holds {value} at sample {sample} (t = {time_s} s), but no sample may be above {most}: \
          an over-range mark of the logger? cut it away, or leave the channel out"
@@ -62,7 +62,7 @@ pub enum SignalError {
         /// The largest allowed.
         most: f64,
     },
-    /// The numbers of descriptions and of series differ.
+    /// The number of channel descriptions differs from the number of series.
     #[error(
         "{channels} channels are described, but {series} series of samples are given: give one description to each"
     )]
@@ -92,19 +92,19 @@ pub enum SignalError {
         /// The names there are.
         names: Vec<String>,
     },
-    /// Every channel was to be left out.
+    /// All channels were to be left out.
     #[error("all {channels} channels were to be left out, but at least 1 must stay")]
     NothingLeft {
         /// Channels of the record.
         channels: usize,
     },
-    /// One of several channels has no start.
+    /// One of several channels has no start time.
     #[error("channel \"{channel}\" does not say when it begins")]
     NoStart {
         /// The channel.
         channel: String,
     },
-    /// Channels that were not sampled at the same time.
+    /// Channels have no common time span.
     #[error(
         "channel \"{ends}\" ends {apart_s:.3} s before channel \"{begins}\" begins (ends that a filter needs counted): they have \
          no time in common; are the clocks right?"
@@ -114,10 +114,10 @@ pub enum SignalError {
         ends: String,
         /// The channel that begins last.
         begins: String,
-        /// Between them, s.
+        /// Time between that end and that beginning, s.
         apart_s: f64,
     },
-    /// The part of the time to be kept is empty or not within the record.
+    /// The part to keep is empty or not within the record.
     #[error(
         "the cut from {from_s} s to {to_s} s is refused: it must go forwards, hold at least 2 samples ({least_s} s) \
          and lie within the record, 0 to {duration_s} s"
@@ -209,7 +209,7 @@ pub enum SignalError {
         /// The longest allowed, s.
         most: f64,
     },
-    /// Two motions cannot be sampled by one step.
+    /// Two motions have no common time step.
     #[error(
         "one motion has a step of {first_s} s and the other of {second_s} s, and no step divides both into {most} parts or fewer: \
          sample one of them anew, for example with a step of {first_s} s"
@@ -219,7 +219,7 @@ pub enum SignalError {
         first_s: f64,
         /// The step of the second, s.
         second_s: f64,
-        /// Most parts that a step is divided into.
+        /// Largest number of parts into which a step is divided.
         most: u32,
     },
     /// A number is out of its range.
@@ -242,7 +242,7 @@ pub enum SignalError {
         /// Its peak, m/s².
         peak_m_s2: f64,
     },
-    /// A period outside the range that the time step of the motion can resolve.
+    /// A period is outside the range that the time step of the motion resolves.
     #[error(
         "a period of {given} s is refused: a motion with this time step tells of {least_s} to {most_s} s"
     )]
@@ -257,10 +257,10 @@ pub enum SignalError {
     /// A least-squares problem of a base line or a spectrum match has no solution.
     #[error("no base line or wavelets can be found: {why}; take a longer motion")]
     Match {
-        /// Why.
+        /// Reason.
         why: String,
     },
-    /// Too many records from one earthquake, station or file for a suite.
+    /// Too many records of a suite come from one earthquake, station or file.
     #[error(
         "no suite of {wanted} motions can be had of {usable} records: the limits on one earthquake, station and record leave \
          {most}; give more records, or ask for fewer motions"
@@ -273,7 +273,7 @@ pub enum SignalError {
         /// The most that may be in one suite.
         most: usize,
     },
-    /// The factors of every suite lie beyond their limits.
+    /// In every suite a factor is beyond its limits.
     #[error(
         "no suite of {wanted} motions can be had of {usable} records: a factor of every one lies beyond {least} to {most}; give \
          records of stronger or weaker shaking, or wider limits"

@@ -1,31 +1,31 @@
-//! Faults of a channel in part of its samples: it is stuck, fades, has spikes, or follows another channel.
+//! Faults in part of a channel's samples: the channel is stuck, fades, has spikes, or follows another channel.
 
 use crate::numeric::{inner, sum_of};
 
 /// Fewest equal samples in a row that count as a fault, and shortest duration, of one second. Our choice.
 const STUCK_LEAST: usize = 50;
 const STUCK_S: f64 = 1.0;
-/// Factor by which a run must exceed the average run of the channel, because a coarse digitiser also stays at one value in quiet hours. Chosen
-/// here: of runs that end by chance the longest of a million is 14 times the mean. And the factor by which it must exceed neighbouring runs: the
-/// crest of a slow wave is 2.4 times those.
+/// Factor by which a run must exceed the average run of the channel, because a coarse digitiser also repeats one value in quiet hours. Our
+/// choice: among a million runs that end by chance, the longest is 14 times the mean. Then the factor by which the run must exceed its
+/// neighbours: at the crest of a slow wave this factor is 2.4.
 const STUCK_RUNS: usize = 20;
 const STUCK_BESIDE: usize = 5;
-/// Largest motion, in steps of the digitiser, at which a channel may stay at one value in quiet time, and least fraction of the record that a
-/// run must then have. Our choice.
+/// Largest motion, in digitiser steps, at which a channel may repeat one value in quiet time; and the least fraction of the record that such a
+/// run must fill to count as a fault. Our choice.
 const COARSE_STEPS: f64 = 4.0;
 const COARSE_SHARE: f64 = 0.2;
-/// Number of blocks in which strength is compared, fewest other channels, and the smallest change that counts as a fault. Our choice.
+/// Number of blocks in which strength is compared, fewest other channels, and smallest change that counts as a fault. Our choice.
 const FADED_BLOCKS: usize = 10;
 const FADED_OTHERS: usize = 2;
 const FADED_FROM: f64 = 10.0;
 /// Smallest rise over the record that counts as a fault, in standard deviations of the motion. Our choice.
 const DRIFT_FROM: f64 = 10.0;
-/// Number of samples compared between channels, and the limit of 1 − correlation of their steps below which two channels are the same signal:
-/// noise of a hundredth. Our choice.
+/// Number of samples compared between channels, and the limit of 1 − correlation of their steps. Below this limit two channels are the same
+/// signal with 1 % noise. Our choice.
 const ALIKE_SAMPLES: usize = 16_384;
 const ALIKE_MOST: f64 = 1e-4;
-/// A sample is a spike if its distance from the middle of its neighbours is this many times the usual one; the usual one needs this many
-/// samples. Our choice.
+/// A sample is a spike if its distance from the mean of its neighbours exceeds the usual distance by this factor; and the number of samples
+/// needed to know the usual distance. Our choice.
 const SPIKE_FROM: f64 = 25.0;
 const SPIKE_SAMPLES: usize = 65_536;
 /// Standard deviation of a normal variable over the median of its absolute value.
@@ -50,14 +50,14 @@ pub(super) fn stuck(x: &[f64], rate_hz: f64) -> Option<[usize; 2]> {
     }
     let length = longest[1] - longest[0];
     let wanted = STUCK_LEAST.max((STUCK_S * rate_hz).ceil() as usize);
-    // the mean of the others: a channel that is dead most of the time also has one such run
+    // without the longest run: in a channel that is dead most of the time it would dominate the mean
     let others = (x.len() - length) / (runs - 1).max(1);
     let least = wanted.max(STUCK_RUNS * others.max(1)).max(STUCK_BESIDE * beside);
     let is_long = || length >= (COARSE_SHARE * x.len() as f64) as usize || !is_coarse(x);
     (runs > 1 && length >= least && is_long()).then_some(longest)
 }
 
-/// Whether the digitiser's step is so coarse that quiet motion stays within one value.
+/// Whether the digitiser step is so coarse that quiet motion stays at one value.
 fn is_coarse(x: &[f64]) -> bool {
     let steps = x
         .windows(2)
@@ -70,14 +70,13 @@ fn is_coarse(x: &[f64]) -> bool {
     COARSE_STEPS * least >= square.sqrt()
 }
 
-/// Change of a channel's strength against the others.
 pub(super) struct StrengthChange {
     pub(super) factor: f64,
     pub(super) from: usize,
     pub(super) to: usize,
 }
 
-/// Number of largest steps in a block that are left out: those of a spike or a knock. Our choice.
+/// Number of largest steps left out of each block, because a spike or a knock causes them. Our choice.
 const FADED_LEAVES_OUT: usize = 100;
 
 /// Strength of a channel in each block of time.
@@ -102,14 +101,14 @@ impl BlockStrengths {
             squares.select_nth_unstable_by(kept, f64::total_cmp);
             let usual: f64 = squares[..=kept].iter().sum();
             let all = || squares.iter().sum::<f64>();
-            // a coarse digitiser may step rarely
+            // a coarse digitiser may rarely change its value
             if usual > 0.0 { usual.sqrt() } else { all().sqrt() }
         });
         Some(Self { block, strengths })
     }
 }
 
-/// Steps of the channel over the median of the others', block by block.
+/// Compares the steps of the channel with the median of the other channels, block by block.
 pub(super) fn faded(x: &BlockStrengths, others: &[&BlockStrengths]) -> Option<StrengthChange> {
     if others.len() < FADED_OTHERS {
         return None;
@@ -180,13 +179,12 @@ pub(super) fn alike(a: &FirstSteps, b: &FirstSteps) -> Option<f64> {
     (1.0 - correlation.abs() < ALIKE_MOST).then_some(correlation)
 }
 
-/// Single samples that are spikes.
 pub(super) struct Spikes {
     pub(super) count: usize,
     pub(super) first: usize,
 }
 
-/// d_i = x_i − (x_{i−1} + x_{i+1})/2: a single spike gives its neighbours half of it with the opposite sign, and the next samples nothing.
+/// d_i = x_i − (x_{i−1} + x_{i+1})/2: a single spike changes d of each neighbour by minus half its height, and no other d.
 pub(super) fn spikes(x: &[f64]) -> Option<Spikes> {
     let out = |i: usize| x[i] - 0.5 * (x[i - 1] + x[i + 1]);
     let last = x.len().checked_sub(2).filter(|last| *last > 2)?;
@@ -231,13 +229,13 @@ mod tests {
         let mut x = noise(1, 6000);
         x[2000..2500].fill(0.25);
         assert_eq!(stuck(&x, 100.0), Some([2000, 2500]));
-        // to the end, and shorter than a second: no fault
+        // a run up to the end is a fault; a run shorter than a second is not
         x[2000..].fill(0.0);
         assert_eq!(stuck(&x, 100.0), Some([2000, 6000]));
         let mut short = noise(2, 6000);
         short[100..190].fill(1.0);
         assert_eq!(stuck(&short, 100.0), None);
-        // a coarse digitiser in quiet hours stays at one value for long, all the time
+        // a coarse digitiser repeats one value for long in quiet hours
         let coarse: Vec<f64> = (0..60_000)
             .map(|i| (1.4 * (0.002 * f64::from(i)).sin()).round())
             .collect();
@@ -263,7 +261,7 @@ mod tests {
         let found = faded_beside(&x, [&a, &b]).unwrap();
         assert_eq!((found.from, found.to), (7000, 8000));
         assert!((found.factor / 50.0 - 1.0).abs() < 0.2, "{}", found.factor);
-        // all fade together: the wind dropped
+        // all channels fade together because the wind dropped
         let all: Vec<Vec<f64>> = [3, 4, 5]
             .map(|seed| {
                 noise(seed, 10_000)

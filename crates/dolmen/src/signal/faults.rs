@@ -1,4 +1,4 @@
-//! Faults of a channel whose samples are valid numbers but not a measurement.
+//! Faults of a channel: its samples are valid numbers, but do not measure the structure.
 
 use super::Record;
 use super::fault_runs::{BlockStrengths, FirstSteps, alike, drifts, faded, spikes, stuck};
@@ -7,15 +7,15 @@ use std::fmt;
 
 /// A channel this much weaker than the median of the others (−60 dB) records the noise of the logger, not the structure. Our choice.
 const FAINT: f64 = 1e-3;
-/// Fewest samples in a row at one exact extreme. Our choice: two occur in coarsely digitised records.
+/// Fewest samples in a row at the same extreme value. Our choice: two occur in coarsely digitised records.
 const RUN_LEAST: usize = 3;
-/// Number of samples in such runs from which a channel counts as clipped. Our choice.
+/// Number of samples in such runs that makes a channel clipped. Our choice.
 const HELD_LEAST: usize = 10;
-/// A clipped channel reaches its extreme this many times more often than the value next to it; the crest of a digitised sine does so 1/(√2 - 1)
-/// = 2.4 times. Our choice.
+/// A clipped channel reaches its extreme this many times more often than the value next to it. For the crest of a digitised sine this ratio is
+/// 1/(√2 - 1) = 2.4. Our choice.
 const CROWDED: usize = 4;
-/// Two channels are the same if their steps agree to this fraction of the largest step. Our choice: above the rounding of 32-bit numbers, far
-/// below the noise of two sensors.
+/// Two channels are the same if their steps agree within this fraction of the largest step. Our choice: above the rounding of 32-bit numbers,
+/// far below the noise of two sensors.
 const SAME: f64 = 1e-6;
 
 /// Why a channel should not be used without treatment. `Display` gives a sentence that says what to do.
@@ -32,12 +32,12 @@ pub enum ChannelFault {
     Faint {
         /// Name of the channel.
         channel: String,
-        /// Its standard deviation.
+        /// Standard deviation of the channel.
         deviation: f64,
         /// Median standard deviation of the channels that measure the same quantity.
         typical: f64,
     },
-    /// One value for a second or longer while it moves at other times: a loose cable, or a logger that paused.
+    /// The channel repeats one value for a second or longer but moves at other times: a loose cable, or a logger that paused.
     Stuck {
         /// Name of the channel.
         channel: String,
@@ -48,7 +48,7 @@ pub enum ChannelFault {
         /// End, s.
         to_s: f64,
     },
-    /// Its strength against the other channels of its kind changed tenfold or more during the record.
+    /// The strength of the channel, relative to the others of its kind, changed tenfold or more during the record.
     Faded {
         /// Name of the channel.
         channel: String,
@@ -56,10 +56,10 @@ pub enum ChannelFault {
         factor: f64,
         /// Start of the weakest part, s from the start of the record.
         from_s: f64,
-        /// Its end, s.
+        /// End of the weakest part, s.
         to_s: f64,
     },
-    /// Almost the same signal as another channel.
+    /// The signal is almost that of another channel.
     Alike {
         /// Name of the first channel.
         channel: String,
@@ -68,7 +68,7 @@ pub enum ChannelFault {
         /// Correlation of their steps, -1 to 1.
         correlation: f64,
     },
-    /// The line through it rises by far more than the channel moves.
+    /// The least-squares line through the channel rises by far more than the channel moves.
     Drifts {
         /// Name of the channel.
         channel: String,
@@ -84,7 +84,7 @@ pub enum ChannelFault {
         /// Time of the first one, s from the start.
         first_s: f64,
     },
-    /// It stays at its exact largest or smallest value: the range of the sensor or logger was exceeded.
+    /// The channel stays at its exact largest or smallest value: the motion exceeded the range of the sensor or logger.
     Clipped {
         /// Name of the channel.
         channel: String,
@@ -95,7 +95,7 @@ pub enum ChannelFault {
         /// Time of the first of them, s from the start.
         first_s: f64,
     },
-    /// The same signal as another channel, except for a factor and an offset.
+    /// The signal is that of another channel, except for a factor and an offset.
     Duplicated {
         /// Name of the first channel.
         channel: String,
@@ -107,7 +107,7 @@ pub enum ChannelFault {
 }
 
 impl ChannelFault {
-    /// The channel; of a pair the first.
+    /// The channel with the fault; the first of a pair.
     pub fn channel(&self) -> &str {
         match self {
             Self::Constant { channel, .. }
@@ -122,7 +122,6 @@ impl ChannelFault {
         }
     }
 
-    /// Times of the fault, s from the start.
     pub(super) fn times_s_mut(&mut self) -> Vec<&mut f64> {
         match self {
             Self::Stuck { from_s, to_s, .. } | Self::Faded { from_s, to_s, .. } => vec![from_s, to_s],
@@ -220,15 +219,17 @@ impl fmt::Display for ChannelFault {
     }
 }
 
-/// All faults of the channels of a record, in the order of the channels. Samples that are not numbers do not occur: [`Record::new`] refuses
-/// them.
+/// Finds all faults of the channels of a record, in the order of the channels. [`Record::new`] already refuses samples that are not numbers.
 ///
-/// Finds channels that are constant; more than 60 dB weaker than the median of their kind (in deviation and in steps, so that drift alone
-/// neither hides nor mimics it); at an exact extreme, or at any value for a second; of changing strength; full of spikes; or equal to another
-/// channel, exactly or almost, except for a factor.
+/// A channel has a fault if it
+/// - is constant, or repeats one value for a second,
+/// - is more than 60 dB weaker than the median of its kind, both in deviation and in steps (so drift alone neither hides nor imitates this
+///   fault),
+/// - stays at an exact extreme, changes its strength or has many spikes, or
+/// - equals another channel, exactly or almost, except for a factor.
 ///
 /// # Limits
-/// Needs the record as measured, because filters smooth clipped crests. Strengths are compared only among three or more channels that measure
+/// Inspect the record as measured, because filters smooth clipped crests. Strengths are compared only among three or more channels that measure
 /// the same quantity.
 ///
 /// # Example
@@ -394,14 +395,13 @@ impl Strength {
     }
 }
 
-/// Samples at one extreme.
 struct ClippedRun {
     value: f64,
     samples: usize,
     first: usize,
 }
 
-/// The samples at the largest value (`sign` 1) or the smallest (`sign` -1), if the channel appears to be clipped there.
+/// The samples at the largest value (`sign` 1) or smallest value (`sign` -1), if the channel appears to be clipped there.
 fn held_at_extreme(x: &[f64], sign: f64) -> Option<ClippedRun> {
     let extreme = largest_of(x, |v| sign * v);
     let count = |value: f64| x.iter().filter(|v| sign * **v == value).count();
@@ -431,7 +431,7 @@ fn same_but_for_factor(a: &[f64], b: &[f64], largest_at: usize) -> Option<f64> {
     let step = |x: &[f64], i: usize| x[i + 1] - x[i];
     let factor = step(b, largest_at) / step(a, largest_at);
     let bound = SAME * step(b, largest_at).abs();
-    // false for a factor that is not a number (constant channel) and for a channel without that step
+    // false if the factor is not a number (constant channel) or if `b` has no step there
     let same = bound > 0.0 && (0..a.len() - 1).all(|i| (step(b, i) - factor * step(a, i)).abs() <= bound);
     same.then_some(factor)
 }
@@ -442,7 +442,7 @@ mod tests {
     use crate::signal::{Channel, cut};
     use proptest::prelude::*;
 
-    /// A sum of sines that no two seeds share.
+    /// Sum of sines, different for each seed.
     fn shaken(seed: usize) -> Vec<f64> {
         let pitch = 0.31 + 0.017 * seed as f64;
         (0..4000)
@@ -469,7 +469,7 @@ mod tests {
     #[test]
     fn holds_sound_channels_have_no_fault() {
         assert_eq!(sentences((0..4).map(shaken).collect()), [""; 0]);
-        // a coarse digitiser and a slow drift are no clipping
+        // neither a coarse digitiser nor a slow drift is clipping
         let coarse = |scale: f64| shaken(1).iter().map(|x| (scale * x).round()).collect();
         let drift = (0..4000)
             .map(|i| (300.0 * (0.001 * f64::from(i)).sin()).round())
@@ -513,7 +513,7 @@ mod tests {
                  part within range, or leave the channel out"
             )]
         );
-        // cut as the fault proposes, the record has no fault
+        // the part that the fault proposes has no fault
         let part = cut(record(vec![shaken(0), clipped]), 0.0, first).unwrap();
         assert_eq!(inspect(&part), []);
     }

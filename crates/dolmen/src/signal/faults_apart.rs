@@ -1,14 +1,14 @@
-//! Faults of channels where an earthquake or lost samples would be mistaken for a fault.
+//! Finds faults without mistaking an earthquake or lost samples for a fault.
 
 use super::Record;
 use super::faults::{ChannelFault, inspect};
 use std::borrow::Cow;
 
-/// All faults that [`inspect`] finds, except in given times, from and to, s. `lost_s` is left out; in `shaken_s` single large samples and
-/// changes of strength are no faults, because the ground causes them.
+/// All faults that [`inspect`] finds, with allowance for two lists of time spans (from, to, s). The spans `lost_s` are left out. In the
+/// spans `shaken_s` the ground motion explains single large samples and changes of strength.
 ///
-/// Stuck, dead, clipped, drifting and duplicated channels are detected in the whole record; faint ones, changing strength, spikes and
-/// similar channels only in quiet time.
+/// Stuck, dead, clipped, drifting and duplicated channels are detected in the whole record. Faint channels, changes of strength, spikes
+/// and similar channels are detected only outside `shaken_s`.
 pub fn inspect_apart(record: &Record, lost_s: &[[f64; 2]], shaken_s: &[[f64; 2]]) -> Vec<ChannelFault> {
     let there = without(record, lost_s);
     if shaken_s.is_empty() {
@@ -36,7 +36,7 @@ pub fn inspect_apart(record: &Record, lost_s: &[[f64; 2]], shaken_s: &[[f64; 2]]
     faults
 }
 
-/// A record without given spans of time.
+/// A record from which given time spans are removed.
 struct RemainingRecord<'a> {
     record: Cow<'a, Record>,
     /// The remaining spans, s.
@@ -80,7 +80,7 @@ fn without<'a>(record: &'a Record, apart_s: &[[f64; 2]]) -> Option<RemainingReco
 }
 
 impl RemainingRecord<'_> {
-    /// Converts its faults to the times of the original record.
+    /// Faults of the remaining record, at the times of the original record.
     fn faults(&self) -> Vec<ChannelFault> {
         let mut faults = inspect(&self.record);
         for at_s in faults.iter_mut().flat_map(ChannelFault::times_s_mut) {
@@ -107,7 +107,7 @@ mod tests {
     use crate::numeric::Random;
     use crate::signal::Channel;
 
-    /// Three channels of noise; only the first shakes from 40 to 60 s and has a spike at 80 s.
+    /// Three channels of noise; only the first one shakes from 40 to 60 s, and it has a spike at 80 s.
     fn record() -> Record {
         let mut random = Random::new(5, 1);
         let samples = (0..3).map(|c| {

@@ -6,7 +6,7 @@ use super::{Processing, Record, SignalError};
 /// Highest order. At higher orders the gain at the corner loses accuracy.
 const ORDER_MOST: usize = 12;
 
-/// Low-pass filter: removes frequencies above `corner_hz`, without delay.
+/// Low-pass filter without delay: removes frequencies above `corner_hz`.
 ///
 /// A Butterworth filter of `order` (1 to 12; 4 is usual) runs forwards and backwards over each channel:
 ///
@@ -19,14 +19,13 @@ const ORDER_MOST: usize = 12;
 /// [`SignalError::TooShortForFilter`] if the filter rings for longer than the record lasts.
 ///
 /// # Limits
-/// Both ends are extended by odd reflection for as long as the filter rings (to 1 %), and each pass starts from the steady state. Closer to an
-/// end than that time, the result depends on the extension.
+/// Both ends are extended by odd reflection over the ringing time of the filter (decay to 1 %), and each pass starts from the steady state.
+/// Nearer to an end than this time, the result depends on the extension.
 ///
 /// # Source
-/// Oppenheim & Schafer (2010) *Discrete-Time Signal Processing*, 3rd ed., sec. 7.2 (bilinear transform) and problem 5.67
-/// (forwards and backwards); Gustafsson (1996) IEEE Trans. Signal Process. 44(4):988-992 on the ends. Agrees with `scipy.signal.sosfiltfilt`
-/// for the same `padlen`. Differs from it: scipy extends the ends by 3 (2 sections + 1) samples for any corner; here the length is the ringing
-/// time of the filter.
+/// Oppenheim & Schafer (2010) *Discrete-Time Signal Processing*, 3rd ed., sec. 7.2 (bilinear transform) and problem 5.67 (forwards and
+/// backwards); Gustafsson (1996) IEEE Trans. Signal Process. 44(4):988-992 on the ends. Agrees with `scipy.signal.sosfiltfilt` for the same
+/// `padlen`. Differs from it: scipy always extends the ends by 3 (2 sections + 1) samples; here the extension is the ringing time.
 ///
 /// # Example
 /// ```
@@ -47,9 +46,9 @@ pub fn low_pass(mut record: Record, corner_hz: f64, order: usize) -> Result<Reco
     Ok(record)
 }
 
-/// Band-pass filter: keeps frequencies between `low_hz` and `high_hz`, without delay.
+/// Band-pass filter without delay: keeps frequencies between `low_hz` and `high_hz`.
 ///
-/// A Butterworth filter of `order` (1 to 12; 4 is usual) on both sides of the band runs forwards and backwards over each channel. With w =
+/// A Butterworth filter of `order` (1 to 12; 4 is usual) at each side of the band runs forwards and backwards over each channel. With w =
 /// tan(π f / f_s) and B = w_high - w_low:
 ///
 /// ```text
@@ -61,7 +60,7 @@ pub fn low_pass(mut record: Record, corner_hz: f64, order: usize) -> Result<Reco
 /// [`SignalError::TooShortForFilter`] if the filter rings for longer than the record.
 ///
 /// # Limits
-/// As [`low_pass`]. The lower corner determines the ringing time: a corner of 0.1 Hz of order 4 rings for 19 s.
+/// As [`low_pass`]. The lower corner determines the ringing time: a filter of order 4 with its corner at 0.1 Hz rings for 19 s.
 ///
 /// # Source
 /// As [`low_pass`].
@@ -190,7 +189,7 @@ mod tests {
         }
     }
 
-    /// Amplitude and out-of-phase part of a filtered sine of this frequency, in the middle of 100 s.
+    /// Amplitude and quadrature part of a filtered sine of this frequency, in the middle of 100 s.
     fn gain(filter: impl Fn(Record) -> Record, frequency_hz: f64) -> (f64, f64) {
         let sine = |i: usize| (TAU * frequency_hz * i as f64 / RATE_HZ).sin();
         let filtered = filter(record((0..10_000).map(sine).collect()));

@@ -8,11 +8,11 @@
 
 use super::{Processing, SignalError};
 
-/// Largest acceleration: no ground moves so, and sums of squares within it are finite. Our choice, as for records.
+/// Largest acceleration: no ground moves faster, and sums of squares below it stay finite. Our choice, as for records.
 const ACCELERATION_MOST_M_S2: f64 = 1e100;
-/// Longest time step, s: coarser sampling loses the shaking that matters for stones. Our choice.
+/// Longest time step, s: coarser sampling loses the shaking that moves stones. Our choice.
 const TIME_STEP_MOST_S: f64 = 1.0;
-/// Shortest time step, s: below it a minute can no longer be counted exactly. Our choice.
+/// Shortest time step, s: below it the samples of a minute can no longer be counted exactly. Our choice.
 const TIME_STEP_LEAST_S: f64 = 1e-9;
 
 /// Direction of one series of a ground motion.
@@ -20,7 +20,7 @@ const TIME_STEP_LEAST_S: f64 = 1e-9;
 pub enum Component {
     /// Horizontal, to the right.
     X,
-    /// Horizontal, away: from x a quarter turn to the left, seen from above.
+    /// Horizontal, away from the viewer: x turned by 90° to the left, seen from above.
     Y,
     /// Vertical, up.
     Z,
@@ -44,12 +44,12 @@ impl std::fmt::Display for Component {
 
 /// Acceleration of the base in one to three directions, all finite, at one time step.
 ///
-/// Sample i is at t = i Δt. Between samples the acceleration is the straight line; before the first and after the last it is
-/// zero. A direction without a series is zero throughout.
+/// Sample i is at t = i Δt. The acceleration is linear between samples, and zero before the first and after the last sample. A direction without
+/// a series is zero throughout.
 ///
 /// # Limits
-/// The series are taken as given, without correction of base lines or filters. A record that was cut away from zero starts or stops with a jump:
-/// [`tapered`](GroundMotion::tapered) removes it.
+/// The series are used as given, without base-line correction or filter. A cut record whose first or last sample is not zero starts or stops
+/// with a jump; [`tapered`](GroundMotion::tapered) removes the jump.
 ///
 /// # Example
 /// ```
@@ -70,7 +70,7 @@ pub struct GroundMotion {
 }
 
 impl GroundMotion {
-    /// A motion from the series of one to three directions, m/s², with Δt between samples.
+    /// Makes a motion from the series of one to three directions, m/s², sampled every Δt.
     ///
     /// # Errors
     /// [`SignalError::Empty`] without a series or below 2 samples, [`SignalError::SameName`] for a direction given twice,
@@ -130,7 +130,7 @@ impl GroundMotion {
         motion.checked()
     }
 
-    /// Its name.
+    /// Name of the motion.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -164,12 +164,12 @@ impl GroundMotion {
         self.given[component as usize]
     }
 
-    /// Acceleration of the base in one direction, m/s², at t = i Δt. Zeros if it was not given.
+    /// Acceleration of the base in one direction, m/s², at t = i Δt; zeros if that direction was not given.
     pub fn acceleration_m_s2(&self, component: Component) -> &[f64] {
         &self.series[component as usize]
     }
 
-    /// Acceleration of the base at any time in x, y and z, m/s²: the straight line between samples, zero outside them.
+    /// Acceleration of the base at any time in x, y and z, m/s²: linear between samples, zero outside the motion.
     #[inline]
     pub fn acceleration_at_m_s2(&self, time_s: f64) -> [f64; 3] {
         if !(time_s >= 0.0 && time_s <= self.duration_s()) {
@@ -198,22 +198,22 @@ impl GroundMotion {
         samples.iter().fold(0.0, |peak, a| f64::max(peak, a.abs()))
     }
 
-    /// The samples of one direction, to be changed in place; every change adds itself to the history.
+    /// The samples of one direction, to be changed in place; the caller adds the change to the history.
     pub(super) fn samples_mut(&mut self, component: Component) -> &mut [f64] {
         &mut self.series[component as usize]
     }
 
-    /// Its history since it was measured or made, oldest step first.
+    /// Processing history since the motion was measured or made, oldest step first.
     pub fn history(&self) -> &[Processing] {
         &self.history
     }
 
-    /// Adds a step to the history. Readers begin it with [`Processing::Read`]; functions of this crate that change a motion add their own step.
+    /// Adds a step to the history. A reader adds [`Processing::Read`] first; functions of this crate that change a motion add their own step.
     pub fn note(&mut self, step: Processing) {
         self.history.push(step);
     }
 
-    /// The motion with all directions multiplied by one factor.
+    /// Multiplies all directions by one factor.
     ///
     /// # Errors
     /// [`SignalError::Argument`] if the factor is not finite, [`SignalError::TooLarge`].
@@ -232,7 +232,7 @@ impl GroundMotion {
         self.checked()
     }
 
-    /// The motion with all directions multiplied by the one factor that brings one of them to a peak, m/s².
+    /// Multiplies all directions by one factor so that the given direction reaches the given peak, m/s².
     ///
     /// # Errors
     /// [`SignalError::Argument`] if the peak is not a number from 0, [`SignalError::NoMotion`] if that direction does not move.
@@ -260,7 +260,7 @@ impl GroundMotion {
         }
     }
 
-    /// The part of the motion from `from_s` to `to_s`, both taken to the nearest sample and kept. Time starts again at 0.
+    /// The part of the motion from `from_s` to `to_s`, each rounded to the nearest sample, both included. Time starts again at 0.
     ///
     /// # Errors
     /// [`SignalError::Cut`] if the part is not within the motion or holds fewer than 2 samples.
@@ -294,7 +294,7 @@ impl GroundMotion {
         self.cut(0.0, seconds)
     }
 
-    /// The motion tapered to zero at both ends by half a cosine, within this number of seconds at each end.
+    /// Tapers the motion to zero by half a cosine within this number of seconds at each end.
     ///
     /// ```text
     /// a_i ← a_i ½ (1 − cos(π t / seconds))        t = time from the nearer end < seconds
@@ -303,7 +303,6 @@ impl GroundMotion {
     /// # Errors
     /// [`SignalError::Argument`] if the two tapers do not fit into the motion.
     pub fn tapered(mut self, seconds: f64) -> Result<Self, SignalError> {
-        // the comparison is false for NaN
         if !(seconds > 0.0 && 2.0 * seconds <= self.duration_s()) {
             return Err(SignalError::Argument {
                 argument: "seconds",
@@ -324,7 +323,7 @@ impl GroundMotion {
         Ok(self)
     }
 
-    /// The motion turned about the vertical by the angle from x towards y.
+    /// Rotates the motion about the vertical by an angle from x towards y.
     ///
     /// ```text
     /// x ← x cos θ − y sin θ        y ← x sin θ + y cos θ
@@ -340,7 +339,7 @@ impl GroundMotion {
                 allowed: "a finite number",
             });
         }
-        /// Sines below this are round-off of quarter turns, which leave nothing along the old axis.
+        /// Sines below this limit are round-off: a quarter turn leaves nothing along the old axis.
         const ROUND_OFF: f64 = 4e-16;
         let exact = |x: f64| if x.abs() < ROUND_OFF { 0.0 } else { x };
         let (sin, cos) = angle_rad.sin_cos();
@@ -349,7 +348,7 @@ impl GroundMotion {
         for (x, y) in x.iter_mut().zip(y) {
             (*x, *y) = (*x * cos - *y * sin, *x * sin + *y * cos);
         }
-        // after half a turn, motion along x stays along x
+        // after half a turn, the motion along x stays along x
         if sin != 0.0 {
             let horizontal = self.given[0] || self.given[1];
             self.given = [horizontal, horizontal, self.given[2]];

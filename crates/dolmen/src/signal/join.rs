@@ -10,11 +10,11 @@ use super::{Channel, Processing, Record, SignalError};
 use std::collections::BTreeMap;
 
 /// Half length of the interpolation filter, in steps of the common rate. With [`SHAPE`] the gain is constant up to 0.8 of the Nyquist frequency
-/// and zero from 1.2, as for decimation.
+/// and zero from 1.2 of it, as for decimation.
 const HALF_LENGTH: f64 = 18.0;
-/// β of the Kaiser window: stop band at −100 dB (Kaiser 1974, β = 0.1102 (A − 8.7)).
+/// β of the Kaiser window for a stop band at −100 dB (Kaiser 1974, β = 0.1102 (A − 8.7)).
 const SHAPE: f64 = 10.06;
-/// Largest number of filter phases kept for reuse. Our choice: common ratios of sampling rates need fewer.
+/// Largest number of filter phases kept for reuse. Our choice: common ratios of sampling rates need fewer phases.
 const PHASES_MOST: usize = 4096;
 /// Fraction of a step to which phases are rounded.
 const PHASE_STEPS: f64 = 1e9;
@@ -25,7 +25,7 @@ pub struct Join {
     /// Largest time offset between two channels that is ignored, in steps of the common rate, 0 to 0.5. Default 0.01, our choice: a phase
     /// error of 1.4° at 0.8 of the Nyquist frequency.
     pub offset_most: f64,
-    /// Source of the start times. Default: each channel has its own.
+    /// Source of the start times. Default: each channel has its own start time.
     pub starts: Starts,
 }
 
@@ -41,7 +41,7 @@ impl Default for Join {
 /// Source of the start times of the channels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Starts {
-    /// Each channel has a start time by a common clock; a channel without one is refused.
+    /// Each channel has a start time by a common clock; channels without a start time are refused.
     #[default]
     Stated,
     /// All channels begin at the same instant; their start times are ignored.
@@ -76,9 +76,9 @@ pub struct Joined {
 /// y(t_k) = Σ_n h(t_k − t_n) x(t_n)     t_k: steps of the first channel of the lowest rate;  h: Kaiser-windowed sinc
 /// ```
 ///
-/// Channels at that rate with samples within [`Join::offset_most`] of these times are shifted by whole samples, and their values do not change.
-/// The others are interpolated as signals without content above the Nyquist frequency. The filter extends 18 steps to both sides; where samples
-/// are missing the ends are cut off. The processing history lists rates, offsets and cuts.
+/// A channel at that rate whose samples are within [`Join::offset_most`] of these times is shifted by whole samples; its values do not change.
+/// Other channels are interpolated as signals without content above the Nyquist frequency. The filter extends 18 steps to both sides and needs
+/// samples there, so the ends are cut off. The processing history lists rates, offsets and cuts.
 ///
 /// # Errors
 /// [`SignalError::NoStart`], [`SignalError::NoCommonTime`], [`SignalError::Argument`]; and the errors of [`Record::new`].
@@ -124,7 +124,7 @@ pub fn join(pieces: Vec<Piece>, options: &Join) -> Result<Joined, SignalError> {
         .iter()
         .map(|p| Plan::of(p, begins(p) - origin_s, rate_hz, same(p), options.offset_most))
         .collect();
-    // steps of the common times, counted from the first sample of the reference channel
+    // in steps of the common rate from the first sample of the reference channel
     let first = plans.iter().map(|plan| plan.first).max().unwrap_or(0);
     let last = plans.iter().map(|plan| plan.last).min().unwrap_or(-1);
     if last <= first {
@@ -188,7 +188,6 @@ fn same_rate(piece: &Piece, rate_hz: f64, offset_most: f64) -> bool {
     (piece.sampling_rate_hz / rate_hz - 1.0).abs() * piece.samples.len() as f64 <= offset_most
 }
 
-/// Conversion of one channel to the common times.
 struct Plan {
     /// First and last step of the common times within the channel.
     first: i64,
@@ -340,7 +339,7 @@ mod tests {
         join(pieces, &Join::default()).unwrap().record
     }
 
-    /// Largest difference between channel 1 and channel 0, which is the exact sine.
+    /// Largest difference between channel 1 and the exact sine in channel 0.
     fn apart(record: &Record) -> f64 {
         let pairs = record.samples(0).iter().zip(record.samples(1));
         pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
@@ -360,7 +359,7 @@ mod tests {
 
     #[test]
     fn exact_other_rates_and_nothing_folds_down() {
-        // up to 0.8 of 50 Hz; 250 over 100 Hz has two phases, 128 over 100 has 25, 100.01 as many as samples
+        // all are below 0.8 of 50 Hz; the number of phases is 2 for 250 Hz over 100 Hz, 25 for 128 Hz, and the number of samples for 100.01 Hz
         for rate_hz in [128.0, 250.0, 1000.0, 100.01] {
             let length = (8.0 * rate_hz) as usize;
             let record = joined(vec![
@@ -370,7 +369,7 @@ mod tests {
             assert!(apart(&record) < 1e-5, "{rate_hz}: {}", apart(&record));
             assert!(matches!(record.history()[0], Processing::Resampled { .. }));
         }
-        // 62 Hz would appear as 38 Hz
+        // 62 Hz would alias to 38 Hz
         let mut above = sine("b", 62.0, 0.0, 250.0, 2000);
         let record = joined(vec![sine("a", 0.0, 0.0, 100.0, 800), above.clone()]);
         let most = record.samples(1).iter().fold(0.0, |m: f64, x| m.max(x.abs()));

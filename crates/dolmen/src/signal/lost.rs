@@ -10,16 +10,16 @@ use super::SignalError;
 use dolmen_linalg::{Matrix, cholesky, solve_lower, solve_lower_transposed};
 use std::ops::Range;
 
-/// Longest run that is filled, samples. Our choice: a tenth of a period at the upper end of most bands, and the usual size of a gap in
-/// recorders.
+/// Longest run that is filled, samples. Our choice: the usual size of a gap in recorders, and a tenth of a period at the upper end of most
+/// bands.
 pub const LOST_RUN_MOST: usize = 8;
-/// Largest share of a record that is filled. Our choice: all spectra then rest on at least 99 % measured samples.
+/// Largest share of a record that is filled. Our choice: at least 99 % of the samples behind any spectrum are measured.
 pub const LOST_SHARE_MOST: f64 = 0.01;
 /// Order of the prediction: two samples for each of 32 modes and machines.
 const ORDER: usize = 64;
 /// Largest number of samples from which the predictor is estimated.
 const LEARNED_MOST: usize = 1 << 15;
-/// Fraction of the variance at which the prediction counts as exact: below it rounding decides.
+/// Fraction of the variance below which the prediction is exact except for rounding.
 const EXACT: f64 = 1e-13;
 
 /// Fills lost samples so that the linear prediction error is smallest.
@@ -27,15 +27,15 @@ const EXACT: f64 = 1e-13;
 /// ```text
 /// least Σ_t e_t²,  e_t = Σ_{l=0}^{p} a_l x_{t−l}   ⇒   Σ_j b_|i−j| x_j = 0  for every lost i               p = 64
 /// ```
-/// Burg's method estimates the predictor from the whole runs of samples. The values in `samples` at lost places are ignored. Lost runs closer
-/// than p are solved together.
+/// Burg's method estimates the predictor from the runs without lost samples. The values of `samples` at lost places are ignored. Lost runs
+/// less than p apart are solved together.
 ///
 /// # Errors
 /// [`SignalError::Argument`] for a run that is empty, out of order or beyond the end.
 ///
 /// # Limits
-/// For runs that are short compared with the periods of the signal, see [`LOST_RUN_MOST`] and [`LOST_SHARE_MOST`]. White noise cannot be
-/// predicted: its lost samples become its mean. Within p samples of either end only one side helps.
+/// Valid for runs that are short compared with the periods of the signal; see [`LOST_RUN_MOST`] and [`LOST_SHARE_MOST`]. White noise cannot
+/// be predicted: its lost samples become its mean. Within p samples of an end, only the samples on one side contribute.
 ///
 /// # Source
 /// Janssen, A. J. E. M., Veldhuis, R. N. J. and Vries, L. B. (1986) Adaptive interpolation of discrete-time signals that can be modeled as
@@ -87,7 +87,6 @@ pub fn fill_lost(samples: &mut [f64], lost: &[Range<usize>]) -> Result<(), Signa
     Ok(())
 }
 
-/// The runs of whole samples.
 fn whole_runs(n: usize, lost: &[Range<usize>]) -> Vec<Range<usize>> {
     let starts = std::iter::once(0).chain(lost.iter().map(|run| run.end));
     let ends = lost.iter().map(|run| run.start).chain([n]);
@@ -95,7 +94,7 @@ fn whole_runs(n: usize, lost: &[Range<usize>]) -> Vec<Range<usize>> {
     whole.filter(|run| !run.is_empty()).collect()
 }
 
-/// The runs for the estimate: each long enough, and in total no more than needed.
+/// The runs used for the estimate: each is long enough, and in total they hold no more samples than needed.
 fn learned(whole: &[Range<usize>], order: usize) -> Vec<Range<usize>> {
     let mut left = LEARNED_MOST;
     let mut taken = Vec::new();
@@ -103,7 +102,7 @@ fn learned(whole: &[Range<usize>], order: usize) -> Vec<Range<usize>> {
         let run = run.start..run.end.min(run.start + left);
         left -= run.len();
         taken.push(run);
-        // a run cut to less is too short
+        // the shortened run is too short
         if left <= 2 * order {
             break;
         }
@@ -111,7 +110,7 @@ fn learned(whole: &[Range<usize>], order: usize) -> Vec<Range<usize>> {
     taken
 }
 
-/// The coefficients a_0 = 1, a_1 … of the predictor, by Burg's method: it minimises forward and backward errors of all runs together.
+/// The coefficients a_0 = 1, a_1 … of the predictor. Burg's method minimises the forward and backward errors of all runs together.
 fn burg(samples: &[f64], runs: &[Range<usize>], mean: f64, order: usize) -> Vec<f64> {
     let mut errors: Vec<[Vec<f64>; 2]> = runs
         .iter()
@@ -156,7 +155,7 @@ fn burg(samples: &[f64], runs: &[Range<usize>], mean: f64, order: usize) -> Vec<
     a
 }
 
-/// Solves Σ_j b_|i−j| x_j = 0 for the unknown x. Systems too close to singular for double precision are replaced by straight lines.
+/// Solves Σ_j b_|i−j| x_j = 0 for the unknown x. If the system is nearly singular, straight lines replace its solution.
 fn solve(samples: &mut [f64], mean: f64, weight: &[f64], unknown: &[usize], from: usize) {
     let order = weight.len() - 1;
     let near = |i: usize, j: usize| weight.get(i.abs_diff(j)).copied().unwrap_or(0.0);
@@ -187,7 +186,7 @@ fn solve(samples: &mut [f64], mean: f64, weight: &[f64], unknown: &[usize], from
     }
 }
 
-/// Puts each lost sample on the straight line between the samples beside its run.
+/// Places each lost sample on the straight line between the samples next to its run.
 fn straight(samples: &mut [f64], mean: f64, unknown: &[usize]) {
     let mut at = 0;
     while at < unknown.len() {
@@ -218,7 +217,7 @@ mod tests {
 
     #[test]
     fn holds_sines_come_back() {
-        // six coefficients would predict three sines exactly; those estimated from a finite record are slightly off
+        // six exact coefficients predict three sines exactly; coefficients estimated from a finite record have a small error
         let whole: Vec<f64> = (0..4000)
             .map(|i| {
                 let t = f64::from(i) * 0.01;
@@ -238,7 +237,7 @@ mod tests {
     fn holds_what_is_left_of_a_run_to_learn_from_is_never_shorter_than_the_predictor() {
         let mut random = Random::new(11, 0);
         let whole: Vec<f64> = (0..2 * LEARNED_MOST).map(|_| random.normal()).collect();
-        // the first run leaves this number of samples for the estimate
+        // the first run leaves this number of samples for the estimate of the predictor
         for left in [1, 31, ORDER, 2 * ORDER, 2 * ORDER + 1] {
             let mut holed = whole.clone();
             let lost = LEARNED_MOST - left..LEARNED_MOST - left + 1;
@@ -250,7 +249,7 @@ mod tests {
 
     #[test]
     fn exact_one_sample_of_a_first_order_process_has_the_least_error_that_there_is() {
-        // x_t = φ x_{t−1} + e: the best estimate is φ/(1 + φ²)(x_{t−1} + x_{t+1}), its error has variance 1/(1 + φ²)
+        // x_t = φ x_{t−1} + e: the best estimate is φ/(1 + φ²)(x_{t−1} + x_{t+1}); its error has variance 1/(1 + φ²)
         let (phi, mut random) = (0.9, Random::new(7, 0));
         let mut x = vec![0.0; 30_000];
         for t in 1..x.len() {
@@ -262,7 +261,7 @@ mod tests {
         let at: Vec<usize> = lost.iter().map(|run| run.start).collect();
         let squares: f64 = at.iter().map(|&t| (filled[t] - x[t]).powi(2)).sum();
         let variance = squares / at.len() as f64;
-        // 147 errors: their variance is known to 12 %
+        // the standard deviation of the variance of 147 errors is 12 %
         assert!((variance * (1.0 + phi * phi) - 1.0).abs() < 0.35, "{variance}");
         let off = |t: &usize| filled[*t] - phi / (1.0 + phi * phi) * (x[t - 1] + x[t + 1]);
         let squares: f64 = at.iter().map(|t| off(t).powi(2)).sum();

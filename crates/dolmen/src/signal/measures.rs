@@ -1,4 +1,4 @@
-//! Intensity measures of one component of a ground motion, exact for the straight lines between its samples.
+//! Intensity measures of one component of a ground motion, exact for an acceleration that is linear between samples.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -12,14 +12,14 @@ use crate::known::STANDARD_GRAVITY_M_S2;
 use realfft::RealFftPlanner;
 use std::f64::consts::PI;
 
-/// Damping ratio and periods of the Housner intensity, s (Housner 1952 with the damping that is used today).
+/// Damping ratio and periods of the Housner intensity, s (Housner 1952, with today's usual damping).
 const HOUSNER_DAMPING: f64 = 0.05;
 const HOUSNER_PERIODS_S: [f64; 2] = [0.1, 2.5];
 const HOUSNER_STEP_S: f64 = 0.01;
 /// Frequencies of the mean period, Hz, and the widest step between them (Rathje et al. 1998).
 const MEAN_PERIOD_HZ: [f64; 2] = [0.25, 20.0];
 const MEAN_PERIOD_STEP_HZ: f64 = 0.05;
-/// Shares of the Arias intensity between which a motion is significant (Trifunac, Brady 1975).
+/// Shares of the Arias intensity at the start and end of the significant duration (Trifunac, Brady 1975).
 const SIGNIFICANT: [f64; 2] = [0.05, 0.95];
 
 /// Strength of one component of a motion, in the measures of the field.
@@ -27,9 +27,9 @@ const SIGNIFICANT: [f64; 2] = [0.05, 0.95];
 pub struct IntensityMeasures {
     /// Largest |a|, m/s².
     pub peak_acceleration_m_s2: f64,
-    /// Largest |v|, m/s, from rest at the first sample: the true peak between samples, without correction of the base line.
+    /// Largest |v|, m/s, from rest at the first sample: the true peak between samples, without base-line correction.
     pub peak_velocity_m_s: f64,
-    /// Largest |u|, m, likewise.
+    /// Largest |u|, m, defined in the same way.
     pub peak_displacement_m: f64,
     /// v at the last sample, m/s: the effect of an uncorrected base line.
     pub last_velocity_m_s: f64,
@@ -43,7 +43,7 @@ pub struct IntensityMeasures {
     pub housner_intensity_m: Option<f64>,
     /// Time from 5 % to 95 % of the Arias intensity, s: D5–95.
     pub significant_duration_s: f64,
-    /// When 5 % is reached, s.
+    /// Time at which 5 % is reached, s.
     pub significant_from_s: f64,
     /// Mean period Σ C² / f / Σ C², f 0.25 … 20 Hz, s. `None` if no frequency of the motion lies there.
     pub mean_period_s: Option<f64>,
@@ -62,9 +62,9 @@ pub struct IntensityMeasures {
 /// [`SignalError::NoMotion`] if the component does not move.
 ///
 /// # Limits
-/// Velocity and displacement are those of the record without correction: an offset grows in them with t and t². Remove it first
-/// ([`GroundMotion::baseline_corrected`]). Programs that sum squares at the samples (trapezoids of a²) print a larger Arias intensity: by 4.5 %
-/// for El Centro 1940 at 0.02 s.
+/// Velocity and displacement are those of the uncorrected record: an offset makes them grow with t and t². Remove it first
+/// ([`GroundMotion::baseline_corrected`]). Programs that sum squares at the samples (trapezoids of a²) print a larger Arias intensity: 4.5 %
+/// more for El Centro 1940 at 0.02 s.
 ///
 /// # Source
 /// Arias (1970) in *Seismic Design for Nuclear Power Plants*, MIT Press; Housner (1952) Caltech; Trifunac, Brady (1975) Bull. Seism.
@@ -132,7 +132,7 @@ pub fn intensity_measures(
     })
 }
 
-/// The largest velocity of a component, m/s, without the other measures: as [`intensity_measures`] gives it.
+/// The largest velocity of a component, m/s: as [`intensity_measures`], without the other measures.
 ///
 /// # Errors
 /// [`SignalError::NoMotion`] if the component does not move.
@@ -141,7 +141,7 @@ pub fn peak_velocity_m_s(motion: &GroundMotion, component: Component) -> Result<
     Ok(Travel::of(a, motion.time_step_s()).peak_velocity)
 }
 
-/// The peak of a component, not zero, and its samples.
+/// The samples of a component and its peak, which must not be zero.
 fn moving(motion: &GroundMotion, component: Component) -> Result<(f64, &[f64]), SignalError> {
     let peak_m_s2 = motion.component_peak_m_s2(component);
     if peak_m_s2 == 0.0 {
@@ -153,7 +153,7 @@ fn moving(motion: &GroundMotion, component: Component) -> Result<(f64, &[f64]), 
     Ok((peak_m_s2, motion.acceleration_m_s2(component)))
 }
 
-/// Displacement of the ground at the end of a motion, and its largest, m: they reveal a drifting base line.
+/// Displacement of the ground at the end of a motion, and its largest displacement, m. They show whether the base line drifts.
 ///
 /// # Errors
 /// [`SignalError::NoMotion`] if the component does not move.
@@ -174,7 +174,7 @@ pub fn last_and_peak_displacement_m(
     Ok([travel.displacement, travel.peak_displacement])
 }
 
-/// Velocity and displacement of an acceleration that is linear between its samples: at the end, and largest.
+/// Final and largest velocity and displacement of an acceleration that is linear between its samples.
 struct Travel {
     velocity: f64,
     displacement: f64,
@@ -221,7 +221,7 @@ fn zeros(p: f64, q: f64, r: f64) -> [f64; 2] {
     [w / p, r / w]
 }
 
-/// Time at which a share of the energy is reached: bisection within its step, where the energy is a cubic in time.
+/// Time at which a share of the energy is reached, by bisection within a step, where the energy is a cubic function of time.
 fn reached(a: &[f64], h: f64, energy: &[f64], share: f64) -> f64 {
     let wanted = share * energy[energy.len() - 1];
     let after = energy.partition_point(|e| *e < wanted).clamp(1, a.len() - 1);
@@ -272,7 +272,7 @@ mod tests {
 
     #[test]
     fn exact_a_triangle_between_samples() {
-        // a falls from 3 to −1 m/s² in 4 s: zero at 3 s, v there 4.5, u(4) = ∫ = 3·4²/2 − 4³/6
+        // a falls from 3 to −1 m/s² in 4 s: at its zero, at 3 s, v is 4.5; u(4) = ∫ = 3·4²/2 − 4³/6
         let m = measured(1.0, vec![3.0, 2.0, 1.0, 0.0, -1.0]);
         assert!((m.peak_velocity_m_s - 4.5).abs() < 1e-14 && (m.last_velocity_m_s - 4.0).abs() < 1e-14);
         assert!((m.peak_displacement_m - (24.0 - 64.0 / 6.0)).abs() < 1e-13);
@@ -302,7 +302,7 @@ mod tests {
             (m.peak_velocity_m_s / (2.0 / omega) - 1.0).abs() < 1e-3,
             "1 − cos"
         );
-        // 10 s of a sine leak into its neighbours, and slow ones weigh more
+        // the spectrum of 10 s of a sine leaks into other frequencies, and low ones have more weight
         assert!((m.mean_period_s.unwrap() * f - 1.0).abs() < 0.06, "{m:?}");
         assert!(
             (m.significant_duration_s / 9.0 - 1.0).abs() < 0.02,

@@ -1,4 +1,4 @@
-//! Vibration records and ground motions: what was measured, where, and what has been done to it since.
+//! Vibration records and ground motions: samples, sensors and processing history.
 
 mod at_rest;
 mod baseline;

@@ -2,7 +2,8 @@
 
 use super::ground_motion::{Component, GroundMotion};
 
-/// Evaluates a motion at times that mostly stay within one step; equals [`GroundMotion::acceleration_at_m_s2`] to the bit.
+/// Evaluates a motion at times that mostly stay within one step. The results equal [`GroundMotion::acceleration_at_m_s2`]
+/// bit for bit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MotionCursor<'a> {
     motion: &'a GroundMotion,

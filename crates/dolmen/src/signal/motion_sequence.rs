@@ -2,19 +2,19 @@
 
 use super::{Component, GroundMotion, SignalError};
 
-/// Largest whole number of common steps in one step of either motion. Our choice: steps of 0.01 and 0.0137 s have one of 0.0001 s.
+/// Largest number of common steps in one step of a motion. Our choice: steps of 0.01 and 0.0137 s have the common step 0.0001 s.
 const PARTS_MOST: u32 = 200;
-/// Relative error allowed for a whole number of common steps: rounding of written files. Our choice.
+/// Relative error allowed for an integer number of common steps: the rounding in written files. Our choice.
 const ROUNDING: f64 = 1e-9;
 
 /// Two motions as one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionSequence {
-    /// Both motions, sampled so that every sample of either is one of it.
+    /// Both motions at their common step, which keeps every sample of either motion.
     pub motion: GroundMotion,
     /// Time of still ground between them, s: the given time, rounded up to a whole number of samples.
     pub still_s: f64,
-    /// Start of the second, s.
+    /// Start of the second motion, s.
     pub second_from_s: f64,
 }
 
@@ -26,15 +26,15 @@ pub struct MotionSequence {
 ///      = a_second(t − t_2)      t ≥ t_2 = T_first + still
 /// ```
 ///
-/// Both are linear between samples, so sampling them by the largest common step changes neither. A direction that one of them lacks is still
-/// while that one lasts.
+/// Motions are linear between samples, so sampling at the largest common step changes neither. If one motion lacks a direction, that direction
+/// stands still for the duration of this motion.
 ///
 /// # Errors
-/// [`SignalError::NoCommonStep`] where no such step is found, [`SignalError::Argument`] for a time that is no number from 0.
+/// [`SignalError::NoCommonStep`] without a common step, [`SignalError::Argument`] if the time is not a number from 0.
 ///
 /// # Limits
-/// A first motion that was cut away from zero goes to zero within one sample, whereas alone it stops with a jump; the second begins in the same
-/// way.
+/// If the first motion was cut and does not end at zero, it goes to zero within one sample here, whereas alone it stops with a jump. The same
+/// applies to the start of the second motion.
 ///
 /// # Example
 /// ```
@@ -61,7 +61,7 @@ pub fn motion_sequence(
     }
     let parts = common_parts(first.time_step_s(), second.time_step_s())?;
     let step_s = first.time_step_s() / f64::from(parts[0]);
-    // at least one sample lies between the last of the first and the first of the second
+    // at least one sample lies between the two motions
     let still = (still_s / step_s * (1.0 - ROUNDING)).ceil().max(2.0) as usize;
     let mut series = Vec::new();
     for component in Component::ALL {
@@ -82,7 +82,7 @@ pub fn motion_sequence(
     })
 }
 
-/// Numbers of common steps in one step of each.
+/// Number of common steps in one step of each motion.
 fn common_parts(first_s: f64, second_s: f64) -> Result<[u32; 2], SignalError> {
     let whole = (1..=PARTS_MOST).find_map(|parts| {
         let other = second_s / first_s * f64::from(parts);
@@ -98,7 +98,7 @@ fn common_parts(first_s: f64, second_s: f64) -> Result<[u32; 2], SignalError> {
     })
 }
 
-/// Linear interpolation with `parts` samples in place of each.
+/// Linear interpolation: `parts` samples replace each sample.
 fn finer(samples: &[f64], parts: u32) -> Vec<f64> {
     let mut found = Vec::with_capacity(samples.len() * parts as usize);
     for pair in samples.windows(2) {

@@ -1,9 +1,9 @@
-//! A suite of ground motions whose mean spectrum follows a demand: choice of the records and their factors.
+//! Chooses a suite of ground motions and their factors so that the mean spectrum follows a demand.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | r_i(T) | `ratios` | spectrum of record i over the demand |
-//! | k_i | `own` | factor that brings record i to the demand, in the mean of its logarithm |
+//! | k_i | `own` | factor that scales record i to the demand, by the mean of the logarithm |
 //! | m(T) | `mean` | mean of k_i r_i(T) over the suite |
 //! | c | `common` | common factor on the suite |
 
@@ -12,13 +12,13 @@ use super::SignalError;
 /// Rules for the choice of a suite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SuiteRule {
-    /// Motions of the suite, 1 or more. Default 7.
+    /// Number of motions in the suite, 1 or more. Default 7.
     pub count: usize,
-    /// Smallest and largest factor on a record. Default 0.25 and 4, our choice.
+    /// Smallest and largest factor of a record. Default 0.25 and 4, our choice.
     pub factors: [f64; 2],
-    /// Least share of the demand that the mean spectrum may have at any period. Default 0.9, our choice.
+    /// Smallest allowed ratio of mean spectrum to demand at any period. Default 0.9, our choice.
     pub least_share: f64,
-    /// Largest number of motions from one earthquake, and from one station, where the files name them. Default 2, our choice.
+    /// Largest number of motions from one earthquake, and from one station, if the files name them. Default 2, our choice.
     pub alike_most: usize,
 }
 
@@ -38,20 +38,20 @@ impl Default for SuiteRule {
 pub struct SuiteCandidate {
     /// Its spectrum over the demand at each period, all positive. Shape: periods.
     pub ratios: Vec<f64>,
-    /// The earthquake, where it is known.
+    /// The earthquake, if known.
     pub event: Option<String>,
-    /// The station, where it is known.
+    /// The station, if known.
     pub station: Option<String>,
-    /// Key by which only one candidate may be chosen: the file, or the two directions of one record.
+    /// The file, or the record to which two directions belong. Only one candidate with the same key may be chosen.
     pub record: String,
 }
 
-/// A suite that was chosen.
+/// A chosen suite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionSuite {
     /// Indices of the chosen candidates, ascending.
     pub members: Vec<usize>,
-    /// Factor on each of them.
+    /// Factor of each chosen candidate.
     pub factors: Vec<f64>,
     /// Mean of the scaled spectra over the demand. Shape: periods.
     pub mean: Vec<f64>,
@@ -59,11 +59,11 @@ pub struct MotionSuite {
     pub misfit: f64,
 }
 
-/// Largest number of passes over all exchanges in a search.
+/// Largest number of passes over all possible exchanges in a search.
 const PASSES_MOST: usize = 100;
-/// Number of records from which searches begin. Our choice.
+/// Number of records from which a search starts. Our choice.
 const BEGINNINGS_MOST: usize = 40;
-/// A smaller gain does not count.
+/// A smaller gain does not count as an improvement.
 const GAIN_LEAST: f64 = 1e-12;
 
 /// Chooses the records and factors whose mean spectrum follows the demand best.
@@ -73,16 +73,16 @@ const GAIN_LEAST: f64 = 1e-12;
 /// c = max(1/mean over T of m, least share/min over T of m)        factor of record i: c k_i, within its limits
 /// wanted: the suite with the least root mean square of c m(T) − 1
 /// ```
-/// Each record keeps the shape of its spectrum, and its own factor brings it near the demand. The common factor then makes the mean over the
-/// periods equal to that of the demand, or larger where a period would otherwise fall below the least share. The search exchanges one record for
-/// another while that improves the suite, from many starts: a good suite, not proved to be the best. The rule is Dolmen's own.
+/// Each record keeps the shape of its spectrum; its own factor scales the spectrum to the demand. The common factor then makes the mean over the
+/// periods equal to the demand, or larger if a period would fall below the least share. The search exchanges one record for another as long as this
+/// improves the suite, and starts from many records. The result is a good suite, but not proved to be the best. The method is our own.
 ///
 /// # Errors
-/// [`SignalError::SuiteFactors`] and [`SignalError::SuiteAlike`] where no suite keeps within the limits; [`SignalError::Argument`] for a rule out of range or ratios
-/// that are not positive.
+/// [`SignalError::SuiteFactors`] and [`SignalError::SuiteAlike`] if no suite keeps within the limits; [`SignalError::Argument`] for a rule out of
+/// range or ratios that are not positive.
 ///
 /// # Limits
-/// In 400 pools of eight simulated records it always finds the best of all 56 suites of three: see the tests.
+/// In 400 sets of eight simulated records, the search always finds the best of all 56 suites of three: see the tests.
 ///
 /// # Example
 /// ```
@@ -135,7 +135,7 @@ pub fn motion_suite(candidates: &[SuiteCandidate], rule: &SuiteRule) -> Result<M
     }
 }
 
-/// Value of a suite: first the excess of its factors over their limits, then its misfit.
+/// Cost of a suite: first the excess of its factors over their limits, then its misfit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct SuiteMisfit {
     beyond: f64,
@@ -151,12 +151,11 @@ impl SuiteMisfit {
     }
 }
 
-/// The records with their own factors.
 struct Pool<'a> {
     candidates: &'a [SuiteCandidate],
     rule: &'a SuiteRule,
     own: Vec<f64>,
-    /// k_i r_i(T) of each.
+    /// k_i r_i(T) of each record.
     scaled: Vec<Vec<f64>>,
 }
 
@@ -205,12 +204,11 @@ impl<'a> Pool<'a> {
         })
     }
 
-    /// Misfit of a single record.
     fn alone(&self, at: usize) -> f64 {
         mean(self.scaled[at].iter().map(|ratio| ratio.ln().powi(2)))
     }
 
-    /// Whether a record may join others.
+    /// Whether a record may join the given members.
     fn joins(&self, members: &[usize], at: usize) -> bool {
         let joining = &self.candidates[at];
         let count = |is_alike: &dyn Fn(&SuiteCandidate) -> bool| {
@@ -226,7 +224,7 @@ impl<'a> Pool<'a> {
             && (joining.station.is_none() || count(&|other| other.station == joining.station) < most)
     }
 
-    /// The mean of the records with their own factors, and the common factor.
+    /// Mean of the records with their own factors, and the common factor.
     fn mean_and_common(&self, members: &[usize]) -> (Vec<f64>, f64) {
         let periods = self.scaled[members[0]].len();
         let at = |period: usize| mean(members.iter().map(|member| self.scaled[*member][period]));
@@ -241,7 +239,7 @@ impl<'a> Pool<'a> {
         let [least, most] = self.rule.factors;
         let beyond = members.iter().map(|member| {
             let factor = common * self.own[*member];
-            // rounding must not exclude a factor on its limit
+            // rounding must not exclude a factor at its limit
             let over = (factor / most).max(least / factor);
             if over > 1.0 + 1e-9 { over.ln() } else { 0.0 }
         });
@@ -251,7 +249,7 @@ impl<'a> Pool<'a> {
         }
     }
 
-    /// The record that improves the suite most, if the result is better than `before`.
+    /// The record that improves the suite most, if the new suite is better than `before`.
     fn best_joining(
         &self,
         members: &mut Vec<usize>,
@@ -273,7 +271,7 @@ impl<'a> Pool<'a> {
         best
     }
 
-    /// A suite that begins with one record and adds the best record each time; shorter than wanted if none may join.
+    /// A suite that starts with one record and adds the best record each time; it stays shorter than wanted if no record may join.
     fn grown(&self, first: usize) -> Vec<usize> {
         let mut members = vec![first];
         while members.len() < self.rule.count {
@@ -286,7 +284,7 @@ impl<'a> Pool<'a> {
         members
     }
 
-    /// The suite after all exchanges of one record for another that improve it, the best exchange first.
+    /// Exchanges records one by one, the best exchange first, until no exchange improves the suite.
     fn exchanged(&self, mut members: Vec<usize>) -> (SuiteMisfit, Vec<usize>) {
         let mut worth = self.worth(&members);
         for _ in 0..PASSES_MOST {
@@ -332,7 +330,6 @@ fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
 mod tests {
     use super::*;
 
-    /// Numbers between 0 and 1.
     struct Draw(u64);
 
     impl Draw {
@@ -367,7 +364,7 @@ mod tests {
         (0..count).map(|number| one(draw, number)).collect()
     }
 
-    /// The smallest misfit over all suites of three, computed independently: sums, not means.
+    /// The smallest misfit over all suites of three, computed independently from sums instead of means.
     fn best_of_all(pool: &[SuiteCandidate], rule: &SuiteRule) -> Option<([usize; 3], f64)> {
         let own: Vec<f64> = pool
             .iter()

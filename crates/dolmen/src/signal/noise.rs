@@ -1,4 +1,4 @@
-//! Artificial ground motions: filtered noise under an envelope. The same seed gives the same motion.
+//! Artificial ground motions: filtered noise with an envelope. The same seed gives the same motion.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -14,7 +14,6 @@ use num_complex::Complex64;
 use realfft::RealFftPlanner;
 use std::f64::consts::TAU;
 
-/// Largest number of samples.
 const SAMPLES_MOST: f64 = 1e7;
 /// Length of the ramps to zero at both ends, s. Our choice.
 const EDGE_S: f64 = 0.2;
@@ -26,18 +25,18 @@ pub enum NoiseFilter {
     White,
     /// Kanai and Tajimi: bedrock noise, filtered by a soil that responds as an oscillator.
     KanaiTajimi {
-        /// Frequency of the soil, Hz. 2.5 is firm ground.
+        /// Frequency of the soil, Hz. 2.5 is usual for firm ground.
         ground_frequency_hz: f64,
-        /// Damping ratio of the soil. 0.6 is firm ground.
+        /// Damping ratio of the soil. 0.6 is usual for firm ground.
         ground_damping_ratio: f64,
     },
-    /// Clough and Penzien: Kanai–Tajimi with an additional high-pass filter, because its slow displacements would be unrealistic.
+    /// Clough and Penzien: Kanai–Tajimi with an additional high-pass filter, which removes unrealistic slow displacements.
     CloughPenzien {
         /// Frequency of the soil, Hz.
         ground_frequency_hz: f64,
         /// Damping ratio of the soil.
         ground_damping_ratio: f64,
-        /// Corner of the high-pass filter, Hz: a tenth of the frequency of the soil is usual.
+        /// Corner of the high-pass filter, Hz: usually a tenth of the soil frequency.
         corner_hz: f64,
         /// Damping ratio of the high-pass filter. 0.6 is usual.
         corner_damping_ratio: f64,
@@ -144,8 +143,8 @@ impl Default for Noise {
     }
 }
 
-/// An artificial motion along x: noise of the given density with fixed amplitudes and random phases, under the envelope, brought to rest at
-/// the end and scaled to the peak.
+/// An artificial motion along x: noise of the given density with fixed amplitudes and random phases. The envelope multiplies the noise; the
+/// motion is then brought to rest at the end and scaled to the peak.
 ///
 /// ```text
 /// a(t) = envelope(t) Σ √S(ω_k) cos(ω_k t + φ_k)        φ_k uniform, ω_k = 2πk/(N h), N samples
@@ -225,7 +224,7 @@ pub fn noise_motion(options: &Noise, seed: u64) -> Result<GroundMotion, SignalEr
     motion.scaled_to_peak(Component::X, options.peak_acceleration_m_s2)
 }
 
-/// Noise without envelope and scale.
+/// Noise before envelope and scaling.
 fn stationary(options: &Noise, length: usize, seed: u64) -> Vec<f64> {
     let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(length);
     let mut spectrum = transform.make_input_vec();
@@ -279,7 +278,7 @@ mod tests {
 
     #[test]
     fn holds_the_samples_have_the_density_asked_for() {
-        // the mean periodogram over many seeds, in two bands, almost without envelope
+        // mean periodogram over many seeds, in two bands, with an almost constant envelope
         let filter = Noise::default().filter;
         let options = Noise {
             rise_s: 0.02,

@@ -15,7 +15,7 @@ pub enum Processing {
         /// Names of the channels.
         channels: Vec<String>,
     },
-    /// Only a part of the duration kept.
+    /// Only a time span kept.
     Cut {
         /// Start of the kept part, s.
         from_s: f64,
@@ -52,7 +52,7 @@ pub enum Processing {
     },
     /// Scaled, and wavelets added, to match a target response spectrum.
     Matched {
-        /// The component: "x", "y", "z".
+        /// The matched component: "x", "y", "z".
         component: &'static str,
         /// Damping ratio of the spectrum.
         damping_ratio: f64,
@@ -86,7 +86,7 @@ pub enum Processing {
         /// Number of samples before, divided by the number after.
         factor: usize,
     },
-    /// Samples of one channel multiplied by a factor, such as the value of one count.
+    /// Samples of one channel multiplied by a factor, for example the value of one count.
     ChannelScaled {
         /// The channel.
         channel: String,
@@ -109,7 +109,7 @@ pub enum Processing {
         /// Rate after, Hz.
         to_hz: f64,
     },
-    /// Time offsets between channels, ignored.
+    /// Time offsets between channels, ignored as small.
     OffsetsLeft {
         /// The largest offset, in steps.
         most_steps: f64,
@@ -160,7 +160,7 @@ pub struct LostSpan {
 }
 
 impl LostSpan {
-    /// Largest number of gaps listed in a note: a list of hundreds would hide other information.
+    /// Largest number of gaps listed in a note, so that hundreds of gaps do not hide other information.
     pub const NAMED_MOST: usize = 3;
 }
 
@@ -173,7 +173,7 @@ impl std::fmt::Display for LostSpan {
     }
 }
 
-/// The first gaps as text, and the number of further ones.
+/// The first gaps as text, and the number of gaps not listed.
 fn first_gaps(gaps: &[LostSpan]) -> String {
     let shown = gaps.iter().take(LostSpan::NAMED_MOST).map(ToString::to_string);
     let shown: Vec<String> = shown.collect();

@@ -1,4 +1,4 @@
-//! Pulses: simple motions of the base, for tests, for limits and for near-fault motions.
+//! Pulses: simple base motions for tests, for limits and for near-fault motions.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -9,28 +9,26 @@
 use super::{Component, GroundMotion, SignalError};
 use std::f64::consts::{PI, TAU};
 
-/// Number of samples at which the peak of a shape is searched.
+/// Number of samples used to find the peak of a shape.
 const PEAK_SAMPLES: usize = 20_000;
-/// Number of periods on either side of the middle of a Ricker wavelet: 1e-9 of its height remains there.
+/// Number of periods on either side of the centre of a Ricker wavelet: the rest is below 1e-9 of its height.
 const RICKER_PERIODS: f64 = 1.5;
-/// Largest number of samples of a pulse.
 const SAMPLES_MOST: f64 = 1e7;
 
-/// The shape of a pulse. Each variant states the velocity and displacement that remain after it.
+/// Shape of a pulse. Each variant states the velocity and displacement that remain after the pulse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PulseShape {
-    /// A sin(πt/(T_p/2)) for half a period: leaves the velocity A T_p/π. The pulse of Housner.
+    /// A sin(πt/(T_p/2)) for half a period; the velocity A T_p/π remains. The pulse of Housner.
     HalfSine,
-    /// A sin(2πt/T_p) for one period: leaves a displacement A T_p²/(2π), no velocity.
+    /// A sin(2πt/T_p) for one period; a displacement A T_p²/(2π) remains, but no velocity.
     OneSine,
-    /// A cos(2πt/T_p) for one period, with a jump within one sample at both ends; the final velocity is zero except for rounding
-    /// of the samples.
+    /// A cos(2πt/T_p) for one period, with a jump within one sample at both ends; the final velocity is zero within rounding.
     OneCosine,
-    /// Second derivative of a bell, even: A (1 − 2π²t²/T_p²) e^(−π²t²/T_p²); leaves nothing.
+    /// Second derivative of a Gaussian, even: A (1 − 2π²t²/T_p²) e^(−π²t²/T_p²); nothing remains.
     RickerEven,
-    /// Third derivative of a bell, odd; leaves nothing.
+    /// Third derivative of a Gaussian, odd; nothing remains.
     RickerOdd,
-    /// Mavroeidis and Papageorgiou: a cosine of velocity in a raised cosine.
+    /// Mavroeidis and Papageorgiou: a velocity cosine times a raised cosine.
     MavroeidisPapageorgiou {
         /// γ, above 1: 1.2 to 3 fits near-fault records.
         gamma: f64,
@@ -59,14 +57,14 @@ pub fn pulse_periods_s(time_step_s: f64) -> [f64; 2] {
     [STEPS_LEAST * time_step_s, SAMPLES_MOST * time_step_s]
 }
 
-/// A pulse along x of this period and largest acceleration, sampled; it begins and ends with a sample at zero.
+/// A pulse along x with this period and peak acceleration, sampled; its first and last samples are zero.
 ///
 /// ```text
 /// Mavroeidis–Papageorgiou   v = ½ A_v (1 + cos(2πτ/(γ T_p))) cos(2πτ/T_p + ν)        |τ| ≤ γ T_p / 2
 /// ```
 ///
 /// # Errors
-/// [`SignalError::Argument`] for a period below 8 time steps or above 10⁷ of them, a peak that is not positive, γ not above 1.
+/// [`SignalError::Argument`] for a period below 8 or above 10⁷ time steps, a peak that is not positive, or γ not above 1.
 ///
 /// # Source
 /// Makris, Roussos (2000) Géotechnique 50(3):243-262 (sine and cosine pulses); Ricker (1943) Geophysics 8(4):348-366; Mavroeidis,
@@ -139,7 +137,7 @@ pub fn pulse(
     )
 }
 
-/// Acceleration at x = (t − middle)/T_p, up to a factor.
+/// Acceleration at x = (t − centre)/T_p, up to a factor.
 fn acceleration(shape: PulseShape, x: f64) -> f64 {
     match shape {
         PulseShape::HalfSine => (TAU * x).cos(),
@@ -204,7 +202,7 @@ mod tests {
         )
         .unwrap();
         let a = motion.acceleration_m_s2(Component::X);
-        // a is the rate of v: their ratio is one number all along
+        // a is the derivative of v: their ratio is constant
         let v = |i: usize| {
             let x = (i as f64 - 1.0) * h / period_s - 0.5 * gamma;
             (1.0 + (TAU * x / gamma).cos()) * (TAU * x + phase_rad).cos()

@@ -1,10 +1,10 @@
-//! The record: channels × samples at one rate, with where each sensor stands and the history of processing.
+//! A record: samples of all channels at one rate, with sensor positions and processing history.
 
 use super::SignalError;
 use super::processing::Processing;
 use crate::numeric::sum_of;
 
-/// Largest sample: no instrument yields more in any unit, and the sum of squares of any record within it is finite. Our choice.
+/// Largest sample: no instrument gives more in any unit, and sums of squares below it stay finite. Our choice.
 const SAMPLE_MOST: f64 = 1e100;
 
 /// Measured quantity of a channel. Samples are in its SI unit (m/s², m/s, m), or in counts if the unit is unknown.
@@ -16,7 +16,7 @@ pub enum Quantity {
     Velocity,
     /// m.
     Displacement,
-    /// The unit was not given: amplitudes mean nothing, frequencies and shapes do.
+    /// The unit was not given: frequencies and mode shapes are meaningful, amplitudes are not.
     Unknown,
 }
 
@@ -56,7 +56,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// A record from one vector of samples a channel.
+    /// Makes a record from one vector of samples for each channel.
     ///
     /// # Errors
     /// [`SignalError::Empty`], [`SignalError::Ragged`], [`SignalError::SameName`], [`SignalError::SamplingRate`],
@@ -83,7 +83,7 @@ impl Record {
         Self::from_contiguous(channels, samples.concat(), sampling_rate_hz)
     }
 
-    /// A record from all samples of the first channel, then all of the second, and so on. Takes ownership of the memory.
+    /// Makes a record from one vector that holds all samples of the first channel, then of the second, and so on.
     ///
     /// # Errors
     /// As [`Record::new`].
@@ -178,12 +178,12 @@ impl Record {
         self.length as f64 / self.sampling_rate_hz
     }
 
-    /// Its history since it was measured, oldest step first.
+    /// Processing history since the measurement, oldest step first.
     pub fn history(&self) -> &[Processing] {
         &self.history
     }
 
-    /// Adds a step to the history. Readers begin it with [`Processing::Read`]; functions of this crate that condition a record add their own
+    /// Adds a step to the history. A reader adds [`Processing::Read`] first; functions of this crate that condition a record add their own
     /// step.
     pub fn note(&mut self, step: Processing) {
         self.history.push(step);
@@ -194,7 +194,7 @@ impl Record {
         &mut self.samples[channel * self.length..(channel + 1) * self.length]
     }
 
-    /// Keeps the channels for which `keep` is true, moving samples within the memory held.
+    /// Keeps the channels for which `keep` is true, without new memory.
     pub(super) fn retain_channels(&mut self, keep: impl Fn(&Channel) -> bool) {
         let mut kept = 0;
         for channel in 0..self.channels.len() {
@@ -210,7 +210,7 @@ impl Record {
         self.samples.shrink_to_fit();
     }
 
-    /// Keeps samples `start`, `start + step`, … of each channel, `length` of them, moving them within the memory held.
+    /// Keeps `length` samples `start`, `start + step`, … of each channel, without new memory.
     pub(super) fn retain_samples(&mut self, start: usize, step: usize, length: usize) {
         let mut kept = 0; // never ahead of `from`: samples are read before they are overwritten
         for channel in 0..self.channels.len() {

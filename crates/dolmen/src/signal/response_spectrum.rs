@@ -1,4 +1,4 @@
-//! Response spectra: the largest displacement of a linear oscillator on moving ground, exact between the samples too.
+//! Response spectra: the largest displacement of a linear oscillator under ground motion, exact also between samples.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -14,10 +14,10 @@ use super::{Component, GroundMotion, SignalError};
 use crate::numeric::{Bracketing, bracketed_root};
 use std::f64::consts::{PI, TAU};
 
-/// Largest damping ratio: above it an oscillator hardly oscillates, and the closed form divides by √(1 − ζ²). Our choice.
+/// Largest damping ratio: above it an oscillator hardly oscillates, and the closed form divides by a small √(1 − ζ²). Our choice.
 const DAMPING_MOST: f64 = 0.9;
-/// Shortest and longest period, in time steps of the motion: below, one step holds more than 20 cycles, which the record does not resolve;
-/// above, the closed form loses digits (see Limits). Our choice.
+/// Shortest and longest period, in time steps of the motion. Below the shortest, one step holds more than 20 cycles, which the record does not
+/// resolve; above the longest, the closed form loses digits (see Limits). Our choice.
 const PERIOD_LEAST_STEPS: f64 = 0.05;
 const PERIOD_MOST_STEPS: f64 = 2e4;
 /// Accuracy of the time of a peak, in time steps; the error of the displacement is its square. Our choice.
@@ -32,9 +32,9 @@ pub struct SpectralOrdinate {
     pub damping_ratio: f64,
     /// Largest absolute displacement relative to the ground, m: S_d, the true peak.
     pub displacement_m: f64,
-    /// Time of the peak, s. After the end of the motion if the free oscillation reaches a larger peak.
+    /// Time of the peak, s. It is after the end of the motion if the free oscillation reaches a larger peak.
     pub at_s: f64,
-    /// Largest absolute displacement at the samples alone, m, as many programs and books print it.
+    /// Largest absolute displacement at the samples, m, as many programs and books print it.
     pub displacement_at_samples_m: f64,
 }
 
@@ -44,7 +44,7 @@ impl SpectralOrdinate {
         TAU / self.period_s * self.displacement_m
     }
 
-    /// Pseudo-acceleration ω² S_d, m/s²: times the mass, the largest force in the spring.
+    /// Pseudo-acceleration ω² S_d, m/s². Mass times this value is the largest spring force.
     pub fn pseudo_acceleration_m_s2(&self) -> f64 {
         (TAU / self.period_s).powi(2) * self.displacement_m
     }
@@ -57,23 +57,23 @@ impl SpectralOrdinate {
 /// within a step     u = A + B τ + e^(−ζωτ) (C cos ω_D τ + D sin ω_D τ)
 ///                   B = −s/ω²     A = −(a + 2ζωB)/ω²     C = u_0 − A     D = (v_0 − B + ζωC)/ω_D
 /// ```
-/// The ground acceleration is linear between samples, so u is exact. The velocity is monotone between the zeros of its rate, which have a closed
-/// form, and each of its changes of sign is located there. After the last sample the ground stands still, and the first free cycle is followed
-/// to its peak.
+/// The ground acceleration is linear between samples, so u is exact. Between the zeros of its rate, which have a closed form, the velocity is
+/// monotone, so each sign change of the velocity is found. After the last sample the ground stands still; the search includes the first free
+/// cycle.
 ///
 /// # Errors
 /// [`SignalError::Argument`] for a damping ratio outside 0 … 0.9; [`SignalError::Period`] for a period outside 0.05 … 20 000 time steps.
 ///
 /// # Limits
-/// The base line of the motion is taken as given: an offset of the record shows at long periods. At the samples the relative error of S_d for El
-/// Centro 1940 is 7e-15 at T = 400 s = 20 000 steps, and smaller below (mpmath, 40 digits); a peak located between them there may lose digits in
-/// the closed form, up to 7e-9.
+/// The base line is used as given: an offset of the record appears at long periods. At the samples the relative error of S_d for El Centro 1940
+/// is 7e-15 at T = 400 s = 20 000 steps, and smaller for shorter periods (mpmath, 40 digits). A peak between samples may lose digits in the
+/// closed form: its error is up to 7e-9 at this period.
 ///
-/// 200 periods of its 1560 samples take less than 5 ms on one core.
+/// A spectrum of 200 periods of its 1560 samples takes less than 5 ms on one core.
 ///
 /// # Source
-/// Nigam, Jennings (1969) Bull. Seism. Soc. Am. 59(2):909-922, eqs 2-8. Differs from the source: the peak is also searched between the samples
-/// and after the end. For El Centro 1940, T = 0.1 s, ζ = 5 %, the peak at the samples is 6.4 % too low.
+/// Nigam, Jennings (1969) Bull. Seism. Soc. Am. 59(2):909-922, eqs 2-8. Differs from the source: the peak is also searched between samples and
+/// after the end. For El Centro 1940, T = 0.1 s, ζ = 5 %, the peak at the samples is 6.4 % too low.
 ///
 /// # Example
 /// ```
@@ -144,7 +144,7 @@ impl Oscillator {
         }
     }
 
-    /// From displacement and velocity at its start, and the acceleration of the ground there and its slope.
+    /// Solution from the displacement, velocity, ground acceleration and its slope at the start of the step.
     fn step(&self, u: f64, v: f64, a: f64, s: f64) -> Step {
         let slope = -s / self.omega_squared;
         let mean = -(a + 2.0 * self.zeta_omega * slope) / self.omega_squared;
@@ -182,8 +182,8 @@ impl Oscillator {
     }
 }
 
-/// The effect of one step of the motion on displacement and velocity as coefficients: u ← uu u + uv v + ua a + ub b, v likewise, with a and b
-/// the accelerations of the ground at both ends of the step.
+/// Coefficients of the effect of one time step on displacement and velocity: u ← uu u + uv v + ua a + ub b, and v in the same way; a and b are
+/// the ground accelerations at both ends of the step.
 #[derive(Clone, Copy, Default)]
 struct Advance {
     u: [f64; 4],
@@ -191,7 +191,7 @@ struct Advance {
 }
 
 impl Advance {
-    /// By the closed form, or, where a step is a small part of a cycle, by the Taylor series of u, which loses no digits there.
+    /// Uses the closed form. If a step is a small part of a cycle, uses the Taylor series of u, which loses no digits there.
     ///
     /// ```text
     /// u = Σ c_n τⁿ        c_(n+2) = −(a_n + 2ζω (n + 1) c_(n+1) + ω² c_n) / ((n + 1)(n + 2))        a_0 = a, a_1 = s
@@ -245,18 +245,18 @@ impl Peak {
     }
 }
 
-/// Number of oscillators that take a step together: two registers of most machines.
+/// Number of oscillators stepped together: two vector registers of most processors.
 const LANES: usize = 4;
 
 /// Displacement and velocity of [`LANES`] oscillators at every sample.
 struct Histories {
     u: Vec<[f64; LANES]>,
     v: Vec<[f64; LANES]>,
-    /// Largest square of the amplitude of ü within any step, (m/s²)².
+    /// Largest squared amplitude of ü within any step, (m/s²)².
     swing_squared: [f64; LANES],
 }
 
-/// The displacement with the largest absolute value, signed, and the other fields of [`SpectralOrdinate`].
+/// The signed displacement with the largest absolute value, and the other fields of [`SpectralOrdinate`].
 #[derive(Clone, Copy)]
 pub(super) struct SignedPeak {
     pub(super) displacement_m: f64,
@@ -264,7 +264,7 @@ pub(super) struct SignedPeak {
     pub(super) at_samples_m: f64,
 }
 
-/// True peaks of oscillators with these periods under samples h apart.
+/// True peaks of oscillators with these periods; the samples are h apart.
 pub(super) fn signed_peaks(
     samples: &[f64],
     h: f64,
@@ -319,7 +319,7 @@ fn together(samples: &[f64], h: f64, oscillators: &[Oscillator; LANES], historie
     histories.swing_squared = most;
 }
 
-/// The largest |u| of one lane: at the samples, between them where it could be larger, and in the free cycle after the end.
+/// Largest |u| of one lane: at the samples, between samples where it could be larger, and in the free cycle after the end.
 fn peak(
     samples: &[f64],
     h: f64,
@@ -352,7 +352,7 @@ fn peak(
             within(oscillator, &step, h, i as f64 * h, &mut peak)?;
         }
     }
-    // the ground stands still: a free oscillation peaks within half a damped period, and every later peak is lower
+    // the ground stands still: a free oscillation peaks within half a damped period, and later peaks are lower
     let last = samples.len() - 1;
     let free = oscillator.step(histories.u[last][lane], histories.v[last][lane], 0.0, 0.0);
     within(
@@ -369,8 +369,8 @@ fn peak(
     })
 }
 
-/// Passes on every extreme of u within a step of the given length: the changes of sign of v, which is monotone between the zeros of v̇ =
-/// e^(−ζωτ) (R cos ω_D τ + S sin ω_D τ).
+/// Calls back at each extreme of u within a step of the given length, that is at each sign change of v. Between the zeros of v̇ = e^(−ζωτ) (R
+/// cos ω_D τ + S sin ω_D τ), v is monotone.
 fn within(
     oscillator: &Oscillator,
     step: &Step,
@@ -420,7 +420,7 @@ mod tests {
 
     #[test]
     fn exact_a_ramp() {
-        // u = −s/ω³ (ωτ − sin ωτ): monotone, so the peak under a ramp is at its end or in the free swing after it
+        // u = −s/ω³ (ωτ − sin ωτ) is monotone, so the peak of a ramp is at its end or in the free oscillation after it
         let (s, period_s, h) = (3.0, 0.8, 0.1);
         let omega = TAU / period_s;
         let ramp = motion(h, (0..=8).map(|i| s * h * f64::from(i)).collect());
@@ -443,7 +443,7 @@ mod tests {
 
     #[test]
     fn exact_a_swing_after_the_end() {
-        // a pulse of one step, half a period of rest is not in the record: u peaks at its impulse over ω, nearly
+        // a pulse of one step; the record ends before the next half period: the peak of u is nearly its impulse over ω
         let (h, period_s) = (1e-3, 2.0);
         let kick = one(&motion(h, vec![0.0, 5.0, 0.0]), period_s, 0.0);
         let omega = TAU / period_s;
@@ -456,7 +456,7 @@ mod tests {
         let (h, f) = (0.01, 1.0);
         let sine = (0..=100).map(|i| (TAU * f * h * f64::from(i)).sin()).collect();
         let far = one(&motion(h, sine), PERIOD_MOST_STEPS * h, 0.0);
-        // t/(2πf) − sin(2πft)/(2πf)² at t = 1/f; chords of the sine take 3e-4 of it, the spring (ω/f)²/6 = 2e-4
+        // t/(2πf) − sin(2πft)/(2πf)² at t = 1/f; linear interpolation of the sine reduces it by 3e-4, the spring by (ω/f)²/6 = 2e-4
         let ground = 1.0 / (TAU * f * f);
         assert!(
             (far.displacement_at_samples_m / ground - 1.0).abs() < 6e-4,

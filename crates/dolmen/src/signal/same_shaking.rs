@@ -1,4 +1,4 @@
-//! Whether two accelerograms are the same: equal samples, or scaled, inverted, cut or resampled.
+//! Whether two accelerograms are the same motion: equal, scaled, inverted, cut or resampled.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -6,24 +6,24 @@
 //! | l | `lag` | samples by which b begins after a | – |
 //! | r | `likeness` | correlation of the overlap, either sign | – |
 
-/// Correlation from which two accelerograms count as the same. Our choice: two components of one station, and two stations of one earthquake,
-/// stay far below.
+/// Correlation above which two accelerograms are the same. Our choice: the correlation between two components of one station, or two stations
+/// of one earthquake, is far lower.
 pub const SAME_SHAKING: f64 = 0.999;
-/// Smallest share of the energy of each in the overlap. Our choice.
+/// Smallest share of the energy of each accelerogram in the overlap. Our choice.
 const OVERLAP_LEAST: f64 = 0.5;
-/// Number of samples to either side of the peak for a first comparison, and the correlation there from which the whole is compared. Our choice,
+/// Number of samples to either side of the peak for a first comparison, and the correlation there that leads to a full comparison. Our choice,
 /// for speed only.
 const NEAR_PEAK: usize = 50;
 const NEAR_LIKENESS: f64 = 0.9;
 
-/// Whether two accelerograms, each with its time step in s, are the same shaking: aligned at their peaks, their correlation reaches
-/// [`SAME_SHAKING`] over an overlap that holds half the energy of each or more.
+/// Whether two accelerograms, each with its time step in s, are the same motion. They are if, aligned at their peaks, their correlation reaches
+/// [`SAME_SHAKING`] over an overlap that holds at least half the energy of each.
 ///
 /// ```text
 /// r = |Σ a_i b_(i+l)| / √(Σ a_i² Σ b_(i+l)²),   l the lag of the peaks or a sample beside it
 /// ```
 ///
-/// The finer one is interpolated linearly at the times of the coarser one.
+/// The series with the smaller step is interpolated linearly at the times of the other.
 ///
 /// # Limits
 /// Copies without the peak, and filtered copies, are not recognised.
@@ -57,7 +57,6 @@ pub fn is_same_shaking((a, a_step_s): (&[f64], f64), (b, b_step_s): (&[f64], f64
     })
 }
 
-/// Sums over the overlap.
 #[derive(Default)]
 struct Overlap {
     of_both: f64,
@@ -86,7 +85,7 @@ fn overlap(a: &[f64], b: &[f64], lag: isize) -> Overlap {
     })
 }
 
-/// The series at another step, no finer than its own.
+/// The series at another time step, which must not be smaller than its own.
 fn sampled(of: &[f64], own_step_s: f64, step_s: f64) -> Vec<f64> {
     let ratio = step_s / own_step_s;
     if ratio == 1.0 || of.is_empty() {
@@ -152,9 +151,9 @@ mod tests {
             let other = shaking(seed, 3000);
             assert!(!is_same_shaking((&a, 0.01), (&other, 0.01)), "{seed}");
         }
-        // the same numbers at another step are another motion
+        // the same numbers at another step are a different motion
         assert!(!is_same_shaking((&a, 0.01), (&a, 0.02)));
-        // a record and one with a tenth of another in it: a correlation of 0.995
+        // a record plus a tenth of another record: a correlation of 0.995
         for seed in 2..20 {
             let other = shaking(seed, 3000);
             let near: Vec<f64> = a.iter().zip(&other).map(|(a, b)| a + 0.1 * b).collect();

@@ -1,12 +1,12 @@
-//! Multiplies channels by the value of a count of their recorder.
+//! Multiplies channels by calibration factors, such as the value of one count of the recorder.
 
 use super::{Processing, Record, SignalError};
 
-/// The record with each channel multiplied by its own factor.
+/// Multiplies each channel by its own factor.
 ///
 /// # Errors
-/// [`SignalError::ChannelCount`]; [`SignalError::Argument`] for a factor that is 0 or not finite; [`SignalError::TooLarge`] where
-/// a product is.
+/// [`SignalError::ChannelCount`]; [`SignalError::Argument`] for a factor that is 0 or not finite; [`SignalError::TooLarge`] for a
+/// product that is too large.
 ///
 /// # Example
 /// ```

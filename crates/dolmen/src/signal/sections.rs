@@ -1,26 +1,26 @@
-//! Second-order sections: designed from an analogue prototype, run forwards and backwards over a channel in place.
+//! Second-order sections: designed from an analogue prototype and run in place, forwards and backwards, over a channel.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | n | `order` | order of the low-pass prototype |
 //! | p | `p` | pole of the prototype (corner at 1 rad/s) |
-//! | Ω | `omega` | corner of the analogue filter, warped so that the digital one has it at the frequency asked: 2 f_s tan(π f / f_s) |
+//! | Ω | `omega` | corner of the analogue filter, warped so that the digital filter has the requested corner: 2 f_s tan(π f / f_s) |
 //! | z | `z` | pole of the digital filter |
 //! | b, a | `b`, `a` | y_i = b0 x_i + b1 x_(i-1) + b2 x_(i-2) - a1 y_(i-1) - a2 y_(i-2) |
 
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
-/// Fraction of a transient that may remain at the beginning of the record: 1 % of an end effect that the steady start and the odd reflection
-/// have already reduced. Our choice.
+/// Fraction of a transient that may remain at the beginning of the record. The steady start and the odd reflection already reduce this end
+/// effect. Our choice.
 const TRANSIENT_LEFT: f64 = 0.01;
 
 /// The analogue low-pass prototype of a digital filter. Its corner is 1 rad/s.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Prototype {
-    /// Flattest at 0 Hz; gain 1/√2 at the corner.
+    /// Maximally flat at 0 Hz; gain 1/√2 at the corner.
     Butterworth,
-    /// Type I: `ripple_db` below 1 up to the corner, then steeper.
+    /// Type I: ripples of `ripple_db` below gain 1 up to the corner, then a steeper slope.
     Chebyshev {
         /// Depth of the ripple, dB.
         ripple_db: f64,
@@ -28,7 +28,7 @@ pub(super) enum Prototype {
 }
 
 impl Prototype {
-    /// Poles with a positive or zero imaginary part; the others are their conjugates.
+    /// Poles with an imaginary part that is positive or zero; the others are their conjugates.
     fn poles(self, order: usize) -> Vec<Complex64> {
         let (across, along) = match self {
             Prototype::Butterworth => (1.0, 1.0),
@@ -49,7 +49,7 @@ impl Prototype {
             .collect()
     }
 
-    /// Gain at 0 rad/s: an even Chebyshev filter begins in a trough of its ripple.
+    /// Gain at 0 rad/s: an even Chebyshev filter starts at the bottom of its ripple.
     fn gain_at_rest(self, order: usize) -> f64 {
         match self {
             Prototype::Chebyshev { ripple_db } if order.is_multiple_of(2) => 10f64.powf(-ripple_db / 20.0),
@@ -74,7 +74,7 @@ impl Section {
         y
     }
 
-    /// Sets the states for a constant input `x` since ever; returns the constant output.
+    /// Sets the states to the steady state of a constant input `x`; returns the constant output.
     fn settle(&mut self, x: f64) -> f64 {
         let y = x * (self.b[0] + self.b[1] + self.b[2]) / (1.0 + self.a[0] + self.a[1]);
         self.state[1] = self.b[2] * x - self.a[1] * y;
@@ -87,7 +87,7 @@ impl Section {
 #[derive(Clone, Debug)]
 pub(super) struct Sections {
     sections: Vec<Section>,
-    /// Samples until [`TRANSIENT_LEFT`] is left of a transient.
+    /// Number of samples until a transient has decayed to [`TRANSIENT_LEFT`].
     pub(super) ringing: usize,
 }
 
@@ -200,8 +200,8 @@ impl Sections {
 
     /// Filters `x` in place, forwards and then backwards: no delay, and the gain is squared.
     ///
-    /// The ends are continued by `ringing` samples of odd reflection, 2 x_0 - x_i, and each pass starts from the steady state of its first
-    /// sample. Only these continuations need memory besides `x`. Needs more than `ringing` samples.
+    /// The ends are extended by `ringing` samples of odd reflection, 2 x_0 - x_i, and each pass starts from the steady state of its first
+    /// sample. Only these extensions need additional memory. `x` needs more than `ringing` samples.
     pub(super) fn forward_backward(&mut self, x: &mut [f64]) {
         let (n, edge) = (x.len(), self.ringing);
         debug_assert!(n > edge, "callers refuse shorter records");
@@ -231,7 +231,7 @@ impl Sections {
     }
 }
 
-/// Analogue frequency that the bilinear transform takes to `frequency` (cycles a sample); time counted in samples.
+/// Analogue frequency that the bilinear transform maps to `frequency` (cycles per sample); the unit of time is one sample.
 fn warped(frequency: f64) -> f64 {
     2.0 * (PI * frequency).tan()
 }
@@ -241,8 +241,8 @@ fn bilinear(s: Complex64) -> Complex64 {
     (2.0 + s) / (2.0 - s)
 }
 
-/// Samples until a pole of that modulus has decayed to [`TRANSIENT_LEFT`].
+/// Number of samples until a pole of this modulus has decayed to [`TRANSIENT_LEFT`].
 fn ringing(slowest: f64) -> usize {
-    // a pole so near to 1 that its logarithm vanishes rings longer than any record: the cast saturates
+    // if a pole is so near to 1 that its logarithm vanishes, the filter rings longer than any record: the cast saturates
     (TRANSIENT_LEFT.ln() / slowest.ln()).abs().ceil() as usize
 }

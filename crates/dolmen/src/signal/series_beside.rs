@@ -1,19 +1,19 @@
-//! Compares a simulated series with the measured one of the same place and time.
+//! Compares a simulated series with the measured series of the same place and time.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | y, ŷ | `measured`, `simulated` | the two series |
-//! | g | `input` | motion of the ground, input of both |
+//! | g | `input` | ground motion, the input of both |
 //! | H | `response` | frequency response, smoothed over a few lines |
 
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
-/// Lines on either side over which cross spectra are smoothed. Our choice: with an earthquake of 30 s, 0.13 Hz.
+/// Number of lines on either side over which cross spectra are smoothed. Our choice: 0.13 Hz for an earthquake of 30 s.
 const SMOOTHED: usize = 4;
-/// Smallest power of the input over its largest, smoothed: below it a ratio is meaningless. Our choice.
+/// Smallest power of the input, over its largest power, both smoothed. Below this limit a ratio is meaningless. Our choice.
 const INPUT_LEAST: f64 = 1e-3;
-/// Upper end of the frequencies, as a share of the sampling rate: above it the linear interpolation of the input shows.
+/// Highest frequency considered, as a share of the sampling rate. Above it the linear interpolation of the input becomes visible.
 const OF_RATE: f64 = 0.2;
 
 /// Agreement between a simulated series and the measured one.
@@ -21,19 +21,19 @@ const OF_RATE: f64 = 0.2;
 pub struct SeriesBeside {
     /// Largest absolute value, measured.
     pub peak_measured: f64,
-    /// Simulated.
+    /// Largest absolute value, simulated.
     pub peak_simulated: f64,
     /// Root mean square, measured.
     pub rms_measured: f64,
-    /// Simulated.
+    /// Root mean square, simulated.
     pub rms_simulated: f64,
-    /// Coefficient of correlation; 0 where either stands still.
+    /// Correlation coefficient; 0 if either series is constant.
     pub correlation: f64,
-    /// Root mean square of the difference over that of the measurement; infinite where nothing was measured.
+    /// Root mean square of the difference over that of the measured series; infinite if the measured series is zero.
     pub residual_ratio: f64,
-    /// Frequency of the largest response of the measured series, Hz; `None` where the series are too short.
+    /// Frequency of the largest response of the measured series, Hz; `None` if the series are too short.
     pub frequency_measured_hz: Option<f64>,
-    /// Frequency of the simulated series, Hz.
+    /// Frequency of the largest response of the simulated series, Hz.
     pub frequency_simulated_hz: Option<f64>,
 }
 
@@ -46,8 +46,8 @@ pub struct SeriesBeside {
 /// ```
 ///
 /// # Limits
-/// The frequency is that of the largest response at one place; in a node of the first mode it is another one. Both series are treated alike, so
-/// smoothing affects both alike. Series of different lengths are compared over the shorter.
+/// The frequency is that of the largest response at one place; at a node of the first mode it is the frequency of another mode. Both series are
+/// smoothed in the same way. Series of different lengths are compared over the shorter length.
 pub fn series_beside([measured, simulated, input]: [&[f64]; 3], step_s: f64) -> SeriesBeside {
     let length = measured.len().min(simulated.len()).min(input.len());
     let [y, s, g] = [&measured[..length], &simulated[..length], &input[..length]];
@@ -79,7 +79,6 @@ pub fn series_beside([measured, simulated, input]: [&[f64]; 3], step_s: f64) -> 
     }
 }
 
-/// Frequency of the largest response of a series.
 fn peak_of_response_hz(y: &[f64], g: &[f64], step_s: f64) -> Option<f64> {
     let length = y.len();
     if length < 16 * SMOOTHED {
@@ -155,7 +154,7 @@ mod tests {
 
     #[test]
     fn exact_the_frequency_of_one_oscillator_under_noise() {
-        // x'' + 2ζω x' + ω² x = −g, 2.4 Hz, 5 %: absolute acceleration answers most at ω to ζ²
+        // x'' + 2ζω x' + ω² x = −g, 2.4 Hz, 5 %: the absolute acceleration is largest at ω, within ζ²
         let (w, zeta, h) = (std::f64::consts::TAU * 2.4, 0.05, 1e-3);
         let random = &mut Random::new(3, 0);
         let (mut x, mut v, mut ground, mut answer) = (0.0, 0.0, Vec::new(), Vec::new());

@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | L | `segment_length` | samples a segment |
+//! | L | `segment_length` | samples of a segment |
 //! | w | `window` | Hann window, periodic: w_i = (1 - cos(2π i / L)) / 2 |
 //! | X | `transforms` | Fourier transform of one windowed segment of one channel |
 //! | S | `density` | one-sided cross spectral density |
@@ -15,11 +15,11 @@ use std::f64::consts::TAU;
 /// Fewest samples of a segment: the window alone spreads over 4 lines.
 const SEGMENT_LEAST: usize = 8;
 
-/// Options of the segments. Neighbours overlap by half, which is nearly optimal for a Hann window.
+/// Options of the segments. Neighbouring segments overlap by half, which is nearly optimal for a Hann window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Welch {
-    /// Samples a segment, 8 to the length of the record; 2048 (our choice: 0.05 Hz at 100 Hz). The longer, the finer the
-    /// lines and the fewer the averages; powers of 2 are fastest.
+    /// Samples of a segment, from 8 to the length of the record. Default 2048 (our choice: 0.05 Hz at 100 Hz). Longer segments give finer
+    /// lines but fewer averages; powers of 2 are fastest.
     pub segment_length: usize,
 }
 
@@ -29,19 +29,19 @@ impl Default for Welch {
     }
 }
 
-/// One-sided cross spectral densities of all channels, line by line, with the number of segments averaged.
+/// One-sided cross spectral densities of all channels at each line, with the number of averaged segments.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrossSpectra {
     /// Frequency of each line, Hz: 0 to the Nyquist frequency.
     pub frequency_hz: Vec<f64>,
-    /// Segments averaged. The scatter of a density is about 1/√segments of it.
+    /// Number of averaged segments. The relative scatter of a density is about 1/√segments.
     pub segments: usize,
-    /// Samples a segment.
+    /// Samples of a segment.
     pub segment_length: usize,
-    /// Distance of the lines, Hz: sampling rate / segment length.
+    /// Spacing of the lines, Hz: sampling rate / segment length.
     pub resolution_hz: f64,
     channels: usize,
-    /// Lower triangle, row by row, (i, j ≤ i); each pair holds all its lines.
+    /// Lower triangle, row by row (i, j ≤ i); all lines of a pair are together.
     density: Vec<Complex64>,
 }
 
@@ -77,16 +77,16 @@ impl CrossSpectra {
 /// ```
 ///
 /// The mean of each segment is removed first. The lines at 0 Hz and at the Nyquist frequency are not doubled. Samples after the last whole
-/// segment, less than half a segment, are not used.
+/// segment (less than half a segment) are not used.
 ///
 /// # Errors
 /// [`SignalError::SegmentLength`] if a segment is shorter than 8 samples or longer than the record.
 ///
 /// # Limits
-/// The window widens a peak narrower than four lines: for a mode of frequency f and damping ratio ζ, choose `resolution_hz` well below ζ f.
+/// The window widens a peak narrower than four lines: for a mode with frequency f and damping ratio ζ, choose `resolution_hz` well below ζ f.
 ///
 /// # Source
-/// Welch (1967) IEEE Trans. Audio Electroacoust. 15(2):70-73. Agrees with `scipy.signal.csd(x_j, x_i)` with its defaults: SciPy conjugates its
+/// Welch (1967) IEEE Trans. Audio Electroacoust. 15(2):70-73. Agrees with the defaults of `scipy.signal.csd(x_j, x_i)`: SciPy conjugates its
 /// first argument; here the second index is conjugated, as usual in modal analysis.
 ///
 /// # Example
@@ -130,7 +130,7 @@ pub fn cross_spectra(record: &Record, options: &Welch) -> Result<CrossSpectra, S
             for ((s, x), w) in segment.iter_mut().zip(x).zip(&window) {
                 *s = w * (x - mean);
             }
-            // fails only for buffers of a wrong length
+            // only a buffer of a wrong length is an error
             let done = plan.process_with_scratch(&mut segment, transform, &mut scratch);
             debug_assert!(done.is_ok());
         }

@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | L | `segment_length` | samples a segment |
+//! | L | `segment_length` | samples of a segment |
 //! | h | `hop` | samples from one segment to the next: half of L |
 
 use super::{Record, SignalError, Welch, cross_spectra};
@@ -10,9 +10,9 @@ use super::{Record, SignalError, Welch, cross_spectra};
 /// Options of the segments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Spectrogram {
-    /// Samples a segment, 8 to the length of the record: the longer, the finer the lines and the coarser the time.
+    /// Samples of a segment, from 8 to the length of the record. Longer segments give finer lines but a coarser time.
     pub segment_length: usize,
-    /// Largest number of columns; with more segments each column averages several. 100 (our choice, for a figure).
+    /// Largest number of columns; with more segments, each column averages several of them. Default 100 (our choice, for a figure).
     pub columns_most: usize,
 }
 
@@ -25,16 +25,16 @@ impl Default for Spectrogram {
     }
 }
 
-/// One-sided power spectral densities of one channel, column by column of time.
+/// One-sided power spectral densities of one channel; each column is a span of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimeFrequency {
     /// Frequency of each line, Hz: 0 to the Nyquist frequency.
     pub frequency_hz: Vec<f64>,
-    /// Distance of the lines, Hz.
+    /// Spacing of the lines, Hz.
     pub resolution_hz: f64,
-    /// Samples a segment.
+    /// Samples of a segment.
     pub segment_length: usize,
-    /// From one segment to the next, s.
+    /// Time from one segment to the next, s.
     pub hop_s: f64,
     /// Middle of the first segment, s from the first sample.
     pub first_s: f64,
@@ -45,15 +45,15 @@ pub struct TimeFrequency {
 /// A column of a spectrogram.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectrumAt {
-    /// Its middle, s from the first sample.
+    /// Middle of the column, s from the first sample.
     pub time_s: f64,
-    /// Segments averaged.
+    /// Number of averaged segments.
     pub segments: usize,
     /// Power spectral density of each line, unit²/Hz.
     pub density: Vec<f64>,
 }
 
-/// The spectrogram of a channel. Each column is Welch's average of its own segments, so the mean of the columns, weighted by their numbers of
+/// The spectrogram of a channel. Each column is Welch's average of its own segments. So the mean of the columns, weighted by their numbers of
 /// segments, is [`cross_spectra`] of the whole channel.
 ///
 /// ```text
@@ -61,7 +61,7 @@ pub struct SpectrumAt {
 /// ```
 ///
 /// # Errors
-/// [`SignalError::SegmentLength`], [`SignalError::Argument`] for no columns.
+/// [`SignalError::SegmentLength`]; [`SignalError::Argument`] if `columns_most` is 0.
 ///
 /// # Limits
 /// Frequency is accurate to half the resolution, time to half a segment: their product is 1/4 at best.
@@ -100,7 +100,7 @@ pub fn spectrogram(
         let part = samples.get(from..to.min(samples.len())).unwrap_or_default();
         Record::from_contiguous(vec![record.channels()[channel].clone()], part.to_vec(), rate)
     };
-    // at least one, so that a segment longer than the record is refused
+    // at least one segment, so that a segment longer than the record is refused
     for first in (0..segments.max(1)).step_by(each) {
         let last = (first + each).min(segments.max(1)) - 1;
         let part = alone(first * hop, last * hop + length)?;
@@ -127,7 +127,7 @@ mod tests {
         Record::new(vec![Channel::named("x")], vec![samples], 100.0).unwrap()
     }
 
-    /// Line of the largest density of a column, Hz.
+    /// Frequency of the largest density of a column, Hz.
     fn peak_hz(found: &TimeFrequency, column: &SpectrumAt) -> f64 {
         let lines = found.frequency_hz.iter().zip(&column.density);
         let most = lines.max_by(|a, b| a.1.total_cmp(b.1)).unwrap();

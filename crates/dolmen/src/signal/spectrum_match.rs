@@ -2,9 +2,9 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | T, ω, ζ | `period_s`, `omega`, `zeta` | of an oscillator | s, rad/s, – |
+//! | T, ω, ζ | `period_s`, `omega`, `zeta` | period, angular frequency and damping ratio of an oscillator | s, rad/s, – |
 //! | t_i | `at_s` | time of the peak of oscillator i | s |
-//! | f_j, γ_j | `frequency_hz`, `gamma` | of wavelet j: frequency, width of its envelope | Hz, s |
+//! | f_j, γ_j | `frequency_hz`, `gamma` | frequency of wavelet j, width of its envelope | Hz, s |
 //! | b_j | `b` | amplitude of wavelet j | m/s² |
 //! | C_ij | `c` | response of oscillator i at t_i to wavelet j, over its target | s²/m |
 //! | δ_i | `misfit` | (target − ordinate)/target | – |
@@ -18,16 +18,16 @@ use std::f64::consts::TAU;
 
 /// Width of a wavelet, s: 1.178 f^−0.93 (Al Atik, Abrahamson 2010, eq. 12).
 const GAMMA: [f64; 2] = [1.178, -0.93];
-/// Number of widths from its centre to which a wavelet is followed: e^−12 of its height remains there.
+/// Half length of a wavelet, in widths: beyond it the height is below e^−12 of the peak.
 const WIDTHS: f64 = 3.5;
-/// An oscillation is followed until this fraction of it remains.
+/// A free oscillation is computed until this fraction of it remains.
 const SWING_LEFT: f64 = 1e-4;
 /// Length of the ramps of wavelets to zero at both ends of the motion, s. Our choice.
 const EDGE_S: f64 = 0.5;
-/// Weight of the amplitudes in the least squares, as a fraction of the largest column of C: its start and its factor of change.
+/// Initial weight of the amplitudes in the least squares, as a fraction of the largest column of C; and the factor by which the weight changes.
 const WEIGHT: f64 = 0.1;
 const WEIGHT_FACTORS: [f64; 2] = [0.5, 3.0];
-/// The search ends after this many successive rounds that gain less than this fraction of the misfit.
+/// Relative gain of the misfit that counts as progress; and the number of successive rounds without progress that ends the search.
 const GAIN_LEAST: f64 = 0.01;
 const IDLE_ROUNDS_MOST: usize = 6;
 
@@ -40,8 +40,8 @@ pub struct SpectrumMatch {
     pub period_most_s: f64,
     /// Damping ratio of the spectrum. Default 0.05.
     pub damping_ratio: f64,
-    /// Periods at which the spectrum is compared with the target, evenly spaced in their logarithm; each round adds half as many wavelets.
-    /// Default 150: their spacing is less than the width of a resonance of 5 %.
+    /// Number of periods at which the spectrum is compared with the target, evenly spaced in their logarithm; each round adds half as many
+    /// wavelets. Default 150: their spacing is less than the width of a resonance with 5 % damping.
     pub periods: usize,
     /// Root mean square of the misfit at which the match is good enough. Default 0.01.
     pub misfit_enough: f64,
@@ -66,7 +66,7 @@ impl Default for SpectrumMatch {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpectrumMisfit {
-    /// Root of the mean square.
+    /// Root mean square.
     pub root_mean_square: f64,
     /// The lowest: −0.1 where an ordinate falls 10 % short.
     pub lowest: f64,
@@ -79,23 +79,23 @@ pub struct SpectrumMisfit {
 pub struct MatchedMotion {
     /// The motion; only the matched component is changed.
     pub motion: GroundMotion,
-    /// Factor on the seed before any wavelet.
+    /// Factor on the seed motion before any wavelet.
     pub factor: f64,
-    /// Misfit of the scaled seed.
+    /// Misfit of the scaled seed motion.
     pub before: SpectrumMisfit,
-    /// Misfit of the motion.
+    /// Misfit of the matched motion.
     pub after: SpectrumMisfit,
     /// Number of rounds of wavelets.
     pub rounds: usize,
     /// Periods, s.
     pub periods_s: Vec<f64>,
-    /// Target at each, m/s².
+    /// Target at each period, m/s².
     pub target_m_s2: Vec<f64>,
-    /// Pseudo-acceleration of the motion at each, m/s².
+    /// Pseudo-acceleration of the matched motion at each period, m/s².
     pub matched_m_s2: Vec<f64>,
 }
 
-/// Adds wavelets to one component until its pseudo-acceleration spectrum equals the target, a function of the period.
+/// Adds wavelets to one component until its pseudo-acceleration spectrum equals the target, which is a function of the period.
 ///
 /// ```text
 /// wavelet j       w_j(t) = cos(ω_j √(1−ζ²) (t − t_j + Δ_j)) e^(−((t − t_j + Δ_j)/γ_j)²) − line × envelope
@@ -103,22 +103,22 @@ pub struct MatchedMotion {
 /// a round         min ‖C b − δ‖² + λ² ‖b‖²        C_ij = ω_i² u_i(t_i; w_j) sign(u_i) / target_i
 ///                                                 shape: periods × wavelets
 /// ```
-/// t_j is the time of the peak of the oscillator of the same period. The small term line × envelope leaves the ground at rest after each
-/// wavelet, and such a term brings the scaled seed to rest before: velocity and displacement are zero at the end of every motion whose first and
-/// last samples are zero. λ falls after a round that helped, and rises after one that did not, which is undone.
+/// t_j is the peak time of the oscillator with the same period. The small term line × envelope brings the ground to rest after each wavelet;
+/// such a term also brings the scaled seed to rest first. So the final velocity and displacement are zero for every motion whose first and last
+/// samples are zero. λ falls after a round that reduces the misfit; any other round is undone, and λ rises.
 ///
 /// # Errors
 /// [`SignalError::Argument`] for options out of range or a target that is not positive; [`SignalError::NoMotion`];
 /// [`SignalError::Period`]; [`SignalError::Numeric`].
 ///
 /// # Limits
-/// The result contains the misfit, for which there is no guarantee: a seed too short for the longest period, or a target that no such seed can
-/// reach, leaves a misfit. El Centro 1940 to the spectrum of KDS 17 10 00 (zone I, 2400 years, S4), 0.1 to 3 s: see the tests.
+/// There is no guarantee for the misfit, so the result contains it. A misfit remains if the seed is too short for the longest period, or if no
+/// such seed can reach the target. El Centro 1940 to the spectrum of KDS 17 10 00 (zone I, 2400 years, S4), 0.1 to 3 s: see the tests.
 ///
 /// # Source
-/// Al Atik, Abrahamson (2010) Earthquake Spectra 26(3):601-617, eqs 3-12, the improved tapered cosine wavelet. Differs from the
-/// source: more periods than wavelets in regularised least squares, instead of as many with reduced off-diagonal terms; and each
-/// wavelet is brought to rest exactly, as sampled, also where it is cut off by the beginning of the record.
+/// Al Atik, Abrahamson (2010) Earthquake Spectra 26(3):601-617, eqs 3-12, the improved tapered cosine wavelet. Differs from the source: there
+/// are more periods than wavelets, in regularised least squares, instead of equal numbers with reduced off-diagonal terms; and each sampled
+/// wavelet is brought to rest exactly, also if the beginning of the record cuts it off.
 pub fn match_spectrum(
     motion: &GroundMotion,
     component: Component,
@@ -217,7 +217,6 @@ fn misfit(ratios: &[f64]) -> SpectrumMisfit {
     }
 }
 
-/// Data that stay the same in all rounds.
 struct Matching {
     h: f64,
     length: usize,
@@ -233,7 +232,7 @@ struct MatchingRound {
     misfit: Vec<f64>,
 }
 
-/// One wavelet: its samples from `first` on.
+/// One wavelet: its samples from sample `first` on.
 struct Wavelet {
     first: usize,
     samples: Vec<f64>,
@@ -292,14 +291,14 @@ impl Matching {
         signed_peaks(samples, self.h, &self.periods_s, self.zeta)
     }
 
-    /// Ordinates over their targets.
+    /// Spectral ordinates over their targets.
     fn ratios(&self, peaks: &[SignedPeak]) -> Vec<f64> {
         let each = peaks.iter().zip(&self.periods_s).zip(&self.target);
         each.map(|((peak, period), target)| (TAU / period).powi(2) * peak.displacement_m.abs() / target)
             .collect()
     }
 
-    /// Wavelets at the peaks of every second period, and their effect on every peak.
+    /// Wavelets at the peaks of every second period, and their effects on all peaks.
     fn prepared(&self, peaks: &[SignedPeak]) -> MatchingRound {
         let chosen = (0..peaks.len()).step_by(2);
         let wavelets: Vec<Wavelet> = chosen
@@ -349,7 +348,7 @@ impl Matching {
         Wavelet { first, samples }
     }
 
-    /// ∂u(t*)/∂a_k for every sample k before t*: the response to the hat of one sample, in closed form.
+    /// ∂u(t*)/∂a_k for every sample k before t*: the closed-form response to a triangular pulse at one sample.
     ///
     /// ```text
     /// u(t*) = −∫ Im e^(s (t* − τ))/ω_D a(τ) dτ     s = −ζω + i ω_D     hat of width 2h: h (sinh(sh/2)/(sh/2))²

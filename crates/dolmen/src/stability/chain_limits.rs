@@ -6,7 +6,7 @@
 //! | k_cr | `critical` | published critical stiffness, eqs 38–42 | N m/rad |
 //! | P_i H_i | `buckling` | published buckling stiffness, eq. 43 | N m/rad |
 //! | M_i | `necessary` | Σ_{j≥i} G_j | N m/rad |
-//! | 1/λ | | common factor that given stiffnesses need | |
+//! | 1/λ | | common factor on given stiffnesses at which the chain just stands | |
 
 use super::{ChainLimits, StabilityError};
 use crate::structure::Chain;
@@ -18,15 +18,15 @@ use dolmen_linalg::{Matrix, symmetric_eigenvalues};
 /// k_cr,n = G_n    k_cr,i = G_i − k_cr,i+1              published, eqs 38–42: each diagonal of K is 0
 /// P_i H_i = (Σ_{j≥i} w_j)(Σ_{j≥i} L_j)                 published, eq. 43
 /// M_i = Σ_{j≥i} G_j                                    exact for joint i with every other joint rigid
-/// 1/λ = greatest eigenvalue of M_max(i,j) / √(k_i k_j)  common factor that stiffnesses k need
+/// 1/λ = greatest eigenvalue of M_max(i,j) / √(k_i k_j)  common factor on stiffnesses k at which the chain just stands
 /// ```
 ///
 /// # Errors
 /// [`StabilityError::Linalg`] if an eigenvalue iteration fails.
 ///
 /// # Limits
-/// None of the vectors is sufficient: each joint needs at least M_i, and all joints together need 1/λ times it (2.48 times on the flagpole of
-/// the source).
+/// None of the vectors is sufficient: each joint needs at least M_i, and all joints together need 1/λ times M_i (2.48 times for the flagpole
+/// of the source).
 ///
 /// # Source
 /// Choi (2021), eqs 38–43. Differs from the source: it calls k_cr conservative. A symmetric matrix with a zero
@@ -65,7 +65,7 @@ pub fn chain_limits(chain: &Chain) -> Result<ChainLimits, StabilityError> {
         necessary_factor: if necessary.iter().all(|&m| m > 0.0) {
             stiffness_factor(&necessary, &necessary)?
         } else {
-            f64::INFINITY // the top link's centre of mass lies on its joint: M_n = 0 leaves that joint free
+            f64::INFINITY // the centre of mass of the top link lies on its joint: M_n = 0 leaves that joint free
         },
         equal_joints_n_m_rad: stiffness_factor(&necessary, &vec![1.0; g.len()])?,
         gravity_moment_n_m_rad: g,
@@ -84,7 +84,7 @@ fn published_critical(g: &[f64]) -> Vec<f64> {
     critical
 }
 
-/// Weight above each joint times height of the top above it.
+/// Weight above each joint times the height of the top above the joint.
 fn published_buckling(chain: &Chain) -> Vec<f64> {
     let gravity = chain.gravity_m_s2();
     let (mut weight, mut height) = (0.0, 0.0);
@@ -97,7 +97,7 @@ fn published_buckling(chain: &Chain) -> Vec<f64> {
     buckling
 }
 
-/// 1/λ for joint stiffnesses k > 0: in the joints' own rotations the springs are diagonal, and gravity is M_max(i,j).
+/// 1/λ for joint stiffnesses k > 0. In joint rotations, the springs are diagonal and gravity is M_max(i,j).
 fn stiffness_factor(necessary: &[f64], k: &[f64]) -> Result<f64, StabilityError> {
     let n = k.len();
     let a = Matrix::from_fn(n, n, |i, j| necessary[i.max(j)] / (k[i] * k[j]).sqrt());

@@ -29,20 +29,20 @@ pub struct LinkLoad {
 pub enum JointHold {
     /// A bed without tension.
     Bed(BedEdge),
-    /// It carries any moment.
+    /// A joint that carries any moment.
     Held,
-    /// Its bed is unknown.
+    /// A joint with an unknown bed.
     Unknown,
 }
 
-/// Loads on a chain besides its weight.
+/// Loads on a chain in addition to its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainLoading<'a> {
     /// Lateral forces.
     pub loads: &'a [LinkLoad],
     /// Resistance of each joint, lowest first.
     pub holds: &'a [JointHold],
-    /// Common tilt built in, in the direction of the loads, rad.
+    /// Common built-in tilt, in the direction of the loads, rad.
     pub tilt_rad: f64,
 }
 
@@ -50,19 +50,19 @@ pub struct ChainLoading<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct JointUnderLoads {
-    /// N, weight above it, N.
+    /// N, weight above the joint, N.
     pub axial_n: f64,
-    /// Lateral force through it, N.
+    /// Lateral force through the joint, N.
     pub shear_n: f64,
     /// M¹, moment of the loads on the upright chain, N m.
     pub rigid_moment_n_m: f64,
-    /// M, the same including the contribution of the weight as the chain leans under the loads, N m; `None` without stiffness or if it falls.
+    /// M, as M¹ but including the moment of the weight as the chain leans under the loads, N m; `None` without stiffness or if it falls.
     pub moment_n_m: Option<f64>,
-    /// Moment of the weight by the tilt, N m; for the upright chain while a stiffness is unknown.
+    /// Moment of the weight due to the tilt, N m; for the upright chain if a stiffness is unknown.
     pub tilt_moment_n_m: f64,
     /// M/k, rotation of the joint under the loads, rad.
     pub rotation_rad: Option<f64>,
-    /// The largest moment that its bed carries, N m; `None` where it is held or unknown.
+    /// The largest moment that its bed carries, N m; `None` if the joint carries any moment or its bed is unknown.
     pub limit_n_m: Option<f64>,
     /// Factor on the loads at which the moment reaches the limit, for the given tilt: (limit − |tilt moment|)/|M|.
     pub factor: Option<f64>,
@@ -72,25 +72,25 @@ pub struct JointUnderLoads {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ChainUnderLoads {
-    /// Lowest joint first.
+    /// The joints, lowest first.
     pub joints: Vec<JointUnderLoads>,
-    /// The joint with the smallest factor, from 1 at the bottom; `None` where no limit is known.
+    /// The joint with the smallest factor, from 1 at the bottom; `None` if no limit is known.
     pub governing_joint: Option<usize>,
     /// Smallest factor on the loads at which a joint reaches its limit; 0 if the chain falls under its weight alone.
     pub factor: Option<f64>,
-    /// Whether every joint has a limit or is held.
+    /// Whether every joint has a known limit or carries any moment.
     pub limits_known: bool,
-    /// Whether the moments include the contribution of the weight as it leans: the stiffness is known.
+    /// Whether the moments include the effect of the weight as the chain leans, which needs the stiffness.
     pub second_order: bool,
     /// Displacement of the top under the loads, m.
     pub top_displacement_m: Option<f64>,
 }
 
-/// Moments of a chain under lateral forces, in equilibrium in the leaning shape, compared with the moment that each bed carries.
+/// Moments of a chain under lateral forces, in equilibrium in the leaning position, compared with the capacity of each bed.
 ///
 /// ```text
 /// Q_i = Σ_own (F h + C) + L_i Σ_{j>i} F_j        K θ = Q,  K with the weight
-/// M_i = k_i (θ_i − θ_{i−1})                      = M¹_i + what the weight adds
+/// M_i = k_i (θ_i − θ_{i−1})                      = M¹_i + the moment of the weight
 /// |M_i| ≤ N_i (b_i/2 − N_i/(2 f w_i))            factor = (limit − |tilt moment|)/|M_i|
 /// ```
 ///
@@ -179,7 +179,7 @@ pub fn chain_under_loads(
                 rotation_rad: turn,
                 limit_n_m,
                 factor: limit_n_m.map(|limit| match limit - tilt_moment_n_m.abs() {
-                    left if left <= 0.0 => 0.0, // the tilt alone
+                    left if left <= 0.0 => 0.0, // the tilt alone exceeds the limit
                     left => left / acting,
                 }),
             }
@@ -209,7 +209,7 @@ pub fn chain_under_loads(
 struct LoadRotations {
     rotations: Option<Vec<f64>>,
     falls: bool,
-    /// Moment of each joint per rad of a common tilt: M_i, Σ_{j≥i} G_j, until the stiffness is known.
+    /// Moment of each joint per rad of a common tilt: M_i; Σ_{j≥i} G_j if the stiffness is unknown.
     tilts: Vec<f64>,
 }
 
@@ -282,7 +282,7 @@ fn per_link(chain: &Chain, loads: &[LinkLoad]) -> Result<Vec<OfLink>, StabilityE
     Ok(all)
 }
 
-/// Q_i: own moment, and the forces above at the link's full length.
+/// Q_i: moment of the link's own forces, and of the forces above at the full length of the link.
 fn generalised(chain: &Chain, forces: &[OfLink]) -> Vec<f64> {
     let mut above_n = 0.0;
     let mut all = vec![0.0; forces.len()];

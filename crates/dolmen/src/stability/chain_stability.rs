@@ -5,7 +5,7 @@
 //! | α_i | | rotation of joint i, θ_i − θ_{i−1} | rad |
 //! | k_i | `stiffness` | spring of joint i | N m/rad |
 //! | G_i, M_i | `g`, `necessary` | gravity moment of link i, and Σ_{j≥i} G_j | N m/rad |
-//! | E_i | `e` | what the joints from i up need of k_i | N m/rad |
+//! | E_i | `e` | stiffness that joint i must exceed because of the joints above | N m/rad |
 //! | λ | `load_factor` | smallest factor on gravity that makes K singular | |
 //! | A | `springs`, `gravity` | K in joint rotations: springs minus gravity | N m/rad |
 
@@ -21,7 +21,7 @@ use dolmen_linalg::{Matrix, cholesky, generalized_symmetric_eigen, solve};
 /// k_i,min = k_i − 1/(b_iᵀ K⁻¹ b_i),  b_i = e_i − e_{i−1}
 /// det(K_springs − λ K_gravity) = 0                      λ the smallest positive root
 /// max M_i/k_i ≤ 1/λ ≤ Σ M_i/k_i                         Dunkerley
-/// θ = K⁻¹ K_springs 1                                   rotations per unit of a common tilt built in
+/// θ = K⁻¹ K_springs 1                                   rotations per unit of a common built-in tilt
 /// moment ≤ N b/2                                        uplift, N the weight above the joint
 /// ```
 ///
@@ -104,8 +104,8 @@ pub fn chain_stability(chain: &Chain, stiffness_n_m_rad: &[f64]) -> Result<Chain
     })
 }
 
-/// The joint, from 1 at the bottom, at which the chain first fails counted from the top; `None` if it stands. The fastest exact test: no
-/// eigenvalue is computed.
+/// The first joint from the top at which the recursion fails, numbered from 1 at the bottom; `None` if the chain stands. This is the fastest
+/// exact test, because it computes no eigenvalue.
 ///
 /// ```text
 /// E_n = G_n,  E_i = G_i + 1/(1/E_{i+1} − 1/k_{i+1}),  fails at the first E_i ≥ k_i
@@ -124,7 +124,7 @@ pub fn failing_joint(chain: &Chain, stiffness_n_m_rad: &[f64]) -> Result<Option<
         return Ok(first_pivot_not_positive_from_the_top(k));
     }
     let each = chain.gravity_moments_n_m_rad().into_iter().zip(stiffness_n_m_rad);
-    let mut from_above = 0.0; // the inverse of E k / (E − k): 1/(1/E − 1/k) without a division by E = 0
+    let mut from_above = 0.0; // E k / (E − k) inverted: 1/(1/E − 1/k) without a division by E = 0
     for (i, (g, &k)) in each.enumerate().rev() {
         let e = g + from_above;
         if e >= k {
@@ -142,7 +142,7 @@ fn side_support_counted(chain: &Chain) -> bool {
         .any(|support| support.acts_linearly())
 }
 
-/// LDLᵀ from the last row up, without exchanges: the signs of the pivots are those of the eigenvalues.
+/// LDLᵀ from the last row up, without pivoting: the signs of the pivots are those of the eigenvalues.
 fn first_pivot_not_positive_from_the_top(mut k: Matrix) -> Option<usize> {
     for p in (0..k.rows()).rev() {
         let pivot = k[(p, p)];
@@ -159,7 +159,7 @@ fn first_pivot_not_positive_from_the_top(mut k: Matrix) -> Option<usize> {
     None
 }
 
-/// Tᵀ K_springs T with θ = T α: θ_i = Σ_{j≤i} α_j. Diagonal except for a side support.
+/// Tᵀ K_springs T with θ = T α: θ_i = Σ_{j≤i} α_j. Diagonal except for side supports.
 fn springs_in_joint_rotations(chain: &Chain, k: &[f64]) -> Result<Matrix, StabilityError> {
     let mut springs = Matrix::from_diagonal(k);
     for support in chain
@@ -169,7 +169,7 @@ fn springs_in_joint_rotations(chain: &Chain, k: &[f64]) -> Result<Matrix, Stabil
     {
         let mut lever = chain.lever_m_rad(support.height_m)?;
         for i in (1..lever.len()).rev() {
-            lever[i - 1] += lever[i]; // Tᵀ c: all links above joint i turn with it
+            lever[i - 1] += lever[i]; // Tᵀ c: all links above joint i rotate with it
         }
         let s = support.stiffness_n_m;
         springs = &springs + &Matrix::from_fn(k.len(), k.len(), |i, j| s * lever[i] * lever[j]);
@@ -177,7 +177,7 @@ fn springs_in_joint_rotations(chain: &Chain, k: &[f64]) -> Result<Matrix, Stabil
     Ok(springs)
 }
 
-/// Rayleigh quotient with only joint i turning: M_i/k_i, with the side support's share of stiffness if it counts.
+/// Rayleigh quotient for a rotation of joint i only: M_i/k_i, with the stiffness of a side support if it counts.
 fn lower_bracket(springs: &Matrix, gravity: &Matrix, i: usize) -> f64 {
     gravity[(i, i)] / springs[(i, i)]
 }
@@ -199,9 +199,8 @@ fn joint(chain: &Chain, a: &Matrix, k: &[f64], i: usize, lean_moment: Option<f64
 
 /// Smallest k_i with the other joints as given; `None` if the chain falls even with joint i rigid.
 ///
-/// In joint rotations k_i stands alone on the diagonal, so K is positive definite if and only if the rest R is and
-/// k_i exceeds k_i − (A_ii − a_iᵀ R⁻¹ a_i): the same as k_i − 1/(b_iᵀ K⁻¹ b_i), without the cancellation, and also
-/// where K is singular or indefinite.
+/// In joint rotations k_i appears only on the diagonal. So K is positive definite if and only if the remaining matrix R is, and k_i exceeds
+/// k_i − (A_ii − a_iᵀ R⁻¹ a_i). This equals k_i − 1/(b_iᵀ K⁻¹ b_i), but avoids cancellation and also holds if K is singular or indefinite.
 fn stiffness_least(a: &Matrix, k_i: f64, i: usize) -> Option<f64> {
     let rest = a.rows() - 1;
     let others = |j: usize| if j < i { j } else { j + 1 };

@@ -1,22 +1,22 @@
-//! The largest moment that a bed without tension carries, in its plane and towards any side.
+//! The largest moment that a bed without tension carries, in its plane and in any direction.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | N | `normal_n` | normal force | N |
 //! | b, w | `width_m`, `depth_m` | sides of the bed | m |
 //! | f | `strength_pa` | compressive strength of the bed | Pa |
-//! | a | `share` | N/(f b w), share of the bed that the stress block takes | |
-//! | u | `along`, `across` | centre of the block from that of the bed, over its sides | |
-//! | r | `slope` | the smaller of both components of u over the larger | |
+//! | a | `share` | N/(f b w), fraction of the bed area in the stress block | |
+//! | u | `along`, `across` | centre of the stress block from that of the bed, relative to the sides of the bed | |
+//! | r | `slope` | the smaller component of u over the larger component | |
 
 /// Dimensions of a rectangular bed relative to the axis of its moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BedEdge {
     /// b, width in the plane of the moment, m.
     pub width_m: f64,
-    /// w, width across it, m; `None` if only b is known: the bed then carries the same moment towards every side.
+    /// w, depth across that plane, m; `None` if only b is known: the bed then has the same capacity in every direction.
     pub depth_m: Option<f64>,
-    /// f, compressive strength of the bed, Pa; `None`: it does not crush.
+    /// f, compressive strength of the bed, Pa; `None` if it does not crush.
     pub strength_pa: Option<f64>,
 }
 
@@ -27,7 +27,7 @@ impl BedEdge {
     /// M = N (b/2 − N/(2 f w))        stress block f over N/(f w) at the edge;  f → ∞: N b/2
     /// ```
     ///
-    /// 0 where the bed crushes under N alone, or N pulls.
+    /// The result is 0 if the bed crushes under N alone, or if N is tension.
     pub fn moment_n_m(&self, normal_n: f64) -> f64 {
         let crushed_m = self.strength_pa.map_or(0.0, |strength_pa| {
             normal_n / (strength_pa * self.depth_or_width_m())
@@ -35,7 +35,7 @@ impl BedEdge {
         (0.5 * normal_n * (self.width_m - crushed_m)).max(0.0)
     }
 
-    /// The bed for a moment about the other axis.
+    /// The bed with its sides exchanged, for a moment about the other axis.
     pub fn across(&self) -> BedEdge {
         match self.depth_m {
             Some(depth_m) => BedEdge {
@@ -47,7 +47,7 @@ impl BedEdge {
         }
     }
 
-    /// w, or b where only that is known, m.
+    /// w, m; b if w is unknown.
     pub fn depth_or_width_m(&self) -> f64 {
         self.depth_m.unwrap_or(self.width_m)
     }
@@ -57,14 +57,14 @@ impl BedEdge {
         (self.depth_or_width_m() / self.width_m).powi(2)
     }
 
-    /// The largest moment towards a side, N m, [along b, along w], of any length: the resultant lies at M/N from the centre.
+    /// The largest moment in a direction, N m, [along b, along w], of any length: the resultant lies at M/N from the centre.
     ///
     /// ```text
-    /// f → ∞:  M = N · distance from the centre to the edge towards that side
-    /// else:   the stress block is what a straight line cuts off the bed, of area N/f, with its centre on that side;
+    /// f → ∞:  M = N · distance from the centre to the edge in that direction
+    /// else:   the stress block is cut off by a straight line, with area N/f and its centre in that direction;
     ///         u = (½ − p/3, ½ − q/3), p q = 2 a          a corner
-    ///         u = (m/(12 a), ½ − a/2 − m²/(24 a))        a strip, slanted by m
-    ///         (1 − a)/a times that of 1 − a              all but a corner
+    ///         u = (m/(12 a), ½ − a/2 − m²/(24 a))        a strip with slope m
+    ///         (1 − a)/a times the value for 1 − a        all but a corner
     /// ```
     ///
     /// # Limits
@@ -85,15 +85,15 @@ impl BedEdge {
         (normal_n * block_centre(share, least / most) / most).max(0.0)
     }
 
-    /// Factor on a growing moment, added to a present one, at which the bed reaches its capacity; 0 where the present moment exceeds it. Moments
-    /// N m, [along b, along w].
+    /// Factor on a growing moment, added to a present moment, at which the bed reaches its capacity; 0 if the present moment exceeds it. Moments
+    /// in N m, [along b, along w].
     pub fn reach(&self, normal_n: f64, there_n_m: [f64; 2], growing_n_m: [f64; 2]) -> f64 {
         const HALVINGS: usize = 60; // below the rounding of the limits
         if self.depth_m.is_none() {
             return reach_of_circle(self.moment_n_m(normal_n), there_n_m, growing_n_m);
         }
         let limits = [self.moment_n_m(normal_n), self.across().moment_n_m(normal_n)];
-        // the block reaches no farther along a side than with that side alone
+        // along each side, the stress block reaches no farther than under a moment in that direction only
         let most = (0..2).map(|axis| {
             let (limit, there, growing) = (limits[axis], there_n_m[axis], growing_n_m[axis]);
             match there.abs() >= limit {
@@ -129,7 +129,7 @@ impl BedEdge {
     }
 }
 
-/// Factor on `growing` at which the total moment, with the present one, has this magnitude.
+/// Factor on `growing` at which the sum of present and growing moment has this magnitude.
 fn reach_of_circle(limit_n_m: f64, there_n_m: [f64; 2], growing_n_m: [f64; 2]) -> f64 {
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
     let left = limit_n_m * limit_n_m - dot(there_n_m, there_n_m);
@@ -144,7 +144,7 @@ fn reach_of_circle(limit_n_m: f64, there_n_m: [f64; 2], growing_n_m: [f64; 2]) -
     }
 }
 
-/// The larger component of u on a square of side 1 for a block of `share`, the smaller one being `slope` times it.
+/// The larger component of u on a unit square for a stress block of area `share`; the smaller component is `slope` times as large.
 fn block_centre(share: f64, slope: f64) -> f64 {
     if share <= 0.0 {
         return 0.5;

@@ -38,7 +38,7 @@ pub enum StabilityError {
     /// A direction of zero length.
     #[error("{quantity} is {given:?}, but must be two finite numbers, not both 0")]
     Direction {
-        /// Its name.
+        /// Name of the direction.
         quantity: &'static str,
         /// The value given.
         given: [f64; 2],
@@ -46,7 +46,7 @@ pub enum StabilityError {
     /// A block that does not exist.
     #[error("{quantity} name block {given}, but the stack has {count}, from 0")]
     Block {
-        /// Its place.
+        /// Name of the quantity that refers to the block.
         quantity: &'static str,
         /// The index given.
         given: usize,
@@ -56,9 +56,9 @@ pub enum StabilityError {
     /// The pressure in a joint was not found.
     #[error("the pressure in a joint was not found to better than {residual:e} in {iterations} steps")]
     Pressure {
-        /// Largest relative error of force and moments.
+        /// Largest relative error of the force and the moments.
         residual: f64,
-        /// Steps taken.
+        /// Number of steps.
         iterations: usize,
     },
     /// The conic programme of a limit analysis was not solved.

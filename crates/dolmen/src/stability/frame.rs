@@ -3,9 +3,9 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | λ | `load_factor` | factor on all axial forces at which the frame falls | – |
-//! | K_E, K_G | `elastic`, `geometric` | stiffness of the springs; what P-delta takes from it | N/m |
+//! | K_E, K_G | `elastic`, `geometric` | stiffness of the springs; its reduction by P-delta | N/m |
 //! | k_i | `stiffness_n_m` | spring of storey i | N/m |
-//! | k_i,min | `stiffness_least_n_m` | where the frame just stands, all other springs as they are | N/m |
+//! | k_i,min | `stiffness_least_n_m` | k_i at which the frame just stands, all other springs as given | N/m |
 
 use super::{StabilityError, Verdict};
 use crate::structure::{Convention, Frame};
@@ -25,25 +25,25 @@ pub struct StoreyStability {
     pub margin: Option<f64>,
 }
 
-/// A frame with known storey stiffness.
+/// Stability of a frame with known storey stiffness.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FrameStability {
-    /// Lowest storey first.
+    /// The storeys, lowest first.
     pub storeys: Vec<StoreyStability>,
     /// λ, smallest factor on the axial forces that makes K singular; infinite without axial force.
     pub load_factor: f64,
-    /// Displacements of the levels in the fall at λ, the largest 1; empty without axial force, or if λ is 0.
+    /// Displacements of the levels in the buckling shape at λ, the largest 1; empty without axial force, or if λ is 0.
     pub falling_shape: Vec<f64>,
-    /// stable, marginal, unstable.
+    /// Whether the frame is stable, marginal or unstable.
     pub verdict: Verdict,
 }
 
-/// Whether a frame stands on springs of this stiffness, and its margins.
+/// Stability of a frame with springs of this stiffness, and the margins of its storeys.
 ///
 /// ```text
 /// λ:        smallest λ > 0 with det(K_E − λ K_G) = 0: 1/λ is the largest μ of K_G φ = μ K_E φ
-/// k_i,min:  A_ii = A_iO A_OO⁻¹ A_Oi − k_i,min,  A = K at k_i = 0 in the coordinates of the springs, O the others
+/// k_i,min:  A_ii = A_iO A_OO⁻¹ A_Oi − k_i,min,  A = K at k_i = 0 in the coordinates of the springs, O the other springs
 /// drift without ties:   λ = min k_i l_i / N_i,   k_i,min = N_i / l_i
 /// ```
 ///
@@ -98,7 +98,7 @@ pub fn frame_stability(frame: &Frame, stiffness_n_m: &[f64]) -> Result<FrameStab
     })
 }
 
-/// λ with its shape; λ = 0 if the frame falls on its springs without axial force.
+/// λ with its shape; λ = 0 if the frame falls without axial force.
 fn load_factor(elastic: &Matrix, geometric: &Matrix) -> Result<(f64, Vec<f64>), StabilityError> {
     match cholesky(elastic) {
         Ok(_) => {}
@@ -122,7 +122,7 @@ fn load_factor(elastic: &Matrix, geometric: &Matrix) -> Result<(f64, Vec<f64>), 
     Ok((1.0 / eigen.values[last], shape))
 }
 
-/// k_i,min by the Schur complement of the other springs' coordinates; `None` unless these are positive definite.
+/// k_i,min by the Schur complement of the other springs; `None` if their matrix is not positive definite.
 fn least_stiffness(frame: &Frame, stiffness: &[f64], i: usize) -> Result<Option<f64>, StabilityError> {
     let n = stiffness.len();
     let mut without = stiffness.to_vec();

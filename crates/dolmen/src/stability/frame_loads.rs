@@ -1,12 +1,12 @@
-//! A frame under lateral forces: the capacity of each storey, and its drift.
+//! A frame under lateral forces: capacity and drift of each storey.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | F_j, V_i | `forces_n`, `shear_n` | force at level j; that on storey i, Σ_{j≥i} F_j | N |
-//! | δ, δ_most | `drift_m`, `drift_most_m` | drift of a storey; that at which it counts as fallen | m |
-//! | T(δ) | `restoring_n` | force with which a storey resists a drift, P-delta in it | N |
-//! | k, k_b | `stiffness_n_m` | stiffness of a storey; the part of it that the beds of its columns give | N/m |
-//! | N, τ | `axial_n`, `tilt` | weight on a storey; how it leans without stress, horizontal over vertical | N, – |
+//! | F_j, V_i | `forces_n`, `shear_n` | force at level j; force on storey i, Σ_{j≥i} F_j | N |
+//! | δ, δ_most | `drift_m`, `drift_most_m` | drift of a storey; drift at which it counts as fallen | m |
+//! | T(δ) | `restoring_n` | resistance of a storey to a drift, including P-delta | N |
+//! | k, k_b | `stiffness_n_m` | stiffness of a storey; contribution of the beds of its columns | N/m |
+//! | N, τ | `axial_n`, `tilt` | weight on a storey; its stress-free lean, horizontal over vertical | N, – |
 
 use super::free_columns::FreeColumns;
 use super::{StabilityError, Verdict, frame_stability};
@@ -14,19 +14,19 @@ use crate::numeric::{Bracketing, bracketed_root, maximum_between};
 use crate::structure::{Convention, Frame, StructureError};
 use dolmen_linalg::{Matrix, solve};
 
-/// Number of points of the curve of a storey with columns. Our choice: smooth on paper.
+/// Number of points of the curve of a storey with columns. Our choice: smooth in print.
 const CURVE_POINTS: usize = 60;
 
-/// Lateral forces on a frame, and its resistance besides springs.
+/// Lateral forces on a frame, and its resistance in addition to springs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FramePush<'a> {
     /// F, at each level, lowest first, N.
     pub forces_n: &'a [f64],
     /// Free-standing columns of each storey; `None` for a storey without them.
     pub columns: &'a [Option<FreeColumns>],
-    /// τ, horizontal over vertical; its weight acts in the direction of the forces.
+    /// τ, horizontal over vertical; with it, the weight acts in the direction of the forces.
     pub tilt: f64,
-    /// Drift over height at which a storey counts as fallen: the limit of small drifts.
+    /// Drift over height at which a storey has fallen: the limit of small drifts.
     pub drift_ratio_most: f64,
 }
 
@@ -35,9 +35,9 @@ pub struct FramePush<'a> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum StoreyEnd {
-    /// The drift at which it counts as fallen, although its resistance could still grow.
+    /// The drift at which it counts as fallen, although its resistance may still increase.
     Drift,
-    /// Its greatest force, beyond which its columns fall.
+    /// Its largest force, beyond which its columns fall.
     Force,
 }
 
@@ -55,25 +55,25 @@ pub struct StoreyPoint {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StoreyUnderLoads {
-    /// N, weight on it, N.
+    /// N, weight on the storey, N.
     pub axial_n: f64,
-    /// V, force of the loads on it, N, with the sign of their direction.
+    /// V, force of the loads on the storey, N, with the sign of their direction.
     pub shear_n: f64,
-    /// Lean without the loads, τ + δ/l, horizontal over vertical; `None` where it falls without them.
+    /// Lean without the loads, τ + δ/l, horizontal over vertical; `None` if it falls without them.
     pub lean_at_rest: Option<f64>,
     /// Additional drift due to the loads, m; `None` if the storey does not resist them.
     pub drift_m: Option<f64>,
-    /// Largest T, including the reduction of the weight by the lean, N; `None` where its springs act on displacement.
+    /// Largest T, minus the effect of the weight in the leaning position, N; `None` if its springs act on displacement.
     pub greatest_n: Option<f64>,
-    /// Drift there, m.
+    /// Drift at the largest T, m.
     pub greatest_drift_m: Option<f64>,
     /// δ_most minus the part used by the lean, m.
     pub drift_most_m: f64,
     /// Limit of its capacity.
     pub end: StoreyEnd,
-    /// Factor on the loads at which it falls, for the given lean; 0 where it falls without them, infinite without loads.
+    /// Factor on the loads at which the storey falls, for the given lean; 0 if it falls without them, infinite without loads.
     pub factor: f64,
-    /// T against δ; empty where its springs act on displacement, or the lean leaves none of it.
+    /// T against δ; empty if its springs act on displacement, or if the lean uses all of the drift.
     pub curve: Vec<StoreyPoint>,
 }
 
@@ -81,7 +81,7 @@ pub struct StoreyUnderLoads {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FrameUnderLoads {
-    /// Lowest storey first.
+    /// The storeys, lowest first.
     pub storeys: Vec<StoreyUnderLoads>,
     /// The storey with the smallest factor, from 1 at the bottom.
     pub governing_storey: usize,
@@ -90,7 +90,7 @@ pub struct FrameUnderLoads {
 }
 
 impl FrameUnderLoads {
-    /// The verdict of its storeys.
+    /// The verdict of all storeys.
     pub fn of(storeys: Vec<StoreyUnderLoads>) -> Self {
         let least = storeys
             .iter()
@@ -104,7 +104,7 @@ impl FrameUnderLoads {
         }
     }
 
-    /// From the smallest factor.
+    /// Verdict from the smallest factor.
     pub fn verdict(&self) -> Verdict {
         match self.factor {
             f64::INFINITY => Verdict::Stable,
@@ -113,19 +113,19 @@ impl FrameUnderLoads {
     }
 }
 
-/// Capacity of each storey of a frame under forces at its levels, in equilibrium in the leaning shape.
+/// Capacity of each storey of a frame under forces at its levels, in equilibrium in the leaning position.
 ///
 /// ```text
 /// V_i + N_i τ = T_i(δ_i)                                              drift, without ties: each storey by itself
 /// T = (k − N/l) δ                                                     without free columns
-/// T = V_c(δ) + (k − k_b) δ,  k_b of the beds, at most k               with them; V_c of the columns has P-delta in it
+/// T = V_c(δ) + (k − k_b) δ,  k_b of the beds, at most k               with free columns; V_c includes P-delta
 /// factor = (max T − N τ)/|V|,   0 ≤ δ ≤ δ_most − τ l
 /// K Y = F,   factor = (δ_most − |lean| l)/|δ|                         springs on displacement, and ties
 /// ```
 ///
-/// `stiffness_n_m` is that of whole storeys at small drift, including the beds of free columns; 0 where only columns resist. On rigid stones,
-/// and where the given beds would be stiffer than the whole, the whole is taken as that of beds: resistance of joints at large drift is then not
-/// counted.
+/// `stiffness_n_m` is the stiffness of whole storeys at small drift, including the beds of free columns; 0 if only columns resist. For rigid stones,
+/// and if the given beds would be stiffer than the storey, the whole stiffness is attributed to beds: the resistance of joints at large drift is
+/// then neglected.
 ///
 /// # Errors
 /// [`StabilityError::Structure`] unless there is one stiffness, one force and one entry of columns per storey; [`StabilityError::Option`] for a tilt
@@ -258,7 +258,7 @@ fn each_by_itself(
     Ok(all)
 }
 
-/// Springs on displacement, and ties: all storeys together.
+/// For springs on displacement, and for ties: all storeys together.
 fn together(
     frame: &Frame,
     stiffness_n_m: &[f64],
@@ -288,7 +288,7 @@ fn together(
         let stands = stands && left_m > 0.0;
         let factor = match stands {
             false => 0.0,
-            true => left_m / loaded[i].abs(), // infinite where nothing moves it
+            true => left_m / loaded[i].abs(), // infinite if the storey does not move
         };
         all.push(StoreyUnderLoads {
             axial_n: storey.axial_n,
@@ -405,7 +405,7 @@ impl StoreyLaw {
         let share = |i: usize, all: usize| i as f64 / (all - 1) as f64;
         match self {
             StoreyLaw::Springs(_) => [0.0, reach.end_at].map(|drift_m| self.at(drift_m)).to_vec(),
-            // squared: the curve bends most where the feet lift off
+            // squared: the curvature is largest where the feet lift off
             StoreyLaw::Columns(..) => (0..CURVE_POINTS)
                 .map(|i| self.at(share(i, CURVE_POINTS).powi(2) * reach.end_at))
                 .collect(),

@@ -1,4 +1,4 @@
-//! Does it stand: critical stiffness, load factor, margins, verdicts.
+//! Stability: critical stiffness, load factors, margins, verdicts.
 
 mod chain;
 mod chain_limits;

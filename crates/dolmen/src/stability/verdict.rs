@@ -1,4 +1,4 @@
-//! The fixed words of a verdict.
+//! Verdicts on stability.
 
 /// Whether a structure stands under its own weight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -7,20 +7,21 @@
 pub enum Verdict {
     /// The load factor is at least [`Verdict::MARGINAL_BELOW`].
     Stable,
-    /// It stands, with a load factor below [`Verdict::MARGINAL_BELOW`].
+    /// It stands, but with a load factor below [`Verdict::MARGINAL_BELOW`].
     Marginal,
-    /// It falls: load factor ≤ 1, or stiffness matrix not positive definite.
+    /// It falls: load factor ≤ 1, or stiffness matrix that is not positive definite.
     Unstable,
     /// A necessary input is unknown.
     Unknown,
 }
 
 impl Verdict {
-    /// Load factor below which "stable" becomes "marginal", our choice: a stiffness from frequencies is uncertain by twice their error, and
-    /// stone joints lose stiffness as they open.
+    /// Load factor below which "stable" becomes "marginal". Our choice: the relative error of a stiffness is twice that of the frequencies,
+    /// and stone joints lose stiffness as they open.
     pub const MARGINAL_BELOW: f64 = 1.5;
 
-    /// The verdict on a load factor λ (factor on gravity at which it falls). An infinite one, without any gravity load, gives unknown.
+    /// The verdict on a load factor λ (factor on gravity at which the structure falls). An infinite λ, without any gravity load, gives
+    /// unknown.
     pub fn of_load_factor(load_factor: f64) -> Self {
         if load_factor.is_nan() || load_factor == f64::INFINITY {
             Verdict::Unknown

@@ -1,11 +1,11 @@
-//! Tests whether the columns of a level move together: compares the components of a mode at sensors side by side.
+//! Tests whether the columns of a level move together: compares the mode components at the sensors of the level.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | u_c | `ordinate` | component of a mode at column c, along the direction, complex | – |
-//! | v_c | `variance` | variance of its real part and of its imaginary part | – |
+//! | v_c | `variance` | variance of the real part, and of the imaginary part, of u_c | – |
 //! | s_c | `aside_m` | place of the column across the direction | m |
-//! | a, θ | | sway and rotation of the floor: u_c = a + θ s_c | –, 1/m |
+//! | a, θ | | translation and rotation of the floor: u_c = a + θ s_c | –, 1/m |
 
 use super::directional::{ALONG_LEAST, LEVEL_M, real_turn};
 use super::left_out::SHARE_LEAST;
@@ -13,56 +13,56 @@ use crate::modal::{Mode, Modes};
 use crate::numeric::fisher_quantile;
 use dolmen_linalg::Complex64;
 
-/// Probability of a false alarm in a whole survey whose columns move together. Our choice.
+/// Probability of a false alarm in a whole survey in which all columns move together. Our choice.
 const CHANCE: f64 = 0.01;
-/// Degrees of freedom of standard deviations with an unknown number of blocks of time: many.
+/// Degrees of freedom of a standard deviation if the number of time blocks is unknown: many.
 const MANY: f64 = 1e4;
 
-/// Motion of the columns of a level in a mode.
+/// Relative motion of the columns of a level in a mode.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ColumnsMove {
-    /// With equal amplitude and phase, within their errors.
+    /// Equal amplitude and phase, within their errors.
     AsOne,
-    /// As points of a floor that sways and rotates.
+    /// The motion of points on a floor that translates and rotates.
     Turning,
-    /// Two sensors differ: the floor rotates, or one column moves separately. A third sensor decides.
+    /// Two sensors differ: either the floor rotates, or one column moves separately. A third sensor can decide.
     TwoDiffer,
-    /// As a rigid floor cannot move.
+    /// A motion that is impossible for a rigid floor.
     Apart {
-        /// Columns (indices in `columns`) without any one of which the others move together; empty if no single column explains it.
+        /// Indices of columns in `columns`: without any single one of them, the others move together. Empty if no single column explains the motion.
         any_of: Vec<usize>,
     },
 }
 
-/// One sensor on a column, in one mode.
+/// Component of a mode at the sensor of one column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnOrdinate {
-    /// Its channel.
+    /// Channel of the sensor.
     pub channel: String,
-    /// Its component over the mean of the other sensors of the level: 1 for a column that moves with them.
+    /// Component over the mean of the other sensors of the level: 1 for a column that moves with them.
     pub of_others: Complex64,
     /// Standard deviation of the real part and of the imaginary part of that ratio, including calibration.
     pub of_others_sd: f64,
 }
 
-/// A level in a mode.
+/// Result for one level in one mode.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnsOfLevel {
     /// Frequency of the mode, Hz.
     pub frequency_hz: f64,
     /// Height of the level, m.
     pub height_m: f64,
-    /// The sensors, as the channels of the record are ordered.
+    /// The sensors, in the order of the channels.
     pub columns: Vec<ColumnOrdinate>,
-    /// Motion of the columns.
+    /// Relative motion of the columns.
     pub moves: ColumnsMove,
 }
 
 /// Tolerances for columns that move together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColumnsTogether {
-    /// Standard deviation of a sensor's calibration, of its reading, in amplitude and in phase (rad). Default 0.02 (our choice): sensors of one
-    /// kind, set up by hand.
+    /// Relative standard deviation of a sensor's calibration, in amplitude and in phase (rad). Default 0.02 (our choice): sensors of one kind, set up
+    /// by hand.
     pub calibration: f64,
 }
 
@@ -72,8 +72,8 @@ impl Default for ColumnsTogether {
     }
 }
 
-/// How the columns of each level move in each mode along a horizontal unit vector; empty where no level has two sensors along it, and of modes
-/// whose shape has no standard deviation.
+/// How the columns of each level move in each mode along a horizontal unit vector. Levels without two sensors in this direction, and modes whose
+/// shape has no standard deviation, are left out.
 ///
 /// ```text
 /// as one:   χ² = Σ |u_c − a|²/v_c,             2 (n − 1) degrees of freedom,   v_c = sd_c² + (calibration |u_c|)²
@@ -82,8 +82,8 @@ impl Default for ColumnsTogether {
 /// ```
 ///
 /// # Limits
-/// Standard deviations of a shape include those of the channel that sets its scale; for that channel the smallest of the others is taken, so the test
-/// is conservative. Motion common to all columns is not detected. Validated by `tests/validation/columns_together.rs`.
+/// The standard deviations of a shape include that of the channel that sets the scale. For this channel the test uses the smallest deviation of the
+/// others, so it is conservative. Motion common to all columns is not detected. Validated by `tests/validation/columns_together.rs`.
 pub fn columns_together(
     modes: &Modes,
     direction: [f64; 3],
@@ -117,7 +117,6 @@ pub fn columns_together(
     found
 }
 
-/// A sensor along the direction.
 struct Sensor {
     at: usize,
     name: String,
@@ -126,7 +125,7 @@ struct Sensor {
     sign: f64,
 }
 
-/// The sensors along the direction, the lowest first, those of a level as the channels are ordered.
+/// Sensors along the direction, lowest first; within a level in the order of the channels.
 fn sensors(modes: &Modes, direction: [f64; 3]) -> Vec<Sensor> {
     let each = modes.channels.iter().enumerate();
     let mut found: Vec<Sensor> = each
@@ -147,14 +146,13 @@ fn sensors(modes: &Modes, direction: [f64; 3]) -> Vec<Sensor> {
     found
 }
 
-/// Whether the mode moves along the direction for the larger part.
+/// Whether most of the motion of the mode is along the direction.
 fn is_along(mode: &Mode, sensors: &[Sensor]) -> bool {
     let all: f64 = mode.shape.iter().map(|z| z.norm_sqr()).sum();
     let own: f64 = sensors.iter().map(|of| mode.shape[of.at].norm_sqr()).sum();
     own >= SHARE_LEAST * all
 }
 
-/// An ordinate with its variance and its place.
 #[derive(Clone, Copy)]
 struct Point {
     ordinate: Complex64,
@@ -162,7 +160,7 @@ struct Point {
     aside_m: f64,
 }
 
-/// `None` where no ordinate of the level has a standard deviation.
+/// `None` if no ordinate of the level has a standard deviation.
 fn points(mode: &Mode, level: &[Sensor], calibration: f64) -> Option<Vec<Point>> {
     let turn = real_turn(&mode.shape);
     let size = |at: &usize| mode.shape[*at].norm();
@@ -174,7 +172,7 @@ fn points(mode: &Mode, level: &[Sensor], calibration: f64) -> Option<Vec<Point>>
     let least = level.iter().filter_map(sd).reduce(f64::min)?;
     let each = level.iter().map(|of| {
         let ordinate = of.sign * mode.shape[of.at] * turn;
-        // the largest component, 1, has the deviation of rounding: the shape is scaled by it
+        // the largest component, 1, has only a rounding deviation, because the shape is scaled by it
         let own = sd(of).unwrap_or(least);
         Point {
             ordinate,
@@ -185,7 +183,7 @@ fn points(mode: &Mode, level: &[Sensor], calibration: f64) -> Option<Vec<Point>>
     Some(each.collect())
 }
 
-/// Each beside the mean of the others.
+/// Each ordinate relative to the mean of the others.
 fn ordinates(level: &[Sensor], points: &[Point]) -> Vec<ColumnOrdinate> {
     let each = level.iter().enumerate().map(|(own, sensor)| {
         let others = without(points, own);
@@ -255,7 +253,8 @@ impl Test {
         self.holds(square, points.len() - 1)
     }
 
-    /// Whether a floor that turns explains them; `false` where so few points, or points on one line along the motion, would be explained anyhow.
+    /// Whether a rotating floor explains the points. `false` if it would explain any points, because they are too few or on one line along the
+    /// motion.
     fn as_floor(&self, points: &[Point]) -> bool {
         let weight: f64 = points.iter().map(|of| 1.0 / of.variance).sum();
         let middle_m = points.iter().map(|of| of.aside_m / of.variance).sum::<f64>() / weight;
@@ -279,10 +278,10 @@ impl Test {
         self.holds(square, points.len() - 2)
     }
 
-    /// Whether a sum of squares of this number of complex contrasts is within its error.
+    /// Whether a sum of squares of this many complex contrasts is within its error.
     fn holds(&self, square: f64, contrasts: usize) -> bool {
         let degrees = 2.0 * contrasts as f64;
-        // no quantile, no alarm
+        // no alarm without a quantile
         fisher_quantile(self.chance, degrees, self.below).map_or(true, |most| square <= most * degrees)
     }
 }

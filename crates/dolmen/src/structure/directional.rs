@@ -1,10 +1,10 @@
-//! From modes as sensors see them to modes of a structure that moves in one horizontal direction.
+//! Converts modes at sensors to modes of a structure that moves in one horizontal direction.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | φ_c | `shape` | component of channel c, turned to be as real as it can be | |
-//! | d | `direction` | unit vector of the structure's direction | |
-//! | s_c | `direction` of a channel | unit vector of the sensor | |
+//! | φ_c | `shape` | component of channel c, rotated in phase to be as real as possible | |
+//! | d | `direction` | unit vector of the direction of the structure | |
+//! | s_c | `direction` of a channel | unit vector of the sensor direction | |
 
 use super::left_out::SHARE_LEAST;
 use super::{LeftOut, MeasuredMode, ShapePoint};
@@ -12,25 +12,26 @@ use crate::modal::{Mode, Modes};
 use crate::signal::Channel;
 use dolmen_linalg::Complex64;
 
-/// A sensor within 15° of the direction (cosine of it) measures it. Our choice: the error of the cosine is 3 %.
+/// A sensor within 15° (cosine) of the direction measures it. Our choice: the error of the cosine is 3 %.
 pub(super) const ALONG_LEAST: f64 = 0.966;
-/// Sensors of one level may differ by this much of the shape's largest component; more is twisting. Our choice.
+/// Largest difference between sensors of one level, as a share of the largest component of the shape; a larger difference
+/// is twisting. Our choice.
 const TWIST_MOST: f64 = 0.3;
-/// Heights closer than this are one level, m. Our choice: less than any storey or stone.
+/// Heights closer than this, m, are one level. Our choice: less than any storey or stone.
 pub(super) const LEVEL_M: f64 = 0.05;
 
-/// Modes of one direction, and what was kept out.
+/// Modes of one direction, and the modes left out.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DirectionalModes {
-    /// Modes with their shape along the direction, one point a height, lowest first.
+    /// Modes with their shape along the direction, one point for each height, lowest first.
     pub modes: Vec<MeasuredMode>,
-    /// The other modes of the record, and why.
+    /// The other modes of the record, with the reason.
     pub left_out: Vec<LeftOut>,
-    /// Channels that measure the direction and have a height; fewer than 1 leaves `modes` empty.
+    /// Number of channels that measure the direction and have a height; if 0, `modes` is empty.
     pub channels_along: usize,
 }
 
-/// The modes of a record that move in `direction`, as the identification of stiffness takes them.
+/// The modes of a record that move in `direction`, as input for the identification of stiffness.
 ///
 /// ```text
 /// share = Σ_along φ_c² / Σ φ_c²,  c along if |s_c · d| ≥ .966;  u(z) = mean of φ_c sign(s_c · d) over channels at z
@@ -40,8 +41,8 @@ pub struct DirectionalModes {
 /// * `direction` -- unit vector, horizontal
 ///
 /// # Limits
-/// Channels without a direction or a position are not used. Each height is taken as rigid in plan; a mode whose sensors
-/// at one height differ by more than 30 % of its largest component is left out as twisting.
+/// Channels without a direction or a position are not used. Each height is taken as rigid in plan: a mode is left out as
+/// twisting if its sensors at one height differ by more than 30 % of its largest component.
 pub fn directional_modes(modes: &Modes, direction: [f64; 3]) -> DirectionalModes {
     let along = channels_along(&modes.channels, direction);
     let mut found = DirectionalModes {
@@ -60,7 +61,7 @@ pub fn directional_modes(modes: &Modes, direction: [f64; 3]) -> DirectionalModes
     found
 }
 
-/// Height of each channel that measures the direction, and the sign with which it does.
+/// Height of each channel that measures the direction, and its sign.
 fn channels_along(channels: &[Channel], direction: [f64; 3]) -> Vec<Option<(f64, f64)>> {
     let of = |channel: &Channel| {
         let cosine: f64 = channel
@@ -78,18 +79,18 @@ fn channels_along(channels: &[Channel], direction: [f64; 3]) -> Vec<Option<(f64,
 /// Motion of a mode at its sensors.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShapeMotion {
-    /// Along x, each height as rigid in plan.
+    /// Along x, each height rigid in plan.
     AlongX(Vec<ShapePoint>),
-    /// Along y, likewise.
+    /// Along y, each height rigid in plan.
     AlongY(Vec<ShapePoint>),
-    /// Sensors of one direction at one height differ.
+    /// The sensors of one direction differ at one height.
     Twists,
-    /// Motion mainly along neither x nor y, or sensors without positions and directions.
+    /// Motion mainly along neither x nor y; or the sensors have no positions or directions.
     Other,
 }
 
 impl ShapeMotion {
-    /// The direction of a shape with one component per channel, real and imaginary part; judged as by
+    /// Direction of a shape with one component per channel (real and imaginary part), by the same criteria as
     /// [`directional_modes`].
     pub fn of(channels: &[Channel], shape: &[[f64; 2]]) -> Self {
         let shape: Vec<Complex64> = shape.iter().map(|[re, im]| Complex64::new(*re, *im)).collect();
@@ -108,7 +109,7 @@ impl ShapeMotion {
         motion
     }
 
-    /// As surveys name the direction; `None` for other motions.
+    /// Name of the direction in surveys; `None` for other motions.
     pub fn direction(&self) -> Option<&'static str> {
         match self {
             ShapeMotion::AlongX(_) => Some("x"),
@@ -120,7 +121,8 @@ impl ShapeMotion {
 }
 
 impl DirectionalModes {
-    /// Leaves out the first mode at one of these frequencies, Hz, and all above it: a fit takes the lowest modes in order.
+    /// Leaves out the first mode at one of these frequencies, Hz, and all modes above it: a fit needs the lowest modes
+    /// without gaps.
     pub fn end_before(&mut self, doubtful_hz: &[f64]) {
         let doubtful = |mode: &MeasuredMode| doubtful_hz.contains(&mode.frequency_hz);
         if let Some(at) = self.modes.iter().position(doubtful) {
@@ -133,12 +135,12 @@ impl DirectionalModes {
     }
 }
 
-/// The common angle that makes components as real as they can be.
+/// Common phase rotation that makes the components as real as possible.
 pub(super) fn real_turn(shape: &[Complex64]) -> Complex64 {
     Complex64::from_polar(1.0, -0.5 * shape.iter().map(|z| z * z).sum::<Complex64>().arg())
 }
 
-/// Components turned by it.
+/// Components after this rotation, real parts.
 pub(super) fn real_shape(shape: &[Complex64]) -> Vec<f64> {
     let turn = real_turn(shape);
     shape.iter().map(|z| (z * turn).re).collect()
@@ -154,7 +156,7 @@ fn along_direction(mode: &Mode, along: &[Option<(f64, f64)>]) -> Result<Measured
     })
 }
 
-/// The shape along the channels that measure a direction, one point a height.
+/// Shape along the channels that measure a direction, one point for each height.
 fn shape_along(
     (frequency_hz, shape, shape_sd): (f64, &[Complex64], Option<&[f64]>),
     along: &[Option<(f64, f64)>],
@@ -240,7 +242,7 @@ mod tests {
         let (x, y) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
         Modes {
             modes: shapes.iter().enumerate().map(mode).collect(),
-            // a sensor mounted the other way round, and a second one at the top
+            // one sensor is mounted in the opposite direction; the top has two sensors
             channels: vec![
                 channel(3.0, x),
                 channel(6.0, [-1.0, 0.0, 0.0]),

@@ -1,4 +1,4 @@
-/// Why a structure cannot exist or its stiffness cannot be found. Each variant carries the value that was refused.
+/// Why a structure is invalid or its stiffness cannot be found. Each variant carries the refused value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StructureError {
     /// A chain without links or a frame without storeys.
@@ -21,7 +21,7 @@ pub enum StructureError {
         /// The value given.
         given: f64,
     },
-    /// A link's centre of mass lies outside it.
+    /// The centre of mass of a link is outside the link.
     #[error(
         "link {link}: centroid_m is {centroid_m}, but must lie between 0 and the link's length_m, {length_m}"
     )]
@@ -30,10 +30,10 @@ pub enum StructureError {
         link: usize,
         /// The value given, m above the lower joint.
         centroid_m: f64,
-        /// The link's length, m.
+        /// Length of the link, m.
         length_m: f64,
     },
-    /// As many values are needed as there are parts.
+    /// The number of values does not match the number of parts.
     #[error("{quantity} has {given} values, but the {kind} has {needed} {parts}")]
     Count {
         /// The counted quantity.
@@ -65,7 +65,7 @@ pub enum StructureError {
         /// The value given.
         given: f64,
     },
-    /// There is no such part.
+    /// The part does not exist.
     #[error("{part} {given} was asked for, but they are numbered from 1 at the bottom to {most}")]
     Part {
         /// "link", "joint", "storey".
@@ -93,12 +93,12 @@ pub enum StructureError {
     AxialOrder {
         /// Number of the storey, from 1 at the bottom.
         storey: usize,
-        /// Its axial force, N.
+        /// Axial force of the storey, N.
         given: f64,
         /// Axial force of the storey above it, N.
         above: f64,
     },
-    /// A tie does not join two different levels of the frame.
+    /// A tie does not connect two different levels of the frame.
     #[error(
         "tie {tie} joins levels {lower} and {upper}, but must join two different levels between 0 (ground) and {most}"
     )]
@@ -112,10 +112,10 @@ pub enum StructureError {
         /// Top level.
         most: usize,
     },
-    /// Stiffness was asked of no modes.
+    /// No modes are given for the stiffness.
     #[error("no measured mode is given, but stiffness needs at least 1")]
     ModesMissing,
-    /// More modes than the structure has.
+    /// More modes are given than the structure has.
     #[error(
         "{given} measured modes are given, but a structure of {most} {parts} has only {most}: give the lowest {most}"
     )]
@@ -127,7 +127,7 @@ pub enum StructureError {
         /// "links", "storeys".
         parts: &'static str,
     },
-    /// Measured frequencies do not ascend.
+    /// Measured frequencies are not in ascending order.
     #[error(
         "mode {mode}: frequency_hz is {given}, not above the {before} of the mode before it: give the modes in ascending \
          order, each once"
@@ -140,17 +140,17 @@ pub enum StructureError {
         /// Frequency of the mode before it, Hz.
         before: f64,
     },
-    /// An option of the search is refused.
+    /// An option of the search is out of range.
     #[error("{option} is {given}, but must be {allowed}")]
     Option {
-        /// Its name.
+        /// Name of the option.
         option: &'static str,
         /// The value given.
         given: f64,
         /// The allowed range.
         allowed: &'static str,
     },
-    /// A number of a measured mode is refused.
+    /// A value of a measured mode is out of range.
     #[error("mode {mode}: {quantity} is {given}, but must be {allowed}")]
     Mode {
         /// Number of the mode, from 1.
@@ -162,7 +162,7 @@ pub enum StructureError {
         /// The allowed range.
         allowed: &'static str,
     },
-    /// Not as many frequencies as storeys.
+    /// The number of frequencies differs from the number of storeys.
     #[error(
         "frequencies_hz has {given} values, but the stiffness of {needed} storeys follows from {needed}: no more can \
          exist, and fewer leave a continuous family of solutions"
@@ -173,15 +173,15 @@ pub enum StructureError {
         /// Required number.
         needed: usize,
     },
-    /// Too many storeys for every root to be found.
+    /// Too many storeys to find every solution.
     #[error("the frame has {given} storeys, but every root can be found for at most {most}: give shapes")]
     Storeys {
-        /// Present number.
+        /// Given number.
         given: usize,
-        /// Most allowed.
+        /// Largest allowed number.
         most: usize,
     },
-    /// A storey's spring does not move in a shape.
+    /// The spring of a storey does not deform in a shape.
     #[error(
         "storey {storey} does not move in this shape ({extension} of {largest}): its stiffness cannot be seen; give \
          another mode, or more than one"
@@ -189,7 +189,7 @@ pub enum StructureError {
     Invisible {
         /// Number of the storey, from 1 at the bottom.
         storey: usize,
-        /// Extension of its spring.
+        /// Extension of the spring.
         extension: f64,
         /// Largest displacement of the shape.
         largest: f64,
@@ -200,7 +200,7 @@ pub enum StructureError {
 }
 
 impl StructureError {
-    /// Whether an iteration ended before it converged: the input may be valid.
+    /// Whether an iteration did not converge. In this case the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Linalg(why) => why.did_not_converge(),

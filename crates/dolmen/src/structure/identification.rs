@@ -1,4 +1,4 @@
-//! Stiffness from measured modes: what goes in and what comes out, the same for chains and frames.
+//! Stiffness from measured modes: input and results, common to chains and frames.
 
 use super::{NaturalMode, StiffnessNote, StructureError};
 
@@ -7,9 +7,9 @@ use super::{NaturalMode, StiffnessNote, StructureError};
 pub struct ShapePoint {
     /// Height above the ground (lowest joint), m.
     pub height_m: f64,
-    /// Displacement, any scale that all points of the mode share.
+    /// Displacement, on a scale common to all points of the mode.
     pub displacement: f64,
-    /// Standard deviation of it, same scale; 0 if taken as exact, as at the point where the scale was set.
+    /// Standard deviation of the displacement, on the same scale; 0 if exact, for example at the point that sets the scale.
     pub displacement_sd: f64,
 }
 
@@ -18,37 +18,37 @@ pub struct ShapePoint {
 pub struct MeasuredMode {
     /// Frequency, Hz.
     pub frequency_hz: f64,
-    /// Standard deviation of it, Hz; 0 if taken as exact.
+    /// Standard deviation of the frequency, Hz; 0 if exact.
     pub frequency_sd_hz: f64,
-    /// Changes of the frequency, Hz, by each block of time of the record that gave all modes (`Mode::frequency_changes_hz`): products with
-    /// another mode's sum to their covariance. Empty: this frequency is independent of the others.
+    /// Changes of the frequency, Hz, by each time block of the record that gave all modes (`Mode::frequency_changes_hz`). The covariance
+    /// of two modes is the sum of the products of their changes. Empty: this frequency is independent of the others.
     pub frequency_changes_hz: Vec<f64>,
     /// Measured points of the shape; empty if only the frequency is known.
     pub shape: Vec<ShapePoint>,
 }
 
-/// Range of each stiffness while every frequency stays within a half-width of its measured value.
+/// Range of each stiffness while every frequency stays within its half-width.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StiffnessRange {
-    /// Half-width of each frequency, Hz, by frequency.
+    /// Half-width of each frequency, Hz, in the order of the frequencies.
     pub half_width_hz: Vec<f64>,
     /// Smallest stiffness, lowest joint or storey first.
     pub lower: Vec<f64>,
     /// Largest stiffness.
     pub upper: Vec<f64>,
-    /// Whether this solution exists over all of the range. If not, it meets another one and vanishes inside, and the
-    /// range holds only the part where it exists.
+    /// Whether this solution exists in the whole range. If not, it meets another solution inside the range and disappears; the range then
+    /// holds only the part in which it exists.
     pub exists_throughout: bool,
 }
 
-/// How far one stiffness can lie from the best fit, both ends of a 95 % interval.
+/// 95 % interval of one stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StiffnessBounds {
     /// Smallest stiffness; `None` if the data allow any.
     pub lower: Option<f64>,
-    /// Largest stiffness; `None` if the data allow more than 10,000 times the fitted one, or that is as if rigid.
+    /// Largest stiffness; `None` if the data allow more than 10,000 times the fitted value, or if that value is practically rigid.
     pub upper: Option<f64>,
 }
 
@@ -58,27 +58,27 @@ pub struct StiffnessBounds {
 pub struct StiffnessSolution {
     /// Stiffness of each joint (N m/rad) or storey (N/m), lowest first.
     pub stiffness: Vec<f64>,
-    /// Standard deviation of each, same unit, from the modes' own; `None` if the modes carry none, the
-    /// stiffness is not determined, or a deviation exceeds 50 %, where a linear interval would reach below 0.
+    /// Standard deviation of each stiffness, in the same unit, from those of the modes. `None` if the modes have none, if the stiffness is
+    /// not determined, or if a deviation exceeds 50 %, because a linear interval would then reach below 0.
     pub stiffness_sd: Option<Vec<f64>>,
-    /// Range of each while every frequency moves by √3 of its standard deviation, the half-width of a rounding that has
-    /// it (±0.05 Hz has 0.0289); `None` if the modes carry none, or where it was not computed.
+    /// Range of each stiffness while every frequency moves by √3 of its standard deviation: this is the half-width of a rounding interval
+    /// with that deviation (±0.05 Hz has 0.0289). `None` if the modes have no deviation, or if the range was not computed.
     pub stiffness_range: Option<StiffnessRange>,
-    /// Where a deviation exceeds 50 % of the stiffness, by deviations given or assumed: what the data allow of each
-    /// stiffness, by the profile of the misfit. The stiffness itself is then one point of a wide valley.
+    /// Bounds of each stiffness from the profile of the misfit, if a deviation (given or assumed) exceeds 50 % of the stiffness. The
+    /// fitted stiffness is then only one point of a wide minimum.
     pub stiffness_bounds: Option<Vec<StiffnessBounds>>,
-    /// All natural modes of the structure with this stiffness, by frequency.
+    /// All natural modes of the structure with this stiffness, in order of frequency.
     pub modes: Vec<NaturalMode>,
-    /// Root of the weighted mean square of (computed − measured)/sd over all data, with an assumed sd for data without one. For
-    /// frequencies alone without sd: of the relative differences.
+    /// Root of the weighted mean square of (computed − measured)/sd over all data, with an assumed sd for data without one. If there are
+    /// only frequencies without sd: root mean square of the relative differences.
     pub misfit: f64,
     /// Whether the structure stands with this stiffness (smallest ω² positive).
     pub stands: bool,
 }
 
 impl StiffnessSolution {
-    /// Each stiffness for a stability verdict: the lower bound if the data only bound it, otherwise the fitted value. This is
-    /// conservative, because stiffer springs make overturning by gravity less likely. `None` if some stiffness has no lower bound.
+    /// Each stiffness for a stability verdict: the lower bound if the data only bound the stiffness, otherwise the fitted value. This is
+    /// conservative, because stiffer springs are more stable under gravity. `None` if some stiffness has no lower bound.
     pub fn stiffness_least(&self) -> Option<Vec<f64>> {
         match &self.stiffness_bounds {
             None => Some(self.stiffness.clone()),
@@ -87,54 +87,54 @@ impl StiffnessSolution {
     }
 }
 
-/// Selection of the true solution by the data.
+/// Whether the data select one solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Choice {
-    /// One solution explains the data. Any other found has a misfit that is not accepted, or (data with standard
-    /// deviations, given or assumed) a chi-squared beyond the best by more than 10.83, 99.9 % of one degree of freedom.
+    /// One solution explains the data. Every other solution has an unacceptable misfit, or (data with standard deviations, given or
+    /// assumed) a chi-squared that exceeds the best by more than 10.83, the 99.9 % quantile for one degree of freedom.
     One,
     /// One solution explains the data, but some stiffness is known only between wide bounds, or from one side
-    /// (`StiffnessSolution::stiffness_bounds`): its fitted value is no answer.
+    /// (`StiffnessSolution::stiffness_bounds`). Its fitted value is then no result.
     Bounded,
-    /// The data do not choose among several solutions, or two that meet in the one listed: shapes are needed.
+    /// The data do not choose between several solutions, or the listed solution is two that meet: shapes are needed.
     Indistinguishable,
-    /// Fewer data than unknowns: the solutions are points of a continuous family.
+    /// There are fewer data than unknowns: the solutions belong to a continuous family.
     Underdetermined,
     /// No real stiffness explains the data.
     Impossible,
 }
 
-/// Which stiffnesses the sensors see: singular values of the Jacobian d(data)/d(ln k), data in units of their sd
-/// (given or assumed; relative for frequencies alone without sd).
+/// Sensitivity of the data to the stiffnesses: singular values of the Jacobian d(data)/d(ln k), with data in units of their sd (given or
+/// assumed; relative for frequencies alone without sd).
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Visibility {
-    /// Singular values, descending; as many as unknowns (zeros where there are fewer data).
+    /// Singular values, descending; as many as unknowns (zeros if there are fewer data).
     pub singular_values: Vec<f64>,
-    /// For each stiffness, the share of its direction that the data determine: 1 fully, 0 not at all.
+    /// Share of each stiffness direction that the data determine: 1 fully, 0 not at all.
     pub seen: Vec<f64>,
-    /// Number of directions that stay free.
+    /// Number of directions that the data do not determine.
     pub free_directions: usize,
 }
 
-/// Every solution found, and properties of all of them.
+/// All solutions found, and their common properties.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StiffnessSolutions {
-    /// Best misfit first; within equal misfit by the first stiffness.
+    /// Solutions by ascending misfit; with equal misfit by the first stiffness.
     pub solutions: Vec<StiffnessSolution>,
-    /// Selection of a solution by the data.
+    /// Whether the data select one solution.
     pub choice: Choice,
     /// Sensitivity of the data to the stiffnesses, at the first solution; `None` if there is none.
     pub visibility: Option<Visibility>,
-    /// Starting points tried (1 for a closed form).
+    /// Number of starting points (1 for a closed form).
     pub starts: usize,
-    /// Notes: why no solution exists, what was left out, what was assumed.
+    /// Notes: why no solution exists, what was left out or assumed.
     pub notes: Vec<StiffnessNote>,
 }
 
-/// Refuses modes that cannot be those of a structure of `most` parts.
+/// Checks that modes can be those of a structure with `most` parts.
 ///
 /// # Errors
 /// [`StructureError::ModesMissing`], [`StructureError::ModesMost`], [`StructureError::Mode`],

@@ -1,20 +1,20 @@
-//! Why modes are kept out of a fit.
+//! Reasons to leave modes out of a fit.
 
-/// Share of a mode's squared components that must lie along the direction for the mode to be one of it. Our choice: a
-/// mode at 45° has .5 in both.
+/// Least share of a mode's squared components along a direction for the mode to belong to it. Our choice: a mode at
+/// 45° has 0.5 in both.
 pub(super) const SHARE_LEAST: f64 = 0.6;
 
-/// Why a mode was kept out of the fit.
+/// Reason to leave a mode out of the fit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LeftOut {
-    /// It moves mostly in another direction.
+    /// The mode moves mostly in another direction.
     OtherDirection {
         /// Its frequency, Hz.
         frequency_hz: f64,
-        /// Share of its squared components along the direction.
+        /// Share of the squared components along the direction.
         share: f64,
     },
-    /// Sensors at one height move differently: the plan twists, or the structure is not rigid there.
+    /// Sensors at one height move differently: the structure twists, or is not rigid there.
     Twists {
         /// Its frequency, Hz.
         frequency_hz: f64,
@@ -23,17 +23,17 @@ pub enum LeftOut {
         /// Difference as a share of the shape's largest component along the direction.
         difference: f64,
     },
-    /// Setups may not show one mode there, so that no mode from there on can be counted.
+    /// The setups may lack a mode here, so the order of this mode and of all modes above it is unknown.
     Doubtful {
         /// Its frequency, Hz.
         frequency_hz: f64,
-        /// Modes above it, left out with it.
+        /// Number of modes above it, which are left out too.
         above: usize,
     },
 }
 
 impl LeftOut {
-    /// Share of a mode's squared components that must lie along the direction.
+    /// Least share of a mode's squared components along a direction for the mode to belong to it.
     pub const SHARE_LEAST: f64 = SHARE_LEAST;
 }
 

@@ -1,4 +1,5 @@
-//! Structures as checked values: mass, damping and stiffness matrices; natural modes; stiffness from modes.
+//! Structures as checked values: mass, damping and stiffness matrices; natural modes; stiffness from measured
+//! modes.
 
 pub mod building;
 mod chain;

@@ -1,8 +1,9 @@
-//! Frequencies of a pole of stones that bend: without joints, as one uncracked stone (Choi 2021, Fig. 8), or on its joints.
+//! Frequencies of a column of stones with bending: as one stone without joints or cracks (Choi 2021, Fig. 8), or with joint
+//! springs.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | E, ν, ρ | `Stone` | of the material | Pa, , kg/m³ |
+//! | E, ν, ρ | `Stone` | elastic constants and density | Pa, , kg/m³ |
 //! | h, b | `depth_m`, `breadth_m` | section along and across the motion, linear in height | m |
 //! | A, I | `area_m2`, `second_moment_m4` | b h, b h³/12 | m², m⁴ |
 //! | κ | `shear_coefficient` | share of A that carries shear | |
@@ -19,20 +20,20 @@ use dolmen_linalg::{LinalgError, Matrix, generalized_symmetric_eigen};
 pub enum BeamTheory {
     /// Bending alone.
     BernoulliEuler,
-    /// Bending, shear, and the inertia of sections that rotate.
+    /// Bending, shear, and rotatory inertia of the sections.
     Timoshenko,
 }
 
 /// Connection between the shafts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Jointing<'a> {
-    /// Nothing: one stone, clamped at its foot.
+    /// No joints: one stone, clamped at its foot.
     OneStone,
     /// A rotational spring below each shaft, N m/rad, lowest first.
     Springs(&'a [f64]),
 }
 
-/// Shafts one on the other, lowest first, of one stone.
+/// A column of shafts of one material, lowest first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pole {
     shafts: Vec<Shaft>,
@@ -47,27 +48,27 @@ pub struct BeamFrequencies {
     pub frequencies_hz: Vec<f64>,
     /// Degree of the polynomials of curvature in each shaft.
     pub degree: usize,
-    /// Largest relative change of a frequency from the degree before.
+    /// Largest relative change of a frequency from the previous degree.
     pub changed: f64,
 }
 
-/// Most shafts: 100 give matrices of 700 rows.
+/// Largest number of shafts: 100 give matrices of 700 rows.
 pub const SHAFTS_MOST: usize = 100;
-/// Most frequencies.
 const MODES_MOST: usize = 10;
-/// Relative change of every frequency, from one degree to the next, that ends the search; the error left is below the change.
+/// The search ends when the change of degree changes every frequency by less than this fraction; the remaining error is
+/// smaller.
 const CHANGE_MOST: f64 = 1e-7;
 const DEGREES: [usize; 7] = [2, 4, 6, 8, 11, 14, 18];
 
 impl Pole {
-    /// Shafts one on the other, lowest first.
+    /// Makes a column of shafts, lowest first.
     ///
     /// # Input
-    /// * `gravity_m_s2` -- 0 leaves the weight out
+    /// * `gravity_m_s2` -- 0 leaves out the weight
     ///
     /// # Errors
-    /// [`StructureError::Empty`], [`StructureError::NotPositive`], [`StructureError::Negative`] for a size at a top, ν or
-    /// gravity, [`StructureError::Part`] for more than 100 shafts.
+    /// [`StructureError::Empty`]; [`StructureError::NotPositive`] for a size or property; [`StructureError::Negative`] for a
+    /// size at a top, ν or gravity; [`StructureError::Part`] for more than 100 shafts.
     pub fn new(shafts: Vec<Shaft>, stone: Stone, gravity_m_s2: f64) -> Result<Self, StructureError> {
         if shafts.is_empty() {
             return Err(StructureError::Empty {
@@ -100,7 +101,7 @@ impl Pole {
         })
     }
 
-    /// The pole that a chain's links are: each a shaft that tapers evenly, with the link's mass, length and centre of mass.
+    /// The column of a chain: each link is a linearly tapered shaft with the mass, length and centre of mass of the link.
     ///
     /// ```text
     /// r = top/foot of both sizes:   (3 − 4q) r² + (2 − 4q) r + (1 − 4q) = 0,   q = l/L
@@ -108,11 +109,11 @@ impl Pole {
     /// ```
     ///
     /// # Errors
-    /// [`StructureError::Centroid`] for a centre of mass that is impossible for a linear taper (below 1/4 or above 3/4 of its
-    /// length), and the errors of [`Pole::new`].
+    /// [`StructureError::Centroid`] if no linear taper has that centre of mass (below 1/4 or above 3/4 of the length), and
+    /// the errors of [`Pole::new`].
     ///
     /// # Limits
-    /// A link's own moment of inertia is not used: its shape gives one.
+    /// The moment of inertia of a link is not used; it follows from the shape of the shaft.
     pub fn of_chain(chain: &Chain, stone: Stone) -> Result<Self, StructureError> {
         let shafts = chain.links().iter().enumerate().map(|(i, link)| {
             let taper = taper(link.centroid_m / link.length_m).ok_or(StructureError::Centroid {
@@ -144,28 +145,28 @@ impl Pole {
         Pole::new(shafts, stone, chain.gravity_m_s2())
     }
 
-    /// Its shafts, lowest first.
+    /// The shafts, lowest first.
     pub fn shafts(&self) -> &[Shaft] {
         &self.shafts
     }
 
-    /// The lowest natural frequencies under gravity; `None` if it falls.
+    /// The lowest natural frequencies under gravity; `None` if the column is unstable.
     ///
     /// ```text
     /// ω² = min  [∫ EI c² + κGA γ² − N y'² dz + Σ k_i φ_i²] / ∫ ρA y² + ρI ψ² dz
     /// ψ = Σ φ + ∫ c,  y = ∫ ψ + γ;   Bernoulli–Euler: γ = 0 and no ρI;   κ = 10(1 + ν)/(12 + 11ν),  G = E/2(1 + ν)
     /// ```
     ///
-    /// Curvature and shear strain of each shaft are Legendre polynomials, whose degree grows until no frequency changes by
-    /// more than 1e-7.
+    /// Curvature and shear strain of each shaft are Legendre polynomials. Their degree increases until no frequency changes
+    /// by more than 1e-7.
     ///
     /// # Errors
-    /// [`StructureError::Part`] unless 1 to 10 frequencies are asked, [`StructureError::Count`],
+    /// [`StructureError::Part`] if the number of frequencies is not 1 to 10, [`StructureError::Count`],
     /// [`StructureError::NotPositive`] for a spring, [`StructureError::Linalg`].
     ///
     /// # Limits
-    /// Small amplitudes, no cracks, a foot that does not give (its spring apart). Shear by one coefficient: for a mode whose
-    /// waves are as short as the depth it is an estimate.
+    /// Small amplitudes, no cracks, a rigid base (except for its spring). The shear coefficient is constant, so a mode whose
+    /// wavelength is as short as the depth is only an estimate.
     ///
     /// # Source
     /// Choi (2021) Fig. 8; Timoshenko, S. P. (1921) Phil. Mag. 41:744-746; κ: Cowper, G. R. (1966) J. Appl. Mech. 33:335-340.
@@ -239,7 +240,7 @@ impl Pole {
         Ok(())
     }
 
-    /// The frequencies, Hz, with polynomials of one degree; `None` if it falls.
+    /// The frequencies, Hz, with polynomials of one degree; `None` if the column is unstable.
     fn of_degree(
         &self,
         theory: BeamTheory,
@@ -266,7 +267,7 @@ impl Pole {
                 (mass[(i, j)], mass[(j, i)]) = (moves, moves);
             }
         }
-        // turned round, M φ = (1/ω²) K φ: the lowest frequencies become the largest eigenvalues, free of rounding
+        // inverted, M φ = (1/ω²) K φ: the lowest frequencies become the largest eigenvalues, which rounding does not affect
         let inverse = match generalized_symmetric_eigen(&mass, &stiffness) {
             Err(LinalgError::NotPositiveDefinite { .. }) => return Ok(None),
             found => found?.values,
@@ -277,7 +278,7 @@ impl Pole {
         ))
     }
 
-    /// The quadrature points, lowest first, each with its weight in the integrals.
+    /// Quadrature points, lowest first, with their weights in the integrals.
     fn stations(&self, theory: BeamTheory, degree: usize) -> Vec<Station> {
         let points = gauss_legendre(degree + 4); // exact: ρA y² has the degree 2 + 2 (degree + 2)
         let Stone {
@@ -321,7 +322,7 @@ impl Pole {
         stations
     }
 
-    /// The trial shapes: one per degree of curvature, one per degree of shear strain, one per rotation of a joint.
+    /// Trial shapes: one for each degree of curvature, each degree of shear strain, and each joint rotation.
     fn shapes(
         &self,
         theory: BeamTheory,
@@ -392,7 +393,7 @@ impl Pole {
     }
 }
 
-/// A point of quadrature and its weights: dz times EI, κGA, N, ρA, ρI.
+/// A quadrature point and its weights: dz times EI, κGA, N, ρA, ρI.
 struct Station {
     shaft: usize,
     place: f64,

@@ -1,4 +1,4 @@
-//! Shafts of stone that taper evenly.
+//! Linearly tapered shafts of stone.
 
 /// A rectangular section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -6,7 +6,7 @@
 pub struct Section {
     /// Size in the direction of motion, m.
     pub depth_m: f64,
-    /// Size across it, m.
+    /// Size across the motion, m.
     pub breadth_m: f64,
 }
 
@@ -16,9 +16,9 @@ pub struct Section {
 pub struct Shaft {
     /// Length, m.
     pub length_m: f64,
-    /// Section at its foot.
+    /// Section at the foot.
     pub foot: Section,
-    /// Section at its top; 0 is a point or an edge.
+    /// Section at the top; size 0 is a point or an edge.
     pub top: Section,
 }
 
@@ -34,7 +34,7 @@ pub struct Stone {
 }
 
 impl Shaft {
-    /// The section at a share of its length.
+    /// Section at a fraction of the length.
     pub(super) fn section(&self, share: f64) -> Section {
         let at = |foot: f64, top: f64| foot + share * (top - foot);
         Section {
@@ -43,7 +43,7 @@ impl Shaft {
         }
     }
 
-    /// Simpson's rule, exact for an area of the second degree.
+    /// Simpson's rule, exact for an area that is quadratic in height.
     pub(super) fn volume_m3(&self) -> f64 {
         let area = |share: f64| {
             let section = self.section(share);
@@ -53,7 +53,7 @@ impl Shaft {
     }
 }
 
-/// top/foot of a shaft whose centre of mass is at a share of its length; `None` if none is.
+/// Ratio top/foot of a shaft from the relative height of its centre of mass; `None` if no taper has it.
 pub(super) fn taper(centroid: f64) -> Option<f64> {
     if !(0.25..0.75).contains(&centroid) {
         return None;

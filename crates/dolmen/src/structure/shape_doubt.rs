@@ -1,10 +1,10 @@
-//! Shapes of a record that contradict a chain or frame, and the single change of its sensors that would make them agree.
+//! Finds measured shapes that contradict a chain or frame, and the single change of sensors that would make them agree.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | φ | `values` | components of a mode at the sensors along x and y, as real as they can be |
-//! | ψ | `shape` | the model's mode of the same frequency at the sensors of its direction, 0 at the others |
-//! | r | `residual` | 1 − (φ·ψ)²/(φ² ψ²): share of a mode that the model does not have |
+//! | φ | `values` | components of a mode at the sensors along x and y, as real as possible |
+//! | ψ | `shape` | the model's mode at the same frequency, at the sensors of its direction; 0 at the others |
+//! | r | `residual` | 1 − (φ·ψ)²/(φ² ψ²): share of a mode that the model does not explain |
 
 use super::inverse::Sprung;
 use super::{Chain, Frame, directional::real_shape};
@@ -12,66 +12,66 @@ use crate::modal::{Mode, Modes};
 use dolmen_linalg::Complex64;
 use std::collections::BTreeMap;
 
-/// A sensor within 15° of x or y (cosine of it) is along it, as for the modes of a direction.
+/// A sensor within 15° (cosine) of x or y measures that direction, as in `directional`.
 const ALONG_LEAST: f64 = 0.966;
-/// Sensors of one level, m, that differ by more than this share of the largest component twist, as for the modes of a direction.
+/// Height range of one level, m, and the difference between its sensors, as a share of the largest component, above which they twist. As in
+/// `directional`.
 const LEVEL_M: f64 = 0.05;
 const TWIST_MOST: f64 = 0.3;
-/// Most parts of a model for which every stiffness at given frequencies is computed here. Our choice: 120 solutions of five.
+/// Largest number of parts of a model for which all stiffnesses with given frequencies are computed. Our choice: five parts have 120 solutions.
 const PARTS_MOST: usize = 5;
-/// Fraction of the shapes above which a single change of sensors is searched, and above which the shapes contradict the model if none is found.
-/// Our choice.
+/// Unexplained share of the shapes above which a single change of sensors is searched. If none is found, the shapes contradict the model. Our choice.
 const UNEXPLAINED: f64 = 0.05;
 const CONTRADICTS: f64 = 0.2;
-/// Factor by which a change must reduce the unexplained fraction, and factor within which another change is as good as the best. As for sensors
-/// on a floor.
+/// Factor by which a change must reduce the unexplained share, and factor within which another change is as good as the best. As for sensors on a
+/// floor.
 const LESSENS: f64 = 4.0;
 const AS_GOOD: f64 = 2.0;
-/// Difference of shares below which two changes are equal. Our choice: noise of shapes.
+/// Difference between unexplained shares below which two changes are equally good: noise of shapes. Our choice.
 const NOISE: f64 = 0.005;
-/// Most changes that the doubt names: of more none is likely. Our choice.
+/// Largest number of possible changes that are named; with more of them none is likely. Our choice.
 const CHANGES_MOST: usize = 4;
-/// Factors between units and ranges that are often confused. Shapes cannot distinguish 9.8 (g instead of m/s²) from 10, nor 981 (g instead of
-/// gal) from 1000.
+/// Factors between units or ranges that are often confused. Shapes cannot distinguish 9.8 (g instead of m/s²) from 10, or 981 (g instead of gal) from
+/// 1000.
 const FACTORS: [f64; 3] = [10.0, 100.0, 1000.0];
 
-/// One change of the sensors of a record.
+/// A single change of the sensors of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ChannelChange {
-    /// The sign of one.
+    /// Reversed sign of one channel.
     Turned {
-        /// Its name.
+        /// Name of the channel.
         channel: String,
     },
-    /// Two exchanged.
+    /// Two channels exchanged.
     Exchanged {
-        /// Names of these channels.
+        /// Names of the two channels.
         channels: [String; 2],
     },
-    /// One in another unit or range.
+    /// One channel in another unit or range.
     Scaled {
-        /// Its name.
+        /// Name of the channel.
         channel: String,
-        /// Correction factor on its numbers.
+        /// Correction factor for its samples.
         factor: f64,
     },
 }
 
-/// Shapes of a record that the model does not have.
+/// Contradiction between the shapes of a record and a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShapeDoubt {
-    /// Share of the shapes that the model does not have with any stiffness of these frequencies.
+    /// Share of the shapes that the model does not explain with any stiffness that has the measured frequencies.
     pub unexplained: f64,
-    /// As above, for the modes along x and along y.
+    /// The same share for the modes along x and for the modes along y.
     pub unexplained_along: [f64; 2],
-    /// The share after any of `changes`; `unexplained` without one.
+    /// The share after any of `changes`; equals `unexplained` if there are none.
     pub changed: f64,
-    /// Single changes of sensors, each of which makes the shapes agree; empty if none does.
+    /// Single changes of sensors, each of which makes the shapes agree; empty if there is none.
     pub changes: Vec<ChannelChange>,
 }
 
 impl ShapeDoubt {
-    /// Whether the modes along x (0) or y (1) are doubted: all where a change of sensors explains the shapes.
+    /// Whether the modes along x (0) or y (1) are doubtful: both directions if a change of sensors explains the shapes.
     pub fn is_of(&self, axis: usize) -> bool {
         !self.changes.is_empty() || self.unexplained_along[axis] > CONTRADICTS
     }
@@ -87,29 +87,28 @@ pub fn chain_shape_doubt(chain: &Chain, modes: &Modes) -> Option<ShapeDoubt> {
 
 /// Contradiction between the shapes of a record and a frame; `None` if they agree.
 ///
-/// Each mode belongs to the direction with the larger motion. If a direction has as many modes as the model has parts, their frequencies give
-/// every possible stiffness, and the measured shapes are compared with those of the best one. With fewer modes only the motion in the other
-/// direction counts.
+/// Each mode belongs to the direction with the larger motion. If a direction has as many modes as the model has parts, their frequencies determine
+/// all possible stiffnesses, and the measured shapes are compared with those of the best one. With fewer modes, only motion in the other direction is
+/// unexplained.
 ///
 /// # Limits
-/// Models of at most five parts. A change that leaves all modes alike is not seen. With only two sensors in a direction it is unknown which of them is
-/// turned: the doubt names both.
+/// Models of at most five parts. A change that does not alter the relation between the modes is not detected. With only two sensors in a direction,
+/// the reversed one is unknown: the doubt names both.
 pub fn frame_shape_doubt(frame: &Frame, modes: &Modes) -> Option<ShapeDoubt> {
     shape_doubt(frame, modes)
 }
 
-/// A sensor along x or y on the model.
+/// A sensor along x or y, on the model.
 struct Sensor {
     name: String,
     /// 0 along x, 1 along y.
     axis: usize,
     sign: f64,
     height_m: f64,
-    /// Its displacement per unit of each coordinate of the model.
+    /// Displacement of the sensor per unit of each coordinate of the model.
     lever: Vec<f64>,
 }
 
-/// A change of the sensors, by their places.
 #[derive(Clone, Copy)]
 enum Change {
     None,
@@ -118,14 +117,14 @@ enum Change {
     Scaled(usize, f64),
 }
 
-/// Coordinates of the modes of each stiffness that has some frequencies.
+/// Modal coordinates for each stiffness that has given frequencies.
 type Roots = Vec<Vec<Vec<f64>>>;
 
 struct Measured<'a, S: Sprung> {
     of: &'a S,
     parts: usize,
     sensors: Vec<Sensor>,
-    /// By mode: its frequency, Hz, and its components as they were read.
+    /// Frequency, Hz, and measured components of each mode.
     modes: Vec<(f64, Vec<f64>)>,
     roots: BTreeMap<Vec<u64>, Roots>,
 }
@@ -202,7 +201,7 @@ impl<'a, S: Sprung> Measured<'a, S> {
         (is_enough && parts <= PARTS_MOST).then_some(measured)
     }
 
-    /// Components along the axes after a change.
+    /// Components of a mode along the axes after a change.
     fn values(&self, mode: usize, change: Change) -> Vec<f64> {
         let mut read = self.modes[mode].1.clone();
         match change {
@@ -217,7 +216,7 @@ impl<'a, S: Sprung> Measured<'a, S> {
             .collect()
     }
 
-    /// Whether sensors of one level and direction move apart.
+    /// Whether sensors of one level and direction differ.
     fn twists(&self, mode: usize) -> bool {
         let values = self.values(mode, Change::None);
         let largest = values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
@@ -230,7 +229,7 @@ impl<'a, S: Sprung> Measured<'a, S> {
         })
     }
 
-    /// Mean share of all modes that the model does not have, of those along x, and of those along y.
+    /// Mean unexplained share of all modes, of those along x, and of those along y.
     fn unexplained(&mut self, change: Change) -> [f64; 3] {
         let shares = |values: &[f64]| -> [f64; 2] {
             let power: f64 = values.iter().map(|x| x * x).sum();
@@ -266,7 +265,7 @@ impl<'a, S: Sprung> Measured<'a, S> {
         ]
     }
 
-    /// Sum of the residuals with the stiffness from these frequencies that fits best; the number of residuals if there is none.
+    /// Sum of the residuals with the best stiffness that has these frequencies; the number of modes if there is none.
     fn of_frequencies(&mut self, frequencies: &[f64], values: &[&Vec<f64>], axis: usize) -> f64 {
         let key: Vec<u64> = frequencies.iter().map(|f| f.to_bits()).collect();
         if !self.roots.contains_key(&key) {
@@ -302,7 +301,7 @@ impl<'a, S: Sprung> Measured<'a, S> {
         found.stiffness.iter().filter_map(modes).collect()
     }
 
-    /// The changes with the smallest residual, best first. There are none unless the best reduces the residual enough, or if too many are
+    /// The changes with the smallest residual, best first. The list is empty if the best does not reduce the residual enough, or if too many are
     /// equally good.
     fn best_changes(&mut self, as_is: f64) -> Vec<(f64, Change)> {
         let count = self.sensors.len();
@@ -327,7 +326,7 @@ impl<'a, S: Sprung> Measured<'a, S> {
         tried.retain(|(share, _)| *share <= (AS_GOOD * best).max(NOISE));
         let mut found: Vec<(f64, Change)> = Vec::new();
         for (share, change) in tried {
-            // of the factors of a sensor the best
+            // keeps only the best factor of each sensor
             let is_known = |(_, known): &(f64, Change)| match (known, change) {
                 (Change::Scaled(a, _), Change::Scaled(b, _)) => *a == b,
                 _ => false,

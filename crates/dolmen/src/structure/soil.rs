@@ -1,6 +1,6 @@
 //! Rocking stiffness of a rigid footing on soil, alone and in series with a joint.
 
-/// Plan of a rigid footing under a structure.
+/// Plan shape of a rigid footing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Footing {
     /// A circle.
@@ -27,7 +27,7 @@ impl Footing {
     }
 }
 
-/// A rigid footing that rests on the surface of an elastic half-space and stays in contact with it.
+/// A rigid footing on the surface of an elastic half-space, in full contact.
 ///
 /// ```text
 /// circle      K = 8 G R³ / (3 (1 − ν))
@@ -37,7 +37,7 @@ impl Footing {
 ///
 /// SOURCE   the circle: a tilted rigid disc, in closed form; the rectangle: the fit of Pais, A. and Kausel, E. (1988) Soil Dynamics and
 ///          Earthquake Engineering 7(4), 213-227.
-/// ASSUMES  no embedment, no layer of rock below, small strain. Strong shaking lowers the shear modulus much below its small-strain value.
+/// ASSUMES  no embedment, no bedrock near the footing, small strain. Strong shaking makes the shear modulus much smaller.
 /// CHECKED  `soil::holds_pressures_on_a_half_space_give_the_same_stiffness`, against squares of uniform pressure under the footing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soil {
@@ -59,7 +59,7 @@ impl Soil {
                 let half_m = 0.5 * along_m.min(across_m);
                 let slenderness = along_m.max(across_m) / along_m.min(across_m);
                 let shape = match along_m > across_m {
-                    // rocks about its short axis
+                    // rocks about the short axis
                     true => 3.73 * slenderness.powf(2.4) + 0.27,
                     false => 3.2 * slenderness + 0.8,
                 };
@@ -68,7 +68,7 @@ impl Soil {
         }
     }
 
-    /// The soil for motion in the other direction, with the sides of the footing exchanged.
+    /// The soil for motion in the other direction: the sides of the footing exchanged.
     pub fn across(&self) -> Soil {
         Soil {
             footing: match self.footing {
@@ -88,7 +88,7 @@ impl Soil {
         joint_n_m_rad * soil / (joint_n_m_rad + soil)
     }
 
-    /// Stiffness of the joint that gives `together_n_m_rad` in series with the soil, N m/rad; `None` if the soil alone is not stiffer than that.
+    /// Joint stiffness that gives `together_n_m_rad` in series with the soil, N m/rad; `None` if the soil alone is not stiffer than that.
     pub fn joint_n_m_rad(&self, together_n_m_rad: f64) -> Option<f64> {
         let soil = self.rocking_n_m_rad();
         (together_n_m_rad < soil).then(|| together_n_m_rad * soil / (soil - together_n_m_rad))

@@ -1,41 +1,41 @@
-//! Notes for the reader of an identification.
+//! Notes on the result of an identification.
 
 use super::LeftOut;
 use super::stiffness_words::{Misfit, OfSpring, Proportion, Spring, Thoroughness, counted};
 use std::fmt;
 
-/// One thing to know beside the stiffnesses found. Printed, it is an English sentence.
+/// A note on the stiffnesses found. Its `Display` is an English sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StiffnessNote {
-    /// Two storeys on springs between them cannot have frequencies this close.
+    /// Two storeys with springs between them cannot have such close frequencies.
     RatioBelowLeast {
-        /// f2/f1 as measured.
+        /// Measured f2/f1.
         ratio: f64,
-        /// f2/f1 at least, √(1 + m2/m1) + √(m2/m1).
+        /// Smallest possible f2/f1, √(1 + m2/m1) + √(m2/m1).
         ratio_least: f64,
     },
-    /// Two grounded storeys that P-delta joins cannot have frequencies this close.
+    /// Two grounded storeys coupled by P-delta cannot have such close frequencies.
     DifferenceBelowLeast {
-        /// ω2² − ω1² as measured, rad²/s².
+        /// Measured ω2² − ω1², rad²/s².
         difference_rad2_s2: f64,
         /// 2 (N2/l2)/√(m1 m2), rad²/s².
         difference_least_rad2_s2: f64,
     },
-    /// None of the solutions in complex numbers is real and positive.
+    /// No complex solution is real and positive.
     NoneReal {
         /// Frequencies given.
         frequencies: usize,
-        /// Solutions in complex numbers.
+        /// Number of complex solutions.
         solutions_complex: usize,
     },
-    /// Some solutions in complex numbers nearly coincide: a real one may be missing.
+    /// Some complex solutions nearly coincide: a real solution may be missing.
     NotAllSeparated {
-        /// Separated.
+        /// Number of separate solutions.
         separated: usize,
-        /// Expected.
+        /// Expected number.
         expected: usize,
     },
-    /// The search ended off the data.
+    /// The search found no stiffness that explains the data.
     NoneExplains {
         /// Kind of element with the stiffness.
         spring: Spring,
@@ -43,15 +43,15 @@ pub enum StiffnessNote {
         starts: usize,
         /// Modes given.
         modes: usize,
-        /// The nearest set.
+        /// Misfit of the nearest set.
         misfit: Misfit,
     },
-    /// At no stiffness found does the structure stand.
+    /// The structure is unstable with every stiffness found.
     NoneStands {
         /// Kind of element with the stiffness.
         spring: Spring,
     },
-    /// There are data enough, but some stiffness does not touch them.
+    /// There are enough data, but some stiffness has no effect on them.
     FitLeavesFree {
         /// Kind of element with the stiffness.
         spring: Spring,
@@ -64,9 +64,9 @@ pub enum StiffnessNote {
         springs: usize,
         /// Frequencies given.
         frequencies: usize,
-        /// Whether points of their shapes are among the data.
+        /// Whether the data include points of shapes.
         with_shapes: bool,
-        /// Independent data.
+        /// Number of independent data.
         independent: usize,
         /// Proportion that replaces the missing data.
         proportion: Proportion,
@@ -75,11 +75,11 @@ pub enum StiffnessNote {
     SeveralExplain {
         /// Kind of element with the stiffness.
         spring: Spring,
-        /// Their number.
+        /// Number of sets.
         sets: usize,
         /// Thoroughness of the search.
         thoroughness: Thoroughness,
-        /// Whether points of shapes are among the data.
+        /// Whether the data include points of shapes.
         with_shapes: bool,
     },
     /// One set was found, but others were not ruled out.
@@ -89,76 +89,77 @@ pub enum StiffnessNote {
         /// Starting points tried.
         starts: usize,
     },
-    /// Solutions come in pairs, and one is without its other.
+    /// Solutions come in pairs, but one has no partner.
     OddCount {
         /// Kind of element with the stiffness.
         spring: Spring,
     },
     /// Not all solutions are listed.
     ListCut {
-        /// Found.
+        /// Number found.
         found: usize,
-        /// Listed.
+        /// Number listed.
         listed: usize,
     },
-    /// One point of a shape says nothing, as its scale is free.
+    /// A shape with a single point has no information, because its scale is free.
     OneShapePoint {
         /// The mode, from 1.
         mode: usize,
     },
-    /// Data without a standard deviation were given one.
+    /// Standard deviations were assumed for data without any.
     DeviationsAssumed {
         /// Standard deviation of a frequency, relative.
         frequency: f64,
         /// Standard deviation of a shape, relative to the largest displacement of the mode.
         shape: f64,
     },
-    /// Without standard deviations no interval can be given.
+    /// No interval can be given without standard deviations.
     NoInterval {
-        /// The best set.
+        /// Misfit of the best set.
         misfit: Misfit,
     },
-    /// A change of the stiffnesses that leaves all data as they are.
+    /// A change of the stiffnesses that does not change the data.
     FreeDirection {
         /// Kind of element with the stiffness.
         spring: Spring,
-        /// Change of ln k, of those that take part.
+        /// Change of ln k of each spring that takes part.
         components: Vec<OfSpring>,
     },
     /// Some stiffnesses are determined only to an order of magnitude.
     WideIntervals {
         /// Kind of element with the stiffness.
         spring: Spring,
-        /// Standard deviation of ln k of each.
+        /// Standard deviation of ln k of each spring.
         relative_sd: Vec<OfSpring>,
     },
     /// Some stiffnesses barely change the data.
     Unseen {
         /// Kind of element with the stiffness.
         spring: Spring,
-        /// Which, from 1.
+        /// Numbers of these springs, from 1.
         numbers: Vec<usize>,
     },
-    /// Two solutions meet, or so nearly that the frequencies' scatter moves one into the other.
+    /// Two solutions coincide, or are so close that the scatter of the frequencies can turn one into the
+    /// other.
     SolutionsMeet {
         /// Kind of element with the stiffness.
         spring: Spring,
     },
-    /// A shape without standard deviations is not quite reproduced.
+    /// A shape without standard deviations is not reproduced exactly.
     ShapeOff {
         /// The mode, from 1.
         mode: usize,
         /// Largest difference of a point, as a share of the largest displacement of the mode.
         difference: f64,
     },
-    /// A solution vanishes somewhere within its stated range of frequencies.
+    /// A solution disappears within its stated range of frequencies.
     RangeIncomplete {
-        /// The solutions, from 1 as listed.
+        /// Numbers of these solutions in the list, from 1.
         solutions: Vec<usize>,
     },
-    /// Moments of inertia of a chain not given.
+    /// The moments of inertia of a chain are not given.
     ThinRods,
-    /// A side support that acts linearly is part of the model.
+    /// A linear side support is part of the model.
     SideSupportTaken,
     /// A side support with a gap is left out.
     SideSupportWithGap,
@@ -166,16 +167,16 @@ pub enum StiffnessNote {
     NoAxialForce,
     /// Ties are part of the model of a frame.
     TiesTaken,
-    /// A mode of the record is no mode of the direction.
+    /// A mode of the record is not a mode of the direction.
     LeftOut(LeftOut),
-    /// A mode that the user calls torsional is kept out.
+    /// A mode that the user declared torsional is left out.
     Twists {
         /// Its frequency, Hz.
         frequency_hz: f64,
     },
-    /// The modes used are taken as the lowest of their direction.
+    /// The modes used are assumed to be the lowest of their direction.
     TakenAsLowest {
-        /// Their number.
+        /// Number of modes.
         modes: usize,
         /// Name of the direction.
         direction: String,
@@ -405,7 +406,6 @@ fn none_explains(
     )
 }
 
-/// Items with commas between them.
 fn each<T>(
     f: &mut fmt::Formatter<'_>,
     items: &[T],

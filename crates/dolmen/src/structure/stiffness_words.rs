@@ -1,4 +1,4 @@
-//! Words of the notes on stiffness: the unknown element, and how many, how far, how thoroughly.
+//! Terms in the notes on stiffness: the kind of spring, the misfit, and the thoroughness of the search.
 
 use std::fmt;
 
@@ -20,7 +20,7 @@ impl fmt::Display for Spring {
     }
 }
 
-/// Assumed proportion of the stiffnesses that the data do not determine.
+/// Assumed proportion between stiffnesses that the data do not determine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Proportion {
     /// The weight moment above each joint of a chain.
@@ -46,7 +46,7 @@ impl fmt::Display for Proportion {
 /// Misfit of a set of stiffnesses, root mean square.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Misfit {
-    /// As a share of the data, which carry no standard deviation.
+    /// Relative to the data, which have no standard deviation.
     Relative(f64),
     /// In standard deviations of the data.
     Deviations(f64),
@@ -64,9 +64,9 @@ impl fmt::Display for Misfit {
 /// Thoroughness of the search for solutions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Thoroughness {
-    /// All solutions in complex numbers were followed: for exactly these frequencies there is no other.
+    /// All complex solutions were followed: these exact frequencies have no other solution.
     All {
-        /// Their number.
+        /// Number of complex solutions.
         solutions_complex: usize,
     },
     /// Searched from starting points: there may be more.
@@ -95,7 +95,7 @@ impl fmt::Display for Thoroughness {
     }
 }
 
-/// A number that belongs to one spring.
+/// A value that belongs to one spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OfSpring {
     /// The joint or storey, from 1, lowest first.

@@ -1,17 +1,18 @@
 //! Records with a main shock and an aftershock, and records that miss part of an earthquake.
 //!
-//! SOURCE      made records whose times and stiffness are known
-//! GOAL        every earthquake is found, no part without one holds one, each has its own lasting change; what a record misses is "at least"
-//! PARAMETERS  two storeys, 2.5 and 6.5 Hz, 2 %; the first earthquake leaves nothing, the second 90 % of the stiffness
+//! SOURCE      simulated records with known times and stiffness
+//! GOAL        Every earthquake is found, the other parts contain none, and each has its own lasting change; a value that a record may miss
+//!             is "at least".
+//! PARAMETERS  two storeys, 2.5 and 6.5 Hz, 2 %; the first earthquake leaves the stiffness unchanged, the second leaves 90 % of it
 //! PUBLISHED   nothing; frequencies in closed form
-//! TOLERANCE   two deviations that are stated; counts by binomial chance
+//! TOLERANCE   two of the stated standard deviations; counts by binomial chance
 
 use dolmen::modal::{
     AtLeast, Identify, LastingChange, Losses, MadeEarthquake, Part, StrongMotion, strong_motion,
 };
 use dolmen::signal::Record;
 
-/// A quiet first part, a shock without damage, and a shock that leaves 90 % of the stiffness, each as a record, joined in this order.
+/// A quiet part, a shock without damage, and a shock that leaves 90 % of the stiffness: three records, joined in this order.
 fn two(seed: u64, [first, second]: [f64; 2]) -> Record {
     let shock = |seed: u64, peak_m_s2: f64, softened: [f64; 2]| {
         let made = MadeEarthquake {
@@ -61,7 +62,7 @@ fn holds_a_main_shock_and_its_aftershock_are_two_with_a_change_each() {
             spans[0][1] < 80.5 && spans[1][0] > 100.0 && spans[1][1] < 300.5 && spans[2][0] > 320.0,
             "{spans:?}"
         );
-        // the noise and the mean of each are those of the last part before it
+        // noise and mean of each are those of the quiet part before it
         let noise = |event: usize| found.events[event].channels[2].noise;
         assert!(
             (noise(1) / noise(0) - 1.0).abs() < 0.3,
@@ -95,7 +96,7 @@ fn holds_what_a_record_misses_is_at_least() {
     };
     let whole = found(&record, &Losses::default());
     assert_eq!([why(&whole, 0), why(&whole, 1)], [[None; 3], [None; 3]]);
-    // clipped only in the larger one
+    // only the larger earthquake is clipped
     let clipped = Losses {
         clipped: vec!["roof".to_owned()],
         ..Losses::default()
@@ -108,7 +109,7 @@ fn holds_what_a_record_misses_is_at_least() {
     };
     assert_eq!(why(&clipped, at), [None, None, Some(AtLeast::Clipped)]);
     assert_eq!(why(&clipped, 1 - at), [None; 3]);
-    // eight seconds lost in the first
+    // eight seconds are lost during the first earthquake
     let mut samples: Vec<Vec<f64>> = (0..3).map(|c| record.samples(c).to_vec()).collect();
     samples.iter_mut().for_each(|own| own[8300..9100].fill(0.0));
     let holed = Record::new(record.channels().to_vec(), samples, 100.0).unwrap();
@@ -125,7 +126,7 @@ fn holds_what_a_record_misses_is_at_least() {
         lost.quiet.iter().all(|of| of.analysis.is_some()),
         "before is used"
     );
-    // a record that begins within it
+    // the record begins during an earthquake
     let rest = dolmen::signal::cut(record, 84.0, 290.0).unwrap();
     let edge = found(&rest, &Losses::default());
     assert_eq!(why(&edge, 0), [Some(AtLeast::Edge); 3]);
@@ -136,7 +137,7 @@ fn holds_what_a_record_misses_is_at_least() {
 
 #[test]
 fn holds_modes_above_the_ground_are_of_one_state() {
-    // only the strong phase: after it the structure is stiffer again, and each mode would be found twice
+    // only the strong phase: afterwards the structure is stiffer again, and each mode would be found twice
     for seed in 0..4 {
         let made = MadeEarthquake {
             seed,

@@ -1,7 +1,7 @@
-// SOURCE     Least thickness of semicircular arches of flat-faced voussoirs: recomputed by a linear programme of its own (hinges at
-//            the corners, no sliding), towards Milankovitch's 0.107478; leaning slabs and corbels by hand; random arches by
-//            microlp 0.7 in the plane, from the geometry and not from the joints that the crate finds.
-// GOAL       Equilibrium decides whether an assembly stands: arches of odd and even counts, leaning slabs, corbels.
+// SOURCE     Least thickness of semicircular arches of flat-faced voussoirs: recomputed by a separate linear programme (hinges at the
+//            corners, no sliding), close to Milankovitch's 0.107478; leaning slabs and corbels by hand; random arches by microlp 0.7 in
+//            the plane, from the geometry instead of the joints that the crate finds.
+// GOAL       Equilibrium decides whether an assembly is stable: arches with odd and even numbers of stones, leaning slabs, corbels.
 // TOLERANCE  1e-4 of t/R by bisection of the verdict; 1e-6 of the acceleration; no difference in the verdict.
 
 use dolmen::assess::{
@@ -38,7 +38,7 @@ fn area_and_centroid(corners: &[[f64; 2]]) -> (f64, [f64; 2]) {
 }
 
 impl Plane {
-    /// An arch of `n` voussoirs about (0, rise of the springings), from `start` to π − `start`, on the ground or on abutments.
+    /// An arch of `n` voussoirs about (0, height of the springings), from `start` to π − `start`, on the ground or on abutments.
     fn arch(n: usize, thickness: f64, start: f64, friction: f64) -> Self {
         let lift = if start > 0.0 { 0.6 } else { 0.0 };
         let at = |radius: f64, angle: f64| [-radius * angle.cos(), radius * angle.sin() + lift];
@@ -203,7 +203,7 @@ fn reproduces_the_least_thickness_of_arches() {
         let found = least_thickness(n);
         assert!((found - known).abs() < 1e-4, "{n} voussoirs: {found} for {known}");
     }
-    // a little above the least thickness an arch stands marginally: below 0.02 g; at three times the thickness by friction
+    // slightly above the least thickness an arch is marginally stable: below 0.02 g; at three times the thickness friction governs
     let check = |thickness| {
         let stack = Plane::arch(17, thickness, 0.0, 0.7).stack().unwrap();
         check_stack(&stack, &StackCheckOptions::default()).unwrap()
@@ -238,20 +238,20 @@ fn holds_friction_that_carries_is_stable_only_with_a_run_that_stood() {
         // on springs of 1e9 Pa/m; a fallen stone would have moved by half its thickness
         assert!((1e-8..0.02 * thickness).contains(&settlement_m), "{settlement_m}");
     }
-    // a little above the least thickness it is marginal, or unknown on elastic springs, but never stable
+    // slightly above the least thickness it is marginal, or unknown on elastic springs, but never stable
     let thin = checked(&Plane::arch(17, 0.109, 0.0, 0.7)).verdict;
     assert!(
         matches!(thin, Verdict::Marginal | Verdict::Unknown | Verdict::Unstable),
         "{thin:?}"
     );
-    // too many stones to be run in a check
+    // too many stones to simulate in a test
     let many = checked(&Plane::arch(SettleRun::STONES_MOST + 1, 0.3, 0.0, 0.7));
     assert_eq!(many.verdict, Verdict::Unknown);
     let stones = SettleRun::STONES_MOST + 1;
     assert_eq!(many.settle_run, Some(SettleRun::TooMany { stones }));
 }
 
-/// Joints with their motion, and in the plane the fixed point of closed ones.
+/// Joints with their motion, and for closed joints the fixed point in the plane.
 type Moving = Vec<(JointMotion, Option<[f64; 2]>)>;
 
 /// The joints of a mechanism.
@@ -314,7 +314,8 @@ fn exact_hinges_of_a_swaying_arch_give_its_limit_by_virtual_work() {
 
 #[test]
 fn holds_what_does_not_stand_names_its_mechanism() {
-    // an arch that is too thin opens at five joints, with an even number of stones at up to six; with too little friction its feet slide
+    // an arch that is too thin opens at five joints, or at up to six with an even number of stones; with too little friction its feet
+    // slide
     for (n, thickness) in [(9, 0.09), (10, 0.1), (17, 0.1), (33, 0.106)] {
         let (status, joints) = moving(&Plane::arch(n, thickness, 0.0, 5.0), &LimitAnalysis::default());
         assert_eq!(status, LimitAnalysisStatus::DoesNotStand);
@@ -339,7 +340,7 @@ fn exact_slabs_that_lean_on_each_other() {
     // friction at the foot of at least (x_G − x_inner) / z_top: for slopes of 60° and t/L of 0.05, 0.1, 0.2
     let (cos, sin) = (0.5, 0.75_f64.sqrt());
     for (ratio, known) in [(0.05, 0.2411), (0.1, 0.1979), (0.2, 0.1220)] {
-        // L is that of the middle line, 1 that of the inner face
+        // L belongs to the middle line, 1 to the inner face
         let thickness = ratio / (1.0 - ratio / (2.0 * cos * sin));
         let slab = |friction: f64| {
             // length along the inner face from the foot at −cos; the feet are level, the joint at x = 0 is upright
@@ -377,7 +378,7 @@ fn exact_slabs_that_lean_on_each_other() {
 
 #[test]
 fn exact_corbels_of_one_side() {
-    // overhangs of 1/2, 1/4, 1/6 … of the length, counted from the top, just stand
+    // overhangs of 1/2, 1/4, 1/6 … of the length, counted from the top, are just stable
     for (share, stands) in [(0.99, true), (1.01, false)] {
         let count = 8;
         let mut x = 0.0;

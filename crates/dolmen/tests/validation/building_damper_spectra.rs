@@ -1,7 +1,7 @@
-// SOURCE     closed forms of random vibration; CQC of modes that stay apart; histories under motions of noise.
+// SOURCE     closed forms of random vibration; CQC of well-separated modes; time histories under noise.
 // GOAL       A building with dampers of all kinds in a response spectrum.
-// PARAMETERS three storeys that step back, a mass, a liquid column, a column on a spring and a link; S_a of white noise.
-// TOLERANCE  1e-8 of white noise and of CQC; of histories what is measured: the mean of eight within 12 %.
+// PARAMETERS three storeys with setbacks, a mass, a liquid column, a column on a spring and a link; S_a of white noise.
+// TOLERANCE  1e-8 for white noise and CQC; for histories the measured value: the mean of eight within 12 %.
 
 use super::building_history::stepped;
 use dolmen::damper::{
@@ -21,7 +21,7 @@ fn alone(ratio: f64) -> VibratingBuilding {
     VibratingBuilding::new(stepped(), &BuildingDamping::Modal(vec![ratio]), Vec::new()).unwrap()
 }
 
-/// One of each kind.
+/// One damper of each kind.
 fn dampers(building: &VibratingBuilding, link_n_s_m: f64) -> Vec<AttachedDamper> {
     let at = |floor, x, y, degrees| {
         let direction = PlanDirection::Degrees(degrees);
@@ -106,7 +106,7 @@ fn exact_white_noise_leaves_the_standard_deviations_of_lyapunov() {
             );
         }
         let own = (0..4).map(|damper| damped.stroke_row(damper).unwrap());
-        // the third is a column on a spring
+        // the third damper is a column on a spring
         let rows = own.chain(damped.liquid_row(2));
         for (damper, row) in rows.enumerate() {
             let found = analysis.largest_strokes_m(combination)[damper];

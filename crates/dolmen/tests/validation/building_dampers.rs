@@ -1,5 +1,7 @@
-// SOURCE     the matrix exponential of building and dampers, M, C, K made here from their kinetic and potential energy.
-// GOAL       Time histories with liquid columns, column masses, links and tuned masses together are exact at their steps.
+// SOURCE     the matrix exponential of building and dampers, with M, C, K derived here from their kinetic and potential
+//            energy.
+// GOAL       Time histories with liquid columns, column masses, links and tuned masses together are exact at the time
+//            steps.
 // TOLERANCE  1e-11 m, 1e-8 m/s².
 
 use super::building_history::{el_centro, exponential, largest_difference, mass, stepped};
@@ -60,7 +62,7 @@ fn agrees_dampers_of_all_kinds_in_time_by_the_matrix_exponential() {
     };
     let history = damped_building_history(&vibrating, &dampers, &motion, &run).unwrap();
     assert_eq!(history.coordinates.rows(), n + 4);
-    // own: x, w1, z2, w3
+    // own coordinates: x, w1, z2, w3
     let size = n + 3;
     let wide = |row: &[f64], own: [f64; 3]| -> Vec<f64> { row.iter().copied().chain(own).collect() };
     let none = vec![0.0; n];
@@ -143,7 +145,7 @@ fn agrees_dampers_of_all_kinds_in_time_by_the_matrix_exponential() {
         for (a, b) in found.iter().zip(expected) {
             worst = worst.max((a - b).abs());
         }
-        // dampers on the floor have the base acceleration −M⁻¹(C q′ + K q), by the equation of motion
+        // dampers on a floor also feel the base acceleration −M⁻¹(C q′ + K q), from the equation of motion
         let (q, v) = (
             &state[..size],
             state[size..2 * size]
@@ -166,7 +168,7 @@ fn agrees_dampers_of_all_kinds_in_time_by_the_matrix_exponential() {
         strokes.len() == 4 && strokes.iter().all(|peak| peak.value.abs() > 1e-4),
         "{strokes:?}"
     );
-    // masses alone: as mode by mode
+    // with masses only: the same as mode by mode
     let tuned = mass(3, 2.0, 37.0, hz, 0.1);
     let only = [AttachedDamper {
         kind: DamperKind::TunedMass {

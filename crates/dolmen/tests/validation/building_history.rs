@@ -1,7 +1,7 @@
-// SOURCE     the matrix exponential of the whole system, made here from M, C, K.
-// GOAL       Time histories of buildings with and without tuned masses are exact at their steps, and say what happens between them.
+// SOURCE     the matrix exponential of the whole system, formed here from M, C, K.
+// GOAL       Time histories of buildings with and without tuned masses are exact at the time steps and give the peaks between them.
 // PARAMETERS 20 storeys, 61 coordinates with a tuned mass, El Centro 1940 NS, 40 s at 0.005 s; smaller buildings with two masses, two
-//            components, P-delta, masses damped beyond swinging.
+//            components, P-delta, overdamped masses.
 // TOLERANCE  1e-9 m.
 
 use dolmen::comparisons::{twenty_storeys, twenty_storeys_mass};
@@ -28,7 +28,7 @@ pub(super) fn el_centro(components: &[(Component, f64)]) -> GroundMotion {
     GroundMotion::new("El Centro 1940 NS", 0.02, each.collect()).unwrap()
 }
 
-/// e^X by its series, ‖X‖ brought below 1/4 by halving.
+/// e^X by its series, after halving until ‖X‖ < 1/4.
 pub(super) fn exponential(x: &Matrix) -> Matrix {
     let norm = x
         .as_slice()
@@ -264,7 +264,7 @@ fn agrees_masses_of_all_kinds_under_two_components() {
 
 #[test]
 fn holds_a_mass_that_hardly_moves_with_a_mode_is_as_exact() {
-    // along x at the middle of a floor with an asymmetry of 1e-9 m only: its y modes hardly move the mass
+    // along x at the centre of a floor with an asymmetry of only 1e-9 m: its y modes hardly move the mass
     for off_m in [1e-9, 1e-6, 0.0] {
         let floor = Floor {
             mass_kg: 1e5,
@@ -454,8 +454,8 @@ fn exact_absolute_acceleration_and_peaks_between_steps_of_one_mode() {
 
 #[test]
 fn regress_a_short_pulse_is_followed_into_the_free_swing() {
-    // 0.31 s of 3 m/s² along y on a floor of T = 3.27 s: at steps 413.268 mm, 36.854 mrad, 160.04 kN come after it, by a matrix exponential
-    // in another program; between the steps up to π²/(2·327²) more
+    // 0.31 s of 3 m/s² along y on a floor with T = 3.27 s. A matrix exponential in another program gives peaks of 413.268 mm, 36.854 mrad,
+    // 160.04 kN at the steps after the pulse; between the steps up to π²/(2·327²) more
     let floor = Floor {
         mass_kg: 1e5,
         centre_m: [0.0, 0.0],

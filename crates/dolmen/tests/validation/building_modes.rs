@@ -1,10 +1,10 @@
 // SOURCE     Hwang, Min, Hong: Control of coupled lateral torsional vibration of tall building under dynamic lateral loads,
 //            Table 1 and eq. 12; closed forms of one floor.
-// GOAL       Frequencies, shapes and mode centres of a floor whose stiffness is not about its middle; laws of matrices and modes
-//            of buildings of any floors.
+// GOAL       Frequencies, shapes and mode centres of a floor with eccentric stiffness; laws for matrices and modes of buildings
+//            with any number of floors.
 // PARAMETERS 10 × 8 m, k_x = 2.2821², k_y = 0.7 k_x over the mass, centre of rigidity 1.5 m left of the middle.
 // PUBLISHED  ω = 1.8471, 2.2821, 3.6056 rad/s; r_x = −23.378, –, 0.5845 m.
-// TOLERANCE  half a unit of the last digit printed, of 3.6056 (3.60553) and .5845 (.58459) one unit; closed forms 1e-12.
+// TOLERANCE  half a unit of the last printed digit, but one unit for 3.6056 (3.60553) and 0.5845 (0.58459); closed forms 1e-12.
 
 use dolmen::known::hwang_min_hong as paper;
 use dolmen::numeric::Random;
@@ -120,7 +120,7 @@ fn stepped(random: &mut Random, shift: [f64; 2], p_delta: PDelta) -> (Building, 
 
 #[test]
 fn holds_stiffness_is_the_sum_of_springs_between_points() {
-    // each wall a pair of springs between a point of the floor above and the same point of the floor below
+    // each wall is a pair of springs between a point of the floor above and the same point of the floor below
     let mut random = Random::new(31, 0);
     let (building, walls) = stepped(&mut random, [0.0, 0.0], PDelta::LeftOut);
     let open: Vec<Floor> = building
@@ -326,7 +326,7 @@ fn exact_rayleigh_and_caughey_are_of_mass_and_stiffness() {
     for (a, b) in c.as_slice().iter().zip(expected.as_slice()) {
         assert!((a - b).abs() < 1e-12 * largest, "{a} {b}");
     }
-    // Caughey through two modes is Rayleigh through the same
+    // Caughey damping through two modes equals Rayleigh damping through the same modes
     let caughey = modes
         .damping_ratios(&BuildingDamping::Caughey(vec![0.02, 0.025]))
         .unwrap();

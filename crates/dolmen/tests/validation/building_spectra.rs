@@ -1,8 +1,9 @@
 // SOURCE     Chopra (2017) Dynamics of Structures, section 13.8.2.
-// GOAL       Response spectra put the modes and the directions of shaking together as published.
+// GOAL       Response spectra combine the modes and the directions of shaking as published.
 // PARAMETERS Five storeys of 100 kip/g, 31.54 kip/in, 5 %, El Centro 1940 NS.
 // PUBLISHED  base shear ABSSUM 98.32, SRSS 65.99, CQC 66.43, time history 73.15 kip; T = 1.99963 .68504 .43456 .33828 .29659 s.
-// TOLERANCE  half a unit of the last digit printed, of the time history 0.03 %: the source takes its peak from rounded samples.
+// TOLERANCE  half a unit of the last printed digit; 0.03 % for the time history, because the source takes its peak from rounded
+//            samples.
 
 use super::building_history::{el_centro, stepped};
 use dolmen::comparisons::{twenty_storeys, twenty_storeys_mass};

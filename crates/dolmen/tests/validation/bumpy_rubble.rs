@@ -1,4 +1,4 @@
-//! Rubble made by noise on icospheres: twelve stones in three layers, each lowered until it touches what lies below.
+//! Rubble made by noise on icospheres: twelve stones in three layers, each lowered until it touches a stone below.
 
 use dolmen::structure::stack::{Block, JointMaterial, Solid, Stack, StackError};
 use std::collections::BTreeMap;
@@ -31,7 +31,7 @@ pub(crate) struct Mesh {
     pub(crate) triangles: Vec<[usize; 3]>,
 }
 
-/// A sphere of radius 1: an icosahedron whose triangles are cut in four `times` over.
+/// A unit sphere: an icosahedron whose triangles are divided in four `times` over.
 fn icosphere(times: usize) -> Mesh {
     let g = f64::midpoint(1.0, 5.0_f64.sqrt());
     let mut vertices: Vec<[f64; 3]> = Vec::new();
@@ -83,8 +83,8 @@ fn determinant(p: [f64; 3], q: [f64; 3], r: [f64; 3]) -> f64 {
         + p[2] * (q[0] * r[1] - q[1] * r[0])
 }
 
-/// A flattened stone with twelve wide bumps of `bumps` times its radius, and vertices that scatter by `noise_m`; its 20 triangles are cut in four
-/// `times` over.
+/// A flattened stone with twelve wide bumps of `bumps` times its radius, and vertices with a scatter of `noise_m`. Its 20 triangles are divided
+/// in four `times` over.
 fn stone(draws: &mut Draws, bumps: f64, noise_m: f64, times: usize) -> Mesh {
     let axes = [
         draws.between(0.25, 0.35),
@@ -135,12 +135,12 @@ fn gap_m(upper: &Mesh, lower: &Mesh) -> f64 {
         }
         least
     };
-    // of the points over the other's top side, the nearest; others are far above or below it
+    // for points above the top side of the lower mesh, the nearest triangle; others are far above or below it
     over(upper, lower, 1.0).min(over(lower, upper, -1.0))
 }
 
-/// Twelve stones: six on the ground, four in the hollows between them, two on top; each as low as what lies below allows, its lowest point
-/// above the ground by no more than the gap that the vertices leave.
+/// Twelve stones: six on the ground, four in the hollows between them, two on top. Each is as low as the stones below allow; its lowest point is
+/// above the ground by at most the gap between vertices.
 pub(crate) fn rubble(seed: u64, bumps: f64, noise_m: f64, times: usize) -> Vec<Mesh> {
     let mut draws = Draws(0x9E37_79B9_7F4A_7C15 ^ (seed + 1).wrapping_mul(0xD134_2543_DE82_EF95));
     for _ in 0..8 {
@@ -157,7 +157,7 @@ pub(crate) fn rubble(seed: u64, bumps: f64, noise_m: f64, times: usize) -> Vec<M
                     0.66 * (f64::from(j) - 0.5 * f64::from(across - 1)) + draws.between(-0.02, 0.02),
                     10.0,
                 ];
-                // the middle layer lies closer, over the hollows
+                // the stones of the middle layer are closer together, above the hollows
                 let close = if layer == 1 && across == 2 { 0.6 } else { 1.0 };
                 for vertex in &mut mesh.vertices {
                     *vertex = [vertex[0] + at[0], vertex[1] + close * at[1], vertex[2] + at[2]];

@@ -1,6 +1,7 @@
-// SOURCE     Statics of a bed without tension: the resultant lies in the bed; of a rigid, perfectly plastic one the block of stress f is cut off
-//            by a straight line, and its centre is as far out as that of any part of the bed of the same area.
-// GOAL       The largest moment of a rectangular bed towards every side, with and without strength, and what a bed bears of a moment that grows.
+// SOURCE     Statics of a bed without tension: the resultant is inside the bed. In a rigid, perfectly plastic bed, a straight line bounds the
+//            stress block f, whose centre is as far out as that of any part of the bed with the same area.
+// GOAL       The largest moment of a rectangular bed in every direction, with and without strength, and the response of a bed to a growing
+//            moment.
 //
 //            ┌───────────┐ w     limit towards d = N · min over n of h(n)/(n · d),
 //            │     ·→ d ▓│       h(n) = (f/N) ∫ t p(t) dt over the outermost N/f of the bed,
@@ -8,7 +9,7 @@
 //                  b
 //
 // PARAMETERS 300 random beds, shares of the bed and directions, seed below.
-// TOLERANCE  1e-9 where it is a ray and a rectangle; 2e-5 where h is a quadrature of 4000 strips and n goes round in 3000 steps.
+// TOLERANCE  1e-9 for a ray and a rectangle; 2e-5 if h is a quadrature with 4000 strips and n takes 3000 directions.
 
 use crate::draws::Draws;
 use dolmen::stability::BedEdge;
@@ -49,7 +50,7 @@ fn exact_a_bed_passes_its_weight_times_the_way_to_its_edge() {
         // along the sides it equals the result in one plane
         let along = bed.moment_towards_n_m(n, [1.0, 0.0]);
         assert!((along / bed.moment_n_m(n) - 1.0).abs() < 1e-12);
-        // an additional moment ends at the edge
+        // an additional moment is limited by the edge
         let there = [0.3 * n * b / 2.0, -0.2 * n * w / 2.0];
         let times = bed.reach(n, there, d);
         let end = [there[0] + times * d[0], there[1] + times * d[1]];
@@ -123,7 +124,7 @@ fn holds_along_its_sides_the_block_is_that_of_one_plane_and_a_square_is_weaker_t
         assert!((along / bed.moment_n_m(n) - 1.0).abs() < 1e-12);
         assert!((across / bed.across().moment_n_m(n) - 1.0).abs() < 1e-12);
         assert_eq!(bed.across().across(), bed);
-        // an additional moment ends at the capacity of the bed
+        // an additional moment is limited by the capacity of the bed
         let there = [0.2 * along, 0.1 * across];
         let growing = [draws.between(0.0, 1.0), draws.between(-1.0, 1.0)];
         let times = bed.reach(n, there, growing);
@@ -134,7 +135,7 @@ fn holds_along_its_sides_the_block_is_that_of_one_plane_and_a_square_is_weaker_t
             "{share} {growing:?}"
         );
     }
-    // half of a square crushed: a triangle of half its area has its centre at (1/6, 1/6), a strip at 1/4
+    // if half of a square is crushed: the centre of a triangle with half its area is at (1/6, 1/6), that of a strip at 1/4
     let bed = BedEdge {
         width_m: 1.0,
         depth_m: Some(1.0),

@@ -1,5 +1,5 @@
-// SOURCE     Coulomb's law in the joints of a chain; mechanics of rigid bodies. No paper has this case.
-// GOAL       Joints stick, turn and turn back as the law says, exactly, with small and large rotations.
+// SOURCE     Coulomb's law in the joints of a chain; mechanics of rigid bodies. No paper treats this case.
+// GOAL       Joints stick, slip and reverse exactly according to the law, with small and large rotations.
 //
 //          /θ_2        M θ'' … = … − τ_i − q_i + τ_{i+1} + q_{i+1}
 //         o  φ_2       q_i = f_k sign φ_i' while joint i turns; while it sticks φ_i' = 0 and |q_i| ≤ f_s
@@ -7,9 +7,9 @@
 //     ==o==  φ_1
 //
 // PARAMETERS in each test; g = 9.81 m/s².
-// AGREES     two links in four states, and three with static moments above the kinetic ones, SciPy 1.17.1 (DOP853, rtol 3e-14 and 1e-13)
-//            from event to event: chain_friction_two_links.py and chain_friction_three_links.py beside.
-// TOLERANCE  1e-12 of the amplitude against closed forms; the peers 1e-11 and 1e-10, some ten times what their steps leave.
+// AGREES     two links in four states, and three with static moments above the kinetic ones, with SciPy 1.17.1 (DOP853, rtol 3e-14 and
+//            1e-13) from event to event: see chain_friction_two_links.py and chain_friction_three_links.py.
+// TOLERANCE  1e-12 of the amplitude against closed forms; 1e-11 and 1e-10 against SciPy, about ten times the error of its steps.
 
 use crate::draws::Draws;
 use dolmen::dynamics::{
@@ -104,7 +104,7 @@ fn exact_free_decay_loses_two_f_over_kappa_every_half_cycle() {
         "{}",
         history.friction_events
     );
-    // friction holds the difference of spring and weight
+    // friction balances the difference between spring and weight
     let held = *history.friction_moment_n_m[0].last().unwrap();
     assert!((held + kappa * rests).abs() < 1e-9, "{held}");
     let friction_j = history.energy.last().unwrap().friction_j;
@@ -115,7 +115,7 @@ fn exact_free_decay_loses_two_f_over_kappa_every_half_cycle() {
 
 #[test]
 fn exact_large_swings_turn_where_the_energy_is_spent() {
-    // ½ k A² − G (1 − cos A) falls by f times the path
+    // ½ k A² − G (1 − cos A) decreases by f times the path
     let gravity = one().gravity_moments_n_m_rad()[0];
     let (k, f) = (3.0 * gravity, 0.05 * gravity);
     let model = ChainModel::new(
@@ -175,8 +175,8 @@ fn exact_a_stuck_joint_makes_two_links_one() {
             apart(&two.rotation_rad[0])
         );
         assert_eq!(two.rotation_rad[0], two.rotation_rad[1]);
-        // if only the upper link is shaken, by the motion of its foot, its joint passes J θ'' + m l (foot'' + …): this equals the
-        // moment below less the share of the lower link, so the balance of the whole holds
+        // only the upper link is shaken, by the motion of its foot. Its joint carries J θ'' + m l (foot'' + …), which equals the moment
+        // below minus the share of the lower link, so that the balance of the whole chain holds
         let moments = one.joint_moment_n_m[0].iter().zip(&two.joint_moment_n_m[0]);
         let worst = moments.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(worst < 1e-9 * one.joint_moment_peaks_n_m[0], "{worst:e}");
@@ -223,7 +223,7 @@ fn exact_joints_hold_until_the_ground_passes_their_limit() {
             );
             assert!(history.energy_left_over_ratio < 1e-12);
         }
-        // all at once
+        // all joints at once
         let joints = (0..3).map(|i| rubbing(1e6, JointFriction::coulomb(0.7 * above(i))));
         let model = ChainModel::new(chain.clone(), joints.collect(), rotations).unwrap();
         let history = run(&model, &load, &from(&[], 4.0));

@@ -1,6 +1,6 @@
-// SOURCE     theory of the chain: K is linear in the joints' stiffness; Bézout bounds the number of solutions.
-// GOAL       Modes computed with a known stiffness give that stiffness back where they determine it; where they do not,
-//            every solution is found and said to be as good as the true one.
+// SOURCE     theory of the chain: K is linear in the stiffness of the joints; Bézout bounds the number of solutions.
+// GOAL       Modes computed with a known stiffness give this stiffness back if they determine it; otherwise every
+//            solution is found, and is said to be as good as the true one.
 //
 //        |5| o  sensors: u(z) = Σ c_j(z) θ_j
 //        (k5
@@ -10,8 +10,8 @@
 //
 // PARAMETERS Flagpole of Naju (Choi 2021, Table 1) with several stiffnesses; random chains.
 // PUBLISHED  Nothing: "future work" of the source. At most n! solutions; 1 from one exact mode with its full shape.
-// TOLERANCE  exact data 1e-9 relative in k or f (rounding times the condition of the Jacobian, below 1e3 here);
-//            sampled scatter 12 %: the sd of an sd from 400 samples is 3.5 %.
+// TOLERANCE  exact data 1e-9 relative in k or f (rounding times the condition of the Jacobian, below 1e3 here); sampled
+//            scatter 12 %: the sd of an sd from 400 samples is 3.5 %.
 
 use crate::choi_2021::{naju, twice_the_least};
 use crate::draws::Draws;
@@ -58,7 +58,7 @@ fn assert_stiffness(found: &[f64], truth: &[f64], tolerance: f64) {
     }
 }
 
-/// Every solution listed reproduces every frequency to 1e-9 and stands.
+/// Checks that every listed solution reproduces every frequency to 1e-9 and is stable.
 fn assert_all_explain(found: &StiffnessSolutions, modes: &[MeasuredMode]) {
     for solution in &found.solutions {
         assert!(
@@ -78,7 +78,8 @@ fn exact_one_mode_with_its_full_shape_gives_every_joint() {
     let k = twice_the_least(&chain);
     let mut modes = measured(&chain, &k, 1, &tops(&chain));
     let found = identify(&chain, &modes);
-    // without deviations each point is assumed to be off by 5 %: although it is exact, the joints are only bounded
+    // without standard deviations each point has an assumed error of 5 %: although the points are exact, the joints are
+    // only bounded
     assert_eq!(found.choice, Choice::Bounded, "{:?}", found.notes);
     assert_stiffness(&found.solutions[0].stiffness, &k, 1e-9);
     assert_eq!(found.visibility.unwrap().free_directions, 0);
@@ -277,7 +278,7 @@ fn holds_a_nearly_rigid_joint_is_not_seen() {
 
 #[test]
 fn holds_data_that_some_stiffness_fits_are_never_called_impossible() {
-    // the prior is far from equal joints: a search from the prior only does not reach the data
+    // the prior is far from equal joints: a search from the prior alone does not reach the data
     let chain = naju();
     let equal = dolmen::stability::chain_limits(&chain)
         .unwrap()
@@ -497,7 +498,7 @@ fn refuses_bad_modes_and_says_which() {
 
 #[test]
 fn holds_a_top_centred_on_its_joint_does_not_stop_the_search() {
-    // no mass above rotates the top joint: its share of the weight moments is 0
+    // no mass above causes rotation at the top joint: its share of the weight moments is 0
     let link = |centroid_m: f64| Link {
         mass_kg: 1000.0,
         length_m: 2.0,

@@ -1,5 +1,6 @@
 // SOURCE     Lagrange's equations of n rigid links (Choi 2021, eqs 3–28), and linear algebra.
-// GOAL       Matrices are those of kinetic and potential energy; every stability number has its stated meaning.
+// GOAL       Matrices are those of kinetic and potential energy; every stability number has its defined
+//            meaning.
 //
 //          /θ_i        x_i = Σ_{j<i} L_j θ_j + l_i θ_i        T = Σ ½ m_i x_i'² + ½ J_i θ_i'²
 //         /            z_i = const − ½ (Σ_{j<i} L_j θ_j² + l_i θ_i²)
@@ -18,7 +19,7 @@ fn close(a: f64, b: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance * (1.0 + a.abs().max(b.abs()))
 }
 
-/// Stiffness at which a chain stands with a load factor of `load_factor`, joints scattered.
+/// Stiffness at which a chain is stable with a load factor of `load_factor`; the joints scatter.
 fn standing(chain: &Chain, draw: &mut Draws, load_factor: f64) -> Vec<f64> {
     let scattered: Vec<f64> = chain
         .necessary_n_m_rad()
@@ -171,7 +172,7 @@ fn holds_load_factor_margins_and_brackets_agree() {
         assert!(failing_joint(&chain, &times(1.0 - 1e-10)).unwrap().is_some());
         assert!(failing_joint(&chain, &times(1.0 + 1e-10)).unwrap().is_none());
         if wanted > 1.0 {
-            // a joint alone can lose more than all joints together
+            // a single joint can lose more than all joints together
             let margins = stability.joints.iter().map(|joint| joint.margin.unwrap());
             assert!(margins.fold(f64::INFINITY, f64::min) >= stability.load_factor * (1.0 - 1e-9));
         }
@@ -192,7 +193,7 @@ fn exact_lean_of_one_link_and_balance_of_many() {
     let theta = &stability.lean_amplification;
     let g = chain.gravity_moments_n_m_rad();
     for (i, joint) in stability.joints.iter().enumerate() {
-        // moment of all weight above the joint, by statics
+        // moment of the total weight above the joint, by statics
         let moment: f64 = g[i..].iter().zip(&theta[i..]).map(|(g, t)| g * t).sum();
         assert!(close(joint.lean_moment_n_m_rad.unwrap(), moment, 1e-11));
         let weight: f64 = chain.links()[i..].iter().map(|link| link.mass_kg * 9.81).sum();

@@ -1,11 +1,12 @@
 // SOURCE     Den Hartog (1931): forced vibration with dry friction; the linear oscillator.
-// GOAL       Maps of a chain over frequency and size of a harmonic ground tell its steady state, and how a run ended is not guessed.
+// GOAL       Maps of a chain over frequency and amplitude of a harmonic ground motion give its steady state, and the end of a run is
+//            never guessed.
 //
 //        /θ     I θ'' + d θ' + (k − G) θ + q = −Γ a sin ωt,  |q| ≤ f;   I = m (L²/12 + c²), Γ = m c, G = Γ g
 //     ==o==
 //
-// TOLERANCE  1e-6: at a damping ratio of 20 % the free part is down to e^-50 after 40 cycles, and the cubic between 40 samples a
-//            cycle is right to 2e-6 of the peak; shares of time 1e-9.
+// TOLERANCE  1e-6: with a damping ratio of 20 % the transient has decayed to e^-50 after 40 cycles, and the cubic between 40 samples
+//            per cycle is accurate to 2e-6 of the peak; shares of time 1e-9.
 
 use dolmen::dynamics::{
     ChainJoint, ChainModel, ChainOutcome, ChainRotations, ChainRun, JointFriction, JointOpening,
@@ -23,7 +24,7 @@ const CENTROID_M: f64 = 0.9;
 const GAMMA: f64 = MASS_KG * CENTROID_M;
 const INERTIA: f64 = MASS_KG * (LENGTH_M * LENGTH_M / 12.0 + CENTROID_M * CENTROID_M);
 const WEIGHT: f64 = GAMMA * G;
-/// k, three times the stiffness taken by gravity.
+/// k, three times the stiffness reduction by gravity.
 const STIFFNESS: f64 = 3.0 * WEIGHT;
 
 fn shaft(joint: ChainJoint) -> ChainModel {
@@ -101,7 +102,7 @@ fn holds_the_share_of_opening_is_that_of_the_run() {
     let map = chain_harmonic_map(&model, &[frequency_hz], &[acceleration], &mut |_| true).unwrap();
     let point = &map[0];
     assert!(point.steady && !point.fell, "{point:?}");
-    // the same for a run of twice the cycles, its last ten
+    // the same for the last ten cycles of a run with twice as many
     let load = TimeFunction::Harmonic {
         amplitude: acceleration,
         frequency_hz,
@@ -129,7 +130,7 @@ fn holds_the_share_of_opening_is_that_of_the_run() {
 
 #[test]
 fn holds_a_run_that_ends_on_the_way_down_is_no_verdict() {
-    // half of the critical stiffness: it falls by itself, from 1e-3 rad; cosh grows at sqrt((G − k)/I)
+    // half of the critical stiffness: the link falls by itself, from 1e-3 rad, as cosh with rate sqrt((G − k)/I)
     let model = shaft(ChainJoint::spring(0.5 * WEIGHT));
     let rate = (0.5 * WEIGHT / INERTIA).sqrt();
     let run = |duration_s: f64, start_rad: f64, model: &ChainModel| {
@@ -153,7 +154,7 @@ fn holds_a_run_that_ends_on_the_way_down_is_no_verdict() {
         matches!(ended, ChainOutcome::Fell { link: 0, at_s } if (at_s / falls_s - 1.0).abs() < 1e-9),
         "{ended:?}"
     );
-    // an oscillating link leans outwards half of the time, and has leaned as far before
+    // an oscillating link leans outwards half of the time, as far as it did before
     let stands = shaft(ChainJoint::spring(STIFFNESS));
     for part in [0.6, 0.7, 1.3, 2.9, 7.45] {
         let ended = run(part * TAU / own_rad_s(), 1e-3, &stands);

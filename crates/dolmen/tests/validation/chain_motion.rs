@@ -1,5 +1,5 @@
 // SOURCE     Choi (2021), Table 1: the stone flagpole of Naju, as five links on springs; mechanics of rigid bodies.
-// GOAL       A chain moves as its equations say, small and large, up to its fall.
+// GOAL       A chain moves according to its equations, with small and large rotations, until it falls.
 //
 //          /θ_2        Σ_j M_ij (cos(θ_i − θ_j) θ_j'' + sin(θ_i − θ_j) θ_j'²) = G_i sin θ_i − τ_i + τ_{i+1} − Γ_i a_g cos θ_i
 //         o
@@ -7,10 +7,10 @@
 //     ==o==
 //
 // PARAMETERS in each test; g = 9.81 m/s², thin rods.
-// AGREES     the double pendulum with Hamilton's equations in 22 digits: mpmath 1.4.1, chain_motion_double_pendulum.py beside.
-// TOLERANCE  1e-12 of the amplitude against closed forms, some hundred times what was measured; the 22 digits to 1e-13, printed
-//            to 15; growth 1e-6: samples a millisecond apart are joined, and the push of 4e-4 rad is not nothing; second order
-//            1 %: the fourth order has its part.
+// AGREES     the double pendulum with Hamilton's equations in 22 digits: mpmath 1.4.1, see chain_motion_double_pendulum.py.
+// TOLERANCE  1e-12 of the amplitude against closed forms, about a hundred times the measured difference; 1e-13 against the 22
+//            digits, printed to 15; growth 1e-6, because samples are a millisecond apart and the push of 4e-4 rad is finite;
+//            second order 1 %, because of the fourth order.
 
 use dolmen::dynamics::{
     ChainHistory, ChainJoint, ChainModel, ChainOutcome, ChainRotations, ChainRun, DynamicsError,
@@ -80,7 +80,7 @@ pub(super) fn el_centro() -> GroundMotion {
     GroundMotion::new("El Centro 1940 NS", 0.02, vec![(Component::X, samples.collect())]).unwrap()
 }
 
-/// The first time at which a link leans more than `angle`, interpolated linearly in the logarithm.
+/// The first time at which a link leans by more than `angle`, interpolated linearly in the logarithm.
 fn reaches(history: &ChainHistory, link: usize, angle: f64) -> f64 {
     let rows = &history.rotation_rad[link];
     let i = rows.iter().position(|x| x.abs() >= angle).unwrap();
@@ -106,7 +106,7 @@ fn published_critical_stiffness_lets_the_pole_fall_and_weight_times_height_holds
         history.outcome
     );
     assert!(history.energy_left_over_ratio < 1e-12);
-    // for any push, the shape that falls fastest grows by the linear equations
+    // for any push, the fastest growing shape grows by the linear equations
     let found = chain_growth(&model, &history).unwrap().unwrap();
     let measured = found.measured.unwrap();
     assert!((found.linear_rate_per_s / growth - 1.0).abs() < 1e-12);
@@ -223,11 +223,11 @@ fn exact_one_link_is_the_pendulum() {
     };
     let history = run(&model, &TimeFunction::Zero, &options);
     assert!((history.rotation_peaks[0].rotation_rad - (TAU - 1.0)).abs() < 1e-11);
-    // after whole periods it is back: near the turning point only the rate indicates the time
+    // after full periods it is back: near the turning point only the rate shows the time
     let end = |rows: &[Vec<f64>]| rows[0][rows[0].len() - 1];
     assert!((end(&history.rotation_rad) - 1.0).abs() < 1e-10);
     assert!(end(&history.velocity_rad_s).abs() < 1e-10);
-    // and a quarter period earlier it hangs
+    // a quarter period earlier it hangs
     let options = ChainRun {
         duration_s: Some(4.75 * period),
         ..options
@@ -252,7 +252,7 @@ fn exact_first_mode_has_the_damping_ratio_asked_for() {
     let last = *history.rotation_rad[0].last().unwrap();
     let wanted = 0.01 * (-TAU * ratio / (1.0 - ratio * ratio).sqrt()).exp();
     assert!((last - wanted).abs() < 1e-14, "{last} {wanted}");
-    // for five links the first mode is extracted by its share of the motion: measured to a thousandth of the ratio
+    // for five links the first mode is its share of the motion: the ratio is accurate to a thousandth
     let stiffness: Vec<f64> = flagpole().necessary_n_m_rad().iter().map(|k| 5.0 * k).collect();
     let model = springs(flagpole(), &stiffness, ChainRotations::Small).with_first_mode_damping(ratio);
     let model = model.unwrap();

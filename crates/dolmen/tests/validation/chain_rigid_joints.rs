@@ -1,16 +1,16 @@
-// SOURCE     Mechanics of rigid bodies: two links joined by a joint that does not turn are one link.
-// GOAL       A run takes a joint as rigid where its spring is so stiff beside the others that it changes no other natural frequency
-//            by 1e-4 of it, and nowhere else; what it says then is that of the pole without the joint.
+// SOURCE     Mechanics of rigid bodies: two links connected by a joint that does not rotate are one link.
+// GOAL       A run takes a joint as rigid exactly if its spring is so stiff that it changes no other natural frequency by 1e-4 of its value. The
+//            results are then those of the pole without the joint.
 //
 //         o link 3                   o
 //         | ~~~ k → ∞       =        |   one link: m = Σ m_i, J = Σ (J_i + m_i d_i²)
 //         o link 2                   |
 //
-// PARAMETERS The stone flagpole of Naju (Choi 2021, Table 1) with joints at 3 P·H, the third of another stiffness, under a tenth of
-//            El Centro 1940 NS, 12 s, large rotations.
-//            200 random chains of 3 to 6 links, one joint 3e2 to 3e4 times as stiff as drawn.
-// TOLERANCE  The stated change of frequencies is of the first order: 1 % of it. Against the pole of four links 1e-11 of the largest rotation: rounding. With a spring that is followed the difference
-//            goes as 1/k; half the distance to half the compliance is the limit to second order, some parts in ten thousand.
+// PARAMETERS The stone flagpole of Naju (Choi 2021, Table 1) with joints at 3 P·H, the third with another stiffness, under a tenth of El Centro 1940
+//            NS, 12 s, large rotations. 200 random chains of 3 to 6 links, one joint 3e2 to 3e4 times as stiff as drawn.
+// TOLERANCE  The stated change of frequencies is of first order: 1 % of it. Against the pole of four links 1e-11 of the largest rotation: rounding.
+//            With the spring included, the difference is proportional to 1/k; half the difference at half the compliance is the limit to second
+//            order, a few parts in ten thousand.
 
 use super::chain_motion::{el_centro, flagpole, weight_times_height};
 use crate::draws::Draws;
@@ -100,7 +100,7 @@ fn exact_a_nearly_rigid_joint_moves_as_the_pole_without_it() {
         let (a, b) = (&stiff.rotation_rad[link], &of_four.rotation_rad[same]);
         assert!(apart(a, b) < 1e-11, "link {link}: {:e}", apart(a, b));
     }
-    // its cost: the steps of the pole without the joint, against some tens of thousand
+    // its cost: the steps of the pole without the joint, compared with tens of thousands
     assert!(
         stiff.steps < 2 * of_four.steps,
         "{} {}",
@@ -116,7 +116,7 @@ fn exact_a_nearly_rigid_joint_moves_as_the_pole_without_it() {
     assert!((turned * 1e10 / stiff.joint_moment_peaks_n_m[STIFF] - 1.0).abs() < 1e-12);
 }
 
-/// A push of a pole whose foot is nearly rigid turns what stands on its lowest link: the pole of the four links above, on the ground.
+/// A push on a pole with a nearly rigid foot rotates the part above its lowest link: the four upper links, as a pole on the ground.
 #[test]
 fn exact_a_push_on_a_nearly_rigid_foot_is_that_of_the_pole_on_its_lowest_link() {
     let push_rad = 1e-3;
@@ -149,7 +149,7 @@ fn exact_a_push_on_a_nearly_rigid_foot_is_that_of_the_pole_on_its_lowest_link() 
         let (a, b) = (&stiff.rotation_rad[link + 1], &own.rotation_rad[link]);
         assert!(apart(a, b) < 1e-11, "link {link}: {:e}", apart(a, b));
     }
-    // an ordinary foot turns, and so does a stiff one whose bed the push brings to its edge
+    // an ordinary foot rotates, and so does a stiff one if the push brings its bed to the edge
     let usual = joints().into_iter().map(ChainJoint::spring).collect();
     let usual = ChainModel::new(flagpole(), usual, ChainRotations::Large).unwrap();
     assert_eq!(lowest_turning_joint(&usual, &at_rest, push_rad), 0);

@@ -1,5 +1,6 @@
 // SOURCE     closed forms of the piecewise linear oscillator; Runge and Kutta's fourth order with steps of 0.1 ms.
-// GOAL       Side supports of a chain in motion, with and without a gap: contact exact, nothing lost, the same as other methods.
+// GOAL       Side supports of a chain in motion, with and without a gap: contact is exact, energy is conserved, and other
+//            methods agree.
 // PARAMETERS one rigid link between two stops; three links with two supports on a shaking ground.
 // TOLERANCE  closed forms 1e-9; Runge and Kutta 2e-6 of the largest rotation, the error of its steps across the kinks.
 

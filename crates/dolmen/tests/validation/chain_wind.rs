@@ -1,13 +1,13 @@
 // SOURCE     EN 1991-1-4:2005, 4.3 to 4.5; equilibrium of a leaning chain.
-// GOAL       Moments in the joints of chains under wind are those of a quadrature of the pressure over the height, and of equilibrium joint
-//            by joint in the leaning shape.
+// GOAL       Moments in the joints of chains under wind equal those from a quadrature of the pressure over the height, and from equilibrium
+//            of each joint in the leaning shape.
 //
 //        ─→ │ q(z) C_f b_i          M_j = ∫_{z_j} q C_f b (z − z_j) dz + Σ_{i ≥ j} w_i (x_i − x_j)
 //       ─→  │                       x from θ_i = θ_{i−1} + M_i/k_i, turn by turn until nothing changes
 //
 // PARAMETERS 200 random chains of 1 to 8 links, seed below; terrains 0 to IV; load factor 2 to 12.
 // PUBLISHED  The formula of the code, written out here with its own constants.
-// TOLERANCE  1e-10 relative: the quadrature is of Gauss with 8 points on 40 pieces a link, split at z_min; the turns converge to rounding.
+// TOLERANCE  1e-10 relative: Gauss quadrature with 8 points on 40 intervals per link, split at z_min; the iteration converges to rounding.
 
 use crate::draws::Draws;
 use dolmen::stability::{BedEdge, ChainLoading, JointHold, LinkLoad, chain_stability, chain_under_loads};

@@ -1,6 +1,7 @@
 // SOURCE     Choi, J.-S. (2021) A study on dynamic analysis model and stability of stone cultural properties of
 //            inverted pendulum type with 5 joints. J. Korea Inst. Struct. Maint. Insp.
-// GOAL       Its tables to their last digit, and the true results: when the pole stands, and its frequencies.
+// GOAL       Its tables to their last digit, and the correct results: when the pole is stable, and its
+//            frequencies.
 //
 //        |5|          w [kN]  38.95 15.13 6.78 4.51 2.93
 //        (k5          L [m]    3.68  2.61 1.63 1.54 1.37
@@ -13,7 +14,7 @@
 //
 // PARAMETERS Table 1; thin rods where inertia matters; g = 9.81 and 9.80665 m/s².
 // PUBLISHED  Tables 1 and 3, text below Table 2. The rest (exact_): computed independently of this code.
-// TOLERANCE  half a unit of the last digit written down, a whole unit in Table 3, which cuts some digits off.
+// TOLERANCE  half a unit of the last printed digit; a whole unit in Table 3, which truncates some digits.
 
 use dolmen::comparisons::naju_flagpole;
 use dolmen::known::choi_2021 as paper;
@@ -29,7 +30,7 @@ pub(crate) fn naju() -> Chain {
 fn assert_written(computed: &[f64], scale: f64, written: &[f64], digit: f64) {
     assert_eq!(computed.len(), written.len());
     for (i, (c, w)) in computed.iter().zip(written).enumerate() {
-        // rounding of the written number, and a hair for the last bit of c / scale
+        // rounding of the printed number, and a small margin for the last bit of c / scale
         assert!(
             (c / scale - w).abs() <= 0.5000001 * digit,
             "number {}: {} computed, {w} written",
@@ -180,7 +181,7 @@ pub(crate) fn twice_the_least(chain: &Chain) -> Vec<f64> {
 
 #[test]
 fn holds_the_recursion_never_disagrees_with_the_eigenvalues() {
-    // 100,000 chains of 1 to 12 links, each joint around the limit so that both answers are common
+    // 100,000 chains of 1 to 12 links, each joint near the limit so that both answers are common
     let mut draw = crate::draws::Draws::new(2021);
     let (mut stood, mut ties) = (0, 0);
     const CHAINS: usize = 100_000;

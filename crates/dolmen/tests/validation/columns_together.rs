@@ -1,13 +1,14 @@
-// SOURCE     Park and Min (2010), Figs 4 and 5: the columns of Heunginjimun have one amplitude and one phase in its modes of translation.
-// GOAL       Columns that move as one, or as a floor that turns, raise no alarm beyond the stated chance; one that moves apart is found.
+// SOURCE     Park and Min (2010), Figs 4 and 5: in its translational modes, the columns of Heunginjimun have equal amplitude and phase.
+// GOAL       Columns that move together, or as points of a rotating floor, raise no alarm beyond the stated probability; a column that
+//            moves separately is found.
 //
 //     c1   c2   c3   c4      u_c = a + θ s_c      →  one column with another amplitude, or another phase
 //     |    |    |    |
 //   ──┴────┴────┴────┴──  → y
 //
-// PARAMETERS Two levels of four columns along x, moving in y, at 1.1 and 4.2 Hz, damped 2 %; made ambient records, noise 10 %.
-// PUBLISHED  That they are alike; no numbers.
-// TOLERANCE  A false alarm in at most 1 % of surveys, calibration included; none in the twelve of this test. Closed forms 1e-12.
+// PARAMETERS Two levels of four columns along x that move in y, at 1.1 and 4.2 Hz, damping 2 %; simulated ambient records, noise 10 %.
+// PUBLISHED  The similarity only; no numbers.
+// TOLERANCE  A false alarm in at most 1 % of surveys, calibration included; none in the twelve surveys of this test. Closed forms 1e-12.
 
 use crate::made_mode::made_mode;
 use dolmen::modal::{Identify, MadeMode, MadeRecord, Method, Mode, Modes, identify};
@@ -76,7 +77,7 @@ fn holds_columns_that_move_as_one_raise_no_alarm_and_one_apart_is_named() {
             as_one.iter().all(|level| level.moves == ColumnsMove::AsOne),
             "{seed}: {as_one:?}"
         );
-        // a floor of an eccentric hall: its columns are on one line
+        // the floor of an eccentric hall: its columns are on one line
         let turning = seen(seed, shapes(0.3, 1.0));
         assert!(
             turning.iter().all(|level| level.moves == ColumnsMove::Turning),
@@ -133,21 +134,21 @@ fn exact_the_limits_are_those_of_chi_squared() {
         one_level(&[real(1.0), real(1.0 - 1.002 * limit)]),
         ColumnsMove::TwoDiffer
     );
-    // a phase counts like an amplitude
+    // a difference in phase counts like one in amplitude
     let behind = |angle: f64| Complex64::from_polar(1.0, angle);
     assert_eq!(
         one_level(&[behind(0.0), behind(0.0), behind(0.3), behind(0.0)]),
         ColumnsMove::Apart { any_of: vec![2] }
     );
-    // four on a line form a floor, and no three are equal
+    // four columns on a line agree with a floor, but no three are equal
     let floor = ASIDE_M.map(|x| real(1.0 - 0.05 * x));
     assert_eq!(one_level(&floor), ColumnsMove::Turning);
-    // three different ones, not on a line: no single column explains it
+    // three different columns, not on a line: no single column explains the motion
     assert_eq!(
         one_level(&[real(1.0), real(0.5), real(0.9)]),
         ColumnsMove::Apart { any_of: vec![] }
     );
-    // a floor that rotates, with one column off
+    // a rotating floor, with one column moving separately
     let mut off = floor;
     off[1] += real(0.2);
     assert_eq!(one_level(&off), ColumnsMove::Apart { any_of: vec![1] });

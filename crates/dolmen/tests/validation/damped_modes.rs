@@ -1,8 +1,8 @@
-// SOURCE     numpy 2 `linalg.eig` of the first-order form of a floor with a tuned mass, written apart from Dolmen.
+// SOURCE     numpy 2 `linalg.eig` of the first-order form of a floor with a tuned mass, written independently of Dolmen.
 // GOAL       Frequencies and damping ratios of a building with its dampers, and those found by a survey.
 // PARAMETERS 120 t, 12 × 7 m, k_x 60 MN/m, k_y 42 MN/m, k_θ 900 MN·m/rad, e 1.2 and −0.8 m, storey 4 m with P-delta, 3 % in every mode; a mass of
 //            2040.4983910992244 kg at x = −4 m along y, 2.6174114727020172 Hz, Den Hartog's damping for 3 %.
-// TOLERANCE  1e-8 of frequencies, 1e-7 of damping ratios: the digits kept.
+// TOLERANCE  1e-8 for frequencies, 1e-7 for damping ratios: the stored digits.
 
 use dolmen::damper::{AttachedDamper, DamperKind, damped_modes, lowest_seen};
 use dolmen::dynamics::VibratingBuilding;
@@ -57,7 +57,7 @@ fn agrees_numpy_modes_of_a_floor_with_its_tuned_mass() {
             "{mode:?} {ratio}"
         );
     }
-    // the mode along y has split in two, of which the lower is identified; the others stay single
+    // the mode along y is split in two, of which the lower is identified; the others remain single
     for (own, hz) in [(0, numpy[0].0), (1, numpy[2].0), (2, numpy[3].0)] {
         let seen = lowest_seen(&modes, own).unwrap();
         assert!((seen.frequency_hz / hz - 1.0).abs() < 1e-8, "{own}: {seen:?}");

@@ -1,8 +1,9 @@
 // SOURCE     The floors of dampers.rs; exact tunings of one mode (tuned_mass.rs).
-// GOAL       Plans give the results of assembled matrices; designs for one mode are the exact ones; no neighbour of a design or map of a
-//            twisting floor is better.
+// GOAL       Plans give the results of the assembled matrices; designs for one mode are exact; for a twisting floor, no neighbour of a design or map
+//            is better.
 // PARAMETERS as in dampers.rs; one mode as a floor that moves along y only.
-// TOLERANCE  1e-5 between maps and Lyapunov (the lightest damping, far from the prepared frequencies), 1e-6 from exact tunings; designs: no neighbour 1 % away is better.
+// TOLERANCE  1e-5 between maps and Lyapunov (lightest damping, far from the prepared frequencies), 1e-6 from exact tunings; designs: no neighbour 1 %
+//            away is better.
 
 use crate::dampers::{second_floor, twisting_floor, white_y, with_modal_damping, y_at};
 use dolmen::damper::{
@@ -131,7 +132,7 @@ fn holds_place_and_tuning_together_leave_nothing_better_beside_them() {
         place: Place::AlongX,
         ..DesignOptions::default()
     };
-    // from three places the same
+    // three starting places give the same design
     let found: Vec<Design> = [-4.0, 0.25, 4.0]
         .into_iter()
         .map(|x| {
@@ -314,7 +315,7 @@ fn refuses_dampers_that_cannot_do_what_is_asked() {
         fault,
         "the damper at x = 6 m, y = 0 m stands 1.000 m outside its floor: move it inside the outline"
     );
-    // mode 2 moves along x only: a damper along y does not move
+    // mode 2 moves along x only: it does not move a damper along y
     let fault = plan.modal_mass_kg(1, &start).unwrap_err();
     assert!(matches!(fault, DamperError::ModeStill { mode: 2, .. }));
     assert!(fault.to_string().contains("it moves only in x here"), "{fault}");
@@ -451,7 +452,7 @@ fn agrees_several_dampers_of_all_kinds_tuned_together_leave_nothing_better_besid
 
 #[test]
 fn agrees_dampers_that_stay_are_part_of_the_structure() {
-    // a column and a dashpot to the ground are fixed, a mass is judged: prepared frequencies against assembled matrices
+    // a column and a dashpot to the ground are fixed, and a mass is judged: prepared frequencies against assembled matrices
     for base in [false, true] {
         let mut problem = edges(twisting_floor());
         if base {
@@ -476,7 +477,7 @@ fn agrees_dampers_that_stay_are_part_of_the_structure() {
             close(a / b, 1.0, 1e-6);
         }
         close(exact.stroke_rms_m[0] / near.stroke_rms_m[0], 1.0, 1e-6);
-        // all three as additional dampers on a plan without any
+        // all three as additional dampers on a plan without dampers
         let bare = Plan::new(
             DamperProblem {
                 fixed: Vec::new(),

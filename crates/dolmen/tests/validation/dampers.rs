@@ -1,7 +1,7 @@
-// SOURCE     Hwang, Min & Hong: coupled lateral torsional vibration of tall buildings and its control; its one-floor example, found
-//            again from its Table 1; a second floor on which its rule fails.
-// GOAL       Standard deviations with a damper by assembled matrices and by modal synthesis, by Lyapunov's equation and by
-//            the integral over frequency: all the same, and to the digits computed apart from this crate.
+// SOURCE     Hwang, Min & Hong: coupled lateral torsional vibration of tall buildings and its control; its one-floor example,
+//            reconstructed from its Table 1; a second floor on which its rule fails.
+// GOAL       Standard deviations with a damper, by assembled matrices and by modal synthesis, by Lyapunov's equation and by the
+//            integral over frequency: all agree, also with digits computed independently of this crate.
 // PARAMETERS floor of 10 × 8 m, ρ² = 164/12, unit mass, k_x = 2.2821², k_y = .7 k_x, centre of rigidity e = −1.5 m,
 //            k_θ = 16 k_x + 25 k_y; structure 2 %; white force along y at the centre; m_d = .05 × modal mass of mode 1 with
 //            φ_y = 1 there. Second floor: k_y = 3.6456, e = −.5 m, k_θ = k_y ρ².
@@ -166,7 +166,7 @@ fn published_the_rule_makes_the_opposite_edge_worse_on_the_second_floor() {
     close(at[1], 2.039, 5e-4);
 }
 
-/// Three floors with walls off centre in both directions, not classically damped.
+/// Three floors with walls that are eccentric in both directions; damping is not classical.
 fn tower() -> LinearSystem {
     let storey = [[900.0, 0.0, 180.0], [0.0, 700.0, -420.0], [180.0, -420.0, 9000.0]];
     let n = 9;
@@ -195,7 +195,7 @@ fn of_floor(floor: usize, row: [f64; 3]) -> Vec<f64> {
     all
 }
 
-/// One of each kind, and two masses on one floor.
+/// One damper of each kind, and two masses on one floor.
 fn many() -> Vec<AttachedDamper> {
     let mass = DamperKind::TunedMass {
         mass_kg: 0.1,
@@ -390,7 +390,7 @@ fn exact_loads_that_depend_on_each_other() {
 
 #[test]
 fn published_sign_of_eq_5a_for_a_damper_along_x() {
-    // walls eccentric both ways: an X damper at (0, Y) moves with u − Yθ; eq. 5a prints + Y
+    // walls eccentric in both directions: an X damper at (0, Y) moves with u − Yθ; eq. 5a prints + Y
     let kx = 2.2821 * 2.2821;
     let ky = 0.7 * kx;
     let (ex, ey) = (-1.5, 1.0);
@@ -424,7 +424,8 @@ fn published_sign_of_eq_5a_for_a_damper_along_x() {
     // a mass at (0, 4): a rotation by θ moves it by −4 θ along x
     close(ratio(vec![1.0, 0.0, -4.0]), 0.588_927, 5e-7);
     close(ratio(vec![1.0, 0.0, 4.0]), 0.517_409, 5e-7); // as published: 12 % better than it is
-    // by eq. 12 of the same paper a point at y = r_y does not move along x in its mode; with the sign of eq. 5a it moves twice
+    // by eq. 12 of the same paper, a point at y = r_y does not move along x in its mode; with the sign of eq. 5a it moves with
+    // twice the amplitude
     for mode in [0, 2] {
         let [phi_x, _, phi_theta] = [0, 1, 2].map(|i| modes.shapes[(i, mode)]);
         let r_y = phi_x / phi_theta;

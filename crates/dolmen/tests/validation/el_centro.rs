@@ -1,10 +1,10 @@
-// SOURCE     El Centro 1940 NS as data/el_centro_1940_ns holds it.
-// GOAL       Response spectra are exact, and true peaks stand apart from the peaks at the samples.
+// SOURCE     El Centro 1940 NS in data/el_centro_1940_ns.
+// GOAL       Response spectra are exact, and give both the true peaks and the peaks at the samples.
 // PARAMETERS ζ 2 %, T 0.5, 1, 2 s; ζ 5 %, T 0.1 s; g = 386.0886 in/s² = 9.80665 m/s².
-// AGREES     with the matrix exponential of the augmented state (mpmath 1.3.0, 100 steps to each of the record, 200 for
-//            T 0.1 s): true peaks 2.687058, 5.967164, 7.466290 in and 1.61170 mm; at the samples 2.6739, 5.9662, 7.4650 in
+// AGREES     with the matrix exponential of the augmented state (mpmath 1.3.0, 100 steps per step of the record, 200 for T
+//            0.1 s): true peaks 2.687058, 5.967164, 7.466290 in and 1.61170 mm; at the samples 2.6739, 5.9662, 7.4650 in
 //            and 1.50914 mm.
-// TOLERANCE  2e-6 in: the 100 steps may pass the peak by; half a unit of the last digit written elsewhere.
+// TOLERANCE  2e-6 in, because the 100 steps may miss the peak; otherwise half a unit of the last printed digit.
 
 use dolmen::signal::{Component, GroundMotion, response_spectrum};
 

@@ -1,6 +1,6 @@
-// SOURCE     Rigid motion of a floor by hand, u - θ y, v + θ x; the forward modes of `Building`; floors drawn by random rotations.
-// GOAL       The modes of a record give stiffness and centre of rigidity of a storey in plan; without shapes the bounds hold every
-//            storey that has the frequencies.
+// SOURCE     Rigid motion of a floor by hand, u - θ y, v + θ x; the forward modes of `Building`; random floors by random rotations.
+// GOAL       The modes of a record give stiffness and centre of rigidity of a storey in plan; without shapes, the bounds contain every
+//            storey with these frequencies.
 //
 //        A   o-----------o B      sensors along x and y at A, B, along y at C:
 //            |     e     |        φ = u d_x + v d_y + θ (d_y x − d_x y)
@@ -8,7 +8,7 @@
 //
 // PARAMETERS 200 floors: 10 to 1000 t, ρ 2 to 12 m, centre of rigidity up to ρ/2 off, frequencies 0.5 to 5 Hz.
 // PUBLISHED  Nothing.
-// TOLERANCE  1e-7 times the amplification of a storey: rounding of shapes. Bounds 4 %: what 40,000 draws leave of a corner.
+// TOLERANCE  1e-7 times the amplification of a storey: rounding of shapes. Bounds 4 %: 40,000 draws do not fill a corner completely.
 
 use crate::made_mode::made_mode;
 use dolmen::modal::{Method, Mode, Modes};
@@ -34,7 +34,7 @@ fn channel(name: &str, [x, y]: [f64; 2], direction: [f64; 3]) -> Channel {
     }
 }
 
-/// Two at A, two at B, one at C; the second of B points the other way.
+/// Two sensors at A, two at B, one at C; the second at B points the opposite way.
 fn channels() -> Vec<Channel> {
     let (a, b, c) = ([-4.0, 2.0], [10.0, 2.5], [9.0, -6.0]);
     vec![
@@ -46,7 +46,7 @@ fn channels() -> Vec<Channel> {
     ]
 }
 
-/// The sensors' record of a floor that moves by u, v and rotates by θ about its centre of mass, each shape with another phase.
+/// The sensor record of a floor that moves by u, v and rotates by θ about its centre of mass; each shape has its own phase.
 fn record(frequencies_hz: &[f64], motions: &[[f64; 3]], channels: &[Channel]) -> Modes {
     let mode = |(at, (frequency_hz, [u, v, theta])): (usize, (&f64, &[f64; 3]))| {
         let seen = channels.iter().map(|of| {
@@ -147,7 +147,7 @@ fn holds_a_record_gives_back_stiffness_and_centre_of_rigidity_of_200_storeys() {
             let e = one.eccentricity_m.iter().zip(&of.storey.eccentricity_m);
             if let (true, Some(k_sd), Some(e_sd)) = (one.roots_meet, one.stiffness_sd, one.eccentricity_sd_m)
             {
-                // it represents two solutions that coincide within the scatter: the truth is in its interval
+                // it represents two solutions that coincide within the scatter: its interval contains the true value
                 return k.zip(&k_sd).all(|((a, b), sd)| (a - b).abs() <= 1.96 * sd)
                     && e.zip(&e_sd).all(|((a, b), sd)| (a - b).abs() <= 1.96 * sd);
             }
@@ -189,7 +189,7 @@ fn holds_a_sensor_turned_round_is_seen_and_three_on_a_line_say_nothing() {
     assert_eq!(floor_modes(&below, &place(&of.storey)), None);
 }
 
-/// A rotation drawn at random, by quaternion.
+/// A random rotation, from a quaternion.
 fn rotation(random: &mut Random) -> [[f64; 3]; 3] {
     let q = [0; 4].map(|_| random.normal());
     let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -243,7 +243,7 @@ fn agrees_bounds_with_storeys_drawn_by_rotations_of_their_modes() {
     for _ in 0..40_000 {
         let q = rotation(&mut random);
         let k = |i: usize, j: usize| (0..3).map(|m| lambda[m] * q[i][m] * q[j][m]).sum::<f64>();
-        // axes of the 2 × 2 block of u and v, either way round
+        // axes of the 2 × 2 block of u and v, in either order
         let turn = 0.5 * (2.0 * k(0, 1)).atan2(k(0, 0) - k(1, 1));
         for turn in [turn, turn + 0.25 * TAU] {
             let (sin, cos) = turn.sin_cos();
@@ -255,7 +255,7 @@ fn agrees_bounds_with_storeys_drawn_by_rotations_of_their_modes() {
                 ]
             };
             let own = |i: usize, j: usize| (0..3).map(|m| lambda[m] * shape(m)[i] * shape(m)[j]).sum::<f64>();
-            // the mode along y, along x and of torsion: no other motion has more than twice the energy of its own
+            // the mode along y, along x and of torsion: no other motion has more than twice the energy of the named motion
             let moves = [1, 0, 2].iter().enumerate().all(|(m, axis)| {
                 let energy = shape(m).map(|x| x * x);
                 energy.iter().all(|other| *other <= 2.0 * energy[*axis])

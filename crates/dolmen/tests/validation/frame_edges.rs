@@ -1,10 +1,10 @@
 // SOURCE     closed forms; a plain time-stepping solution written here; Park and Min (2010) for the signs of P-delta.
-// GOAL       Frames at the edges of what they are used for: P-delta with sliders, no slip force, falling frames, limits that are
-//            reached between steps, few samples.
+// GOAL       Frames in extreme cases: P-delta with sliders, no slip force, falling frames, limits reached between steps, few
+//            samples.
 // PARAMETERS in each test.
-// AGREES     steps of 1e-5 s by Runge and Kutta's method, sliders looked at after each.
-// TOLERANCE  the time stepping changes a slider up to a step late, so that its error falls with the step: 2e-6 of the largest
-//            displacement at 2e-6 s, 1e-6 at 1e-6 s, asked for 5e-5 at 1e-5 s.
+// AGREES     Runge–Kutta steps of 1e-5 s, with a check of the sliders after each.
+// TOLERANCE  time stepping changes a slider up to a step late, so its error is proportional to the step: 2e-6 of the largest
+//            displacement at 2e-6 s, 1e-6 at 1e-6 s; required 5e-5 at 1e-5 s.
 
 use dolmen::dynamics::{
     FrameLoad, FrameOutcome, FrameRun, FrictionActsOn, FrictionFrame, StoreyFriction, TimeFunction,
@@ -126,7 +126,7 @@ fn agrees_jenkins_under_p_delta_with_time_stepping() {
         (1.3, Convention::Drift, FrictionActsOn::Displacement),
         (1.2, Convention::Grounded, FrictionActsOn::Drift),
     ] {
-        // its last sample is not 0: the ground's acceleration jumps there
+        // its last sample is not 0: there the ground acceleration jumps
         let load = shaking(&mut random, 61, 0.05);
         let friction = |i: usize| StoreyFriction::Jenkins {
             stuck_stiffness_n_m: STUCK[i],
@@ -179,7 +179,7 @@ fn exact_a_slider_of_no_force_is_none() {
     for friction in [[none[0]; 3], [none[1]; 3], [none[1], none[0], none[1]]] {
         assert_eq!(moved(friction), free);
     }
-    // beside one that has a force
+    // next to a slider with a force
     let one = moved([StoreyFriction::coulomb(0.5), none[0], none[1]]);
     assert_eq!(
         one,
@@ -194,7 +194,7 @@ fn exact_a_slider_of_no_force_is_none() {
 
 #[test]
 fn refuses_rayleigh_damping_that_drives_a_falling_frame() {
-    // springs in series with their sliders only: as they slip, K = −N/l, ω² = −4 1/s²
+    // springs in series with their sliders only: during slip K = −N/l, ω² = −4 1/s²
     let falling = |damping| {
         let storeys = frame(&[(1.0, 1.0, 4.0)], Convention::Drift);
         FrictionFrame::new(storeys, vec![0.0], vec![StoreyFriction::jenkins(10.0, 1.0)])
@@ -216,7 +216,7 @@ fn refuses_rayleigh_damping_that_drives_a_falling_frame() {
 
 #[test]
 fn exact_a_drift_beyond_its_limit_between_steps_ends_the_run() {
-    // y = sin t, peak 1 at π/2 s: steps of a second end at 0.84, 0.91, 0.14; the run ends where y = 0.999, not at the end of a step
+    // y = sin t, peak 1 at π/2 s: at the ends of one-second steps y is 0.84, 0.91, 0.14; the run ends at y = 0.999, inside a step
     let storeys = frame(&[(1.0, 1.0, 0.0)], Convention::Drift);
     let free = FrictionFrame::new(storeys, vec![1.0], vec![StoreyFriction::None]).unwrap();
     let history = |drift_ratio_most| {
@@ -287,7 +287,7 @@ fn exact_drift_of_a_map_is_that_between_the_samples() {
 
 #[test]
 fn exact_how_far_a_steady_point_is_from_the_steady_state() {
-    // the same closed form over frequencies and damping: what a map says of itself
+    // the same closed form over frequencies and damping, as a map states it
     for (zeta, most) in [
         (0.005, 0.34),
         (0.01, 0.1),

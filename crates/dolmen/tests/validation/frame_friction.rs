@@ -1,10 +1,10 @@
 // SOURCE     Den Hartog (1931); Jenkins (1962); Park and Min (2010) with El Centro 1940 NS.
-// GOAL       A frame with dry friction moves by Coulomb's law exactly: decay, steady states, loops, earthquakes.
+// GOAL       A frame with dry friction moves exactly by Coulomb's law: decay, steady states, loops, earthquakes.
 // PARAMETERS in each test.
-// AGREES     the two-storey run with an event-by-event solution by another program (1e-12 s events): peaks, residuals and
-//            the number of events as the theory page of the project gives them.
-// TOLERANCE  closed forms 1e-12 of the amplitude; amplitudes in steady state 1e-9 after the start has died out; printed
-//            numbers half a unit of their last digit.
+// AGREES     the two-storey run with an event-by-event solution of another program (1e-12 s events): peaks, residuals and
+//            number of events as on the theory page of the project.
+// TOLERANCE  closed forms 1e-12 of the amplitude; steady-state amplitudes 1e-9 after the transient; printed numbers half
+//            a unit of their last digit.
 
 use approx::assert_relative_eq;
 use dolmen::dynamics::{
@@ -55,7 +55,7 @@ fn exact_free_decay_loses_four_slips_a_cycle() {
     for start in [10.0, 9.3, -7.7, 0.99] {
         let history = run(&oscillator(1.0), &FrameLoad::none(), &released(start, 30.0));
         let turns = free_decay_turns_m(start, 1.0, 1.0);
-        // one slip a half cycle, each of them from turn to turn
+        // one slip per half cycle, each from one turning point to the next
         assert_eq!(history.slips.len(), turns.len() - 1, "from {start}");
         for (slip, pair) in history.slips.iter().zip(turns.windows(2)) {
             assert!(
@@ -72,7 +72,7 @@ fn exact_free_decay_loses_four_slips_a_cycle() {
 
 #[test]
 fn exact_static_friction_holds_until_its_own_force() {
-    // k = 1, f_k = 1, f_s = 2.5: from 3 it goes to −1 and stays there, since 1 < 2.5
+    // k = 1, f_k = 1, f_s = 2.5: from 3 it moves to −1 and stays there, since 1 < 2.5
     let friction = StoreyFriction::Coulomb {
         static_force_n: 2.5,
         kinetic_force_n: 1.0,
@@ -81,7 +81,7 @@ fn exact_static_friction_holds_until_its_own_force() {
     let history = run(&sticky, &FrameLoad::none(), &released(3.0, 20.0));
     assert!((history.residual_m[0] + 1.0).abs() < 1e-13);
     assert_eq!(history.slips.len(), 1);
-    // and from 2.4 it does not move at all
+    // from 2.4 it does not move at all
     let history = run(&sticky, &FrameLoad::none(), &released(2.4, 20.0));
     assert_eq!((history.residual_m[0], history.events), (2.4, 0));
 }
@@ -89,7 +89,7 @@ fn exact_static_friction_holds_until_its_own_force() {
 #[test]
 fn exact_steady_amplitudes_of_den_hartog() {
     for (g, r) in [(0.6, 0.3), (0.9, 0.5), (1.5, 0.5), (3.0, 0.4)] {
-        // P = 1, k = 1, m = 1: ω_n = 1. As a force on the mass, then as a moving base
+        // P = 1, k = 1, m = 1: ω_n = 1. First as a force on the mass, then as a moving base
         let sine = |amplitude| TimeFunction::Harmonic {
             amplitude,
             frequency_hz: g / TAU,
@@ -108,7 +108,7 @@ fn exact_steady_amplitudes_of_den_hartog() {
                 ..FrameRun::default()
             };
             let history = run(&oscillator(r), &load, &options);
-            // slips from turn to turn are twice the amplitude
+            // a slip between turning points is twice the amplitude
             let last: Vec<f64> = history
                 .slips
                 .iter()
@@ -127,7 +127,7 @@ fn exact_steady_amplitudes_of_den_hartog() {
 
 #[test]
 fn exact_loop_of_a_jenkins_element() {
-    // no spring in parallel, and an inertia that moves it through ±1.5: force = k_s = 2, f = 1
+    // no parallel spring, and an inertia that moves the slider through ±1.5: force = k_s = 2, f = 1
     let element = StoreyFriction::jenkins(2.0, 1.0);
     // a heavy mass on its own stiff spring oscillates at 1 rad/s with 1.5, hardly slowed by the element
     let mass = 1e12;
@@ -139,7 +139,7 @@ fn exact_loop_of_a_jenkins_element() {
         taken.push(at(cycle as f64 + 1.0) - at(cycle as f64));
     }
     for taken in taken {
-        // the samples are up to 0.03 s from the reversal, in which the slider sticks
+        // the samples are up to 0.03 s from the reversal, during which the slider sticks
         assert!(
             (taken - jenkins_loop_energy_j(1.5, 2.0, 1.0)).abs() < 1e-8,
             "{taken}"
@@ -149,7 +149,7 @@ fn exact_loop_of_a_jenkins_element() {
 
 #[test]
 fn exact_jenkins_beside_a_spring_changes_its_frequency() {
-    // within the slider's force: √((k + k_s)/m); far beyond it: √(k/m)
+    // for forces below that of the slider: √((k + k_s)/m); far above it: √(k/m)
     let frame =
         FrictionFrame::new(frame(&[1.0]), vec![1.0], vec![StoreyFriction::jenkins(3.0, 1.0)]).unwrap();
     let turns = |start: f64| {
@@ -332,7 +332,7 @@ fn stepped(frame: &FrictionFrame, slip_n: &[f64], load: &TimeFunction, duration_
 fn agrees_five_storeys_with_time_stepping() {
     let masses = [40e3, 35e3, 30e3, 20e3, 10e3];
     let stiffness = vec![9e6, 8e6, 9e6, 5e6, 3e6];
-    // its own weight times one coefficient: all storeys reach their limits at once
+    // its own weight times one coefficient: all storeys reach their limits together
     let above = |i: usize| masses[i..].iter().sum::<f64>();
     let slip: Vec<f64> = (0..5).map(|i| 0.05 * 9.81 * above(i)).collect();
     let friction = slip.iter().map(|f| StoreyFriction::coulomb(*f)).collect();
@@ -453,12 +453,12 @@ fn holds_coulombs_law_in_random_frames() {
 
 #[test]
 fn exact_apparent_frequency_and_damping_of_a_release() {
-    // Coulomb: every half swing takes half the natural period, and loses 2 f/k of the amplitude
+    // Coulomb: each half cycle takes half the natural period and reduces the amplitude by 2 f/k
     let found = amplitude_dependence(&oscillator(0.1), 2.0).unwrap();
     assert!(found.len() > 5);
     for (j, at) in found.iter().enumerate() {
         let amplitude = 2.0 - 0.1 - 0.2 * j as f64;
-        // the mean of the two half cycles around the loss: (2/π) f/(k A) there, to first order
+        // the mean of the two half cycles before and after the loss: (2/π) f/(k A) there, to first order
         let mean = amplitude - 0.1;
         assert!((at.amplitude_m - mean).abs() < 1e-12, "{at:?}");
         let of_energy = 2.0 / std::f64::consts::PI * 0.1 / mean;
@@ -509,7 +509,7 @@ fn refuses_to_read_swings_of_a_frame_that_falls() {
         "{}",
         falling(0.5, 1.0)
     );
-    // it stands while it sticks, and falls after the slider has slipped
+    // it is stable while it sticks, and falls after the slider has slipped
     let said = falling(0.5, 2.0);
     assert!(
         said.starts_with("let go from 0.05 m, storey 1 of the frame leans beyond"),

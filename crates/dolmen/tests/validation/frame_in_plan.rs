@@ -1,5 +1,6 @@
 // SOURCE     Coulomb's law in the plane: Moreau (1988); closed forms; the exact solution of one direction, event by event.
-// GOAL       A frame under two components moves as two runs where nothing couples its directions, and shares one slip force where joints rub in both.
+// GOAL       Under two components a frame moves as two separate runs if nothing couples its directions; joints with friction in both directions share
+//            one slip force.
 //
 //            y |    / motion at 45°: the slip force is f, not √2 f
 //              |   /
@@ -7,7 +8,7 @@
 //
 // PARAMETERS in each test.
 // AGREES     with `simulate_frame`, whose events are exact, along any line; the two storeys of the theory page in El Centro.
-// TOLERANCE  linear: 1e-9 of the amplitude at samples. Shared friction is stepped, of first order: 0.5 % of the largest drift, which is where the
+// TOLERANCE  linear: 1e-9 of the amplitude at the samples. Shared friction uses time steps of first order: 0.5 % of the largest drift, at which the
 //            halving of steps ends, and closed forms within it.
 
 use dolmen::dynamics::{
@@ -111,7 +112,7 @@ fn holds_equal_directions_under_one_motion_turned_have_its_resultant() {
     }
 }
 
-/// The exact engine runs along the line; the steps run independently on both axes of the plane.
+/// The exact engine runs along the line; the time stepping runs on both axes of the plane independently.
 #[test]
 fn agrees_shared_friction_along_a_line_at_45_degrees_with_the_exact_events() {
     let run = options(35.0);
@@ -153,7 +154,7 @@ fn agrees_shared_friction_along_a_line_at_45_degrees_with_the_exact_events() {
             let left = history.energy_left_over_ratio();
             assert!(left < 1e-9, "{left}");
         }
-        // separate sliders in each direction would hold √2 as much
+        // separate sliders in each direction would carry √2 as much
         let each = gate(stiffness, friction);
         let box_of = simulate_frame(
             &each,
@@ -220,13 +221,13 @@ fn exact_a_mass_circles_against_friction() {
         let wanted = circle_radius(case.0, case.1, case.2).unwrap();
         let off = radius(case, 0.1) / wanted - 1.0;
         assert!(off.abs() < 1e-3, "{case:?}: {off}");
-        // of first order: 0.4 of the step, 0.4 of the error
+        // of first order: 0.4 times the step gives 0.4 times the error
         let finer = radius(case, 2e-4) / wanted - 1.0;
         assert!(finer.abs() < 0.5 * off.abs(), "{case:?}: {off} {finer}");
     }
 }
 
-/// A steady push at 45° of 1.2 f: two sliders would hold it, one does not.
+/// A constant push of 1.2 f at 45°: two sliders would hold it, one does not.
 #[test]
 fn exact_one_slip_force_is_the_same_in_every_direction() {
     let storey = Storey {
@@ -262,12 +263,12 @@ fn exact_one_slip_force_is_the_same_in_every_direction() {
     assert!(of([2.0, 1.0], on.map(|push| 1.01 * push))[1] > 0.0);
 }
 
-/// A still frame with a lean stays where its springs hold it; a shaken one moves about that position, because springs are linear.
+/// A leaning frame at rest stays where its springs balance it; under shaking it moves about this position, because the springs are linear.
 #[test]
 fn exact_a_leaning_frame_moves_about_where_it_rests() {
     let frame = gate(SOFT_ABOVE, NONE);
     let leaning = frame.leaning(0.02).unwrap();
-    // τ N/(k − N/l) a storey
+    // τ N/(k − N/l) for each storey
     let drifts = [(185.18e6, 5919e3, 5.84), (16.85e6, 3077e3, 7.69)]
         .map(|(k, n, l): (f64, f64, f64)| 0.02 * n / (k - n / l));
     let rest = [drifts[0], drifts[0] + drifts[1]];

@@ -1,5 +1,5 @@
-// SOURCE     Energy of springs and of weights that come down as columns lean; linear algebra.
-// GOAL       The matrices are those of the energies; stiffness found from frequencies gives the frequencies back, and the
+// SOURCE     Energy of springs, and of weights that descend as columns lean; linear algebra.
+// GOAL       The matrices are those of the energies; a stiffness identified from frequencies reproduces them, and the
 //            true one is always among those found.
 //
 //       δ_i = Y_i − Y_{i−1}        V = Σ ½ k_i e_i² + Σ ½ k_ab (Y_b − Y_a)² − Σ ½ (N_i/l_i) δ_i²
@@ -7,15 +7,15 @@
 //
 // PARAMETERS Random frames of 1 to 4 storeys, with and without a tie.
 // PUBLISHED  Nothing: laws.
-// TOLERANCE  1e-12 relative to the sum of the terms' moduli (rounding); frequencies of a root 1e-9; the true stiffness
-//            1e-6, as near as two roots can lie before they count as one.
+// TOLERANCE  1e-12 relative to the sum of the absolute terms (rounding); frequencies of a solution 1e-9; the true
+//            stiffness 1e-6, the distance at which two solutions are merged.
 
 use dolmen::stability::frame_stability;
 use dolmen::structure::{Convention, Frame, Storey, Tie, stiffness_from_frequencies};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-/// A frame, stiffnesses with which it stands, and displacements.
+/// A frame, stiffnesses for which it is stable, and displacements.
 #[derive(Clone, Debug)]
 struct Drawn {
     frame: Frame,
@@ -55,7 +55,7 @@ fn drawn(storeys: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Draw
             }];
             frame = frame.with_ties(ties).unwrap();
         }
-        // more springs never lower the load factor: double them until it suffices
+        // stiffer springs never lower the load factor: double them until it suffices
         let mut stiffness: Vec<f64> = parts.iter().map(|p| p.3 * 1e6).collect();
         while frame_stability(&frame, &stiffness).unwrap().load_factor < load_factor {
             stiffness.iter_mut().for_each(|k| *k *= 2.0);
@@ -111,7 +111,7 @@ proptest! {
 
     #[test]
     fn exact_a_frame_on_nothing_translates_freely(d in drawn(2..=6)) {
-        // drift springs, none below storey 1 and no tie to the ground: moving all levels together costs nothing
+        // drift springs, no stiffness in storey 1 and no tie to the ground: moving all levels together needs no force
         let storeys = d.frame.storeys().to_vec();
         let ties = d.frame.ties().iter().copied().filter(|tie| tie.lower > 0).collect();
         let frame = Frame::new(storeys, Convention::Drift).unwrap().with_ties(ties).unwrap();
@@ -147,7 +147,7 @@ proptest! {
     #[test]
     fn holds_the_true_stiffness_is_among_the_roots_and_all_give_the_frequencies(d in drawn(2..=4)) {
         let f = frequencies(&d.frame, &d.stiffness);
-        // two modes that coincide are one measurement
+        // two coinciding modes are a single measurement
         prop_assume!(f.windows(2).all(|pair| pair[1] > pair[0] * (1.0 + 1e-3)));
         let roots = stiffness_from_frequencies(&d.frame, &f).unwrap();
         prop_assert!(roots.complete, "{:?}", roots.notes);

@@ -1,8 +1,9 @@
-// SOURCE     Equilibrium of a storey in its leaning shape; a column on two Winkler beds, as the theory of loads has it.
-// GOAL       Drift and greatest force of the storeys of a frame under forces at its levels.
-// PARAMETERS two storeys of a gate; a column N 200 kN, b = B = 0.5 m, h 4 m; 200 frames drawn by a seed, one to six storeys, either convention.
-// PUBLISHED  by hand: δ = (V + N τ)/(k − N/l); N b/h of a rigid column.
-// TOLERANCE  1e-12 closed forms; 1e-9 against P-delta summed round by round; 1e-6 against a grid of rotations, of which the top is flat.
+// SOURCE     Equilibrium of a storey in its leaning shape; a column on two Winkler beds, as in the theory of loads.
+// GOAL       Drift and largest force of the storeys of a frame under forces at its levels.
+// PARAMETERS two storeys of a gate; a column N 200 kN, b = B = 0.5 m, h 4 m; 200 random frames from a seed, one to six storeys, both
+//            conventions.
+// PUBLISHED  by hand: δ = (V + N τ)/(k − N/l); N b/h for a rigid column.
+// TOLERANCE  1e-12 closed forms; 1e-9 against iterated P-delta; 1e-6 against a grid of rotations, whose maximum is flat.
 
 use dolmen::numeric::Random;
 use dolmen::stability::{
@@ -43,7 +44,7 @@ fn exact_two_storeys_with_p_delta_and_a_lean() {
     // at rest: τ k/(k − N/l)
     assert!((low.lean_at_rest.unwrap() / (0.01 * 1100.0 / 1000.0) - 1.0).abs() < 1e-12);
     assert!((high.lean_at_rest.unwrap() / (0.01 * 850.0 / 800.0) - 1.0).abs() < 1e-12);
-    // at 10 % of the height less the lean: κ (0.1 − 0.01) l − N τ, over V
+    // at 10 % of the height minus the lean: κ (0.1 − 0.01) l − N τ, over V
     assert!((low.factor / ((1000e3 * 0.09 * 5.0 - 5e3) / 30e3) - 1.0).abs() < 1e-12);
     assert!((high.factor / ((800e3 * 0.09 * 4.0 - 2e3) / 20e3) - 1.0).abs() < 1e-12);
     assert_eq!(
@@ -59,7 +60,7 @@ fn exact_two_storeys_with_p_delta_and_a_lean() {
     assert_eq!((back.factor, back.storeys[0].shear_n), (of.factor, -30e3));
     let still = pushed(&gate, &[1100e3, 850e3], &[0.0, 0.0], 0.01);
     assert_eq!((still.factor, still.verdict()), (f64::INFINITY, Verdict::Stable));
-    // a lean of more than the drift at which it counts as fallen
+    // a lean larger than the drift of a fallen storey
     let over = pushed(&gate, &[1100e3, 850e3], &[10e3, 20e3], 0.1);
     assert_eq!((over.factor, over.storeys[1].lean_at_rest), (0.0, None));
 }
@@ -128,7 +129,7 @@ fn exact_rigid_columns_alone_hold_n_b_over_h() {
     assert!((storey.greatest_n.unwrap() / 25e3 - 1.0).abs() < 1e-12);
     assert!((of.factor / 2.5 - 1.0).abs() < 1e-12);
     assert_eq!((storey.drift_m, storey.end), (Some(0.0), StoreyEnd::Force));
-    // a lean takes N τ
+    // a lean reduces the capacity by N τ
     let leaning = on_column(0.0, None, 10e3, 0.02);
     assert!((leaning.factor / 2.1 - 1.0).abs() < 1e-12);
     let over = on_column(0.0, None, 30e3, 0.0);
@@ -136,7 +137,7 @@ fn exact_rigid_columns_alone_hold_n_b_over_h() {
         (over.storeys[0].drift_m, over.verdict()),
         (None, Verdict::Unstable)
     );
-    // rigid columns in a storey of known stiffness: as if the whole stiffness came from beds, so that they hold less
+    // rigid columns in a storey of known stiffness: the whole stiffness is attributed to the beds, so the columns carry less
     let whole = on_column(500e3, None, 10e3, 0.0);
     assert!(whole.factor < of.factor && whole.factor > 1.0);
 }
@@ -154,7 +155,7 @@ fn agrees_columns_on_beds_with_a_grid_of_rotations() {
         let storey = &of.storeys[0];
         let resists = |theta: f64| by_theory_n(bed, theta) + springs * by_theory_m(bed, theta);
         let lean_n = 200e3 * tilt;
-        // as far as 10 % of the height, or the fall of the columns, less the lean
+        // up to 10 % of the height, or the fall of the columns, minus the lean
         let grid: Vec<f64> = (0..=2000).map(|i| 0.13 * f64::from(i) / 2000.0).collect();
         let falls = grid
             .iter()
@@ -183,7 +184,7 @@ fn agrees_columns_on_beds_with_a_grid_of_rotations() {
         };
         let drift_m = drift_at(lean_n + force_n) - drift_at(lean_n);
         assert!((storey.drift_m.unwrap() / drift_m - 1.0).abs() < 1e-6, "{what}");
-        // before that the curve is that of the theory
+        // before this point the curve is that of the theory
         for point in &storey.curve {
             assert!(
                 point.force_n <= storey.greatest_n.unwrap() * (1.0 + 1e-9),
@@ -198,13 +199,13 @@ fn agrees_columns_on_beds_with_a_grid_of_rotations() {
     }
 }
 
-/// P-delta by iteration, as by hand: the drifts give moments, the moments give drifts.
+/// P-delta by iteration, as by hand: drifts give moments, and moments give drifts.
 fn round_by_round(storeys: &[[f64; 2]], k: &[f64], forces: &[f64], convention: Convention) -> Vec<f64> {
     let n = k.len();
     let mut y = vec![0.0; n];
     for _ in 0..20_000 {
         let drift = |y: &[f64], i: usize| y[i] - if i == 0 { 0.0 } else { y[i - 1] };
-        // horizontal force of the weight on each level due to its lean: N δ/l of its storey less that of the one above
+        // horizontal force of the weight on each level due to its lean: N δ/l of its storey minus that of the storey above
         let push: Vec<f64> = (0..n)
             .map(|i| storeys[i][1] * drift(&y, i) / storeys[i][0])
             .collect();

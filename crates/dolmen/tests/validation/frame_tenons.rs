@@ -1,8 +1,8 @@
-// SOURCE     closed forms of a mass between springs with a gap (known/gap_spring.rs); a fixed-step integration written here, apart.
-// GOAL       Tenons with slack bear, crush, pinch and soften by their law, and make no energy.
+// SOURCE     closed forms of a mass between springs with a gap (known/gap_spring.rs); a separate fixed-step integration written here.
+// GOAL       Tenons with slack make contact, crush, pinch and soften according to their law, and create no energy.
 // PARAMETERS in each test.
-// TOLERANCE  closed forms 1e-11 of the value (events are located to 1e-12 s); the balance of energy 1e-9 of what was put in, as of frames
-//            without tenons; the fixed step of 4 µs to 2e-4 of the largest drift, the error of its contacts.
+// TOLERANCE  closed forms 1e-11 of the value (events are located to 1e-12 s); the energy balance 1e-9 of the input, as for frames without
+//            tenons; the fixed step of 4 µs 2e-4 of the largest drift, the error of its contacts.
 
 use dolmen::dynamics::{
     FrameHistory, FrameLoad, FrameOutcome, FrameRun, FrictionFrame, StoreyFriction, Tenon, TimeFunction,
@@ -104,7 +104,7 @@ fn exact_faces_crush_by_what_the_energy_leaves() {
         );
         assert!((right.gap_m / (gap + crushed) - 1.0).abs() < 1e-11);
         assert!((right.stiffness_n_m / (bearing / (1.0 + crushed / half)) - 1.0).abs() < 1e-11);
-        // the energy returned by the spring of one face loads the other side to its force at most
+        // the energy returned by the spring of one face loads the other face at most to its force
         assert!(
             left.crushed_m < 1e-11 && left.stiffness_n_m > bearing * (1.0 - 1e-10),
             "{left:?}"
@@ -120,7 +120,7 @@ fn exact_faces_crush_by_what_the_energy_leaves() {
     }
 }
 
-/// The area under force and drift, by the trapezoidal rule on accelerations and velocities only, compared with the energy of friction,
+/// The area under force and drift, by the trapezoidal rule from accelerations and velocities only, compared with the energy of friction,
 /// crushing and springs in the run.
 #[test]
 fn holds_the_area_of_a_pinched_loop_is_what_it_took() {
@@ -148,7 +148,7 @@ fn holds_the_area_of_a_pinched_loop_is_what_it_took() {
     let end = history.energy.last().unwrap();
     let taken = end.stored_j + end.friction_j + end.crushing_j;
     assert!(end.crushing_j > 1.0 && end.friction_j > 1.0, "{end:?}");
-    // a slider's force jumps within a sample, and the error of the rule is half of that sample
+    // the force of a slider jumps within a sample; the error of the rule is half of that sample
     assert!((work / taken - 1.0).abs() < 1e-4, "{work} {taken}");
 }
 
@@ -253,7 +253,7 @@ fn holds_no_energy_is_made_in_200_random_frames() {
     assert!(crushed > 200 && softened > 100, "{crushed} {softened}");
 }
 
-/// One storey's tenons in a fixed step: gaps, stiffness and crushed depths of the faces, and whether one bore in the last step.
+/// The tenons of one storey in a fixed step: gaps, stiffness and crushed depths of the faces, and which face was in contact in the last step.
 struct Stepped {
     law: Tenon,
     gap: [f64; 2],
@@ -380,7 +380,7 @@ fn exact_a_frame_rests_where_spring_and_tenon_hold_the_force() {
         duration_s: Some(1.0),
         ..FrameRun::default()
     };
-    // beyond the slack: k y + k_t (y − g) = F; to the other side alike; within it k y = F
+    // beyond the slack: k y + k_t (y − g) = F, on both sides; within it k y = F
     for (force, rest) in [(2.0, (2.0 + 2.0) / 5.0), (-2.0, -(2.0 + 2.0) / 5.0), (0.3, 0.3)] {
         let history = run(&damped(1.0, LOOSE), &pushed(force), &options);
         assert!(

@@ -1,9 +1,9 @@
-// SOURCE     Winkler (1867) for the bed; Housner (1963) for the swings of a rigid body; equilibrium of a column on two beds.
-//            Frames that rock: Lagrange's equation of columns and beam, and momentum in the motion after the impact.
-// GOAL       What free-standing columns hold against drift, where they lift off, hold most and fall, and how they swing.
-// PARAMETERS square and round feet drawn by a seed; the column N 200 kN, b = B = 0.5 m, h 4 m.
+// SOURCE     Winkler (1867) for the bed; Housner (1963) for the rocking of a rigid body; equilibrium of a column on two beds. Frames
+//            that rock: Lagrange's equation of columns and beam, and momentum in the motion after the impact.
+// GOAL       Force of free-standing columns over drift: uplift, largest force and fall; and their rocking.
+// PARAMETERS square and round feet, random from a seed; the column N 200 kN, b = B = 0.5 m, h 4 m.
 // PUBLISHED  it falls at 0.542, 0.779, 0.887, 0.936 of b/h for k_w 1e8, 3e8, 1e9, 3e9 N/m³ (small angles, by hand).
-// TOLERANCE  1e-8 against strips of the bed; half a unit of the last digit of the table; 1e-6 against steps in time.
+// TOLERANCE  1e-8 against strips of the bed; half a unit of the last digit of the table; 1e-6 against time stepping.
 
 use dolmen::dynamics::{Rocking, RockingBlock, RockingOutcome, TimeFunction, rock_block};
 use dolmen::numeric::Random;
@@ -125,7 +125,7 @@ fn exact_rigid_columns_at_finite_rotation() {
         (standing.uplift.drift_m, columns.bed_stiffness_n_m()),
         (0.0, None)
     );
-    // the work up to the fall equals the rise of the weight: from h to the diagonal
+    // the work until the fall equals the rise of the weight: from h to the diagonal
     let curve = columns.curve(2001).unwrap();
     let work: f64 = curve
         .windows(2)
@@ -261,7 +261,7 @@ fn agrees_frequencies_of_swings_with_steps_in_time() {
         let linear = (1.0 / (1.0 - share)).acosh() / pull.sqrt();
         assert!((4.0 * found * linear - 1.0).abs() < 5e-3, "{share}");
     }
-    // on a bed, with a spring: small angles
+    // on a bed, with a spring, at small angles
     let (height, bed) = (400.0, 1e11);
     let slender = column(height, Some(bed));
     let uplift = SQUARE.uplift_rotation_rad(bed, 200e3);
@@ -280,7 +280,7 @@ fn agrees_frequencies_of_swings_with_steps_in_time() {
         (small * TAU / (whole / mass).sqrt() - 1.0).abs() < 1e-5,
         "{small}"
     );
-    // the larger, the slower
+    // a larger amplitude is slower
     let swings = [1.0, 2.0, 5.0, 20.0].map(|times| slender.swing_frequency_hz(mass, 0.0, times * uplift));
     assert!(swings.windows(2).all(|pair| pair[1] < pair[0]), "{swings:?}");
 }
@@ -294,7 +294,7 @@ fn refuses_columns_without_size_or_weight() {
     assert!(FreeColumns::new(1, SQUARE, 4.0, 1.0, Some(-1.0)).is_err());
 }
 
-/// A beam of mass `beam` on columns of mass `column` in all, b 0.5 m, h 4 m.
+/// A beam of mass `beam` on columns with the total mass `column`, b 0.5 m, h 4 m.
 struct Masses {
     column: f64,
     beam: f64,
@@ -305,7 +305,7 @@ const H: f64 = 4.0;
 const G: f64 = 9.81;
 
 impl Masses {
-    /// θ'' > 0 side, from the moments of all weights and inertia forces about the feet, over the moment of inertia.
+    /// θ'' for θ > 0, from the moments of all weights and inertia forces about the feet, over the moment of inertia.
     fn acceleration(&self, theta: f64, ground: f64) -> f64 {
         let alpha = B.atan2(H);
         let (middle, head) = (0.5 * H.hypot(B), H.hypot(B)); // foot to the centre of a column, to its head
@@ -316,7 +316,8 @@ impl Masses {
         -arm * (G * toward.sin() + ground * toward.cos()) / inertia
     }
 
-    /// Ratio of ω after to before the impact: Σ m v·φ is conserved, φ the motion about the new edges, at which the impulses do no work.
+    /// Ratio of ω after the impact to before: Σ m v·φ is conserved, with φ the motion about the new edges, where the impulses do no
+    /// work.
     fn kept(&self) -> f64 {
         let of = |x: f64, y: f64, x_new: f64| x * x_new + y * y; // v = ω (y, −x) about an edge
         let spin = self.column * (B * B + H * H) / 12.0;
@@ -400,7 +401,7 @@ fn agrees_with_steps_in_time_of_a_rocking_frame() {
         "{worst} {}",
         run.peak_rotation_rad
     );
-    // free motion: each impact takes 1 − r² of the energy, and none is lost between impacts
+    // free motion: each impact takes 1 − r² of the energy, and no energy is lost between impacts
     let free: Vec<f64> = run
         .impacts
         .iter()

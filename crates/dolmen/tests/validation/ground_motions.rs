@@ -1,9 +1,11 @@
-// SOURCE     El Centro 1940 NS as data/el_centro_1940_ns holds it.
-// GOAL       Intensity measures are those of other programs; a motion matched to a code's spectrum is within what is promised.
-// PARAMETERS El Centro; KDS 17 10 00, zone I, 2400 years, S4: S .22 g, F_a 1.36, F_v 1.96; .1 to 3 s, damping 5 %.
-// AGREES     with eqsig 1.2.17 and numpy 2.4.6 (bench/spectrum/expected.py), which are given the record interpolated along its
-//            straight lines, 40 points a step.
-// TOLERANCE  1e-4: trapezoids of 0.5 ms. Housner 1e-5: eqsig sees peaks at samples of 0.5 ms only. D5-95 one of its steps, 0.5 ms.
+// SOURCE     El Centro 1940 NS in data/el_centro_1940_ns.
+// GOAL       Intensity measures agree with other programs; a motion matched to the spectrum of a code stays within the promised
+//            limits.
+// PARAMETERS El Centro; KDS 17 10 00, zone I, 2400 years, S4: S 0.22 g, F_a 1.36, F_v 1.96; 0.1 to 3 s, damping 5 %.
+// AGREES     with eqsig 1.2.17 and numpy 2.4.6 (bench/spectrum/expected.py), for the record interpolated linearly with 40 points a
+//            step.
+// TOLERANCE  1e-4: trapezoids of 0.5 ms. Housner 1e-5: eqsig evaluates peaks only at samples of 0.5 ms. D5-95 one of its steps,
+//            0.5 ms.
 
 use dolmen::assess::demand::{KoreanSite, kds_17};
 use dolmen::signal::{
@@ -60,7 +62,7 @@ fn holds_a_match_to_the_spectrum_of_a_code() {
     let demand = kds_17(0.22, KoreanSite::S4).unwrap();
     let target = |period_s: f64| demand.acceleration_m_s2(period_s, 0.05).unwrap();
     let matched = match_spectrum(&el_centro(), Component::X, &target, &SpectrumMatch::default()).unwrap();
-    // held by the spectrum itself, at periods other than those that were matched
+    // checked by the spectrum itself, at periods other than the matched ones
     let periods: Vec<f64> = (0..100).map(|k| 0.1 * 30f64.powf(f64::from(k) / 99.0)).collect();
     let spectrum = response_spectrum(&matched.motion, Component::X, &periods, 0.05).unwrap();
     let errors: Vec<f64> = spectrum
@@ -77,7 +79,7 @@ fn holds_a_match_to_the_spectrum_of_a_code() {
         m.last_velocity_m_s.abs() < 1e-12 && m.last_displacement_m.abs() < 1e-11,
         "{m:?}"
     );
-    // the match is as good as its result says
+    // the match is as good as its result states
     assert!((matched.after.root_mean_square - rms).abs() < 0.005 && matched.before.root_mean_square > 0.15);
     let again = match_spectrum(&el_centro(), Component::X, &target, &SpectrumMatch::default()).unwrap();
     assert_eq!(again, matched);

@@ -1,9 +1,9 @@
 // SOURCE     Shinozuka & Deodatis (1991); Davenport (1964); the mean square of `gust_motion`; Runge and Kutta's fourth order.
-// GOAL       Histories of a turbulent wind: they have the cross spectra of the face, move a structure and its dampers as stepping in time does,
-//            and have the variances of the integral and the peaks of Davenport.
+// GOAL       Histories of a turbulent wind have the cross spectra of the face, give the same motion of a structure and its dampers as time
+//            stepping, and have the variances of the integral and Davenport's peaks.
 // PARAMETERS one mass, one strip; a twisting floor with a damper of every kind under two strips.
-// TOLERANCE  stepping in time: 2e-5 of the largest value, the error of its steps of 10 ms. Variances: 2 %, three times their scatter over the
-//            length drawn. Peaks: 3 %, as far as Davenport's limit is from a process of some 300 crossings.
+// TOLERANCE  time stepping: 2e-5 of the largest value, the error of its steps of 10 ms. Variances: 2 %, three times their scatter over the
+//            simulated length. Peaks: 3 %, the error of Davenport's limit for a process with about 300 crossings.
 
 use dolmen::damper::{
     AttachedDamper, DampedSystem, DamperError, DamperKind, GustQuantity, GustRow, gust_history, gust_motion,
@@ -220,7 +220,7 @@ fn agrees_with_the_integral_in_a_long_history() {
 
 #[test]
 fn agrees_with_davenport_in_the_mean_of_many_peaks() {
-    // 600 times ten minutes to one side, as Davenport counts
+    // 600 times ten minutes, peaks to one side, as Davenport counts them
     let face = face(&[[4.0, 9.0]]);
     // an acceleration at 10 %: lightly damped motion comes in groups, and slow motion has fewer independent peaks than crossings
     let structure = mass(2e5, 0.5, 0.1);
@@ -262,7 +262,7 @@ fn holds_two_strips_vary_together_as_their_cross_spectra_say() {
         samples: 240_000,
         looked_at: 1,
     };
-    // over the lines in the history, so that nothing is cut off
+    // over the lines in the history, so that nothing is truncated
     let (mut expected, mut found) = ([0.0; 3], [0.0; 3]);
     let pairs = [(0, 0), (1, 1), (0, 1)];
     for gusts in face.histories(&times, &draws(4)).unwrap() {
@@ -297,7 +297,7 @@ fn holds_the_same_seed_gives_the_same_gusts_and_another_others() {
     for other in [of(4, 0), of(3, 1)] {
         assert_ne!(of(3, 0)[0].at_n(1.0), other[0].at_n(1.0));
     }
-    // a period later the same again
+    // the same values one period later
     let gusts = &of(3, 0)[0];
     for (a, b) in gusts.at_n(7.0).iter().zip(gusts.at_n(7.0 + times.period_s())) {
         assert!((a - b).abs() < 1e-6 * a.abs(), "{a} {b}");

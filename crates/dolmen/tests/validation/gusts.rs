@@ -1,7 +1,8 @@
 // SOURCE     closed forms of random vibration; EN 1991-1-4:2005, Annex B; Davenport (1964).
 // GOAL       A structure in a turbulent wind: variances, peak factors, dampers.
 // PARAMETERS one mass, one strip; two floors; a twisting floor with a tuned mass, a liquid column, a column on a spring and a link.
-// TOLERANCE  5e-5 of own quadrature (the integral is to 2e-5 of a variance); narrow band and Annex B as each test says.
+// TOLERANCE  5e-5 against the quadrature here (the integral is accurate to 2e-5 of a variance); narrow band and Annex B as each
+//            test states.
 
 use dolmen::damper::{AttachedDamper, DampedSystem, DamperError, DamperKind, gust_motion, judge};
 use dolmen::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum};
@@ -79,7 +80,7 @@ fn agrees_with_own_quadrature_for_one_mass() {
     let wind = mean(28.0);
     let (height, breadth) = (30.0, 20.0);
     let face = face(vec![strip(0.0, height, breadth, wind)], COHERENCE_DECAY);
-    // written anew: ρ C_f A V, 6.8 f/(1 + 10.2 f)^(5/3), J of both lengths
+    // written again: ρ C_f A V, 6.8 f/(1 + 10.2 f)^(5/3), J of both lengths
     let admitted = |x: f64| 2.0 * (x - 1.0 + (-x).exp()) / (x * x);
     let density = |n: f64| {
         let f = n * wind.length_m / wind.mean_speed_m_s;
@@ -122,7 +123,7 @@ fn agrees_with_own_quadrature_for_one_mass() {
 
 #[test]
 fn exact_a_narrow_band_sees_white_noise() {
-    // ζ = 0.05 %: σ² = σ_slow² + π n S_F(n)/(4 ζ k²), and accelerations of the resonance alone
+    // ζ = 0.05 %: σ² = σ_slow² + π n S_F(n)/(4 ζ k²), and accelerations from the resonance alone
     let (kg, hz, zeta) = (4e5, 0.4, 5e-4);
     let face = face(vec![strip(0.0, 40.0, 25.0, mean(30.0))], COHERENCE_DECAY);
     let motion = &gust_motion(&mass(kg, hz, zeta), &[], &face, &one_column(), TEN_MINUTES_S).unwrap()[0];
@@ -136,7 +137,7 @@ fn exact_a_narrow_band_sees_white_noise() {
 
 #[test]
 fn agrees_with_annex_b_of_the_eurocode_in_resonance() {
-    // one mode of one strip over the whole height, the wind of z_s = 0.6 h everywhere, C = 9.2: J J = R_h R_b
+    // one mode and one strip over the whole height, the wind at z_s = 0.6 h everywhere, C = 9.2: J J = R_h R_b
     let eurocode = Wind::Eurocode(EurocodeWind {
         basic_speed_m_s: 28.0,
         terrain: EurocodeTerrain::Iii,
@@ -161,12 +162,12 @@ fn agrees_with_annex_b_of_the_eurocode_in_resonance() {
     let computed = motion.acceleration(&[1.0]).rms;
     // the non-resonant part adds some per cent to the acceleration
     assert!((computed / by_code - 1.0).abs() < 0.02, "{computed} {by_code}");
-    // displacement: the code's B² is a bound fitted to measured gusts; here ∫ J J S
+    // displacement: B² of the code is a bound fitted to measured gusts; here ∫ J J S
     let background = 1.0 / (1.0 + 0.9 * ((b + h) / wind.length_m).powf(0.63));
     let by_code = still * 2.0 * wind.intensity * (background + resonant).sqrt();
     let ratio = motion.displacement(&[1.0]).rms / by_code;
     assert!((0.9..1.05).contains(&ratio), "{ratio}");
-    // the code's own peak, 1 + 2 k_p I_v √(B² + R²) over 1 + 7 I_v, compared with mean + g σ
+    // peak factor of the code, 1 + 2 k_p I_v √(B² + R²) over 1 + 7 I_v, compared with mean + g σ
     let body = WindBody {
         height_m: h,
         breadth_m: b,
@@ -180,7 +181,7 @@ fn agrees_with_annex_b_of_the_eurocode_in_resonance() {
 
 #[test]
 fn exact_a_stiff_mass_follows_the_gusts() {
-    // σ = σ_F/k with σ_F² the whole of the force: no resonance at 60 Hz
+    // σ = σ_F/k with σ_F² of the total force: no resonance at 60 Hz
     let wind = mean(25.0);
     let face = face(vec![strip(0.0, 10.0, 8.0, wind)], COHERENCE_DECAY);
     let (kg, hz) = (1e5, 60.0);
@@ -325,7 +326,7 @@ fn exact_the_worst_direction_is_that_of_the_principal_axes() {
 
 #[test]
 fn agrees_tuning_with_the_whole_field() {
-    // six masses on springs, a tuned mass on the highest; what tuning uses: shapes of the forces with their cross spectra
+    // six masses on springs, a tuned mass on the highest; with the force patterns and cross spectra that tuning uses
     let n = 6;
     let k = Matrix::from_fn(n, n, |i, j| match i.abs_diff(j) {
         0 => 8e7 * if i + 1 == n { 1.0 } else { 2.0 },

@@ -1,8 +1,8 @@
-//! SOURCE: closed forms, and the modes of `stack_modes` on stacks made with other springs: they settle by themselves and know no families of motions.
-//! GOAL: factors on the springs of joints from measured modes, their bounds and their ranges.
-//! PARAMETERS: towers of boxes of 2600 kg/m³ on K_n 1e9, K_s 4e8 Pa/m; gravity of 0.005 m/s² where the rest must not move (settlement changes ω²/k by 1e-4
-//! under the earth's).
-//! TOLERANCE: stated at each; 1e-6 where nothing but rounding and settlement differs.
+//! SOURCE: closed forms, and the modes of `stack_modes` on stacks with other springs, which settle on their own and ignore families of motions.
+//! GOAL: factors on the springs of joints from measured modes, with their bounds and ranges.
+//! PARAMETERS: towers of boxes of 2600 kg/m³ on K_n 1e9, K_s 4e8 Pa/m; gravity 0.005 m/s² where the rest position must not move (settlement under the
+//! earth's gravity changes ω²/k by 1e-4).
+//! TOLERANCE: stated at each; 1e-6 if the only differences are rounding and settlement.
 
 use dolmen::blocks::{
     ContactRule, JointFactors, JointFactorsError, JointFactorsOptions, MeasuredStackMode, PairedBy,
@@ -64,7 +64,7 @@ pub(super) fn sways(stack: &Stack, axis: usize) -> Vec<StackMode> {
         .collect()
 }
 
-/// A mode as measured: exact except for its stated deviation; with a shape at the middle and near the top of every stone.
+/// A measured mode, exact except for its stated standard deviation, with a shape at the middle and near the top of every stone.
 pub(super) fn measured(
     stack: &Stack,
     axis: usize,
@@ -167,7 +167,7 @@ fn exact_common_factor_of_any_modes() {
     assert!(found.factors.iter().all(|factor| factor.best.is_none()));
 }
 
-/// A box on a bed of springs: u of its middle and its turn θ; lower of both frequencies.
+/// A box on a bed of springs: u of its middle and its rotation θ; the lower of both frequencies.
 ///
 /// ```text
 /// K = [k_s A, k_s A h/2; k_s A h/2, k_n b d³/12 + k_s A h²/4],   M = diag(m, m (d² + h²)/12)
@@ -188,12 +188,12 @@ fn exact_least_factor_of_a_box_whose_neighbours_are_rigid() {
     let top = [0.9, 1.3, 1.6];
     let stack = tower(&[[2.0, 2.4, 0.6], top], LIGHT);
     let unit_hz = box_on_springs_hz(top, 1e9, 4e8);
-    // c = (f/f_unit)², whatever the lower joint is
+    // c = (f/f_unit)² for any lower joint
     let measured_hz = 0.6 * unit_hz;
     let found = found(&stack, &[frequency(StackMotion::X, measured_hz, 1e-7)]);
     let least = found.factors[1].least.unwrap();
     assert!((least / 0.36 - 1.0).abs() < 1e-5, "{least}");
-    // with a rigid lower joint both stones rock on it as one: its own bound is that of one body, far below
+    // with a rigid lower joint both stones rock on it as one body, whose bound is far below
     assert!(found.factors[0].least.unwrap() < least);
 }
 
@@ -247,7 +247,8 @@ fn agrees_ranges_of_two_joints_with_a_grid_of_all_factors() {
         let step = ln(1) - ln(0);
         for (joint, factor) in found.factors.iter().enumerate() {
             let range = factor.range.unwrap();
-            // the least over the other factor; between the nodes of its grid χ² may be less: a node off by half a step is a frequency off by step/4
+            // the least over the other factor; between grid nodes χ² may be smaller, because a node half a step away changes a frequency by a quarter
+            // of a step
             let slack = (0.25 * step / relative_sd + 1.96).powi(2) * count as f64;
             let least = |at: usize| {
                 let each = (0..=steps).map(|other| match joint {
@@ -293,7 +294,7 @@ fn refuses_modes_that_cannot_be_told() {
         joint_factors(&stack, &[], &options),
         Err(JointFactorsError::NoModes)
     );
-    // the second measured mode is the third computed one, and is not paired with the second
+    // the second measured mode is the third computed mode, and is not paired with the second
     let given = [
         frequency(StackMotion::X, x[0].frequency_hz, 0.01),
         frequency(StackMotion::X, x[2].frequency_hz, 0.01),
@@ -331,7 +332,7 @@ fn refuses_modes_that_cannot_be_told() {
 
 #[test]
 fn exact_factors_of_beds_where_posts_stand_side_by_side() {
-    // a base, four posts of which each stands by itself, a roof on all of them, and a body
+    // a base, four separate posts, a roof on all of them, and a body
     let stone = |name: &str, [x, y, z]: [f64; 3], [width, depth, height]: [f64; 3]| Block {
         name: name.to_owned(),
         solid: Solid::cuboid(width, depth, height).unwrap().placed(&Placement {
@@ -388,7 +389,7 @@ fn exact_factors_of_beds_where_posts_stand_side_by_side() {
     }
 }
 
-/// The same with all points of one height merged: posts that sway equally.
+/// The same after merging all points of one height: posts that sway equally.
 fn of_levels(stack: &Stack, mut one: MeasuredStackMode) -> MeasuredStackMode {
     let mut levels: Vec<ShapePoint> = Vec::new();
     let mut counts: Vec<f64> = Vec::new();

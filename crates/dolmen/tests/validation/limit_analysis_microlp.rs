@@ -1,9 +1,9 @@
 // SOURCE     microlp 0.7 (a simplex method), kept for this; Livesley (1978), limit analysis of rigid blocks.
-// GOAL       The limit analysis by cones, in pieces, all directions at once, says what a linear programme over all blocks
-//            says with the friction cone replaced by a pyramid within it and by one around it.
+// GOAL       The limit analysis with cones, in pieces and for all directions together, agrees with a linear programme over
+//            all blocks in which pyramids inside and outside replace the friction cone.
 // PARAMETERS 12 sides; random towers, portals and tables of posts under a slab with a stone on it, a wall in running bond;
-//            friction .3 to 1.2, any direction.
-// TOLERANCE  1e-7, what solutions may miss, beyond the two pyramids, which differ by 3.5 % at most where friction decides.
+//            friction 0.3 to 1.2, any direction.
+// TOLERANCE  1e-7, the error of the solutions, beyond the two pyramids, which differ by at most 3.5 % if friction governs.
 
 use dolmen::numeric::Random;
 use dolmen::stability::stack::{LimitAnalysis, LimitAnalysisStatus, Shaking, limit_analysis};
@@ -105,7 +105,7 @@ fn random_stack(random: &mut Random, case: usize) -> Stack {
             let mut z = 0.0;
             for _ in 0..3 {
                 let size = [between(0.6, 1.2), between(0.6, 1.2), between(0.3, 0.9)];
-                // some of these fall
+                // some of these stacks fall
                 boxes.push((size, [between(-0.25, 0.25), between(-0.25, 0.25), z]));
                 z += size[2];
             }
@@ -159,7 +159,7 @@ fn agrees_with_microlp_0_7_on_random_stacks() {
             "case {case}: {within} {found} {around}"
         );
         apart = apart.max(around / within - 1.0);
-        // in all directions: what is safe is below any of them, and at most 2 % below what moves
+        // in all directions: a safe value is below any of them, and at most 2 % below a value that moves
         let (at_least, any) = by_cones(&stack, Shaking::AnyWay).unwrap();
         let along = (0..24).map(|k| {
             let angle = TAU * f64::from(k) / 24.0;

@@ -1,7 +1,7 @@
 // SOURCE     Yalla & Kareem (2000) J. Struct. Eng. 126(8):906-915: optimum liquid columns under white noise; statistical linearisation
 //            of head loss; the exact first integral of a free column.
-// GOAL       The closed form is the optimum of the assembled matrices; a column with head loss in time turns where it must, and
-//            under white noise does what its linear stand-in says.
+// GOAL       The closed form is the optimum of the assembled matrices; the time history of a column with head loss has the correct
+//            turning points and, under white noise, the deviations of its linear equivalent.
 //
 //        | |            | |   w, down here, up there
 //        | |____________| |
@@ -66,7 +66,7 @@ fn published_optimum_of_yalla_and_kareem() {
 
 #[test]
 fn exact_turns_of_a_free_column_with_head_loss() {
-    // a structure so heavy that it does not move
+    // the structure is so heavy that it does not move
     let column = HeadLossColumn {
         liquid_mass_kg: 1e-9,
         length_ratio: 0.7,
@@ -89,7 +89,7 @@ fn exact_turns_of_a_free_column_with_head_loss() {
     for i in 1..w.len() - 1 {
         if (w[i] - w[i - 1]) * (w[i + 1] - w[i]) < 0.0 {
             expected = next_turn_m(expected, 8.0, 2.0 * 9.81);
-            // top of the parabola through three samples
+            // peak of the parabola through three samples
             let bend = w[i + 1] - 2.0 * w[i] + w[i - 1];
             let top = w[i] - (w[i + 1] - w[i - 1]).powi(2) / (8.0 * bend);
             assert!((top.abs() - expected).abs() < 1e-7, "{turns}: {top} {expected}");
@@ -140,7 +140,7 @@ fn agrees_head_loss_in_time_with_its_linear_stand_in() {
         }
     }
     let in_time = sums.map(|sum| (sum / count).sqrt());
-    // Gaussian velocities are assumed of the stand-in; its error in an oscillator by itself is √(.32973/.31563) − 1 = 2.2 % by
+    // the linear equivalent assumes Gaussian velocities; for a single oscillator its error is √(.32973/.31563) − 1 = 2.2 % by
     // stochastic averaging
     assert!(
         (in_time[0] / linear[0] - 1.0).abs() < 0.02,

@@ -1,7 +1,7 @@
 // SOURCE     equilibrium and energy
-// GOAL       Loose stones come to rest, on the ground and not in it, and make no energy on the way; the same under both laws of contact.
+// GOAL       Loose stones come to rest on the ground, not in it, and create no energy; the same under both contact laws.
 // PARAMETERS bumpy stones made by noise on icospheres (bumpy_rubble.rs): 320 facets, radii 0.12 to 0.35 m, bumps of 5 %
-// TOLERANCE  1 mm: springs of 1e11 Pa/m give by less than that under such a stone; a thousandth of the height lost as energy
+// TOLERANCE  1 mm: springs of 1e11 Pa/m deform by less under such a stone; a thousandth of the height lost as energy
 
 use super::bumpy_rubble::{loose, rubble};
 use dolmen::blocks::{ContactLaw, LooseEnding, Rigid, SettledStones, Springs, settle_loose};

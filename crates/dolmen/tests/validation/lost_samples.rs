@@ -1,5 +1,5 @@
-// SOURCE     none but arithmetic: a made record with known poles, and the same record without some of its samples.
-// GOAL       Samples that are lost singly and filled in change what is identified by far less than it is known to.
+// SOURCE     none but arithmetic: a simulated record with known poles, and the same record without some samples.
+// GOAL       Single lost samples that are filled in change the identified values far less than their standard deviations.
 // PARAMETERS four floors, pairs 2 % apart, 8 channels × 10 min × 100 Hz, noise 20 dB below; 30 samples lost at random in all channels.
 // TOLERANCE  0.01 of the stated standard deviation for half of the 48 frequencies, 0.2 for all but two.
 
@@ -38,7 +38,7 @@ fn holds_thirty_single_lost_samples_change_no_frequency() {
         }));
     }
     off.sort_by(f64::total_cmp);
-    // a pole more or less in a cluster moves a weak mode by some tenths: noise of 0.3 % does the same to one of these
+    // one pole more or less in a cluster changes a weak mode by some tenths; noise of 0.3 % has the same effect on one of these
     let beyond = off.iter().filter(|off| **off > 0.2).count();
     assert!(off[off.len() / 2] < 0.01 && beyond <= 2, "{off:.3?}");
 }

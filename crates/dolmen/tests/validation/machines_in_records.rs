@@ -1,6 +1,7 @@
-// SOURCE     as made_records.rs, with sines added: what a machine does to a record is known exactly.
-// GOAL       Notes name machines, which are no modes; modes beside and under them are found; a peak that is no mode has its reason.
-// TOLERANCE  that of made_records.rs.
+// SOURCE     as made_records.rs, with sines added, so that the effect of the machine is known exactly.
+// GOAL       Notes name the machines, which are not modes; modes near them and at their frequency are found; every peak that is not a mode
+//            has its reason.
+// TOLERANCE  as in made_records.rs.
 
 use super::made_records::{deviation, matched};
 use dolmen::modal::{
@@ -66,7 +67,7 @@ fn holds_the_hum_of_the_mains_and_an_engine_are_named_and_no_mode_is_lost() {
         assert!((tone.frequency_hz - hz).abs() < 0.02, "{tone:?}");
         assert!(tone.kurtosis.is_some_and(|k| k.kurtosis < 1.7), "{tone:?}");
     }
-    // pairs 2 % apart at a damping ratio of 1 %: their bands meet
+    // pairs 2 % apart with a damping ratio of 1 %: their bands overlap
     assert!(
         found.notes.iter().any(|n| matches!(n, Note::ClosePairs { .. })),
         "{:?}",
@@ -117,7 +118,8 @@ fn holds_an_engine_that_runs_for_half_of_the_time_is_no_peak_that_needs_a_mode()
     }
 }
 
-/// A chain of two floors for twenty minutes, a machine of `strength` times the motion of the first mode (root mean squares) running on it.
+/// A chain of two floors, twenty minutes, with a machine of `strength` times the motion of the first mode (root mean squares) at its
+/// frequency.
 fn machine_on_a_mode(strength: f64, seed: u64) -> (MadeRecord, Record) {
     let made = MadeRecord {
         modes: [(2.0, [0.5, 1.0]), (6.3, [1.0, -0.5])]

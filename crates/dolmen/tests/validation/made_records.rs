@@ -1,6 +1,6 @@
 // SOURCE     none but arithmetic: records made from single degrees of freedom under white force, discretised exactly
 //            (zero-order hold), so that every pole is known.
-// GOAL       identify() finds every mode and no other, without bias, and states its scatter rightly.
+// GOAL       identify() finds every mode and no other, without bias, and states its scatter correctly.
 //
 //      o  4 floors × (x, y), storey stiffness 1 → 0.6,        8 channels × 10 min × 100 Hz
 //      |  y 4 % stiffer: pairs of modes 2 % apart,            white sensor noise 20 dB below the motion
@@ -8,10 +8,10 @@
 //
 // PARAMETERS f1 1.5 Hz, ζ 1 %.
 // PUBLISHED  floors of the scatter, Au (2014): sd(f)/f = √(ζ/2πN_c), sd(ζ)/ζ = 1/√(2πζN_c).
-// TOLERANCE  bias of f: 0.05 % is asked of each mode; the mean of 20 seeds itself scatters by 0.03 % at 1.5 Hz, so that
-//            each mode is held to 0.05 % + 1 standard error, and the mean of all modes to 0.02 %.
-//            bias of ζ: 7 % asked, the mean of 20 seeds scatters by 2.5 %. Stated over true scatter: the ratio of one
-//            mode is itself known to 16 % from 20 seeds, so the root mean square over all modes is held to 0.8 … 1.25.
+// TOLERANCE  bias of f: 0.05 % for each mode; the mean of 20 seeds itself has a scatter of 0.03 % at 1.5 Hz, so the limit is 0.05 %
+//            + 1 standard error for each mode, and 0.02 % for the mean of all modes. bias of ζ: 7 %; the mean of 20 seeds has a
+//            scatter of 2.5 %. Stated over true scatter: 20 seeds give the ratio of one mode to 16 %, so the limits of its root mean
+//            square over all modes are 0.8 … 1.25.
 
 use dolmen::modal::{
     Criteria, Identify, MadeMode, MadeRecord, Method, Modes, ReferenceCase, assurance, identify,
@@ -316,7 +316,7 @@ fn holds_damping_of_separated_modes_from_their_peaks_without_bias() {
                 "{method:?}: bias of ζ {} ± {error}",
                 mean(&zeta)
             );
-            // the bias of the window alone would have been half as large again or more
+            // the bias of the window alone would have been at least half as large again
             let window: Vec<f64> = runs.iter().map(|run| run.modes[i].window_bias.unwrap()).collect();
             assert!(mean(&window) > 0.05, "{window:?}");
         }
@@ -344,8 +344,8 @@ fn holds_80_seconds_give_the_first_mode_with_fewer_blocks_and_say_so() {
     );
 }
 
-/// Steel and single stones have less than 0.2 %. Such modes are found if they are wider than one and a half lines of the record, and
-/// narrower ones if the user gives a smaller limit.
+/// Steel and single stones have less than 0.2 %. Such modes are found if they are wider than one and a half lines of the record, or
+/// if the user gives a smaller limit.
 #[test]
 fn holds_a_mode_damped_by_less_than_usual_is_found_when_asked_for() {
     let mode = |frequency_hz, damping_ratio, shape: [f64; 4]| MadeMode {

@@ -1,10 +1,10 @@
 // SOURCE     Choi (2021) Fig. 8, a pole as one tapered stone; Timoshenko (1921); Greenhill (1881).
-// GOAL       Frequencies of poles of tapered shafts, with and without joints, against three other methods.
-// PARAMETERS the Naju flagpole's links as shafts, E 40 GPa, ν 0.2, 2570 kg/m³; a uniform column.
-// TOLERANCE  1e-6, what the search promises; 1e-5 where stones a million times as stiff stand for rigid ones.
+// GOAL       Frequencies of columns of tapered shafts, with and without joints, against three other methods.
+// PARAMETERS the links of the Naju flagpole as shafts, E 40 GPa, ν 0.2, 2570 kg/m³; a uniform column.
+// TOLERANCE  1e-6, as the search promises; 1e-5 if stones a million times stiffer represent rigid ones.
 //
 //   three other methods: a two-point boundary problem integrated by Runge–Kutta from the top; the chain of rigid links, whose
-//   matrices share no line with the beam's; the load under which a uniform column buckles, where its frequency vanishes.
+//   matrices have nothing in common with the beam's; the buckling load of a uniform column, at which its frequency is zero.
 
 use dolmen::known::columns::GREENHILL_COLUMN;
 use dolmen::structure::{
@@ -25,7 +25,8 @@ fn without_weight(pole: &Pole) -> Pole {
     Pole::new(pole.shafts().to_vec(), GRANITE, 0.0).unwrap()
 }
 
-/// Displacement and rotation at the foot for two motions with a free top, as a determinant: 0 at a natural frequency.
+/// Displacement and rotation at the foot for two motions with a free top, as a determinant, which is 0 at a natural
+/// frequency.
 fn foot(pole: &Pole, shear: bool, omega: f64) -> f64 {
     const STEPS: usize = 400; // a shaft
     let ends = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]].map(|mut state: [f64; 4]| {
@@ -150,7 +151,7 @@ fn agrees_with_the_chain_where_stones_are_rigid() {
             mode.frequency_hz
         );
     }
-    // bending stones have lower frequencies in every mode, and one single stone has higher ones than both
+    // flexible stones lower the frequency of every mode, and a single stone has a higher frequency than both
     let bending = shafts
         .frequencies(BeamTheory::Timoshenko, jointing, 5)
         .unwrap()
@@ -163,7 +164,7 @@ fn agrees_with_the_chain_where_stones_are_rigid() {
         assert!(bending.frequencies_hz[i] < found.frequencies_hz[i]);
         assert!(bending.frequencies_hz[i] < whole.frequencies_hz[i]);
     }
-    // springs too soft to hold it
+    // springs too soft to support it
     let soft = springs.map(|k| k / 100.0);
     let falls = shafts
         .frequencies(BeamTheory::Timoshenko, Jointing::Springs(&soft), 1)

@@ -1,6 +1,6 @@
 // SOURCE     Park, S.-A. & Min, K.-W. (2010) Simple structural model of Heunginjimun with Coulomb friction.
-// GOAL       Eq. 7 as printed; the stiffness that has the measured frequencies, every pair of it; what the paper's P1
-//            counts twice; what frequencies alone cannot tell and a shape can.
+// GOAL       Eq. 7 as printed; every pair of stiffnesses with the measured frequencies; the load that the paper's P1
+//            counts twice; and what a shape can decide but frequencies alone cannot.
 //
 //      m2 ===== Y2     P2 = 3077 kN
 //         |   |
@@ -11,7 +11,7 @@
 //
 // PARAMETERS m = 290, 314 t; weak axis 1.1, 4.2 Hz (1.3 Hz twists and is kept out).
 // PUBLISHED  k = 202, 15.1 kN/mm. The rest (exact_): computed independently of this code, or by known::park_min_2010.
-// TOLERANCE  half a unit of the last digit written down; published stiffness: what ±0.05 Hz makes of it.
+// TOLERANCE  half a unit of the last printed digit; published stiffness: the effect of ±0.05 Hz.
 
 use dolmen::comparisons::{cases, heunginjimun_gate, heunginjimun_gate_as_printed};
 use dolmen::known::park_min_2010 as paper;
@@ -133,7 +133,7 @@ fn exact_without_counting_p2_twice_k1_is_203_4() {
     let gate = heunginjimun_gate(Convention::Grounded).unwrap();
     let roots = roots(&gate, &paper::WEAK_HZ);
     assert_written(&[roots[1][0]], &[203.4], 0.1);
-    // the difference is P2/l1, wholly in k1
+    // the difference is P2/l1, only in k1
     let twice = stiffness_from_frequencies(
         &heunginjimun_gate_as_printed(Convention::Grounded).unwrap(),
         &paper::WEAK_HZ,
@@ -260,7 +260,7 @@ fn holds_a_measured_shape_chooses() {
             assert!((k / root - 1.0).abs() < 1e-3, "{k} {root}"); // the ratio is written to three digits
         }
     }
-    // a sensor half-way up each storey has half of the drift
+    // a sensor half-way up a storey has half of its drift
     let half = with_shape(
         frequency(1.1, 0.01),
         &[(2.92, 0.5 * 0.843), (9.685, 0.5 * 1.843)],
@@ -376,7 +376,7 @@ fn published_cases_agree_within_their_tolerance() {
     }
 }
 
-/// Two equal storeys without axial force whose k1 is twice k2, where both roots meet at 1.92602 and 4.64981 Hz.
+/// Two equal storeys without axial force whose k1 is twice k2; the two solutions meet at 1.92602 and 4.64981 Hz.
 fn double_root() -> Frame {
     let storey = Storey {
         mass_kg: 200e3,

@@ -1,7 +1,9 @@
-// SOURCE     Storeys drawn here, measured with scatter; rotations of modes drawn at random, as for bounds without scatter.
-// GOAL       What a survey of a floor says near a double root, and the bounds over all centres with the scatter of the frequencies.
+// SOURCE     Random storeys, measured with scatter; random rotations of modes, as for the bounds without scatter.
+// GOAL       Results of a survey of a floor near a double root, and the bounds over all centres of rigidity with the scatter of the
+//            frequencies.
 // PARAMETERS 120 t, 12 × 7 m; k_x, k_y 40 to 65 MN/m, k_θ 250 to 1000 MN·m/rad, e up to 3 and 2 m; f ± 0.3 %, twists ± 0.02.
-// TOLERANCE  at least 90 of 100 within 1.96 deviations; bounds hold every storey drawn, and end within 6 % of their width of one.
+// TOLERANCE  at least 90 of 100 within 1.96 standard deviations; the bounds contain every random storey, and end within 6 % of
+//            their width from one.
 
 use dolmen::numeric::Random;
 use dolmen::structure::Building;

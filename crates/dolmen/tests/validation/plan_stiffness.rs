@@ -1,9 +1,9 @@
 // SOURCE     Closed forms of one floor; the forward modes of `Building`; Newton's method on the invariants of K, written here.
-// GOAL       Every stiffness (and eccentricity) of one storey in plan that has three measured frequencies; deviations of these.
+// GOAL       Every stiffness (and eccentricity) of one storey in plan with three measured frequencies, and their standard deviations.
 // PARAMETERS 200 floors drawn at random: 10 to 1000 t, ρ 2 to 12 m, centre of rigidity up to ρ/2 off, frequencies 0.5 to 5 Hz, half of
 //            them with P-delta.
-// TOLERANCE  roots 1e-8, the digits that a root of frequencies good to 2e-10 holds at amplifications up to 50; closed forms 1e-12;
-//            Monte Carlo 8 %, four deviations of a deviation from 1500 draws and what is not linear at 0.5 %.
+// TOLERANCE  roots 1e-8, the accuracy of a root for frequencies with errors of 2e-10 and amplifications up to 50; closed forms 1e-12;
+//            Monte Carlo 8 %, which is four standard errors for 1500 draws plus the nonlinearity at 0.5 %.
 
 use dolmen::numeric::Random;
 use dolmen::structure::Building;
@@ -89,7 +89,7 @@ fn unlabelled(frequencies_hz: [f64; 3]) -> [PlanMode; 3] {
     })
 }
 
-/// Solves A x = b by Gauss's elimination with pivots.
+/// Solves A x = b by Gaussian elimination with pivoting.
 fn solved(mut a: [[f64; 4]; 3]) -> Option<[f64; 3]> {
     for p in 0..3 {
         let best = (p..3).max_by(|&i, &j| a[i][p].abs().total_cmp(&a[j][p].abs()))?;
@@ -208,7 +208,7 @@ fn agrees_with_newton_on_the_invariants_from_many_starts_in_200_storeys() {
             let Some(k) = newton(&storey, frequencies, start) else {
                 continue;
             };
-            // an iteration that ended in a minimum of its own equations is no root
+            // an iteration that ends at a minimum of its own equations is not a root
             let stands = std::panic::catch_unwind(|| forward(&storey, height_m, k, storey.eccentricity_m));
             let Ok((again, _)) = stands else { continue };
             if apart(&again, &frequencies) < 1e-10 {
@@ -242,7 +242,7 @@ fn exact_without_eccentricity_each_stiffness_is_m_omega_squared() {
         twist: None,
         shape: None,
     };
-    // two equal frequencies are those of a square plan
+    // two equal frequencies belong to a square plan
     for [x, y, torsion] in [[1.5, 1.1, 1.3], [1.2, 1.2, 1.7]] {
         let modes = [
             mode(torsion, PlanMotion::Torsion),
@@ -268,7 +268,7 @@ fn exact_without_eccentricity_each_stiffness_is_m_omega_squared() {
     }
 }
 
-/// The three modes named by the larger part of their motion; `None` if two would have one name.
+/// The three modes, each named after the larger part of its motion; `None` if two would have the same name.
 fn labelled(frequencies: [f64; 3], shapes: &[[f64; 3]; 3]) -> Option<[PlanMode; 3]> {
     let motion = |shape: &[f64; 3]| {
         let most = (0..3)
@@ -317,7 +317,7 @@ fn holds_twists_give_back_stiffness_and_eccentricity_of_200_storeys() {
             let of = |i: usize| (one[i] - storey.eccentricity_m[i]).abs() / storey.gyration_m;
             of(0).max(of(1))
         };
-        // a solution that represents two coinciding within the scatter has the truth in its interval
+        // a solution that represents two coinciding ones has the true value in its interval
         let holds = |one: &PlanSolution| {
             let [Some(k_sd), Some(e_sd)] = [
                 one.stiffness_sd.map(|sd| sd.to_vec()),

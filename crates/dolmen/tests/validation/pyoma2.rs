@@ -1,13 +1,13 @@
 // SOURCE     pyOMA2 1.4.3, functions build_hank (methods "cov" and "dat"), SSI_fast, SSI_poles; run by
 //            bench/ssi_cov/agrees.py, which prints the tables below; and pLSCF, rmfd2ac on the same half spectra.
-// GOAL       The same poles at every order from the same samples, windows and settings; dat, whose QR of all stacked samples
-//            is there replaced here by sums of products that follow from each other by displacement.
+// GOAL       The same poles at every order from the same samples, windows and settings. For "dat", sums of products that
+//            follow from each other replace the QR of all stacked samples there.
 //
 //    600 samples, 3 channels: two resonators under white force + white noise
 //
 // PARAMETERS 20 Hz, 8 block rows, orders 2 to 12; references: all channels, and the first and the third.
 // PUBLISHED  order, frequency (Hz), damping ratio.
-// TOLERANCE  1e-6 relative, 1e-6 of damping: rounding of two programs, amplified by the least singular values.
+// TOLERANCE  1e-6 relative, 1e-6 of damping: rounding of both programs, amplified by the smallest singular values.
 
 use dolmen::modal::{ModalError, Plscf, Pole, Ssi, Subspace, plscf, ssi_cov, ssi_data};
 use dolmen::signal::{Channel, Record};
@@ -114,7 +114,7 @@ const PLSCF_OF_TWO: Table = &[
     (6, 2.0875571757, 0.0226227504),
 ];
 
-/// The record of agrees.py, sum by sum.
+/// The record of agrees.py, in the same order of sums.
 fn record() -> Record {
     let mut state: u32 = 2021;
     let resonators = [(1.90, -0.97), (1.55, -0.96)]; // x_t = a x_(t-1) + b x_(t-2) + u
@@ -202,8 +202,8 @@ fn agrees_with_pyoma2_on_every_pole_of_plscf() {
 
 #[test]
 fn holds_a_record_without_noise_is_decomposed_by_its_samples() {
-    // a channel that another repeats two samples later to 1e-9: the past is linearly dependent, and its sums of
-    // products have lost all digits of the remainder
+    // a channel that repeats another one two samples later to 1e-9: the past is linearly dependent, and its sums of products
+    // have lost all digits of the remainder
     let y = record();
     let echo: Vec<f64> = (0..SAMPLES)
         .map(|t| y.samples(0)[t.saturating_sub(2)] + 1e-9 * y.samples(2)[t])

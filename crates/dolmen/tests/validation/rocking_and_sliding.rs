@@ -1,6 +1,6 @@
 // SOURCE     Housner (1963) Bull. Seism. Soc. Am. 53(2):403-417; Newmark (1965) Géotechnique 15(2):139-160; Farkas et al.
 //            (2003) Phys. Rev. Lett. 90:248302.
-// GOAL       What a rigid block that rocks, slides or spins must do, and where the source is unsafe.
+// GOAL       Motion of a rigid block that rocks, slides or spins, and the cases in which the source is not conservative.
 // PARAMETERS block 0.4 × 2.0 m; half sine of ω/p = 1 to 4; pulse 0.5 g, 0.2 s, μ 0.3, g 9.81; disc.
 // PUBLISHED  r (of energies) 0.8879; half sine √(1 + (ω/p)²); slip V²/(2gN)(1 − N/A) = 65.40 mm; v/(ωR) → 0.653.
 // TOLERANCE  rounding for formulas; half a unit of the last digit written; 0.001 mm for the flank of the pulse.
@@ -38,7 +38,7 @@ fn published_housner_and_what_is_right() {
             case.what
         );
     }
-    // Unsafe: the printed amplitude is above the one that overturns.
+    // Not conservative: the printed amplitude is above the one that overturns.
     assert!(
         cases[1..]
             .iter()

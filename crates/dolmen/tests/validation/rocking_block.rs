@@ -1,9 +1,9 @@
 // SOURCE     Housner (1963) Bull. Seism. Soc. Am. 53(2):403-417 and the exact equation, solved in known/rocking.rs and
 //            known/overturning.rs; SciPy 1.17.1 for a record (rocking_block_el_centro.py).
-// GOAL       One block that rocks by events: free, under pulses, under a record with a vertical component.
+// GOAL       One rocking block, computed from event to event: free, under pulses, under a record with a vertical component.
 // PARAMETERS block 0.4 × 2.0 m, g 9.81 m/s²; record: El Centro NS scaled to 0.35 g, half of it backwards as the vertical one.
-// TOLERANCE  times of impacts 1e-12 s of the closed form; 1e-9 s of SciPy's, whose tolerance is 1e-13 a step; pulses 1e-6,
-//            what straight lines between 4000 samples leave of a sine.
+// TOLERANCE  times of impacts 1e-12 s of the closed form; 1e-9 s of SciPy, whose tolerance is 1e-13 a step; pulses 1e-6, the
+//            error of linear interpolation between 4000 samples of a sine.
 
 use dolmen::dynamics::{
     DynamicsError, Rocking, RockingBlock, RockingEquation, RockingHistory, RockingOutcome, TimeFunction,
@@ -44,7 +44,7 @@ fn exact_free_rocking_until_it_rests() {
             (impact.at_s - expected).abs() < 1e-12,
             "{n} {impact:?} {expected}"
         );
-        // energy: ω² = 4 p² (sin²(α/2) − sin²((α − θ)/2)), of the amplitude before the impact
+        // energy: ω² = 4 p² (sin²(α/2) − sin²((α − θ)/2)), with the amplitude before the impact
         let theta = amplitude_rad(alpha, block.velocity_ratio, 0.5 * alpha, n as u32);
         let square = (0.5 * alpha).sin().powi(2) - (0.5 * (alpha - theta)).sin().powi(2);
         let velocity = 2.0 * p * square.sqrt();
@@ -153,7 +153,7 @@ fn agrees_el_centro_with_a_vertical_component() {
     assert_eq!(history.outcome, RockingOutcome::Rocked);
     assert!((history.peak_rotation_rad - 0.127_709_605).abs() < 1e-6); // SciPy's is of its steps
     assert!(history.friction_needed > 0.2 && history.friction_needed < 1.0);
-    // reversed, it is the mirror image, bit by bit
+    // the reversed motion is the mirror image, bit for bit
     let TimeFunction::Sampled { values, .. } = &x else {
         unreachable!()
     };
@@ -228,7 +228,7 @@ fn refuses_what_is_no_block() {
         message(rock_block(&block(), &zero, &zero, &fallen).unwrap_err()),
         "start_rad is -2, but must be less than π/2 to either side"
     );
-    // gal instead of m/s², and more: the motion cannot be computed, but the loop must end
+    // gal instead of m/s², and larger: the motion cannot be computed, but the loop must end
     let huge = sampled(0.01, vec![0.0, 1e30, 0.0]);
     let outcome = rock_block(&block(), &huge, &zero, &Rocking::default());
     assert!(outcome.is_ok_and(|h| matches!(h.outcome, RockingOutcome::Fell { .. })));

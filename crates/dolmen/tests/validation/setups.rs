@@ -1,12 +1,12 @@
-// SOURCE     none but arithmetic: records made from single degrees of freedom, cut into setups of four sensors.
-// GOAL       Three setups of four sensors give back the shapes of eight, whatever the shaking of each setup.
+// SOURCE     none but arithmetic: records made from single degrees of freedom, divided into setups of four sensors.
+// GOAL       Three setups of four sensors give the shapes at eight sensors, for any excitation of each setup.
 //
 //      o  four floors × (x, y), the y modes moved up by a     setup 1: top x, y and floor 1 x, y
 //      |  sixth so that no two are neighbours                 setup 2: top x, y and floor 2 x, y
 //     _|_ sensors turned by 30°                               setup 3: top x, y and floor 3 x, y
 //
-// TOLERANCE  frequencies within 4 of their stated deviations (8 modes × 2 sets of records: one in 1000 by chance); shapes
-//            MAC > 0.99, what three records of ten minutes allow.
+// TOLERANCE  frequencies within 4 of their stated standard deviations (8 modes × 2 sets of records: one in 1000 by
+//            chance); shapes MAC > 0.99, as three records of ten minutes allow.
 
 use dolmen::modal::{
     Identify, MadeMode, MadeRecord, MergeSetups, Modes, ReferenceCase, assurance, identify, joint_setups,
@@ -46,7 +46,7 @@ fn records(seed: u64) -> [Record; 3] {
     ]
 }
 
-/// Every mode and no other, within 4 of its deviations, with its shape at eight sensors.
+/// Checks that every mode and no other is found, within 4 of its standard deviations, with its shape at eight sensors.
 fn compare(modes: &Modes, seed: u64) {
     let hz: Vec<f64> = modes.modes.iter().map(|m| m.frequency_hz).collect();
     let mut truth = truth();

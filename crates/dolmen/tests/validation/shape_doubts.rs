@@ -1,5 +1,5 @@
-// SOURCE     Modes of a frame and of a chain with known stiffness, seen by sensors of which one is turned, exchanged or in another unit.
-// GOAL       Shapes that contradict the model are seen, and the answer names the change of sensors that was made.
+// SOURCE     Modes of a frame and of a chain with known stiffness, at sensors of which one is reversed, exchanged or in another unit.
+// GOAL       Shapes that contradict the model are detected, and the answer names the change of sensors.
 //
 //        o x2, y2
 //        |          modes along x and y  →  (a sensor is changed)  →  which one was it?
@@ -84,7 +84,7 @@ fn changed(change: impl Fn(&mut Vec<Complex64>)) -> Option<ShapeDoubt> {
 #[test]
 fn holds_shapes_of_the_model_are_not_doubted() {
     assert_eq!(changed(|_| {}), None);
-    // nor are they of a chain
+    // nor do they agree with a chain
     let chain = naju();
     let k = twice_the_least(&chain);
     assert_eq!(chain_shape_doubt(&chain, &of_chain(&k, |_| {})), None);
@@ -93,7 +93,7 @@ fn holds_shapes_of_the_model_are_not_doubted() {
 #[test]
 fn exact_the_change_that_was_made_of_a_gates_sensors_is_named() {
     let turned = changed(|shape| shape[1] = -shape[1]).unwrap();
-    // with two sensors in a direction either may be the changed one
+    // with two sensors in a direction, either may be the changed one
     for name in ["x1", "x2"] {
         let channel = name.to_owned();
         assert!(
@@ -169,7 +169,7 @@ fn exact_of_a_chains_sensors_the_one_that_is_wrong_is_named_alone() {
 
 #[test]
 fn exact_axes_turned_by_an_angle_are_no_slip_of_one_sensor() {
-    // all sensors have axes rotated by 35°: sin² of it is the share of every mode across
+    // the axes of all sensors are rotated by 35°: sin² of it is the share of every mode in the other direction
     let angle = 35_f64.to_radians();
     let (sin, cos) = angle.sin_cos();
     let turned = changed(|shape| {

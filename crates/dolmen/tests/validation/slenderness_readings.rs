@@ -1,8 +1,9 @@
 // SOURCE     Kim, Koo & Hong (2018), section 4.3 (3): tan α 0.338, 0.385, 0.414 printed beside λ 4.67, 3.74, 3.32; 5 storeys, taper 8°, H_t/H_b 3.
-// GOAL       What the printed tan α may mean: no reading of the words gives all three, and which ones were tried.
-// PARAMETERS readings: five shapes of the body × three meanings of λ × three parts that turn × three half widths × three heights, 405 in all, of which 306 give a body at all.
+// GOAL       Possible meanings of the printed tan α: no interpretation of the words gives all three values; the test lists those tried.
+// PARAMETERS interpretations: five shapes of the body × three meanings of λ × three parts that rotate × three half widths × three heights, 405 in
+//            all, of which 306 give a body.
 // PUBLISHED  the three pairs.
-// TOLERANCE  a reading would have to give three digits: 0.15 %. The nearest of all is 5 % off.
+// TOLERANCE  an interpretation must give three digits: 0.15 %. The nearest one is 5 % off.
 
 use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness, pagoda};
 
@@ -35,7 +36,7 @@ fn body(shape: &str, b: f64) -> Vec<[f64; 2]> {
     }
 }
 
-/// Height of the centroid of square stones on each other, and of the whole.
+/// Height of the centroid of square stones on each other, and total height.
 fn centroid(stones: &[[f64; 2]]) -> [f64; 2] {
     let (mut z, mut mass, mut moment) = (0.0, 0.0, 0.0);
     for [width, height] in stones {
@@ -47,7 +48,7 @@ fn centroid(stones: &[[f64; 2]]) -> [f64; 2] {
     [moment / mass, z]
 }
 
-/// tan α of one reading at a slenderness; `None` if the body would end below its top.
+/// tan α of one interpretation at a slenderness; `None` if the body would end below its top.
 fn reading(shape: &str, of_lambda: &str, part: &str, half: &str, up: &str, lambda: f64) -> Option<f64> {
     // b: width of the first body over the height of all storeys
     let b = match of_lambda {
@@ -161,7 +162,8 @@ fn holds_the_blocks_of_the_product_are_one_of_the_readings() {
     }
 }
 
-/// A smoothly tapering body that rotates about the edge of its first width has the printed angles, but at another taper for each, and none at 8°.
+/// A smoothly tapering body that rotates about the edge of its first width has the printed angles, but with a different taper for each, and none with
+/// 8°.
 #[test]
 fn published_a_smooth_body_needs_another_taper_for_each() {
     let of = |lambda: f64, top: f64| {
@@ -172,7 +174,7 @@ fn published_a_smooth_body_needs_another_taper_for_each() {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            // a wider top lifts the centroid
+            // a wider top raises the centroid
             if of(lambda, middle) > printed {
                 low = middle
             } else {

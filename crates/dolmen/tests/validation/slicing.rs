@@ -1,13 +1,14 @@
 // SOURCE     arithmetic: volumes of boxes and frusta; tipping of the stones above each bed, a/g = half width / height of the centroid above it
-// GOAL       one mesh of a whole tower, cut at its beds, gives the stones, and they begin to move as the tower itself
+// GOAL       one mesh of a whole tower, cut at its beds, gives the stones, which start to move at the same acceleration as the tower itself
 // PARAMETERS towers of boxes and frusta as one closed mesh: level rings of 4 n corners, sides in squares of 20 to 60 mm; normal noise of each
 //            vertex along x, y and z; exact heights of beds, or with errors up to 15 mm as from a tape
-// TOLERANCE  no noise: 1e-6 for rounding and for the cut 1 µm from a step; noise of 0.5 to 2 mm: 2 %, the tolerance of joints of noisy stones
+// TOLERANCE  no noise: 1e-6 for rounding and for the cut 1 µm from a step; noise of 0.5 to 2 mm: 2 %, the tolerance of joints between noisy
+//            stones
 
 use dolmen::assess::{StackCheckOptions, check_stack};
 use dolmen::structure::stack::{Block, JointMaterial, SliceError, Sliced, Solid, Stack, slice};
 
-/// A frustum in the tower: half widths at base and top, height, and offset of its middle from the axis along x, m.
+/// A frustum in the tower: half widths at base and top, height, and offset of its centre from the axis along x, m.
 #[derive(Clone, Copy)]
 struct Stone {
     base: f64,
@@ -30,7 +31,7 @@ impl Stone {
         4.0 * self.height / 3.0 * (self.base * self.base + self.base * self.top + self.top * self.top)
     }
 
-    /// Height of its centroid above its base.
+    /// Height of the centroid above the base.
     fn centroid(&self) -> f64 {
         let (a, b) = (self.base, self.top);
         0.25 * self.height * (a * a + 2.0 * a * b + 3.0 * b * b) / (a * a + a * b + b * b)
@@ -100,7 +101,7 @@ impl Mesh {
         }
     }
 
-    /// Closes a ring by smaller and smaller rings to its middle.
+    /// Closes a ring by smaller and smaller rings towards its centre.
     fn lid(&mut self, ring: &[usize], place: [f64; 4], up: bool) {
         let [half, z, off, n] = place;
         let n = n as usize;
@@ -134,7 +135,7 @@ impl Mesh {
     }
 }
 
-/// A tower as one closed mesh; `n` squares along each side, each step in height `edge` or less.
+/// A tower as one closed mesh; `n` squares along each side, each with a height of at most `edge`.
 fn tower(stones: &[Stone], n: usize, edge: f64) -> Mesh {
     let mut mesh = Mesh::default();
     let mut z = 0.0;
@@ -150,7 +151,7 @@ fn tower(stones: &[Stone], n: usize, edge: f64) -> Mesh {
         match &last {
             None => mesh.lid(&ring, [stone.base, z, stone.off, n as f64], false),
             Some((below, half, off)) if !same => {
-                // a step: one ring between, so that it has triangles of its own size
+                // a step: an intermediate ring, so that the step has triangles of its own size
                 let between = mesh.ring(0.5 * (half + stone.base), z, 0.5 * (off + stone.off), n);
                 mesh.join(below, &between);
                 mesh.join(&between, &ring);
@@ -318,7 +319,7 @@ fn exact_cut_of_a_shaft_without_steps() {
             (volumes[0] - 0.16 * 0.413).abs() < 1e-12 && (volumes[1] - 0.16 * 0.587).abs() < 1e-12,
             "{volumes:?}"
         );
-        // also with vertices in the plane
+        // also if vertices are in the plane
         let sliced = cut(&tower(&stones, n, 0.5 / n as f64), &[0.5]).unwrap();
         assert!(
             sliced
@@ -346,7 +347,7 @@ fn exact_height_where_a_slope_begins() {
     }
 }
 
-/// With noise: within 2 %, or refused; most are answered.
+/// With noise: the result is within 2 %, or refused; most are results.
 #[test]
 fn exact_first_motion_of_noisy_towers() {
     for (noise, edge, n) in [
@@ -450,7 +451,7 @@ fn refuses_what_cannot_be_cut() {
     }
     let why = cut(&inside_out, &[0.35]).unwrap_err().to_string();
     assert!(why.starts_with("the mesh is inverted"), "{why}");
-    // a hollow: a smaller tower within, turned inside out
+    // a cavity: a smaller tower inside, with its surface inside out
     let inner = tower(&[Stone::boxed(0.1, 1.0)], 4, 0.2);
     let mut hollow = mesh.clone();
     let from = hollow.vertices.len();

@@ -1,8 +1,9 @@
 // SOURCE     Hwang & Kim (2002), a sliding model of piled blocks with horizontal rotation; closed forms and event-by-event solutions of
 //            known/sliding.rs and known/twisting.rs; the rigid law of this crate, which does not use modes and groups.
-// GOAL       The second method for sliding: exact in one direction, right in two, no yaw of a perfect block, groups that stay stuck.
+// GOAL       The second method for sliding is exact in one direction and correct in two; a perfect block does not yaw, and groups stay
+//            stuck.
 // PARAMETERS blocks 0.3 × 0.2 × 0.1 m of 2600 kg/m³, g 9.81 m/s²; El Centro NS scaled to .5 g along x, .6 of it backwards along y.
-// TOLERANCE  1e-9 m in one direction: the tolerance of the steps is 1e-8 m/s. Torque 1.1 %: 6 × 6 points of a bed.
+// TOLERANCE  1e-9 m in one direction, because the tolerance of the steps is 1e-8 m/s. Torque 1.1 %: 6 × 6 points of a bed.
 
 use dolmen::blocks::{
     BlocksError, ContactRule, Rigid, Sliding, SlidingHistory, SlidingOutcome, simulate_rigid,
@@ -29,7 +30,7 @@ fn stone(name: &str, solid: Solid, z: f64) -> Block {
     }
 }
 
-/// Blocks on each other, with the friction of each bed.
+/// Blocks on top of each other, with the friction of each bed.
 fn pile(materials: &[JointMaterial]) -> Stack {
     let solid = Solid::cuboid(0.3, 0.2, 0.1).unwrap();
     let blocks = (0..materials.len()).map(|i| stone(&format!("block {i}"), solid.clone(), 0.1 * i as f64));
@@ -80,7 +81,7 @@ fn run(stack: &Stack, motion: Option<&GroundMotion>, options: &Sliding) -> Slidi
 #[test]
 fn exact_a_record_in_one_direction() {
     let x = el_centro();
-    // a joint is released with a delay of 1e-6 of its limit, which is visible where less friction acts afterwards
+    // a joint is released with a delay of 1e-6 of its limit, which becomes visible if less friction acts afterwards
     let cases = [
         (0.2, 0.2, 1.0, 1e-9),
         (0.25, 0.2, 1.0, 1e-8),
@@ -161,7 +162,7 @@ fn agrees_a_disc_slides_and_spins_to_one_end() {
             ..Sliding::default()
         };
         let history = run(&stack, None, &options);
-        // both speeds over the last part of the path: they fall in proportion, and so do the remaining paths
+        // both speeds over the last part of the path: they decrease in proportion, and so do the remaining paths
         let joint = &history.joints[0];
         let (slip, yaw) = (joint.slip_m.last().unwrap()[0], *joint.yaw_rad.last().unwrap());
         let at = (history.spells[0].to_s / 1e-5) as usize - 20;

@@ -1,7 +1,8 @@
 // SOURCE     A rigid punch on an elastic half-space without friction; Boussinesq's surface settlement under a square of pressure.
 // GOAL       Rocking stiffness of rectangular and round footings.
-// PARAMETERS squares and slender rectangles either way, a circle; shear modulus 40 MPa, Poisson's ratio 0.3.
-// TOLERANCE  5 %: the published fit is of a welded footing and within some per cent, squares of constant pressure within two.
+// PARAMETERS squares and slender rectangles in both orientations, a circle; shear modulus 40 MPa, Poisson's ratio 0.3.
+// TOLERANCE  5 %: the published fit is for a welded footing and accurate to a few per cent, the squares of constant pressure to
+//            two.
 //
 //   another method: squares of constant pressure under the footing, each settling by the closed form of Boussinesq's solution;
 //   the pressures that tilt it rigidly give moment over angle.
@@ -30,7 +31,7 @@ fn square(x: f64, y: f64, side: f64) -> f64 {
     corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0)
 }
 
-/// Moment over angle of the squares of `side` about these centres, all on the side where x > 0: those at −x press the opposite way.
+/// Moment over angle of the squares of `side` about these centres, all with x > 0: those at −x have the opposite pressure.
 fn by_pressures(centres: &[[f64; 2]], side: f64) -> f64 {
     let settles = (1.0 - POISSON_RATIO) / (2.0 * std::f64::consts::PI * SHEAR_MODULUS_PA);
     let n = centres.len();

@@ -1,7 +1,7 @@
-// SOURCE     Ochsendorf (2006), The masonry arch on spreading supports: the method (three hinges whose place is searched at each
-//            spread until the thrust line leaves the arch), not its numbers.
-// GOAL       Thrust and collapse of round arches whose supports move, found by following all stones, against a thrust line in half an
-//            arch that shares nothing with it.
+// SOURCE     Ochsendorf (2006), The masonry arch on spreading supports: the method (three hinges, whose place is searched at each
+//            spread until the thrust line leaves the arch), but not its numbers.
+// GOAL       Thrust and collapse of round arches with moving supports, from the motion of all stones, against an independent thrust
+//            line in half an arch.
 // PARAMETERS flat-faced voussoirs, radius 1 of the centre line, thickness t, n voussoirs, no sliding.
 //
 //              C  crown hinge, at the outer line          H →  thrust
@@ -9,8 +9,8 @@
 //         A /    \  hinge at the inner line of joint k    below A the half moves with its support
 //          |      |  → u
 //
-// TOLERANCE  Thrust at the first movement 1e-6: both are limit analyses, exact but for the movement of 1e-4. Spread at collapse 0.1 %:
-//            steps of 0.004 rad on the way, and the least step (measured: 0.02 %). In time 2 %: inertia and the springs, each measured.
+// TOLERANCE  Thrust at the first movement 1e-6: both are limit analyses, exact except for the movement of 1e-4. Spread at collapse 0.1
+//            %: steps of 0.004 rad, and the smallest step (measured: 0.02 %). In time 2 %: inertia and springs, each measured.
 
 use dolmen::blocks::{ContactLaw, Outcome, Rigid, SlowMovement, Springs, move_supports};
 use dolmen::stability::stack::{
@@ -69,7 +69,7 @@ impl Half {
             .sum()
     }
 
-    /// The thrusts for which the line stays inside the arch as drawn if it crosses the crown at this height.
+    /// The thrusts for which the line stays inside the undeformed arch if it crosses the crown at this height.
     fn range(&self, crown: f64) -> [f64; 2] {
         let (mut least, mut most) = (0.0_f64, f64::INFINITY);
         for (joint, [inner, outer]) in self.joints.iter().enumerate().skip(1) {
@@ -85,7 +85,7 @@ impl Half {
         [least, most]
     }
 
-    /// Least and largest thrust of the arch as drawn, for the highest and the lowest crossing of the crown with the line inside.
+    /// Least and largest thrust of the undeformed arch, for the highest and the lowest crossing of the crown with the line inside.
     fn thrusts(&self) -> [f64; 2] {
         let (mut low, mut high) = (1.0 - 0.5 * self.thickness, 1.0 + 0.5 * self.thickness);
         let least = self.range(high)[0];
@@ -101,7 +101,7 @@ impl Half {
         [least, self.range(high)[1]]
     }
 
-    /// The thrust with a hinge at the inner line of joint `k` after the support has moved out by `u`; `None` if the line of thrust then
+    /// The thrust with a hinge at the inner line of joint `k` after the support has moved out by `u`; `None` if the thrust line then
     /// leaves a joint.
     fn thrust(&self, k: usize, u: f64) -> Option<f64> {
         let (crown, hinge) = (self.joints[0][1], self.joints[k][0]);
@@ -139,7 +139,7 @@ impl Half {
         inside.then_some(thrust)
     }
 
-    /// The thrust at a spread `u` of each support, for any place of the hinge.
+    /// The thrust at a spread `u` of each support, for any position of the hinge.
     fn spread_thrust(&self, u: f64) -> Option<f64> {
         (1..self.joints.len()).find_map(|k| self.thrust(k, u))
     }
@@ -173,7 +173,7 @@ fn round_arch(voussoirs: u32, thickness_m: f64) -> Stack {
     Stack::new(blocks.unwrap(), JointMaterial::with_friction(1.5), GRAVITY_M_S2).unwrap()
 }
 
-/// The arch with its right support moved by this.
+/// The arch with its right support moved by this distance.
 fn followed(voussoirs: u32, thickness_m: f64, movement_m: [f64; 3]) -> MovedSupports {
     let movement = SupportMovement {
         block: voussoirs as usize - 1,
@@ -313,7 +313,7 @@ fn holds_a_stone_goes_with_the_ground_under_it() {
         }
         let slip_m = moved.history.joints[0].peak_slip_m;
         assert!(slip_m < 1e-6, "{}: {slip_m}", law.name());
-        // the ground moves down with it: − m g × 0.05 m
+        // the ground moves down with it: −m g × 0.05 m
         let energy = moved.history.energy.last().unwrap();
         let weight = 0.12 * DENSITY_KG_M3 * GRAVITY_M_S2;
         assert!(

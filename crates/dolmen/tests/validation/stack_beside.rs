@@ -1,7 +1,8 @@
-// SOURCE     The plane motion of one block on a bed with a spring beside it, its two equations written here.
+// SOURCE     The plane motion of one block on a bed with a spring beside it, with its two equations written here.
 // GOAL       Natural frequencies, the factor on all springs and the factors on joints of a stack with side supports.
 // PARAMETERS a stone of 0.6 × 0.5 × 1.6 m on its bed, springs beside it of 10 MN/m, 0.5 m above its middle.
-// TOLERANCE  frequencies 1e-6 (the stone settles by 1e-5 of its height); factors 1e-4, what settling anew moves; by the joints one by one 1e-3.
+// TOLERANCE  frequencies 1e-6 (the stone settles by 1e-5 of its height); factors 1e-4, the effect of a new settlement; with one factor per
+//            joint 1e-3.
 
 use dolmen::blocks::{
     BesideInSmallMotion, ContactRule, JointFactorsOptions, MeasuredStackMode, StackMotion,
@@ -108,7 +109,7 @@ fn holds_a_gap_and_a_push_of_one_side_are_no_springs() {
         let found = first_x(&stack);
         assert!((found / hz - 1.0).abs() < 1e-6, "{kinds:?} {found} {hz}");
     }
-    // pushed against one of them, it is held by only that one
+    // pushed against one support, it is held by that one only
     let load = dolmen::structure::stack::StaticLoad {
         block: 0,
         position_m: bare().blocks()[0].solid.centroid_m(),

@@ -1,9 +1,9 @@
-// SOURCE     laws of mechanics; a mass on one spring with a slider and a dashpot, integrated here on its own.
-// GOAL       Contacts of the springs engine make no energy as faces, edges and corners change; bonds break once; results tell
-//            losses apart rightly; a result names a run that cannot be used, and a stone on the brink.
+// SOURCE     laws of mechanics; a mass on one spring with a slider and a dashpot, integrated here independently.
+// GOAL       With contact springs, changes between faces, edges and corners create no energy; bonds break once; results
+//            separate the losses correctly, and mark an unusable run and a stone close to falling.
 // PARAMETERS stones of 300 × 200 × 100 mm, 2600 kg/m³, k_n 1e9, k_s 4e8 Pa/m unless said; seeds of the random stacks 1 to 24.
 // PUBLISHED  –
-// TOLERANCE  .1 % of the work put in, what a run may make at its default step; others said where they stand.
+// TOLERANCE  0.1 % of the work put in, the error of a run at its default step; others are stated in the tests.
 
 use dolmen::blocks::{AfterFall, BlocksError, Outcome, Springs, StackHistory, Start, simulate_springs};
 use dolmen::numeric::Random;
@@ -90,7 +90,7 @@ fn holds_no_energy_is_made_as_faces_change() {
         let made = history.energy_made_ratio();
         assert!(made < MADE_MOST, "seed {seed}: contacts made {made} of the input");
         let end = history.energy.last().unwrap();
-        // the division between friction and dashpots is accurate to a step: the limit of both to the disc reduces either
+        // the division between friction and dashpots is accurate to a step, because the common friction limit reduces both
         assert!(end.friction_j > 0.0, "seed {seed}: {end:?}");
         assert!(end.damping_j > -2e-3 * end.input_j, "seed {seed}: {end:?}");
         fell += usize::from(matches!(history.outcome, Outcome::Fell { .. }));
@@ -107,7 +107,7 @@ fn holds_a_hard_landing_makes_no_energy_at_the_default_step() {
         stone("stone", STONE_M, [0.0, 0.0, 0.5]),
     ];
     let stack = stack(blocks, JointMaterial::with_friction(0.6));
-    // flat, on an edge, on a corner, and past the pedestal's edge, from 2 m: 6 m/s
+    // flat, on an edge, on a corner, and beyond the edge of the pedestal, from 2 m: 6 m/s
     for (turn_rad, x) in [
         ([0.0; 3], 0.0),
         ([0.0, 0.5, 0.0], 0.0),
@@ -171,7 +171,7 @@ fn holds_a_broken_bond_does_not_heal() {
 
 #[test]
 fn holds_what_overlaps_as_drawn_is_not_pushed_apart() {
-    // the edge of a turned pillar reaches 2 mm into the side of another: on k_n 1e9 that would press with 2 MPa
+    // the edge of a rotated pillar overlaps the side of another by 2 mm: with k_n 1e9 this would be a pressure of 2 MPa
     let turn_rad = 20.0_f64.to_radians();
     let reach = 0.15 * (turn_rad.cos() + turn_rad.sin());
     let drawn = 0.15 + reach - 0.002;
@@ -206,7 +206,7 @@ fn holds_what_overlaps_as_drawn_is_not_pushed_apart() {
         .map(|energy| energy.kinetic_j)
         .fold(0.0, f64::max);
     assert!(kinetic < 1e-6, "{kinetic} J");
-    // but a further motion together meets the present overlap
+    // but further motion towards each other compresses the overlap
     let push = Start {
         velocity_m_s: [-0.1, 0.0, 0.0],
         ..Start::of(1)
@@ -388,7 +388,7 @@ fn holds_a_stone_on_the_brink_is_named() {
         };
         run(&stack, None, &options)
     };
-    // half of the distance of its plumb line to the edge is 75 mm
+    // half of the distance from its plumb line to the edge is 75 mm
     assert!(!matches!(slides(0.06).outcome, Outcome::Slid { .. }));
     let history = slides(0.11);
     let Outcome::Slid {
@@ -427,7 +427,7 @@ fn holds_a_stone_on_the_brink_is_named() {
 
 #[test]
 fn holds_the_joint_that_gave_way_is_named_beside_the_stone_that_falls() {
-    // a tall stone with a thin cap tips: the cap moves with it, the tall stone has fallen, and the joint beneath it gave way
+    // a tall stone with a thin cap tips: the cap moves with it, the tall stone has fallen, and the joint below it failed
     let blocks = vec![
         stone("tall", [0.3, 1.0, 1.5], [0.0; 3]),
         stone("cap", [0.3, 1.0, 0.05], [0.0, 0.0, 1.5]),

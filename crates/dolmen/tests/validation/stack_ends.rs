@@ -1,9 +1,9 @@
 // SOURCE     known/overturning.rs; energy: after the shaking contacts only take it.
-// GOAL       A run has no verdict while stones move: whatever time to rest it is given, it goes on until they fall, rest, or swing less and
-//            less, under both laws; one that is cut short says that they move.
+// GOAL       A run has no verdict while stones move: for any time to rest, it continues until they fall, rest, or rock less and less, under
+//            both laws; a run that ends early says that they still move.
 // PARAMETERS block 0.4 × 1.0 × 2.0 m, 2600 kg/m³, k_n 1e10 Pa/m, half sine of ω/p = 2; time to rest 0, .5, 2 and 15 s.
 // PUBLISHED  –
-// TOLERANCE  .3 % of the amplitude that overturns under the rigid law; on springs 5 % below it (measured 2 to 4 %: the edge yields).
+// TOLERANCE  0.3 % of the amplitude that overturns under the rigid law; 5 % below it on springs (measured 2 to 4 %: the edge yields).
 
 use crate::stack_rocking::pulse;
 use dolmen::blocks::{ContactLaw, Outcome, Rigid, Springs, StackHistory, StackRun, simulate_springs_many};
@@ -100,7 +100,7 @@ fn holds_a_run_cut_short_says_that_stones_move() {
         }
         other => panic!("{other:?}"),
     }
-    // rocking far from the edge is not a verdict either, and not a slip
+    // rocking far from the edge is not a verdict either, and is not a slip
     let cut = ContactLaw::Rigid(Rigid {
         duration_s: Some(1.5),
         ..Rigid::default()
@@ -113,7 +113,7 @@ fn holds_a_run_cut_short_says_that_stones_move() {
         "{:?}",
         rests.outcome
     );
-    // at rest it is still: an opening of 0.1 mm moves the centroid by a quarter of a millimetre
+    // at rest nothing moves: an opening of 0.1 mm moves the centroid by a quarter of a millimetre
     let last = rests.time_s.len() - 1;
     let half_a_second = last - 50;
     let [before, after] = [half_a_second, last].map(|sample| rests.pose(sample, 0).centroid_m);

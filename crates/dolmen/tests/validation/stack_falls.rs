@@ -1,9 +1,9 @@
-// SOURCE     own made cases; geometry by hand in each test.
-// GOAL       A stone falls against what it stood on: centroid dropped below its place there by more than half its least thickness, bed turned by
-//            more than 45°, contact lost for good, or another face. Judged against the ground with a quarter, these cases were wrong in both
-//            directions.
+// SOURCE     simulated cases; geometry by hand in each test.
+// GOAL       A stone falls relative to the stone below: its centroid drops by more than half its least thickness, its bed rotates by more than
+//            45°, contact is lost for good, or it lies on another face. A criterion relative to the ground, with a quarter of the thickness,
+//            gave wrong results in both directions.
 // PARAMETERS given in each test; 2600 kg/m³, g 9.81.
-// TOLERANCE  none: kinds of outcome. Times to a look, 5 ms.
+// TOLERANCE  none: kinds of outcome. Times to the sampling of 5 ms.
 
 use dolmen::blocks::{Outcome, Springs, StackHistory, Start, simulate_springs};
 use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
@@ -46,8 +46,8 @@ fn deepest_m(history: &StackHistory, block: usize) -> f64 {
 
 #[test]
 fn holds_a_slab_that_rides_on_a_rocking_stone_has_not_fallen() {
-    // a stone wider at its top, rotated by 0.1 rad about its edge at x = 0.15, and a slab of 40 mm on it whose centroid is beyond that
-    // edge, at x = 0.25: the slab drops by 0.10 sin 0.1 + 2 (1 − cos 0.1) = 20 mm, half its thickness, and stays in place
+    // a stone wider at its top, rotated by 0.1 rad about its edge at x = 0.15. On it is a slab of 40 mm with its centroid beyond that edge, at x
+    // = 0.25: the slab drops by 0.10 sin 0.1 + 2 (1 − cos 0.1) = 20 mm, half its thickness, and stays in place
     let stone = Solid::frustum([0.3, 0.6], [0.7, 0.6], 2.0).unwrap();
     let blocks = vec![
         block("stone", stone, [0.0; 3]),
@@ -71,7 +71,7 @@ fn holds_a_slab_that_rides_on_a_rocking_stone_has_not_fallen() {
 
 #[test]
 fn holds_a_cube_that_slid_off_its_slab_has_fallen() {
-    // it drops by 50 mm, an eighth of its thickness, and stands upright again, beside its slab
+    // it drops by 50 mm, an eighth of its thickness, and is upright again, next to its slab
     let blocks = vec![
         cuboid("slab", [0.4, 0.4, 0.05], [0.0; 3]),
         cuboid("cube", [0.4, 0.4, 0.4], [0.0, 0.0, 0.05]),
@@ -108,8 +108,8 @@ fn holds_a_prism_that_rolled_to_its_next_face_has_fallen() {
         solid: Solid::convex(&points).unwrap(),
         density_kg_m3: 2600.0,
     }];
-    // over the edge it must rise by 17.6 mm, with I = 0.398 m about it: ω > 0.93 rad/s; with 0.94 the impact takes enough to stay on the
-    // next face
+    // to pass the edge it must rise by 17.6 mm, with I = 0.398 m about it: ω > 0.93 rad/s; with 0.94 the impact dissipates enough for it to stay
+    // on the next face
     let roll = Start {
         pivot_m: [radius * (std::f64::consts::PI / 12.0).sin(), 0.0, 0.0],
         velocity_m_s: [0.47, 0.0, 0.1259],

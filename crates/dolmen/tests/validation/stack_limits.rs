@@ -1,10 +1,10 @@
-// SOURCE     Kim, Koo & Hong (2018), eqs 9 and 16, section 3.4; Livesley (1978) for the limit analysis; P10 and P20 of this
-//            crate, made for comparisons.
-// GOAL       The least tan α over all joints names where a stack opens and when; limit analysis finds the same. Stones given by rounded
-//            corners have the joints of the exact ones.
-// PARAMETERS P10 and P20, friction .6 and .3, g 9.80665 m/s².
-// PUBLISHED  uplift of P10 at .324 g, of P20 at .251 g; P10 with μ = .3 slides at .300 g.
-// TOLERANCE  half a unit of the last digit; 1e-8 between both ways: what a solution of the limit analysis misses is 1e-9.
+// SOURCE     Kim, Koo & Hong (2018), eqs 9 and 16, section 3.4; Livesley (1978) for the limit analysis; P10 and P20 of this crate, made
+//            for comparisons.
+// GOAL       The smallest tan α of all joints gives the joint that opens first and its acceleration; the limit analysis agrees. Stones
+//            with rounded corners have the joints of the exact ones.
+// PARAMETERS P10 and P20, friction 0.6 and 0.3, g 9.80665 m/s².
+// PUBLISHED  uplift of P10 at 0.324 g, of P20 at 0.251 g; P10 with μ = 0.3 slides at 0.300 g.
+// TOLERANCE  half a unit of the last digit; 1e-8 between both methods, because the error of a solution of the limit analysis is 1e-9.
 
 use dolmen::assess::{StackCheckOptions, check_stack};
 use dolmen::comparisons::{p10, p20};
@@ -42,7 +42,7 @@ fn published_thresholds_of_p10_and_p20() {
 
 #[test]
 fn exact_a_leaning_stone_slides_and_tips_down_its_own_bed() {
-    // on the ground and on a level stone: the bed leans by β, so that it tips at tan(α − β) and slides at tan(φ − β)
+    // on the ground and on a level stone: the bed is inclined by β, so the stone tips at tan(α − β) and slides at tan(φ − β)
     let block = |name: &str, [width, height]: [f64; 2], tilt: f64, z: f64| Block {
         name: name.into(),
         solid: Solid::cuboid(width, 2.0 * width, height)

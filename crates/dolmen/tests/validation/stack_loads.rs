@@ -1,12 +1,13 @@
-// SOURCE     Moments about edges, summed here.
-// GOAL       What stacks bear of wind and static loads is what equilibrium says that does without cones and pieces.
+// SOURCE     Moments about edges, computed here.
+// GOAL       Stacks bear the wind and static loads that equilibrium gives without cones and pieces.
 //
 //        q ─→ ┌───┐                 tower:  λ = least over joints and edges of  M_weight / M_loads
 //        q ─→ │   │ h   edge: W b/2 wall:   p = w t / h, w its weight by area
 //        q ─→ └─┬─┘
 //
-// PARAMETERS 150 random towers under wind from any side and loads on some stones, seed below; walls of 3 and 5 courses; the flagpole of Naju as five stones.
-// TOLERANCE  1e-6 relative: what the solver may miss. 0.6 % where blocks hide each other, by the cells of the grid.
+// PARAMETERS 150 random towers under wind from any side and loads on some stones, seed below; walls of 3 and 5 courses; the flagpole of Naju as five
+//            stones.
+// TOLERANCE  1e-6 relative, the error of the solver. 0.6 % if blocks hide each other, because of the grid cells.
 
 use crate::draws::Draws;
 use dolmen::assess::{Grows, StackCombination, StackWind, stack_under_loads};
@@ -77,7 +78,7 @@ fn exact_a_single_block_in_wind_turns_about_its_edge() {
     let (b, d, h, p) = (0.5, 0.8, 2.4, 700.0);
     let stack = boxes(&[([b, d, h], [0.0; 3])], 0.9);
     let found = bears(&stack, &surfaces(&stack, 1.3), &uniform(p));
-    // W b/2 against p C_f d h · h/2, over the wider face
+    // W b/2 against p C_f d h · h/2, on the wider face
     let weight = DENSITY_KG_M3 * GRAVITY_M_S2 * b * d * h;
     near(found.found.factor, weight * b / (1.3 * p * d * h * h), 1e-6);
     assert_eq!(
@@ -87,7 +88,7 @@ fn exact_a_single_block_in_wind_turns_about_its_edge() {
         found.wind_to
     );
     assert!(!found.found.slides());
-    // 0.9 of the weight bears 0.9 of it
+    // with 0.9 of the weight it bears 0.9 of the load
     let light = StackCombination {
         weight: 0.9,
         wind: 1.0,
@@ -135,7 +136,7 @@ fn exact_a_free_wall_under_pressure_out_of_plane() {
     }
 }
 
-/// A tower of boxes that stands, each with its half sizes, middle of the base, height.
+/// A stable tower of boxes: half sizes, centre of the base, and height of each.
 fn tower(draw: &mut Draws) -> Vec<([f64; 3], [f64; 3])> {
     let mut z = 0.0;
     let mut all: Vec<([f64; 3], [f64; 3])> = Vec::new();
@@ -190,7 +191,7 @@ fn by_edges(all: &[([f64; 3], [f64; 3])], loads: &[(usize, Force)]) -> f64 {
     least
 }
 
-/// Outline of a box across a wind: area and middle.
+/// Outline of a box across a wind: area and centre.
 fn outline((size, at): &([f64; 3], [f64; 3]), to: [f64; 2]) -> (f64, [f64; 3]) {
     let area = size[2] * (size[1] * to[0].abs() + size[0] * to[1].abs());
     (area, [at[0], at[1], at[2] + 0.5 * size[2]])
@@ -264,8 +265,8 @@ fn holds_150_random_towers_bear_what_moments_about_edges_say() {
 
 #[test]
 fn holds_what_presses_downwards_never_makes_a_wall_bear_more_wind() {
-    // 6 kN of snow on the wall, which may be absent in the wind: λ = W b/2 / M; with snow (W + R) b/2 / M, or more if the snow grows with
-    // the wind
+    // 6 kN of snow on the wall, which may be absent in the wind: λ = W b/2 / M; with snow (W + R) b/2 / M, or more if the snow increases with the
+    // wind
     let (b, h, p, snow) = (0.5, 2.0, 600.0, 6e3);
     let stack = boxes(&[([b, 1.0, h], [0.0; 3])], 0.9);
     let load = StaticLoad {
@@ -355,7 +356,7 @@ fn exact_the_flagpole_as_five_stones_bears_what_the_chain_says() {
 
 #[test]
 fn holds_blocks_behind_others_are_not_met_twice() {
-    // two pillars one behind the other and one beside them; a stone of three in a course
+    // two pillars one behind the other and one beside them; one stone of three in a course
     let all = [
         ([0.5, 0.5, 2.0], [0.0, 0.0, 0.0]),
         ([0.5, 0.5, 2.0], [3.0, 0.0, 0.0]),
@@ -367,13 +368,13 @@ fn holds_blocks_behind_others_are_not_met_twice() {
     near(seen[0], 1.0, 1e-9);
     assert_eq!(seen[1], 0.0);
     near(seen[2], 0.5, 1e-9);
-    // in the opposite direction the far one is exposed, and from the side both
+    // from the opposite direction the far pillar is exposed, and from the side both
     assert_eq!(areas([-1.0, 0.0])[0], 0.0);
     let beside = areas([0.0, 1.0]);
     near(beside[0], 1.0, 1e-9);
     near(beside[1], 1.0, 1e-9);
     assert_eq!(beside[2], 0.0);
-    // half hidden: the visible part is exposed, with its own middle
+    // half hidden: the visible part is exposed, with its own centre
     let half = boxes(
         &[
             ([0.5, 0.6, 1.0], [0.0, 0.0, 0.0]),

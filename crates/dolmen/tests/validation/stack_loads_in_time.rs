@@ -1,14 +1,15 @@
 // SOURCE     W b/2 = F h + m a h/2; K u = W + F.
-// GOAL       Static loads act in time as they do at rest, under the springs and the rigid law, and their energy balances.
-// PARAMETERS a block of 0.4 × 2 m on stiff springs with half of its edge moment taken by a force; ground that accelerates slowly, both ways.
-// TOLERANCE  10 % of the acceleration on either side of the limit: the springs yield at the edge. 1e-8 of the settlement.
+// GOAL       Static loads have the same effect in time as at rest, under the springs and the rigid law, and energy balances.
+// PARAMETERS a block of 0.4 × 2 m on stiff springs; a force takes half of its edge moment; the ground accelerates slowly, in both
+//            directions.
+// TOLERANCE  10 % of the acceleration on either side of the limit, because the springs yield at the edge. 1e-8 of the settlement.
 
 use crate::stack_loads::{DENSITY_KG_M3, GRAVITY_M_S2, boxes, near};
 use dolmen::blocks::{ContactLaw, Outcome, Rigid, Springs, simulate_springs, simulate_stack};
 use dolmen::signal::{Component, GroundMotion};
 use dolmen::structure::stack::{JointMaterial, StaticLoad};
 
-/// Constant acceleration that grows over a second and stays, along x, over gravity.
+/// Acceleration along x over gravity; it grows for a second and then stays constant.
 fn slowly(peak_g: f64) -> GroundMotion {
     let step_s = 0.01;
     let along = (0..301).map(|i| peak_g * GRAVITY_M_S2 * (f64::from(i) * step_s).min(1.0));
@@ -17,7 +18,7 @@ fn slowly(peak_g: f64) -> GroundMotion {
 
 #[test]
 fn exact_a_block_with_a_static_load_lifts_where_both_together_reach_its_edge_under_both_laws() {
-    // W b/2 = F h + m a h/2: with half of the edge moment used by F at the top, a = 0.5 g b/h against the load's own way
+    // W b/2 = F h + m a h/2: if F at the top takes half of the edge moment, a = 0.5 g b/h in the direction of the load
     let (b, h) = (0.4, 2.0);
     let weight = DENSITY_KG_M3 * GRAVITY_M_S2 * b * b * h;
     let load = StaticLoad {
@@ -43,7 +44,7 @@ fn exact_a_block_with_a_static_load_lifts_where_both_together_reach_its_edge_und
             (1.4, 1.0, false),
             (1.6, 1.0, true),
         ] {
-            // the ground accelerates against the load: inertia pushes with it
+            // the ground accelerates against the load, so that inertia adds to it
             let of = match towards < 0.0 {
                 true => 0.5 * share * b / h,
                 false => share * b / h,

@@ -1,6 +1,6 @@
 // SOURCE     microlp 0.7 (a simplex method).
-// GOAL       What an arch bears of a load on one of its stones is what a linear programme over all corners says, with the friction cone
-//            replaced by a pyramid within it and by one around it.
+// GOAL       The load that an arch bears on one of its stones agrees with a linear programme over all corners in which pyramids inside
+//            and outside replace the friction cone.
 // PARAMETERS arches of 9 to 25 voussoirs, 4 m wide, a load on the haunch or the crown, downwards or inclined.
 // TOLERANCE  1e-6 beyond the two pyramids.
 

@@ -1,6 +1,6 @@
 // SOURCE     Hwang & Kim (2002), sliding and twisting of piled blocks, as corrected; Farkas et al. (2003) Phys. Rev. Lett.
 //            90:248302, sliding and spinning disc; Kim, Koo & Hong (2018), springs of pagodas; laws of mechanics.
-// GOAL       The springs engine slides, twists, stands still, falls and lands as exact solutions say.
+// GOAL       The springs engine agrees with exact solutions for sliding, twisting, rest, falling and landing.
 // PARAMETERS stones of 300 × 200 × 100 mm, 2600 kg/m³; P10, a pagoda of ten stones; k_n 1e9, k_s 4e8 Pa/m unless said.
 // PUBLISHED  peak slip 24.47948 mm (sine), 29.73072 mm (El Centro); f1 4.704 Hz, 7.490 Hz with corners only; twist 16.339°
 //            in 0.11407 s; v/(ωR) → 0.653.
@@ -119,7 +119,7 @@ fn agrees_sliding_under_a_record() {
     let exact = record_slip(&base, 0.02, &friction).unwrap();
     let motion = motion(0.02, vec![(Component::X, base.clone())]);
     // residual slip: after each stop the stone vibrates on the springs, which shifts the slip in proportion to 1/√k: 1.26 % of the peak at 1e9,
-    // .23 % at 1e11, .07 % at 1e12; a mass on one spring has the same shift except for .20 % due to the step, and .03 % at steps of 20 µs
+    // 0.23 % at 1e11, 0.07 % at 1e12. A mass on one spring has the same shift except for 0.20 % due to the step, and 0.03 % at steps of 20 µs
     for (normal_stiffness_pa_m, time_step_s, residual_part, of_springs_part) in [
         (1e9, None, 0.014, 0.0025),
         (1e9, Some(2e-5), 0.012, 0.0005),
@@ -155,7 +155,7 @@ fn agrees_sliding_under_a_record() {
     }
 }
 
-/// A hundredth of 1/ω of the stone on its shear spring: half of it changes the residual by less than 2 µm.
+/// A hundredth of 1/ω of the stone on its shear spring; half of it changes the residual by less than 2 µm.
 fn residual_step_s(normal_stiffness_pa_m: f64) -> f64 {
     1e-5 / (normal_stiffness_pa_m / 1e9).sqrt()
 }
@@ -222,7 +222,7 @@ fn exact_twist_of_a_spinning_stone() {
             history.time_s[stop]
         );
     }
-    // with corners only it stops almost twice as fast: the reason why this is not the default
+    // with corners only it stops almost twice as fast, so this is not the default
     let corners = run(&pile(1, 0.5), None, &options(ContactRule::Corners));
     assert!(corners.joints[0].peak_yaw_rad < 0.55 * angle);
 }
@@ -247,7 +247,7 @@ fn agrees_sliding_and_spinning_end_together() {
     };
     let history = run(&stack, None, &options);
     let joint = &history.joints[0];
-    // speed and spin between samples; the last before it is at rest, at a fiftieth of the first speed
+    // speed and spin between samples; the last interval ends at rest, at a fiftieth of the first speed
     let mut ratios = (1..history.time_s.len()).filter_map(|i| {
         let slid = joint.slip_m[i][0] - joint.slip_m[i - 1][0];
         let time = history.time_s[i] - history.time_s[i - 1];
@@ -267,8 +267,8 @@ fn holds_one_stone_does_not_yaw_and_two_do() {
         "{}",
         perfect.joints[0].peak_yaw_rad
     );
-    // nor with its mass 5 mm off the middle (a hole of a tenth of its volume 45 mm from it): pressure balances the weight and
-    // the inertia, so uniform friction acts beneath the centre of mass wherever that is
+    // nor with its mass 5 mm off the centre (a hole of a tenth of its volume 45 mm from it): pressure balances weight and inertia, so uniform
+    // friction acts below the centre of mass
     let hole = Solid::cuboid(0.06, 0.1, 0.1).unwrap().placed(&Placement {
         position_m: [0.045, 0.0, 0.0],
         ..Placement::default()
@@ -291,7 +291,7 @@ fn holds_one_stone_does_not_yaw_and_two_do() {
 
 #[test]
 fn holds_stuck_means_stuck() {
-    // a minute of .29 g under a friction of .3
+    // a minute of 0.29 g with a friction of 0.3
     let motion = motion(0.01, vec![(Component::X, vec![0.29 * GRAVITY_M_S2; 6001])]);
     let options = Springs {
         duration_s: Some(60.0),
@@ -336,7 +336,7 @@ fn holds_a_quiet_pagoda_stays_quiet_and_settles_by_its_springs() {
             assert!(moved.abs() < 1e-12, "block {block}: {moved}");
         }
     }
-    // the top stone settles by the weight over each joint on its springs
+    // the top stone settles by the weight above each joint on its springs
     let mut above = 0.0;
     let mut sunk = 0.0;
     for (block, joint) in stack.blocks().iter().zip(stack.joints()).rev() {
@@ -488,7 +488,7 @@ fn refuses_what_cannot_be_simulated() {
             .starts_with("time_step_s is 1.000e-2, but the stiffest joint allows at most 5."),
         "{fault}"
     );
-    // the upper stone's middle is beyond the lower's edge
+    // the centre of the upper stone is beyond the edge of the lower one
     let blocks = vec![
         stone("low", STONE_M, [0.0; 3]),
         stone("high", STONE_M, [0.2, 0.0, 0.1]),

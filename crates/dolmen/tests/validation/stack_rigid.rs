@@ -1,6 +1,6 @@
 // SOURCE     Housner (1963), solved exactly in known/rocking.rs and known/overturning.rs; known/sliding.rs; known/twisting.rs; laws of
 //            mechanics.
-// GOAL       The rigid law rocks, slides, twists, bounces and stands still as exact solutions say, at steps of a millisecond.
+// GOAL       The rigid law agrees with exact solutions for rocking, sliding, twisting, bouncing and rest, at steps of a millisecond.
 // PARAMETERS block 0.4 × 1.0 × 2.0 m released at α/2; stone 0.3 × 0.2 × 0.1 m; P10 and P20; 2600 kg/m³, 4 × 4 points.
 // PUBLISHED  T/4 0.490864 s, r 0.942308; peak slip 24.47948 mm; twist 16.339°; overturning: the nonlinear row of known/overturning.rs.
 // TOLERANCE  rocking 0.05 % (measured below .015 %), slip .001 % of peak, twist 3 %, what 4 × 4 points lack, overturning 1 %.
@@ -123,7 +123,8 @@ fn exact_velocity_ratio_as_given() {
     let alpha = slenderness_rad(HALF_WIDTH_M, HALF_HEIGHT_M);
     let p = frequency_parameter_rad_s(HALF_WIDTH_M, HALF_HEIGHT_M, GRAVITY_M_S2);
     let start = 0.5 * alpha;
-    // two below Housner's, for which a couple brakes the joint, and two above it, for which it rebounds; falls are not involved
+    // two below Housner's value, for which a couple brakes the joint, and two above it, for which it rebounds; falls do not matter
+    // here
     for (given, falls) in [
         (None, 0.9),
         (Some(0.5), 0.0),
@@ -144,7 +145,7 @@ fn exact_velocity_ratio_as_given() {
         ));
         // energy E ∝ sin²(α/2) − sin²((α − θ)/2): its ratio from one impact to the next is r²
         let energy = |peak: f64| (0.5 * alpha).sin().powi(2) - (0.5 * (alpha - peak)).sin().powi(2);
-        // an impact in which the middle of the bed closes at less than g times the step is part of a step
+        // an impact in which the centre of the bed closes at less than g times the step is part of a step
         let closes_m_s = |peak: f64| 2.0 * p * energy(peak).sqrt() * HALF_WIDTH_M;
         let hard = peaks
             .windows(2)
@@ -263,7 +264,7 @@ fn two_axial(peak_m_s2: f64) -> GroundMotion {
 
 #[test]
 fn exact_no_motion_below_the_threshold() {
-    // P10 rocks from 0.324 g on: at 0.3 g the exact answer is no motion at all, to the last bit
+    // P10 rocks only from 0.324 g: at 0.3 g the exact answer is no motion at all, to the last bit
     let stack = p10(JointMaterial::default(), GRAVITY_M_S2).unwrap();
     let history = run(&stack, Some(&two_axial(0.3 * GRAVITY_M_S2)), &Rigid::default());
     assert_eq!(history.outcome, Outcome::Stood);
@@ -285,7 +286,7 @@ fn exact_no_motion_below_the_threshold() {
     assert!(history.time_s.last().unwrap() > &60.0);
 }
 
-/// P20 through the beginning of it, peak .36 g: it rocks from 2.04 s on.
+/// P20 during the beginning of the record, peak 0.36 g: it rocks from 2.04 s on.
 fn p20_rocks(time_step_s: f64) -> StackHistory {
     let stack = p20(JointMaterial::default(), GRAVITY_M_S2).unwrap();
     let options = Rigid {
@@ -318,7 +319,8 @@ fn holds_a_pagoda_that_rocks_gives_the_same_bits_and_converges_with_the_step() {
 
 #[test]
 fn holds_a_tower_that_rocks_and_slides_in_all_joints_is_followed() {
-    // 6 m high and 0.4 m wide: it rocks from 0.067 g on, here at ten times that; edges strike, slide and rotate in all joints at once
+    // 6 m high and 0.4 m wide: it rocks from 0.067 g on, here with ten times that; edges strike, slide and rotate in all joints
+    // together
     let stones = (0..10).map(|i| stone(&format!("stone {i}"), [0.4, 0.4, 0.6], 0.6 * f64::from(i)));
     let tower = Stack::new(stones.collect(), JointMaterial::default(), GRAVITY_M_S2).unwrap();
     let options = Rigid {

@@ -1,6 +1,6 @@
 // SOURCE     Housner (1963) Bull. Seism. Soc. Am. 53(2):403-417, solved exactly in known/rocking.rs and known/overturning.rs.
-// GOAL       The springs engine rocks one block as the nonlinear equation does, to the twentieth impact, and overturns it at
-//            the same amplitude of a pulse.
+// GOAL       The springs engine rocks one block according to the nonlinear equation, up to the twentieth impact, and
+//            overturns it at the same pulse amplitude.
 // PARAMETERS block 0.4 × 1.0 × 2.0 m, released at α/2; corners only, k_n 1e10 Pa/m, damping ratio 1: these stand for
 //            Housner's r, who has the block strike along its edge. Friction 5: it does not slide.
 // PUBLISHED  p 2.686005, r 0.942308, T/4 0.490864 s; pulses: the nonlinear row of known/overturning.rs.
@@ -43,7 +43,7 @@ fn options(duration_s: f64) -> Springs {
     }
 }
 
-/// Turn about y at each sample, rad.
+/// Rotation about y at each sample, rad.
 pub(crate) fn tilts(history: &StackHistory) -> Vec<f64> {
     let samples = 0..history.time_s.len();
     samples
@@ -130,7 +130,7 @@ fn falls_at_once(shape: Pulse, q: f64, amplitude: f64) -> bool {
     fell_at_once(&history)
 }
 
-/// Whether it fell in this way.
+/// Whether it fell without striking its other edge.
 pub(crate) fn fell_at_once(history: &StackHistory) -> bool {
     let first = tilts(history).into_iter().find(|tilt| tilt.abs() > 0.01);
     let struck = tilts(history)
@@ -218,7 +218,7 @@ fn rebound_on_springs(restitution: f64, fall_m: f64) -> f64 {
     (heights.fold(0.0, f64::max) / fall_m).sqrt()
 }
 
-/// A stone keeps up to 2 % less than stated, never more: its weight and the steps reduce it.
+/// A stone keeps up to 2 % less velocity than stated, never more, because its weight and the steps reduce it.
 #[test]
 fn agrees_rebound_of_a_stone_that_falls_flat_on_springs() {
     for restitution in [0.9, 0.6, 0.45] {

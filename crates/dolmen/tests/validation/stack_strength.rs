@@ -1,14 +1,14 @@
-// SOURCE     Rectangular stress block: an edge under the force N crushes over the strip of area N/f, and bears at the middle of it. Sums of moments
-//            made here; arches by microlp 0.7 in the plane, with the pressure in each joint in cells of up to f times their area.
-// GOAL       What stacks of finite strength bear: first motion, margin, load factor, wind, the limit analysis of stones that share their load.
+// SOURCE     Rectangular stress block: an edge under the force N crushes over a strip of area N/f, and the reaction is at the middle of this strip.
+//            Sums of moments computed here; arches by microlp 0.7 in the plane, with the pressure in each joint in cells of up to f times their area.
+// GOAL       Capacity of stacks with finite strength: first motion, margin, load factor, wind, and limit analysis of stones that share their load.
 //
 //          │ N                   b × l, N at the edge:  t = N/(f l), pivot t/2 inside
 //        ┌─┴─────┐               a/g = (b/2 − N/(2 f l)) / h
 //        └───────┤░│ t           N/(b l) > f: it crushes under its own weight
 //
 // PARAMETERS blocks of 2600 kg/m³, f from 1.02 times the pressure at rest to 100 MPa; 9 to 13 voussoirs, seed below.
-// TOLERANCE  1e-9 g where statics give N. Arches: at least what pressures 1.3 % nearer to the middle of each joint bear, and half a per cent more than the
-//            cells bear at most, which are inside, too; no difference in the verdict but between the two.
+// TOLERANCE  1e-9 g where statics give N. Arches: the result is at least the capacity for pressures 1.3 % nearer to the middle of each joint, and at
+//            most half a per cent above that of the cells, which is a lower bound too; the verdict may differ only between the two.
 
 use crate::stack_loads::{DENSITY_KG_M3, GRAVITY_M_S2, boxes, near};
 use dolmen::assess::{
@@ -52,7 +52,7 @@ fn exact_the_pivot_of_a_block_moves_in_by_half_the_crushed_strip() {
         let lever = 0.5 * b - weight_n / (2.0 * strength_pa * l);
         let off = (check.capacity.unwrap().acceleration_g - lever / h).abs();
         assert!(off < 1e-9, "{times}: {off}");
-        // what the joint alone and the limit analysis say is one thing
+        // the joint alone and the limit analysis agree
         assert!(check.notes.is_empty(), "{:?}", check.notes);
         let LimitAnalysisStatus::Limited(found) = check.analysis.as_ref().unwrap().status else {
             panic!("{check:?}")
@@ -88,14 +88,14 @@ fn exact_a_joint_weaker_than_the_pressure_on_it_crushes_under_its_own_weight() {
         checked(&crushing(&stack, 1.01 * pressure_pa)).verdict,
         Verdict::Unstable
     );
-    // off the middle by e it bears no more than f (b − 2 e) l
+    // at an eccentricity e it bears at most f (b − 2 e) l
     let e: f64 = 0.08;
     let stack = boxes(
         &[([0.4, 0.6, 0.5], [0.0; 3]), ([0.24, 0.6, 1.0], [e, 0.0, 0.5])],
         0.7,
     );
     let joint_pa = 1.0 * DENSITY_KG_M3 * GRAVITY_M_S2;
-    // the upper stone covers its bed in full, the lower one bears both off its middle
+    // the upper stone covers its bed completely, the lower one supports both eccentrically
     let both_n = (0.4 * 0.5 + 0.24) * 0.6 * DENSITY_KG_M3 * GRAVITY_M_S2;
     let off = 0.24 * e / (0.4 * 0.5 + 0.24);
     let least_pa = both_n / ((0.4 - 2.0 * off) * 0.6);
@@ -149,7 +149,7 @@ fn exact_a_push_at_the_top_and_the_wind_find_the_same_lever() {
         stack_under_loads(&loaded, &combination).unwrap().uncrushed_factor,
         None
     );
-    // a weight that grows on it crushes the bed: (1 + λ) W = f b l
+    // an increasing weight on it crushes the bed: (1 + λ) W = f b l
     let load = StaticLoad {
         force_n: [0.0, 0.0, -weight_n],
         ..push
@@ -161,7 +161,7 @@ fn exact_a_push_at_the_top_and_the_wind_find_the_same_lever() {
 
 #[test]
 fn exact_a_wall_of_two_rows_bears_what_its_lowest_bed_bears() {
-    // stones that share their load, shaken across the wall: every course turns as one about the strip that crushes
+    // stones that share their load, shaken across the wall: every course rotates as one body about the crushed strip
     let (t, h) = (0.4, 0.5);
     let course = |z: f64, ends: &[f64]| -> Vec<([f64; 3], [f64; 3])> {
         let pairs = ends.windows(2);
@@ -202,7 +202,7 @@ fn voussoirs(n: usize, thickness: f64) -> Vec<[[f64; 2]; 4]> {
 }
 
 const DEPTH_M: f64 = 0.3;
-/// By how much less moment a bed bears in the analysis than it does, at most: what the docs say.
+/// Largest reduction of the moment of a bed in the analysis, as the docs state.
 const SHORT: f64 = 0.013;
 /// Cells in half a joint, the outermost the smallest.
 const CELLS: usize = 24;
@@ -237,7 +237,7 @@ fn by_cells(stones: &[[[f64; 2]; 4]], friction: f64, strength_pa: f64, reach: f6
         let along = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
         let length = along[0].hypot(along[1]);
         let along = along.map(|part| part / length);
-        // from the stone before onto the stone after, which the ground is before the first and after the last
+        // from the previous stone to the next stone; the first and the last have the ground as neighbour
         let normal = [along[1], -along[0]];
         let mut add = |variable, at: [f64; 2], way: [f64; 2]| {
             for (stone, sign) in [(Some(j), 1.0), (j.checked_sub(1), -1.0)] {

@@ -1,6 +1,6 @@
-// SOURCE     Virtual work by hand. Trilithon along x: both posts turn about their feet, the lintel rises with the corners that rise, λ = b/h; across, all three
-//            turn as one. Towers: sums of moments of what stands on each course, made here.
-// GOAL       First motion of trilithons and towers made from their dimensions.
+// SOURCE     Virtual work by hand. Trilithon along x: both posts rotate about their feet, the lintel rises with the rising corners, λ = b/h; across,
+//            all three rotate as one body. Towers: sums of moments of the part above each course, computed here.
+// GOAL       First motion of trilithons and towers generated from their dimensions.
 //
 //        ┌──────────────┐        λ (2 w h/2 + W h) = 2 w b/2 + W b,  so λ = b/h whatever W
 //        └─┬──┬────┬──┬─┘
@@ -8,7 +8,7 @@
 //          └──┘    └──┘ b
 //
 // PARAMETERS four trilithons, six towers; friction 2, so that nothing slides, and 0.4.
-// TOLERANCE  1e-7 by the limit analysis; hollow towers lie between a wall that falls alone and the tower as one.
+// TOLERANCE  1e-7 by the limit analysis; hollow towers are between a wall that falls alone and the tower as one body.
 
 use crate::stack_loads::{GRAVITY_M_S2, near};
 use dolmen::assess::{StackCheckOptions, check_stack};
@@ -48,9 +48,9 @@ fn exact_a_trilithon_sways_at_the_slope_of_its_posts_whatever_it_carries() {
             density_kg_m3: 2600.0,
         };
         let made = || trilithon(&factors).unwrap();
-        // with an end on its posts the lintel is carried nearer to the span, on the corner that rises or where it ends
+        // if its end is on a post, the lintel bears nearer to the span, on the rising corner or at its end
         let (post, beam) = (width * height, lintel * (1.2 + 2.0 * (width + overhang)));
-        // the post on the left carries it at its left corner or at the end of the lintel, the right one at its left corner, when both lean to the right
+        // the left post carries it at its left corner or at the end of the lintel, the right post at its left corner, when both lean to the right
         let left = width + overhang.min(0.0);
         let lifts = 2.0 * post * 0.5 * width + beam * 0.5 * (left + width);
         let sway = lifts / (2.0 * post * 0.5 * height + beam * height);
@@ -58,7 +58,7 @@ fn exact_a_trilithon_sways_at_the_slope_of_its_posts_whatever_it_carries() {
             near(moves_at_g(made(), 2.0, [1.0, 0.0]), sway, 1e-7);
             near(sway, width / height, 1e-12);
         } else {
-            // which turns the lintel, too: no closed form here, but less than with its ends on the corners
+            // the lintel rotates too: there is no closed form, but λ is smaller than with its ends on the corners
             let found = moves_at_g(made(), 2.0, [1.0, 0.0]);
             assert!(found < width / height && found > 0.5 * width / height, "{found}");
         }
@@ -107,7 +107,7 @@ fn exact_a_solid_tower_tips_where_what_stands_above_does() {
         });
         let known = tips.fold(f64::INFINITY, f64::min);
         near(moves_at_g(tower(&factors).unwrap(), 2.0, [1.0, 0.0]), known, 1e-7);
-        // a drum is a polygon of 32 sides, up to 0.48 % nearer to its middle
+        // a drum is a polygon of 32 sides, whose edges are up to 0.48 % nearer to the centre
         let round = TowerFactors {
             plan: TowerPlan::Round { stones: 12 },
             ..factors

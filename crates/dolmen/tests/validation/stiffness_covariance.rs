@@ -1,13 +1,13 @@
-// SOURCE     none but sampling: frequencies drawn with a covariance, each draw inverted by itself.
-// GOAL       The deviations stated for joint and storey stiffness are those of stiffness identified again and again, where the
-//            frequencies of one record err together.
+// SOURCE     none but sampling: frequencies drawn with a covariance; each draw is inverted separately.
+// GOAL       The stated standard deviations of joint and storey stiffness are those of repeated identifications, also if the
+//            errors of the frequencies of one record are correlated.
 //
 //      block of time j moves f_1 by c_1j and f_2 by c_2j:  cov(f_1, f_2) = Σ_j c_1j c_2j
 //
 // PARAMETERS two joints, two storeys; sd of each frequency 0.05 %, correlation +0.8, 0 and -0.8, in 30 blocks.
 // PUBLISHED  nothing.
-// TOLERANCE  8 %: the sd of an sd from 1500 samples is 1.8 %, four of it. With 0.2 % the second order already adds a tenth to the
-//            scatter of the storeys.
+// TOLERANCE  8 %: the sd of an sd from 1500 samples is 1.8 %, of which this is four. With 0.2 % the second order would already
+//            add a tenth to the scatter of the storeys.
 
 use crate::draws::Draws;
 use dolmen::structure::{
@@ -19,7 +19,7 @@ const SAMPLES: usize = 1500;
 const BLOCKS: usize = 30;
 const RELATIVE_SD: f64 = 0.0005;
 
-/// Changes of two frequencies by each block, of this deviation and correlation exactly.
+/// Changes of two frequencies by each block, with exactly this standard deviation and correlation.
 fn changes(frequency_hz: [f64; 2], correlation: f64) -> [Vec<f64>; 2] {
     // orthogonal columns: +1 -1 +1 -1 …, and +1 +1 -1 -1 … over whole periods of four (28 blocks)
     let used = BLOCKS / 4 * 4;
@@ -46,7 +46,7 @@ fn measured(frequency_hz: [f64; 2], changes_hz: &[Vec<f64>; 2]) -> Vec<MeasuredM
     .collect()
 }
 
-/// Stated over sampled deviation of each stiffness, of the solution nearest to `truth`.
+/// Stated over sampled standard deviation of each stiffness, for the solution nearest to `truth`.
 fn stated_over_sampled(
     frequency_hz: [f64; 2],
     truth: [f64; 2],
@@ -80,7 +80,7 @@ fn stated_over_sampled(
     [0, 1].map(|i| stated[i] / (square[i] - sum[i] * sum[i]).sqrt())
 }
 
-/// That these are the deviations, and that they differ by what the correlation makes of them.
+/// Checks the standard deviations, and the effect of the correlation on them.
 fn compare(frequency_hz: [f64; 2], truth: [f64; 2], solve: &dyn Fn(&[MeasuredMode]) -> StiffnessSolutions) {
     let mut stated = Vec::new();
     for correlation in [0.8, 0.0, -0.8] {
@@ -132,7 +132,7 @@ fn holds_storey_stiffness_scatters_as_stated_where_frequencies_err_together() {
 
 #[test]
 fn exact_deviation_where_all_frequencies_err_by_one_factor() {
-    // without gravity all stiffness goes with f²: 2 sd(f)/f of each, whatever the frequencies make of it one by one
+    // without gravity all stiffness is proportional to f²: 2 sd(f)/f for each, whatever the effect of single frequencies
     let storey = |mass_kg: f64| Storey {
         mass_kg,
         height_m: 3.0,

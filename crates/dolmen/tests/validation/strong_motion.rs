@@ -1,10 +1,11 @@
 //! Records with an earthquake, distinguished from those without, and their results for the structure.
 //!
-//! SOURCE      made records whose times and stiffness are known; El Centro 1940 NS, Chopra (2017) Dynamics of Structures, 5th ed., sec. 6.1
-//! GOAL        no earthquake missed, none seen where there is none, frequencies before, in and after it within their deviations
-//! PARAMETERS  two storeys, 2.5 and 6.5 Hz, 2 %, stiffness r of that before; noise at 2 mm/s²
-//! PUBLISHED   nothing; peak velocity by a sum over Fourier lines, Arias intensity and strong phase of the motion as it is in its file
-//! TOLERANCE   counts by binomial chance; peak velocity 2 %: lines to 8 Hz, noise; strong phase 0.5 s: as long as half a window
+//! SOURCE      simulated records with known times and stiffness; El Centro 1940 NS, Chopra (2017) Dynamics of Structures, 5th ed., sec. 6.1
+//! GOAL        Every earthquake is detected, none is detected without one, and the frequencies before, during and after it are within their
+//!             standard deviations
+//! PARAMETERS  two storeys, 2.5 and 6.5 Hz, 2 %, stiffness over its initial value r; noise at 2 mm/s²
+//! PUBLISHED   nothing; peak velocity by a sum over Fourier lines, Arias intensity and strong phase of the motion in its file
+//! TOLERANCE   counts by binomial chance; peak velocity 2 %: lines to 8 Hz, noise; strong phase 0.5 s: half a window
 
 use dolmen::modal::{
     During, Identify, Losses, MadeEarthquake, MadeMode, MadeRecord, Method, StrongMotion, UnkindPlan,
@@ -13,7 +14,7 @@ use dolmen::modal::{
 use dolmen::numeric::Random;
 use dolmen::signal::{Channel, Component, GroundMotion, Quantity, Record, intensity_measures};
 
-/// Of a record that misses nothing.
+/// The losses of a complete record.
 fn strong_motion(record: &Record, options: &Identify) -> Option<StrongMotion> {
     dolmen::modal::strong_motion(record, options, &Losses::default())
 }
@@ -33,7 +34,7 @@ fn noise_of(made: &MadeEarthquake) -> f64 {
     (0..3).map(|c| square(c).sqrt()).fold(0.0, f64::max)
 }
 
-/// Rises, lasts and falls as drawn; 20 to 600 times the noise of the channel that has most of it.
+/// Random rise, duration and decay; 20 to 600 times the noise of the channel with most noise.
 pub(super) fn drawn(seed: u64) -> MadeEarthquake {
     let random = &mut Random::new(seed, 77);
     let made = MadeEarthquake {
@@ -57,7 +58,7 @@ pub(super) fn drawn(seed: u64) -> MadeEarthquake {
 
 #[test]
 fn holds_no_made_earthquake_is_missed() {
-    // seeds 0 to 99 chose the bounds; these did not
+    // seeds 0 to 99 were used to choose the bounds; these were not
     for seed in 1000..1100 {
         let made = drawn(seed);
         let found = earthquake_in(&made.make().unwrap(), &[]);
@@ -83,7 +84,7 @@ fn holds_no_lorry_gust_footfall_spike_or_loose_sensor_is_an_earthquake() {
     }
 }
 
-/// Ambient vibration of two modes at 100 Hz for 200 s, with something more on both channels.
+/// Ambient vibration of two modes at 100 Hz for 200 s, with an additional motion on both channels.
 fn with(more: impl Fn(usize, f64) -> f64) -> Record {
     let mode = |frequency_hz, shape: [f64; 2]| MadeMode {
         frequency_hz,
@@ -246,8 +247,8 @@ fn agrees_el_centro_under_two_storeys_with_measures_by_other_ways() {
     );
 }
 
-/// Largest velocity of a ground at rest before and after: a sum over its Fourier lines, each over iω and times the gain of the filter that its
-/// documentation states.
+/// Largest velocity of a ground that is at rest before and after: a sum over its Fourier lines, each over iω and times the gain in the
+/// documentation of the filter.
 fn by_fourier(acceleration_m_s2: &[f64], [low_hz, high_hz]: [f64; 2]) -> f64 {
     use std::f64::consts::{PI, TAU};
     let rate_hz = 100.0;
@@ -324,7 +325,7 @@ fn holds_the_example_is_made_as_it_says() {
     );
 }
 
-/// Three modes that swing free, pulled or struck, 0.3 to 5 %, 20 to 1000 times the noise.
+/// Three modes in free vibration after a pull or a blow, 0.3 to 5 %, 20 to 1000 times the noise.
 pub(super) fn swings(seed: u64) -> Record {
     let random = &mut Random::new(seed, 5);
     let over = log_between(random, 20.0, 1000.0);
@@ -386,9 +387,9 @@ fn holds_a_recorder_that_rounds_its_noise_away_sees_the_earthquake() {
         });
         Record::new(made.channels().to_vec(), each.collect(), 100.0).unwrap()
     };
-    // 12 bits over 2 g, 1 mg: nothing but zeros on the ground before and after
+    // 12 bits over 2 g, 1 mg: only zeros on the ground before and after
     let found = earthquake_in(&rounded(0.0098), &[]).unwrap();
     assert!((found.arrival_s - 150.0).abs() < 2.5 && found.ends, "{found:?}");
-    // a step as large as the shaking
+    // a digitiser step as large as the shaking
     assert_eq!(earthquake_in(&rounded(2.0), &[]), None);
 }

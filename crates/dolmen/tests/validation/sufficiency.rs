@@ -1,5 +1,6 @@
-// SOURCE     Made capacities whose dependence on the magnitude is known; normal equations of its own below.
-// GOAL       The slope of residuals over magnitude, its error and the probability of chance are right; where there is no slope, one in twenty is called one.
+// SOURCE     Simulated capacities with a known dependence on the magnitude; separate normal equations below.
+// GOAL       The slope of residuals over magnitude, its error and its probability by chance are right; without a slope, one case in twenty is
+//            reported as one.
 // PARAMETERS 22 motions of magnitude 5.5 to 7.6, scatter 0.3 of ln.
 // TOLERANCE  1e-12 against the second solution; four deviations of counts over 2000 draws.
 
@@ -67,7 +68,7 @@ fn holds_a_known_slope_is_found_and_none_is_called_one_in_twenty() {
         (called - expected).abs() < 4.0 * (expected * 0.95).sqrt(),
         "{called}"
     );
-    // 0.4 of ln a magnitude is seen nearly always
+    // 0.4 of ln per magnitude is nearly always detected
     let seen = of(-0.4).filter(|found| found.p_value < 0.05).count();
     assert!(seen > 1500, "{seen}");
 }

@@ -1,8 +1,8 @@
 // SOURCE     Welch (1947), Holm (1979): closed forms; SciPy 1.17.1, ttest_ind_from_stats.
-// GOAL       A change is found within its stated interval, no change is called one as often as stated and not more, and
+// GOAL       A change is found within its stated interval; without a change, one is reported at most as often as stated; and
 //            the least detectable change is found as often as stated.
-// PARAMETERS modes drawn from normal variables whose deviations are themselves estimated from 30 blocks of time; records
-//            of four floors whose stiffness falls to 0.97 of what it was.
+// PARAMETERS normally distributed modes whose standard deviations are estimated from 30 blocks of time; records of four
+//            floors whose stiffness falls to 0.97 of its value.
 // TOLERANCE  rates over N draws: three standard errors √(p (1 - p)/N) of the stated rate p.
 
 use dolmen::assess::{
@@ -51,7 +51,7 @@ fn drawn(random: &mut Random, factor: f64, temperature_c: Option<f64>) -> Survey
     survey("drawn", temperature_c, modes.collect())
 }
 
-/// Share of draws in which any mode is called changed.
+/// Share of draws in which a change of any mode is reported.
 fn alarms(draws: usize, mut draw: impl FnMut(&mut Random) -> SurveyChange) -> f64 {
     let mut random = Random::new(11, 0);
     let found = (0..draws)
@@ -89,7 +89,7 @@ fn holds_no_change_is_called_one_as_often_as_stated() {
         survey_change(&a, &b, &[], &options).unwrap()
     });
     assert!(near(rate, 0.05, DRAWS), "{rate}");
-    // an uncertain coefficient of temperature, of which each draw has its own truth: it moves all modes alike, so that Holm's
+    // an uncertain temperature coefficient, with its own true value in each draw: it moves all modes together, so Holm's
     // bound is not reached
     let warm = SurveyChangeOptions {
         temperature: TemperatureEffect::Coefficient {
@@ -117,7 +117,7 @@ fn holds_the_least_detectable_change_is_found_as_often_as_stated() {
         modes: survey.modes[..1].to_vec(),
         ..survey
     };
-    // with the deviation known the stated change is exact
+    // with a known standard deviation the stated change is exact
     let exact = |random: &mut Random, factor: f64| {
         let f = TRUTH_HZ[0];
         let sd_hz = RELATIVE_SD * f;
@@ -139,7 +139,7 @@ fn holds_the_least_detectable_change_is_found_as_often_as_stated() {
         survey_change(&a, &b, &[], &options).unwrap()
     });
     assert!(near(rate, 0.8, DRAWS), "{rate}");
-    // with it estimated from 30 blocks, nearly so
+    // with a standard deviation estimated from 30 blocks, nearly so
     let rate = alarms(DRAWS, |random| {
         let (a, b) = (
             one(drawn(random, 1.0, None)),
@@ -159,7 +159,7 @@ fn holds_a_fitted_coefficient_takes_the_weather_out_and_keeps_the_rate() {
         ..Default::default()
     };
     let temperatures = [4.0, 12.0, 19.0, 26.0, 8.0];
-    // what no survey states: moisture moves each survey by as much again
+    // an effect that no survey states: moisture adds an equal scatter to each survey
     let weather = |random: &mut Random, t: f64| {
         let moisture = 0.003 * random.normal();
         drawn(random, 1.0 + per_c * t + moisture, Some(t))
@@ -169,7 +169,7 @@ fn holds_a_fitted_coefficient_takes_the_weather_out_and_keeps_the_rate() {
         let (from, to) = (weather(random, 15.0), weather(random, 24.0));
         survey_change(&from, &to, &earlier, &options).unwrap()
     });
-    // moisture moves all modes alike: below the stated rate for four independent ones
+    // moisture moves all modes together: the rate is below the one stated for four independent modes
     assert!(rate < 0.05 && rate > 0.01, "{rate}");
     let mut random = Random::new(5, 5);
     let earlier: Vec<Surveyed> = temperatures
@@ -203,7 +203,7 @@ fn holds_a_fitted_coefficient_takes_the_weather_out_and_keeps_the_rate() {
         "{:?}",
         found.notes
     );
-    // too few: said, and not corrected
+    // too few: a note says so, and nothing is corrected
     let found = survey_change(&from, &to, &earlier[..2], &options).unwrap();
     assert_eq!(
         found.temperature,
@@ -283,7 +283,7 @@ fn refuses_surveys_and_options_that_make_no_sense() {
 
 #[test]
 fn holds_of_unchanged_minutes_one_pair_in_twenty_is_called_changed() {
-    // 300 pairs: 5 % is 15 ± 4; with a degree of freedom for every block of time less one it was 25
+    // 300 pairs: 5 % is 15 ± 4; with one degree of freedom less than the number of blocks it was 25
     let shapes = [[0.33, 0.74, 1.0], [1.0, 0.45, -0.8], [0.8, -1.0, 0.36]];
     let mode = |(frequency_hz, shape): (f64, [f64; 3])| MadeMode {
         frequency_hz,

@@ -1,8 +1,8 @@
-//! Distant earthquakes, which swell over seconds, told from lorries, gusts and storms.
+//! Distant earthquakes, which grow over seconds, distinguished from lorries, gusts and storms.
 //!
 //! SOURCE      envelopes: Saragoni & Hart (1974) Earthquake Eng. Struct. Dyn. 2:249-267; Jennings, Housner & Tsai (1968); colour of the ground: Kanai-Tajimi
-//! GOAL        none missed whose level is high enough; how many trains and gusts are taken for one does not grow
-//! PARAMETERS  two storeys of 2.5 and 6.5 Hz above a ground whose shaking takes 3 to 15 s to its largest, 60 to 150 times the noise of the ground
+//! GOAL        None with a sufficient level is missed; the number of trains and gusts classified as earthquakes does not grow
+//! PARAMETERS  two storeys of 2.5 and 6.5 Hz above a ground whose shaking grows for 3 to 15 s, to 60 to 150 times the noise of the ground
 //! PUBLISHED   nothing
 //! TOLERANCE   counts by binomial chance
 
@@ -14,7 +14,7 @@ fn log_between(random: &mut Random, low: f64, high: f64) -> f64 {
     low * (high / low).powf(random.uniform())
 }
 
-/// Noise through an oscillator of the ground, 0.3 to 0.6 of damping.
+/// Noise filtered by an oscillator of the ground with damping ratios of 0.3 to 0.6.
 fn coloured(random: &mut Random, samples: usize) -> Vec<f64> {
     let (hz, zeta) = (log_between(random, 0.8, 5.0), 0.3 + 0.3 * random.uniform());
     let (w, h) = (std::f64::consts::TAU * hz, 1e-3);
@@ -31,7 +31,7 @@ fn coloured(random: &mut Random, samples: usize) -> Vec<f64> {
     ground
 }
 
-/// The envelope of a distant earthquake at this time behind its arrival.
+/// The envelope of a distant earthquake at this time after its arrival.
 fn envelope(kind: u64, [rise_s, plateau_s, fall_s]: [f64; 3], t: f64) -> f64 {
     match kind % 2 {
         0 => {
@@ -80,14 +80,14 @@ fn swelling(seed: u64, [low, high]: [f64; 2]) -> MadeEarthquake {
     let still = still.make().unwrap();
     let noise =
         |c: usize| (still.samples(c).iter().map(|x| x * x).sum::<f64>() / still.length() as f64).sqrt();
-    // the ground has least of both: its peak over its own noise
+    // the ground has the smallest ratio of peak to noise
     MadeEarthquake {
         peak_m_s2: over * noise(0),
         ..made
     }
 }
 
-/// A train beside a structure: rises in seconds, passes, and all channels move alike at 8 to 30 Hz.
+/// A train near a structure: it grows within seconds and passes; all channels move together at 8 to 30 Hz.
 fn train(seed: u64) -> Record {
     let random = &mut Random::new(seed, 79);
     let shape = [
@@ -132,7 +132,7 @@ fn train(seed: u64) -> Record {
     Record::new(still.channels().to_vec(), samples.collect(), 100.0).unwrap()
 }
 
-/// A gust on a tower whose sensors all stand on it: coloured forces on both floors swell in 3 to 20 s to 3 to 30 times the wind before.
+/// A gust on a tower with all sensors on it: coloured forces on both floors grow within 3 to 20 s to 3 to 30 times the previous wind.
 fn gust(seed: u64) -> Record {
     let random = &mut Random::new(seed, 80);
     let shape = [
@@ -188,7 +188,7 @@ fn gust(seed: u64) -> Record {
     Record::new(channels.to_vec(), samples, 100.0).unwrap()
 }
 
-/// Number of these seeds with an earthquake.
+/// Number of these seeds with a detected earthquake.
 fn taken(seeds: std::ops::Range<u64>, made: impl Fn(u64) -> Record) -> usize {
     seeds
         .filter(|seed| earthquake_in(&made(*seed), &[]).is_some())

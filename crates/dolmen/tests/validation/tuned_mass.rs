@@ -7,8 +7,9 @@
 //     ###---/\/\/---[ m = 1 ]---/\/\/---[ m_d = μ ]
 //     ###---|]---       x       ---|]--      y
 //
-// PARAMETERS μ = .05 and others; the structure's own damping 0 and 2 %.
-// PUBLISHED  peak of Den Hartog √(1 + 2/μ) at the fixed points; tunings to seven digits, computed apart from this crate.
+// PARAMETERS μ = 0.05 and others; damping of the structure 0 and 2 %.
+// PUBLISHED  peak of Den Hartog √(1 + 2/μ) at the fixed points; tunings to seven digits, computed independently of this
+//            crate.
 // TOLERANCE  half a unit of the last digit; 1e-6 of the closed forms for the search; 1e-9 for integrals by quadrature.
 
 use dolmen::damper::{Aim, SingleMode, Tuning, TuningRule, optimal_tuning, rule_tuning};
@@ -219,7 +220,7 @@ fn exact_villaverde_gives_both_modes_the_mean_damping() {
         damping_ratio: t.damping_ratio,
         structure_damping_ratio: beta,
     };
-    // both poles together: |H| of the double root −(β+ζ)/2 ± i
+    // both poles together: |H| for the double root −(β+ζ)/2 ± i
     let mean = 0.5 * (beta + t.damping_ratio);
     let double = 1.0 / (4.0 * mean * mean); // of |H/H_tuned mass alone|²: one pole each
     let at_one = response(of, Acts::Force, 1.0).norm();

@@ -1,5 +1,6 @@
-// SOURCE     Rigid leaves that turn about their outer edges: a/g = thickness over height; two posts under a lintel: a/g = b/h.
-// GOAL       Leaves without through stones stand alone; through stones make one wall of them; an opening makes two piers.
+// SOURCE     Rigid leaves that rotate about their outer edges: a/g = thickness over height; two posts under a lintel: a/g =
+//            b/h.
+// GOAL       Leaves without through stones act separately; through stones make them one wall; an opening makes two piers.
 // PARAMETERS walls of 6 courses of 0.3 m, 0.6 m thick in one to three leaves; friction 5 (no sliding).
 // TOLERANCE  1e-6 of the acceleration.
 
@@ -53,7 +54,7 @@ fn exact_leaves_fall_alone_and_through_stones_hold_them() {
             "{leaves} bonded: {bonded} for {whole}"
         );
     }
-    // some through stones hold more than none, and no more than all
+    // some through stones increase the capacity, but not beyond that of all
     let none = moves_at_g(&factors(2, None, vec![]), [0.0, 1.0]);
     let some = moves_at_g(&factors(2, Some(3), vec![]), [0.0, 1.0]);
     assert!(some > none + 0.01 && some <= whole + 1e-6, "{some}");

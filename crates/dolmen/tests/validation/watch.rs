@@ -1,6 +1,6 @@
-// SOURCE     Made histories with exact truth (`made_history`): three modes, temperature, AR(1) 0.3, readings known to 0.12 %.
-// GOAL       Changes are found where they are, at their date and size, and not where there is none; what cannot be judged is not judged.
-// TOLERANCE  a change of −1.5 % among 365: date ± 10 days, size ± 0.2 %; the larger tables are printed by `examples/watch_power.rs`.
+// SOURCE     Simulated histories with known changes (`made_history`): three modes, temperature, AR(1) 0.3, readings accurate to 0.12 %.
+// GOAL       Changes are found at their date and with their size, and nowhere else; what cannot be decided is left undecided.
+// TOLERANCE  a change of −1.5 % among 365: date ± 10 days, size ± 0.2 %; `examples/watch_power.rs` prints the larger tables.
 
 use dolmen::monitoring::{
     ChangeForm, History, MadeHistory, NotJudged, TiltReading, WatchOptions, Watched, WeatherKnown, Work,
@@ -64,7 +64,7 @@ fn holds_a_change_of_1_2_per_cent_in_60_is_found() {
         let change = &mode.changes[0];
         assert!(change.from.abs_diff(35) <= 2, "{change:?}");
         assert!((change.ratio + 0.012).abs() < 3.5 * change.sd, "{change:?}");
-        // what is stated to be seen in four of five histories is less than what was seen
+        // the change stated as detectable in four of five histories is smaller than the one detected
         assert!(
             mode.seen_from_ratio.unwrap() < 0.012,
             "{:?}",
@@ -120,7 +120,7 @@ fn holds_unchanged_histories_are_rarely_called_changed() {
     let called = (0..histories)
         .filter(|seed| changed(&seen(&made_history(&of(*seed)))) > 0)
         .count();
-    // 5 % lies within the interval of the share, or above it
+    // 5 % is within the interval of the share, or above it
     let interval = clopper_pearson(called, histories as usize, 0.99).unwrap();
     assert!(interval.lower <= 0.05, "{called} of {histories}");
 }
@@ -190,7 +190,7 @@ fn holds_gaps_stay_gaps_and_close_modes_are_told_by_their_shapes() {
     let mut random = Random::new(1, 0);
     let mut truth = Vec::new();
     for (i, survey) in history.surveys.iter_mut().enumerate() {
-        // from the middle on the two close modes have exchanged their frequencies
+        // from the middle on, the two close modes have exchanged their frequencies
         if i >= 30 {
             let (a, b) = (survey.modes[0].frequency_hz, survey.modes[1].frequency_hz);
             (survey.modes[0].frequency_hz, survey.modes[1].frequency_hz) = (b, a);

@@ -1,12 +1,13 @@
-// SOURCE     Made histories with exact truth (`made_history`): three modes, temperature ± 12 °C, AR(1) 0.3, readings known to 0.12 %.
-// GOAL       Two surveys of a history differ by chance as often as stated, without the effect of weather; a step between them has its size.
+// SOURCE     Simulated histories with known changes (`made_history`): three modes, temperature ± 12 °C, AR(1) 0.3, readings accurate to
+//            0.12 %.
+// GOAL       Without the effect of weather, two surveys of a history differ by chance as often as stated; a step between them has its size.
 // TOLERANCE  5 % of unchanged pairs called changed, and 95 % of intervals with the truth, each within its Clopper-Pearson interval (99 %).
 
 use dolmen::assess::{SurveyChange, SurveyChangeOptions, Surveyed, TemperatureKnowledge, survey_change};
 use dolmen::monitoring::{History, MadeHistory, WatchOptions, made_history, watch};
 use dolmen::numeric::clopper_pearson;
 
-/// The last survey above freezing beside the fourth.
+/// The last survey above freezing, compared with the fourth.
 fn compared(history: &History) -> SurveyChange {
     let options = WatchOptions {
         replicates: 0,
@@ -80,7 +81,7 @@ fn holds_a_step_between_two_surveys_has_its_size() {
                 (mode.frequency.relative + 0.015).abs() < 3.5 * evidence.sd,
                 "seed {seed} {mode:?}"
             );
-            // 1.41 × √(0.12² + 0.10²) % = 0.22 %, and no more by far
+            // 1.41 × √(0.12² + 0.10²) % = 0.22 %, and not much more
             assert!((0.001..0.004).contains(&evidence.sd), "seed {seed} {evidence:?}");
         }
     }

@@ -1,9 +1,10 @@
-//! One number of two surveys: its difference, what chance alone would do, and what could not have been seen.
+//! Tests the change of one number between two surveys: its size, its probability by chance, and the smallest change that
+//! would be detected.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | t | `statistic` | difference over its standard deviation |
-//! | ν | `degrees_of_freedom` | of the standard deviation of the difference |
+//! | ν | `degrees_of_freedom` | degrees of freedom of the standard deviation of the difference |
 //! | p, p_H | `p`, `p_holm` | probability of such a difference by chance, alone and among all tests |
 
 use crate::assess::AssessError;
@@ -15,21 +16,21 @@ use crate::numeric::{student_detectable, student_two_sided, student_two_sided_qu
 pub struct Evidence {
     /// Standard deviation of the relative difference.
     pub sd: f64,
-    /// Half width of its 95 % interval.
+    /// Half width of the 95 % interval of the relative difference.
     pub half_width_95: f64,
-    /// Degrees of freedom of it (Welch and Satterthwaite); infinite where both deviations are known.
+    /// Its degrees of freedom (Welch and Satterthwaite); infinite if both standard deviations are known exactly.
     pub degrees_of_freedom: f64,
     /// Difference over its standard deviation, t.
     pub statistic: f64,
     /// Two-sided probability of such a difference, or a larger one, if nothing changed.
     pub p: f64,
-    /// As `p`, adjusted for all differences that are tested together (Holm): the probability that at least one of them would
-    /// look like this by chance.
+    /// `p`, adjusted for all differences that are tested together (Holm): the probability that chance alone gives at least
+    /// one such difference.
     pub p_holm: f64,
-    /// Whether `p_holm` is at most the significance asked.
+    /// Whether `p_holm` is at most the required significance.
     pub significant: bool,
-    /// Smallest relative change, up or down, that the test would find significant with the required power, whatever the other
-    /// differences are.
+    /// Smallest relative change, up or down, that the test would find significant with the required power, for any values of
+    /// the other differences.
     pub detectable: f64,
 }
 
@@ -37,7 +38,7 @@ pub struct Evidence {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Difference {
-    /// (after - expected) / before; without the effect of temperature.
+    /// (after - expected) / before, without the effect of temperature.
     pub relative: f64,
     /// Result of the test; `None` if a standard deviation is unknown.
     pub evidence: Option<Evidence>,
@@ -51,7 +52,7 @@ pub(super) struct Raw {
     pub(super) spread: Option<(f64, f64)>,
 }
 
-/// Variance of a sum and its degrees of freedom, from the parts' (variance, degrees of freedom).
+/// Variance of a sum and its degrees of freedom, from (variance, degrees of freedom) of each part.
 ///
 /// ```text
 /// v = Σ v_i,   ν = v² / Σ (v_i² / ν_i)
@@ -72,7 +73,7 @@ pub(super) fn welch(parts: &[(f64, f64)]) -> (f64, f64) {
     )
 }
 
-/// Tests differences together.
+/// Tests several differences together.
 ///
 /// ```text
 /// p = P(|t_ν| ≥ |r|/sd);   in ascending order p_H(k) = max_{j ≤ k} min(1, (m - j + 1) p(j)),  m tests
@@ -160,7 +161,7 @@ mod tests {
             .map(|d| d.evidence.as_ref().unwrap().significant)
             .collect();
         assert_eq!(significant, [false, true, true, false]);
-        // least detectable: (z of .05/4 two-sided + z of .8) deviations
+        // smallest detectable change: (z of .05/4 two-sided + z of .8) deviations
         let least = found[0].evidence.as_ref().unwrap().detectable;
         assert!(
             (least / 0.01 - (2.497705474412373 + 0.841621233572914)).abs() < 1e-9,

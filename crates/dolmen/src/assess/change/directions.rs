@@ -3,15 +3,15 @@
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | φ, ψ | | shapes of modes of the same frequency before and after |
-//! | ψ' | | ψ with every x sensor as a y sensor and the reverse |
+//! | ψ' | | ψ with the x and y sensors exchanged |
 
 use super::swapped::ONE_FREQUENCY;
 use crate::modal::{ObservedMode, ObservedPoint, Pairing, assurance, shared};
 
 /// Fewest modes of the same frequency for a decision. Our choice, as for exchanged channels.
 const MODES_LEAST: usize = 2;
-/// Mean similarity above which the directions are not questioned, and below which an exchange explains nothing. Our choice, as for exchanged
-/// channels.
+/// Mean similarity above which the directions are accepted as they are, and below which an exchange is not accepted either. Our choice, as
+/// for exchanged channels.
 const UNLIKE: f64 = 0.8;
 const ALIKE: f64 = 0.95;
 
@@ -26,7 +26,7 @@ pub struct ExchangedDirections {
     pub exchanged: f64,
 }
 
-/// Whether all frequencies are equal, but the modes are similar only after an exchange of x and y in the later survey.
+/// Whether all frequencies are equal, but the modes are similar only after x and y are exchanged in the later survey.
 ///
 /// # Limits
 /// Needs at least two modes within 1 %, and all modes of the survey with fewer modes. For a structure with equal modes along x and y, no
@@ -64,7 +64,7 @@ pub(super) fn exchanged_directions(
     })
 }
 
-/// Similarity of two modes, with x and y of the second exchanged if `turns`; `None` if there are neither shapes nor directions.
+/// Similarity of two modes, with x and y of the second exchanged if `turns`; `None` if neither shapes nor directions are known.
 fn likeness(a: &ObservedMode, b: &ObservedMode, turns: bool, options: &Pairing) -> Option<f64> {
     if !a.shape.is_empty() && !b.shape.is_empty() {
         let has_directions =

@@ -1,32 +1,32 @@
-//! The difference between two surveys of a structure, by many surveys.
+//! The change between two surveys of a structure, judged by a history of many surveys.
 
 use super::difference::welch;
 use crate::modal::ObservedMode;
 
-/// Relative difference within which a frequency of a history is that of a survey. Our choice: several records of a day count as their median.
+/// Relative difference up to which a frequency of a history belongs to a survey. Our choice: several records of a day count as their median.
 const SAME_READING: f64 = 0.01;
 
-/// What the weather and the scatter of a mode through many surveys say of its difference between two of them.
+/// Effect of weather on one mode between two surveys, and the scatter of the mode, both from a history of many surveys.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HistoryEffect {
-    /// Frequency in the earlier survey, Hz.
+    /// Frequency in the earlier of the two surveys, Hz.
     pub from_hz: f64,
-    /// In the later one, Hz.
+    /// Frequency in the later survey, Hz.
     pub to_hz: f64,
-    /// Surveys behind it.
+    /// Number of surveys in the history.
     pub surveys: usize,
     /// Relative change that the weather explains.
     pub explained: f64,
-    /// Whether that is a coefficient of temperature.
+    /// Whether the weather is represented by a temperature coefficient.
     pub knows_temperature: bool,
-    /// That coefficient, relative per °C, and its standard deviation.
+    /// The temperature coefficient, relative per °C, and its standard deviation.
     pub per_c: Option<(f64, f64)>,
-    /// Standard deviation of one survey beyond the noise of its reading, relative.
+    /// Relative standard deviation of one survey, without the noise of its reading.
     pub disturbance_sd: f64,
-    /// Standard deviation of the difference beyond the noise of both readings, relative.
+    /// Relative standard deviation of the difference, without the noise of both readings.
     pub scatter_sd: f64,
-    /// Its degrees of freedom.
+    /// Degrees of freedom of `scatter_sd`.
     pub degrees_of_freedom: f64,
     /// Standard deviations of the two readings, Hz.
     pub reading_sds_hz: [f64; 2],
@@ -44,7 +44,8 @@ impl HistoryEffect {
         (off(nearest) <= SAME_READING).then_some(nearest)
     }
 
-    /// Variance of the difference, Hz², and its degrees of freedom; `more_hz2` is that of a coefficient from elsewhere.
+    /// Variance of the difference, Hz², and its degrees of freedom. `more_hz2` is the variance due to a temperature coefficient from another
+    /// source.
     pub(super) fn spread(&self, from: &ObservedMode, to: &ObservedMode, more_hz2: f64) -> (f64, f64) {
         let [before_hz, after_hz] = self.reading_sds_hz;
         welch(&[

@@ -9,24 +9,24 @@ use crate::modal::{ModePair, ObservedMode};
 /// Knowledge of the temperatures of two surveys.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TemperatureKnowledge {
-    /// One of them, or both, are unknown: a change may be the weather's.
+    /// One or both temperatures are unknown: a change may be due to the weather.
     NotMeasured,
     /// The temperatures are equal.
     Same,
     /// The temperatures differ, and their effect is unknown: a change may be due to the weather.
     Unexplained {
-        /// After less before, °C.
+        /// Temperature after minus temperature before, °C.
         step_c: f64,
     },
     /// The temperatures differ, and their effect has been removed.
     Corrected {
-        /// After less before, °C.
+        /// Temperature after minus temperature before, °C.
         step_c: f64,
     },
 }
 
 impl TemperatureKnowledge {
-    /// Whether a change may be the weather's.
+    /// Whether a change may be due to the weather.
     pub fn leaves_doubt(&self) -> bool {
         matches!(
             self,
@@ -38,27 +38,27 @@ impl TemperatureKnowledge {
 /// One mode in both surveys.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModeChange {
-    /// Confidence that they are one mode.
+    /// Confidence that both are the same mode.
     pub pair: ModePair,
-    /// Before.
+    /// The mode in the earlier survey.
     pub from: ObservedMode,
-    /// After.
+    /// The mode in the later survey.
     pub to: ObservedMode,
     /// Change of the frequency, without the part that temperature explains, relative to the earlier frequency.
     pub frequency: Difference,
     /// Change of the damping ratio, relative to the earlier one; `None` if one of them is unknown.
     pub damping: Option<Difference>,
-    /// Relative change of the frequency that temperature explains, or the season in a history without temperatures; `None` where it is unknown.
+    /// Relative change of the frequency that temperature explains, or the season in a history without temperatures; `None` if unknown.
     pub explained_by_temperature: Option<f64>,
-    /// The line over temperature, where one was fitted.
+    /// The fitted line over temperature, if there is one.
     pub fitted: Option<FittedTemperature>,
-    /// Its difference by a history of many surveys, if in use.
+    /// Effect of weather from a history of many surveys, if it is used.
     pub history: Option<HistoryEffect>,
-    /// The coefficient that would explain the whole change, relative per °C; `None` where temperatures do not differ.
+    /// The temperature coefficient that would explain the whole change, relative per °C; `None` if the temperatures do not differ.
     pub explaining_per_c: Option<f64>,
-    /// Relative change of the stiffness, were it the same everywhere and the mass as it was: (1 + r)² - 1, near 2 r.
+    /// Relative change of the stiffness if it changed uniformly and no mass changed: (1 + r)² - 1, near 2 r.
     pub uniform_stiffness: f64,
-    /// Standard deviation of that.
+    /// Standard deviation of `uniform_stiffness`.
     pub uniform_stiffness_sd: Option<f64>,
 }
 
@@ -71,17 +71,17 @@ pub struct SurveyChange {
     pub to: String,
     /// Knowledge of the temperatures of the surveys.
     pub temperature: TemperatureKnowledge,
-    /// Modes in both, by their frequency before.
+    /// Modes in both surveys, in the order of the earlier frequencies.
     pub modes: Vec<ModeChange>,
-    /// Modes before without a partner.
+    /// Modes of the earlier survey without a partner.
     pub lost: Vec<ObservedMode>,
-    /// Modes after without a partner.
+    /// Modes of the later survey without a partner.
     pub new: Vec<ObservedMode>,
-    /// Probability of a false finding: of any change although there is none.
+    /// Probability of finding a change in any mode although there is none.
     pub significance: f64,
-    /// Power of the least detectable changes.
+    /// Power for the smallest detectable changes.
     pub power: f64,
-    /// Modes before without a partner, and what each may be after, however far it moved.
+    /// Modes of the earlier survey without a partner, each with the later mode that it may have become.
     pub not_compared: Vec<NotCompared>,
     /// Frequencies before and after for an alternative pairing with more pairs; empty if there is none.
     pub other_pairing_hz: Vec<[f64; 2]>,
@@ -89,21 +89,21 @@ pub struct SurveyChange {
     pub notes: Vec<ChangeNote>,
 }
 
-/// A mode before without a partner.
+/// A mode of the earlier survey without a partner.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NotCompared {
-    /// The mode before.
+    /// The mode.
     pub from: ObservedMode,
-    /// Whether it is the lowest of its survey.
+    /// Whether it is the lowest mode of its survey.
     pub is_lowest: bool,
     /// The mode that it may have become; `None` if no later mode is similar.
     pub may_be: Option<ObservedMode>,
-    /// Their MAC, where shapes are known.
+    /// MAC of both modes, if their shapes are known.
     pub assurance: Option<f64>,
 }
 
 impl NotCompared {
-    /// Relative change of the frequency, and of a stiffness that is the same everywhere, if the two are one mode.
+    /// If both are the same mode: relative change of its frequency and of its stiffness, for a uniform change.
     pub fn change(&self) -> Option<[f64; 2]> {
         let r = self.may_be.as_ref()?.frequency_hz / self.from.frequency_hz - 1.0;
         Some([r, r * (2.0 + r)])
@@ -111,7 +111,7 @@ impl NotCompared {
 }
 
 impl SurveyChange {
-    /// Frequencies that were tested.
+    /// Number of frequencies that were tested.
     pub fn tested(&self) -> usize {
         self.modes
             .iter()
@@ -119,25 +119,25 @@ impl SurveyChange {
             .count()
     }
 
-    /// Modes whose frequency changed beyond chance.
+    /// Modes with a significant change of frequency.
     pub fn changed(&self) -> impl Iterator<Item = &ModeChange> {
         let significant = |d: &Difference| d.evidence.as_ref().is_some_and(|e| e.significant);
         self.modes.iter().filter(move |m| significant(&m.frequency))
     }
 
-    /// Damping ratios that were tested.
+    /// Number of damping ratios that were tested.
     pub fn damping_tested(&self) -> usize {
         let known = |m: &&ModeChange| m.damping.as_ref().is_some_and(|d| d.evidence.is_some());
         self.modes.iter().filter(known).count()
     }
 
-    /// Modes whose damping ratio changed beyond chance, with the change.
+    /// Modes with a significant change of the damping ratio, and the change.
     pub fn damping_changed(&self) -> impl Iterator<Item = (&ModeChange, &Difference)> {
         let known = self.modes.iter().filter_map(|m| Some((m, m.damping.as_ref()?)));
         known.filter(|(_, d)| d.evidence.as_ref().is_some_and(|e| e.significant))
     }
 
-    /// Least relative change of frequency that would have been found in every mode tested; `None` if none was.
+    /// Smallest relative change of frequency that would have been found in every tested mode; `None` if no mode was tested.
     pub fn detectable(&self) -> Option<f64> {
         let all = self.modes.iter().filter_map(|m| m.frequency.evidence.as_ref());
         all.map(|e| e.detectable).max_by(f64::total_cmp)

@@ -4,7 +4,7 @@ use super::directions::ExchangedDirections;
 use super::swapped::{SwappedChannels, TurnedChannel};
 use crate::assess::error::AssessError;
 
-/// A note on the numbers of a change.
+/// A note on the result of a comparison of surveys.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ChangeNote {
     /// No line over temperature could be fitted for a mode: its change is not corrected.
@@ -14,14 +14,14 @@ pub enum ChangeNote {
         /// Why.
         why: Box<AssessError>,
     },
-    /// The later survey is warmer or colder than all that the line was fitted to.
+    /// The later survey is warmer or colder than all surveys of the fitted line.
     BeyondTheLine {
         /// Temperature of the later survey, °C.
         temperature_c: f64,
         /// Temperature range of the fitted line, °C.
         range_c: [f64; 2],
     },
-    /// The earlier surveys scatter about the line over temperature by far more than each states.
+    /// The earlier surveys scatter about the line over temperature by far more than their standard deviations.
     LineScatters {
         /// Frequency before, Hz.
         frequency_hz: f64,
@@ -37,31 +37,31 @@ pub enum ChangeNote {
         /// Correlation of temperature and order.
         correlation: f64,
     },
-    /// Modes of one frequency in both surveys are no pairs, for their shapes are not alike.
+    /// Modes with the same frequency in both surveys are not paired, because their shapes differ.
     OtherShapes {
         /// Frequencies of these modes before, Hz.
         frequencies_hz: Vec<f64>,
     },
     /// Two channels look exchanged in one of the surveys.
     Swapped(SwappedChannels),
-    /// A channel looks turned round in one of the surveys.
+    /// A channel seems reversed in one of the surveys.
     Turned(TurnedChannel),
     /// The directions x and y look exchanged in one of the surveys.
     DirectionsExchanged(ExchangedDirections),
     /// All frequencies differ by the ratio of the sampling rates of the records.
     RateRatio {
-        /// After over before.
+        /// Ratio of the frequencies, after over before.
         factor: f64,
         /// The sampling rates, Hz.
         rates_hz: [f64; 2],
-        /// Number of modes.
+        /// Number of modes with this ratio.
         modes: usize,
     },
     /// No mode has a partner, and all frequencies differ by one factor.
     OneFactor {
-        /// After over before.
+        /// Ratio of the frequencies, after over before.
         factor: f64,
-        /// Number of modes.
+        /// Number of modes with this factor.
         modes: usize,
     },
 }
@@ -200,7 +200,8 @@ mod tests {
         assert_eq!(notes(&before, &[(2.01, FIRST), (5.2, SECOND)]), []);
     }
 
-    /// Surveys of one mode at these temperatures, °C, and frequencies, Hz, each ± 0.003 Hz, against one at 24 °C.
+    /// Notes for the later survey at 24 °C, if the earlier surveys have these temperatures, °C, and frequencies,
+    /// each ± 0.003 Hz.
     fn about_weather(points: &[(f64, f64)]) -> Vec<ChangeNote> {
         let at = |&(temperature_c, frequency_hz): &(f64, f64)| {
             let mut one = survey(&[(frequency_hz, FIRST)]);
@@ -230,7 +231,7 @@ mod tests {
         ];
         let is_with_time = |note: &ChangeNote| matches!(note, ChangeNote::LineWithTime { correlation, .. } if *correlation > 0.99);
         assert!(about_weather(&rising).iter().any(is_with_time));
-        // the seasons of a gate: 2.5 mHz per °C, and no more scatter than is stated
+        // seasons of a gate: 2.5 mHz per °C, and a scatter no larger than stated
         let seasons = [
             (11.0, 2.14),
             (27.0, 2.10),
@@ -249,7 +250,7 @@ mod tests {
             notes.iter().any(doubts)
         };
         assert!(!said(about_weather(&seasons)));
-        // all after the first 3 % lower
+        // all surveys after the first are 3 % lower
         let dropped: Vec<(f64, f64)> = seasons
             .iter()
             .enumerate()
@@ -259,7 +260,7 @@ mod tests {
         assert!(about_weather(&dropped).iter().any(scatters));
     }
 
-    /// Two of them exchanged: said which, once, whether the modes still pair or not; not of shapes that changed.
+    /// Two exchanged channels give one note, whether the modes still pair or not; a change of shape gives none.
     #[test]
     fn holds_two_exchanged_channels_are_named() {
         let exchanged = |[a, b, c]: [f64; 3]| [c, b, a];

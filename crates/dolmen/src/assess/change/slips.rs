@@ -5,8 +5,8 @@ use super::notes::ChangeNote;
 use super::swapped::ONE_FREQUENCY;
 use crate::modal::ObservedMode;
 
-/// Part by which ratios of frequencies may differ and be one ratio, and the least factor that is asked about. Our choice: recorders have rates that
-/// differ by 1.25 and more.
+/// Relative difference up to which frequency ratios count as equal, and smallest deviation of such a ratio from 1 for a note. Our choice: rates of
+/// recorders differ by a factor of 1.25 and more.
 const ONE_RATIO: f64 = 0.01;
 const RATIO_LEAST: f64 = 1.2;
 

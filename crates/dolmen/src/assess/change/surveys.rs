@@ -1,10 +1,10 @@
-//! Two surveys of one structure, mode by mode: what changed, by how much, and what could have been missed.
+//! Compares two surveys of one structure, mode by mode: the changes, and the smallest change that would be detected.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | f, f' | `from`, `to` | frequency before and after | Hz |
 //! | κ | `per_c` | relative change of a frequency per °C | 1/°C |
-//! | ΔT | `step_c` | temperature after less before | °C |
+//! | ΔT | `step_c` | later temperature minus earlier temperature | °C |
 //! | r | `relative` | change that temperature does not explain | - |
 
 use super::difference::{Raw, tested, welch};
@@ -18,20 +18,20 @@ use super::temperature::{FitPoint, FittedTemperature, TemperatureEffect, line};
 use crate::assess::AssessError;
 use crate::modal::{ModePair, ObservedMode, Pairing, pair_modes};
 
-/// Scatter about a line over temperature beyond this many times what surveys state is no chance. Our choice: with two degrees of freedom one in a
-/// thousand goes beyond 2.6.
+/// Ratio of the scatter about a line over temperature to the stated standard deviations above which chance is excluded. Our choice: with two
+/// degrees of freedom, one fit in a thousand exceeds 2.6.
 const SCATTER_BEYOND: f64 = 3.0;
-/// Correlation of temperature with the order of the surveys from which weather and ageing cannot be separated. Our choice.
+/// Correlation of temperature with the order of the surveys above which weather and ageing cannot be separated. Our choice.
 const WITH_TIME: f64 = 0.7;
 
-/// One survey: its modes, and how warm it was.
+/// One survey: its modes and its temperature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surveyed {
     /// Its name.
     pub name: String,
     /// Temperature, °C; `None` if not known.
     pub temperature_c: Option<f64>,
-    /// Its modes, ascending.
+    /// Its modes, in ascending order of frequency.
     pub modes: Vec<ObservedMode>,
 }
 
@@ -40,13 +40,13 @@ pub struct Surveyed {
 pub struct SurveyChangeOptions {
     /// The pairing of modes.
     pub pairing: Pairing,
-    /// Known effect of temperature.
+    /// Effect of temperature on the frequencies.
     pub temperature: TemperatureEffect,
-    /// What a history of many surveys says of the modes between the two; where it has one, it is taken before `temperature`.
+    /// Effects of weather from a history of many surveys. Where a mode has one, it is used instead of `temperature`.
     pub history: Vec<HistoryEffect>,
-    /// Probability of a false finding in any mode although nothing changed; default 0.05.
+    /// Probability of finding a change in any mode although nothing changed; default 0.05.
     pub significance: f64,
-    /// Probability with which the least detectable change would have been found; default 0.8.
+    /// Probability of finding the smallest detectable change; default 0.8.
     pub power: f64,
 }
 
@@ -70,19 +70,20 @@ impl Default for SurveyChangeOptions {
 /// var r = (sd'² + (1 + κ ΔT)² sd² + (f ΔT sd_κ)²) / f²,     t = r / sd r    of Student with Welch's degrees of freedom
 /// Δk/k = (1 + r)² - 1                                        if the stiffness changed alike everywhere and no mass did
 /// ```
-/// Frequencies are tested together, and damping ratios together, each by Holm's procedure. With [`TemperatureEffect::Fitted`] each mode's
-/// κ is the slope of least squares through `earlier` and `from`, whose temperatures must be known; the scatter about that line is then
-/// the deviation of each survey (what moisture and crowds do is in it), and the covariance of f with κ is carried. With a history
-/// ([`SurveyChangeOptions::history`]) the weather and the scatter are those of all its surveys.
+/// Frequencies are tested together, and so are damping ratios, each group by Holm's procedure. With [`TemperatureEffect::Fitted`], κ of each mode
+/// is the least-squares slope through `earlier` and `from`, whose temperatures must be known. The scatter about that line, which includes moisture
+/// and crowds, is then the deviation of each survey, and the covariance of f with κ is included. With a history
+/// ([`SurveyChangeOptions::history`]), weather and scatter are those of all its surveys.
 ///
 /// # Errors
 /// [`AssessError::NothingToCompare`] if a survey has no modes; [`AssessError::Factor`] for an option out of range;
-/// [`AssessError::Modal`] for modes that make no sense.
+/// [`AssessError::Modal`] for invalid modes.
 ///
 /// # Limits
-/// The standard deviation of an identification describes another record under the same conditions. It does not include moisture, crowds, the
-/// strength of the wind, or a stone temperature that lags behind that of the air. For unchanged pairs of four modes, drawn from normal variables
-/// with 30 blocks of time, the test finds a change in 5 % of 4000 draws, within 1 % (measured). One coefficient for all modes is a rough rule.
+/// The standard deviation of an identification holds for another record under the same conditions. It does not include moisture, crowds, the
+/// strength of the wind, or a stone temperature that lags behind that of the air. In 4000 simulated pairs of surveys without a change (four modes,
+/// normal variables, 30 time blocks), the test finds a change in 5 % of them, within 1 % (measured). One coefficient for all modes is a rough
+/// rule.
 ///
 /// # Example
 /// ```
@@ -239,7 +240,7 @@ fn check(from: &Surveyed, to: &Surveyed, options: &SurveyChangeOptions) -> Resul
         return refused("power", options.power, "at least 0.5 and below 1");
     }
     if let TemperatureEffect::Coefficient { per_c, sd_per_c } = options.temperature {
-        const MOST: f64 = 0.05; // relative per °C; ten times what frozen or drying masonry shows
+        const MOST: f64 = 0.05; // relative per °C; ten times the value of frozen or drying masonry
         if !(-MOST..=MOST).contains(&per_c) {
             return refused("the coefficient of temperature", per_c, "within ±0.05 per °C");
         }
@@ -258,12 +259,13 @@ fn check(from: &Surveyed, to: &Surveyed, options: &SurveyChangeOptions) -> Resul
 struct Covariate {
     /// κ ΔT.
     explained: f64,
-    /// Standard deviation of κ, 1/°C; of a fitted line `spread` is taken instead.
+    /// Standard deviation of κ, 1/°C; not used for a fitted line, which has `spread`.
     sd_per_c: f64,
     fitted: Option<FittedTemperature>,
     /// Result of a history, whose scatter is used instead.
     history: Option<HistoryEffect>,
-    /// For a fitted line: variance of f' - f - b ΔT, Hz², its degrees of freedom, and the part of it that the surveys state, Hz².
+    /// For a fitted line: variance of f' - f - b ΔT, Hz², its degrees of freedom, and the part of it that comes from the stated standard
+    /// deviations, Hz².
     spread: Option<(f64, f64, f64)>,
 }
 
@@ -344,7 +346,7 @@ fn covariate(
     }
 }
 
-/// Whether the line may have taken a change of the structure for weather; the survey that is compared is the first of the points.
+/// Notes if a change of the structure may be contained in the fitted line. The first point is the survey that is compared.
 fn about_the_line(points: &[FitPoint], after_c: f64, notes: &mut Vec<ChangeNote>) {
     let (Ok(line), Some((compared, others))) = (line(points, after_c), points.split_first()) else {
         return;
@@ -359,7 +361,7 @@ fn about_the_line(points: &[FitPoint], after_c: f64, notes: &mut Vec<ChangeNote>
             stated_hz,
         });
     }
-    // where the survey that is compared stands among the earlier ones is not told: at either end of them
+    // the position of the compared survey among the earlier ones is unknown: both ends are tried
     let with_order = |order: Vec<&FitPoint>| {
         let middle = 0.5 * (order.len() as f64 - 1.0);
         let mean_c = order.iter().map(|point| point.temperature_c).sum::<f64>() / order.len() as f64;
@@ -400,7 +402,7 @@ fn frequency_difference(
         of_history.or_else(
             || match (covariate.as_ref().and_then(|c| c.spread), to.frequency_sd_hz) {
                 (Some((variance_hz2, nu, stated_hz2)), after) => {
-                    // a survey known worse than those of the line scatters more than they do
+                    // a survey with a larger standard deviation than those of the line scatters more than they do
                     let more = (after.unwrap_or(0.0).powi(2) - stated_hz2).max(0.0);
                     Some(welch(&[(variance_hz2, nu), (more, to.degrees_of_freedom)]))
                 }

@@ -1,36 +1,36 @@
-//! Two channels that one survey has exchanged, or one that it has turned round, told by the shapes of another.
+//! Detects two exchanged channels, or one channel with the wrong sign, from the mode shapes of two surveys.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | φ, ψ | `phi`, `psi` | shapes of one frequency before and after, at the places that both show |
-//! | MAC | `mean` | mean assurance of all of them |
+//! | φ, ψ | `phi`, `psi` | shapes of one frequency before and after, at the common sensors |
+//! | MAC | `mean` | mean MAC of all these modes |
 
 use crate::modal::{ObservedMode, Pairing, assurance, shared};
 use dolmen_linalg::Complex64;
 
-/// Two channels that look exchanged.
+/// Two channels that seem exchanged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SwappedChannels {
     /// Names of the channels in the first survey.
     pub channels: [String; 2],
-    /// Mean assurance of the shapes as they are.
+    /// Mean MAC of the shapes as given.
     pub assurance: f64,
-    /// Similarity after the exchange.
+    /// Mean MAC after the exchange.
     pub exchanged: f64,
-    /// Modes that it is the mean of.
+    /// Number of modes in these means.
     pub modes: usize,
 }
 
-/// A channel that looks turned round.
+/// A channel that seems to have the wrong sign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TurnedChannel {
     /// Its name in the first survey.
     pub channel: String,
-    /// Mean assurance of the shapes as they are.
+    /// Mean MAC of the shapes as given.
     pub assurance: f64,
-    /// Similarity after the change of sign.
+    /// Mean MAC after the change of sign.
     pub turned: f64,
-    /// Modes that it is the mean of.
+    /// Number of modes in these means.
     pub modes: usize,
 }
 
@@ -48,29 +48,30 @@ enum Change {
     Turned(usize),
 }
 
-/// Relative difference of frequencies that count as one. Our choice: a hundredth, above what surveys of an unchanged structure differ by.
+/// Relative difference up to which frequencies count as equal. Our choice: 1 %, above the difference between surveys of an unchanged
+/// structure.
 pub(super) const ONE_FREQUENCY: f64 = 0.01;
-/// Fewest modes that may say so: one shape can be turned into another by chance. Our choice.
+/// Fewest modes for a decision: a single shape can resemble another by chance. Our choice.
 const MODES_LEAST: usize = 2;
-/// Fewest places: of two, every exchange is a change of the shape that damage or noise could make. Our choice.
+/// Fewest common sensors: with two, damage or noise can change the shape as an exchange does. Our choice.
 const PLACES_LEAST: usize = 3;
-/// Mean assurance above which shapes need no explanation, and below which an exchange explains nothing. Our choice.
+/// Mean MAC above which shapes need no explanation, and which a change of the channels must exceed. Our choice.
 const UNLIKE: f64 = 0.8;
 const ALIKE: f64 = 0.95;
 /// Least ratio of the unexplained part, 1 - MAC, of the second-best exchange to that of the best. Our choice.
 const CLEARLY: f64 = 3.0;
 
-/// The two channels whose exchange, or the one whose change of sign, makes the shapes of two surveys alike, if one such change alone does.
+/// The single exchange of two channels, or the single change of sign, that makes the shapes of two surveys similar.
 ///
 /// ```text
-/// MAC = 1/n Σ MAC(φ_i, ψ_i)        n modes of one frequency (within 1 %), at the places that both surveys show
+/// MAC = 1/n Σ MAC(φ_i, ψ_i)        n modes of one frequency (within 1 %), at the common sensors
 /// ```
-/// At least two modes and three places; mean MAC below 0.8 as they are and 0.95 or more changed; and 1 - MAC of every other change three
-/// times that of the best.
+/// A result needs at least two modes, three sensors, a mean MAC below 0.8 as given and of at least 0.95 after the change. In addition, 1 -
+/// MAC of every other change must be at least three times that of the best.
 ///
 /// # Limits
-/// Two channels with like components in every mode may be exchanged unseen: nothing changes then but their names. Three channels in a ring
-/// are not found. Shapes that look alike under two exchanges say nothing.
+/// An exchange of two channels with similar components in every mode is not found. Neither is an exchange of three channels. If two
+/// exchanges give similar shapes, there is no result.
 pub(super) fn slip_of_channels(
     before: &[ObservedMode],
     after: &[ObservedMode],
@@ -136,7 +137,7 @@ pub(super) fn slip_of_channels(
     })
 }
 
-/// Mean assurance, with one change of the second shapes.
+/// Mean MAC, with one change of the second shapes.
 fn mean(shapes: &[[Vec<Complex64>; 2]], change: Option<Change>) -> f64 {
     let of = |[phi, psi]: &[Vec<Complex64>; 2]| {
         let mut psi = psi.clone();

@@ -11,7 +11,7 @@ use crate::assess::AssessError;
 
 /// Fewest surveys with a temperature for a fit: four leave two degrees of freedom.
 pub const TEMPERATURE_SURVEYS_LEAST: usize = 4;
-/// Least range of their temperatures, °C. Our choice: a line over a smaller range says nothing about the seasons.
+/// Least range of their temperatures, °C. Our choice: a smaller range does not show the effect of the seasons.
 const SPREAD_LEAST_C: f64 = 2.0;
 
 /// Known effect of temperature on the frequencies.
@@ -23,10 +23,10 @@ pub enum TemperatureEffect {
     Coefficient {
         /// Relative change per °C.
         per_c: f64,
-        /// Standard deviation of the change.
+        /// Its standard deviation.
         sd_per_c: f64,
     },
-    /// To be fitted to the surveys before the later of the two compared ones.
+    /// Fitted to the surveys before the later of the two compared ones.
     Fitted,
 }
 
@@ -36,7 +36,7 @@ pub enum TemperatureEffect {
 pub struct FittedTemperature {
     /// Change per °C, relative to the frequency of the earlier compared survey.
     pub per_c: f64,
-    /// Standard deviation of the change.
+    /// Its standard deviation.
     pub sd_per_c: f64,
     /// Standard deviation of one survey about the line, Hz.
     pub scatter_hz: f64,
@@ -68,7 +68,7 @@ pub(super) struct Line {
     pub(super) degrees_of_freedom: f64,
 }
 
-/// Fits a line to `points`. The first of them is the survey that is compared with one at the temperature `to_c`.
+/// Fits a line to `points`. The first point is the survey that is compared with one at the temperature `to_c`.
 ///
 /// ```text
 /// b = Σ x_k f_k / Σ x_k²,   s² = Σ e_k² / (n - 2),   e_k = f_k - mean f - b x_k
@@ -155,7 +155,7 @@ mod tests {
             found.fitted.per_c * 2.01
         );
         assert!((found.fitted.sd_per_c * 2.01 / STDERR - 1.0).abs() < 1e-12);
-        // no change of temperature: nothing is explained, and the variance is the sum for two surveys
+        // equal temperatures: nothing is explained, and the variance is the sum for two surveys
         assert_eq!(found.explained_hz, 0.0);
         assert!((found.variance_hz2 / found.fitted.scatter_hz.powi(2) - 2.0).abs() < 1e-12);
     }
@@ -165,7 +165,7 @@ mod tests {
 
     #[test]
     fn exact_weights_of_a_step_beyond_the_middle() {
-        // f = 2 - .001 T + e, e = (1, -1, -1, 1) h: no mean, no slope; s² = 4 h²/2
+        // f = 2 - .001 T + e, e = (1, -1, -1, 1) h: e has no mean and no slope; s² = 4 h²/2
         let h = 0.004;
         let points: Vec<FitPoint> = [(0.0, h), (10.0, -h), (20.0, -h), (30.0, h)]
             .map(|(temperature_c, e)| FitPoint {

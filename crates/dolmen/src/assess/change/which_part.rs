@@ -1,68 +1,68 @@
-//! The part of a structure that explains the changes of its frequencies.
+//! Finds the part of a structure whose stiffness change explains the changes of the frequencies.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | r, σ | `relative`, `sd` | measured relative change of a frequency, and its standard deviation |
-//! | ρ(s) | `changes_of` | the same of the model whose part has s times its stiffness |
-//! | χ² | `chi_squared` | Σ ((r − ρ(s))/σ)² at the s that makes it least |
+//! | ρ(s) | `changes_of` | relative change in the model, if the part has s times its stiffness |
+//! | χ² | `chi_squared` | Σ ((r − ρ(s))/σ)² at the best s |
 
 use crate::numeric::{chi_squared_above, chi_squared_quantile, maximum_between};
 
 /// Range of the search for the stiffness of a part, relative to its earlier value. Our choice.
 pub const FACTOR_SOUGHT: [f64; 2] = [0.02, 5.0];
-/// Factors tried before the least is refined.
+/// Number of factors on the grid before the refinement.
 const TRIED: usize = 33;
-/// Halvings of the way from the best factor to where an interval ends: to 1e-5 of it.
+/// Bisections between the best factor and the end of an interval: to 1e-5 of their distance.
 const BISECTIONS: usize = 20;
-/// A part whose pattern would be as far from the measured one in less than this share of cases does not explain it.
+/// Smallest p-value at which a part explains the changes.
 const EXPLAINS_FROM: f64 = 0.01;
-/// Confidence of an interval, and of telling two parts apart.
+/// Confidence of the intervals, and of the comparison between two parts.
 const CONFIDENCE: f64 = 0.95;
 
 /// Measured change of one frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrequencyChange {
-    /// After over before, less 1.
+    /// Later frequency over earlier frequency, minus 1.
     pub relative: f64,
-    /// Its standard deviation.
+    /// Standard deviation of the change.
     pub sd: f64,
 }
 
 /// Fit of one part to all changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartFit {
-    /// Its place among the parts; `None` for all parts alike.
+    /// Index of the part; `None` if all parts change together.
     pub part: Option<usize>,
-    /// Stiffness after over before.
+    /// Later stiffness over earlier stiffness.
     pub factor: f64,
-    /// Interval of that at 95 %, within 0.02 to 5.
+    /// 95 % interval of the factor, within 0.02 to 5.
     pub factor_interval: [f64; 2],
-    /// Sum of squares that it leaves.
+    /// Weighted sum of squared residuals.
     pub chi_squared: f64,
-    /// Probability of as much by chance.
+    /// Probability of a sum at least as large by chance.
     pub p_value: f64,
 }
 
 impl PartFit {
-    /// Whether the residual may be chance.
+    /// Whether the residuals can be due to chance.
     pub fn explains(&self) -> bool {
         self.p_value >= EXPLAINS_FROM
     }
 }
 
-/// The part that explains a change.
+/// Fits of all parts to the measured changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WhichPart {
-    /// Each part, the best first.
+    /// Fit of each part, the best first.
     pub parts: Vec<PartFit>,
-    /// All parts alike.
+    /// Fit with all parts changed together.
     pub alike: PartFit,
-    /// Sum of squares if nothing changed.
+    /// Sum of squares for no change.
     pub unchanged: f64,
 }
 
 impl WhichPart {
-    /// The parts that explain the change as well as the best one does, at 95 %; empty if the best one does not explain it.
+    /// The parts that explain the changes as well as the best part, at 95 %; empty if the best part does not explain them.
     pub fn candidates(&self) -> &[PartFit] {
         let Some(best) = self.parts.first().filter(|best| best.explains()) else {
             return &[];
@@ -74,31 +74,31 @@ impl WhichPart {
         &self.parts[..within.count()]
     }
 
-    /// Whether all parts alike explain it as well as the best part does.
+    /// Whether a uniform change explains the measurements as well as the best part does.
     pub fn is_alike_possible(&self) -> bool {
         let best = self.parts.first().map_or(f64::INFINITY, |of| of.chi_squared);
         self.alike.explains() && self.alike.chi_squared <= best + apart()
     }
 }
 
-/// Difference of two sums of squares beyond which 95 % tell one free number from another.
+/// Difference of two sums of squares that is significant at 95 % with one free parameter.
 fn apart() -> f64 {
     chi_squared_quantile(CONFIDENCE, 1.0).unwrap_or(3.841_458_820_694_124)
 }
 
-/// Which part of `parts` explains the changes of the frequencies of a structure, if the stiffness of one part alone changed and no mass did.
+/// Finds the part of `parts` that explains the changed frequencies of a structure. It assumes that the stiffness of one part changed and no mass did.
 ///
-/// `changes_of` gives the relative changes of the same frequencies if a part, or all parts together, has this multiple of its stiffness; `None` if
+/// `changes_of` gives the relative changes of the same frequencies if one part, or all parts together, has this multiple of its stiffness; `None` if
 /// the structure cannot have it. The result is `None` for fewer than two frequencies or parts, or for an invalid standard deviation.
 ///
 /// # Limits
-/// It says which **one** part explains the pattern if the model is right. Two parts that changed together, a lost mass or weather look like a part that is
-/// none of them, or like none. Deviations are taken as known and as independent.
+/// The result is the **one** part that explains the changes, if the model is right. Two parts that changed together, a lost mass or the weather can
+/// look like a third part, or like none. The standard deviations are assumed to be exact and independent.
 ///
 /// # Example
 /// ```
 /// use dolmen::assess::{FrequencyChange, which_part};
-/// // f² = Σ w k: the first frequency feels both parts, the second the second alone
+/// // f² = Σ w k: the first frequency depends on both parts, the second only on the second part
 /// let weights = [[0.5, 0.5], [0.0, 1.0]];
 /// let model = |part: Option<usize>, factor: f64| {
 ///     let of = |w: [f64; 2]| {
@@ -195,7 +195,7 @@ mod tests {
     use super::*;
     use crate::numeric::Random;
 
-    /// Relative changes of a shear frame of three storeys of equal masses, by its own eigenvalues: those of K by Jacobi's rotations.
+    /// Relative frequency changes of a shear frame with three storeys of equal mass, by Jacobi's eigenvalue method.
     fn frame(k: [f64; 3]) -> Vec<f64> {
         let mut a = [
             [k[0] + k[1], -k[1], 0.0],
@@ -279,7 +279,7 @@ mod tests {
             let [low, high] = own.factor_interval;
             inside += usize::from(low <= 0.85 && 0.85 <= high);
         }
-        // binomial, three deviations of 95 %
+        // binomial distribution: 95 % minus three standard deviations
         assert!(inside >= 181 && named >= 181, "{inside} {named} {told}");
         assert!(told > RUNS / 2, "{told}");
     }
@@ -295,7 +295,7 @@ mod tests {
         let odd = [-0.05, 0.05, -0.05].map(|relative| FrequencyChange { relative, sd: 0.002 });
         let odd = which_part(&odd, 3, changes_of).unwrap();
         assert!(odd.candidates().is_empty() && !odd.is_alike_possible());
-        // one frequency tells no part from another
+        // one frequency cannot distinguish the parts
         assert_eq!(
             which_part(&drawn(None, 0.9, 0.002, &mut random)[..1], 3, changes_of),
             None

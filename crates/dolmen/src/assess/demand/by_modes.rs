@@ -1,4 +1,4 @@
-//! Demand of a response spectrum on the joints of a stack, by modal analysis: the upper stones move more than the lower ones.
+//! Demand of a response spectrum on the joints of a stack, by modal analysis.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -6,7 +6,7 @@
 //! | S, A₀ | `spectral`, `ground` | spectral acceleration of a mode, peak of the ground | m/s² |
 //! | ρ | – | correlation coefficient of two modes | – |
 //! | w | `wrenches` | force and moment of the inertia forces of one mode on the part above a joint, for Γ S = 1 | N, N m |
-//! | r, s | [`Resistance`] | what of them makes the part tip or slide, and how much of it is borne | – |
+//! | r, s | [`Resistance`] | part of the force and moment that tips or slides the part, and its resistance | – |
 
 use super::{ShakenDirection, SiteDemand};
 use crate::assess::AssessError;
@@ -19,9 +19,9 @@ use crate::stability::stack::{
 use crate::structure::stack::Stack;
 use glam::{DMat3, DVec3};
 
-/// Modes with less of the mass, along x and along y, are left out. Our choice: a thousand such have a thousandth.
+/// Least mass participation, along x and along y, of the modes that are included. Our choice: a thousand smaller ones have a thousandth.
 const MASS_LEAST: f64 = 1e-6;
-/// Largest number of modes that are combined, lowest first; the higher ones move with the ground. Our choice: all modes of a hundred stones on top
+/// Largest number of modes that are combined, lowest first; the higher modes move with the ground. Our choice: all modes of a hundred stones on top
 /// of each other.
 const MODES_MOST: usize = 400;
 
@@ -33,9 +33,9 @@ type Wrench = [f64; 6];
 pub struct ModalRatio {
     /// Ratio of capacity to demand: under the spectrum times this factor a part begins to tip or slide.
     pub ratio: f64,
-    /// Tipping or sliding, above which bodies; `None` where stones share their load and the limit analysis decided.
+    /// Tipping or sliding, and the blocks above the joint; `None` where stones share their load and limit analysis governs.
     pub first: Option<(LimitKind, String)>,
-    /// above, near, below demand.
+    /// Whether the capacity is above, near or below the demand.
     pub verdict: DemandVerdict,
 }
 
@@ -51,7 +51,6 @@ struct ModeUnderSpectrum<'a> {
     below_ground: bool,
 }
 
-/// The modes of a stack under a spectrum.
 pub(super) struct ModalDemand<'a> {
     stack: &'a Stack,
     modes: Vec<ModeUnderSpectrum<'a>>,
@@ -181,7 +180,7 @@ impl<'a> ModalDemand<'a> {
         Ok(least)
     }
 
-    /// The inertia forces on some blocks, combined over the modes; each force and moment as `of` makes it.
+    /// Inertia forces on some blocks, combined over the modes, after `of` is applied to each force and moment.
     fn combined(&self, blocks: &[usize], of: impl Fn(Wrench) -> Wrench) -> Combined {
         let on = |shape: &dyn Fn(usize) -> [f64; 6]| {
             let mut sum = [0.0; 6];
@@ -230,7 +229,7 @@ impl<'a> ModalDemand<'a> {
     }
 }
 
-/// Products of force and moment over the modes: of shaking along x with itself, x with y, y with itself.
+/// Products of force and moment, combined over the modes: x with x, x with y, y with y.
 #[derive(Default)]
 struct Combined {
     all: [[Wrench; 6]; 3],
@@ -240,7 +239,8 @@ struct Combined {
 }
 
 impl Combined {
-    /// Largest sum of force and moment. The larger of two sums counts: all modes as periodic, or the part in phase with the ground added directly.
+    /// Largest combined force and moment: the larger of two sums, one with all modes periodic, one with the part in phase with the ground added
+    /// directly.
     fn largest(&self, row: &Wrench, direction: ShakenDirection) -> f64 {
         let product = |matrix: &[Wrench; 6]| -> f64 {
             matrix
@@ -253,7 +253,7 @@ impl Combined {
             ShakenDirection::X => squares[0].max(0.0).sqrt(),
             ShakenDirection::Y => squares[2].max(0.0).sqrt(),
             ShakenDirection::Any => {
-                // the larger eigenvalue: the worst direction in plan
+                // the larger eigenvalue belongs to the worst direction in plan
                 let [xx, xy, yy] = squares;
                 let apart = (0.5 * (xx - yy)).hypot(xy);
                 (0.5 * (xx + yy) + apart).max(0.0).sqrt()
@@ -268,7 +268,7 @@ impl Combined {
     }
 }
 
-/// S at a period; before the first row of a table the larger of that row and the ground.
+/// S at a period; before the first row of a table, the larger of that row and the ground acceleration.
 fn acceleration(site: &SiteDemand, period_s: f64, ground: f64) -> Result<f64, AssessError> {
     match site.spectrum.points().first() {
         Some(&[least_s, first]) if period_s < least_s => Ok(first.max(ground)),
@@ -290,7 +290,7 @@ fn participation(stack: &Stack, shape: &[[f64; 6]]) -> [f64; 2] {
     momentum.map(|sum| sum / energy)
 }
 
-/// Force and moment about the origin of a block that accelerates by a shape, m/s² and rad/s².
+/// Force and moment about the origin of a block with the accelerations of a shape, m/s² and rad/s².
 fn inertia(stack: &Stack, block: usize, shape: &[f64; 6]) -> Wrench {
     let block = &stack.blocks()[block];
     let [x, y, z, a, b, c] = *shape;
@@ -300,7 +300,7 @@ fn inertia(stack: &Stack, block: usize, shape: &[f64; 6]) -> Wrench {
     [force.x, force.y, force.z, moment.x, moment.y, moment.z]
 }
 
-/// The force and moment, with the moment about another point.
+/// The force, and its moment about another point.
 fn about(point: DVec3, [x, y, z, a, b, c]: Wrench) -> Wrench {
     let moment = DVec3::new(a, b, c) - point.cross(DVec3::new(x, y, z));
     [x, y, z, moment.x, moment.y, moment.z]
@@ -379,7 +379,8 @@ mod tests {
         site_demand(&site, 0.05, vertical).unwrap()
     }
 
-    /// Least ratio of tipping of all joints of the tower in its plane, and the joint: two degrees of freedom a stone, joints by area and second moment.
+    /// Least tipping ratio of all joints of the tower in its plane, and the joint. The model has two degrees of freedom per stone and joint springs
+    /// from area and second moment.
     fn in_its_plane(site: &SiteDemand, ground: f64) -> (f64, usize) {
         let (n, normal, shear) = (TOWER.len(), 1e9, 4e8);
         let (mut stiffness, mut mass) = (Matrix::zeros(2 * n, 2 * n), Matrix::zeros(2 * n, 2 * n));
@@ -389,7 +390,7 @@ mod tests {
             mass[(2 * i, 2 * i)] = m;
             mass[(2 * i + 1, 2 * i + 1)] = m * (width * width + height * height) / 12.0;
             let bed = if i == 0 { width } else { width.min(TOWER[i - 1][0]) };
-            // rows of the slip and of the turn of the joint
+            // rows for the slip and the rotation of the joint
             let mut rows = [vec![0.0; 2 * n], vec![0.0; 2 * n]];
             (rows[0][2 * i], rows[0][2 * i + 1], rows[1][2 * i + 1]) = (1.0, -0.5 * height, 1.0);
             if i > 0 {
@@ -484,7 +485,7 @@ mod tests {
 
     #[test]
     fn holds_a_spectrum_without_amplification_asks_at_least_for_rigid_blocks() {
-        // S = A₀ at every period: nothing is periodic, all moves with the ground
+        // S = A₀ at every period: nothing is periodic, everything moves with the ground
         let table = Site::Table {
             source: "level".into(),
             points: vec![[0.0, 1.0], [5.0, 1.0]],

@@ -95,12 +95,13 @@ pub struct DisplacementDemand {
 ///
 /// # Limits
 /// The mechanism is taken to stand on the ground: the amplification that the code requires for parts at a height is not included. d_SLV is not
-/// reduced for ties that break, because ties carry no force in these mechanisms. Sliding mechanisms are not checked: the q of the code is for
-/// mechanisms that rotate. The near-collapse state (SLC) is left out, and so is the older circular 617/2009, whose periods are a third shorter.
+/// reduced for ties that break, because ties carry no force in these mechanisms. Sliding mechanisms are not checked: the q of the code applies
+/// to mechanisms that rotate. The near-collapse state (SLC) is not included. The older circular 617/2009, with periods a third shorter, is not
+/// implemented.
 ///
 /// # Source
-/// Circolare 7/2019 to NTC 2018, C8.7.1.2.1. Not compared with the text of the code. Tested here against walls, storeys and a portal in closed
-/// form.
+/// Circolare 7/2019 to NTC 2018, C8.7.1.2.1. Not compared with the text of the code. The tests compare with closed forms of walls, storeys and
+/// a portal.
 pub fn circolare_capacity(
     mechanism: LocalMechanism,
     gravity_m_s2: f64,
@@ -185,7 +186,7 @@ mod tests {
         local_mechanism(stack, [1.0, 0.0]).unwrap().unwrap()
     }
 
-    /// The mechanism of a wall b × h that overturns as one part: α₀ = b/h, e* = 1, M* = whole mass, d₀* = b/2.
+    /// Asserts the mechanism of a wall b × h that overturns as one part: α₀ = b/h, e* = 1, M* = whole mass, d₀* = b/2.
     fn is_one_part(found: &LocalMechanism, b: f64, h: f64, mass_kg: f64) {
         assert_eq!(found.parts.len(), 1, "{found:?}");
         assert!((found.multiplier - b / h).abs() < 1e-7, "{found:?}");
@@ -251,7 +252,7 @@ mod tests {
 
     #[test]
     fn exact_parts_of_a_portal() {
-        // pillars 0.4 × 0.4 × 2 m turn about their feet, the beam 2 × 0.4 × 0.5 m moves level: δ = 1/2, 1/2 and 1
+        // pillars 0.4 × 0.4 × 2 m rotate about their feet, the beam 2 × 0.4 × 0.5 m moves without rotation: δ = 1/2, 1/2 and 1
         let stack = boxes(
             &[
                 ([0.4, 0.4, 2.0], [-0.8, 0.0, 0.0]),

@@ -12,8 +12,8 @@ const EUROCODE_RATIOS: [f64; 3] = [0.005, 0.0075, 0.010];
 /// ν of importance classes I to IV, recommended values: EN 1998-1:2004, 4.4.3.2 (2), note.
 const EUROCODE_NU: [f64; 4] = [0.5, 0.5, 0.4, 0.4];
 
-/// Drift ratio beyond which Dolmen considers no storey as standing, because models of small drifts are not valid there. Chosen
-/// here, as [`FrameRun::drift_ratio_most`](crate::dynamics::FrameRun).
+/// Drift ratio above which a storey does not count as standing, because models of small drifts are not valid there. Our choice,
+/// as in [`FrameRun::drift_ratio_most`](crate::dynamics::FrameRun).
 pub const DRIFT_RATIO_MOST: f64 = 0.1;
 
 /// Seismic grade of KDS 41 17 00.
@@ -81,7 +81,7 @@ impl DriftLimit {
     /// ```
     ///
     /// # Limits
-    /// For the elastic response to the full design spectrum, without a behaviour factor: then d_s = d_e, and C_d δ_xe/I_E = δ_x.
+    /// For the elastic response to the full design spectrum, without a behaviour factor: d_s = d_e, and C_d δ_xe/I_E = δ_x.
     /// Neither table was compared with the text of its code.
     ///
     /// # Source

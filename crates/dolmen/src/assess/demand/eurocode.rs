@@ -28,7 +28,7 @@ const PLATEAU: f64 = 2.5;
 /// Vertical over horizontal ground acceleration of type 1 and 2, quoted from memory and not compared with the text of the
 /// code.
 const VERTICAL: [f64; 2] = [0.9, 0.45];
-/// Largest accepted a_g, g: a larger value has a wrong unit. Our choice.
+/// Largest accepted a_g, g: a larger value probably has a wrong unit. Our choice.
 const GROUND_MOST_G: f64 = 2.0;
 
 /// Type of the spectrum.
@@ -67,8 +67,8 @@ pub enum EurocodeGround {
 ///
 /// # Limits
 /// Recommended parameters; a national annex may change them. The formula is also used beyond T = 4 s, where the code refers to
+/// Recommended parameters; a national annex may change them. The formula is also used for T > 4 s, where the code refers to
 /// its annex A. η and the vertical acceleration (table 3.4 as commonly cited) were not compared with the text of the code.
-///
 /// # Source
 /// EN 1998-1:2004, 3.2.2.2, tables 3.2 and 3.3.
 ///

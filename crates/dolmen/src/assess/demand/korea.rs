@@ -1,10 +1,10 @@
-//! Korea: KDS 17 10 00 (2018), general seismic design; the two numbers of KDS 41 17 00 (2019), buildings.
+//! Korea: KDS 17 10 00 (2018), general seismic design, and S_DS and S_D1 of KDS 41 17 00 (2019), buildings.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | Z, I | `zone`, `return_period_years` | zone factor, risk factor of the return period | g, – |
 //! | S | `effective_acceleration_g` | Z I, on rock | g |
-//! | F_a, F_v | `amplification` | of short and of 1 s periods by the soil | – |
+//! | F_a, F_v | `amplification` | soil amplification at short periods and at 1 s | – |
 
 use super::spectrum::{Branches, DampingFactor, STANDARD_GRAVITY_M_S2, Shape, within};
 use super::{DesignSpectrum, Unverified, VerticalRatio};
@@ -14,11 +14,11 @@ use crate::assess::AssessError;
 const YEAR_17: u16 = 2018;
 /// Year of the edition of KDS 41 17 00, quoted from memory and not compared with its text.
 const YEAR_41: u16 = 2019;
-/// The return period whose risk factor is quoted from memory and was not compared with the text of the code.
+/// The return period whose risk factor is quoted from memory and not compared with the text of the code.
 const UNVERIFIED_YEARS: u32 = 4800;
 /// T_L of KDS 41 17 00, s, quoted from memory and not compared with the text of the code.
 const DISPLACEMENT_41_S: f64 = 5.0;
-/// What KDS 41 17 00 designs for, over the spectrum of 2400 years.
+/// Ratio of the design spectrum of KDS 41 17 00 to the spectrum of 2400 years.
 const DESIGN_SHARE: f64 = 2.0 / 3.0;
 /// Return periods, years, with their risk factor I. That of 4800 years is not verified, see [`kds_17_effective_acceleration_g`].
 const RISK_FACTORS: [(u32, f64); 7] = [
@@ -77,12 +77,12 @@ pub enum KoreanSite {
     S6,
 }
 
-/// The two numbers that KDS 41 17 00 designs buildings with.
+/// The two design accelerations for buildings of KDS 41 17 00.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kds41 {
-    /// S_DS, g: short periods.
+    /// S_DS, g, at short periods.
     pub short_period_g: f64,
-    /// S_D1, g: 1 s.
+    /// S_D1, g, at 1 s.
     pub one_second_g: f64,
 }
 
@@ -115,7 +115,7 @@ pub fn kds_17_effective_acceleration_g(
 pub struct RiskFactor {
     /// I.
     pub factor: f64,
-    /// Whether it was compared with the text of the code.
+    /// Whether the factor was compared with the text of the code.
     pub verified: bool,
 }
 
@@ -158,7 +158,7 @@ pub struct SoilAmplification {
     pub one_second: f64,
 }
 
-/// F_a and F_v of a site class at an effective ground acceleration S, in g: straight between the columns of S.
+/// F_a and F_v of a site class at an effective ground acceleration S, in g, by linear interpolation in S.
 ///
 /// # Errors
 /// As [`kds_17`].
@@ -176,7 +176,7 @@ pub fn kds_17_amplification(
     })
 }
 
-/// F_a and F_v, straight between the columns of S; as in the first below it.
+/// F_a and F_v by linear interpolation in S; constant below the first column.
 fn amplification(site: KoreanSite, effective_acceleration_g: f64) -> Result<[f64; 2], AssessError> {
     let row = AMPLIFICATION
         .get(site as usize)
@@ -246,12 +246,12 @@ pub fn kds_17(effective_acceleration_g: f64, site: KoreanSite) -> Result<DesignS
     })
 }
 
-/// S without the last bits of a product: 0.077 and not 0.07700000000000001.
+/// S rounded to nine decimals, so that a product prints as 0.077 and not as 0.07700000000000001.
 fn in_words(acceleration_g: f64) -> f64 {
     (acceleration_g * 1e9).round() / 1e9
 }
 
-/// Design spectrum of KDS 41 17 00, buildings: two thirds of [`kds_17`] with S of 2400 years, but for T_L = 5 s.
+/// Design spectrum of KDS 41 17 00, buildings: two thirds of [`kds_17`] with S of 2400 years, except that T_L = 5 s.
 ///
 /// ```text
 /// A_0 = 0.4 S_DS        A_p = S_DS        T_s = S_D1/S_DS        T_0 = 0.2 T_s        T_L = 5 s
@@ -352,7 +352,7 @@ mod tests {
                 assert!((ratio - 2.0 / 3.0).abs() < 1e-12, "{site:?} {t}: {ratio}");
             }
         }
-        // rock: the same plateau of 2.8 S to 0.3 s; at T = 0 the general code has S, this one 0.4 S_DS
+        // rock: the same plateau of 2.8 S to 0.3 s; at T = 0 the general code has S, the building code 0.4 S_DS
         let rock = kds_41_spectrum(0.22, KoreanSite::S1).unwrap();
         let at = |t| rock.acceleration_m_s2(t, 0.05).unwrap() / (0.22 * G);
         for (t, wanted) in [(0.0, 1.12), (0.06, 2.8), (0.3, 2.8), (0.6, 1.4)] {
@@ -413,7 +413,7 @@ mod tests {
     #[test]
     fn published_every_factor_of_soil_risk_and_zone() {
         use KoreanSite::{S1, S2, S3, S4, S5};
-        // F_a at S ≤ .1, .2, .3, then F_v, as the code lists them
+        // F_a at S ≤ .1, .2, .3, then F_v, in the order of the code
         let table = "1.12 1.12 1.12 .84 .84 .84; 1.4 1.4 1.3 1.5 1.4 1.3; 1.7 1.5 1.3 1.7 1.6 1.5; \
                      1.6 1.4 1.2 2.2 2.0 1.8; 1.8 1.3 1.3 3.0 2.7 2.4";
         for (site, row) in [S1, S2, S3, S4, S5].into_iter().zip(table.split(';')) {
@@ -442,7 +442,7 @@ mod tests {
                 assert!((s - z * factor).abs() < 1e-15, "{zone:?} {years}: {s}");
             }
         }
-        // the ends of the branches: of soil by its factors, of buildings T_L = 5 s; a vertical peak of .77
+        // ends of the branches: on soil by its factors, for buildings T_L = 5 s; vertical peak .77
         let soil = kds_17(0.2, S2).unwrap();
         let ends = soil.branches().unwrap();
         let plateau_s = 1.4 / (2.5 * 1.4);

@@ -1,5 +1,4 @@
-//! Seismic demand by codes: design spectra of a site (one code per file, with its tables as data), their demand on stacks, frames and chains, and
-//! allowable storey drifts.
+//! Seismic demand by codes: design spectra of a site (one file per code), the demand on stacks, frames and chains, and allowable storey drifts.
 
 mod by_modes;
 mod circolare;

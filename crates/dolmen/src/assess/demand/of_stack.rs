@@ -1,4 +1,4 @@
-//! Demand of a site on a stack: as rigid blocks by the peak ground acceleration, and on elastic joints by the spectrum.
+//! Seismic demand of a site on a stack: on rigid blocks by the peak ground acceleration, on elastic joints by the spectrum.
 
 use super::by_modes::{ModalDemand, ModalRatio};
 use super::{ShakenDirection, SiteDemand};
@@ -10,44 +10,44 @@ use crate::stability::stack::{
 };
 use crate::structure::stack::Stack;
 
-/// One direction of a stack against a site.
+/// Result for one direction of shaking.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackDemandRow {
     /// The direction.
     pub direction: ShakenDirection,
-    /// Least acceleration at which it begins to move there, without vertical shaking; `None` if it does not stand, or is wedged.
+    /// Least acceleration at which it begins to move in that direction, without vertical shaking; `None` if it does not stand, or is wedged.
     pub capacity: Option<Threshold>,
     /// Capacity while the vertical acceleration of the site reduces gravity; equal to `capacity` if the site has none.
     pub capacity_with_vertical: Option<Threshold>,
-    /// First period there, s; in any direction that of the larger S_a; `None` if it is unknown.
+    /// First period in that direction, s; for any direction, the period with the larger S_a; `None` if it is unknown.
     pub period_s: Option<f64>,
-    /// Largest Γ φ of the stones in that mode; in any direction the larger of both.
+    /// Largest Γ φ of the stones in that mode; for any direction, the larger of x and y.
     pub amplification: Option<f64>,
-    /// Capacity with the vertical acceleration, compared with both demands as published. On elastic joints, S_a of the first mode acts on all masses
-    /// equally, which can be several times too small for the upper ones.
+    /// Capacity with the vertical acceleration, compared with both demands as published. For elastic joints, S_a of the first mode acts on all masses
+    /// equally, which can be several times too small for the upper masses.
     pub comparison: DemandComparison,
-    /// Capacity on elastic joints compared with the forces of all modes; `None` if they are unknown, or if there is no capacity without shaking.
+    /// Capacity on elastic joints compared with the forces of all modes; `None` if they are unknown, or if the stack does not stand without shaking.
     pub by_modes: Option<ModalRatio>,
-    /// The worse of rigid blocks and elastic joints by modes. Without modes at best unknown.
+    /// The worse verdict of rigid blocks and of elastic joints by modes. Without modes, the best verdict is unknown.
     pub verdict: DemandVerdict,
 }
 
-/// A stack against a site.
+/// Results for a stack at a site.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackDemandCheck {
-    /// Vertical acceleration that acts downwards on the ground meanwhile, m/s²; 0 if the site gives none.
+    /// Downward acceleration of the ground that acts at the same time, m/s²; 0 if the site gives none.
     pub vertical_acceleration_m_s2: f64,
-    /// Along x, along y, then anywhere.
+    /// Results along x, along y, then in any direction.
     pub rows: Vec<StackDemandRow>,
-    /// The worst of all.
+    /// The worst verdict of all directions.
     pub verdict: DemandVerdict,
-    /// Whether these values are for the stack without its static loads. Static loads press on the stack but have no mass; it may resist less without
-    /// them.
+    /// Whether these results are for the stack without its static loads. Static loads press on the stack but have no mass; without them it may resist
+    /// less.
     pub without_loads: bool,
 }
 
 impl StackDemandCheck {
-    /// The smallest ratio of capacity to demand, as rigid blocks and on elastic joints by modes; `None` if neither is known.
+    /// The smallest ratio of capacity to demand, for rigid blocks and for elastic joints by modes; `None` if neither is known.
     pub fn least_ratio(&self) -> Option<f64> {
         let rigid = self.rows.iter().filter_map(|row| row.comparison.rigid.ratio);
         let elastic = self
@@ -63,26 +63,28 @@ impl StackDemandCheck {
 /// `modes` are those of [`stack_modes`](crate::blocks::stack_modes), if they are known. `None` if the site gives no acceleration of the ground.
 ///
 /// ```text
-/// rigid      capacity(a_z) / A_0                  a_z = −v A_0, v the vertical ratio: all of it, at the worst moment
+/// rigid      capacity(a_z) / A_0                  a_z = −v A_0, v the vertical ratio: full value at the same time
 /// published  capacity(a_z) / S_a(T₁, ζ)           in any direction the larger S_a of both
-/// by modes   least of s / D over every edge to tip about and direction to slide of every joint, s what weight and friction bear
+/// by modes   least of s / D over every edge and every sliding direction of every joint, s the resistance of weight and friction
 ///            D² = Σ_kl ρ_kl D_k D_l                           D_k of the forces m φ_k Γ_k S_k on all that is above
 ///            D² = Σ_kl ρ_kl D_k D_l p_k p_l + D_0²            p_k = √(1 − (A_0/S_k)²), D_0 of the forces m A_0: in phase with the ground
-///            the larger of both; in any direction the worst one of shaking
+///            the larger of both; in any direction the worst direction of shaking
 /// ```
 ///
 /// # Errors
-/// [`AssessError`] where the stack cannot be checked. A table that has no value at a period leaves what needs it unknown.
+/// [`AssessError`] if the stack cannot be checked. If a table has no value at a period, the results that need it are unknown.
 ///
 /// # Limits
 /// As for [`check_stack`] and [`compare_with_demand`]. The full vertical peak is combined with the full horizontal peak, which is conservative. If
 /// static loads press on stones, the stack is also checked without them, and the worse result counts. Along x and y the capacity is that of the limit
-/// analysis, without strength of the stone and rotation of the soil. In the modal analysis the joints stay closed and linear until a part tips or
-/// slides; a corner opens earlier (in a rectangle at a third), which lengthens the periods. If stones share their load, the largest force and moment
-/// of every stone act together in a limit analysis, which is conservative. The stack does not amplify the vertical acceleration.
+/// analysis, without the strength of the stone and the rotation of the soil. In the modal analysis the joints stay closed and linear until a part
+/// tips or slides. In reality a corner opens earlier (in a rectangle at a third), which lengthens the periods. If stones share their load, the
+/// largest force and moment of every stone act together in a limit analysis, which is conservative. The stack does not amplify the vertical
+/// acceleration.
 ///
 /// # Source
-/// Kim, Koo & Hong (2018), eqs 9 and 16, as published. By modes: Der Kiureghian (1981) for ρ; Lindley & Yow (1980) for the part in phase.
+/// Kim, Koo & Hong (2018), eqs 9 and 16, as published. By modes: Der Kiureghian (1981) for ρ; Lindley & Yow (1980) for the part in phase with the
+/// ground.
 pub fn stack_against_site(
     stack: &Stack,
     options: &StackCheckOptions,
@@ -127,7 +129,7 @@ fn against_site(
             .get(first_sway(modes, axis)?)
             .filter(|mode| mode.frequency_hz > 0.0)
     });
-    // a table that has no value there leaves it unknown
+    // outside the periods of a table, the value is unknown
     let spectral = |first: Option<&StackMode>| {
         let (period_s, damping_ratio) = (1.0 / first?.frequency_hz, site.damping_ratio);
         Some(SpectralDemand {
@@ -142,7 +144,7 @@ fn against_site(
     let larger = match (along_x, along_y) {
         (Some(x), Some(y)) if x.acceleration_m_s2 >= y.acceleration_m_s2 => Some(x),
         (Some(_), Some(y)) => Some(y),
-        _ => None, // one that is not known may be the larger
+        _ => None, // an unknown one may be the larger
     };
     let mut by_modes = [None, None, None];
     if let Some(modes) = modes.filter(|_| !weightless)
@@ -199,7 +201,7 @@ fn against_site(
     }))
 }
 
-/// Below if any is; else unknown if any is; else the worse of the rest.
+/// Below if any verdict is below; otherwise unknown if any is unknown; otherwise the worst.
 fn worst(verdicts: impl IntoIterator<Item = DemandVerdict>) -> DemandVerdict {
     verdicts
         .into_iter()
@@ -305,7 +307,7 @@ mod tests {
         let [x, y, any] = &found.rows[..] else { panic!() };
         for (row, tan_alpha, spectral) in [(x, 0.2, 2.8 * s), (y, 0.4, 1.4 * s), (any, 0.2, 2.8 * s)] {
             let capacity = row.capacity.unwrap().acceleration_g;
-            // the solver of the limit analysis: 1e-8 is usual
+            // usual tolerance of the limit-analysis solver: 1e-8
             assert!((capacity - tan_alpha).abs() < 1e-8, "{capacity}");
             let ratio = |comparison: crate::stability::stack::Comparison| comparison.ratio.unwrap();
             let rigid = ratio(row.comparison.rigid);
@@ -358,7 +360,7 @@ mod tests {
 
     #[test]
     fn exact_the_weaker_way_along_an_axis_counts_whichever_it_is() {
-        // two cubes, the upper shifted by .1 m along x and .04 m along y: their common centroid is at half of that, .4 m up
+        // two cubes, the upper shifted by .1 m along x and .04 m along y: their common centroid is shifted by half of that, .4 m up
         let shifted = |x: f64, y: f64| {
             let cube = |z: f64, x: f64, y: f64| Block {
                 name: format!("at {z}"),

@@ -15,7 +15,7 @@ use crate::dynamics::correlation_coefficient;
 use crate::structure::{Chain, Frame, NaturalMode};
 use dolmen_linalg::Matrix;
 
-/// The largest response of every mode by a spectrum, to be put together for any quantity.
+/// Largest response of every mode under a spectrum.
 #[derive(Clone, Debug, PartialEq)]
 struct PlaneModes {
     /// Γ S_a/ω² φ of each mode, in the coordinates of the structure.
@@ -25,7 +25,7 @@ struct PlaneModes {
 }
 
 impl PlaneModes {
-    /// Reads the spectrum of a site at every mode; `None` for a structure that falls in one of them.
+    /// Evaluates the spectrum of a site at every mode; `None` if the structure falls.
     fn new(
         modes: &[NaturalMode],
         mass: &Matrix,
@@ -59,7 +59,7 @@ impl PlaneModes {
         }))
     }
 
-    /// The largest response that `row` gives from all coordinates, with modes combined by CQC.
+    /// The largest value of a response quantity, `row` times the coordinates, by CQC.
     ///
     /// ```text
     /// r = √ΣΣ ρ_in r_i r_n,  r_n = row · φ_n Γ_n S_a(T_n, ζ)/ω_n²
@@ -70,7 +70,7 @@ impl PlaneModes {
         self.correlation.form(&each, &each).max(0.0).sqrt()
     }
 
-    /// The largest difference between each coordinate and the one below it; the lowest against the ground.
+    /// The largest difference between each coordinate and the next lower one; for the lowest, relative to the ground.
     fn steps(&self) -> Vec<f64> {
         let n = self.responses.first().map_or(0, Vec::len);
         let step = |i: usize| {
@@ -85,15 +85,15 @@ impl PlaneModes {
     }
 }
 
-/// Largest elastic drift of each storey of a frame by the spectrum of a site, m, lowest first, every mode damped alike and P-delta counted;
-/// `None` for a frame that falls.
+/// Largest elastic drift of each storey of a frame under the spectrum of a site, m, lowest first. All modes have the same damping ratio, and
+/// P-delta is included; `None` for a frame that falls.
 ///
 /// # Errors
-/// [`AssessError::Structure`] for a wrong stiffness; what the spectrum refuses at a period of a mode or at the damping ratio.
+/// [`AssessError::Structure`] for a wrong stiffness; errors of the spectrum at the period of a mode or at the damping ratio.
 ///
 /// # Limits
-/// Elastic, at one stiffness: joints that slip are taken all stuck or all slipping, as `stiffness_n_m` has it, and what their friction takes
-/// is in the damping ratio of the site alone.
+/// The frame is elastic. Joints that can slip are either all stuck or all slipping, according to `stiffness_n_m`. The damping ratio of the
+/// site is the only damping, also for friction.
 ///
 /// # Source
 /// Chopra (2017), chapter 13; CQC by Der Kiureghian (1981).
@@ -109,18 +109,18 @@ pub fn frame_drifts_by_spectrum(
     Ok(found.map(|modes| modes.steps()))
 }
 
-/// Largest moment of each joint of a chain by the spectrum of a site, N m, lowest first, every mode damped alike and gravity counted;
-/// `None` for a chain that falls.
+/// Largest moment of each joint of a chain under the spectrum of a site, N m, lowest first. All modes have the same damping ratio, and
+/// gravity is included; `None` for a chain that falls.
 ///
 /// ```text
 /// τ_i = k_i |θ_i − θ_{i−1}|
 /// ```
 ///
 /// # Errors
-/// [`AssessError::Structure`] for a wrong stiffness; what the spectrum refuses at a period of a mode or at the damping ratio.
+/// [`AssessError::Structure`] for a wrong stiffness; errors of the spectrum at the period of a mode or at the damping ratio.
 ///
 /// # Limits
-/// Elastic: a bed that opens is softer than this, and lets the moment grow no further than N b/2.
+/// Elastic: a bed that opens is softer, and its moment does not exceed N b/2.
 ///
 /// # Source
 /// Chopra (2017), chapter 13; CQC by Der Kiureghian (1981).
@@ -195,7 +195,7 @@ mod tests {
             .unwrap();
         let stiffness = k - m * g * l;
         close(moment[0], k * m * l * at(stiffness / inertia) / stiffness);
-        // another damping ratio is one mode's by the spectrum's own rule
+        // with one mode, another damping ratio only changes the spectrum
         let period_s = std::f64::consts::TAU / (stiffness / inertia).sqrt();
         let read = |zeta: f64| site().spectrum.acceleration_m_s2(period_s, zeta).unwrap();
         let damped = chain_moments_by_spectrum(&chain, &[k], &site(), 0.01)

@@ -140,7 +140,7 @@ impl SiteDemand {
         of_table.or(own).unwrap_or(self.damping_ratio)
     }
 
-    /// The selected return period, years; `None` if the code has only one, or none.
+    /// The selected return period, years; `None` if the code has one or no return period.
     pub fn return_period_years(&self) -> Option<u32> {
         match self.parameters {
             SiteParameters::Korea {
@@ -255,7 +255,7 @@ pub fn site_demand(
     })
 }
 
-/// Smallest accepted zone factor. The map of the code may be read down to 80 % of zone II, 0.056 g; a smaller value is a mistake.
+/// Smallest accepted zone factor. The code permits 80 % of zone II on its map, 0.056 g; a smaller value is a mistake.
 const ZONE_FACTOR_LEAST_G: f64 = 0.05;
 
 fn korea(
@@ -371,7 +371,7 @@ mod tests {
             1e-12,
         );
         assert_eq!(demand.vertical, demand.spectrum.vertical);
-        // at 5 % no result depends on damping factors
+        // at 5 % no result depends on the damping factors
         assert_eq!(demand.spectrum.unverified.len(), 2);
         assert_eq!(
             site_demand(&KOREAN, 0.02, None)

@@ -48,7 +48,7 @@ pub enum Unverified {
     },
     /// The factor that changes the plateau with damping; applies only if the damping ratio is not 5 %.
     DampingFactor,
-    /// How that factor varies from 1 at T = 0 to its value at T_0; applies only if the damping ratio is not 5 %.
+    /// Variation of that factor from 1 at T = 0 to its value at T_0; applies only if the damping ratio is not 5 %.
     DampingAtShortPeriods,
     /// The period from which the spectrum falls as 1/T².
     LongPeriods {

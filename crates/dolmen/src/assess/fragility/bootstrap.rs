@@ -1,4 +1,4 @@
-//! Bands of a fragility curve: what other motions of the same kind could have given.
+//! Bootstrap bands of a fragility curve: the scatter due to the choice of motions.
 
 use super::curve::Fragility;
 use super::fit::{fit_fragility, fit_fragility_of_motions};
@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 pub struct FragilityBand {
     /// The curves that could be fitted.
     pub curves: Vec<Fragility>,
-    /// Resamples that allowed no curve: none or all reached the state, or the intensity told them apart.
+    /// Resamples without a curve: none or all reached the state, or the intensity separates survivors from failures.
     pub without_curve: usize,
     /// Seed of the resamples.
     pub seed: u64,
@@ -59,8 +59,8 @@ impl FragilityBand {
     }
 }
 
-/// Fits curves to resampled observations: single motions are drawn with replacement, of each stripe as many reach the state as of
-/// as many draws with its share. Resample i draws from stream i of the seed.
+/// Fits curves to resampled observations. Single motions are drawn with replacement. For each stripe, the number that reached the state is
+/// drawn from a binomial distribution with the observed fraction. Resample i draws from stream i of the seed.
 ///
 /// # Errors
 /// The errors of [`fit_fragility`] for the original observations. Resamples without a curve are counted.

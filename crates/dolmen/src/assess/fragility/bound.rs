@@ -1,39 +1,40 @@
-//! Bounds of a capacity where no curve can be fitted.
+//! Bounds of a capacity for observations that allow no curve.
 
 /// The result of observations that allow no curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FragilityBound {
-    /// No motion reached the state. At the intensity that the most reached up to, its probability is below a bound.
+    /// No motion reached the state. A bound holds for its probability at one intensity.
     NoneReached {
-        /// The intensity.
+        /// The intensity, up to which most motions went.
         intensity: f64,
-        /// Motions that went up to it.
+        /// Number of motions that went up to it.
         motions: usize,
-        /// With 95 % confidence the probability there is at most this.
+        /// Upper bound of the probability at this intensity, with 95 % confidence.
         probability_most: f64,
     },
-    /// Every motion reached it, at every intensity.
+    /// Every motion reached the state, at every intensity.
     AllReached {
-        /// The least intensity.
+        /// The smallest intensity.
         intensity: f64,
-        /// Motions at it.
+        /// Number of motions at this intensity.
         motions: usize,
-        /// With 95 % confidence the probability there is at least this.
+        /// Lower bound of the probability at this intensity, with 95 % confidence.
         probability_least: f64,
     },
-    /// The intensity alone tells survivors from others: the curve is steeper than they can tell, and begins between these two.
+    /// The intensity alone separates survivors from failures: the data cannot show how steep the curve is, only the interval where
+    /// it begins.
     Separated {
-        /// The largest intensity that some survived.
+        /// The largest intensity at which a motion was survived.
         survived: f64,
-        /// The least at which some reached the state.
+        /// The smallest intensity at which the state was reached.
         reached: f64,
     },
-    /// The likelihood has no maximum, because brackets overlap too widely or there is too little other data: only an interval of the
-    /// median capacity.
+    /// The likelihood has no maximum, because the brackets overlap too much or there are too few other data. Only an interval of the
+    /// median capacity is known.
     Middle {
-        /// Half of the capacities at least lie above; 0 if that is known of none.
+        /// At least half of the capacities are above this; 0 if unknown.
         above: f64,
-        /// Half of them at least lie at or below; infinite if that is unknown.
+        /// At least half of the capacities are at or below this; infinite if unknown.
         at_most: f64,
     },
 }
@@ -42,7 +43,7 @@ pub enum FragilityBound {
 pub(super) const LEFT_OUT: f64 = 0.05;
 
 impl FragilityBound {
-    /// The bound if only `different` of the observations are of different motions.
+    /// The bound if the observations come from only `different` different motions.
     pub(super) fn of_motions(self, different: usize) -> Self {
         let tail = |motions: usize| LEFT_OUT.powf(1.0 / motions as f64);
         match self {

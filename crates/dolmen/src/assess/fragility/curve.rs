@@ -73,8 +73,8 @@ pub struct Crossing {
     pub probability: f64,
 }
 
-/// The point where two fragility curves cross. Curves of equal dispersion do not cross; others cross exactly once. On one side of the crossing the
-/// worse damage state seems more probable than the milder state, which is impossible. So a crossing is harmless only far out in the tails.
+/// The point where two fragility curves cross. Curves with equal dispersion do not cross; others cross exactly once. On one side of the crossing
+/// the worse damage state seems more probable than the milder one, which is impossible. A crossing is harmless only far out in the tails.
 ///
 /// ```text
 /// ln x = (β₂ ln θ₁ − β₁ ln θ₂)/(β₂ − β₁)
@@ -104,7 +104,7 @@ mod tests {
         for curve in [mild, severe] {
             assert!((curve.probability(found.intensity) - found.probability).abs() < 1e-15);
         }
-        // below 0.3 · (4/3)^(5/2) the milder state is the more probable one
+        // below 0.3 · (4/3)^(5/2) the milder state is more probable
         assert!((found.intensity / (0.3 * (4.0_f64 / 3.0).powf(2.5)) - 1.0).abs() < 1e-14);
         assert_eq!(crossing(&mild, &Fragility::new(0.6, 0.5).unwrap()), None);
         assert_eq!((mild.probability(0.0), mild.probability(0.3)), (0.0, 0.5));

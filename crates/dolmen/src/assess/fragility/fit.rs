@@ -1,4 +1,4 @@
-//! The likeliest lognormal fragility curve.
+//! Maximum-likelihood fit of a lognormal fragility curve.
 
 use super::curve::Fragility;
 use super::fitted_curve::FragilityFit;
@@ -8,16 +8,16 @@ use crate::assess::AssessError;
 use crate::numeric::{mean, variance};
 use std::collections::BTreeMap;
 
-/// Fewest motions that a curve is fitted to.
+/// Smallest number of motions for a curve.
 pub(super) const MOTIONS_LEAST: usize = 3;
-/// Most Newton steps, the step of convergence, and the step too large for convergence.
+/// Largest number of Newton steps, the step at convergence, and the step that is too large for convergence.
 const STEPS_MOST: usize = 200;
 const STEP_LEAST: f64 = 1e-13;
 const STEP_MOST: f64 = 1e-6;
-/// Standard error of β over β from which there is no curve: nothing is known of its steepness. Our choice.
+/// Ratio of the standard error of β to β above which there is no curve, because its steepness is unknown. Our choice.
 const BETA_ERROR_MOST: f64 = 3.0;
 
-/// The likeliest lognormal curve of observations of any kind, mixed as they come.
+/// The maximum-likelihood lognormal curve of observations, which may be of different kinds.
 ///
 /// ```text
 /// stripe     ln L = k ln Φ(z) + (n − k) ln Φ(−z)
@@ -33,8 +33,9 @@ const BETA_ERROR_MOST: f64 = 3.0;
 /// alone separates them; [`AssessError::FragilityFalls`]; [`AssessError::Observation`].
 ///
 /// # Limits
-/// Observations count as independent: stripes of the same motions are not quite, and their errors come out too small; of motions that act in
-/// several directions see [`fit_fragility_of_motions`]. One curve is monotone; rocking is not: take the first intensity at which a motion reached the state, and say how many survived one above.
+/// Observations are assumed to be independent. Stripes of the same motions are not fully independent, so their errors are too small; for motions in
+/// several directions see [`fit_fragility_of_motions`]. A curve is monotone, but rocking is not: use the first intensity at which a motion reached
+/// the state, and report the number of motions that survived a larger one.
 ///
 /// # Source
 /// Baker, J. W. (2015) Efficient analytical fragility function fitting using dynamic structural analysis. Earthq. Spectra
@@ -57,12 +58,11 @@ pub fn fit_fragility(observations: &[Observation]) -> Result<FragilityFit, Asses
     top.fit(observations, motions, top.likelihood.covariance())
 }
 
-/// As [`fit_fragility`], for several observations per motion: in other directions, or with other samples of uncertain inputs. `motions` has the
-/// number of the motion of each observation. The results of one motion in several directions are correlated, so the standard errors come from the
-/// differences between motions.
+/// As [`fit_fragility`], for several observations per motion: in other directions, or with other samples of uncertain inputs. `motions` holds the
+/// index of the motion of each observation. Results of one motion are correlated, so the standard errors come from the differences between motions.
 ///
 /// ```text
-/// V = A⁻¹ (Σ g gᵀ) A⁻¹,   g the gradient of all that is of one motion, A the observed information; never below A⁻¹ for ln θ
+/// V = A⁻¹ (Σ g gᵀ) A⁻¹,   g the sum of the gradients of one motion, A the observed information; never below A⁻¹ for ln θ
 /// ```
 ///
 /// # Errors
@@ -114,10 +114,9 @@ pub fn fit_fragility_of_motions(
     })
 }
 
-/// Maximum of the likelihood.
 #[derive(Clone, Copy, Debug)]
 struct LikelihoodMaximum {
-    /// Middle of the logarithms of intensities.
+    /// Midpoint of the logarithms of the intensities.
     middle: f64,
     at: [f64; 2],
     likelihood: Likelihood,
@@ -140,10 +139,10 @@ impl LikelihoodMaximum {
         let likelihood = |at: [f64; 2]| likelihood(observations, middle, at);
         let mut at = [1.0 / variance(&logs)?.sqrt().max(1e-3), 0.0];
         let mut here = likelihood(at);
-        let mut left = f64::INFINITY; // the whole step, over what it leads from
+        let mut left = f64::INFINITY; // Newton step relative to the current value
         for _ in 0..STEPS_MOST {
             let step = here.newton();
-            // halved until it rises: the likelihood is concave, so that this ends at its top
+            // halved until the likelihood rises: it is concave, so the iteration ends at its maximum
             let mut part = 1.0;
             let (next, there) = loop {
                 let next = [at[0] + part * step[0], at[1] + part * step[1]];
@@ -210,7 +209,7 @@ impl LikelihoodMaximum {
     }
 }
 
-/// Different motions: single ones, and those of the largest stripe, for stripes are of the same.
+/// Number of different motions: the single ones and those of the largest stripe, because all stripes use the same motions.
 fn motions_of(observations: &[Observation]) -> usize {
     let (mut single, mut stripe) = (0, 0);
     for observation in observations {
@@ -260,7 +259,7 @@ mod tests {
 
     #[test]
     fn exact_where_all_capacities_are_known() {
-        // the likeliest β of n known capacities is that of moments times √((n − 1)/n), with errors β/√n and β/√(2 n)
+        // the most likely β of n known capacities is that of moments times √((n − 1)/n), with errors β/√n and β/√(2 n)
         let capacities = [0.31, 0.36, 0.42, 0.44, 0.47, 0.52, 0.55, 0.58, 0.66, 0.83];
         let moments = fit_fragility_by_moments(&capacities).unwrap();
         let fit = fit_fragility(&capacities.map(Observation::At)).unwrap();
@@ -344,7 +343,7 @@ mod tests {
 
     #[test]
     fn holds_intervals_of_few_motions_hold_the_truth_too() {
-        // capacities of 5 motions, known: Student's and the χ² interval are exact
+        // capacities of 5 motions, all known: Student's and the χ² interval are exact
         let (mut theta, mut beta) = (0, 0);
         const TRIALS: u64 = 4000;
         for trial in 0..TRIALS {
@@ -361,13 +360,13 @@ mod tests {
         }
         for (what, count) in [("theta", theta), ("beta", beta)] {
             let share = f64::from(count as u32) / TRIALS as f64;
-            assert!((0.94..=0.96).contains(&share), "{what}: {share}"); // ± three deviations
+            assert!((0.94..=0.96).contains(&share), "{what}: {share}"); // ± three standard deviations
         }
     }
 
     #[test]
     fn holds_directions_of_one_motion_do_not_count_as_motions() {
-        // 12 motions of deviation 0.38, turned to 8 directions of 0.15 more each, known to steps of a tenth
+        // 12 motions with a standard deviation of 0.38, in 8 directions with 0.15 more each, known to steps of a tenth
         let mut held = [0, 0];
         const TRIALS: u64 = 400;
         for trial in 0..TRIALS {
@@ -392,14 +391,14 @@ mod tests {
         }
         let [together, apart] = held.map(|count| f64::from(count as u32) / TRIALS as f64);
         assert!((0.915..=0.985).contains(&together), "{together}");
-        assert!(apart < 0.7, "{apart}"); // what it would be
+        assert!(apart < 0.7, "{apart}"); // the share with independent observations
         let one = [Observation::At(0.3), Observation::At(0.4), Observation::At(0.5)];
         assert_eq!(
             fit_fragility_of_motions(&one, &[0, 0, 1]),
             Err(AssessError::TooFewMotions { given: 2 })
         );
         assert_eq!(fit_fragility_of_motions(&one, &[4, 0, 1]), fit_fragility(&one));
-        // 5 motions × 60 samples, none of which fell: 1 − 0.05^(1/5), not with 300
+        // 5 motions × 60 samples, none fell: 1 − 0.05^(1/5), not with 300
         let motions: Vec<usize> = (0..300).map(|i| i % 5).collect();
         let none = fit_fragility_of_motions(&[Observation::Above(0.4); 300], &motions).unwrap_err();
         let AssessError::NoFragility(FragilityBound::NoneReached { probability_most, .. }) = none else {
@@ -449,7 +448,7 @@ mod tests {
         assert_eq!(band, bootstrap_fragility(&stripes(&BAKER), 400, 1).unwrap());
     }
 
-    /// 30 motions in 6 directions: bands are as wide as the errors of how motions differ, not of 180 observations.
+    /// For 30 motions in 6 directions, the bands have the width of the errors between motions, not of 180 independent observations.
     #[test]
     fn holds_bands_draw_motions_and_not_their_directions() {
         let mut random = Random::new(31, 0);

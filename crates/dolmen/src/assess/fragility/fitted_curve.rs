@@ -4,10 +4,10 @@ use super::curve::Fragility;
 use crate::assess::AssessError;
 use crate::numeric::{Interval, chi_squared_quantile, ln_normal_probability, student_two_sided_quantile};
 
-/// Least degrees of freedom of β. Our choice.
+/// Smallest number of degrees of freedom of β. Our choice.
 const FREEDOM_LEAST: f64 = 0.2;
 
-/// A fitted curve with the evidence for it.
+/// A fitted curve with its standard errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FragilityFit {
     /// The curve.
@@ -20,16 +20,16 @@ pub struct FragilityFit {
     pub covariance: f64,
     /// Logarithm of the likelihood; `None` for a fit by moments.
     pub log_likelihood: Option<f64>,
-    /// Number of different motions; for stripes of the largest stripe.
+    /// Number of different motions; for stripes, the number in the largest stripe.
     pub motions: usize,
     /// Number of observations that reached the state.
     pub reached: usize,
-    /// Number of all observations; for stripes every motion at every intensity.
+    /// Number of all observations; a stripe counts every motion at every intensity.
     pub observations: usize,
 }
 
 impl FragilityFit {
-    /// Interval of θ with a confidence.
+    /// Confidence interval of θ.
     ///
     /// ```text
     /// θ exp(± t s),   s² = σ² n/(n − 1),   t of Student with n − 1 degrees of freedom, n motions
@@ -45,10 +45,10 @@ impl FragilityFit {
         })
     }
 
-    /// Interval of β with a confidence: that of a standard deviation.
+    /// Interval of β with a confidence, as for a standard deviation.
     ///
     /// ```text
-    /// β √(m/χ²),   m = ½ (β/σ)²,   χ² of m − 1 degrees of freedom: all capacities known, m = n
+    /// β √(m/χ²),   m = ½ (β/σ)²,   χ² with m − 1 degrees of freedom; if all capacities are known, m = n
     /// ```
     ///
     /// # Errors
@@ -66,7 +66,7 @@ impl FragilityFit {
         })
     }
 
-    /// Interval of the probability at an intensity with a confidence, from the covariance of both parameters.
+    /// Confidence interval of the probability at an intensity, from the covariance of both parameters.
     ///
     /// # Errors
     /// As [`FragilityFit::theta_interval`].
@@ -84,9 +84,8 @@ impl FragilityFit {
         })
     }
 
-    /// Standard deviation of ln θ for use in a normal distribution: the standard error, increased because it is estimated from few
-    /// motions, so that a normal distribution with it represents Student's. The factor is √(n/(n − 3)); for three motions it is √(n/(n
-    /// − 1)) or more.
+    /// Standard deviation of ln θ for use in a normal distribution. It is the standard error, increased because few motions determine
+    /// it, as in Student's distribution: by √(n/(n − 3)), for three motions by √(n/(n − 1)) or more.
     pub fn ln_theta_deviation(&self) -> f64 {
         let n = self.motions as f64;
         self.ln_theta_error * (n / (n - 3.0).max(1.0)).sqrt()
@@ -96,7 +95,7 @@ impl FragilityFit {
         self.log_likelihood.is_none()
     }
 
-    /// Standard errors to each side of an interval with a confidence.
+    /// Half width of an interval with a confidence, in standard errors.
     fn times(&self, confidence: f64) -> Result<f64, AssessError> {
         let n = self.motions as f64;
         let likeliest = if self.is_by_moments() { 1.0 } else { n / (n - 1.0) };

@@ -2,13 +2,13 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | z = a x − c | `[slope, offset]` | probit; x = ln IM less its middle, a = 1/β, c = ln θ/β |
-//! | n, k | `motions`, `reached` | motions at an intensity, and those that reached the state |
+//! | z = a x − c | `[slope, offset]` | probit; x = ln IM minus its midpoint, a = 1/β, c = ln θ/β |
+//! | n, k | `motions`, `reached` | motions at an intensity, and how many reached the state |
 
 use super::observation::Observation;
 use crate::numeric::{ln_normal_density, ln_normal_probability, normal_hazard};
 
-/// The logarithm of the likelihood with its gradient and its curvature (aa, ac, cc).
+/// The log-likelihood with its gradient and its Hessian (aa, ac, cc).
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Likelihood {
     pub(super) value: f64,
@@ -41,7 +41,8 @@ impl Likelihood {
     }
 }
 
-/// Likelihood of observations at a slope and an offset; the logarithms of intensities are relative to `middle`.
+/// Likelihood of observations for a slope and an offset; the logarithms of intensities are relative to
+/// `middle`.
 pub(super) fn likelihood(observations: &[Observation], middle: f64, [slope, offset]: [f64; 2]) -> Likelihood {
     let mut sum = Likelihood::default();
     let place = |intensity: f64| {
@@ -79,7 +80,7 @@ pub(super) fn likelihood(observations: &[Observation], middle: f64, [slope, offs
         }
     }
     if sum.value.is_nan() {
-        sum.value = f64::NEG_INFINITY; // a slope that is not positive, where a density needs one
+        sum.value = f64::NEG_INFINITY; // the density needs a positive slope
     }
     sum
 }
@@ -96,9 +97,9 @@ fn above(z: f64) -> [f64; 3] {
     [value, -slope, curve]
 }
 
-/// ln(Φ(z_high) − Φ(z_low)) of two places that move with the parameters.
+/// ln(Φ(z_high) − Φ(z_low)), where both arguments depend on the parameters.
 fn between(sum: &mut Likelihood, (x_low, z_low): (f64, f64), (x_high, z_high): (f64, f64)) {
-    // on the side where both tails are small, so that their difference keeps its digits
+    // on the side where both tails are small, so that the difference keeps its precision
     let (outer, inner) = if z_low > 0.0 {
         (-z_low, -z_high)
     } else {
@@ -110,7 +111,7 @@ fn between(sum: &mut Likelihood, (x_low, z_low): (f64, f64), (x_high, z_high): (
         (ln_normal_density(z_low) - value).exp(),
         (ln_normal_density(z_high) - value).exp(),
     );
-    // first derivatives by (a, c), and second ones
+    // first derivatives with respect to (a, c), then second derivatives
     let first = [r_high * x_high - r_low * x_low, r_low - r_high];
     let second = [
         -r_high * z_high * x_high * x_high + r_low * z_low * x_low * x_low,

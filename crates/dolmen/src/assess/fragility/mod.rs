@@ -1,4 +1,4 @@
-//! From how structures ended under shaking of known size to the probability that one reaches a state: lognormal fragility curves.
+//! Lognormal fragility curves: the probability that a structure reaches a state, from its results under shaking of known size.
 
 mod bootstrap;
 mod bound;

@@ -1,4 +1,4 @@
-//! A fragility curve by the moments of known capacities, and how many motions one needs.
+//! A fragility curve by the moments of known capacities, and the number of motions that it needs.
 
 use super::curve::Fragility;
 use super::fit::MOTIONS_LEAST;

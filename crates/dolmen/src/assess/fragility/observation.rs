@@ -1,32 +1,31 @@
-//! Observations of a structure under shaking of a given size, and bounds where no curve can be fitted.
+//! Observations of a structure under shaking of a given size, and their bounds if no curve can be fitted.
 
 use super::bound::{FragilityBound, LEFT_OUT};
 use crate::assess::AssessError;
 
-/// One thing seen. Intensities are positive, in one unit for all observations of a fit.
+/// An observation. Intensities are positive, with one unit for all observations of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Observation {
     /// At one intensity, `reached` of `motions` reached the state: a stripe.
     Stripe {
         /// The intensity.
         intensity: f64,
-        /// Number of motions run at it.
+        /// Number of motions run at this intensity.
         motions: usize,
-        /// Number of them that reached the state.
+        /// Number of motions that reached the state.
         reached: usize,
     },
-    /// A motion first reached the state at this intensity.
+    /// A motion first reached the state at exactly this intensity.
     At(f64),
-    /// A motion had not reached it at the largest intensity that was tried.
+    /// A motion did not reach the state up to the largest tried intensity.
     Above(f64),
-    /// A motion reached it above the first and not above the second.
+    /// A motion reached the state above the first and at or below the second intensity.
     Between(f64, f64),
-    /// A motion reached it at the least intensity that was tried.
+    /// A motion reached the state at the smallest tried intensity.
     Below(f64),
 }
 
 impl Observation {
-    /// Number of its motions.
     pub(super) fn motions(&self) -> usize {
         match self {
             Observation::Stripe { motions, .. } => *motions,
@@ -34,7 +33,6 @@ impl Observation {
         }
     }
 
-    /// Number of them that reached the state.
     pub(super) fn reached(&self) -> usize {
         match self {
             Observation::Stripe { reached, .. } => *reached,
@@ -43,7 +41,6 @@ impl Observation {
         }
     }
 
-    /// Intensities it names.
     pub(super) fn intensities(&self) -> [f64; 2] {
         match *self {
             Observation::Stripe { intensity: x, .. }
@@ -83,7 +80,7 @@ impl Observation {
     }
 }
 
-/// Bound for observations none of which, or all of which, reached the state; `None` if only some did.
+/// Bound for observations of which none, or all, reached the state; otherwise `None`.
 pub(super) fn bound(observations: &[Observation]) -> Option<FragilityBound> {
     let motions: usize = observations.iter().map(Observation::motions).sum();
     let reached: usize = observations.iter().map(Observation::reached).sum();
@@ -100,7 +97,7 @@ pub(super) fn bound(observations: &[Observation]) -> Option<FragilityBound> {
     };
     let intensity = |o: &Observation| o.intensities()[1];
     if reached == 0 {
-        // single motions all went up to the least of their ends; of stripes, which are of the same motions, the strongest counts
+        // single motions all went up to the smallest of their ends; for stripes, which share the motions, the strongest counts
         let ends = single().map(intensity).fold(f64::INFINITY, f64::min);
         let strongest = stripes().max_by(|a, b| intensity(a).total_cmp(&intensity(b)));
         let (intensity, motions) = match strongest {
@@ -130,10 +127,11 @@ pub(super) fn bound(observations: &[Observation]) -> Option<FragilityBound> {
     separated(observations)
 }
 
-/// Part by which two intensities may differ and yet be one: peaks that are products of a record and a factor differ by rounding. Our choice.
+/// Relative difference up to which two intensities count as equal: peaks that are products of a record and a factor differ by rounding. Our
+/// choice.
 const SAME: f64 = 1e-9;
 
-/// The largest intensity that was survived, and the least at which the state was reached.
+/// The largest survived intensity, and the smallest at which the state was reached.
 pub(super) fn extent(observations: &[Observation]) -> (f64, f64) {
     let (mut survived, mut reached) = (0.0_f64, f64::INFINITY);
     for observation in observations {
@@ -162,7 +160,7 @@ pub(super) fn extent(observations: &[Observation]) -> (f64, f64) {
     (survived, reached)
 }
 
-/// Interval of the median capacity: the lower median of the lower ends of all brackets, and the upper median of their upper ends.
+/// Interval of the median capacity: from the lower median of the lower ends of all brackets to the upper median of their upper ends.
 pub(super) fn middle_capacity(observations: &[Observation]) -> FragilityBound {
     let (mut lower, mut upper) = (Vec::new(), Vec::new());
     let mut add = |count: usize, low: f64, high: f64| {
@@ -194,7 +192,7 @@ pub(super) fn middle_capacity(observations: &[Observation]) -> FragilityBound {
     }
 }
 
-/// Whether the intensity alone separates survivors from others: then β → 0 is the likeliest, and no curve can be had.
+/// Whether the intensity alone separates survivors from failures. Then the likelihood is largest for β → 0, and there is no curve.
 fn separated(observations: &[Observation]) -> Option<FragilityBound> {
     let (survived, reached) = extent(observations);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
@@ -203,7 +201,7 @@ fn separated(observations: &[Observation]) -> Option<FragilityBound> {
             (least, most) = (least.min(x), most.max(x));
         }
     }
-    // capacities seen at two or more intensities have a scatter; one alone has not
+    // capacities at two or more intensities have a scatter; a single intensity has none
     let apart = survived <= reached * (1.0 + SAME) && least * (1.0 + SAME) >= most;
     apart.then(|| FragilityBound::Separated {
         survived: survived.min(reached),
@@ -286,7 +284,7 @@ mod tests {
             ],
             vec![Observation::At(0.3); 4],
             vec![Observation::Between(0.3, 0.4), Observation::Between(0.35, 0.45)],
-            // one peak, in two records an ulp apart
+            // one peak in two records, one ulp apart
             vec![
                 Observation::Between(0.2, 0.37),
                 Observation::Between(0.37_f64.next_up(), 0.9),

@@ -5,26 +5,25 @@ use super::observation::Observation;
 use crate::assess::AssessError;
 use crate::numeric::{Interval, chi_squared_quantile, variance};
 
-/// Fewest samples with a curve that a split is made of, and the share of them that may have none: those are the strongest and the weakest. Chosen
-/// here.
+/// Fewest samples with a curve for a split, and the largest share of samples without one, which are the strongest and the weakest. Our choice.
 const SAMPLES_LEAST: usize = 3;
 const WITHOUT_CURVE_MOST: f64 = 0.1;
 
-/// The scatter of ln of the capacity in two parts, whose squares add up.
+/// Two parts of the scatter of ln of the capacity; their squares add up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScatterSplit {
     /// β between motions for a given structure: the root of the mean of β² over samples, –.
     pub of_motions: f64,
     /// Standard deviation of ln of the median between samples of the uncertain inputs, –.
     pub of_inputs: f64,
-    /// Samples that have a curve.
+    /// Number of samples with a curve.
     pub samples: usize,
-    /// Samples that have none.
+    /// Number of samples without a curve.
     pub without_curve: usize,
 }
 
 impl ScatterSplit {
-    /// Interval of `of_inputs` with a confidence, of the samples drawn; the motions are taken as they are.
+    /// Interval of `of_inputs` with a confidence. It covers the choice of samples, not the choice of motions.
     ///
     /// ```text
     /// s √((S − 1)/χ²),   S samples
@@ -44,9 +43,9 @@ impl ScatterSplit {
     }
 }
 
-/// Splits the scatter of capacities: the same motions shook samples of a structure. Observation i is of motion `motions[i]` and sample
-/// `samples[i]`. `None` with fewer than three samples that have a curve of their own, and where more than a tenth have none: the strongest and the weakest would be
-/// left out.
+/// Splits the scatter of capacities if the same motions shook several samples of a structure. Observation i belongs to motion `motions[i]` and sample
+/// `samples[i]`. `None` if fewer than three samples have a curve of their own, or if more than a tenth have none: the split would exclude the
+/// strongest and the weakest.
 ///
 /// ```text
 /// β_motions² = mean of β_j²,   β_inputs² = variance of ln θ_j,   j the samples,   β² ≈ β_motions² + β_inputs²
@@ -56,8 +55,8 @@ impl ScatterSplit {
 /// The errors of [`fit_fragility_of_motions`], except those for data without a curve.
 ///
 /// # Limits
-/// All samples see the same motions, so that what these have in common is not in β_inputs; what one motion does to one sample alone is, over √n of n
-/// motions. β is that of the likeliest curve: of few motions too small, by a tenth of five.
+/// All samples see the same motions, so their common effect is not in β_inputs. The effect of one motion on one sample alone is, divided by √n for n
+/// motions. β is the maximum likelihood value, which is too small for few motions: by a tenth for five.
 ///
 /// # Source
 /// Ellingwood, B. and Kinali, K. (2009) Quantifying and communicating uncertainty in seismic risk assessment. Struct. Safety 31(2):179–187.
@@ -110,7 +109,6 @@ mod tests {
     use super::*;
     use crate::numeric::{Random, mean};
 
-    /// Capacities that are all known: the split is the analysis of variance.
     #[test]
     fn exact_the_split_of_known_capacities_is_the_analysis_of_variance() {
         let (count, of_samples) = (12, 30);
@@ -142,12 +140,12 @@ mod tests {
         assert!((found.of_inputs - over).abs() < 1e-9, "{found:?} {over}");
         assert_eq!((found.samples, found.without_curve), (30, 0));
         let interval = found.of_inputs_interval(0.95).unwrap();
-        // quantiles of χ² with 29 degrees of freedom, tables: 16.047 and 45.722
+        // tabulated quantiles of χ² with 29 degrees of freedom: 16.047 and 45.722
         assert!((interval.lower / over - (29.0_f64 / 45.722).sqrt()).abs() < 1e-4);
         assert!((interval.upper / over - (29.0_f64 / 16.047).sqrt()).abs() < 1e-4);
     }
 
-    /// Two of ten samples never reach the state: a split would leave out the strongest.
+    /// Two of ten samples never reach the state: a split would exclude the strongest.
     #[test]
     fn refuses_a_split_that_leaves_out_the_strongest() {
         let (mut seen, mut motions, mut samples) = (Vec::new(), Vec::new(), Vec::new());

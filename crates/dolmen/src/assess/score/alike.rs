@@ -1,17 +1,17 @@
-//! Whether a pagoda is one of those that the score was trained on, in all but its six factors.
+//! Checks that a pagoda resembles the training pagodas of the score, apart from its six factors.
 
 use crate::structure::stack::{Joint, JointMaterial, PagodaFactors, Stack};
 use std::fmt;
 
-/// Part by which a material may differ from that of the designs and count as the same. Our choice: granite is 2600 to 2700 kg/m³.
+/// Relative difference up to which a material counts as that of the designs. Our choice: granite is 2600 to 2700 kg/m³.
 const ALIKE: f64 = 0.05;
 
-/// One way in which a stack is unlike the pagodas that the score was trained on.
+/// A difference between a stack and the training pagodas of the score.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unlike {
-    /// A quantity of a joint or a stone.
+    /// A quantity of a joint or a stone differs.
     Quantity {
-        /// Which.
+        /// The quantity.
         quantity: UnlikeQuantity,
         /// Value of the stack.
         given: f64,
@@ -20,22 +20,22 @@ pub enum Unlike {
     },
     /// Joints have cohesion or tension.
     Bonds,
-    /// It has dowels or clamps.
+    /// The stack has dowels or clamps.
     Ties,
-    /// It has side supports.
+    /// The stack has side supports.
     SideSupports,
-    /// Static loads act on it.
+    /// Static loads act on the stack.
     Loads,
-    /// Its supports move.
+    /// The supports of the stack move.
     SupportsMove,
-    /// It leans as surveyed.
+    /// It leans, by a survey.
     Leans {
-        /// Horizontal / vertical, by both directions together.
+        /// Horizontal / vertical, both directions combined.
         slope: f64,
     },
-    /// A survey measured another frequency than it has.
+    /// The measured frequency differs from that of the model.
     Frequency {
-        /// Measured, Hz.
+        /// Measured frequency, Hz.
         measured_hz: f64,
         /// Frequency of the model, Hz.
         computed_hz: f64,
@@ -97,8 +97,9 @@ impl fmt::Display for Unlike {
     }
 }
 
-/// How a stack differs from the pagodas that the score was trained on in all but its six factors: friction, stiffness, damping and density by more
-/// than a twentieth, bonds, ties, side supports, static loads and supports that move. Ask this before [`super::ScoreModel::score`], which sees the factors alone; empty if alike.
+/// All differences between a stack and the training pagodas, apart from the six factors: friction, stiffness, damping and density by more than 5 %,
+/// bonds, ties, side supports, static loads and moving supports; empty if there are none. Call this before [`super::ScoreModel::score`], which uses
+/// only the factors.
 pub fn unlike_trained(stack: &Stack) -> Vec<Unlike> {
     let mut unlike: Vec<Unlike> = Vec::new();
     let mut see = |quantity, given: f64, trained: f64| {
@@ -187,7 +188,7 @@ mod tests {
         let of = |material: JointMaterial, density| unlike_trained(&stack(material, density));
         assert_eq!(of(usual, 2600.0), []);
         assert_eq!(of(usual, 2700.0), []);
-        assert_eq!(of(usual, 2300.0).len(), 1); // two blocks, named once
+        assert_eq!(of(usual, 2300.0).len(), 1); // two blocks, reported once
         let slippery = JointMaterial {
             friction_static: 0.5,
             friction_kinetic: 0.5,

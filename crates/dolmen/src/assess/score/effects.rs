@@ -1,4 +1,4 @@
-//! Whether each factor moves the capacity the way that was published.
+//! Checks whether each factor changes the capacity in the published direction.
 
 use super::factors::{Factor, SixFactors};
 use super::model::ScoreModel;
@@ -6,19 +6,19 @@ use crate::assess::AssessError;
 use crate::numeric::{normal_quantile, quantile};
 use crate::structure::stack::{PagodaFactors, PagodaSlenderness};
 
-/// Share of the designs below the lower place, and above the upper, that a factor is moved between. Our choice.
+/// A factor moves between this quantile of the designs and its complement. Our choice.
 const TAIL: f64 = 0.1;
-/// Confidence with which a direction is called seen. Our choice.
+/// Confidence level at which the direction of an effect is significant. Our choice.
 const CONFIDENCE: f64 = 0.9;
 
 /// Significance of the effect of a factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum EffectVerdict {
-    /// The capacity moves as published.
+    /// The capacity changes in the published direction.
     #[cfg_attr(feature = "serde", serde(rename = "holds"))]
     Holds,
-    /// It moves the other way.
+    /// It changes in the opposite direction.
     #[cfg_attr(feature = "serde", serde(rename = "contradicted"))]
     Contradicted,
     /// The effect is not significant.
@@ -26,29 +26,29 @@ pub enum EffectVerdict {
     NotSeen,
 }
 
-/// By how much the capacity of the middle design moves with one factor.
+/// Change of the capacity of the median design with one factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FactorEffect {
     /// The factor. tan α and λ vary together, so λ represents both.
     pub factor: Factor,
-    /// Moved from here, in the unit of the factor.
+    /// Start value, in the unit of the factor.
     pub from: f64,
-    /// To here.
+    /// End value.
     pub to: f64,
     /// Change of ln θ.
     pub ln_change: f64,
-    /// Its standard deviation: what the surface does not know.
+    /// Its standard deviation, from the uncertainty of the surface.
     pub ln_change_sd: f64,
-    /// Its significance, at 90 % confidence.
+    /// Significance of the change, at 90 % confidence.
     pub verdict: EffectVerdict,
 }
 
 impl ScoreModel {
-    /// Moves each factor alone, of the design in the middle of `all`, from its 10 % to its 90 % quantile; λ takes tan α with it. The same `all` for
-    /// several states makes their effects comparable.
+    /// Moves each factor of the median design of `all` alone, from its 10 % to its 90 % quantile; tan α follows λ. The same `all` for several
+    /// states makes their effects comparable.
     ///
     /// # Errors
-    /// The errors of quantiles, and of pagodas that cannot be made.
+    /// The errors of quantiles, and of impossible pagodas.
     ///
     /// # Source
     /// Directions: Kim, N., Koo, I. Y. and Hong, S. G. (2018), Figs. 13 and 19 (falls only; the source has no DS1 to DS3).
@@ -64,7 +64,7 @@ impl ScoreModel {
         let mut found = Vec::with_capacity(5);
         for (axis, factor) in Factor::ALL.into_iter().enumerate() {
             if factor == Factor::SlendernessAngle {
-                continue; // it follows from the others
+                continue; // tan α follows from the others
             }
             let ends = [at(axis, TAIL)?, at(axis, 1.0 - TAIL)?];
             let mut places = [[0.0; 6]; 2];
@@ -94,7 +94,7 @@ impl ScoreModel {
     }
 }
 
-/// The pagoda of these factors; tan α follows.
+/// The pagoda with these factors; tan α follows from the others.
 fn made(values: &[f64; 6]) -> Result<SixFactors, AssessError> {
     SixFactors::of_pagoda(&PagodaFactors {
         storeys: values[0].round() as u32,
@@ -113,7 +113,7 @@ mod tests {
     use crate::assess::Fragility;
     use crate::numeric::Random;
 
-    /// A law of powers: the height as published, the storeys the other way, the taper not at all.
+    /// A power law: height in the published direction, storeys in the opposite one, no effect of the taper.
     #[test]
     fn exact_effects_in_a_law_of_powers() {
         let mut random = Random::new(2, 0);
@@ -149,7 +149,7 @@ mod tests {
         assert_eq!(of(Factor::Storeys).verdict, EffectVerdict::Contradicted);
         assert_eq!(of(Factor::Taper).verdict, EffectVerdict::NotSeen);
         assert_eq!(found.len(), 5);
-        // a factor that does not vary tells nothing
+        // a constant factor has no significant effect
         let flat: Vec<TrainedDesign> = designs.into_iter().filter(|d| d.factors.storeys == 5).collect();
         let all: Vec<SixFactors> = flat.iter().map(|d| d.factors).collect();
         let found = ScoreModel::train(&flat, None).unwrap().effects(&all).unwrap();

@@ -10,7 +10,7 @@ pub enum Factor {
     Storeys,
     /// Total height H_t of the storeys, without the base.
     BodyHeight,
-    /// tan α: half width over height of the centroid above, the least of all joints.
+    /// tan α: half width over height of the centroid above, the smallest of all joints.
     SlendernessAngle,
     /// λ: H_t over the width of the first body.
     BodySlenderness,
@@ -43,7 +43,7 @@ impl Factor {
         }
     }
 
-    /// Direction in which the capacity changes as the factor increases, as found by the source: 1 better, −1 worse.
+    /// Published direction in which the capacity changes as the factor increases: 1 better, −1 worse.
     ///
     /// # Source
     /// N. Kim, I. Y. Koo, S.-G. Hong (2018), sec. 4.3.3: fewer storeys, a larger body, a larger slenderness angle, hence a smaller body
@@ -74,10 +74,10 @@ pub struct SixFactors {
 }
 
 impl SixFactors {
-    /// The factors of a pagoda made from factors: the one of tan α and λ that was not given follows from its blocks.
+    /// Consistent factors of a pagoda. Of tan α and λ, the one that was not given follows from its blocks.
     ///
     /// # Errors
-    /// [`AssessError::Stack`] for factors that are impossible for a pagoda.
+    /// [`AssessError::Stack`] for factors of an impossible pagoda.
     pub fn of_pagoda(factors: &PagodaFactors) -> Result<Self, AssessError> {
         let made = pagoda(factors)?;
         Ok(SixFactors {

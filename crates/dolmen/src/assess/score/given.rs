@@ -1,4 +1,4 @@
-//! Stiffness of the joints from a measured frequency, by importance weights, and the capacity that follows.
+//! Updates the stiffness of the joints by a measured frequency, with importance weights, and computes the resulting capacity.
 
 use super::factors::SixFactors;
 use super::model::PagodaScore;
@@ -6,12 +6,12 @@ use super::stiffness::StiffnessEffect;
 use crate::assess::AssessError;
 use crate::numeric::{Interval, Random, normal_probability};
 
-/// Halvings of an interval of ln θ, to 1e-9 of it. Chosen here.
+/// Number of bisections of an interval of ln θ, to 1e-9 of it. Our choice.
 const HALVINGS: usize = 60;
-/// An interval begins and ends this many standard deviations beyond every draw.
+/// Margin beyond every draw of the interval for a bisection, in standard deviations.
 const BEYOND: f64 = 6.0;
 
-/// Draws of the stiffness of all joints together over that of the designs, with weights.
+/// Weighted draws of the common stiffness ratio κ: stiffness of all joints over that of the designs.
 ///
 /// ```text
 /// ln κ uniform over the range of the designs,   f = f₀ √κ,   w = exp(−½ ((ln f_measured − ln f)/σ)²)
@@ -19,14 +19,14 @@ const BEYOND: f64 = 6.0;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct StiffnessDraws {
-    /// ln κ, rising.
+    /// ln κ, ascending.
     ln_ratios: Vec<f64>,
-    /// Weights; they add up to 1.
+    /// Weights, with sum 1.
     weights: Vec<f64>,
 }
 
 impl StiffnessDraws {
-    /// Before a frequency is measured: one draw in each of `draws` equal parts of the range of ln κ.
+    /// The draws before a measurement: one in each of `draws` equal parts of the range of ln κ.
     pub fn prior(range: &Interval, draws: usize, seed: u64) -> Self {
         let mut random = Random::new(seed, 0);
         let (from, to) = (range.lower.ln(), range.upper.ln());
@@ -38,10 +38,11 @@ impl StiffnessDraws {
         }
     }
 
-    /// Weighted by a measured frequency: `frequency_ratio` over that of the pagoda on the designs' joints, `ln_sd` of its logarithm.
+    /// The draws weighted by a measured frequency. `frequency_ratio` is relative to the pagoda with the joints of the designs;
+    /// `ln_sd` is the standard deviation of its logarithm.
     ///
     /// # Errors
-    /// [`AssessError::Factor`] for a ratio or deviation that is not positive, or one that no draw comes near.
+    /// [`AssessError::Factor`] for a ratio or deviation that is not positive, or for a ratio far from every draw.
     pub fn given(&self, frequency_ratio: f64, ln_sd: f64) -> Result<Self, AssessError> {
         for (factor, given) in [("frequency_ratio", frequency_ratio), ("ln_sd", ln_sd)] {
             if !(given > 0.0 && given.is_finite()) {
@@ -83,7 +84,7 @@ impl StiffnessDraws {
             .sum()
     }
 
-    /// κ that is not exceeded with a probability.
+    /// Quantile of κ.
     pub fn quantile(&self, probability: f64) -> f64 {
         let mut below = 0.0;
         for (ln_ratio, weight) in self.ln_ratios.iter().zip(&self.weights) {
@@ -96,30 +97,30 @@ impl StiffnessDraws {
     }
 }
 
-/// The capacity of a pagoda in one damage state, averaged over the stiffness of its joints.
+/// The capacity of a pagoda in one damage state, as a mean over the stiffness of its joints.
 ///
 /// ```text
 /// ln θ = score + y(κ) + ε,   P(reached at a) = Σ w_i Φ((ln a − ln θ_i) / √(β² + σ²))
-/// σ² = what the score misses + what all designs share + what y misses
+/// σ² = variance of the score + variance common to all designs + variance of y
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct CapacityGiven {
     /// Weights and ln θ, m/s².
     draws: Vec<(f64, f64)>,
-    /// σ.
+    /// Standard deviation σ.
     ln_capacity_sd: f64,
-    /// Scatter from motion to motion.
+    /// Scatter between motions.
     beta: f64,
 }
 
 impl CapacityGiven {
-    /// Of a score of the pagoda and the effect of stiffness in the same state.
+    /// Combines the score of the pagoda with the effect of stiffness in the same state.
     ///
     /// # Errors
     /// [`AssessError::Factor`] for factors that are not positive.
     ///
     /// # Limits
-    /// The joints of the pagoda all differ from those of the designs by one factor.
+    /// The stiffness of all joints of the pagoda differs from that of the designs by one factor.
     pub fn of(
         factors: &SixFactors,
         score: &PagodaScore,
@@ -141,12 +142,12 @@ impl CapacityGiven {
         })
     }
 
-    /// Probability that one motion with this peak of the ground, m/s², brings the pagoda to the state.
+    /// Probability that one motion with this peak ground acceleration, m/s², brings the pagoda to the state.
     pub fn probability(&self, peak_m_s2: f64) -> f64 {
         self.below(peak_m_s2.ln(), self.beta.hypot(self.ln_capacity_sd))
     }
 
-    /// θ that is not exceeded with a probability, m/s².
+    /// Quantile of θ, m/s².
     pub fn quantile_m_s2(&self, probability: f64) -> f64 {
         let beyond = BEYOND * self.ln_capacity_sd;
         let ln_thetas = || self.draws.iter().map(|(_, ln_theta)| *ln_theta);
@@ -180,7 +181,7 @@ mod tests {
         upper: 10.0,
     };
 
-    /// Far from both ends ln κ is normal about 2 ln(f/f₀) with 2 σ, so that a capacity κ^s of scatter β has a closed form.
+    /// Far from both ends, ln κ is normal about 2 ln(f/f₀) with 2 σ, so that a capacity κ^s with scatter β has a closed form.
     #[test]
     fn exact_far_from_the_ends() {
         let prior = StiffnessDraws::prior(&RANGE, 20_000, 1);
@@ -196,7 +197,7 @@ mod tests {
             let exact = normal_probability((ln_peak - slope * middle) / all);
             assert!((found - exact).abs() < 1e-5, "{found} {exact}");
         }
-        // a normal density of 2σ over a uniform one of the width ln 100: 2 √π 2σ n/ln 100
+        // a normal density of 2σ over a uniform density of width ln 100: 2 √π 2σ n/ln 100
         let exact = 2.0 * std::f64::consts::PI.sqrt() * 2.0 * sd * 20_000.0 / 100.0_f64.ln();
         assert!(
             (given.effective() / exact - 1.0).abs() < 1e-3,

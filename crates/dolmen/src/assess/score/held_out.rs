@@ -1,41 +1,41 @@
-//! Ranking by a score of pagodas outside its training data.
+//! Tests how well a score ranks pagodas that were not in its training data.
 
 use super::factors::Factor;
 use super::kriging::Kriging;
 use super::model::{TrainedDesign, coordinates};
 use crate::assess::{AssessError, trend};
 
-/// The worst part that must be found: the lowest fifth.
+/// Fraction of the designs with the lowest capacities that the score must find.
 const WORST: f64 = 0.2;
 
-/// Agreement of the order by predicted capacities with that by simulated ones.
+/// Agreement of the ranking by predicted capacities with that by simulated ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Ranking {
     /// Kendall's τ of predicted and simulated capacity, −1 to 1.
     pub kendall_tau: f64,
-    /// Share of the worst fifth that is among the predicted worst fifth, –.
+    /// Fraction of the worst fifth that is also in the predicted worst fifth, –.
     pub worst_fifth_found: f64,
 }
 
-/// The score on designs held out, beside plainer scores.
+/// Ranking of held-out designs by the score, compared with simpler scores.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HeldOut {
-    /// Parts that the designs were dealt to; each is predicted from the others.
+    /// Number of parts of the designs; each part is predicted from the others.
     pub parts: usize,
-    /// The score's.
+    /// Ranking by the score.
     pub score: Ranking,
-    /// Factors over their standard deviation, added with the directions of the source and equal weights.
+    /// Ranking by the sum of the standardised factors, with the published directions and equal weights.
     pub equal_weights: Ranking,
-    /// tan α alone.
+    /// Ranking by tan α alone.
     pub slenderness_angle: Ranking,
 }
 
-/// Ranks designs by a score trained on the others: in turn every `parts`-th design is held out.
+/// Ranks designs by a score that was trained on the others: every `parts`-th design is held out in turn.
 ///
 /// # Errors
-/// [`AssessError::TooFewDesigns`] if a part has none, or the others are too few; [`AssessError::Factor`].
+/// [`AssessError::TooFewDesigns`] if a part is empty, or the others are too few; [`AssessError::Factor`].
 pub fn held_out(designs: &[TrainedDesign], parts: usize) -> Result<HeldOut, AssessError> {
     if parts < 2 || designs.len() < 10 * parts {
         return Err(AssessError::TooFewDesigns {
@@ -112,7 +112,7 @@ mod tests {
                     taper_rad: 0.1 * u(),
                     body_base_height_ratio: 2.0 * u(),
                 };
-                // the height counts twice as much as α; the rest nothing
+                // the height counts twice as much as α; the other factors have no effect
                 let ln = 2.0 * factors.body_height_m.ln()
                     + factors.slenderness_angle.ln()
                     + noise * random.normal();
@@ -136,7 +136,7 @@ mod tests {
 
     #[test]
     fn holds_chance_alone_ranks_nothing() {
-        // 200 designs of pure noise: τ of chance has a deviation of √(2(2n+5)/(9n(n−1))) = .047
+        // 200 designs of pure noise: the standard deviation of τ is √(2(2n+5)/(9n(n−1))) = .047
         let found = held_out(&designs(200, 40.0), 5).unwrap();
         assert!(found.score.kendall_tau.abs() < 3.0 * 0.048, "{found:?}");
         assert!(matches!(
@@ -145,7 +145,7 @@ mod tests {
         ));
     }
 
-    /// Each design by a model that was trained without its part.
+    /// Compares with models that were trained without the part of each design.
     #[test]
     fn agrees_with_models_trained_without_the_part() {
         use super::super::model::ScoreModel;

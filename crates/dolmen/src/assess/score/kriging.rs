@@ -1,10 +1,10 @@
-//! A smooth surface through scattered points: ordinary kriging whose lengths and noise predict left-out points best.
+//! A smooth surface through scattered points: ordinary kriging whose correlation lengths and noise predict left-out points best.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | z | `z` | coordinates less their mean, over their standard deviation | 6 |
-//! | ℓ_i | `lengths` | along an axis, how far the surface keeps its shape, in standard deviations | 6 |
-//! | ν | `noise` | variance of one point about the surface over that of its curvature | – |
+//! | z | `z` | coordinates minus their mean, over their standard deviation | 6 |
+//! | ℓ_i | `lengths` | correlation length along an axis, in standard deviations | 6 |
+//! | ν | `noise` | variance of one point about the surface over the variance of the smooth part | – |
 //! | K | – | k(z_i, z_j) + ν δ_ij | n × n |
 //! | P | `inverse`, `ones` | K⁻¹ − K⁻¹1 (1ᵀK⁻¹1)⁻¹ 1ᵀK⁻¹ | n × n |
 
@@ -12,31 +12,31 @@ use crate::assess::AssessError;
 use crate::numeric::{normal_quantile, quantile};
 use dolmen_linalg::{Matrix, SymmetricEigen, symmetric_eigen};
 
-/// Lengths that are tried along all axes alike, then along each times these factors. Our choice.
+/// Candidate lengths, first along all axes alike, then for each axis times these factors. Our choice.
 const LENGTHS: [f64; 6] = [1.0, 1.5, 2.0, 3.0, 4.5, 7.0];
 const FACTORS: [f64; 5] = [0.5, 0.7, 1.4, 2.0, 4.0];
 const SWEEPS: usize = 2;
-/// Another length along one axis must predict left-out points better by this factor: else chance chooses it.
+/// Another length along one axis must reduce the prediction error of left-out points to this fraction; a smaller gain may be chance.
 const WORTH: f64 = 0.95;
-/// Noises that are tried.
+/// Candidate noises.
 const NOISES: [f64; 7] = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
-/// A coordinate that varies less than this does not vary.
+/// Standard deviation below which a coordinate counts as constant.
 const SPREAD_LEAST: f64 = 1e-12;
 
-/// Parts that designs are dealt to to see what a surface misses of those it was not chosen with.
+/// Number of parts of the designs in the cross-validation that includes the choice of lengths and noise.
 const PARTS: usize = 5;
-/// Share of those designs that intervals are made to hold.
+/// Fraction of the designs that the widened intervals must contain.
 const HELD: f64 = 0.9;
 
-/// Parameters of a chosen surface, which reproduce it without a search.
+/// Parameters of a surface, which reproduce it without a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceSettings {
     /// Correlation length along each factor, in standard deviations of the designs.
     pub lengths: [f64; 6],
-    /// Variance of one design about the surface over that of its curvature.
+    /// Variance of one design about the surface over the variance of the smooth part.
     pub noise: f64,
-    /// By how much deviations are wider than left-out designs say, for those also chose lengths and noise: what makes nine of ten designs lie
-    /// within the 90 % intervals of a surface chosen and fitted without their fifth; 1 or more.
+    /// Factor on the standard deviations of left-out designs, because these designs also determined lengths and noise. With it, 90 %
+    /// intervals of a surface chosen and fitted without a fifth of the designs contain nine of ten of them; 1 or more.
     pub widened: f64,
 }
 
@@ -44,7 +44,7 @@ pub struct SurfaceSettings {
 ///
 /// ```text
 /// y = μ + g(z),   cov(g, g') = s² ( z·z' + exp(−½ Σ_i (z_i − z'_i)² / ℓ_i²) ),   μ unknown
-/// left-out point i is missed by (P y)_i / P_ii,   s² = mean of (P y)_i² / P_ii
+/// error at left-out point i: (P y)_i / P_ii,   s² = mean of (P y)_i² / P_ii
 /// ```
 ///
 /// # Source
@@ -67,15 +67,15 @@ pub(super) struct Kriging {
     scale: f64,
 }
 
-/// y at a place.
+/// Prediction of y at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Predicted {
     pub(super) value: f64,
-    /// Standard deviation of a new observation there.
+    /// Standard deviation of a new observation.
     pub(super) sd: f64,
 }
 
-/// Middle and spread of each axis.
+/// Mean and standard deviation of each axis.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
     middle: [f64; 6],
@@ -94,7 +94,7 @@ impl Frame {
         Frame { middle, spread }
     }
 
-    /// Axes that do not vary tell nothing.
+    /// Constant axes are left out.
     fn place(&self, x: &[f64; 6]) -> [f64; 6] {
         std::array::from_fn(|axis| {
             if self.spread[axis] > SPREAD_LEAST {
@@ -124,10 +124,10 @@ struct CrossValidation {
 }
 
 impl Kriging {
-    /// The surface through points `x` with values `y`.
+    /// Fits the surface to points `x` with values `y`.
     ///
     /// # Errors
-    /// [`AssessError::TooFewDesigns`] for fewer points than 3; a failed decomposition.
+    /// [`AssessError::TooFewDesigns`] for fewer than 3 points; a failed decomposition.
     pub(super) fn fit(x: &[[f64; 6]], y: &[f64]) -> Result<Self, AssessError> {
         if x.len() < 3 {
             return Err(AssessError::TooFewDesigns {
@@ -161,7 +161,7 @@ impl Kriging {
         Self::with(x, y, best.lengths, best.noise)
     }
 
-    /// Choice of the surface through these points, and the missing part of its deviations.
+    /// Lengths, noise and widening factor of the surface through these points.
     ///
     /// # Errors
     /// As [`Kriging::fit`].
@@ -192,7 +192,7 @@ impl Kriging {
         })
     }
 
-    /// The surface of settings that were found before.
+    /// The surface with settings from an earlier fit.
     ///
     /// # Errors
     /// A failed decomposition.
@@ -202,7 +202,7 @@ impl Kriging {
         Ok(surface)
     }
 
-    /// The surface of given lengths and noise.
+    /// The surface with given lengths and noise.
     fn with(x: &[[f64; 6]], y: &[f64], lengths: [f64; 6], noise: f64) -> Result<Self, AssessError> {
         let n = x.len();
         let frame = Frame::of(x);
@@ -234,12 +234,12 @@ impl Kriging {
         })
     }
 
-    /// y alone, without its deviation.
+    /// y without its standard deviation.
     pub(super) fn value(&self, x: &[f64; 6]) -> f64 {
         self.mean + dot(&self.beside(&self.frame.place(x)), &self.weights)
     }
 
-    /// y of a new observation at `x`, with its standard deviation.
+    /// The value y of a new observation at `x`, with its standard deviation.
     pub(super) fn predict(&self, x: &[f64; 6]) -> Predicted {
         let place = self.frame.place(x);
         let beside = self.beside(&place);
@@ -282,7 +282,7 @@ fn decomposed(z: &[[f64; 6]], lengths: &[f64; 6]) -> Result<SymmetricEigen, Asse
     }))?)
 }
 
-/// The noise that predicts left-out points best with these lengths: every noise from one decomposition.
+/// The best noise for these lengths by leave-one-out error; one decomposition serves all noises.
 fn tried(z: &[[f64; 6]], y: &[f64], lengths: [f64; 6]) -> Result<CrossValidation, AssessError> {
     let n = z.len();
     let eigen = decomposed(z, &lengths)?;
@@ -347,7 +347,7 @@ mod tests {
             .collect()
     }
 
-    /// Points that another program can make again.
+    /// Simple points that another program can reproduce.
     fn plain(count: usize) -> (Vec<[f64; 6]>, Vec<f64>) {
         let x: Vec<[f64; 6]> = (0..count)
             .map(|i| std::array::from_fn(|axis| ((i + 1) as f64 * (axis as f64 + 1.3)).sin()))
@@ -366,12 +366,12 @@ mod tests {
         let found = surface.predict(&[0.2, -0.4, 0.5, 0.1, -0.3, 0.6]);
         assert!((found.value - 4.876_728_6).abs() < 1e-6, "{found:?}");
         let sd_over_scale = found.sd / surface.scale.sqrt();
-        // of the surface there: without the noise of one observation
+        // standard deviation of the surface: without the noise of one observation
         let own = (sd_over_scale.powi(2) - 0.02).sqrt();
         assert!((own - 2.464_452).abs() < 1e-6, "{own}");
     }
 
-    /// y of each point as the formula without refitting says it.
+    /// Leave-one-out predictions by the formula without refitting.
     fn left_out(surface: &Kriging, y: &[f64]) -> Vec<f64> {
         let sum: f64 = surface.ones.iter().sum();
         let own = |i: usize| surface.inverse[(i, i)] - surface.ones[i].powi(2) / sum;
@@ -379,7 +379,7 @@ mod tests {
         points.map(|(i, (y, weight))| y - weight / own(i)).collect()
     }
 
-    /// Share of the variance that left-out points are not missed by.
+    /// Explained fraction of the variance, by leave-one-out predictions.
     fn explained(surface: &Kriging, y: &[f64]) -> f64 {
         let missed = left_out(surface, y)
             .into_iter()
@@ -393,7 +393,7 @@ mod tests {
         let (x, y) = plain(25);
         let surface = Kriging::with(&x, &y, LENGTHS_OF_TEST, 0.05).unwrap();
         for out in [0, 7, 24] {
-            // the frame of all points, so that lengths mean the same
+            // scaled by all points, so that the lengths have the same meaning
             let others: Vec<usize> = (0..25).filter(|i| *i != out).collect();
             let k = Matrix::from_fn(24, 24, |i, j| {
                 let noise = if i == j { 0.05 } else { 0.0 };
@@ -433,7 +433,7 @@ mod tests {
             "{found:?}"
         );
         assert_eq!(surface.value(&place), found.value);
-        // the difference of a place with itself is zero; with another it is the difference of the values
+        // the difference between a point and itself is zero; between two points it is the difference of their values
         let other = [0.6, 0.2, 0.5, 0.3, 0.8, 0.1];
         assert!(surface.difference(&place, &place).sd < 1e-6);
         let apart = surface.difference(&place, &other);
@@ -449,7 +449,7 @@ mod tests {
         assert!(Kriging::fit(&x[..2], &y[..2]).is_err());
     }
 
-    /// Deviations are those of errors at places that were not seen, over draws of the noise.
+    /// The intervals hold for new points, over many draws of the noise.
     #[test]
     fn holds_nine_of_ten_new_observations_lie_within_their_intervals() {
         let of = |x: &[f64; 6]| (3.0 * x[0]).sin() + x[1] * x[2];

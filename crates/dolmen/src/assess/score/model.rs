@@ -1,4 +1,4 @@
-//! Capacity of a pagoda from its six factors, with an interval and with reasons.
+//! Capacity of a pagoda from its six factors, with an interval and the contribution of each factor.
 
 use super::factors::{Factor, SixFactors};
 use super::kriging::{Kriging, Predicted, SurfaceSettings};
@@ -7,15 +7,15 @@ use super::surface::Surface;
 use crate::assess::{AssessError, Fragility};
 use crate::numeric::{Interval, normal_quantile};
 
-/// Fewest designs a score is trained on: as many as a quadratic surface of six factors has terms. Our choice; 150 are wanted.
+/// Fewest training designs: the number of terms of a quadratic surface of six factors. Our choice; 150 are recommended.
 const DESIGNS_LEAST: usize = 28;
-/// A factor may lie above the trained range by this factor, or below it by its inverse, where extrapolation is allowed: farther off its unit is wrong, or the
-/// score knows nothing. Our choice.
+/// Largest extrapolation: a factor may exceed the training range by this ratio, or lie below it by its inverse. Farther off, its unit is probably
+/// wrong, and the score is not valid. Our choice.
 const FARTHEST: f64 = 1.5;
 /// The coalition of all six factors.
 const ALL: u32 = 0b11_1111;
 
-/// A simulated pagoda: its factors, and the fragility that its runs gave.
+/// A simulated pagoda: its factors and its fragility.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrainedDesign {
     /// Its factors.
@@ -24,14 +24,14 @@ pub struct TrainedDesign {
     pub fragility: Fragility,
 }
 
-/// A factor that lies outside what was trained.
+/// A factor outside the training range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutsideFactor {
-    /// Which.
+    /// The factor.
     pub factor: Factor,
     /// Its value.
     pub given: f64,
-    /// The range trained.
+    /// The training range.
     pub trained: Interval,
 }
 
@@ -40,27 +40,27 @@ pub struct OutsideFactor {
 pub struct PagodaScore {
     /// θ: half of the motions bring it to the state at this peak ground acceleration, m/s².
     pub capacity_m_s2: f64,
-    /// Standard deviation of ln θ: what the surface misses of designs it has not seen, and where this one lies.
+    /// Standard deviation of ln θ: prediction error for new designs, which depends on the factors.
     pub ln_capacity_sd: f64,
-    /// Standard deviation of ln θ that all designs share, for the same few motions shook them all: β/√motions, the most that it can be. It moves
-    /// θ and not the order. 0 where the number of motions is unknown.
+    /// Standard deviation of ln θ that all designs share, because the same few motions shook them: β/√motions, an upper bound. It shifts θ but not
+    /// the ranking. 0 if the number of motions is unknown.
     pub ln_shared_sd: f64,
-    /// Mean β of the designs: scatter from motion to motion.
+    /// Mean β of the designs: scatter between motions.
     pub beta: f64,
-    /// Designs of this state with a lower capacity, %.
+    /// Percentage of the designs with a lower capacity in this state.
     pub percentile: f64,
-    /// Percentiles at both ends of the interval of θ, %.
+    /// Percentages of the designs below both ends of the interval of θ.
     pub percentile_interval: Interval,
     /// Contribution of each factor to ln θ relative to the mean of the designs, in the order of [`Factor::ALL`]; the contributions sum to the
     /// difference. They are Shapley values from quadratic surfaces over subsets of the factors, and from the full score over all factors. Correlated
     /// factors share their effect, and an effect that only the full score has is divided equally.
     pub reasons: [f64; 6],
-    /// Factors outside the range trained: not empty only if that was allowed.
+    /// Factors outside the training range; only if extrapolation was allowed.
     pub outside: Vec<OutsideFactor>,
 }
 
 impl PagodaScore {
-    /// Interval of θ with a confidence, what all designs share included, m/s².
+    /// Interval of θ with a confidence, including the error that all designs share, m/s².
     ///
     /// # Errors
     /// [`AssessError::Numeric`] unless 0 < confidence < 1.
@@ -76,10 +76,10 @@ impl PagodaScore {
 /// The score of one damage state.
 ///
 /// ```text
-/// ln θ = kriged surface of (ln N_f, ln H_t, ln tan α, ln λ, φ, ln γ_H),   through designs that were simulated
+/// ln θ = kriged surface of (ln N_f, ln H_t, ln tan α, ln λ, φ, ln γ_H),   through simulated designs
 /// ```
-/// Kriging predicts designs left out better than a quadratic surface does: of 150 pagodas Kendall's τ is .79 for .73 (DS2) and .82 for .75
-/// (DS3). Quadratic surfaces of some of the factors alone tell what each adds.
+/// Kriging predicts left-out designs better than a quadratic surface: for 150 pagodas Kendall's τ is 0.79 instead of 0.73 (DS2) and 0.82 instead of
+/// 0.75 (DS3). Quadratic surfaces of some of the factors show the contribution of each factor.
 #[derive(Clone, Debug)]
 pub struct ScoreModel {
     designs: Vec<TrainedDesign>,
@@ -87,16 +87,16 @@ pub struct ScoreModel {
     /// A surface for each subset of the factors, indexed by bit mask.
     parts: Vec<Surface>,
     range: [Interval; 6],
-    /// ln θ of the designs, rising.
+    /// ln θ of the designs, ascending.
     sorted: Vec<f64>,
     beta: f64,
-    /// Motions that shook every design, if known.
+    /// Number of motions that shook every design, if known.
     motions: Option<usize>,
 }
 
 impl ScoreModel {
-    /// Trains the score of one state on designs with this number of motions each. It includes the search for the settings of the surface, which takes
-    /// half a second for 150 designs.
+    /// Trains the score of one state on designs with this number of motions each. The search for the settings of the surface takes half a second for
+    /// 150 designs.
     ///
     /// # Errors
     /// [`AssessError::TooFewDesigns`] below 28; [`AssessError::Factor`].
@@ -104,7 +104,7 @@ impl ScoreModel {
         Self::of(designs, motions, &Self::settings(designs)?)
     }
 
-    /// The settings of the surface of one state.
+    /// The settings of the surface for one state.
     ///
     /// # Errors
     /// As [`ScoreModel::train`].
@@ -114,7 +114,7 @@ impl ScoreModel {
         Kriging::settings(&x, &y)
     }
 
-    /// As [`ScoreModel::train`], but with settings that were found before: takes milliseconds.
+    /// As [`ScoreModel::train`], but with settings from an earlier search: takes milliseconds.
     ///
     /// # Errors
     /// As [`ScoreModel::train`].
@@ -157,20 +157,20 @@ impl ScoreModel {
         &self.designs
     }
 
-    /// The range of each factor trained, in the order of [`Factor::ALL`].
+    /// The training range of each factor, in the order of [`Factor::ALL`].
     pub fn trained_range(&self) -> &[Interval; 6] {
         &self.range
     }
 
-    /// The score of a pagoda; with `outside_too`, also of one with factors outside the range trained, which the result names.
+    /// The score of a pagoda. `outside_too` allows factors outside the training range, which the result lists.
     ///
     /// # Errors
-    /// [`AssessError::OutsideTraining`] for a factor outside the range trained unless `outside_too`, and for one by more than half beyond it in any
-    /// case; [`AssessError::Factor`].
+    /// [`AssessError::OutsideTraining`] for a factor outside the training range without `outside_too`, and in any case for a factor more than half
+    /// beyond it; [`AssessError::Factor`].
     ///
     /// # Limits
-    /// For pagodas like those of the training: square, of whole stones, one stack, with their friction and stiffness, undamaged. The range is checked
-    /// for each factor alone; for combinations far from every design `ln_capacity_sd` is large.
+    /// Valid for pagodas like the training pagodas: square, of whole stones, a single stack, with the same friction and stiffness, undamaged. The
+    /// range is checked for each factor separately; for combinations far from every design, `ln_capacity_sd` is large.
     pub fn score(&self, factors: &SixFactors, outside_too: bool) -> Result<PagodaScore, AssessError> {
         let x = factors.coordinates()?;
         let mut outside = Vec::new();
@@ -191,7 +191,7 @@ impl ScoreModel {
             false => outside.first(),
         };
         if let Some(first) = refused {
-            // as tables and project files have it
+            // units as in tables and project files
             let (factor, in_unit): (_, fn(f64) -> f64) = match first.factor {
                 Factor::Taper => ("taper, in degrees,", f64::to_degrees),
                 other => (other.name(), |value| value),
@@ -208,7 +208,7 @@ impl ScoreModel {
             let below = self.sorted.partition_point(|own| *own < ln_theta);
             100.0 * below as f64 / self.sorted.len() as f64
         };
-        let half = normal_quantile(0.95)? * found.sd; // 90 % of the interval
+        let half = normal_quantile(0.95)? * found.sd; // half width of the 90 % interval
         Ok(PagodaScore {
             capacity_m_s2: found.value.exp(),
             ln_capacity_sd: found.sd,
@@ -226,7 +226,7 @@ impl ScoreModel {
         })
     }
 
-    /// Difference of ln θ between the second and the first place.
+    /// Difference of ln θ between the points `to` and `from`.
     pub(super) fn difference(&self, from: &[f64; 6], to: &[f64; 6]) -> Predicted {
         self.surface.difference(from, to)
     }
@@ -252,7 +252,6 @@ fn enough(designs: &[TrainedDesign]) -> Result<(), AssessError> {
     }
 }
 
-/// Coordinates and ln θ of designs.
 pub(super) fn coordinates(designs: &[TrainedDesign]) -> Result<(Vec<[f64; 6]>, Vec<f64>), AssessError> {
     let x = designs.iter().map(|design| design.factors.coordinates());
     let y = designs.iter().map(|design| design.fragility.theta().ln());
@@ -264,7 +263,7 @@ mod tests {
     use super::*;
     use crate::structure::stack::{PagodaFactors, PagodaSlenderness};
 
-    /// Designs over the five independent factors, with capacities of a law written here: g tan α (1 + H/10) less storeys.
+    /// Designs over the five independent factors, with capacities by `law`.
     fn designs(count: usize) -> Vec<TrainedDesign> {
         let mut random = crate::numeric::Random::new(2, 0);
         (0..count)
@@ -318,7 +317,7 @@ mod tests {
         assert!((mean + sum - found.capacity_m_s2.ln()).abs() < 1e-9);
         let interval = found.capacity_interval_m_s2(0.9).unwrap();
         assert!(interval.lower < found.capacity_m_s2 && found.capacity_m_s2 < interval.upper);
-        // 22 motions that act alike on all: β/√22 more, of θ and not of the place
+        // 22 motions with the same effect on all designs: β/√22 more for θ, not for the ranking
         let shaken = ScoreModel::train(model.designs(), Some(22)).unwrap();
         let shared = shaken.score(&own, false).unwrap();
         assert!((shared.ln_shared_sd / (shared.beta / 22.0_f64.sqrt()) - 1.0).abs() < 1e-14);
@@ -328,7 +327,7 @@ mod tests {
         assert_eq!(shared.percentile_interval, found.percentile_interval);
     }
 
-    /// Factors that do not depend on each other, and a law of powers: each adds its power times its ln against the mean.
+    /// With independent factors and a power law, each factor contributes its exponent times ln of its ratio to the mean.
     #[test]
     fn exact_reasons_of_independent_factors() {
         let mut random = crate::numeric::Random::new(9, 0);
@@ -359,7 +358,7 @@ mod tests {
         };
         let height = 0.5 * (5.0_f64.ln() - mean(|f| f.body_height_m));
         let angle = 0.22_f64.ln() - mean(|f| f.slenderness_angle);
-        // 240 draws: what chance correlates them by
+        // 240 draws: their chance correlation
         assert!((found.reasons[1] - height).abs() < 0.02, "{found:?} {height}");
         assert!((found.reasons[2] - angle).abs() < 0.02, "{found:?} {angle}");
         for idle in [0, 3, 4, 5] {

@@ -1,15 +1,15 @@
-//! Shapley's value: what each of a few players adds, fair to all orders in which they could come.
+//! Shapley value: the fair contribution of each of a few players to a common result.
 
-/// Most players: every coalition is valued once.
+/// Largest number of players: every coalition is evaluated once.
 const PLAYERS_MOST: usize = 16;
 
-/// Shapley share of each player in the difference between the value of all players and that of none.
+/// Shapley share of each player in the difference between the value of all players and the value of none.
 ///
 /// ```text
 /// φ_i = Σ over S without i of |S|! (n − |S| − 1)!/n! · (v(S ∪ i) − v(S))        S as a bit mask; Σ φ_i = v(all) − v(none)
 /// ```
 ///
-/// Unlike shares of variance one at a time (Sobol's), they add up and make sense where players depend on each other.
+/// Unlike Sobol's shares of variance, these shares add up, and they are meaningful for dependent players.
 ///
 /// # Limits
 /// 2ⁿ values of the coalitions; for more than 16 players nothing is computed, and the result is empty.
@@ -21,7 +21,7 @@ const PLAYERS_MOST: usize = 16;
 /// # Example
 /// ```
 /// use dolmen::assess::shapley_shares;
-/// // a left glove and two right ones: only a pair is worth anything
+/// // one left glove and two right gloves: only a pair has a value
 /// let worth = |who: u32| f64::from(u8::from(who & 1 != 0 && who & 6 != 0));
 /// let shares = shapley_shares(3, worth);
 /// assert!((shares[0] - 2.0 / 3.0).abs() < 1e-15 && (shares[1] - 1.0 / 6.0).abs() < 1e-15);

@@ -10,18 +10,18 @@ use crate::numeric::{Interval, Random, mean, quantile};
 /// The weight of one factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FactorShare {
-    /// Which.
+    /// The factor.
     pub factor: Factor,
     /// Its Shapley share of the variance of ln θ, –.
     pub share: f64,
-    /// 90 % of it, from random halves of the designs.
+    /// 90 % interval of the share, from random halves of the designs.
     pub interval: Interval,
 }
 
 /// The weights of all factors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FactorShares {
-    /// In the order of [`Factor::ALL`]; they sum to `explained`.
+    /// The shares, in the order of [`Factor::ALL`]; they sum to `explained`.
     pub shares: Vec<FactorShare>,
     /// Fraction of the variance that all factors together explain, by leave-one-out prediction, –.
     pub explained: f64,
@@ -30,17 +30,18 @@ pub struct FactorShares {
 /// Shapley shares of the variance of ln θ, with intervals from random halves of the designs (Shao and Wu, 1989).
 ///
 /// ```text
-/// v(S) = share of the variance of ln θ that a quadratic surface of the factors in S explains of designs left out, 0 at least
+/// v(S) = share of the variance of ln θ of left-out designs that a quadratic surface of the factors in S explains, at least 0
 /// ```
 ///
-/// v includes what a factor tells about correlated factors: α and λ depend on each other, and share their joint effect.
+/// v includes the information of a factor about correlated factors: α and λ depend on each other, and share their joint effect.
 ///
 /// # Errors
 /// As [`super::ScoreModel::train`].
 ///
 /// # Source
 /// Owen, A. B. (2014) Sobol' indices and Shapley value. SIAM/ASA J. Uncertain. Quantif. 2(1):245–251; of regressions: Lindeman, Merenda,
-/// Gold (1980); halves: Shao, J. and Wu, C. F. J. (1989) Ann. Stat. 17(3):1176–1197. Differs from the sources: v of designs left out, so that a factor that tells nothing gets nothing.
+/// Gold (1980); halves: Shao, J. and Wu, C. F. J. (1989) Ann. Stat. 17(3):1176–1197. Differs from the sources: v of left-out designs, so that a
+/// factor without information gets nothing.
 pub fn factor_shares(
     designs: &[TrainedDesign],
     resamples: usize,
@@ -59,7 +60,7 @@ pub fn factor_shares(
     }
     let mut shares = Vec::with_capacity(6);
     for ((factor, share), drawn) in Factor::ALL.into_iter().zip(whole.shares).zip(&drawn) {
-        // halves tell less, all of them alike: only their scatter is taken
+        // all halves are biased by the same amount: only their scatter is used
         let about = if resamples == 0 { 0.0 } else { mean(drawn)? };
         let at = |p| match resamples {
             0 => Ok(share),
@@ -81,7 +82,7 @@ pub fn factor_shares(
     })
 }
 
-/// Half of n numbers, each as likely: what half of them say scatters about what all say as all do about the truth.
+/// A random half of n numbers. The scatter of results from halves equals the scatter of the result from all.
 fn random_half(n: usize, random: &mut Random) -> Vec<usize> {
     let mut numbers: Vec<usize> = (0..n).collect();
     for place in 0..n / 2 {
@@ -96,7 +97,7 @@ fn random_half(n: usize, random: &mut Random) -> Vec<usize> {
 
 struct Explained {
     shares: Vec<f64>,
-    /// By all factors together.
+    /// Explained share of all factors.
     all: f64,
 }
 
@@ -109,7 +110,7 @@ fn shares_of(x: &[[f64; 6]], y: &[f64]) -> Result<Explained, AssessError> {
         }
         match Surface::fit(x, y, used) {
             Ok(surface) => {
-                all = surface.explained.max(0.0); // of all factors in the end: their mask comes last
+                all = surface.explained.max(0.0); // the mask of all factors comes last
                 all
             }
             Err(why) => {
@@ -130,14 +131,14 @@ mod tests {
     use super::*;
     use crate::assess::Fragility;
 
-    /// Designs of factors x = exp(z) of a made population, ln θ = Σ b z + noise.
+    /// Designs with factors x = exp(z) from a known population, ln θ = Σ b z + noise.
     fn designs(count: usize, correlation: f64, slope: [f64; 6], noise: f64) -> Vec<TrainedDesign> {
         let mut random = Random::new(11, 0);
         (0..count)
             .map(|_| {
                 let mut z: [f64; 6] = std::array::from_fn(|_| random.normal());
                 z[3] = correlation * z[2] + (1.0 - correlation * correlation).sqrt() * z[3];
-                z[0] = 0.0; // one storey, all of them
+                z[0] = 0.0; // every design has one storey
                 z[4] = 0.1 + 0.01 * z[4];
                 let ln_theta: f64 = slope.iter().zip(z).map(|(b, z)| b * z).sum();
                 let factors = SixFactors {
@@ -168,7 +169,7 @@ mod tests {
         assert!((first + second - 1.0).abs() < 1e-12);
         let found = factor_shares(&designs(3000, rho, [0.0, 0.0, b1, b2, 0.0, 0.0], 0.0), 0, 1).unwrap();
         assert!((found.explained - 1.0).abs() < 1e-6);
-        // 3000 draws: each correlation to .01
+        // 3000 draws: correlations are accurate to .01
         assert!((found.shares[2].share - first).abs() < 0.02, "{found:?} {first}");
         assert!(
             (found.shares[3].share - second).abs() < 0.02,
@@ -186,7 +187,7 @@ mod tests {
         let many = factor_shares(&designs(3000, -0.5, slope, 0.3), 0, 1).unwrap();
         for (few, many) in few.shares.iter().zip(&many.shares) {
             let Interval { lower, upper } = few.interval;
-            let slack = 0.5 * (upper - lower); // 90 % intervals of six
+            let slack = 0.5 * (upper - lower); // 90 % intervals of six factors
             assert!(
                 (lower - slack..=upper + slack).contains(&many.share),
                 "{few:?} {many:?}"

@@ -1,10 +1,10 @@
-//! What softer or stiffer joints do to the capacity of a pagoda.
+//! Effect of softer or stiffer joints on the capacity of a pagoda.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | x | `ln_ratio` | ln of the stiffness of all joints over that of the designs | – |
+//! | x | `ln_ratio` | ln of the stiffness of all joints relative to the designs | – |
 //! | z | `z` | coordinates of the factors, standardised | 6 |
-//! | y | `ln_change` | ln θ on these joints less ln θ on those of the designs, under the same motions | – |
+//! | y | `ln_change` | ln θ with these joints minus ln θ with the joints of the designs, under the same motions | – |
 
 use super::factors::SixFactors;
 use super::kriging::dot;
@@ -12,42 +12,42 @@ use super::surface::ridge;
 use crate::assess::AssessError;
 use crate::numeric::Interval;
 
-/// Fewest pagodas on other joints. Chosen here: three for each feature.
+/// Fewest pagodas with other joints: three for each coefficient. Our choice.
 const DESIGNS_LEAST: usize = 39;
-/// Places in the coordinates of the factors that vary independently: tan α follows from the others.
+/// Indices of the factors that vary independently: tan α follows from the others.
 const INDEPENDENT: [usize; 5] = [0, 1, 3, 4, 5];
 
-/// A simulated pagoda on joints other than the designs'.
+/// A simulated pagoda whose joints have another stiffness than those of the designs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StiffnessDesign {
     /// Its factors.
     pub factors: SixFactors,
-    /// Stiffness of all its joints over that of the designs.
+    /// Stiffness of all its joints relative to the designs.
     pub stiffness_ratio: f64,
-    /// ln of its median capacity over that of the same pagoda on the designs' joints.
+    /// ln of the ratio of its median capacity to that of the same pagoda with the joints of the designs.
     pub ln_change: f64,
 }
 
-/// How ln of the capacity changes with the stiffness of all joints together.
+/// Dependence of the capacity on the stiffness of all joints together.
 ///
 /// ```text
-/// y = x (a₀ + Σ a_i z_i) + x² (b₀ + Σ b_i z_i) + c x³        13 coefficients by ridge regression; 0 on the designs' joints
+/// y = x (a₀ + Σ a_i z_i) + x² (b₀ + Σ b_i z_i) + c x³        13 coefficients by ridge regression; y = 0 for the joints of the designs
 /// ```
 #[derive(Clone, Debug)]
 pub struct StiffnessEffect {
     middle: [f64; 6],
     spread: [f64; 6],
     coefficients: Vec<f64>,
-    /// Root mean square of what left-out pagodas are missed by.
+    /// Root mean square of the leave-one-out errors.
     pub ln_change_sd: f64,
-    /// Root mean square of the changes themselves.
+    /// Root mean square of the changes.
     pub ln_change_rms: f64,
-    /// Stiffness ratios of the pagodas.
+    /// Range of the stiffness ratios in the training.
     pub trained: Interval,
 }
 
 impl StiffnessEffect {
-    /// Fits the change to simulated pagodas.
+    /// Fits the effect to simulated pagodas.
     ///
     /// # Errors
     /// [`AssessError::TooFewDesigns`] below 39; [`AssessError::Factor`] for a ratio or factor that is not positive.
@@ -99,7 +99,7 @@ impl StiffnessEffect {
         Ok(effect)
     }
 
-    /// Change of ln θ of a pagoda with joints of this stiffness over the designs'.
+    /// Change of ln θ of a pagoda whose joints have this stiffness ratio.
     ///
     /// # Errors
     /// [`AssessError::Factor`] for factors that are not positive.
@@ -107,7 +107,7 @@ impl StiffnessEffect {
         Ok(self.at(&factors.coordinates()?, stiffness_ratio.ln()))
     }
 
-    /// The same at the coordinates of the factors.
+    /// The change at given coordinates of the factors.
     pub(super) fn at(&self, place: &[f64; 6], ln_ratio: f64) -> f64 {
         dot(&self.features(place, ln_ratio), &self.coefficients)
     }
@@ -153,7 +153,7 @@ mod tests {
         made.collect()
     }
 
-    /// A change that the features hold is found again, and none where joints are those of the designs.
+    /// The fit reproduces a change that its terms can represent, and gives 0 for the joints of the designs.
     #[test]
     fn exact_law_is_found_again() {
         let law = |x: f64, height_m: f64| x * (0.2 + 0.1 * height_m.ln()) + 0.03 * x * x;
@@ -167,7 +167,7 @@ mod tests {
         }
     }
 
-    /// Of noise alone left-out pagodas are missed by the noise.
+    /// For pure noise, the leave-one-out error equals the noise.
     #[test]
     fn holds_noise_is_stated() {
         let effect = StiffnessEffect::train(&designs(300, |_, _, noise| noise)).unwrap();

@@ -17,7 +17,6 @@ const PENALTIES: [f64; 9] = [1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 3e-2, 1e-1, 3e-
 /// Standard deviation below which a coordinate counts as constant.
 const SPREAD_LEAST: f64 = 1e-12;
 
-/// A fitted surface y(x).
 #[derive(Clone, Debug)]
 pub(super) struct Surface {
     middle: Vec<f64>,
@@ -81,7 +80,6 @@ impl Surface {
         features
     }
 
-    /// Predicted y at `x`.
     pub(super) fn value(&self, x: &[f64; 6]) -> f64 {
         dot(&self.features(x), &self.coefficients)
     }

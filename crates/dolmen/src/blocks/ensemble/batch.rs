@@ -1,4 +1,4 @@
-//! The runs computed side by side, step by step.
+//! Runs that are computed side by side, step by step.
 
 use super::super::forces::Forces;
 use super::bodies::{BodyLanes, Load, step_all};
@@ -12,7 +12,7 @@ use pulp::Simd;
 
 /// Runs with the same number of bodies, one per lane.
 ///
-/// Aligned, so that the frame of [`Self::drive`] is aligned too: its loads and stores would otherwise cross cache lines.
+/// Aligned so that the stack frame of [`Self::drive`] is aligned too: otherwise its loads and stores cross cache lines.
 #[repr(C, align(64))]
 pub(super) struct Batch<'a, S: Simd> {
     h: Real<S>,
@@ -20,28 +20,26 @@ pub(super) struct Batch<'a, S: Simd> {
     gravity: Vector<S>,
     shaking: Vector<S>,
     slack: Real<S>,
-    /// Energies of the steps so far: work input, work of contacts, friction loss, J.
+    /// Energies so far, J: work input, work of contacts, friction loss.
     counts: [Real<S>; 3],
     /// Friction loss in the current step, J.
     friction: Real<S>,
     lane_runs: Vec<Option<LaneRun<'a>>>,
     bodies: Vec<BodyLanes<S>>,
     loads: Vec<Load<S>>,
-    /// Whether no body in any lane has had products of inertia.
+    /// Whether no body in any lane has products of inertia.
     diagonal: bool,
     joints: Vec<JointLanes<S>>,
     watches: Vec<WatchLanes<S>>,
-    /// Whether a lane has become free.
     freed: bool,
-    /// One per lane.
     clocks: Vec<Clock<'a>>,
     /// For each lane, whether its patches are in position.
     placed: Vec<bool>,
     forces: Forces,
 }
 
-/// Progress of the run of a lane: the quantities of every step, side by side. [`Run::step`] of the run itself is updated when
-/// the run is observed.
+/// Progress of the run in a lane: the quantities that change at every step. [`Run::step`] is updated only when the run is
+/// observed.
 ///
 /// [`Run::step`]: super::super::springs::Run::step
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +51,7 @@ struct Clock<'a> {
     watched: bool,
     /// Next step at which the run is observed.
     look_at: usize,
-    /// Number of steps before the next verdict.
+    /// Number of steps until the next verdict.
     judge_after: usize,
 }
 
@@ -74,7 +72,7 @@ impl<'a, S: Simd> Batch<'a, S> {
     pub(super) fn new(simd: S, first: LaneRun<'a>) -> Self {
         let zero = Real::all(simd, 0.0);
         let nowhere = Vector::all(simd, DVec3::ZERO);
-        // the ground in every lane, so that empty lanes have a body that does not move
+        // copies of the ground in every lane, so that empty lanes have a body that does not move
         let ground = &first.run.assembly.bodies[0];
         let bodies = first.run.assembly.bodies.iter();
         let watched = first.run.observer.watches();
@@ -104,7 +102,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         batch
     }
 
-    /// Runs all to their ends.
+    /// Computes all runs to their ends.
     #[inline(always)]
     pub(super) fn drive(mut self, queue: &mut Queue<'a, '_>) {
         self.fill(queue);
@@ -118,7 +116,6 @@ impl<'a, S: Simd> Batch<'a, S> {
         }
     }
 
-    /// Gives a run a lane.
     fn seat(&mut self, lane: usize, lane_run: LaneRun<'a>) {
         let run = &lane_run.run;
         for (body, of_run) in self.bodies.iter_mut().zip(&run.assembly.bodies) {
@@ -177,7 +174,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         Some(lane_run)
     }
 
-    /// Examines again pairs of runs in which some bodies have moved too far.
+    /// Examines pairs again in runs in which bodies have moved too far.
     #[inline(always)]
     fn search_pairs_where_moved(&mut self, drifted: Mask<S>) {
         let mut farthest = Real::all(self.h.0, 0.0);
@@ -218,7 +215,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         self.lay_out();
     }
 
-    /// Writes a lane back to its run: its bodies, and the state of its patches.
+    /// Writes the state of a lane to its run: its bodies and patches.
     fn write_back(&mut self, lane: usize) {
         let Some(lane_run) = &mut self.lane_runs[lane] else {
             return;
@@ -237,7 +234,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         }
     }
 
-    /// Loads the patches of the pairs `changed` of a lane, if all have a large enough place.
+    /// Loads the patches of the pairs `changed` of a lane, if there is a large enough place for each.
     fn load_patches(&mut self, lane: usize, changed: impl Fn(usize) -> bool) {
         let Some(lane_run) = &self.lane_runs[lane] else {
             return;
@@ -258,7 +255,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         self.placed[lane] = contacts.next().is_none();
     }
 
-    /// Makes places for the patches of all lanes, if any has none.
+    /// Makes places for the patches of all lanes, if one has no place.
     fn lay_out(&mut self) {
         if self.placed.iter().all(|placed| *placed) {
             return;
@@ -266,7 +263,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         let mut places: Vec<Place> = Vec::new();
         for lane in 0..S::F64_LANES {
             self.write_back(lane);
-            // a patch that has drifted in this step is examined in the next one, at any new position
+            // a patch that has drifted in this step is examined in the next one, wherever its place is then
             if let Some(lane_run) = &mut self.lane_runs[lane] {
                 let drifted = self.joints.iter().filter(|joint| joint.has_drifted(lane));
                 drifted.for_each(|joint| lane_run.run.assembly.set_stale(joint.place.pair));
@@ -300,7 +297,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         }
     }
 
-    /// The forces of all contacts; returns the lanes where a patch has drifted.
+    /// Computes the forces of all contacts. Returns the lanes in which a patch has drifted.
     #[inline(always)]
     fn contact_forces(&mut self) -> Mask<S> {
         let zero = Real::all(self.h.0, 0.0);
@@ -428,7 +425,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         }
     }
 
-    /// Ends the run of a lane that has done its steps, unless its stones still move.
+    /// Ends the run of a lane that has completed its steps, unless its stones still move.
     #[inline(never)]
     fn judge(&mut self, lane: usize, queue: &mut Queue<'a, '_>) {
         self.write_back(lane);
@@ -443,7 +440,7 @@ impl<'a, S: Simd> Batch<'a, S> {
         }
     }
 
-    /// Ends the run of a lane: its result is passed on, or it starts again with a shorter step.
+    /// Ends the run of a lane: its result is passed on, or the run starts again with a shorter step.
     #[inline(never)]
     fn end(&mut self, lane: usize, queue: &mut Queue<'a, '_>) {
         let counts = self.counts.map(|count| count.get(lane));

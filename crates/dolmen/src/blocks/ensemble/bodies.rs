@@ -61,7 +61,7 @@ impl<S: Simd> BodyLanes<S> {
         self.travel.set(lane, body.travel);
     }
 
-    /// Writes the position of a lane back to its body.
+    /// Writes the position in a lane to its body.
     pub(super) fn unload_place(&self, lane: usize, body: &mut RigidBody) {
         body.position = self.position.get(lane);
         body.rotation = self.rotation.get(lane);
@@ -97,10 +97,11 @@ pub(super) fn step_all<S: Simd, const DIAGONAL: bool>(
     }
 }
 
-/// As [`RigidBody::step`]; `ground` contains gravity and shaking. For each body, adds to the sums twice the mean
+/// As [`RigidBody::step`]; `ground` contains gravity and shaking. Adds to the sums, for each body, twice the mean
 /// power of the shaking and of the forces.
 ///
-/// N bodies are processed stage by stage: while one waits for its operands, the processor continues with another.
+/// The N bodies are processed stage by stage: while one body waits for its operands, the processor continues with
+/// another.
 #[inline(always)]
 fn step_bodies<S: Simd, const N: usize, const DIAGONAL: bool>(
     bodies: &mut [BodyLanes<S>; N],
@@ -163,7 +164,7 @@ fn step_bodies<S: Simd, const N: usize, const DIAGONAL: bool>(
     }
 }
 
-/// As [`rotation_of`], for vectors × `h`.
+/// As [`rotation_of`], for the vectors times `h`.
 #[inline(always)]
 fn rotations_of<S: Simd, const N: usize>(spins: [Vector<S>; N], h: Real<S>) -> [Turn<S>; N] {
     let all = |value: f64| Real::all(h.0, value);
@@ -190,7 +191,7 @@ fn rotations_of<S: Simd, const N: usize>(spins: [Vector<S>; N], h: Real<S>) -> [
     turns
 }
 
-/// Rotations of lanes whose angle is too large for the series.
+/// Rotation in lanes whose angle is too large for the series.
 #[cold]
 fn far_turns<S: Simd>(turn: &mut Turn<S>, vector: &Vector<S>) {
     for lane in 0..S::F64_LANES {

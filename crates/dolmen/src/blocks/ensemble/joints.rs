@@ -7,7 +7,7 @@ use super::lanes::{Columns, Mask, Real, Vector};
 use glam::{DMat3, DVec3};
 use pulp::Simd;
 
-/// Repeats an expression for each of the four points of a group. A closure would not be compiled for the vector registers.
+/// Repeats an expression for the four points of a group. A closure would not be compiled to vector instructions.
 macro_rules! four {
     ($k:ident => $value:expr) => {
         [
@@ -31,8 +31,8 @@ macro_rules! four {
     };
 }
 
-/// The bodies of a patch: its place among the pairs of the assembly, the body of its plane, that of its points, and the
-/// available number of groups of points.
+/// The bodies of a patch: index of its pair in the assembly, body of its plane, body of its points, and the available number of
+/// groups of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place {
     pub(super) pair: usize,
@@ -41,7 +41,7 @@ pub(super) struct Place {
     pub(super) groups: usize,
 }
 
-/// A point of several runs, with its memory.
+/// A contact point in several runs, with its state.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 struct PointLanes<S: Simd> {
@@ -55,16 +55,16 @@ struct PointLanes<S: Simd> {
     held: Real<S>,
 }
 
-/// Orientation of the axes of a patch in those of its two bodies.
+/// Orientation of the axes of a patch relative to the axes of its two bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Axes {
     /// No patch.
     None,
-    /// Both are equal: a level joint, in the plane of the stone below.
+    /// Equal to both: a level joint in the plane of the stone below.
     Same,
-    /// Half a rotation about the first: a level joint, in the plane of the stone above.
+    /// Half a rotation about the first axis: a level joint in the plane of the stone above.
     Turned,
-    /// Any.
+    /// Any orientation.
     Any,
 }
 
@@ -72,19 +72,18 @@ enum Axes {
 #[derive(Clone, Debug)]
 pub(super) struct JointLanes<S: Simd> {
     pub(super) place: Place,
-    /// Axes of each run.
     axes: Vec<Axes>,
     /// Properties common to all lanes.
     all_axes: Axes,
-    /// Whether a point of any run is held.
+    /// Whether a point in any run is held.
     holds: bool,
-    /// Whether friction is the same at rest and in motion in all runs.
+    /// Whether static and kinetic friction are equal in all runs.
     one_friction: bool,
     frame: FrameLanes<S>,
     points: Vec<PointLanes<S>>,
 }
 
-/// Positions of the plane and of the points of a patch on their bodies, its law, and its pose when it was clipped.
+/// Positions of the plane and of the points on their bodies, contact law, and pose when the patch was clipped.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 struct FrameLanes<S: Simd> {
@@ -99,18 +98,18 @@ struct FrameLanes<S: Simd> {
     shear_damping: Real<S>,
     friction_static: Real<S>,
     friction_kinetic: Real<S>,
-    /// Shift, y of the first axis, z of both, when the patch was clipped.
+    /// Shift, y component of the first axis, and z component of both axes when the patch was clipped.
     clipped_shift: Vector<S>,
     clipped_axes: [Real<S>; 3],
     size: Real<S>,
     shift_most: Real<S>,
     lean_most: Real<S>,
-    /// 1 where the patch has drifted, else 0.
+    /// 1 if the patch has drifted, otherwise 0.
     drifted: Real<S>,
 }
 
 impl<S: Simd> JointLanes<S> {
-    /// Without effect in every lane.
+    /// A patch without effect in every lane.
     pub(super) fn idle(simd: S, place: Place) -> Self {
         let (zero, one) = (Real::all(simd, 0.0), Real::all(simd, 1.0));
         let nowhere = Vector::all(simd, DVec3::ZERO);
@@ -154,7 +153,7 @@ impl<S: Simd> JointLanes<S> {
         }
     }
 
-    /// Loads the patch of one run; it is examined again beyond `most`, shift in m and inclination as sine.
+    /// Loads the patch of one run. It is examined again beyond `most`: shift in m, sine of the inclination.
     pub(super) fn load(&mut self, lane: usize, patch: &Patch, outline: &Outline, most: [f64; 2]) {
         let frame = &mut self.frame;
         frame.plane_origin.set(lane, patch.plane_origin);
@@ -248,8 +247,8 @@ impl<S: Simd> JointLanes<S> {
         }
     }
 
-    /// Adds the contact forces of a step to the loads of the two bodies; returns the friction loss, and the lanes where the
-    /// patch has drifted.
+    /// Adds the contact forces of a step to the loads of the two bodies. Returns the friction loss and the lanes in which the patch
+    /// has drifted.
     #[inline(always)]
     pub(super) fn add_contact_forces(
         &mut self,
@@ -279,7 +278,7 @@ impl<S: Simd> JointLanes<S> {
         }
     }
 
-    /// As [`Self::add_contact_forces`], from the axes of the plane and the first two axes of the points, in the axes of the ground.
+    /// As [`Self::add_contact_forces`], from the axes of the plane and the first two axes of the points, relative to the ground.
     #[inline(always)]
     fn press_along(
         &mut self,
@@ -367,7 +366,7 @@ impl<S: Simd> JointLanes<S> {
 /// The law at four points: shear along the two axes, pressure, moments about the three axes (the second with the opposite sign),
 /// and friction loss.
 ///
-/// Stage by stage for four points: while one waits for its operands, the processor continues with another.
+/// The four points are processed stage by stage: while one point waits for its operands, the processor continues with another.
 #[inline(always)]
 fn press_group<S: Simd, const HELD: bool>(
     frame: &FrameLanes<S>,
@@ -470,7 +469,7 @@ fn press_group<S: Simd, const HELD: bool>(
     ]
 }
 
-/// Always in this order, that of a single run.
+/// Sums in the same order as a single run.
 #[inline(always)]
 fn total<S: Simd>([a, b, c, d]: [Real<S>; LANES]) -> Real<S> {
     (a + b) + (c + d)

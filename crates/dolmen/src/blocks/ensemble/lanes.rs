@@ -1,21 +1,19 @@
 //! Numbers, vectors and rotations of several runs side by side, one run per lane.
 //!
-//! Every operation is that of a single run, lane by lane and in the same order, without fused products: the bits of a run
-//! do not depend on the other lanes, on their number, or on the width of the machine's vectors.
+//! Every operation is that of a single run, lane by lane and in the same order, without fused products. The bits of a run
+//! therefore do not depend on the other lanes, on their number, or on the width of the vector registers.
 
 use glam::{DMat3, DQuat, DVec3};
 use pulp::{Simd, bytemuck};
 use std::ops::{Add, BitOr, Mul, Not, Sub};
 
-/// A number of each run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Real<S: Simd>(pub(super) S, pub(super) S::f64s);
 
-/// A yes or no of each run.
+/// A truth value in each run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mask<S: Simd>(S, S::m64s);
 
-/// A 3-vector of each run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vector<S: Simd> {
     pub(super) x: Real<S>,
@@ -23,11 +21,11 @@ pub(super) struct Vector<S: Simd> {
     pub(super) z: Real<S>,
 }
 
-/// A 3 × 3 matrix of each run, by columns.
+/// A 3 × 3 matrix in each run, by columns.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Columns<S: Simd>(pub(super) [Vector<S>; 3]);
 
-/// A quaternion of each run: x, y, z, w.
+/// A quaternion in each run: x, y, z, w.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turn<S: Simd>(pub(super) [Real<S>; 4]);
 
@@ -141,7 +139,7 @@ impl<S: Simd> Mask<S> {
         Real(self.0, self.0.select_f64s(self.1, yes.1, no.1))
     }
 
-    /// 1 where the mask is true, 0 elsewhere.
+    /// 1 where the mask is true, otherwise 0.
     #[inline(always)]
     pub(super) fn ones(self) -> Real<S> {
         self.select(Real::all(self.0, 1.0), Real::all(self.0, 0.0))
@@ -228,7 +226,7 @@ impl<S: Simd> Vector<S> {
         }
     }
 
-    /// Products part by part.
+    /// Componentwise product.
     #[inline(always)]
     pub(super) fn by_parts(self, other: Self) -> Self {
         Vector {

@@ -1,4 +1,4 @@
-//! Queue of runs that wait for a lane, and active runs.
+//! Queue of runs that wait for a lane; runs in a lane.
 
 use super::super::error::BlocksError;
 use super::super::history::StackHistory;
@@ -28,7 +28,7 @@ pub(super) struct Queue<'a, 'w> {
     pub(super) each: &'w mut dyn FnMut(usize, Result<StackHistory, BlocksError>),
 }
 
-/// An active run, with its index and the number of its attempt.
+/// A run in a lane, with its index and the number of the attempt.
 pub(super) struct LaneRun<'a> {
     pub(super) index: usize,
     given: StackRun<'a>,
@@ -38,8 +38,8 @@ pub(super) struct LaneRun<'a> {
 }
 
 impl<'a> Queue<'a, '_> {
-    /// The next run that can proceed side by side with others. Runs that cannot, or that fail to start, are completed
-    /// immediately. `None` when no run is left.
+    /// The next run that can be computed side by side with others. Runs that cannot, or that fail to start, are
+    /// completed immediately. `None` if no run is left.
     pub(super) fn next(&mut self) -> Option<LaneRun<'a>> {
         loop {
             if let Some(lane_run) = self.again.pop() {

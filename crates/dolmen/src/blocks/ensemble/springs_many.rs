@@ -1,7 +1,7 @@
 //! Simulates many stacks at once: one run per lane of the machine's vector registers. Each run gives the same bits as if it ran alone.
 //!
-//! All lanes share the steps of bodies and contacts. Observations of patches and peaks use the code of a single run: the state of the lane is written
-//! back to its run first. When a run ends, its lane takes the next run.
+//! All lanes share the steps of bodies and contacts. Patches and peaks are observed by the code for a single run; the state of the lane is first
+//! written to its run. When a run ends, its lane takes the next run.
 
 use super::super::error::BlocksError;
 use super::super::history::StackHistory;
@@ -9,13 +9,13 @@ use super::batch::Batch;
 use super::queue::{Queue, StackRun};
 use pulp::{Arch, Simd, WithSimd};
 
-/// Simulates many stacks. `each` gets the index of a run and its result, in the order in which runs end; the result equals that of
-/// [`simulate_springs`](crate::blocks::simulate_springs) bit for bit. `progress` gets the index and the simulated time of a run at intervals, and
+/// Simulates many stacks. `each` receives the index of a run and its result, in the order in which runs end. The result equals that of
+/// [`simulate_springs`](crate::blocks::simulate_springs) bit for bit. `progress` receives the index and the simulated time of a run at intervals, and
 /// stops that run by returning false.
 ///
-/// Runs of stacks with the same number of blocks proceed side by side, as many as the vector registers hold (8 with AVX-512, 4 with AVX2). Ties, side
-/// supports and bonded joints are computed one lane after another. The memory is that of the active runs. To use several threads, give each thread a
-/// part of the runs: the results do not depend on the division.
+/// Runs of stacks with the same number of blocks are computed side by side, as many as the vector registers hold (8 with AVX-512, 4 with AVX2). Ties,
+/// side supports and bonded joints are computed one lane after another. Only active runs use memory. To use several threads, give each thread a part
+/// of the runs: the results do not depend on the division.
 ///
 /// # Example
 /// ```

@@ -15,9 +15,9 @@ pub(super) struct WatchLanes<S: Simd> {
     from_lower: Vector<S>,
     from_upper: Vector<S>,
     axes: Columns<S>,
-    /// Whether the axes of all runs are those of the ground.
+    /// Whether the axes in all runs are those of the ground.
     level: bool,
-    /// As many as in the run with most corners; other runs repeat their last one.
+    /// As many corners as the run with the most; the other runs repeat their last corner.
     corners: Vec<[Real<S>; 2]>,
     settled: [Real<S>; 3],
     settled_opening: Real<S>,
@@ -28,7 +28,7 @@ pub(super) struct WatchLanes<S: Simd> {
 }
 
 impl<S: Simd> WatchLanes<S> {
-    /// An empty observation between the bodies of a watch.
+    /// An empty observation of the joint between the bodies of a watch.
     pub(super) fn idle(simd: S, watch: &Watch) -> Self {
         let zero = Real::all(simd, 0.0);
         let nowhere = Vector::all(simd, DVec3::ZERO);
@@ -49,12 +49,12 @@ impl<S: Simd> WatchLanes<S> {
         }
     }
 
-    /// Whether it lies between the bodies of a watch.
+    /// Whether this joint lies between the bodies of a watch.
     pub(super) fn is_between(&self, watch: &Watch) -> bool {
         (self.lower, self.upper) == (watch.lower, watch.upper)
     }
 
-    /// The joint of one run.
+    /// Loads the joint of one run.
     pub(super) fn load(&mut self, lane: usize, watch: &Watch, bodies: &[RigidBody]) {
         self.from_lower
             .set(lane, watch.origin - bodies[watch.lower].drawn);

@@ -3,10 +3,11 @@
 use super::model::FactorModel;
 use super::result::FactorRange;
 
-/// Relative difference to the largest below which sensitivities are equal. Our choice: far above rounding, far below any difference in shape.
+/// Difference of sensitivities, relative to the largest, below which they count as equal. Our choice: far above rounding, far below any
+/// difference in shape.
 const EQUAL_WITHIN: f64 = 1e-6;
 
-/// For each factor the first one to which every datum is equally sensitive when all factors are equal; itself if there is none.
+/// For each factor, the first factor with equal sensitivities of all data, when all factors are equal; the factor itself if there is none.
 pub(super) fn alike(model: &FactorModel, centre: f64) -> Vec<usize> {
     let n = model.unknowns;
     let Some(found) = model.residuals(&vec![centre; n]) else {

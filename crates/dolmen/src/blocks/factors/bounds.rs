@@ -1,16 +1,16 @@
-//! Lower bounds of the joint factors: how soft each joint can be, whatever the other joints are, by the measured frequencies.
+//! Lower bounds of the joint factors from the measured frequencies: how soft each joint can be, whatever the stiffness of the other joints.
 //!
 //! ```text
-//! λ_q(c) rises with every c_g (Courant–Fischer). So take all other joints rigid: a c_j that gives mode q a frequency below the measured f is
-//! excluded.
+//! λ_q(c) increases with every c_g (Courant–Fischer). So assume that all other joints are rigid: a c_j that gives mode q a frequency below the
+//! measured f is excluded.
 //! ```
 
 use super::model::{Datum, FactorModel};
 use crate::numeric::{Bracketing, bracketed_root};
 use std::f64::consts::TAU;
 
-/// A joint this many times stiffer than the common factor counts as rigid. Our choice: the flexibility that remains changes a bound by less than
-/// 1e-4, and the rounding of the eigendecomposition by 1e-7.
+/// Factor, relative to the common factor, at which a joint counts as rigid. Our choice: the remaining flexibility changes a bound by less than 1e-4,
+/// and rounding of the eigendecomposition by 1e-7.
 pub(super) const RIGID: f64 = 1e6;
 /// Softest factor in the search, relative to the common factor: a softer joint is open. Our choice.
 const OPEN: f64 = 1e-6;
@@ -19,7 +19,6 @@ const EXCLUDED_SD: f64 = 2.0;
 /// Tolerance of the bounds in ln c, far below the measurement error.
 const BOUND_WITHIN: f64 = 1e-7;
 
-/// The lower bound of one joint factor.
 pub(super) struct LeastFactor {
     pub(super) factor: f64,
     /// Index of the measured frequency that gives the bound.
@@ -28,7 +27,7 @@ pub(super) struct LeastFactor {
 
 impl FactorModel {
     /// The lower bound of the factor of joint `j`, whatever the other factors are; `None` if no measured frequency gives one. Each measured frequency
-    /// is assigned the highest order that it has in its mode family for any of the factors `known`.
+    /// gets the highest order that it has in its mode family for any of the factors `known`.
     pub(super) fn least(&self, j: usize, common: f64, known: &[Vec<f64>]) -> Option<LeastFactor> {
         let mut least: Option<LeastFactor> = None;
         for (at, datum) in self.data.iter().enumerate() {
@@ -58,8 +57,8 @@ impl FactorModel {
     }
 }
 
-/// Solves for x_j = ln c_j between two ends: `square`, which gives ω², must there equal the measured ω² times e^(2 `off`), with the other factors at
-/// `others`. `None` if there is no root between the ends.
+/// Solves for x_j = ln c_j between two ends, with the other factors at `others`. At the root, `square`, which gives ω², equals the measured ω² times
+/// e^(2 `off`). `None` if there is no root between the ends.
 pub(super) fn crossing(
     square: impl Fn(&[f64]) -> Option<f64>,
     datum: &Datum,
@@ -73,7 +72,7 @@ pub(super) fn crossing(
     let mut away = |x: f64| {
         factors[j] = x.exp();
         let square = square(&factors).unwrap_or(f64::NAN);
-        // a mode without stiffness has a frequency of zero, below every measured one
+        // a mode without stiffness has zero frequency, below every measured one
         0.5 * (square.max(f64::MIN_POSITIVE) / aim).ln() - off
     };
     let bracketing = Bracketing {

@@ -1,4 +1,4 @@
-//! Why no factors are found.
+//! Errors of the search for joint factors.
 
 use super::super::error::BlocksError;
 use super::result::UnusedMode;
@@ -10,7 +10,7 @@ pub enum JointFactorsError {
     /// No mode is given.
     #[error("no measured mode along x, along y or of torsion is given: give at least one frequency")]
     NoModes,
-    /// An impossible number of a mode.
+    /// An invalid value of a measured mode.
     #[error("{quantity} of the mode at {frequency_hz} Hz is {given}, but must be {allowed}")]
     Mode {
         /// The quantity.
@@ -37,10 +37,10 @@ pub enum JointFactorsError {
         "none of the measured modes can be told to be one of those of the stack: measure their shapes, or state the lowest of each direction"
     )]
     NonePaired {
-        /// The modes, and why.
+        /// The modes and the reasons.
         unused: Vec<UnusedMode>,
     },
-    /// The stack does not come to rest, or is impossible.
+    /// The stack does not come to rest, or is refused.
     #[error(transparent)]
     Blocks(#[from] BlocksError),
     /// A decomposition failed.

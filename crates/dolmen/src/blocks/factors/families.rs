@@ -1,13 +1,13 @@
-//! Uncoupled families of motion: a symmetric stack sways along x, sways along y, twists and moves vertically independently.
+//! Uncoupled families of modes: in a symmetric stack, sway along x, sway along y, torsion and vertical motion are independent.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | K_g | | stiffness of the springs of factor g, [6n × 6n] |
-//! | P_x | `toward_x` | mass of motion along x alone, [6n × 6n] |
+//! | P_x | `toward_x` | mass matrix of motion along x alone, [6n × 6n] |
 //! | V | `basis` | eigenvectors of a mixture of all K_g and P_x, Vᵀ M V = 1 |
 //!
-//! Eigenvectors of a mixture with unrelated weights span the common invariant subspaces of all its matrices: Vᵀ K_g V has a block for each.
-//! Within a family the frequency of each order rises with every factor (Courant–Fischer), and modes of two families may cross.
+//! Eigenvectors of a mixture with unrelated weights span the common invariant subspaces of all its matrices: Vᵀ K_g V has one block for
+//! each. Within a family the frequency of each order increases with every factor (Courant–Fischer). Modes of different families may cross.
 
 use super::super::matrices::SpringsBetween;
 use super::stack_motion::StackMotion;
@@ -16,11 +16,11 @@ use dolmen_linalg::{
     LinalgError, Matrix, SymmetricEigen, generalized_symmetric_eigen, symmetric_eigen, symmetric_eigenvalues,
 };
 
-/// Coupling that counts as zero, over the geometric mean of the stiffness of both motions. Our choice: the rest of a stack is accurate
-/// to 1e-7 of its weight, and the error of a frequency is the square of this.
+/// Coupling below which motions count as uncoupled, over the geometric mean of their stiffness. Our choice: the position of rest is
+/// accurate to 1e-7 of the weight, and the error of a frequency is the square of this.
 const COUPLED: f64 = 1e-5;
 
-/// Share of the energy from which a mode of a family with several motions belongs to one of them: the greater part.
+/// Energy share above which a mode of a coupled family belongs to one motion: the larger part.
 const MOSTLY: f64 = 0.5;
 
 /// Motions that are coupled with each other and with no others.
@@ -31,7 +31,7 @@ pub(super) struct Family {
     others: Matrix,
     /// Stiffness of each factor's springs, [d × d].
     pub(super) groups: Vec<Matrix>,
-    /// Kinetic energy of motion in the plane of x, in that of y, and of rotation about the vertical, [d × d] each.
+    /// Kinetic energy of motion in the plane of x, in the plane of y, and of rotation about the vertical, [d × d] each.
     motions: [Matrix; 3],
 }
 
@@ -54,18 +54,18 @@ impl Family {
         sum
     }
 
-    /// Modes in this basis, ascending, of unit modal mass.
+    /// Modes in this basis, ascending, with unit modal mass.
     pub(super) fn modes(&self, factors: &[f64]) -> Result<SymmetricEigen, LinalgError> {
         symmetric_eigen(&self.stiffness(factors))
     }
 
-    /// ω² of the mode of an order, rad²/s².
+    /// ω² of the mode with a given order, rad²/s².
     pub(super) fn square_of(&self, factors: &[f64], order: usize) -> Option<f64> {
         let all = symmetric_eigenvalues(&self.stiffness(factors)).ok()?;
         all.get(order).copied()
     }
 
-    /// Share of the kinetic energy of a mode in a motion.
+    /// Fraction of the kinetic energy of a mode in a motion.
     pub(super) fn share(&self, mode: &[f64], motion: StackMotion) -> f64 {
         self.motions[index_of(motion)].form(mode, mode)
     }
@@ -82,7 +82,6 @@ impl Family {
     }
 }
 
-/// The families of a stack.
 pub(super) fn families(unknowns: &Unknowns) -> Result<Vec<Family>, LinalgError> {
     let size = unknowns.mass.rows();
     let mut mixture = Matrix::zeros(size, size);
@@ -90,7 +89,7 @@ pub(super) fn families(unknowns: &Unknowns) -> Result<Vec<Family>, LinalgError> 
         add(&mut mixture, springs, 1.0);
     }
     for (at, group) in unknowns.groups.iter().enumerate() {
-        // multiples of the golden section: no two equal or related
+        // multiples of the golden ratio: no two are equal or related
         let weight = 0.5 + (0.618_033_988_749_895 * (at + 1) as f64).fract();
         for springs in &group.springs {
             add(&mut mixture, springs, weight);
@@ -138,7 +137,7 @@ pub(super) fn families(unknowns: &Unknowns) -> Result<Vec<Family>, LinalgError> 
     Ok(families.collect())
 }
 
-/// Vᵀ M V over only these rows of every block.
+/// Vᵀ M V restricted to these rows of every block.
 fn energy_in(mass: &Matrix, vectors: &Matrix, rows: &[usize]) -> Matrix {
     let size = mass.rows();
     let momentum = mass * vectors;
@@ -147,7 +146,7 @@ fn energy_in(mass: &Matrix, vectors: &Matrix, rows: &[usize]) -> Matrix {
     of(vectors).transpose_times(&of(&momentum))
 }
 
-/// Rows and columns of a body in the matrices of all; `None` of the ground.
+/// Row and column of a body in the global matrices; `None` for the ground.
 fn first_row(body: usize) -> Option<usize> {
     Some(6 * body.checked_sub(1)?)
 }
@@ -181,7 +180,7 @@ fn add_in_basis(sum: &mut Matrix, springs: &SpringsBetween, vectors: &Matrix) {
     }
 }
 
-/// Sets of indices that are coupled directly or through others, each ascending.
+/// Sets of indices that are coupled directly or indirectly, each ascending.
 fn connected(size: usize, is_coupled: impl Fn(usize, usize) -> bool) -> Vec<Vec<usize>> {
     let mut left: Vec<usize> = (0..size).collect();
     let mut sets = Vec::new();

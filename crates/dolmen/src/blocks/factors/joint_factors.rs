@@ -5,7 +5,7 @@
 //! | c_j | `factor` | factor on K_n and K_s of joint j | – |
 //! | x_j | | ln c_j | – |
 //! | K_j, M | | stiffness of joint j as drawn, mass | |
-//! | B | `band` | largest ratio of every factor to the common one, either way | – |
+//! | B | `band` | largest ratio of any factor to the common factor, in both directions | – |
 
 use super::super::contact_points::ContactRule;
 use super::super::error::BlocksError;
@@ -26,16 +26,17 @@ use dolmen_linalg::LinalgError;
 pub struct JointFactorsOptions {
     /// Contact points of the joints. Default four per side: exact for faces that stay closed.
     pub contact_rule: ContactRule,
-    /// Largest ratio of every factor to the common factor, either way; above 1. Default 10, our choice: published values for joints of
-    /// dressed stone differ by about that, with the pressure on them and the mortar or earth between.
+    /// Largest ratio of any factor to the common factor, in both directions; above 1. Default 10, our choice: published values for joints of dressed
+    /// stone differ by about this ratio, depending on pressure and on mortar or earth in the joint.
     pub band: f64,
     /// Relative standard deviation assumed for a frequency without one. Default 0.005, as for chains and frames.
     pub frequency_sd_assumed: f64,
     /// Standard deviation assumed for a point of a shape without one, over the largest displacement. Default 0.05, as for chains and frames.
     pub shape_sd_assumed: f64,
-    /// Largest number of joints with their own factors: above it all joints of a plane share one. Default 24, our choice: a second of computing.
+    /// Largest number of joints with individual factors: for more joints, all joints of a plane share one factor. Default 24, our choice: a second
+    /// of computing.
     pub joints_most: usize,
-    /// Largest number of factors with ranges; above it only the common factor, the least factors and the energies are computed. Default 24.
+    /// Largest number of factors with ranges: for more factors, only the common factor, the lower bounds and the energies are computed. Default 24.
     pub ranges_most: usize,
 }
 
@@ -54,17 +55,17 @@ impl Default for JointFactorsOptions {
 
 /// Factors on the springs of each joint from measured modes.
 ///
-/// K and therefore every ω² is linear in the factors on the springs, K(c) = Σ c_j K_j, about the rest of the stack as drawn:
+/// K, and therefore every ω², is linear in the factors on the springs, K(c) = Σ c_j K_j, at the rest position of the stack as drawn:
 ///
 /// ```text
-/// d ln ω²/d ln c_j = c_j φᵀ K_j φ / (ω² φᵀ M φ)     the share of the mode's strain energy in joint j; over all j the sum is 1
+/// d ln ω²/d ln c_j = c_j φᵀ K_j φ / (ω² φᵀ M φ)     the fraction of the mode's strain energy in joint j; over all j the sum is 1
 /// common factor:   least squares of (ln f − ln f_measured)/σ and of the shapes, all c_j equal
-/// least factor:    frequencies rise with every c_j, so c_j is at least what gives f_measured (1 − 2σ) with all others rigid
-/// range:           c_j for which some choice of the others between common/B and common·B explains every mode within 95 %
+/// lower bound:     frequencies increase with every c_j, so c_j is at least the value that gives f_measured (1 − 2σ) with all others rigid
+/// range:           c_j for which factors of the other joints between common/B and common·B exist that explain every mode within 95 %
 /// ```
 ///
 /// # Errors
-/// [`JointFactorsError`] for numbers that cannot be, no mode that can be paired, or a stack that finds no rest.
+/// [`JointFactorsError`] for invalid numbers, if no mode can be paired, or if the stack does not come to rest.
 ///
 /// # Limits
 /// Small motion about the rest position as drawn: closed joints stay closed. `resettled` gives the change of the frequencies when the stack settles
@@ -197,7 +198,7 @@ fn each_factor(
     each.collect()
 }
 
-/// The modes in use; `None` if one has no frequency.
+/// The modes that are used; `None` if one of them has no frequency.
 fn paired_modes(
     model: &FactorModel,
     common: &CommonFactor,
@@ -233,7 +234,7 @@ fn paired_modes(
     each.collect()
 }
 
-/// Largest change of a frequency as the stack settles again on these springs, by Rayleigh's quotient of the mode.
+/// Largest relative change of a frequency if the stack settles again on these springs, by Rayleigh's quotient of the mode.
 fn resettled(
     stack: &Stack,
     options: &JointFactorsOptions,

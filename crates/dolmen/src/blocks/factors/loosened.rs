@@ -37,7 +37,7 @@ impl LooseningStack {
     ///     let factors = vec![factor; loosening.joints().len()];
     ///     loosening.frequencies_hz(StackMotion::X, &factors)?.first().copied()
     /// };
-    /// // every frequency goes with the root of one factor on all
+    /// // every frequency is proportional to the square root of a common factor
     /// assert!((first(1.0).unwrap() - 4.7043).abs() < 1e-3);
     /// assert!((first(0.25).unwrap() - 0.5 * 4.7043).abs() < 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -75,8 +75,8 @@ mod tests {
     use crate::blocks::{StackMode, stack_modes};
     use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
 
-    /// A pile of stones, the upper ones eccentric by `off_m`, under a thousandth of gravity. With so little weight the settlement on softer springs,
-    /// which moves the beds, does not affect the comparison.
+    /// A pile of stones; the upper ones have an eccentricity of `off_m`. Gravity is a thousandth of its value, so that the larger settlement on
+    /// softer springs, which moves the beds, does not affect the comparison.
     fn tower(off_m: f64) -> Stack {
         let sizes = [[1.2, 1.0, 0.6], [0.9, 0.8, 0.9], [1.1, 0.9, 0.3], [0.6, 0.5, 0.8]];
         let mut z = 0.0;
@@ -96,7 +96,7 @@ mod tests {
         Stack::new(blocks.collect(), JointMaterial::default(), 9.81e-3).unwrap()
     }
 
-    /// Whether the energy along x, of the centroids and of rocking, predominates in the mode. In a symmetric tower the motion along x is then not 0.
+    /// Whether most of the energy is motion along x of the centroids and rocking. In a symmetric tower, motion along x alone is not sufficient.
     fn sways_along_x(mode: &StackMode) -> bool {
         mode.kinetic_energy_ratio[0] > 1e-6
     }

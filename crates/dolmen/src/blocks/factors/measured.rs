@@ -9,7 +9,8 @@ use crate::structure::MeasuredMode;
 pub struct MeasuredStackMode {
     /// Its motion.
     pub motion: StackMotion,
-    /// Frequency, its deviation, and points of the shape along the direction; those of torsion are not used.
+    /// Frequency, its standard deviation, and points of the shape along the direction; points of torsion
+    /// modes are not used.
     pub mode: MeasuredMode,
 }
 
@@ -21,7 +22,6 @@ pub(super) struct Assumed {
     pub(super) shape_sd: f64,
 }
 
-/// Rejects impossible numbers.
 pub(super) fn check_measured(measured: &[MeasuredStackMode], height_m: f64) -> Result<(), JointFactorsError> {
     if measured.is_empty() {
         return Err(JointFactorsError::NoModes);

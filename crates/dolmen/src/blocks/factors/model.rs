@@ -13,7 +13,6 @@ use crate::numeric::Residuals;
 use dolmen_linalg::{Matrix, SymmetricEigen};
 use std::f64::consts::TAU;
 
-/// A measured shape.
 pub(super) struct ShapeData {
     /// Rows that give the displacements at the measured points from a mode in the basis of the family, [points × d].
     pub(super) rows: Matrix,
@@ -21,13 +20,13 @@ pub(super) struct ShapeData {
     pub(super) sd: Vec<f64>,
 }
 
-/// How a measured mode is identified within its family.
+/// Identification of a measured mode within its family.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum ModeOfFamily {
-    /// By its order among all modes of the family, 0 the lowest, if the modes are of one kind.
+    /// By its order among all modes of the family, 0 the lowest. Used if all modes of the family have the same kind of motion.
     Order(usize),
-    /// By its number among the modes in which the measured motion predominates, 0 the lowest. Used if sway along x, sway along y and twist are
-    /// coupled: modes of one kind then cross those of another as springs change.
+    /// By its number among the modes in which the measured motion predominates, 0 the lowest. Used if sway along x, sway along y and torsion are
+    /// coupled: their modes then cross as the springs change.
     OfMotion(usize),
 }
 
@@ -50,7 +49,7 @@ pub(super) struct FactorModel {
 }
 
 impl FactorModel {
-    /// Number of data: frequencies, and points of shapes minus one per shape for its scale.
+    /// Number of data: frequencies and points of shapes, minus one per shape for its scale.
     pub(super) fn data_count(&self) -> usize {
         let of = |datum: &Datum| {
             1 + datum
@@ -81,7 +80,7 @@ impl FactorModel {
         }
     }
 
-    /// Order of a measured mode in its family with these factors.
+    /// The same for these factors.
     pub(super) fn order_at(&self, datum: &Datum, factors: &[f64]) -> Option<usize> {
         match datum.which {
             ModeOfFamily::Order(order) => Some(order),

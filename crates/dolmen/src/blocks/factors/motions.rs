@@ -4,14 +4,14 @@ use super::stack_motion::StackMotion;
 use crate::structure::stack::{Block, Stack};
 use dolmen_linalg::Matrix;
 
-/// Least share of the kinetic energy along an axis for a sway mode along it, as for the first sway.
+/// Smallest fraction of kinetic energy along an axis for a sway mode, as for the first sway.
 const SWAY_LEAST: f64 = 0.25;
-/// Least share of the kinetic energy in rotation about the vertical for a mode of torsion. Our choice: half.
+/// Smallest fraction of kinetic energy in rotation about the vertical for a torsion mode. Our choice: half.
 const TWIST_LEAST: f64 = 0.5;
-/// Difference below which heights are equal, m. Our choice: far below the height of any stone.
+/// Difference below which heights count as equal, m. Our choice: far below the height of any stone.
 const AT_BED_M: f64 = 1e-6;
 
-/// Whether a mode of unit modal mass has this motion. `displacements`: for each block three of its centroid, then three rotations.
+/// Whether a mode of unit modal mass has this motion. `displacements` has six values per block: displacement of the centroid, then rotation.
 pub(super) fn moves(stack: &Stack, mass: &Matrix, displacements: &[f64], motion: StackMotion) -> bool {
     match motion.axis() {
         Some(axis) => sway_share(mass, displacements, axis) >= SWAY_LEAST,
@@ -24,7 +24,7 @@ fn sway_share(mass: &Matrix, displacements: &[f64], axis: usize) -> f64 {
     along.map(|i| mass[(i, i)] * displacements[i].powi(2)).sum()
 }
 
-/// Share of the kinetic energy in rotation of the blocks about the vertical through the centroid of the stack.
+/// Fraction of the kinetic energy in rotation of the blocks about the vertical through the centroid of the stack.
 fn twist_share(stack: &Stack, mass: &Matrix, displacements: &[f64]) -> f64 {
     let whole = stack.mass_kg();
     let centre = [0, 1].map(|axis| {
@@ -42,8 +42,8 @@ fn twist_share(stack: &Stack, mass: &Matrix, displacements: &[f64]) -> f64 {
     each.sum()
 }
 
-/// Row that multiplies the displacements of the blocks and gives the displacement along an axis at a height: the mean, by mass, of the stones there. On a bed the
-/// stone below counts.
+/// Row vector that gives the displacement along an axis at a height from the displacements of the blocks: the mean, by mass, of the stones there. At
+/// the height of a bed, the stones below it count.
 pub(super) fn displacement_row(stack: &Stack, height_m: f64, axis: usize) -> Vec<f64> {
     let blocks = stack.blocks();
     let mut row = vec![0.0; 6 * blocks.len()];

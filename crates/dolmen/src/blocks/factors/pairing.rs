@@ -1,4 +1,4 @@
-//! The computed mode that corresponds to a measured one.
+//! Pairs measured modes with computed modes.
 
 use super::families::Family;
 use super::measured::{Assumed, MeasuredStackMode};
@@ -11,16 +11,16 @@ use crate::structure::stack::Stack;
 use dolmen_linalg::{LinalgError, Matrix};
 use std::f64::consts::TAU;
 
-/// Least modal assurance of a shape with its mode. Our choice: shapes of joints several times softer than drawn keep more.
+/// Smallest MAC of a shape with its mode. Our choice: if joints are several times softer than drawn, the MAC is still larger.
 const ALIKE_LEAST: f64 = 0.6;
-/// Least difference of modal assurance to that with any other mode. Our choice.
+/// Smallest difference between the MAC with this mode and the MAC with any other mode. Our choice.
 const FAVOUR_LEAST: f64 = 0.1;
-/// Share of kinetic energy from which a mode with several motions clearly belongs to one. Our choice.
+/// Fraction of kinetic energy above which a mode with several motions clearly belongs to one of them. Our choice.
 const CLEAR_LEAST: f64 = 0.75;
-/// Most modes of one motion to compare with a shape. Our choice: nobody has measured higher ones on a stack.
+/// Largest number of modes of one motion that are compared with a shape. Our choice: higher modes of stacks have not been measured.
 const COMPARED_MOST: usize = 8;
 
-/// Data of the paired modes, how each was paired, and the modes without a pair.
+/// Data of the paired modes, the basis of each pairing, and the modes without a pair.
 pub(super) struct Pairing {
     pub(super) data: Vec<Datum>,
     pub(super) paired: Vec<Paired>,
@@ -29,14 +29,13 @@ pub(super) struct Pairing {
 
 /// The pairing of a measured mode.
 pub(super) struct Paired {
-    /// Its number among the computed modes of its motion, 0 the lowest.
+    /// Index among the computed modes of this motion, 0 the lowest.
     pub(super) number: usize,
     pub(super) by: PairedBy,
     pub(super) is_sd_assumed: bool,
     pub(super) drawn_hz: f64,
 }
 
-/// A computed mode.
 struct Computed {
     family: usize,
     order: usize,
@@ -44,11 +43,11 @@ struct Computed {
     displacements: Vec<f64>,
 }
 
-/// Pairs measured modes with those of the springs as drawn.
+/// Pairs measured modes with the modes of the stack with springs as drawn.
 ///
-/// A shape with two points or more identifies the mode, if it is similar to one mode and clearly less similar to the others. Without such a
-/// shape modes are counted from the lowest of their motion; above the first the frequency must agree: multiplied by the ratio of the lowest
-/// modes, it must be nearest to that of the counted mode.
+/// A shape with two or more points identifies the mode if it is similar to one computed mode and clearly less similar to the others.
+/// Without such a shape, modes are counted from the lowest of their motion. For the second and later modes the frequency must agree:
+/// multiplied by the ratio of the lowest modes, the frequency of the counted mode must be the nearest one.
 pub(super) fn pair(
     stack: &Stack,
     mass: &Matrix,
@@ -104,7 +103,8 @@ pub(super) fn pair(
     Ok(pairing)
 }
 
-/// Its order in the family, unless the family also has modes of other motions and this mode clearly belongs to one motion.
+/// Identifies the mode by its order in the family, unless the family also has modes of other motions and this mode clearly belongs to one
+/// motion.
 fn which(family: &Family, at: &Computed, motion: StackMotion) -> Result<ModeOfFamily, LinalgError> {
     let modes = family.modes(&vec![1.0; family.groups.len()])?;
     let others = [StackMotion::X, StackMotion::Y, StackMotion::Torsion];
@@ -149,12 +149,12 @@ fn computed(
     Ok(all)
 }
 
-/// The measured modes of one motion, counted from the lowest.
+/// Counting of the measured modes of one motion, from the lowest.
 #[derive(Default)]
 struct Counting {
-    /// The number after that of the last paired mode.
+    /// The number that follows the last paired mode.
     next: usize,
-    /// ln measured/computed of the first paired mode.
+    /// ln(measured/computed) of the first paired mode.
     ratio: Option<f64>,
     has_gap: bool,
 }
@@ -201,7 +201,7 @@ impl Counting {
             .get(1)
             .filter(|(_, second)| assurance - second < FAVOUR_LEAST);
         if let Some(&(_, second)) = second {
-            // too few points: counted, if the shape is similar to that of the counted mode
+            // too few points: the mode is counted, if its shape is similar to that of the counted mode
             let (counted, by) = self.by_order(computed, measured_hz)?;
             let is_alike = |(at, of): &(usize, f64)| *at == counted && assurance - of < FAVOUR_LEAST;
             return match alike.iter().any(is_alike) {
@@ -249,7 +249,7 @@ struct Shape {
 }
 
 impl Shape {
-    /// `None` for torsion and for fewer than two points: the scale of a shape is free.
+    /// `None` for torsion and for fewer than two points, because the scale of a shape is free.
     fn of(stack: &Stack, one: &MeasuredStackMode) -> Option<Self> {
         let axis = one.motion.axis()?;
         let points: Vec<ShapePoint> = one.mode.shape.clone();
@@ -294,7 +294,7 @@ impl Shape {
     }
 }
 
-/// Modal assurance of two shapes; 0 if one is zero.
+/// MAC of two shapes; 0 if one of them is zero.
 pub(super) fn assurance(a: &[f64], b: &[f64]) -> f64 {
     let squares = product(a, a) * product(b, b);
     match squares > 0.0 {

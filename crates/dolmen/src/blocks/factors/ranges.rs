@@ -1,9 +1,9 @@
-//! The possible range of each factor if all lie in a band, and the factors themselves if the modes determine them.
+//! The possible range of each factor if all factors lie in a band, and the best factors if the modes determine them.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | x_j | | ln c_j | – |
-//! | χ²(x) | `squares` | squares of (computed − measured)/sd | |
+//! | χ²(x) | `squares` | sum of squared residuals (computed − measured)/sd | |
 //!
 //! ```text
 //! x_j is possible if  min over the other x in the band of χ²(x) ≤ χ²_least + 3.84 w²,   w² = max(1, χ²_least/(data − unknowns))
@@ -22,51 +22,50 @@ use crate::numeric::{BoundedFit, BoundedStop, Random, bounded_least_squares, chi
 use dolmen_linalg::{Matrix, svd};
 use rayon::prelude::*;
 
-/// χ² of one factor above the least, for 95 % and one degree of freedom.
+/// Increase of χ² above its minimum for 95 % and one degree of freedom.
 const CHI_SQUARED_95: f64 = 3.841_458_820_694_124;
-/// Probability of a smaller χ² by chance, beyond which nothing in the band explains the modes: one of a thousand surveys exceeds it. Our choice.
+/// Probability of a smaller χ² by chance above which no factors in the band explain the modes: one in a thousand surveys exceeds it. Our choice.
 const EXPLAINED: f64 = 0.999;
-/// Starts of the best fit besides that at the common factor, and their seed. Our choice.
+/// Number of random starts of the best fit, in addition to the common factor, and their seed. Our choice.
 const STARTS: usize = 6;
 const SEED: u64 = 1;
-/// Points between the outermost bound and a possible factor that are tested. Our choice.
+/// Number of test points between the outer bound and a possible factor. Our choice.
 const SCAN: usize = 5;
-/// Tolerance in ln c of the ends searched from outside. Our choice: one per cent.
+/// Tolerance in ln c of ends that are searched from outside. Our choice: one per cent.
 const END_WITHIN: f64 = 0.01;
-/// Relative tolerance of the ends found from the best fit, and largest number of trials. Our choice.
+/// Relative tolerance of ends that are searched from the best fit, and largest number of trials. Our choice.
 const END_NEAR: f64 = 0.01;
 const GUESSES: usize = 30;
-/// Stop criterion of the fit of the others while one factor is fixed. Our choice: far closer than the tolerance of the ends.
+/// Stopping criterion of the fit of the other factors while one is fixed. Our choice: far below the tolerance of the ends.
 const PROFILE: BoundedStop = BoundedStop {
     evaluations_most: 30,
     enough: 0.0,
     decrease_least: 1e-3,
 };
-/// Largest deviation of ln c with a stated best value: a larger interval would reach below 0.
+/// Largest standard deviation of ln c for which a best value is stated: a larger interval of the factor would include negative values.
 const RELATIVE_SD_MOST: f64 = 0.5;
-/// Largest share of a factor in undetermined combinations; beyond it the data do not determine the factor. Our choice.
+/// Largest component of a factor in undetermined combinations; above it the data do not determine the factor. Our choice.
 const UNSEEN_MOST: f64 = 1e-6;
-/// Difference in ln c below which two fits are one point. Our choice.
+/// Difference in ln c below which two fits count as the same point. Our choice.
 const ONE_POINT: f64 = 0.01;
-/// Ratio to the largest singular value below which one is rounding.
+/// Ratio to the largest singular value below which a singular value is rounding.
 const RANK: f64 = 1e-10;
-/// Most ratio of the range to the linear interval of 95 % with a stated best value; beyond it another choice explains the modes as well.
-/// Our choice.
+/// Largest ratio of the range to the linear 95 % interval for which a best value is stated; above it, other factors explain the modes as well. Our
+/// choice.
 const LINEAR_WITHIN: f64 = 2.0;
 
-/// The band, and the results in it.
 pub(super) struct Ranges {
     pub(super) best: Vec<f64>,
     pub(super) squares: f64,
-    /// Whether the best fit explains the modes within chance.
+    /// Whether the misfit of the best fit can be due to chance.
     pub(super) explains: bool,
-    /// Best value and deviation of ln c of each determined factor.
+    /// Best value and standard deviation of ln c of each determined factor.
     pub(super) determined: Vec<Option<[f64; 2]>>,
     /// Range of each factor; empty if no factors in the band explain the modes.
     pub(super) ranges: Vec<FactorRange>,
 }
 
-/// The ranges of all factors whose ln lies within `half_band` of `centre`; `None` if the modes have no frequencies there.
+/// The ranges of all factors whose ln lies within `half_band` of `centre`; `None` if a mode has no frequency there.
 pub(super) fn ranges(model: &FactorModel, centre: f64, half_band: f64) -> Option<Ranges> {
     let n = model.unknowns;
     let mut search = Search {
@@ -122,7 +121,7 @@ pub(super) fn ranges(model: &FactorModel, centre: f64, half_band: f64) -> Option
     })
 }
 
-/// Deviation of each ln c that the data determine near the best fit.
+/// Standard deviation of each ln c that the data determine near the best fit.
 fn linear(best: &BoundedFit, n: usize, widened: f64) -> Vec<Option<f64>> {
     let j = &best.at.jacobian;
     let rows = j.rows().max(n);
@@ -149,15 +148,15 @@ struct Search<'a> {
     model: &'a FactorModel,
     lower: Vec<f64>,
     upper: Vec<f64>,
-    /// Sum of squares up to which a choice is possible.
+    /// Sum of squares up to which factors are possible.
     allowed: f64,
     /// The best fit, if all starts lead to it.
     one_point: Option<Vec<f64>>,
-    /// The least sum of squares.
+    /// The smallest sum of squares.
     squares: f64,
 }
 
-/// One side of a factor.
+/// One side of the range of a factor.
 struct Side {
     j: usize,
     /// −1 down, 1 up.
@@ -173,7 +172,7 @@ impl Search<'_> {
         bounded_least_squares(start, [&lower, &upper], stop, |x| self.model.residuals(x))
     }
 
-    /// Local minima in the band from several starts.
+    /// Local minima of χ² in the band from several starts.
     fn minima(&self, centre: f64) -> Vec<BoundedFit> {
         let stop = BoundedStop {
             evaluations_most: 200,
@@ -183,7 +182,7 @@ impl Search<'_> {
         let n = self.lower.len();
         let mut random = Random::new(SEED, 0);
         let mut starts = vec![vec![centre; n]];
-        // in the middle half of the band
+        // within the middle half of the band
         let width = 0.5 * (self.upper[0] - self.lower[0]);
         for _ in 0..STARTS * usize::from(n > 1) {
             starts.push(
@@ -216,8 +215,8 @@ impl Search<'_> {
         }
     }
 
-    /// The end on a side, searched outwards from the best fit: √(χ² − χ²_least) grows about linearly with the distance, so the next guess
-    /// is its intersection with the bound, at a distance from known ends.
+    /// The end of the range on one side, searched outwards from the best fit. √(χ² − χ²_least) grows about linearly with the distance, so the next
+    /// trial is where this line reaches the limit, with some distance from known ends.
     fn end_from(&self, best: &[f64], side: &Side, bound: f64, sd: Option<f64>) -> f64 {
         let from = best[side.j];
         let far = (bound - from).abs();
@@ -302,9 +301,9 @@ impl Search<'_> {
         matches!(self.model.data.as_slice(), [datum] if datum.shape.is_none() && is_of_order(datum))
     }
 
-    /// The farthest x_j on one side at which each frequency alone is possible for some values of the other factors: an outer bound.
+    /// Outer bound of x_j on one side: each frequency taken alone is possible for some values of the other factors.
     fn bound_of_each_frequency(&self, side: &Side) -> f64 {
-        // if this one is soft, the others must be stiff
+        // if this joint is soft, the other joints must be stiff
         let (edge, others) = match side.sign < 0.0 {
             true => (self.lower[side.j], &self.upper),
             false => (self.upper[side.j], &self.lower),
@@ -312,7 +311,7 @@ impl Search<'_> {
         let band = [self.lower[side.j], self.upper[side.j]];
         let mut bound = edge;
         for datum in &self.model.data {
-            // only frequencies of a fixed order rise with every factor
+            // only frequencies of a fixed order increase with every factor
             let ModeOfFamily::Order(order) = datum.which else {
                 continue;
             };
@@ -329,7 +328,7 @@ impl Search<'_> {
         bound
     }
 
-    /// Whether some choice of the others in the band explains the modes with x_j fixed.
+    /// Whether some values of the other factors in the band explain the modes with x_j fixed.
     fn is_possible(&self, side: &Side, at: f64, possible: &mut Vec<Vec<f64>>) -> bool {
         let stop = BoundedStop {
             enough: self.allowed,
@@ -339,7 +338,7 @@ impl Search<'_> {
         let nearest = possible
             .iter()
             .min_by(|a, b| (a[j] - at).abs().total_cmp(&(b[j] - at).abs()));
-        // if one is soft, the others are stiff
+        // if this joint is soft, start with stiff other joints
         let others = match side.sign < 0.0 {
             true => &self.upper,
             false => &self.lower,

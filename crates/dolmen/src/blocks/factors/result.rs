@@ -3,13 +3,13 @@
 use super::super::error::BlocksError;
 use super::stack_motion::StackMotion;
 
-/// The springs of one factor.
+/// The joints that share one factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum StiffnessOf {
-    /// The springs of one joint.
+    /// A single joint.
     Joint,
-    /// All joints of one plane, in a stack of many joints.
+    /// All joints of one plane, in a stack with many joints.
     Bed,
 }
 
@@ -17,7 +17,7 @@ pub enum StiffnessOf {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum PairedBy {
-    /// By counting from the lowest of its direction.
+    /// By counting from the lowest mode of its motion.
     Order,
     /// By its shape.
     Shape,
@@ -27,30 +27,30 @@ pub enum PairedBy {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PairedMode {
-    /// Motion of the stack in it.
+    /// Its motion.
     pub motion: StackMotion,
-    /// Its number among the computed modes of that motion, 1 the lowest.
+    /// Its number among the computed modes of this motion, 1 the lowest.
     pub number: usize,
     /// How it was paired.
     pub paired_by: PairedBy,
-    /// Measured, Hz.
+    /// Measured frequency, Hz.
     pub measured_hz: f64,
-    /// Standard deviation in use, Hz.
+    /// Standard deviation of the frequency, as used, Hz.
     pub measured_sd_hz: f64,
-    /// Whether the deviation is assumed because none was measured.
+    /// Whether this standard deviation is assumed because none was measured.
     pub is_sd_assumed: bool,
-    /// Number of points of its shape in use.
+    /// Number of points of its shape that are used.
     pub shape_points: usize,
-    /// With the springs as drawn, Hz.
+    /// Frequency with the springs as drawn, Hz.
     pub drawn_hz: f64,
-    /// With the common factor, Hz.
+    /// Frequency with the common factor, Hz.
     pub common_hz: f64,
     /// Frequency with the best factors, Hz; `None` if there are none.
     pub best_hz: Option<f64>,
-    /// Modal assurance of the measured shape and the computed one at the common factor; `None` with fewer points than 2.
+    /// MAC of the measured shape and the computed shape with the common factor; `None` with fewer than two points.
     pub assurance: Option<f64>,
-    /// Share of the strain energy of the mode in the springs of each factor, at the common factor. With those of dowels and clamps,
-    /// which no factor multiplies, the sum is 1.
+    /// Fraction of the strain energy of the mode in the springs of each factor, with the common factor. Together with the fraction in dowels and
+    /// clamps, which have no factor, the sum is 1.
     pub energy_shares: Vec<f64>,
 }
 
@@ -62,34 +62,34 @@ pub struct PairedMode {
     serde(tag = "why", rename_all = "snake_case")
 )]
 pub enum WhyUnused {
-    /// The stack has fewer modes of its motion.
+    /// The stack has fewer computed modes with this motion.
     TooMany {
-        /// Number of computed modes of that motion.
+        /// Number of computed modes with this motion.
         computed: usize,
     },
-    /// By counting from the lowest it is one mode, but its frequency is nearer to that of another.
+    /// Counting from the lowest gives one mode, but the frequency is nearer to that of another mode.
     BetweenModes {
-        /// Frequency of the selected mode, with the factor of the lowest one, Hz.
+        /// Frequency of the counted mode, times the ratio of the lowest modes, Hz.
         counted_hz: f64,
         /// Frequency of the nearest mode, Hz.
         nearest_hz: f64,
     },
-    /// Its shape is equally similar to two computed modes.
+    /// Its shape is similar to two computed modes.
     ShapesAlike {
-        /// Modal assurance with both.
+        /// MAC with both.
         assurance: [f64; 2],
     },
     /// Its shape is similar to no computed mode.
     ShapeUnlike {
-        /// The largest modal assurance.
+        /// The largest MAC.
         assurance: f64,
     },
-    /// Its shape is similar to that of a mode already paired with a lower measured mode.
+    /// Its shape is similar to a mode that is already paired with a lower measured mode.
     ShapeTaken {
-        /// Modal assurance with it.
+        /// MAC with that mode.
         assurance: f64,
     },
-    /// Its number is counted from a lower mode that is not used.
+    /// Counting continues from a lower mode that is not used.
     AfterUnused,
 }
 
@@ -97,11 +97,11 @@ pub enum WhyUnused {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct UnusedMode {
-    /// Motion of the stack in it.
+    /// Its motion.
     pub motion: StackMotion,
-    /// Measured, Hz.
+    /// Measured frequency, Hz.
     pub measured_hz: f64,
-    /// Why.
+    /// Reason.
     pub why: WhyUnused,
 }
 
@@ -117,17 +117,17 @@ pub struct CommonFactor {
     pub misfit: f64,
 }
 
-/// Where a factor can lie.
+/// The range in which a factor can lie.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FactorRange {
-    /// The least.
+    /// Lower end.
     pub lower: f64,
-    /// The largest.
+    /// Upper end.
     pub upper: f64,
-    /// Whether the lower end is that of the band: these modes allow any lower factor.
+    /// Whether the lower end is that of the band: the modes allow any smaller factor.
     pub is_lower_of_band: bool,
-    /// Whether the upper end is that of the band.
+    /// Whether the upper end is that of the band: the modes allow any larger factor.
     pub is_upper_of_band: bool,
 }
 
@@ -144,14 +144,14 @@ impl FactorRange {
 pub struct JointFactor {
     /// Indices of the joints.
     pub joints: Vec<usize>,
-    /// A smaller factor is excluded for all values of the others: even with all other joints rigid, a mode would be two standard deviations below its
-    /// measured frequency. `None` if no mode excludes any.
+    /// Lower bound: a smaller factor is excluded for all values of the other factors, because even with all other joints rigid a mode would be two
+    /// standard deviations below its measured frequency. `None` if no mode excludes any factor.
     pub least: Option<f64>,
-    /// Index among the paired modes of the one that gives `least`.
+    /// Index of the paired mode that gives `least`.
     pub least_from: Option<usize>,
     /// 95 % range if every other factor is in the band; `None` if it is not computed, or if no factors in the band explain the modes.
     pub range: Option<FactorRange>,
-    /// The factor, where the modes determine it.
+    /// The best value of the factor, if the modes determine it.
     pub best: Option<f64>,
     /// Standard deviation of its logarithm.
     pub relative_sd: Option<f64>,
@@ -160,31 +160,31 @@ pub struct JointFactor {
 /// Factors on the springs of a stack from measured modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointFactors {
-    /// The springs of one factor.
+    /// The joints that share one factor.
     pub of: StiffnessOf,
     /// One per joint or bed, in the order of the lowest joint.
     pub factors: Vec<JointFactor>,
-    /// Joints without springs at rest: they are open.
+    /// Joints that are open at rest and therefore have no springs.
     pub open_joints: Vec<usize>,
-    /// The modes in use.
+    /// The modes that are used.
     pub modes: Vec<PairedMode>,
-    /// Modes that were not used.
+    /// The modes that are not used.
     pub unused: Vec<UnusedMode>,
     /// One factor for all joints.
     pub common: CommonFactor,
-    /// Least and largest factor of the band that ranges assume.
+    /// Smallest and largest factor of the band that the ranges assume.
     pub band: [f64; 2],
-    /// Singular values of the derivatives of the data over their deviations with respect to the logarithms of the factors, at the common
-    /// factor, descending.
+    /// Singular values, descending, of the derivatives of the data (divided by their standard deviations) with respect to the logarithms of the
+    /// factors, at the common factor.
     pub singular_values: Vec<f64>,
     /// Number of combinations of factors that the modes determine within the band.
     pub fixed_combinations: usize,
     /// Root mean square of (computed − measured)/deviation for the best factors in the band; `None` if ranges are not computed.
     pub best_misfit: Option<f64>,
-    /// Whether the best factors in the band explain the modes, with a misfit that chance exceeds in more than one of a thousand surveys; `None` if
-    /// not computed.
+    /// Whether the best factors in the band explain the modes: by chance, more than one in a thousand surveys has a larger misfit. `None` if not
+    /// computed.
     pub explains: Option<bool>,
-    /// Largest relative difference between a frequency of this linear model and that of the stack after settling again on the best springs,
-    /// or on those of the common factor if there are no best ones; an error if the stack does not come to rest on them.
+    /// Largest relative difference between a frequency of this linear model and that of the stack after it settles again on the best springs, or on
+    /// the common springs if there are no best ones. An error if the stack does not come to rest on them.
     pub resettled: Result<f64, BlocksError>,
 }

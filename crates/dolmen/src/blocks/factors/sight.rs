@@ -1,17 +1,17 @@
-//! Sensitivity of each mode to joints, and the number of combinations of factors that all modes determine.
+//! Sensitivity of each mode to the joints, and the number of combinations of factors that all modes determine.
 
 use super::model::{Datum, FactorModel, product};
 use super::result::CommonFactor;
 use crate::numeric::{BoundedStop, Residuals, bounded_least_squares};
 use dolmen_linalg::{LinalgError, Matrix, svd};
 
-/// Range of the common factor in the search: e^±18, a factor of 7e7. Our choice: far beyond stone on stone.
+/// Range of the common factor in the search: e^±18, a factor of 7e7. Our choice: far beyond any stone joint.
 const COMMON_MOST: f64 = 18.0;
-/// Half-width of a two-sided interval of 95 %, in deviations.
+/// Half-width of a two-sided 95 % interval, in standard deviations.
 pub(super) const TWO_SIDED_95: f64 = 1.959_963_984_540_054;
 
 impl FactorModel {
-    /// The share of the strain energy of each measured mode in the springs of each factor: c_g φᵀ K_g φ / λ; `None` where a mode has no frequency.
+    /// The fraction of the strain energy of each measured mode in the springs of each factor: c_g φᵀ K_g φ / λ; `None` if a mode has no frequency.
     pub(super) fn energy_shares(&self, factors: &[f64]) -> Option<Vec<Vec<f64>>> {
         let modes = self.modes(factors)?;
         let of = |datum: &Datum| {
@@ -58,7 +58,7 @@ impl FactorModel {
         })
     }
 
-    /// Singular values of the derivatives at x, descending, as many as there are data.
+    /// Singular values of the derivatives at x, descending, one for each datum.
     pub(super) fn singular_values(&self, x: &[f64]) -> Result<Vec<f64>, LinalgError> {
         let Some(at) = self.residuals(x) else {
             return Ok(Vec::new());
@@ -68,7 +68,7 @@ impl FactorModel {
     }
 }
 
-/// Number of combinations of factors whose 95 % interval is narrower than the band, which reaches `half_band` in ln c to each side.
+/// Number of combinations of factors whose 95 % interval is narrower than the band, which extends by `half_band` in ln c to each side.
 pub(super) fn fixed_combinations(singular_values: &[f64], half_band: f64) -> usize {
     let is_fixed = |s: &&f64| TWO_SIDED_95 / **s < half_band;
     singular_values.iter().filter(is_fixed).count()

@@ -1,4 +1,4 @@
-//! Motion of a stack in a mode.
+//! Motions of a stack in its modes.
 
 /// Motion of the stack in a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

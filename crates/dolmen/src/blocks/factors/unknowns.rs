@@ -14,8 +14,8 @@ use crate::structure::stack::{Joint, Stack};
 use dolmen_linalg::Matrix;
 use glam::DVec3;
 
-/// Distance between the planes of two joints below which they belong to one bed, m. Our choice: the stones of a course are levelled to a
-/// millimetre in a file.
+/// Distance between the planes of two joints below which they belong to one bed, m. Our choice: files give the beds of a course to a
+/// millimetre.
 const ONE_BED_M: f64 = 1e-3;
 /// Sine of the largest angle between normals of one bed. Our choice: a millimetre per metre.
 const ONE_BED_SINE: f64 = 1e-3;
@@ -30,9 +30,8 @@ pub(super) struct Group {
 pub(super) struct Unknowns {
     pub(super) of: StiffnessOf,
     pub(super) groups: Vec<Group>,
-    /// Springs without a factor: those of dowels, clamps, side supports, and of stones that touch without a drawn joint.
+    /// Springs without a factor: dowels, clamps, side supports, and contacts without a drawn joint.
     pub(super) others: Vec<SpringsBetween>,
-    /// Joints without springs at rest.
     pub(super) open_joints: Vec<usize>,
     pub(super) mass: Matrix,
 }
@@ -79,7 +78,7 @@ pub(super) fn unknowns(
     })
 }
 
-/// The joint with these springs, as selected by the assembly.
+/// The joint to which these springs belong, as paired by the assembly.
 fn joint_between(stack: &Stack, springs: &SpringsBetween) -> Option<usize> {
     let [a, b] = springs.bodies;
     let joins = |joint: &Joint| {

@@ -8,7 +8,7 @@
 use super::building_peaks::Peak;
 use super::stepping::{Ground, Stepping, states_at};
 
-/// The states at selected steps and beside them, and the interpolation between.
+/// The states at selected steps and their neighbours, for interpolation between them.
 pub(super) struct BetweenSteps<'a, S> {
     stepping: &'a S,
     ground: &'a dyn Fn(usize) -> Ground,
@@ -19,7 +19,7 @@ pub(super) struct BetweenSteps<'a, S> {
 }
 
 impl<'a, S: Stepping> BetweenSteps<'a, S> {
-    /// The steps at and next to `around`, out of `steps` steps of `h` seconds, the first of which is at rest; `starts` are the states at
+    /// Interpolation around the steps `around` of a run of `steps` steps of `h` seconds, which starts at rest. `starts` are the states at
     /// the beginnings of blocks.
     pub(super) fn new(
         stepping: &'a S,
@@ -60,7 +60,7 @@ impl<'a, S: Stepping> BetweenSteps<'a, S> {
         )
     }
 
-    /// The peak of a value beside the step where it is largest.
+    /// The peak of a value near the step where it is largest.
     pub(super) fn top(&self, row: &[f64], (value, step): (f64, usize)) -> Peak {
         let there = Peak {
             value,
@@ -88,7 +88,7 @@ impl<'a, S: Stepping> BetweenSteps<'a, S> {
         })
     }
 
-    /// The longest vector of two values beside the step where it is longest: the values, and the time, s.
+    /// The longest vector of two values near the step where it is longest: the values, and the time, s.
     pub(super) fn longest(&self, rows: [&[f64]; 2], (value, step): ([f64; 2], usize)) -> ([f64; 2], f64) {
         let there = (value, step as f64 * self.h);
         if value == [0.0; 2] {
@@ -141,7 +141,7 @@ impl<'a> Rates<'a> {
     }
 }
 
-/// The polynomial of the fifth degree with value, first and second rate at both ends of a step, from its beginning.
+/// The polynomial of degree five with the given value, first and second rate at both ends of a step.
 fn quintic([a, b]: [[f64; 3]; 2]) -> [f64; 6] {
     let (rise, slopes) = (b[0] - a[0] - a[1] - 0.5 * a[2], b[1] - a[1] - a[2]);
     let bends = b[2] - a[2];
@@ -163,7 +163,7 @@ fn slope(c: &[f64; 6], t: f64) -> f64 {
     (1..6).rev().fold(0.0, |sum, i| sum * t + i as f64 * c[i])
 }
 
-/// Where `rising` becomes false; it is true at the beginning of the step and false at its end.
+/// The point at which `rising` becomes false; it is true at the beginning of the step and false at its end.
 fn turn(rising: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..HALVINGS {

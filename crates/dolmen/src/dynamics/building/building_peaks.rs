@@ -6,7 +6,7 @@
 pub struct Peak {
     /// The value with the largest magnitude, with its sign.
     pub value: f64,
-    /// Its time, s.
+    /// Time of the peak, s.
     pub at_s: f64,
 }
 
@@ -44,7 +44,7 @@ pub struct StoreyPeak {
 pub struct ResultantDrift {
     /// Its length, m.
     pub size_m: f64,
-    /// Its time, s.
+    /// Time of the peak, s.
     pub at_s: f64,
     /// Its place on the floor above, in plan, m.
     pub place_m: [f64; 2],
@@ -53,7 +53,8 @@ pub struct ResultantDrift {
     pub direction_degrees: f64,
 }
 
-/// Largest values of a run, including those between steps: each is the peak next to the step with the largest value.
+/// Largest values of a run, including values between steps: the interpolated peak next to the step with the largest
+/// value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildingPeaks {
     /// Floors, lowest first.
@@ -62,7 +63,7 @@ pub struct BuildingPeaks {
     pub storeys: Vec<StoreyPeak>,
     /// Stroke of each mass, m.
     pub strokes_m: Vec<Peak>,
-    /// The rate of each stroke, m/s: a linear dashpot gives its coefficient times this.
+    /// Rate of each stroke, m/s; for a linear dashpot, the force is the coefficient times this rate.
     pub stroke_rates_m_s: Vec<Peak>,
     /// Shear in the walls of the lowest storey along x and y, N.
     pub base_shear_n: [Peak; 2],

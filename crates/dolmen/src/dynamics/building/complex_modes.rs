@@ -14,8 +14,8 @@ use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::{Complex64, Matrix};
 
-/// Modes are used if their sum reproduces the acceleration at the first instant, and zero velocity, to this fraction. Our choice: the results of
-/// a run may lose as much.
+/// Relative tolerance for the acceleration at the first instant, and for zero velocity, as a sum of modes. Modes with a larger error are not
+/// used, because the results of a run could have the same error. Our choice.
 const COMPLETE: f64 = 1e-11;
 
 /// All complex modes of the upper half-plane.
@@ -27,7 +27,6 @@ pub(super) struct ComplexModes {
     pub(super) outputs: Matrix,
 }
 
-/// One mode in modal coordinates.
 struct Mode {
     lambda: Complex64,
     modal: Vec<(usize, Complex64)>,
@@ -113,7 +112,7 @@ fn coupled(
     }
 }
 
-/// At rest, as a unit acceleration begins: Σ φ p = 0 and Σ λ φ p = M⁻¹ f.
+/// Checks the initial state under a unit acceleration: Σ φ p = 0 and Σ λ φ p = M⁻¹ f.
 fn is_complete(modes: &[Mode], gammas: &[[f64; 2]], building: &VibratingBuilding) -> bool {
     let oscillators = building.oscillators();
     let n = gammas.len();
@@ -140,7 +139,7 @@ fn is_complete(modes: &[Mode], gammas: &[[f64; 2]], building: &VibratingBuilding
         for (j, gamma) in gammas.iter().enumerate() {
             begins[j] += gamma[axis];
         }
-        // a stroke: z − z0, both of which start with the ground
+        // a stroke is z − z0: both are relative to the ground
         let unit = |d: usize| {
             let own = &oscillators[d];
             let place: f64 = own.row.iter().zip(gammas).map(|(b, gamma)| b * gamma[axis]).sum();
@@ -287,7 +286,7 @@ impl Stepping for Steps<'_> {
 
 /// φ_1 and φ_2; by their series where the quotients lose digits.
 fn quotients(z: Complex64) -> [Complex64; 2] {
-    const SMALL: f64 = 0.5; // then 20 terms leave less than 1e-25
+    const SMALL: f64 = 0.5; // 20 terms then leave less than 1e-25
     const TERMS: i32 = 20;
     if z.norm() >= SMALL {
         let first = (z.exp() - 1.0) / z;

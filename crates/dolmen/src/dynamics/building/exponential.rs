@@ -4,7 +4,7 @@ use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::Matrix;
 
-/// Terms of the series of e^X for ‖X‖ ≤ 1/2: 22 leave less than 1e-28.
+/// Number of terms of the series of e^X for ‖X‖ ≤ 1/2: the remainder after 22 terms is less than 1e-28.
 const TERMS: usize = 22;
 
 /// A linear system whose base moves: ẍ + M⁻¹C ẋ + M⁻¹K x = −e a.
@@ -85,7 +85,8 @@ impl ExponentialSteps {
 
     pub(crate) fn new(driven: &BaseDriven, h: f64) -> Self {
         let size = driven.stiffness.rows();
-        // velocities are divided by the highest frequency; otherwise rows of ω² beside rows of 1 lose digits
+        // velocities are divided by the highest frequency: entries of ω² and 1 in one matrix would lose
+        // digits
         let highest = driven.highest_rad_s;
         let mut rates = Matrix::zeros(2 * size, 2 * size);
         for i in 0..size {

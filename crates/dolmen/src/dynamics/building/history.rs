@@ -4,7 +4,7 @@
 //! |:--|:--|:--|:--|
 //! | a | | acceleration of the ground, straight between its samples, 0 after the last | m/s² |
 //! | q | | u, v, θ of the centres of mass of the floors relative to the ground | m, rad |
-//! | V, T | `base_shear_n`, `base_torque_n_m` | k_1 q_1: what the lowest storey's walls carry; T about the centre of all mass | N, N·m |
+//! | V, T | `base_shear_n`, `base_torque_n_m` | k_1 q_1, the forces in the walls of the lowest storey; T about the centre of all mass | N, N·m |
 
 use super::building_peaks::{BuildingPeaks, Peak};
 use super::complex_modes::{Steps, complex_modes};
@@ -17,7 +17,8 @@ use crate::dynamics::DynamicsError;
 use crate::signal::{Component, GroundMotion};
 use dolmen_linalg::Matrix;
 
-/// Duration after the motion: at least this long, s, as for frames and chains, and this many periods of the slowest mode or mass. Our choice.
+/// Duration after the motion: at least this long, s, as for frames and chains, and at least this many periods of the slowest mode or mass. Our
+/// choice.
 const REST_LEAST_S: f64 = 20.0;
 const REST_PERIODS: f64 = 10.0;
 /// Largest number of steps of a run: 10 million numbers for ten floors. Our choice.
@@ -26,11 +27,11 @@ const STEPS_MOST: usize = 4_000_000;
 /// Options of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildingRun {
-    /// Number of steps in each sample of the motion, which is linear between samples; 0 counts as 1.
+    /// Number of steps per sample of the motion, which is linear between samples; 0 counts as 1.
     pub steps_per_sample: usize,
     /// End of the run, s. `None`: after the motion, with the ground at rest, for 10 periods of the slowest mode or mass, and at least 20 s.
     pub end_s: Option<f64>,
-    /// Points of which the motion and absolute acceleration are requested, each a row of
+    /// Points whose motion and absolute acceleration are requested, each a row of
     /// [`Building::point_row`](crate::structure::Building::point_row).
     pub watched: Vec<Vec<f64>>,
     /// The requested output.
@@ -43,25 +44,25 @@ pub enum Histories {
     /// Every value at every step.
     #[default]
     Kept,
-    /// Only largest values: histories are empty, and a run of twenty storeys needs 4 MB less.
+    /// Only largest values: histories are empty; for twenty storeys this saves 4 MB.
     PeaksAlone,
 }
 
 /// Method of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HistoryMethod {
-    /// Mode by mode, exactly: roots of the secular equation where masses couple the modes.
+    /// Mode by mode, exactly. If tuned masses couple the modes, the complex modes are roots of the secular equation.
     ComplexModes,
-    /// The matrix exponential, exactly: two complex modes coincide, or some do not oscillate.
+    /// By the matrix exponential, exactly. Used if two complex modes coincide, or some do not oscillate.
     MatrixExponential,
 }
 
 /// The history of a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WatchedHistory {
-    /// Displacement relative to the ground at each step, m; empty if only peaks were requested, as the next.
+    /// Displacement relative to the ground at each step, m; empty if only peaks were requested.
     pub displacement_m: Vec<f64>,
-    /// Acceleration including that of the ground at each step, m/s², as an object there feels it.
+    /// Absolute acceleration at each step, m/s²; empty if only peaks were requested.
     pub acceleration_m_s2: Vec<f64>,
     /// Largest displacement, m.
     pub displacement_peak_m: Peak,
@@ -76,21 +77,21 @@ pub struct BuildingHistory {
     pub time_step_s: f64,
     /// Number of steps.
     pub steps: usize,
-    /// u, v, θ of each floor, lowest first, then the stroke of each mass: one column for each step, the first at rest; no column if only peaks
-    /// were requested.
+    /// u, v, θ of each floor, lowest first, then the stroke of each mass: one column for each step, the first at rest; no columns if only
+    /// peaks were requested.
     pub coordinates: Matrix,
-    /// Elastic base shear along x, y, N, and base torque, N·m: one column for each step, or none.
+    /// Elastic base shear along x, y, N, and base torque, N·m: one column for each step; no columns if only peaks were requested.
     pub base: Matrix,
-    /// Its method.
+    /// Method of the run.
     pub method: HistoryMethod,
     /// Largest values.
     pub peaks: BuildingPeaks,
-    /// The points of the run, in its order.
+    /// Histories of the watched points, in their order.
     pub watched: Vec<WatchedHistory>,
 }
 
 impl BuildingHistory {
-    /// Whether some displacement or stroke was largest at the end of the run: it may have grown further.
+    /// Whether a displacement or stroke was largest at the end of the run, so that it may have grown further.
     pub fn grows_at_the_end(&self) -> bool {
         let last_s = (self.length() as f64 - 1.5) * self.time_step_s;
         let floors = self.peaks.floors.iter();
@@ -110,7 +111,7 @@ impl BuildingHistory {
         step as f64 * self.time_step_s
     }
 
-    /// A point along a direction in time, m: its row as [`Building::point_row`](crate::structure::Building::point_row) gives it.
+    /// Displacement of a point along a direction over time, m, from its row by [`Building::point_row`](crate::structure::Building::point_row).
     pub fn along(&self, row: &[f64]) -> Vec<f64> {
         let used: Vec<(usize, f64)> = row
             .iter()
@@ -131,18 +132,18 @@ impl BuildingHistory {
 /// ```text
 /// M q″ + C q′ + K q = −M ι_x a_x − M ι_y a_y + tuned masses          3N + D values a step
 /// ```
-/// The ground acceleration is linear between samples, and the solution exact for it: mode by mode; with tuned masses by complex modes, whose
-/// frequencies are roots of a secular equation with one unknown for each mass; by the matrix exponential where two of these coincide. Peaks
-/// between the steps follow from the states at both ends of the step beside the largest value, by the polynomial of the fifth degree through
-/// value, velocity and acceleration there.
+/// The ground acceleration is linear between samples, and the solution is exact for it. It is computed mode by mode; with tuned masses by
+/// complex modes, whose frequencies are roots of a secular equation with one unknown for each mass; and by the matrix exponential if two of
+/// these coincide. Peaks between the steps follow from the states at both ends of the steps next to the largest value, by the polynomial of
+/// degree five through value, velocity and acceleration there.
 ///
 /// # Errors
 /// [`DynamicsError::Argument`] for a motion without x and y, an end before 0, or too many steps.
 ///
 /// # Limits
-/// Displacements are small and walls linear. For a mode with a period of 10 steps a peak is accurate to 2e-6 of it. It is the peak beside the
-/// largest value at a step; another one that is higher between steps by less than π²/(2n²), n steps a period, may be missed. A 20-storey
-/// building with a tuned mass, 40 s of El Centro at 0.005 s: within 1e-9 m of the matrix exponential.
+/// Displacements are small and walls linear. For a mode with a period of 10 steps, a peak has a relative error of 2e-6. It is the peak next to
+/// the largest value at a step. A different peak that is higher between steps by less than π²/(2n²), with n steps per period, may be missed.
+/// For a 20-storey building with a tuned mass and 40 s of El Centro at 0.005 s, the difference from the matrix exponential is below 1e-9 m.
 ///
 /// # Example
 /// ```
@@ -153,7 +154,7 @@ impl BuildingHistory {
 /// let stiffness = StoreyStiffness::at_centre(100.0, 50.0, 300.0, [0.0, 0.0]);
 /// let building = Building::new(vec![floor], vec![Storey { height_m: 3.0, stiffness }], PDelta::LeftOut)?;
 /// let vibrating = VibratingBuilding::new(building, &BuildingDamping::Modal(vec![0.0]), Vec::new())?;
-/// // a step of the ground: twice the static displacement
+/// // a sudden constant acceleration of the ground: twice the static displacement
 /// let step = GroundMotion::new("step", 0.01, vec![(Component::X, vec![1.0; 200])])?;
 /// let history = building_history(&vibrating, &step, &BuildingRun::default())?;
 /// assert!((history.peaks.floors[0].displacement_x_m.value + 0.02).abs() < 1e-5);
@@ -265,7 +266,6 @@ pub(crate) fn shaken<'a>(
 pub(crate) struct SystemRun<'a> {
     pub(crate) building: &'a VibratingBuilding,
     steps: usize,
-    /// Time of a step, s.
     pub(crate) h: f64,
     watched: &'a [Vec<f64>],
     histories: Histories,

@@ -1,4 +1,5 @@
-//! Buildings that twist under moving ground: exact between the samples, with or without tuned masses; and by response spectra.
+//! Buildings with torsion under ground motion, with or without tuned masses: time histories that are exact between samples,
+//! and response spectra.
 
 mod between_steps;
 mod building_peaks;

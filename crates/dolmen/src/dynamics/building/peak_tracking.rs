@@ -60,7 +60,7 @@ pub(super) fn floor_extents(building: &VibratingBuilding) -> Vec<FloorExtent> {
     each.collect()
 }
 
-/// Coefficients of u, v, θ of a storey's floor and of the floor below in one of its values.
+/// Coefficients of u, v, θ of a storey's floor and of the floor below for one of the tracked values.
 pub(super) fn factors(value: usize, extent: &FloorExtent) -> [[f64; 3]; 2] {
     let unit = |k: usize| [0, 1, 2].map(|i| f64::from(i == k));
     let own = [0, 1, 2].map(|k| storey_values(unit(k), [0.0; 3], extent)[value]);
@@ -90,7 +90,6 @@ fn storey_values([u, v, theta]: [f64; 3], below: [f64; 3], extent: &FloorExtent)
 /// The longest drift of a corner at a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct LongestDrift {
-    /// Along x and y.
     pub(super) drift: [f64; 2],
     pub(super) step: usize,
 }
@@ -163,7 +162,7 @@ impl Drifts {
 }
 
 impl<'a> PeakTracker<'a> {
-    /// `count` values in addition to those of the storeys.
+    /// Starts with `count` values in addition to those of the storeys.
     pub(super) fn new(floor_extents: &'a [FloorExtent], count: usize) -> Self {
         PeakTracker {
             floor_extents,
@@ -278,7 +277,7 @@ mod tests {
         (values[3], values[11], values[18]) = (-2.0, 2.0, 1.0);
         take(&mut found, &values, 100);
         assert_eq!(found, (-2.0, 103));
-        take(&mut found, &[2.0, -1.0], 119); // as large: the first stays
+        take(&mut found, &[2.0, -1.0], 119); // equal magnitude: the first stays
         assert_eq!(found, (-2.0, 103));
         take(&mut found, &[0.0, 0.0, 3.0], 121); // in the remainder
         assert_eq!(found, (3.0, 123));

@@ -14,7 +14,6 @@ const NEAR_LONGEST: f64 = 0.8;
 /// The outputs of a run.
 pub(super) struct Watcher {
     floors: usize,
-    /// Centres of mass of the floors, m.
     centres_m: Vec<[f64; 2]>,
     floor_extents: Vec<FloorExtent>,
     /// ιᵀ K: only the walls of the lowest storey transfer force to the ground.
@@ -53,7 +52,6 @@ impl RequestedHistories {
         }
     }
 
-    /// Nothing.
     pub(super) fn none(coordinates: usize, points: usize) -> Self {
         RequestedHistories {
             coordinates: Matrix::zeros(coordinates, 0),
@@ -175,7 +173,7 @@ impl Watcher {
         }
     }
 
-    /// The peak beside each of the largest values at steps, and beside each longest drift.
+    /// Interpolated peaks next to the largest values at steps, and next to the longest drifts.
     pub(super) fn peaks(
         &self,
         (all, longest): (&[(f64, usize)], &[Vec<LongestDrift>]),

@@ -5,7 +5,7 @@
 //! | p_j, p̄_j | `poles` | roots of s² + 2ζ_jω_j s + ω_j², and of m s² + c s + k of each mass |
 //! | λ_k | | roots sought, one near each pole: λ_k = p_o + δ_k |
 //! | δ_k | `Root::shift` | kept instead of λ_k: a mode that hardly moves at the mass has its root next to its pole |
-//! | b_dj | `row` | motion of mode j at mass d along its direction |
+//! | δ_k | `Root::shift` | stored instead of λ_k: if a mode hardly moves at the mass, its root is very close to its pole |
 //! | P_d | | m s² + c s + k |
 //! | h_d | | (c s + k) m s² |
 //! | W_de | | Σ_j b_dj b_ej/(s² + 2ζ_jω_j s + ω_j²) |
@@ -16,18 +16,18 @@ use dolmen_linalg::Complex64;
 
 /// Largest number of iterations; 5 to 12 are needed.
 const ROUNDS_MOST: usize = 80;
-/// Convergence of a root: its change is below this fraction of its shift, or of itself.
+/// Convergence of a root: its change is below this fraction of its shift, or of the root.
 const SHIFT_FOUND: f64 = 1e-13;
 const ROOT_FOUND: f64 = 2e-16;
 /// Largest distance of a first guess from its pole, over the size of the pole.
 const START_MOST: f64 = 0.2;
-/// A mode whose modal mass ratio at every mass is below this is unaffected by them.
+/// A mode whose modal mass ratio at every mass is below this is unaffected by the masses.
 const UNTOUCHED: f64 = 1e-28;
 
 /// λ = pole + shift, in the upper half-plane; its conjugate is a root too.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Root {
-    /// Index of the pole: the structure's, then those of the masses.
+    /// Index of the pole: first the poles of the structure, then those of the masses.
     pub(super) origin: usize,
     pub(super) shift: Complex64,
 }
@@ -37,7 +37,7 @@ pub(super) struct Secular<'a> {
     pub(super) poles: Vec<Complex64>,
     pub(super) modes: usize,
     pub(super) oscillators: &'a [Oscillator],
-    /// Modes that some mass affects.
+    /// Modes that at least one mass affects.
     pub(super) touched: Vec<usize>,
 }
 
@@ -149,9 +149,9 @@ impl<'a> Secular<'a> {
         self.coupled(root).f
     }
 
-    /// One root near each affected pole and each mass; `None` if they are not found: some may be real.
+    /// One root near each affected pole and each mass; `None` if they are not found, because some may be real.
     ///
-    /// Aberth (1973) Math. Comp. 27:339-344, on ∏ (s² + 2ζω s + ω²) det F, whose roots come in conjugate pairs; differences of roots are
+    /// Aberth (1973) Math. Comp. 27:339-344, on ∏ (s² + 2ζω s + ω²) det F, whose roots come in conjugate pairs. Differences of roots are
     /// computed from their shifts.
     pub(super) fn roots(&self) -> Option<Vec<Root>> {
         let mut roots = self.starts();
@@ -237,7 +237,7 @@ impl<'a> Secular<'a> {
         roots
     }
 
-    /// A valid first guess: a number, not at the pole and not far from it.
+    /// A valid first guess: finite, different from the pole, and close to it.
     fn limited(&self, origin: usize, shift: Complex64) -> Root {
         let size = self.poles[origin].norm();
         let norm = shift.norm();

@@ -71,7 +71,7 @@ pub fn correlation_coefficient([omega_i, zeta_i]: [f64; 2], [omega_n, zeta_n]: [
         + 4.0 * zeta_i * zeta_n * beta * (1.0 + beta * beta)
         + 4.0 * (zeta_i * zeta_i + zeta_n * zeta_n) * beta * beta;
     if above == 0.0 && below == 0.0 {
-        return 1.0; // one frequency, no damping
+        return 1.0; // equal frequencies, no damping
     }
     above / below
 }
@@ -110,11 +110,11 @@ pub struct SpectralAnalysis {
     correlation: dolmen_linalg::Matrix,
 }
 
-/// Reads a spectrum at every mode: `acceleration_m_s2(period_s, damping_ratio)` gives S_a along x and along y.
+/// Evaluates a spectrum at every mode: `acceleration_m_s2(period_s, damping_ratio)` gives S_a along x and along y.
 ///
 /// # Errors
-/// [`DynamicsError::Argument`] for a building with tuned masses, whose modes differ, or for a spectral value that is not a positive number;
-/// errors of the spectrum are passed on.
+/// [`DynamicsError::Argument`] for a building with tuned masses, or for a spectral value that is not a positive number; errors of the spectrum
+/// are passed on.
 ///
 /// # Limits
 /// Only for a building without tuned masses, which need a time history. All modes are included.
@@ -174,7 +174,7 @@ pub fn spectral_analysis<E: From<DynamicsError>>(
 }
 
 impl SpectralAnalysis {
-    /// Largest response of each mode to shaking along an axis (0 x, 1 y), with its sign, for the quantity that `row` gives from all coordinates.
+    /// Largest response of each mode to shaking along an axis (0 x, 1 y), with its sign, of the quantity `row` times the coordinates.
     pub fn of_modes(&self, row: &[f64], axis: usize) -> Vec<f64> {
         let each = (0..self.omegas.len()).map(|n| {
             let along: f64 = row
@@ -187,12 +187,12 @@ impl SpectralAnalysis {
         each.collect()
     }
 
-    /// The largest response of the quantity that `row` gives from all coordinates.
+    /// The largest response of the quantity `row` times the coordinates.
     pub fn largest(&self, row: &[f64], modal: ModalCombination, directional: DirectionalCombination) -> f64 {
         directional.of(|axis| self.combined(&self.of_modes(row, axis), modal))
     }
 
-    /// The largest response over all directions of shaking, with a weaker perpendicular component: CQC3.
+    /// The largest response over all directions of shaking with a weaker perpendicular component, by CQC3.
     ///
     /// ```text
     /// r² = (r_x² + γ² r_y²) cos² θ + (r_y² + γ² r_x²) sin² θ + 2 (1 − γ²) r_xy sin θ cos θ

@@ -3,8 +3,8 @@
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | s | `state` | s′ = A s + B a | states |
-//! | O | `outputs` | what is wanted of it: x = O s | rows × states |
-//! | a | `ground` | acceleration of the ground, straight within a step | 2 |
+//! | O | `outputs` | output matrix: x = O s | rows × states |
+//! | a | `ground` | acceleration of the ground, linear within a step | 2 |
 
 use dolmen_linalg::Matrix;
 use pulp::Arch;
@@ -15,20 +15,19 @@ pub(crate) type Ground = [[f64; 2]; 2];
 /// Number of steps that are multiplied together: the block stays in the cache. Our choice; a multiple of 4.
 pub(super) const BLOCK: usize = 128;
 
-/// A state that is stepped exactly.
+/// A linear state with exact steps.
 pub(crate) trait Stepping {
     /// O: displacements u, v, θ of the floors, strokes of the dampers.
     fn outputs(&self) -> &Matrix;
-    /// The state after a step.
     fn advance(&self, from: &[f64], to: &mut [f64], ground: Ground);
-    /// r A: the row that gives the rate of the quantity of r, without the immediate contribution of the ground.
+    /// r A: rate of the quantity r s, without the immediate contribution of the ground.
     fn rate_row(&self, row: &[f64]) -> Vec<f64>;
-    /// r B: the immediate contribution of the ground along x and along y to the rate of the quantity of r.
+    /// r B: immediate contribution of the ground along x and along y to the rate of the quantity r s.
     fn ground_of_row(&self, row: &[f64]) -> [f64; 2];
 }
 
-/// Steps the state from rest and converts it into outputs, block by block: `outputs` is O transposed, states × rows, and `see` receives the
-/// values of a block (one column for each row of O), its first step and their number. Returns the states at the beginnings of the blocks.
+/// Steps the state from rest and computes the outputs block by block. `outputs` is O transposed, states × rows; `see` receives the values
+/// of a block (one column for each row of O), its first step and the number of steps. Returns the states at the beginnings of the blocks.
 pub(super) fn walk(
     stepping: &impl Stepping,
     outputs: &Matrix,
@@ -56,7 +55,7 @@ fn walk_on(
     while done < steps {
         states.push(state.clone());
         let now = BLOCK.min(steps - done);
-        // in the widest vectors of the machine; the operations, and so the bits, are the same on any
+        // with the widest vector registers of the machine; the operations, and therefore the bits, are the same on every machine
         arch.dispatch(
             #[inline(always)]
             || {
@@ -79,7 +78,7 @@ fn walk_on(
     states
 }
 
-/// The states at given distinct steps in ascending order, from those at the beginnings of blocks.
+/// The states at given steps, distinct and ascending, from those at the beginnings of blocks.
 pub(super) fn states_at(
     stepping: &impl Stepping,
     states: &[Vec<f64>],
@@ -108,7 +107,7 @@ pub(super) fn states_at(
 mod tests {
     use super::*;
 
-    /// s′ = A s + B a of as many states as A has rows.
+    /// s′ = A s + B a with as many states as A has rows.
     struct Plain {
         of_state: Vec<Vec<f64>>,
         outputs: Matrix,

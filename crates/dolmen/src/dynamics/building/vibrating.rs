@@ -23,16 +23,14 @@ pub struct TunedMass {
     pub mass_kg: f64,
     /// Natural frequency of the mass on its spring, Hz.
     pub frequency_hz: f64,
-    /// Damping ratio c/(2 m ω), with ω of the mass on its spring.
+    /// Damping ratio c/(2 m ω), with ω the natural frequency of the mass on its spring.
     pub damping_ratio: f64,
 }
 
-/// A tuned mass in modal coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Oscillator {
     /// Displacement of its position along its direction in each mode, 1/√kg.
     pub(super) row: Vec<f64>,
-    /// Unit vector of its direction.
     pub(super) unit: [f64; 2],
     pub(super) mass: f64,
     pub(super) stiffness: f64,

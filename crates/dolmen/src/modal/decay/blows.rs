@@ -1,34 +1,35 @@
-//! Detects forces within a decay: the motion grows suddenly, and differs from the prediction by its past.
+//! Detects forces within a decay: the motion grows suddenly and differs from the prediction by its past.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | y(t) | | samples of a channel over its own power |
-//! | a_k, s | `weights`, `spacing` | y(t) = Σ a_k y(t - k s): every sum of decays obeys one such rule in all channels |
-//! | e | `error` | prediction error of the rule, all channels together |
+//! | y(t) | | samples of a channel, normalised to unit power |
+//! | a_k, s | `weights`, `spacing` | y(t) = Σ a_k y(t - k s): a sum of decays satisfies one such equation in all
+//! channels |
+//! | e | `error` | prediction error, all channels together |
 
 use crate::modal::ModalError;
 use crate::numeric::middle;
 use crate::signal::Record;
 use dolmen_linalg::{Matrix, solve};
 
-/// Number of terms of the rule: twelve modes.
+/// Number of prediction terms: twelve modes.
 const TERMS: usize = 24;
 /// Fraction of the record that the terms cover.
 const REACH: f64 = 0.1;
 /// Number of refits of the prediction, each with less weight for samples that it does not predict.
 const ROUNDS: usize = 4;
-/// Factors by which the prediction error must increase, relative to itself and to the motion, and by which the motion
-/// must increase; powers. Our choice.
+/// Factors in power by which the prediction error must increase, relative to itself and to the motion, and by which
+/// the motion must increase. Our choice.
 const ERROR_RISES: f64 = 20.0;
 const ERROR_SHARE: f64 = 0.02;
 const MOTION_RISES: f64 = 1.5;
-/// Shortest record that is examined.
 const SAMPLES_LEAST: usize = 240;
 
 /// Times, s from the first sample, at which a new force excites the structure.
 ///
 /// # Limits
-/// Beats follow the rule and are not blows. A blow that adds less than half to the motion at its time is not detected.
+/// Beats satisfy the prediction and are not blows. A blow that increases the motion at its time by less than half is
+/// not detected.
 pub(super) fn blows(record: &Record) -> Result<Vec<f64>, ModalError> {
     let samples = record.length();
     if samples < SAMPLES_LEAST {
@@ -76,7 +77,7 @@ fn foretold(channels: &[Vec<f64>], spacing: usize, first: usize) -> Result<Vec<f
         }
         let trace: f64 = (0..TERMS).map(|i| inner[(i, i)]).sum();
         for i in 0..TERMS {
-            // a rule of more terms than modes has many solutions: the smallest
+            // with more terms than modes there are many solutions; this term selects the smallest
             inner[(i, i)] += 1e-10 * trace / TERMS as f64 + f64::MIN_POSITIVE;
             for j in 0..i {
                 inner[(j, i)] = inner[(i, j)];
@@ -100,7 +101,7 @@ fn foretold(channels: &[Vec<f64>], spacing: usize, first: usize) -> Result<Vec<f
     Ok(error)
 }
 
-/// Samples at which error and motion increase together: selected by clarity, returned in order of time.
+/// Samples at which error and motion increase together: the clearest are selected first; the result is by time.
 fn rises(error: &[f64], motion: &[f64], first: usize) -> Vec<usize> {
     let samples = error.len();
     let (short, long) = ((samples / 40).max(4), (samples / 20).max(8));

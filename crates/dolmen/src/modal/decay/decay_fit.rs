@@ -13,7 +13,6 @@ use crate::signal::Record;
 use dolmen_linalg::{Complex64, Matrix, qr, solve};
 use std::f64::consts::PI;
 
-/// The motion as a sum of decays.
 pub(super) struct Fit {
     pub(super) roots: Vec<Complex64>,
     /// Amplitude of each mode at each channel: modes × channels.
@@ -24,13 +23,13 @@ pub(super) struct Fit {
     pub(super) explained: f64,
     /// Energy of each mode over the noise.
     pub(super) energy: Vec<f64>,
-    /// Residual, channels × samples.
     pub(super) rest: Vec<Vec<f64>>,
-    /// Deviation of each mode over that in white noise of the same power, 1 or more.
+    /// Standard deviation of each mode over that in white noise of the same power; 1 or more.
     pub(super) over_white: Vec<f64>,
 }
 
-/// Modes that are stronger than white noise: the weakest other mode is removed and the rest fitted again.
+/// Keeps the modes that are stronger than white noise: removes the weakest mode and fits the rest again, until all are
+/// significant.
 ///
 /// ```text
 /// E_k = Σ_c Σ_t (Re a_kc e^(μ_k t))²/σ_c² > 2 l + 6 ln N        noise alone passes once in N² records: P(χ²₂ > 6 ln N) = N⁻³
@@ -110,7 +109,7 @@ struct Linear {
     information: Matrix,
     towards: Vec<f64>,
     energy: Vec<f64>,
-    /// Power of the residual, with each channel divided by its own power.
+    /// Power of the residual, each channel relative to its own power.
     left: f64,
     power: f64,
     rest: Vec<Vec<f64>>,
@@ -148,7 +147,7 @@ impl Linear {
             let (power, rest) = (squares(y), squares(&left));
             found.power += 1.0;
             found.left += rest / power.max(f64::MIN_POSITIVE);
-            // an exact decay leaves only rounding: weights stay finite
+            // an exact decay leaves only rounding: the limit keeps the weights finite
             let variance = (rest / free)
                 .max((1e-15_f64).powi(2) * power / samples as f64)
                 .max(f64::MIN_POSITIVE);

@@ -1,8 +1,8 @@
-//! Compares the residual of a decay fit with white noise at each mode. A structure that is still shaken increases the standard deviations.
+//! Compares the residual of a decay fit with white noise at each mode. If forces still act on the structure, the standard deviations increase.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | q | `seen` | Σ_c conj(a_c) r_c/σ_c², the residual projected on the mode, relative to its frequency |
+//! | q | `seen` | Σ_c conj(a_c) r_c/σ_c², the residual projected on the mode, demodulated at its frequency |
 //! | X | `basis` | e^(-αt), t e^(-αt): derivatives for the amplitude and the pole |
 //! | K | `kept` | e^(-α\|t-t'\|), covariance of a mode under white-noise forces |
 //! | ρ | `ratio` | power of K relative to that of white noise |
@@ -12,21 +12,21 @@ use crate::signal::Record;
 use dolmen_linalg::{Complex64, Matrix, solve, symmetric_eigen};
 use std::f64::consts::PI;
 
-/// Number of blocks over the record, for a slowly decaying mode. A block averages the residual over whole periods.
+/// Number of blocks over the record for a slowly decaying mode. A block averages the residual over full periods.
 const BLOCKS: f64 = 40.0;
 /// Longest duration of a block, as a fraction of 1/α.
 const BLOCK_OF_LIFE: f64 = 0.2;
 /// Fewest blocks for estimating a ratio, and largest number of blocks used.
 const BLOCKS_LEAST: usize = 8;
 const BLOCKS_MOST: usize = 400;
-/// Range of tested ratios, in tenths of a decade.
+/// Range of the tested ratios, in tenths of a decade.
 const RATIO_LOG: [i32; 2] = [-20, 60];
-/// Factor on the additional variance, for what the model of white-noise forces misses. Measured over 80 decays: with ambient motion of 1 % of a
-/// blow, the standard deviations of three modes would be 1.06 to 1.31 times too small without it.
+/// Factor on the additional variance, for errors of the white-noise force model. Measured over 80 decays with ambient motion of 1 % of a blow:
+/// without this factor the standard deviations of three modes would be 1.06 to 1.31 times too small.
 const MISSED: f64 = 1.44;
 
-/// Twice the gain in ln likelihood above which the residual is not white noise. One in a hundred records of white noise exceeds it (half of χ²
-/// with one degree of freedom).
+/// Limit of twice the gain in log-likelihood, above which the residual is not white noise. One in a hundred records of white noise exceeds it
+/// (half of χ² with one degree of freedom).
 const BEYOND_CHANCE: f64 = 5.41;
 
 /// Factor on the standard deviation of a pole, relative to the value for white noise; 1 or more.
@@ -37,7 +37,7 @@ const BEYOND_CHANCE: f64 = 5.41;
 /// ```
 ///
 /// # Limits
-/// The forces are assumed white near the mode and stationary through the record.
+/// The forces are assumed white near the mode and stationary throughout the record.
 pub(super) fn over_white(
     record: &Record,
     left: &[Vec<f64>],
@@ -84,7 +84,7 @@ pub(super) fn over_white(
     factor(&seen, &times_s, alpha)
 }
 
-/// The factor for one series of blocks, in which white noise has a variance of 1.
+/// The factor for one series of blocks, scaled so that white noise has unit variance.
 fn factor(seen: &[Complex64], times_s: &[f64], alpha: f64) -> Result<f64, ModalError> {
     let n = seen.len();
     let basis = Matrix::from_fn(n, 2, |i, j| {

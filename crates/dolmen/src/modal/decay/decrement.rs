@@ -12,11 +12,10 @@ use crate::numeric::student_two_sided_quantile;
 use crate::signal::{Record, band_pass};
 use std::f64::consts::PI;
 
-/// Order of one pass of the filter.
 const FILTER_ORDER: usize = 3;
 /// Fewest extrema for one value: two full cycles.
 const EXTREMA_LEAST: usize = 5;
-/// Least ratio of an extremum to the noise. Our choice.
+/// Smallest ratio of an extremum to the noise. Our choice.
 const ABOVE_NOISE: f64 = 5.0;
 
 /// Options of [`decrement`].
@@ -24,11 +23,11 @@ const ABOVE_NOISE: f64 = 5.0;
 pub struct Decrement {
     /// Index of the channel; default 0.
     pub channel: usize,
-    /// Lower and upper corner of a band with this mode only, Hz; `None` (default): the record is not filtered.
+    /// Lower and upper corner of a band that contains only this mode, Hz; `None` (default): no filter.
     pub band_hz: Option<[f64; 2]>,
     /// Number of extrema for each value; default 8 (our choice: four cycles).
     pub extrema: usize,
-    /// Standard deviation of the noise in the channel; extrema below five times this are left out; default 0.
+    /// Standard deviation of the noise in the channel; extrema below five times this value are left out; default 0.
     pub noise: f64,
 }
 
@@ -49,14 +48,14 @@ impl Default for Decrement {
 pub struct AtAmplitude {
     /// Mean time of the extrema, s from the first sample.
     pub time_s: f64,
-    /// Amplitude of the swings: e to the mean of ln u, in the unit of the channel.
+    /// Amplitude of the cycles: exp of the mean of ln u, in the unit of the channel.
     pub amplitude: f64,
     /// Natural frequency, Hz.
     pub frequency_hz: f64,
     /// Equivalent damping ratio.
     pub damping_ratio: f64,
-    /// Standard deviation of the damping ratio, from the scatter of ln u about a straight line and the number of extrema that are
-    /// independent in the band.
+    /// Standard deviation of the damping ratio, from the scatter of ln u about a straight line and the number of independent extrema in
+    /// the band.
     pub damping_ratio_sd: f64,
     /// Degrees of freedom of that standard deviation: number of independent extrema minus 2; at least 1.
     pub degrees_of_freedom: f64,
@@ -78,19 +77,20 @@ impl AtAmplitude {
 /// ln u_k = c - δ t_k,   k = ω_d t_k/π + c'                      least squares over windows of extrema, which overlap by half
 /// ω = √(ω_d² + δ²),   f = ω/2π,   ζ = δ/ω,   σ_ζ = √(c r²/((n − 2) Σ (t − t̄)²))/ω,   c = 2 f/(width of the band), 1 at least
 /// ```
-/// Extrema are refined by the parabola through three samples. With a band, the extrema within its ringing time (3 over its width) of both
-/// ends are left out, because the filter distorts them.
+/// A parabola through three samples refines each extremum. With a band, the extrema near both ends, within the ringing time (3 over the
+/// bandwidth), are left out, because the filter distorts them.
 ///
 /// # Errors
-/// [`ModalError::Option`] for an option out of range; [`ModalError::FewSwings`] for fewer extrema than one value needs;
+/// [`ModalError::Option`] for an option out of range; [`ModalError::FewSwings`] if there are fewer extrema than one value needs;
 /// [`ModalError::Record`] for a band that cannot be filtered.
 ///
 /// # Limits
-/// One mode: another mode in the band causes beats. The error of the parabola in amplitude is 0.1 % at 16 samples per cycle, 10⁻⁵ at 50.
-/// Each value is a mean over its extrema: for a joint that slips above one amplitude and sticks below it, the transition is smoothed.
+/// Valid for one mode: another mode in the band causes beats. The error of the parabola in amplitude is 0.1 % at 16 samples per cycle,
+/// 10⁻⁵ at 50. Each value is a mean over its extrema, so a sudden transition, for example of a joint that slips above one amplitude, is
+/// smoothed.
 ///
 /// # Source
-/// Logarithmic decrement: Rayleigh (1877) *The Theory of Sound*, sec. 45; by extrema of both signs, and in windows.
+/// Logarithmic decrement: Rayleigh (1877) *The Theory of Sound*, sec. 45; here with extrema of both signs, and in windows.
 pub fn decrement(record: &Record, options: &Decrement) -> Result<Vec<AtAmplitude>, ModalError> {
     check(record, options)?;
     let rate_hz = record.sampling_rate_hz();
@@ -147,7 +147,6 @@ fn check(record: &Record, options: &Decrement) -> Result<(), ModalError> {
     Ok(())
 }
 
-/// One extremum.
 #[derive(Clone, Copy)]
 struct Swing {
     time_s: f64,
@@ -164,7 +163,7 @@ fn extrema(y: &[f64], rate_hz: f64) -> Vec<Swing> {
             .find(|&i| (y[i] > 0.0) != positive)
             .unwrap_or(y.len());
         let most = (start..end).reduce(|best, i| if y[i].abs() > y[best].abs() { i } else { best });
-        // a half cycle cut by an end of the record may not contain its extremum
+        // a half cycle at an end of the record may not contain its extremum
         if let Some(i) = most.filter(|&i| i > 0 && i + 1 < y.len() && start > 0 && end < y.len()) {
             let (a, b, c) = (y[i - 1].abs(), y[i].abs(), y[i + 1].abs());
             let bend = a - 2.0 * b + c;
@@ -179,7 +178,6 @@ fn extrema(y: &[f64], rate_hz: f64) -> Vec<Swing> {
     found
 }
 
-/// Frequency and damping from these extrema.
 fn over(swings: &[Swing], width_hz: Option<f64>) -> AtAmplitude {
     let n = swings.len() as f64;
     let mean = |of: &dyn Fn(usize, &Swing) -> f64| -> f64 {

@@ -13,19 +13,18 @@ use crate::modal::{Method, ModalError, Modes};
 use crate::signal::Record;
 use dolmen_linalg::{Complex64, Matrix, Svd, eigen, svd};
 
-/// Hankel matrices of more rows take many seconds.
+/// Largest number of rows of a Hankel matrix; more rows take many seconds.
 const ROWS_MOST: usize = 500;
 /// Columns per row: later samples have mostly decayed.
 const COLUMNS_A_ROW: usize = 3;
-/// Fewest samples.
 const SAMPLES_LEAST: usize = 32;
 
 /// Options of [`era`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Era {
-    /// Block rows p; `None` (default): two fifths of the samples, or as many as keep the rows below 500.
+    /// Block rows p; `None` (default): two fifths of the samples, but at most 500 rows in total.
     pub block_rows: Option<usize>,
-    /// Order of the model; `None` (default): number of singular values above those of noise.
+    /// Order of the model; `None` (default): number of singular values above the noise.
     pub order: Option<usize>,
     /// Largest damping ratio of a mode; default 0.3 (our choice).
     pub damping_ratio_most: f64,
@@ -57,8 +56,8 @@ pub struct FreeDecay {
     pub noise: Vec<f64>,
     /// Residual of each channel, in its unit: channels × samples.
     pub rest: Vec<Vec<f64>>,
-    /// Factor on the standard deviations of each mode relative to white noise of the same power. It is above 1 if the residual contains the frequency
-    /// of the mode, because the structure is still shaken.
+    /// Factor on the standard deviations of each mode, relative to white noise of the same power. It exceeds 1 if the residual contains the frequency
+    /// of the mode, because forces still act on the structure.
     pub over_white: Vec<f64>,
     /// Singular values of H₀, descending.
     pub singular_values: Vec<f64>,
@@ -68,7 +67,7 @@ pub struct FreeDecay {
     pub block_rows: usize,
 }
 
-/// Modes of one free decay: a record that begins when the last force has ended.
+/// Modes of one free decay. The record must begin after the last force has ended.
 ///
 /// ```text
 /// H₀ = U S Vᵀ,  A = S^-½ Uᵀ H₁ V S^-½,  μ = ln(λ(A)) f_s                     first n singular values
@@ -77,21 +76,21 @@ pub struct FreeDecay {
 /// v ≥ 1: the residual near each mode is white noise plus the response of that mode to white forces, with the most likely powers
 /// ```
 /// The order is the number of singular values above the optimal threshold for white noise, ω(β) times their median. A pole is a mode if it
-/// oscillates, its damping is within bounds and it is coherent: its time series in V equals its own exponential. Frequencies, damping ratios and
-/// amplitudes are then fitted to all samples together, which removes the error of the truncation.
+/// oscillates, has an allowed damping ratio, and is coherent: its time series in V equals its own exponential. Frequencies, damping ratios and
+/// amplitudes are then fitted to all samples together, which removes the truncation error.
 ///
 /// # Errors
-/// [`ModalError::DecayTooShort`], [`ModalError::Option`], [`ModalError::NoDecay`] if nothing swings above the noise; [`ModalError::Linalg`].
+/// [`ModalError::DecayTooShort`], [`ModalError::Option`], [`ModalError::NoDecay`] if no mode exceeds the noise; [`ModalError::Linalg`].
 ///
 /// # Limits
-/// The method is linear: if a joint moves more in strong motion, its frequency rises as the motion decays, which appears as a low `explained`. The
-/// noise must be white, or the response of the structure to stationary forces: the standard deviations are then right within a third (docs). Exact
-/// decays give their poles to 1e-9. With white noise of 5 % of the first amplitude, the scatter of frequency and damping is that of the bound (a
-/// test).
+/// The method is linear. If a joint moves more in strong motion, its frequency rises as the motion decays; this appears as a low `explained`. The
+/// noise must be white, or be the response of the structure to stationary forces; the standard deviations are then correct within a third (docs).
+/// Poles of exact decays are accurate to 1e-9. With white noise of 5 % of the first amplitude, the scatter of frequency and damping equals the lower
+/// bound (a test).
 ///
 /// # Source
-/// Juang & Pappa (1985) J. Guid. Control Dyn. 8(5):620-627. Threshold: Gavish & Donoho (2014) IEEE Trans. Inf. Theory 60(8):5040-5053.
-/// Differs from the source: the order is chosen, and the fit to all samples follows (Golub & Pereyra 2003, variable projection).
+/// Juang & Pappa (1985) J. Guid. Control Dyn. 8(5):620-627. Threshold: Gavish & Donoho (2014) IEEE Trans. Inf. Theory 60(8):5040-5053. Differs from
+/// the source: the order is chosen automatically, and a fit to all samples follows (Golub & Pereyra 2003, variable projection).
 ///
 /// # Example
 /// ```
@@ -178,7 +177,7 @@ fn check(record: &Record, options: &Era) -> Result<usize, ModalError> {
     Ok(p)
 }
 
-/// Singular values that white noise does not explain, an even number.
+/// Number of singular values that white noise does not explain, rounded to an even number.
 fn order_above_noise(s: &[f64], rows: usize, columns: usize) -> usize {
     let beta = rows.min(columns) as f64 / rows.max(columns) as f64;
     let omega = 0.56 * beta.powi(3) - 0.95 * beta * beta + 1.82 * beta + 1.43; // Gavish & Donoho, eq. 5
@@ -319,7 +318,7 @@ mod tests {
         );
         let n = RUNS as f64;
         for (k, (f, zeta, _)) in TRUTH.iter().enumerate() {
-            // square root of the mean square over the stated variance: 1 ± 0.07 for 100 runs
+            // square root of the mean squared error over the stated variance: 1 ± 0.07 for 100 runs
             let ratio = |off: &dyn Fn(&Mode) -> f64| {
                 (runs.iter().map(|modes| off(&modes[k]).powi(2)).sum::<f64>() / n).sqrt()
             };
@@ -334,7 +333,7 @@ mod tests {
 
     #[test]
     fn exact_bound_of_one_decay_in_noise() {
-        // many cycles, with complete decay within the record: Σ t² e^(-2αt) minus its projection on e^(-αt), halved for real samples: var ω = 16 σ²
+        // many cycles that decay completely within the record: Σ t² e^(-2αt) minus its projection on e^(-αt), halved for real samples: var ω = 16 σ²
         // α³ Δt / |a|²
         let (f, zeta, sigma) = (5.0, 0.02, 0.01);
         let omega = 2.0 * PI * f;

@@ -1,4 +1,4 @@
-//! From the record of a free decay to its modes, and to their dependence on amplitude.
+//! Modes of a free decay, and their dependence on amplitude.
 
 use super::blows::blows;
 use super::mode_decay::{Decay, ModeDecay};
@@ -54,7 +54,7 @@ pub(crate) fn of_decay(
             mode.damping_ratio_sd = None;
         }
         if group.len() > 1 {
-            // a single pole of several decays faster than the mode
+            // a single pole that represents several decays decays faster than the mode
             let ratios: Vec<f64> = swings.iter().map(|of| of.damping_ratio).collect();
             mode.damping_ratio = quantile(&ratios, 0.5).ok().or(mode.damping_ratio);
         }
@@ -83,7 +83,7 @@ pub(crate) fn of_decay(
     Ok(analysis)
 }
 
-/// Refuses a decay that a sensor or logger clipped, because clipping changes its form.
+/// Refuses a decay that a sensor or logger clipped, because clipping distorts it.
 fn refuse_clipped(record: &Record) -> Result<(), ModalError> {
     let mut last: Option<(usize, String)> = None;
     for fault in inspect(record) {
@@ -121,7 +121,7 @@ fn peaks_of_rest(record: &Record, found: &FreeDecay) -> Result<Vec<f64>, ModalEr
     Ok(peaks.modes.modes.iter().map(|m| m.frequency_hz).collect())
 }
 
-/// Groups poles with the same shape and overlapping half-power bands: a joint that opens or slips makes one mode look like several.
+/// Groups poles with the same shape and overlapping half-power bands: if a joint opens or slips, several poles represent one mode.
 fn of_one_mode(found: &FreeDecay) -> Vec<Vec<usize>> {
     const ALIKE: f64 = 0.95; // MAC of shapes; distinct modes are rarely so similar, but with one channel always
     let modes = &found.modes.modes;
@@ -184,15 +184,15 @@ fn swings(record: &Record, modes: &[Mode], k: usize, noise: &[f64]) -> Option<Ve
     decrement(record, &options).ok()
 }
 
-/// Whether damping depends on amplitude: the damping ratio of the largest swings differs from that of later ones significantly and by
-/// more than a fifth.
+/// Whether damping depends on amplitude: the damping ratio of the largest cycles differs from that of later ones significantly, and
+/// by more than a fifth.
 fn follows(swings: &[AtAmplitude]) -> bool {
     const DEVIATIONS: f64 = 4.0; // chosen here: about ten windows are compared, and their standard deviations come from few swings
     const PART: f64 = 0.2;
     let Some((first, later)) = swings.split_first() else {
         return false;
     };
-    // the second window shares half of its swings with the first
+    // the second window shares half of its cycles with the first
     later.iter().skip(1).any(|at| {
         let apart = (at.damping_ratio - first.damping_ratio).abs();
         apart > DEVIATIONS * at.damping_ratio_sd.hypot(first.damping_ratio_sd)
@@ -200,7 +200,7 @@ fn follows(swings: &[AtAmplitude]) -> bool {
     })
 }
 
-/// Whether swings from several poles grow with time: then the poles are modes that beat, not one mode that depends on amplitude.
+/// Whether the cycles of a group of poles grow with time: then the poles are modes that beat, not one mode that depends on amplitude.
 fn beats(poles: usize, swings: &[AtAmplitude]) -> bool {
     poles > 1 && swings.iter().any(|at| at.damping_ratio < 0.0)
 }
@@ -235,7 +235,7 @@ mod tests {
         };
         let found = identify(&record(1500), &options).unwrap();
         let decay = found.decay.as_ref().unwrap();
-        // a single mode, although several poles represent it, without a standard deviation, which would suggest precision
+        // a single mode, although several poles represent it; it has no standard deviation, which would suggest precision
         assert_eq!(
             (found.modes.modes.len(), decay.modes.len()),
             (1, 1),
@@ -253,7 +253,7 @@ mod tests {
             last.frequency_hz > 1.04 * first.frequency_hz,
             "{first:?} {last:?}"
         );
-        // short decays have a spectrum too, and a range is kept
+        // short decays have a spectrum too, and a given frequency range is respected
         let short = Identify {
             frequency_low_hz: Some(1.0),
             frequency_high_hz: Some(3.0),

@@ -1,4 +1,4 @@
-//! Free decays: from the record of a blow or a release to modes, and to their dependence on amplitude.
+//! Modes of free decays after a blow or a release, and their dependence on amplitude.
 
 mod blows;
 mod decay_fit;

@@ -20,12 +20,12 @@ pub struct Driven {
 /// One mode of a structure on a measured base.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrivenMode {
-    /// Its frequency on the fixed base, Hz.
+    /// Frequency with a fixed base, Hz.
     pub frequency_hz: f64,
-    /// Share of the motion at that frequency due to the inputs, 0 to 1: multiple coherence of the channel with the largest motion. `None`
-    /// if the record has too few segments.
+    /// Share of the motion at that frequency due to the inputs, 0 to 1: multiple coherence of the channel with the largest motion. `None` if
+    /// the record has too few segments.
     pub explained: Option<f64>,
-    /// Frequency, Hz, and standard deviation of the mode with a similar shape from the record without inputs: structure and ground together.
-    /// `None` if there is no similar mode.
+    /// Frequency, Hz, and standard deviation of the mode of structure and ground together (from the record without inputs) with a similar
+    /// shape. `None` if there is none.
     pub with_base_hz: Option<(f64, Option<f64>)>,
 }

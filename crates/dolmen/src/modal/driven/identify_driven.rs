@@ -1,4 +1,4 @@
-//! From a record with measured inputs to the modes of the structure above them.
+//! Modes of a structure from a record with measured base motion.
 
 use super::driven_modes::{Driven, DrivenMode};
 use super::observer::{Fit, Measured, coefficients_of, observe};
@@ -17,36 +17,37 @@ use crate::numeric::quantile;
 use crate::signal::{Channel, CrossSpectra, Record, Welch, cross_spectra, decimate, leave_out};
 use dolmen_linalg::{Complex64, ComplexMatrix, hermitian_eigen};
 
-/// Most coefficients of an observer: more take seconds. Our choice.
+/// Largest number of coefficients of an observer: more take seconds. Our choice.
 const COEFFICIENTS_MOST: usize = 600;
 /// Fewest samples per coefficient. Our choice.
 const SAMPLES_A_COEFFICIENT: usize = 8;
-/// Samples in the period of the highest mode. The ground follows the structure within a sample, which changes the frequencies of a
-/// simulated frame by 0.1 % with 4 samples, 0.03 % with 6 and less than 0.01 % with 13.
+/// Samples per period of the highest mode. The ground reacts to the structure within a sample. This changes the frequencies of a simulated frame
+/// by 0.1 % with 4 samples, 0.03 % with 6 and less than 0.01 % with 13.
 const SAMPLES_A_PERIOD: f64 = 10.0;
-/// Blocks of time: their scores are independent even if the blocks are short.
+/// Number of blocks of time. Their scores are independent even if the blocks are short.
 const BLOCKS: usize = 100;
-/// Noise assumed, over the standard deviation of a channel: the first value with a stable observer is used. A simulated frame with 2 % of
-/// noise gives the same frequencies to 1e-4 with all three.
+/// Assumed noise over the standard deviation of a channel; the first value that gives a stable observer is used. For a simulated frame with 2 %
+/// noise all three give the same frequencies to 1e-4.
 const NOISE: [f64; 3] = [0.003, 0.01, 0.03];
-/// Possible noise of the sensors, over the standard deviation of a channel. It biases least squares, most where the ground is still: at the
-/// frequencies of the structure on a fixed base. Its true size is unknown; the deviations include its effect. Our choice.
+/// Possible noise of the sensors over the standard deviation of a channel. It biases least squares, most at frequencies where the ground hardly
+/// moves, which are those of the structure on a fixed base. Its true size is unknown, so the standard deviations include its effect. Our choice.
 const NOISE_ALLOWED: f64 = 0.02;
-/// Largest deviation of a frequency over the floor of ambient vibration. Structure and ground together have no resonance at the frequency
-/// of the fixed base, which is less accurate where wind shakes more than the ground. Our choice; poles that fit noise start near 10.
+/// Largest standard deviation of a frequency over the lower bound for ambient vibration. Structure and ground together have no resonance at the
+/// frequency of the fixed base, so this frequency is less accurate if wind excites the structure more than the ground does. Our choice; poles
+/// that fit noise start near 10.
 const FLOOR_MOST: f64 = 8.0;
-/// Least share of the motion due to the inputs, at the frequency of the mode with the largest share: chance gives less. Our choice.
+/// Least share of the motion due to the inputs, at the mode with the largest share; chance alone gives less. Our choice.
 const FOLLOWS_LEAST: f64 = 0.15;
-/// Least share of the inputs' motion that is not common to all, to distinguish their effects. Our choice.
+/// Least independent share of the inputs' motion; below it their effects cannot be distinguished. Our choice.
 const APART_LEAST: f64 = 0.05;
 
-/// Modes with the motion of the inputs as given: those of the structure on a base that is fixed at the inputs.
+/// Modes of the structure on a base that is fixed at the inputs: the motion of the inputs is given.
 ///
 /// ```text
 /// y_t = Σ_{i=1..p} A_i y_{t-i} + Σ_{k=0..p} B_k u_{t-k} + e_t                  least squares over all samples
 /// ```
-/// The regression contains past outputs and inputs, so the cause of the ground motion does not matter, be it waves or the structure itself:
-/// an input that the structure moves a sample later is as good as any other.
+/// The regression contains past outputs and inputs, so the cause of the ground motion does not matter: it may be seismic waves or the structure
+/// itself, whose motion reaches the ground a sample later.
 ///
 /// `ambient` identifies the record without its inputs.
 ///
@@ -54,8 +55,8 @@ const APART_LEAST: f64 = 0.05;
 /// As `ambient`; [`ModalError::InputsAlike`], [`ModalError::InputsSine`], [`ModalError::NoObserver`].
 ///
 /// # Limits
-/// Motions that no input measures are not fixed: on a base that rocks without a sensor for rocking, the modes are those of the rocking structure.
-/// Rotation and translation of one base come from the same shaking, and cannot be distinguished as inputs (refused).
+/// Motion that no input measures is not fixed: on a rocking base without a rotation sensor, the modes are those of the rocking structure.
+/// Rotation and translation of one base come from the same shaking, so their effects as inputs cannot be distinguished: refused.
 pub(crate) fn of_driven(
     (record, options): (&Record, &Identify),
     mut notes: Vec<Note>,
@@ -69,7 +70,7 @@ pub(crate) fn of_driven(
         inputs: Vec::new(),
         references: Vec::new(),
         method: Method::SsiCov,
-        // the user gives frequencies of the held base
+        // the user gives frequencies of the structure on a fixed base
         pick_hz: Vec::new(),
         accept_hz: Vec::new(),
         ..options.clone()
@@ -157,7 +158,7 @@ pub(crate) fn of_driven(
     Ok(analysis)
 }
 
-/// The requested factor, else the one that gives [`SAMPLES_A_PERIOD`] in a period of the highest peak.
+/// The requested factor, or otherwise the factor that gives [`SAMPLES_A_PERIOD`] in a period of the highest peak.
 fn dense_decimation(record: &Record, options: &Identify, peaks: &Modes) -> Option<usize> {
     let highest = peaks.modes.last().map(|mode| mode.frequency_hz);
     let highest_hz = options.frequency_high_hz.or(highest);
@@ -179,7 +180,7 @@ fn driven_modes(
     modes.modes.iter().map(of_mode).collect()
 }
 
-/// Number of past samples: the reach of correlations in a subspace method, limited by the record and the computing time.
+/// Number of past samples: the longest lag of a subspace method, limited by the record and the computing time.
 fn lags_within(record: &Record, inputs: usize, settings: &mut Settings) -> usize {
     let outputs = record.channels().len() - inputs;
     let most = COEFFICIENTS_MOST.min(record.length() / SAMPLES_A_COEFFICIENT);
@@ -194,7 +195,7 @@ fn lags_within(record: &Record, inputs: usize, settings: &mut Settings) -> usize
     lags
 }
 
-/// The realized state with the least assumed noise for which it is that of a structure, and that noise.
+/// The realization with the smallest assumed noise that gives a possible structure, and this noise.
 fn realized(
     record: &Record,
     (options, lags): (&Identify, usize),
@@ -241,7 +242,7 @@ fn realized(
     Err(ModalError::NoObserver)
 }
 
-/// Refuses inputs if each has nearly all of its power near one line of 32 segments.
+/// Refuses inputs if nearly all power of each is near one line of 32 segments.
 fn refuse_sine(record: &Record, inputs: &[usize]) -> Result<(), ModalError> {
     const AROUND: usize = 2; // lines that Hann's window fills
     const SHARE_MOST: f64 = 0.95; // chosen here: a noise with a resonance damped by 5 % has less than 0.3
@@ -289,7 +290,7 @@ fn refuse_alike(record: &Record, inputs: &[usize], [low_hz, high_hz]: [f64; 2]) 
     }
 }
 
-/// Refuses inputs without effect on any mode: the modes would be those of structure and ground together, misnamed as those of a fixed base.
+/// Refuses inputs without effect on any mode: the modes would be those of structure and ground together, wrongly named fixed-base modes.
 fn refuse_unrelated<'a>(modes: impl Iterator<Item = &'a DrivenMode>) -> Result<(), ModalError> {
     let shares: Option<Vec<f64>> = modes.map(|mode| mode.explained).collect();
     let most = shares.and_then(|of| of.into_iter().reduce(f64::max));
@@ -304,7 +305,7 @@ fn averaged(record: &Record, wished: usize) -> Result<CrossSpectra, ModalError> 
     Ok(cross_spectra(record, &Welch { segment_length })?)
 }
 
-/// Multiple coherence of the inputs with the channel of largest motion, at the mode's frequency.
+/// Multiple coherence of the inputs with the channel of largest motion, at the frequency of the mode.
 fn explained(record: &Record, inputs: &[usize], (mode, channels): (&Mode, &[Channel])) -> Option<f64> {
     let spectra = averaged(record, segment_for(record, inputs, width_hz(mode))).ok()?;
     if spectra.segments < SEGMENTS_AN_INPUT * inputs.len() {
@@ -317,7 +318,7 @@ fn explained(record: &Record, inputs: &[usize], (mode, channels): (&Mode, &[Chan
     Some(of_inputs.followed_by(&spectra, at).1)
 }
 
-/// Segments per input: with fewer, a coherence by chance is above 1/8.
+/// Number of segments per input: with fewer, chance alone gives a coherence above 1/8.
 const SEGMENTS_AN_INPUT: usize = 8;
 
 /// Half of the half-power width of a mode, Hz.
@@ -325,13 +326,13 @@ fn width_hz(mode: &Mode) -> f64 {
     mode.damping_ratio.unwrap_or(0.01) * mode.frequency_hz
 }
 
-/// Samples of a segment that resolves a mode of this width, limited by the number of segments for coherence.
+/// Length of a segment that resolves a mode of this width, limited by the number of segments needed for coherence.
 fn segment_for(record: &Record, inputs: &[usize], width_hz: f64) -> usize {
     let fine = (2.0 * record.sampling_rate_hz() / width_hz).ceil() as usize;
     fine.min(2 * record.length() / (9 * inputs.len()))
 }
 
-/// Response of each channel to the inputs, fine enough for the narrowest mode as far as the record allows.
+/// Response of each channel to the inputs, with the resolution of the narrowest mode if the record allows it.
 fn responses(record: &Record, inputs: &[usize], modes: &Modes) -> Option<FrequencyResponses> {
     let narrowest = modes.modes.iter().map(width_hz).reduce(f64::min)?;
     let segment = segment_for(record, inputs, narrowest).clamp(8, record.length().max(8));
@@ -339,7 +340,7 @@ fn responses(record: &Record, inputs: &[usize], modes: &Modes) -> Option<Frequen
     (found.segments >= SEGMENTS_AN_INPUT * inputs.len()).then_some(found)
 }
 
-/// The mode with a similar shape in the record without inputs: its frequency is not higher, because the ground is elastic.
+/// The mode with a similar shape in the record without inputs. Its frequency is not higher, because the ground is elastic.
 fn alike(mode: &Mode, of: &Modes, together: &Modes) -> Option<(f64, Option<f64>)> {
     const ALIKE: f64 = 0.9; // chosen here: a base that gives way adds its own motion to the shape
     const RATIO: std::ops::RangeInclusive<f64> = 0.3..=1.05;
@@ -390,7 +391,7 @@ mod tests {
         ..QUAKE
     };
 
-    /// The roof is shaken by a force at 5.1 Hz, with noise of `wide` times its sine, and by its own ambient motion.
+    /// The roof is excited by a force at 5.1 Hz, with noise of `wide` times the sine, and by ambient motion.
     fn on_a_shaker(wide: f64) -> Result<ModalAnalysis, ModalError> {
         let made = crate::modal::ReferenceCase::ShearChain.made(3)?.make()?;
         let mut random = crate::numeric::Random::new(8, 0);

@@ -10,26 +10,27 @@ const MASS_KG: [f64; 2] = [20e3, 15e3];
 const STIFFNESS: [f64; 2] = [2.2e7, 1.5e7];
 const FOOTING_KG: f64 = 25e3;
 const GROUND: f64 = 8e7;
-/// N s/m: 0.08 of critical with all masses on the ground's spring.
+/// N s/m: 0.08 of critical for all masses on the ground spring.
 const GROUND_DAMPING: f64 = 3.5e5;
-/// Rate of the computation of forces and motion, in samples per sample of the record.
+/// Samples of the computed forces and motion per sample of the record.
 const FINER: usize = 4;
 const RATE_HZ: f64 = 100.0;
 
-/// Excitation of a simulated two-storey frame on a footing in soft ground: 20 and 15 t on 22 and 15 MN/m, a footing of 25 t on 80 MN/m.
+/// A simulated two-storey frame on a footing in soft ground, and its excitation: 20 and 15 t on 22 and 15 MN/m, a footing of 25 t on 80
+/// MN/m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MadeOnGround {
     /// Seed of its random forces and noise.
     pub seed: u64,
     /// Duration, s.
     pub duration_s: f64,
-    /// Root mean square force of the waves on the footing at its strongest, kN.
+    /// Largest root mean square force of the waves on the footing, kN.
     pub waves_kn: f64,
-    /// Duration of strong waves, from a tenth of the record on, s; `None`: always.
+    /// Duration of strong waves, which start at a tenth of the record, s; `None`: always strong.
     pub quake_s: Option<f64>,
-    /// Force of the wind on each storey, kN, root mean square.
+    /// Root mean square force of the wind on each storey, kN.
     pub wind_kn: f64,
-    /// Noise of every sensor over its motion.
+    /// Noise of every sensor relative to its motion.
     pub noise: f64,
 }
 
@@ -145,14 +146,14 @@ impl MadeOnGround {
 /// ```text
 /// m_i (x_i'' + u'') + (C x')_i + (K x)_i = w_i;   m_f u'' + c_g u' + k_g u = F + shear of the first storey
 /// ```
-/// C gives equal damping ratios on the fixed base: C = a M + b K with 2 ζ ω = a + b ω² for both.
+/// C gives equal damping ratios on a fixed base: C = a M + b K with 2 ζ ω = a + b ω² for both modes.
 fn acceleration([x, v]: &[[f64; 3]; 2], [waves, w1, w2]: [f64; 3]) -> [f64; 3] {
     let [a, b] = of_mass_and_stiffness();
     let ([m1, m2], [k1, k2]) = (MASS_KG, STIFFNESS);
     let [r1, r2] = [x[1] + b * v[1], x[2] + b * v[2]];
     let on_1 = w1 - (k1 + k2) * r1 + k2 * r2 - a * m1 * v[1];
     let on_2 = w2 + k2 * r1 - k2 * r2 - a * m2 * v[2];
-    // the mass-proportional part also acts on the footing, so that internal forces of the frame are in balance
+    // the mass-proportional part also acts on the footing, so that the internal forces of the frame are in equilibrium
     let shear = k1 * r1 + a * (m1 * v[1] + m2 * v[2]);
     let u = (waves + shear - GROUND * x[0] - GROUND_DAMPING * v[0]) / FOOTING_KG;
     [u, on_1 / m1 - u, on_2 / m2 - u]

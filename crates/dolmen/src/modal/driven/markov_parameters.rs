@@ -39,7 +39,6 @@ impl MarkovParameters {
 }
 
 impl Observer {
-    /// Number of inputs and innovations.
     fn sources(&self) -> usize {
         self.inputs + self.outputs
     }

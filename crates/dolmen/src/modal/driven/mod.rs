@@ -1,4 +1,4 @@
-//! Modes from a measured input: what the structure adds to the motion of its ground.
+//! Modes from a measured input: the response of a structure to the motion of its ground.
 
 mod driven_modes;
 mod identify_driven;

@@ -18,24 +18,22 @@ pub(super) struct Measured {
     pub(super) inputs: Vec<Vec<f64>>,
 }
 
-/// The observer, with the scatter of its coefficients.
 pub(super) struct Observer {
     pub(super) outputs: usize,
     pub(super) inputs: usize,
     pub(super) lags: usize,
     pub(super) coefficients: Matrix,
-    /// One per block of time; their squares sum to the variance.
+    /// One change for each block of time; the sum of their squares is the variance.
     pub(super) changes: Vec<Matrix>,
     pub(super) innovation: Matrix,
     /// Correlations of the inputs at lag 0, m × m.
     pub(super) of_inputs: Matrix,
 }
 
-/// Settings of the fit of an observer.
 pub(super) struct Fit {
     pub(super) lags: usize,
     pub(super) blocks: usize,
-    /// Noise assumed in every channel, over its standard deviation: it prevents an unstable observer for exact records.
+    /// Assumed noise over the standard deviation of a channel: it keeps the observer of a noise-free record stable.
     pub(super) noise: f64,
 }
 
@@ -47,8 +45,8 @@ pub(super) fn coefficients_of(outputs: usize, inputs: usize, lags: usize) -> usi
 /// ```text
 /// Θ = (Σ_t z_t z_tᵀ + ν² diag)⁻¹ Σ_t z_t y_tᵀ;   dΘ_b = (…)⁻¹ (Σ_{t in b} z_t e_tᵀ - their mean over the blocks)
 /// ```
-/// The contribution of unmeasured forces to e is white, so the scores of blocks of time are independent, however short. The resulting
-/// changes of the coefficients are therefore valid for a record of varying strength, such as an earthquake (White 1980).
+/// The contribution of unmeasured forces to e is white, so the scores of blocks of time are independent, however short. So the
+/// changes of the coefficients are valid for a record of variable strength, such as an earthquake (White 1980).
 ///
 /// # Errors
 /// [`ModalError::Linalg`].

@@ -17,7 +17,7 @@ use crate::modal::subspace::{
 use crate::modal::{ModalError, PoleDeviation};
 use dolmen_linalg::{Complex64, Matrix, Qr, Svd, cholesky, qr, svd};
 
-/// Relative error of a frequency and a damping ratio due to sampling, because the ground follows the structure within a sample. Measured on a
+/// Relative error of a frequency and a damping ratio due to sampling, because the ground reacts to the structure within a sample. Measured on a
 /// simulated frame with ten samples per period of its highest mode.
 const SAMPLED_FREQUENCY: f64 = 2e-4;
 const SAMPLED_DAMPING: f64 = 5e-3;
@@ -27,7 +27,7 @@ pub(super) struct Realization {
     /// By order, then by frequency; shapes in the units of the channels.
     pub(super) poles: Vec<Pole>,
     pub(super) singular_values: Vec<f64>,
-    /// Poles with the additional noise that the sensors may have.
+    /// The poles if the sensors have the additional possible noise.
     pub(super) noisier: Vec<Pole>,
     rate_hz: f64,
     svd: Svd,
@@ -40,23 +40,22 @@ pub(super) struct Realization {
     orders: Vec<Option<Order>>,
 }
 
-/// Settings of the realization.
 pub(super) struct Realize<'a> {
     pub(super) block_rows: usize,
     pub(super) order_most: usize,
     pub(super) rate_hz: f64,
-    /// Units of the channels over those of the observer.
+    /// Standard deviation of each channel, by which the observer was scaled.
     pub(super) scales: &'a [f64],
 }
 
-/// `None` if the responses grow: the observer is not that of a structure.
+/// `None` if the responses grow, because a structure has no such observer.
 ///
 /// # Errors
 /// [`ModalError::Linalg`].
 ///
 /// # Source
 /// Juang, Phan, Horta & Longman (1993) J. Guid. Control Dyn. 16(2):320-329. Differs from the source: innovations are inputs too, weighted by their
-/// strength, so that unmeasured forces show modes as well; all orders are realized, from one QR (Döhler & Mevel 2012).
+/// strength, so that unmeasured forces reveal modes as well; all orders are realized from one QR (Döhler & Mevel 2012).
 pub(super) fn realize(observer: &Observer, how: &Realize<'_>) -> Result<Option<Realization>, ModalError> {
     const GROWTH_MOST: f64 = 10.0; // over the largest of the first samples
     let (l, r) = (observer.outputs, how.block_rows);
@@ -108,7 +107,7 @@ fn in_units(mut pole: Pole, scales: &[f64]) -> Pole {
     pole
 }
 
-/// Inputs and innovations are uncorrelated; each has a weight in proportion to its strength.
+/// Inputs and innovations are uncorrelated; the weight of each is its strength.
 fn weights(observer: &Observer) -> Result<Matrix, ModalError> {
     let (m, l) = (observer.inputs, observer.outputs);
     let (of_inputs, of_innovations) = (cholesky(&observer.of_inputs)?, cholesky(&observer.innovation)?);

@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | S_xx, S_yx | `of_inputs`, `across` | cross spectral densities of the inputs, and of an output with them |
+//! | S_xx, S_yx | `of_inputs`, `across` | cross spectral densities of the inputs, and between an output and the inputs |
 //! | v_k, λ_k | `vectors`, `values` | eigenvectors and eigenvalues of S_xx |
 
 use crate::modal::ModalError;
@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-9;
 pub struct FrequencyResponses {
     /// Frequency of each line, Hz, from 0.
     pub frequency_hz: Vec<f64>,
-    /// Number of averaged segments: without any relation the mean coherence is inputs over segments.
+    /// Number of averaged segments. Unrelated channels have a mean coherence of inputs over segments.
     pub segments: usize,
     /// Each output.
     pub outputs: Vec<FrequencyResponse>,
@@ -26,21 +26,21 @@ pub struct FrequencyResponses {
 /// Response of one channel to the inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrequencyResponse {
-    /// Its name.
+    /// Name of the channel.
     pub channel: String,
-    /// H₁ by input, then by line: unit of the channel over that of the input.
+    /// H₁ for each input and line: unit of the channel over that of the input.
     pub h1: Vec<Vec<Complex64>>,
-    /// Multiple coherence, 0 to 1, by line.
+    /// Multiple coherence at each line, 0 to 1.
     pub coherence: Vec<f64>,
 }
 
-/// Frequency response functions of all other channels to these, and their coherence.
+/// Frequency response functions of all other channels to these inputs, and their coherence.
 ///
 /// ```text
 /// H₁ = S_yx S_xx⁻¹ = Σ_k (S_yx v_k) v_k* / λ_k,      γ² = Σ_k |S_yx v_k|²/λ_k / S_yy
 /// ```
-/// Noise of the output does not bias H₁; noise of the input reduces it by 1 + noise over input. With one input, H₂ = H₁/γ² is biased by noise of the
-/// output instead of the input: the true value lies between both.
+/// Noise of the output does not bias H₁; noise of the input divides H₁ by 1 + noise over input. With one input, H₂ = H₁/γ² is biased by noise of the
+/// output instead: the true value is between H₁ and H₂.
 ///
 /// # Errors
 /// [`ModalError::Record`] for a segment that is longer than the record; [`ModalError::Linalg`].

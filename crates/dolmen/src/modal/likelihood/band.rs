@@ -2,20 +2,20 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | D | `Spectra` | expected cross spectra of the modes under forces of density 1 | m × m |
-//! | Ψ, P, B | `shapes`, `forces`, `noise` | shapes in these coordinates; spectral densities of the modal forces, and of all other motion | r × m, m × m, r × r |
-//! | a | `rise` | exponent of the frequency in the density of the forces | - |
+//! | D | `Spectra` | expected cross spectra of the modes under unit force densities | m × m |
+//! | Ψ, P, B | `shapes`, `forces`, `noise` | shapes in the coordinates of the fit; spectral densities of the
+//! modal forces, and of all other motion | r × m, m × m, r × r |
+//! | a | `rise` | exponent of the frequency in the force density | - |
 //! | S | | (f/f_m)^a Ψ (P ∘ D) Ψ* + B | r × r |
 
 use super::band_motion::{Oscillator, Spectra};
 use super::hermitian::{Part, add_hermitian, adjoint, hermitian, plus, scaled, times};
 use dolmen_linalg::{Complex64, ComplexMatrix};
 
-/// Largest damping ratio of a mode.
 const DAMPING_MOST: f64 = 0.5;
-/// Largest exponent of the frequency, of either sign.
+/// Largest exponent of the frequency, positive or negative.
 const RISE_MOST: f64 = 20.0;
-/// Largest coherence of two modes' forces.
+/// Largest coherence between the forces of two modes.
 const COHERENCE_MOST: f64 = 0.999;
 
 /// A frequency band and the unknowns of its modes.
@@ -27,7 +27,7 @@ pub(super) struct Band {
     pub(super) noise: ComplexMatrix,
     /// Lowest and highest line, Hz: `forces` holds at their geometric mean.
     pub(super) range_hz: [f64; 2],
-    /// Exponent of the frequency in the density of the forces.
+    /// Exponent of the frequency in the force density.
     pub(super) rise: f64,
 }
 
@@ -95,7 +95,6 @@ impl Band {
             && (0..m).all(|i| self.forces[(i, i)].re > 0.0)
     }
 
-    /// Largest coherence of two modes' forces.
     pub(super) fn coherence(&self) -> f64 {
         let m = self.oscillators.len();
         let of = |i: usize, j: usize| {
@@ -112,7 +111,7 @@ impl Band {
         plus(&scaled(&motion, self.risen(frequency_hz)), &self.noise)
     }
 
-    /// Density of the forces relative to that at the middle of the band; constant beyond the ends of the band.
+    /// Force density relative to that at the middle of the band; constant outside the band.
     pub(super) fn risen(&self, frequency_hz: f64) -> f64 {
         (self.rise * self.logarithm(frequency_hz)).exp()
     }
@@ -133,7 +132,7 @@ impl Band {
         times(&times(&self.shapes, x), &adjoint(&self.shapes))
     }
 
-    /// ∂S by one free parameter.
+    /// ∂S with respect to one free parameter.
     pub(super) fn derivative(
         &self,
         free: Free,

@@ -1,4 +1,4 @@
-//! Maximum likelihood of the modes of one band of the spectrum.
+//! Maximum likelihood fit of the modes in one band of the spectrum.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
@@ -22,7 +22,6 @@ pub(super) struct Cell {
     pub(super) others: ComplexMatrix,
 }
 
-/// The estimate with its covariance.
 #[derive(Clone, Debug)]
 pub(super) struct BandFit {
     pub(super) band: Band,
@@ -32,14 +31,14 @@ pub(super) struct BandFit {
     recorded: Recorded,
 }
 
-/// Most steps of the search; ten are usual.
+/// Largest number of steps of the search; ten are usual.
 const STEPS_MOST: usize = 80;
-/// Damping at which no step increases the likelihood: its maximum is outside the possible values.
+/// Damping of the search above which no step can increase the likelihood: its maximum is outside the possible values.
 const DAMP_MOST: f64 = 1e9;
-/// The search ends when the expected gain of a step in log-likelihood is below this: a hundredth of a deviation.
+/// The search ends when the expected gain of a step in log-likelihood is below this value, which is a hundredth of a standard deviation.
 const PROMISE_LEAST: f64 = 1e-4;
 
-/// The band with the highest likelihood of the lines, from `start`; `None` if the search finds no maximum or the maximum is flat.
+/// The band with the highest likelihood, starting from `start`; `None` if the search finds no maximum or the maximum is flat.
 ///
 /// ```text
 /// ln L = - Σ n (ln det S + tr S⁻¹ zz*),   step (F + λ diag F) δ = g
@@ -82,7 +81,7 @@ pub(super) fn fit(cells: &[Cell], start: Band, recorded: Recorded) -> Option<Ban
     None
 }
 
-/// δ of (F + λ diag F) δ = g, in the scale of each free parameter.
+/// Solution δ of (F + λ diag F) δ = g, scaled for each free parameter.
 fn step(gradient: &[f64], information: &Matrix, damp: f64) -> Option<Vec<f64>> {
     let n = gradient.len();
     let scale: Vec<f64> = (0..n).map(|i| 1.0 / information[(i, i)].sqrt()).collect();
@@ -106,7 +105,7 @@ fn inverse(a: &Matrix) -> Option<Matrix> {
 }
 
 impl BandFit {
-    /// Deviation of the recorded from the expected power, in its standard deviations: 0 ± 1 for a true model, more for an incomplete one.
+    /// Difference between the recorded and the expected power, in its standard deviations: 0 ± 1 for a true model, more for an incomplete model.
     ///
     /// ```text
     /// t = Σ (Σ n tr S⁻¹ zz* - n r)² / (n r)     over parts of the band of `PART` lines or more, as many as its degrees of freedom; (t - ν)/√2ν
@@ -131,7 +130,7 @@ impl BandFit {
         Some((inner(&parts, &parts) - freedom) / (2.0 * freedom).sqrt())
     }
 
-    /// Variances of the frequency and the damping ratio of each mode, by the information, Hz² and 1.
+    /// Variances of the frequency, Hz², and of the damping ratio of each mode, from the information matrix.
     pub(super) fn variances(&self) -> Vec<[f64; 2]> {
         let of = |i: usize| self.covariance[(i, i)];
         (0..self.band.oscillators.len())
@@ -139,7 +138,7 @@ impl BandFit {
             .collect()
     }
 
-    /// Part of S due to the modes, transformed by `across` (their shapes in other coordinates).
+    /// Part of S due to the modes. `across` holds their shapes in the coordinates of the result.
     pub(super) fn motion(
         &self,
         spectra: &Spectra,
@@ -157,7 +156,7 @@ impl BandFit {
         Spectra::new(&self.band.oscillators, self.recorded)
     }
 
-    /// Matrices W of a line, one for each frequency and damping ratio in turn: the line contributes z* W z minus its mean to the estimate.
+    /// Matrices W of a line, for each frequency and each damping ratio: the line contributes z* W z minus its mean to the estimate.
     pub(super) fn influence(
         &self,
         spectra: &Spectra,
@@ -202,7 +201,6 @@ fn log_likelihood(cells: &[Cell], band: &Band, recorded: Recorded) -> Option<f64
     sum.is_finite().then_some(sum)
 }
 
-/// Gradient and Fisher information.
 fn derivatives(cells: &[Cell], band: &Band, free: &[Free], recorded: Recorded) -> Option<(Vec<f64>, Matrix)> {
     let spectra = Spectra::new(&band.oscillators, recorded);
     let mut gradient = vec![0.0; free.len()];
@@ -266,7 +264,7 @@ mod tests {
         ComplexMatrix::from_fn(2, 2, |i, j| Complex64::new(of[i][j].0, of[i][j].1))
     }
 
-    /// Two modes 2 % apart under coherent forces that rise with the frequency.
+    /// Two modes 2 % apart under coherent forces that increase with frequency.
     fn pair() -> Band {
         Band {
             oscillators: vec![oscillator(1.5, 0.01), oscillator(1.53, 0.013)],
@@ -306,7 +304,7 @@ mod tests {
         start.noise = matrix([[(1.0, 0.0), (0.0, 0.0)], [(0.0, 0.0), (1.0, 0.0)]]);
         start.rise = 0.0;
         let found = fit(&exact(&truth), start, RECORDED).unwrap().band;
-        // the search ends a hundredth of a deviation from the maximum
+        // the search ends within a hundredth of a standard deviation of the maximum
         for (found, truth) in found.oscillators.iter().zip(&truth.oscillators) {
             assert!(
                 (found.frequency_hz / truth.frequency_hz - 1.0).abs() < 2e-5,
@@ -343,7 +341,7 @@ mod tests {
             frequency.sqrt() / (f * (zeta / turns).sqrt()),
             damping.sqrt() / (zeta / turns).sqrt(),
         ];
-        // Au (2014): both 1 in a band without end; 60 half-power widths and a rise of the forces cost some
+        // Au (2014): both ratios are 1 in an infinite band; a band of 60 half-power widths and the variable force density increase them
         assert!(over.iter().all(|x| (1.0..1.12).contains(x)), "{over:?}");
     }
 

@@ -1,11 +1,11 @@
-//! The Fourier lines near a few modes, projected on their shapes.
+//! The Fourier lines near a group of modes, projected on their shapes.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | y | `sums` | Fourier sums of the channels, line by line | channels × lines |
 //! | Φ | `shapes` | initial shapes of the modes of a band | channels × m |
-//! | N | `noise` | other motion of each channel | diagonal |
-//! | z | `seen` | (Φ* N⁻¹ Φ)⁻¹ Φ* N⁻¹ y, or N^(-1/2) y where there are no more channels than modes | r × lines |
+//! | N | `noise` | power of other motion in each channel | diagonal |
+//! | z | `seen` | (Φ* N⁻¹ Φ)⁻¹ Φ* N⁻¹ y, or N^(-1/2) y if there are no more channels than modes | r × lines |
 
 use super::band::Band;
 use super::band_fit::{BandFit, Cell};
@@ -20,27 +20,28 @@ use rustfft::FftPlanner;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// Half-power widths of a band to each side.
+/// Number of half-power widths of a band on each side.
 const HALF_WIDTHS: f64 = 20.0;
-/// Largest reach of a band to each side, as a share of the frequency.
+/// Largest width of a band on each side, as a share of the frequency.
 const REACH_MOST: f64 = 0.6;
-/// Modes closer than this many sums of their half-power widths are fitted together.
+/// Modes are fitted together if their distance is less than this multiple of the sum of their half-power widths.
 const TOGETHER: f64 = 5.0;
 const TOGETHER_MOST: usize = 3;
-/// Width of a cell over its distance from the nearest pole: the spectrum is linear within it to a thousandth.
+/// Width of a cell over its distance from the nearest pole: within a cell the spectrum is linear to a thousandth.
 const CELL: f64 = 0.05;
 /// Fewest lines within the half-power widths.
 const LINES_LEAST: f64 = 4.0;
 /// Lines removed on each side of a tone, and their share of its frequency.
 const TONE_LINES: f64 = 3.0;
 const TONE_SHARE: f64 = 2e-3;
-/// Largest change of a mode from the subspace result, in standard deviations of that result; a mode farther away is a different one.
+/// Largest difference of a mode from the subspace result, in standard deviations of that result; a larger difference means another mode.
 pub(super) const DEVIATIONS_MOST: f64 = 5.0;
-/// Least MAC with the shape of the subspace method; also the largest similarity to another mode within its half-power band, above which the lines
-/// cannot separate frequency and shape.
+/// Least MAC with the shape of the subspace method. Also the limit of similarity to another mode within the half-power band, above which the lines
+/// cannot separate the two.
 const ALIKE_LEAST: f64 = 0.95;
 const COHERENCE_MOST: f64 = 0.95;
-/// Ratio of the smallest standard deviation, by the information, to its lower bound at which a mode of the band cannot be separated from the rest.
+/// Ratio of the smallest standard deviation, from the information matrix, to its lower bound, above which a mode of the band cannot be separated
+/// from the others.
 const FLOORS_MOST: f64 = 3.5;
 
 /// New values of a mode, each with the change due to every block of time.
@@ -62,11 +63,11 @@ impl Fitted {
     }
 }
 
-/// The lines of the record: of all its samples except the last few, for a fast transform.
+/// Fourier lines of the record; its last few samples are left out for a fast transform.
 pub(super) struct Lines {
     length: usize,
     pub(super) recorded: Recorded,
-    /// Derivatives that convert each channel to the recorded quantity.
+    /// Number of derivatives that convert each channel to the recorded quantity.
     raised: Vec<i32>,
     dt: f64,
 }
@@ -110,7 +111,7 @@ impl Lines {
             for (x, y) in input.iter_mut().zip(samples) {
                 *x = y - mean;
             }
-            // the lengths are the plan's own
+            // the buffers have the required lengths
             let _ = transform.process_with_scratch(&mut input, &mut output, &mut scratch);
             for band in bands.iter_mut() {
                 let raise = |line: usize| Complex64::new(0.0, TAU * self.hz(line)).powi(*raised) * scale;
@@ -124,7 +125,7 @@ impl Lines {
     }
 }
 
-/// Largest even product of 2, 3 and 5 that is not larger.
+/// Largest even product of 2, 3 and 5 up to this length.
 fn smooth_below(length: usize) -> usize {
     let smooth = |n: usize| {
         let mut left = n;
@@ -138,11 +139,10 @@ fn smooth_below(length: usize) -> usize {
     (2..=length).rev().find(|n| smooth(*n)).unwrap_or(0)
 }
 
-/// The lines about a few modes.
 pub(super) struct BandLines {
     pub(super) modes: Range<usize>,
     oscillators: Vec<Oscillator>,
-    /// One per mode.
+    /// One shape for each mode.
     shapes: Vec<Vec<Complex64>>,
     lines: Range<usize>,
     sums: Vec<Vec<Complex64>>,
@@ -155,7 +155,7 @@ pub(super) struct BandLines {
     cell_of: Vec<Option<usize>>,
 }
 
-/// Close modes form one band; bands end halfway to the next mode.
+/// Groups close modes into bands; a band ends halfway to the next mode.
 pub(super) fn bands_of(modes: &[Mode], range_hz: [f64; 2], lines: &Lines) -> Vec<BandLines> {
     let half_hz = |m: &Mode| m.damping_ratio.unwrap_or(0.0) * m.frequency_hz;
     let mut groups: Vec<Range<usize>> = (0..modes.len()).map(|i| i..i + 1).collect();
@@ -278,7 +278,7 @@ impl BandLines {
         })
     }
 
-    /// Sorts the lines into cells, without those near tones.
+    /// Groups the lines into cells, without lines near tones.
     pub(super) fn gather(&mut self, lines: &Lines, tones_hz: &[f64]) {
         let r = self.seen.rows();
         let line_hz = lines.hz(1);
@@ -327,7 +327,7 @@ impl BandLines {
         self.cell_of = cell_of;
     }
 
-    /// Start of the search; `None` with too few lines or similar shapes.
+    /// Start of the search; `None` if there are too few lines or the shapes are similar.
     pub(super) fn start(&self, lines: &Lines) -> Option<Band> {
         let (r, m) = (self.along.rows(), self.shapes.len());
         let duration_s = lines.recorded.duration_s;
@@ -404,7 +404,7 @@ impl BandLines {
         })
     }
 
-    /// Contribution of the modes of other bands to each cell.
+    /// Adds the contribution of the modes of other bands to each cell.
     pub(super) fn see_others<'a>(&mut self, others: impl Iterator<Item = &'a (BandFit, ComplexMatrix)>) {
         let r = self.along.rows();
         for cell in &mut self.cells {
@@ -420,7 +420,7 @@ impl BandLines {
         }
     }
 
-    /// The modes of the band, and their changes by each block of time.
+    /// The fitted modes of the band, and their changes by each block of time.
     pub(super) fn answers(&self, fit: &BandFit, time_blocks: usize) -> Option<Vec<Fitted>> {
         let (r, m, count) = (self.along.rows(), self.shapes.len(), self.lines.len());
         let spectra = fit.spectra();
@@ -459,7 +459,7 @@ impl BandLines {
             let unbiased = (blocks / (blocks - 1.0)).sqrt();
             sums.iter().map(|s| unbiased * (s - mean)).collect()
         };
-        // blocks hardly longer than the decay of the mode scatter too little: the variance is never below the information
+        // the scatter of blocks hardly longer than the decay of the mode is too small: the variance is at least that of the information matrix
         let known = |changes: Vec<f64>, variance: f64| -> Vec<f64> {
             let scatter = changes.iter().map(|d| d * d).sum::<f64>();
             let by = (variance / scatter.max(f64::MIN_POSITIVE)).sqrt().max(1.0);
@@ -474,7 +474,7 @@ impl BandLines {
         Some(answers.collect())
     }
 
-    /// Whether each mode is still near its initial value, with an accuracy possible for a record of this length.
+    /// Whether each mode is still near its initial value, with a standard deviation that is plausible for the length of the record.
     pub(super) fn are_the_same(&self, fit: &BandFit, modes: &[Mode]) -> bool {
         let shapes = self.shapes_found(fit);
         let alike = |i: usize| assurance(shapes.column(i), &self.shapes[i]) >= ALIKE_LEAST;
@@ -509,7 +509,7 @@ mod tests {
 
     #[test]
     fn exact_lines_of_a_displacement_are_brought_to_the_acceleration_beside_it() {
-        // a wave of 30 whole turns, and its second derivative
+        // a sine with 30 whole cycles, and its second derivative
         let turn = TAU * 30.0 / 3000.0;
         let wave = |t: usize| (turn * t as f64).sin();
         let omega = 100.0 * turn;

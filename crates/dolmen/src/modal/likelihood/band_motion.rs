@@ -1,4 +1,4 @@
-//! Expected periodogram of modes under white-noise forces in a finite record, with its leakage computed exactly.
+//! Expected periodogram of modes under white-noise forces in a finite record, including exact leakage.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -17,7 +17,6 @@ pub(super) struct Oscillator {
     pub(super) damping_ratio: f64,
 }
 
-/// Recorded quantity and duration of the record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Recorded {
     pub(super) derivatives: i32,
@@ -49,7 +48,7 @@ impl CrossSpectrum {
         }
     }
 
-    /// Expectation of y_a(ω) y_b(ω)* of the two motions' Fourier sums over T, per T.
+    /// Expectation of y_a(ω) y_b(ω)*, the Fourier sums of the two motions over T, per T.
     ///
     /// ```text
     /// 1/x  →  ∫₀ᵀ (1 - τ/T) e^(-xτ) dτ = 1/x - (1 - e^(-xT))/(x²T)
@@ -80,7 +79,7 @@ fn terms(a: Oscillator, b: Oscillator, derivatives: i32) -> [[Complex64; 2]; 2] 
     })
 }
 
-/// The pole above the real axis.
+/// The pole with a positive imaginary part.
 pub(super) fn root(of: Oscillator) -> Complex64 {
     let zeta = of.damping_ratio;
     Complex64::new(-zeta, (1.0 - zeta * zeta).sqrt()) * (TAU * of.frequency_hz)
@@ -90,7 +89,7 @@ pub(super) fn root(of: Oscillator) -> Complex64 {
 pub(super) struct Spectra {
     count: usize,
     pairs: Vec<CrossSpectrum>,
-    /// For each frequency and damping ratio in turn: all pairs with a slightly larger value, with a slightly smaller value, and the difference.
+    /// For each frequency and damping ratio: all pairs with a slightly larger value, with a slightly smaller value, and the difference.
     beside: Vec<([Vec<CrossSpectrum>; 2], f64)>,
 }
 
@@ -154,7 +153,7 @@ mod tests {
         damping_ratio: 0.05,
     };
 
-    /// H(iω) in the form of textbooks.
+    /// H(iω) in textbook form.
     fn transfer(of: Oscillator, derivatives: i32, hz: f64) -> Complex64 {
         let (w0, w) = (TAU * of.frequency_hz, TAU * hz);
         let iw = Complex64::new(0.0, w);

@@ -1,4 +1,4 @@
-//! Frequencies and damping ratios with the accuracy that the record allows: the modes of a subspace method, fitted to the nearby Fourier lines.
+//! Frequencies and damping ratios with the accuracy that the record allows: modes of a subspace method, fitted to the nearby Fourier lines.
 
 use super::band_fit::{BandFit, fit};
 use super::band_lines::{BandLines, DEVIATIONS_MOST, Fitted, Lines, bands_of};
@@ -12,23 +12,21 @@ use crate::modal::subspace::Criteria;
 use crate::signal::Record;
 use dolmen_linalg::ComplexMatrix;
 
-/// Iterations with the contributions of other bands' modes: after three nothing changes any more.
+/// Number of iterations with the contributions of other bands: after three nothing changes.
 const ROUNDS: usize = 3;
-/// Largest misfit, in deviations: for records made by the model it is between -2.3 and 2 (one of 130 at 4); with an undetected mode in the
-/// band above 10.
+/// Largest misfit, in standard deviations. It is between -2.3 and 2 for records simulated with the model (one of 130 at 4), and above 10 with
+/// an undetected mode in the band.
 const MISFIT_MOST: f64 = 4.0;
 
-/// Result for the modes of a record.
 struct Refined {
     /// By frequency.
     modes: Vec<Mode>,
-    /// Frequencies of modes from peaks, Hz.
+    /// Frequencies of modes found from peaks, Hz.
     from_peaks_hz: Vec<f64>,
     /// Frequencies of modes that were left unchanged, Hz.
     left_hz: Vec<f64>,
 }
 
-/// Settings of the fit.
 struct Refine<'a> {
     /// Range in which modes are accepted, Hz.
     range_hz: [f64; 2],
@@ -36,7 +34,7 @@ struct Refine<'a> {
     criteria: &'a Criteria,
     /// Frequencies of machines, whose lines are removed, Hz.
     tones_hz: &'a [f64],
-    /// Number of blocks of the record: each change of a frequency belongs to one block, as in the subspace methods.
+    /// Number of blocks of time, as in the subspace methods: each change of a frequency belongs to one block.
     time_blocks: usize,
 }
 
@@ -49,7 +47,7 @@ enum Source {
     Peak,
 }
 
-/// Fits all modes, and unexplained peaks of the spectrum with their widths, Hz: peaks that fit become modes.
+/// Fits all modes, and unexplained peaks of the spectrum with their widths, Hz. A peak that fits becomes a mode.
 fn refine(record: &Record, mut modes: Vec<Mode>, peaks: &[(&Mode, f64)], how: &Refine<'_>) -> Refined {
     let mut candidates: Vec<Mode> = peaks
         .iter()
@@ -144,7 +142,7 @@ fn candidate(peak: &Mode, width_hz: f64) -> Mode {
     }
 }
 
-/// The modes of all bands, by frequency; `None` for those of a band that does not fit.
+/// The modes of all bands, by frequency; `None` for the modes of a band that does not fit.
 fn fit_all(record: &Record, modes: &[Mode], how: &Refine<'_>) -> Vec<Option<Fitted>> {
     let lines = Lines::of(record);
     let mut bands = bands_of(modes, how.range_hz, &lines);
@@ -211,7 +209,7 @@ mod tests {
 
     #[test]
     fn holds_lines_know_frequencies_better_than_correlations() {
-        // the same 24 records for both, two modes each
+        // both methods use the same 24 records, with two modes each
         let truth = ReferenceCase::ShearChain.made(0).unwrap();
         let mut squares = [0.0; 2];
         for seed in 500..524 {
@@ -270,7 +268,7 @@ mod tests {
             (refined.left_hz, &refined.modes[0]),
             (vec![before.frequency_hz], &before)
         );
-        // and if its peak is known, it is found again
+        // if its peak is known, the mode is found again
         let refined = refine(&record, less, &[(&unseen, 0.05)], &how);
         assert_eq!(refined.modes.len(), 3, "{:?}", refined.left_hz);
         for (again, whole) in refined.modes.iter().zip(&whole.modes) {
@@ -316,7 +314,7 @@ mod tests {
         let known = by(Method::Bayoma, &acceleration).modes.modes;
         let velocity = of(Quantity::Velocity);
         let of_velocity = by(Method::Bayoma, &velocity).modes.modes;
-        // one sensor of each
+        // one sensor of each quantity
         let channels = vec![acceleration.channels()[0].clone(), velocity.channels()[1].clone()];
         let samples = vec![acceleration.samples(0).to_vec(), velocity.samples(1).to_vec()];
         let mixed = Record::new(channels, samples, 100.0).unwrap();

@@ -17,7 +17,7 @@ impl Part {
     }
 }
 
-/// A Hermitian matrix as a real vector; the dot product of two such vectors is the trace of the product of the
+/// A Hermitian matrix as a real vector. The dot product of two such vectors is the trace of the product of the
 /// matrices.
 pub(super) fn real(a: &ComplexMatrix) -> Vec<f64> {
     let both = |z: Complex64, part: Part| match part {

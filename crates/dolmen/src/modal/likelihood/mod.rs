@@ -1,4 +1,4 @@
-//! Modes of greatest likelihood: fitted to the Fourier lines of one band after another.
+//! Maximum likelihood modes: fitted to the Fourier lines of each band of the spectrum.
 
 mod band;
 mod band_fit;

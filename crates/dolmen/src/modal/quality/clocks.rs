@@ -1,8 +1,8 @@
-//! Compares the clocks of recorders: a phase between two channels that drifts along the record cannot come from the structure.
+//! Compares the clocks of recorders: the structure cannot cause a phase between two channels that drifts during the record.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | C_jq | `turns` | Σ z_c z_r* of part q at mode j: channel c with the reference r | – |
+//! | C_jq | `turns` | Σ z_c z_r* of part q at mode j: channel c with the reference channel r | – |
 //! | d | `ppm` | rate of the clock of c relative to that of r, positive if fast | 1e-6 |
 //! | ω_j, t_q | `omega`, `at_s` | circular frequency of the mode, middle of the part | rad/s, s |
 
@@ -12,11 +12,11 @@ use crate::signal::Record;
 use dolmen_linalg::Complex64;
 use std::f64::consts::{PI, TAU};
 
-/// Number of parts of the record, each with its own phase.
+/// Number of parts of the record; each part has its own phase.
 const PARTS: usize = 12;
-/// Cycles of a Hann segment: narrow enough to separate modes a tenth apart.
+/// Cycles in a Hann segment: enough to separate modes 10 % apart.
 const CYCLES: f64 = 24.0;
-/// Number of modes in the check: those with the smallest standard deviations.
+/// Number of modes used: those with the smallest standard deviations.
 const MODES_MOST: usize = 4;
 /// Mean coherence below which a mode gives no information about a channel. Our choice.
 const COHERENCE_LEAST: f64 = 0.5;
@@ -25,7 +25,7 @@ const PPM_MOST: f64 = 300.0;
 /// Phase change of the highest mode in one step of the search, rad.
 const TURN_STEP: f64 = PI / 6.0;
 const STEPS_MOST: f64 = 4000.0;
-/// Least drift that counts: in standard deviations, and as rotation of the highest mode's phase along the record, rad (10°).
+/// Smallest significant drift: in standard deviations, and as phase rotation of the highest mode over the record, rad (10°).
 /// Our choice.
 const DEVIATIONS: f64 = 5.0;
 const TURN_LEAST: f64 = PI / 18.0;
@@ -38,14 +38,15 @@ struct Drift {
 }
 
 impl Drift {
-    /// Whether two clocks differ; `turn_ppm` is the clock error that changes the phase significantly.
+    /// Whether two clocks differ. `turn_ppm` is the clock error that changes the phase noticeably.
     fn differs(&self, other: &Drift, turn_ppm: f64) -> bool {
         let apart = (self.ppm - other.ppm).abs();
         apart > turn_ppm && apart > DEVIATIONS * self.sd.hypot(other.sd)
     }
 }
 
-/// Removes channels whose clock drifts relative to most others from the shapes, and names them. Frequencies and damping stay.
+/// Removes from the shapes all channels whose clock drifts relative to most others, and names them. Frequencies and damping do
+/// not change.
 pub(crate) fn leave_out_other_clocks(record: &Record, modes: &mut Modes, notes: &mut Vec<Note>) {
     let l = record.channels().len();
     if l < 2 || modes.channels.len() != l {
@@ -97,7 +98,7 @@ pub(crate) fn leave_out_other_clocks(record: &Record, modes: &mut Modes, notes: 
     });
 }
 
-/// Real modes without overlap, with the most accurate frequencies.
+/// Real modes whose bands do not overlap, with the most accurate frequencies.
 fn best_known(modes: &[Mode]) -> Vec<Mode> {
     const REAL: f64 = 0.5; // of 1; a drift turns shapes
     let alone = |i: usize| {
@@ -115,7 +116,7 @@ fn best_known(modes: &[Mode]) -> Vec<Mode> {
     seen
 }
 
-/// C_jq of one mode: for each part the phase of every channel against the reference, and its coherence.
+/// C_jq of one mode: phase of every channel relative to the reference in each part, and its coherence.
 struct PhaseTurns {
     omega: f64,
     /// Parts of channels.
@@ -146,7 +147,7 @@ fn of_channels(record: &Record, modes: &[Mode], reference: usize) -> Vec<Option<
         .collect()
 }
 
-/// Coherence of each channel with the reference in each part, with its phase; `None` where parts are too short.
+/// Coherence of each channel with the reference in each part, with its phase; `None` if the parts are too short.
 fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<PhaseTurns> {
     let rate_hz = record.sampling_rate_hz();
     let length = (CYCLES * rate_hz / frequency_hz).round() as usize;
@@ -189,7 +190,7 @@ fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<PhaseTu
     })
 }
 
-/// The drift that makes the phases of each mode constant: the largest Σ_j |Σ_q C_jq e^(iω_j d t_q)|, then least squares about it.
+/// The drift that makes the phases of each mode constant: the largest Σ_j |Σ_q C_jq e^(iω_j d t_q)|, refined by least squares.
 fn drift(seen: &[(f64, Vec<Complex64>)], duration_s: f64) -> Option<Drift> {
     let highest = seen.iter().map(|(omega, _)| *omega).reduce(f64::max)?;
     let at_s = |q: usize| ((q as f64 + 0.5) / PARTS as f64 - 0.5) * duration_s;
@@ -204,7 +205,7 @@ fn drift(seen: &[(f64, Vec<Complex64>)], duration_s: f64) -> Option<Drift> {
     };
     let steps = (PPM_MOST * 1e-6 * highest * duration_s / TURN_STEP).clamp(1.0, STEPS_MOST) as i64;
     let ppm_of = |i: i64| PPM_MOST * i as f64 / steps as f64;
-    // from zero outwards, so that the drift is zero where all are equally good
+    // from zero outwards, so that equally good drifts give zero
     let order = (0..=steps).flat_map(|i| [i, -i]);
     let best = order.map(|i| (ppm_of(i), gathered(ppm_of(i))));
     let (ppm, _) = best.reduce(|a, b| if b.1 > a.1 * (1.0 + 1e-9) { b } else { a })?;
@@ -243,7 +244,7 @@ mod tests {
         [0.6, -1.0, 0.3, 0.9],
     ];
 
-    /// Four floors for twenty minutes; the clock of each channel is fast by this many ppm, but the rate is taken as 100 Hz.
+    /// Four floors, twenty minutes; the clock of each channel is fast by this many ppm, but 100 Hz is assumed.
     fn measured(ppm: [f64; 4], seed: u64) -> Record {
         let mode = |(frequency_hz, shape): (f64, [f64; 4])| MadeMode {
             frequency_hz,
@@ -257,7 +258,7 @@ mod tests {
             ..MadeRecord::default()
         };
         let record = made.make().unwrap();
-        // join reads a clock of 100 (1 − ppm) Hz onto one of 100 Hz: what one that is fast by ppm shows
+        // join converts a clock of 100 (1 − ppm) Hz to 100 Hz, which has the effect of a clock that is fast by ppm
         let piece = |(c, hz): (usize, f64)| Piece {
             channel: record.channels()[c].clone(),
             samples: record.samples(c).to_vec(),

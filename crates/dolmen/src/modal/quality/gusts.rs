@@ -1,8 +1,8 @@
-//! Blocks of time with unequal power: the effective number of blocks for a standard deviation.
+//! Effective number of blocks for standard deviations when blocks of time have unequal power.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | w_b | `share` | share of block b in the power of the record, each channel over its own |
+//! | w_b | `share` | share of block b in the power of the record, each channel normalised |
 //! | u_b | | w_b² (1 − 2 w_b + Σ w²) |
 
 use crate::modal::modes::Mode;
@@ -23,11 +23,11 @@ pub(crate) struct Unequal {
 /// ```text
 /// x = Σ w_b x_b,   E Σ w_b² (x_b − x)² = σ² Σ u_b,   var x = σ² Σ w²:      widening = (b−1)/b Σ w² / Σ u,   ν = (Σ u)² / Σ u² − 1
 /// ```
-/// A single strong block equals the mean, so its own deviation is zero: without this correction a record of gusts would seem far more accurate
-/// than it is. For stationary records the widening is 1.00 to 1.02.
+/// A single strong block determines the mean, so its deviation is nearly zero: without this correction the results of a gusty record would
+/// look far too accurate. For stationary records the widening is 1.00 to 1.02.
 ///
 /// # Source
-/// Satterthwaite (1946) Biom. Bull. 2:110-114 for ν. The expectation by hand.
+/// Satterthwaite (1946) Biom. Bull. 2:110-114 for ν. The expectation is our own derivation.
 pub(crate) fn unequal(record: &Record, time_blocks: usize) -> Unequal {
     let length = record.length() / time_blocks.max(1);
     let mut share = vec![0.0; time_blocks];

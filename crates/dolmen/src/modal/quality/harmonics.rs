@@ -1,13 +1,13 @@
-//! Distinguishes machines from modes: near one frequency the amplitude fluctuates under random forces, and is steady for a machine.
+//! Distinguishes machines from modes: near one frequency the amplitude fluctuates under random forces, but is steady for a machine.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | z_s | `parts` | Fourier sum of part s of the record at the frequency, one number a channel |
+//! | z_s | `parts` | Fourier sum of part s of the record at the frequency, one value for each channel |
 //! | u | `direction` | first eigenvector of Σ z_s z_s* |
 //! | a_s | | u* z_s |
 //! | p_s | `strengths` | |a_s|² |
-//! | γ | `kurtosis` | 3/2 mean |a|⁴ / (mean |a|²)²: 3 if Gaussian, 3/2 of a sine |
-//! | n | `independent` | independent strengths in one block of time |
+//! | γ | `kurtosis` | 3/2 mean |a|⁴ / (mean |a|²)²: 3 if Gaussian, 3/2 for a sine |
+//! | n | `independent` | number of independent strengths in one block of time |
 
 use crate::modal::ModalError;
 use crate::modal::error::refused;
@@ -16,64 +16,64 @@ use crate::signal::Record;
 use dolmen_linalg::{Complex64, ComplexMatrix, hermitian_eigen};
 use std::f64::consts::PI;
 
-/// Kurtosis of a Gaussian motion.
 const GAUSSIAN: f64 = 3.0;
-/// Lengths of the parts: the record over these. Long parts show a weak tone, short ones a tone of variable frequency.
+/// Numbers of parts into which the record is divided. Long parts show a weak tone, short parts a tone of variable frequency.
 const PARTS: [usize; 2] = [64, 256];
-/// Fewest cycles in a part; with fewer the sum includes the mean and the mirrored frequency.
+/// Fewest cycles in a part; with fewer, the sum includes the mean and the mirrored frequency.
 const CYCLES_LEAST: f64 = 8.0;
-/// Blocks of time with or without the machine: the record over these. Long blocks show a machine with long runs, short ones a
-/// machine with brief runs. Our choice.
+/// Numbers of blocks in which the machine may run or not. Long blocks show a machine with long runs, short blocks a machine with brief
+/// runs. Our choice.
 const BLOCKS: [usize; 3] = [12, 24, 48];
 /// Fewest independent strengths in a block. Our choice.
 const INDEPENDENT_LEAST: f64 = 4.0;
-/// Share of the power of the strongest block from which a machine runs in a block. Our choice: this includes blocks with three quarters
-/// of machine time.
+/// A machine runs in a block if its power is at least this share of the strongest block. Our choice: this includes blocks with three
+/// quarters of machine time.
 const RUNS_FROM: f64 = 0.75;
-/// Deviations below the Gaussian value at which a motion no longer counts as random.
+/// Number of standard deviations below the Gaussian value from which a motion is not random.
 const DEVIATIONS: f64 = 3.0;
 
-/// Kurtosis of the motion in a narrow band.
+/// Kurtosis of the motion in a narrow frequency band.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kurtosis {
     /// Middle of the band, Hz.
     pub frequency_hz: f64,
     /// 3 if the motion is random (Gaussian), 1.5 if it is one sine.
     pub kurtosis: f64,
-    /// Its standard deviation for a mode under random forces.
+    /// Standard deviation of the kurtosis for a mode under random forces.
     pub deviation: f64,
-    /// Its share of the record, 0 to 1: below 1 for a machine that runs for a part of the time.
+    /// Share of the record used, 0 to 1: below 1 for a machine that runs only part of the time.
     pub share: f64,
 }
 
 impl Kurtosis {
-    /// Whether the motion is too steady for random forces: three deviations below 3.
+    /// Whether the motion is too steady for random forces: three standard deviations below 3.
     pub fn harmonic(&self) -> bool {
         self.kurtosis < GAUSSIAN - DEVIATIONS * self.deviation
     }
 }
 
-/// Kurtosis of the motion of some channels (none named: all) near `frequency_hz`, in the direction in which most moves there;
-/// `None` where the record is too short to tell.
+/// Kurtosis of the motion of the given channels (empty: all) near `frequency_hz`, in the direction of the largest motion there; `None` if
+/// the record is too short for a conclusion.
 ///
 /// ```text
 /// a_s = u* Σ_t h(t) y(t_s + t) e^(-2πi f t dt),   γ = 3/2 mean |a|⁴ / (mean |a|²)²      h: Hann's window, half overlapping
 /// γ = 3 - 3/2 p²                                                     p: share of the sine in the power of the band
 /// ```
-/// Two lengths of part are tested, 1/64 and 1/256 of the record; the result farther below 3 counts. The standard deviation is 3/√n with n
-/// independent amplitudes: the number of parts, or π 2ζf T/2 if the motion of a mode of damping ratio `damping_ratio_least` is correlated
-/// for longer.
+/// Two lengths of part are tested, 1/64 and 1/256 of the record; the result farther below 3 is used. The standard deviation is 3/√n with
+/// n independent amplitudes. n is the number of parts, or π 2ζf T/2 if the motion of a mode with `damping_ratio_least` is correlated for
+/// longer than a part.
 ///
 /// # Errors
 /// [`ModalError::Option`] for a frequency outside 0 … half the sampling rate; [`ModalError::Linalg`].
 ///
 /// # Limits
-/// A sine below 3/4 of the power of its band cannot be distinguished from a mode. Intermittent traffic or gusts raise γ above 3 and can
-/// hide a sine. Fewer than 36 independent amplitudes allow no conclusion: they need 96 minutes at 1 Hz and ζ 0.2 %, 14 minutes at 7 Hz.
+/// A sine with less than 3/4 of the power in its band cannot be distinguished from a mode. Intermittent traffic or gusts raise γ above 3
+/// and can hide a sine. Fewer than 36 independent amplitudes allow no conclusion; this number needs 96 minutes at 1 Hz and ζ 0.2 %, 14
+/// minutes at 7 Hz.
 ///
 /// # Source
-/// Jacobsen, Andersen & Brincker (2007) Proc. 2nd IOMAC: kurtosis of the band-passed signal. Differs from the source:
-/// the moments of the band's complex amplitude, which need no filter and no narrow-band samples that repeat each other.
+/// Jacobsen, Andersen & Brincker (2007) Proc. 2nd IOMAC: kurtosis of the band-passed signal. Differs from the source: we use the moments
+/// of the complex amplitude of the band, which need no filter and no correlated narrow-band samples.
 ///
 /// # Example
 /// ```
@@ -152,12 +152,12 @@ pub fn band_kurtosis(
 #[derive(Clone, Copy)]
 pub(super) struct Parts {
     pub(super) length: usize,
-    /// From the start of one to that of the next, half lengths.
+    /// Distance between the starts of successive parts, in half lengths.
     pub(super) halves: usize,
     pub(super) count: usize,
 }
 
-/// z_s of every part and channel, each channel over its own strength, so that units and gains of sensors do not affect the direction.
+/// z_s of every part and channel, with each channel normalised, so that units and gains of sensors do not affect the direction.
 pub(super) fn fourier_sums(
     record: &Record,
     channels: &[usize],
@@ -198,7 +198,7 @@ fn strengths(parts: &[Vec<Complex64>]) -> Result<Vec<f64>, ModalError> {
     Ok(along.into_iter().map(|a| a.norm_sqr()).collect())
 }
 
-/// a_s of the parts, in the direction with the most motion.
+/// a_s of the parts, in the direction of the largest motion.
 pub(super) fn along_the_strongest(parts: &[Vec<Complex64>]) -> Result<Vec<Complex64>, ModalError> {
     let l = parts.first().map_or(0, Vec::len);
     let power = ComplexMatrix::from_fn(l, l, |i, j| {
@@ -224,8 +224,8 @@ fn kurtosis(strengths: &[f64]) -> f64 {
 /// ```text
 /// γ = (n + 1)/n mean_b γ_b,   sd² = 9 (n − 1)/((n + 2)(n + 3)) / blocks      n independent strengths in a block
 /// ```
-/// Of Gaussian motion p_s/Σp is independent of Σp, and E γ_b = 3n/(n + 1): which blocks are strongest may be asked of the data, and γ
-/// stays 3. What makes blocks stronger than others (gusts) is not in it, and what does so within a block raises it.
+/// For Gaussian motion p_s/Σp is independent of Σp, and E γ_b = 3n/(n + 1). So γ stays 3 even if the data select the strongest blocks.
+/// Differences in strength between blocks (gusts) do not affect γ; such differences within a block raise it.
 fn where_it_runs(
     parts: &[Vec<Complex64>],
     along: &[f64],
@@ -317,7 +317,7 @@ mod tests {
             );
             assert!((1.4..2.2).contains(&found.kurtosis), "{found:?}");
         }
-        // the same of noise twice as strong for half of the time is no machine
+        // noise that is twice as strong for half of the time is not a machine
         let loud = |c: usize| -> Vec<f64> {
             let noise = record(0.0);
             let y = noise.samples(c).iter().enumerate();

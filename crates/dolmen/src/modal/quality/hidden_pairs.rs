@@ -1,15 +1,16 @@
-//! Two modes under one peak: the second singular value of the spectrum has a peak near the first, and only one mode was found.
+//! Detects two modes under one peak: only one mode was found, but the second singular value of the spectrum has a peak near it.
 
 use crate::modal::spectrum::{SingularSpectrum, decibel, peaks};
 use crate::modal::{Modes, Note};
 
-/// Least share of the second singular value in the first at its peak. Our choice: one mode and 20 dB of noise leave less than a thirtieth.
+/// Least ratio of the second to the first singular value at the peak of the second. Our choice: one mode with 20 dB of noise gives less
+/// than a thirtieth.
 const SECOND_LEAST: f64 = 0.1;
-/// Least ratio of the first singular value at that line to its maximum near the mode: between two separate modes the second also rises, in
-/// the saddle of the first. Our choice.
+/// Least ratio of the first singular value at that line to its maximum near the mode, because between two separate modes the second also
+/// rises, where the first is low. Our choice.
 const NEAR_TOP: f64 = 0.35;
 
-/// Adds a note on modes that may be two: near them the second singular value has its own peak below that of the first.
+/// Adds a note on modes that may be two: near them the second singular value has a peak of its own.
 pub(crate) fn note_hidden_pairs(
     modes: &Modes,
     spectrum: &SingularSpectrum,

@@ -1,4 +1,4 @@
-//! A mode that is visible only while somebody walks.
+//! A mode that is visible only in some periods, for example while somebody walks.
 
 /// A mode that is visible only in some periods.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -7,7 +7,7 @@ pub struct InSpells {
     pub frequency_hz: f64,
     /// Ratio of its power to that of its surroundings, in the whole record.
     pub stands_out: f64,
-    /// The same, in the quiet half.
+    /// The same ratio in the quieter half of the record.
     pub stands_out_quiet: f64,
 }
 

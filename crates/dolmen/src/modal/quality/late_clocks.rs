@@ -1,8 +1,8 @@
-//! Recorders with a constant delay: a phase between channels that grows with the frequency of the mode is a delay.
+//! Detects recorders with a constant delay: it causes a phase between channels that is proportional to the frequency of the mode.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | φ_j | `phase` | angle of a channel in mode j relative to the channels that agree, mod π, because signs are unknown | rad |
+//! | φ_j | `phase` | angle of a channel in mode j relative to the agreeing channels, mod π, because signs are unknown | rad |
 //! | σ_j | `sd` | standard deviation of φ_j | rad |
 //! | τ | `delay_s` | delay of the channel's clock | s |
 
@@ -12,21 +12,20 @@ use crate::modal::noted::LateClock;
 use crate::modal::{Mode, Modes, Note};
 use std::f64::consts::{PI, TAU};
 
-/// Largest usual phase in shapes of structures, rad (3°): lightly damped shapes are within it. Our choice.
+/// Largest usual phase in shapes of structures, rad (3°); lightly damped shapes stay below it. Our choice.
 const OWN_PHASE: f64 = 3.0 * TAU / 360.0;
-/// Phase difference in every mode below which channels have one clock, rad (15°). Our choice.
+/// Channels with a smaller phase difference in every mode have one clock, rad (15°). Our choice.
 const ONE_CLOCK: f64 = 15.0 * TAU / 360.0;
-/// Largest delay in the search with three modes or more, s; two modes fit too many delays, so with two the limit is half a period of the
+/// Largest delay in the search with three or more modes, s. Two modes fit too many delays, so with two modes the limit is half a period of the
 /// lower mode. Our choice.
 const DELAY_MOST_S: f64 = 2.0;
-/// Largest mean square of the residuals over their deviations for a delay that explains the phases. Our choice.
+/// A delay explains the phases if the mean square of the residuals over their standard deviations is at most this. Our choice.
 const EXPLAINED: f64 = 4.0;
-/// Least delay that counts, in standard deviations. Our choice.
+/// Smallest significant delay, in standard deviations. Our choice.
 const DEVIATIONS: f64 = 5.0;
 /// Phase change of the highest mode in one step of the search, rad (5°).
 const TURN_STEP: f64 = PI / 36.0;
 
-/// The phase of one channel in one mode.
 #[derive(Clone, Copy)]
 struct Phase {
     frequency_hz: f64,
@@ -35,25 +34,24 @@ struct Phase {
 }
 
 impl Phase {
-    /// Residual of a delay.
     fn residual(&self, delay_s: f64) -> f64 {
         within_half_turn(self.phase - TAU * self.frequency_hz * delay_s)
     }
 }
 
-/// Removes channels with a constant delay of their clock, and channels with a phase of 90° at every frequency, from the shapes, and names
-/// them. Frequencies and damping stay. `peaks` are those of the spectrum: a delay changes the shapes of some modes so much
-/// that no pole passes as a mode, but the peaks show their phases.
+/// Removes from the shapes all channels with a constant clock delay, and all channels with a phase of 90° at every frequency, and names them.
+/// Frequencies and damping do not change. `peaks` are those of the spectrum: a delay changes the shapes of some modes so much that no pole is
+/// accepted as a mode, but the peaks show their phases.
 ///
 /// ```text
 /// y_c(t + τ) = φ_c q(t)   →   arg φ_c = 2π f_j τ + k π          in every mode j, k whole
 /// ```
-/// A channel is tested if its phase cannot come from a mode shape. The test uses modes without overlap and peaks that none of these explains, at
-/// least two. Channels at one place have one recorder and one delay: if they give different delays, no clock is late. If one of them agrees with
-/// the other channels, the delay comes from the filter of a channel.
+/// A channel is tested if its phase cannot come from a mode shape. The test needs at least two modes without overlap or peaks that none of these
+/// explains. Channels at one place share one recorder and one delay: if they give different delays, no clock has a delay. If one of them agrees
+/// with the other channels, the delay comes from the filter of a channel.
 ///
 /// # Limits
-/// Correlated forces and machines also give peaks a phase: a delay that affects two of them or more counts.
+/// Correlated forces and machines also change the phases of peaks: a delay at two of them is reported.
 pub(crate) fn leave_out_late_clocks(modes: &mut Modes, peaks: &Modes, notes: &mut Vec<Note>) {
     let l = modes.channels.len();
     let seen = seen(modes, peaks);
@@ -67,7 +65,7 @@ pub(crate) fn leave_out_late_clocks(modes: &mut Modes, peaks: &Modes, notes: &mu
         let (agree, off): (Vec<usize>, Vec<usize>) = station.iter().partition(|c| agreeing.contains(c));
         let together = match agree.is_empty() {
             true => vec![off],
-            // the clock is right: only a single channel is late
+            // the clock is right, because only a single channel has a delay
             false => off.iter().map(|&c| vec![c]).collect(),
         };
         for channels in together {
@@ -117,7 +115,7 @@ pub(crate) fn leave_out_late_clocks(modes: &mut Modes, peaks: &Modes, notes: &mu
     }
 }
 
-/// Modes without overlap, and the peaks that none of these explains.
+/// Modes without overlap, and the peaks that none of them explains.
 fn seen(modes: &Modes, peaks: &Modes) -> Vec<Mode> {
     let all = &modes.modes;
     let alone = |i: &usize| {
@@ -171,7 +169,7 @@ fn angle_sd(mode: &Mode, c: usize) -> f64 {
     mode.shape_sd.as_ref().map_or(0.0, |sd| sd[c]) / mode.shape[c].norm()
 }
 
-/// The phase of a channel relative to those that agree; `None` if either has none.
+/// Phase of a channel relative to the agreeing channels; `None` if either is unknown.
 fn phase(mode: &Mode, c: usize, agreeing: &[usize]) -> Option<Phase> {
     let base = agreeing.iter().filter(|r| has_phase(mode, **r));
     let squares = base
@@ -184,14 +182,13 @@ fn phase(mode: &Mode, c: usize, agreeing: &[usize]) -> Option<Phase> {
     })
 }
 
-/// Velocities among accelerations have a phase of 90° in every mode: a phase that does not grow with the frequency is not a delay.
+/// A velocity channel among accelerations has a phase of 90° in every mode: a phase that does not grow with frequency is not a delay.
 fn is_quarter_turn(channels: &[&[Phase]]) -> bool {
     let off = |p: &Phase| ((p.phase.abs() - 0.5 * PI) / p.sd).powi(2);
     let fits = |of: &&[Phase]| of.iter().map(off).sum::<f64>() <= EXPLAINED * of.len() as f64;
     at_hz(channels).len() > 1 && channels.iter().all(fits)
 }
 
-/// Frequencies of the known phases.
 fn at_hz(channels: &[&[Phase]]) -> Vec<f64> {
     let mut all: Vec<f64> = channels
         .iter()
@@ -202,7 +199,7 @@ fn at_hz(channels: &[&[Phase]]) -> Vec<f64> {
     all
 }
 
-/// The smallest delay that explains the phases of these channels together and of each one, and the next such delay.
+/// The smallest delay that explains the phases of these channels, together and separately, and the next such delay.
 fn delay(channels: &[&[Phase]]) -> Option<LateClock> {
     let phases: Vec<Phase> = channels.iter().flat_map(|of| of.iter().copied()).collect();
     let angles: Vec<f64> = phases.iter().map(|p| p.phase.abs()).collect();
@@ -269,7 +266,7 @@ mod tests {
         [0.6, -1.0, 0.3, 0.9],
     ];
 
-    /// Four floors for ten minutes; each channel is late by this number of samples of 0.01 s.
+    /// Four floors, ten minutes; each channel is delayed by this number of samples of 0.01 s.
     fn measured(late: [usize; 4], seed: u64) -> Record {
         let mode = |(frequency_hz, shape): (f64, [f64; 4])| MadeMode {
             frequency_hz,
@@ -319,7 +316,7 @@ mod tests {
 
     #[test]
     fn holds_of_two_recorders_the_one_with_fewer_channels_is_named_early_where_it_is() {
-        // the largest component of the first mode is of the late channel
+        // the largest component of the first mode belongs to the delayed channel
         let (found, _) = late([12, 0, 0, 0], 7);
         assert!(found.len() == 1 && found[0].channel == "a", "{found:?}");
         let (found, _) = late([9, 9, 9, 0], 7);
@@ -341,7 +338,7 @@ mod tests {
     const CORNERS: [&str; 6] = ["roof x", "roof y", "mid x", "mid y", "low x", "low y"];
     const PAIRS_HZ: [f64; 5] = [1.314, 1.611, 4.127, 5.056, 6.78];
 
-    /// Three floors × (x, y) for ten minutes, axes rotated by 20°; the given channels are late by this number of samples of 0.005 s, or measure
+    /// Three floors × (x, y), ten minutes, axes rotated by 20°. The given channels are delayed by this number of samples of 0.005 s, or measure
     /// velocity.
     fn floors(seed: u64, (late, samples): (&[usize], usize), velocities: &[usize]) -> Record {
         let shape = |mode: usize| -> Vec<f64> {
@@ -419,7 +416,7 @@ mod tests {
                 Note::QuarterTurn { channels, .. } => Some(channels.clone()),
                 _ => None,
             });
-            // with two halves either may be the different one
+            // with two halves, either may be the different one
             let count = velocities.len();
             assert_eq!(named.map(|of| of.len()), Some(count), "{:?}", found.notes);
             let clocks = |note: &Note| matches!(note, Note::LateClocks { .. });
@@ -473,17 +470,17 @@ mod tests {
 
     #[test]
     fn exact_delay_of_two_phases_and_none_where_no_delay_explains_them() {
-        // 0.05 s: 18° a hertz
+        // 0.05 s is 18° per hertz
         let clock = delay(&[&phases(&[(27.0, 1.5), (75.6, 4.2)])]).unwrap();
         assert!((clock.delay_s - 0.05).abs() < 1e-12, "{clock:?}");
         // 1/√Σ(2πf/σ)² by hand
         assert!((clock.sd_s - OWN_PHASE / (TAU * 4.2_f64.hypot(1.5))).abs() < 1e-12);
         assert_eq!(delay(&[&phases(&[(60.0, 1.5), (70.0, 4.2)])]), None);
-        // a quarter turn in each is another quantity, though 1 : 3 fits a delay
+        // 90° in each mode is another quantity, although the frequency ratio 1 : 3 also fits a delay
         assert!(is_quarter_turn(&[&phases(&[(90.0, 1.4), (90.0, 4.2)])]));
         assert!(!is_quarter_turn(&[&phases(&[(27.0, 1.5), (75.6, 4.2)])]));
         assert_eq!(delay(&[&phases(&[(75.6, 4.2)])]), None);
-        // one frequency alone that is turned is a machine's as well
+        // a phase at a single frequency may come from a machine
         assert_eq!(delay(&[&phases(&[(1.2, 1.0), (60.0, 50.0)])]), None);
     }
 }

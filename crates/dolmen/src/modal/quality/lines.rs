@@ -1,11 +1,11 @@
-//! Distinguishes sines from modes by the finest lines of a record: a sine keeps its phase for the whole record, a mode does not.
+//! Distinguishes sines from modes by the finest spectral lines of a record: a sine keeps its phase throughout, a mode does not.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | P_i | `power` | periodogram of the whole record (Hann) along the shape, lines 1/T apart | |
 //! | w | `half_width` | half of the half-power width of a mode, ζ f T | lines |
 //! | m_i | `model` | expected P_i: a mode over white noise, S (1/(1 + ((i − c)/w)²) + β) | |
-//! | Λ | `gain` | increase of the logarithm of Whittle's likelihood by a sine at one line | – |
+//! | Λ | `gain` | increase of Whittle's log-likelihood by a sine at one line | – |
 
 use crate::modal::Mode;
 use crate::modal::subspace::HALF_WIDTH_LEAST;
@@ -18,29 +18,29 @@ use std::sync::Arc;
 
 /// Fewest and most lines on each side of the frequency.
 const REACH: [usize; 2] = [64, 512];
-/// Half widths of a mode on each side in which it hides the noise.
+/// Number of half widths on each side of a mode within which it exceeds the noise.
 const SKIRTS: f64 = 4.0;
 /// Lines on each side of a sine in the main lobe of Hann's window.
 const LOBE: usize = 2;
-/// Gain from which a line is a sine. Chosen on the development seeds of `unkind_modes`: neighbours share two thirds of their amplitude under
-/// Hann's window, so that what chance does at one line counts about three times.
+/// A line is a sine from this gain on. Chosen on the development seeds of `unkind_modes`: neighbouring lines share two thirds of their amplitude
+/// under Hann's window, so a chance excess at one line counts about three times.
 const GAIN_LEAST: f64 = 30.0;
-/// Least ratio of a mode under a sine to the surrounding noise, and its least width in lines; below these there is no mode.
+/// Least ratio of a mode at a sine to the surrounding noise, and least width of the mode in lines; below these limits there is no mode.
 const MODE_OVER_NOISE: f64 = 10.0;
 const MODE_WIDE: f64 = 4.0;
 
 /// Result of the finest spectral lines for a peak or mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LineTest {
-    /// The line with the largest excess, Hz.
+    /// Frequency of the line with the largest excess, Hz.
     pub(crate) frequency_hz: f64,
-    /// Λ of a sine there.
+    /// Gain Λ of a sine at this frequency.
     pub(crate) gain: f64,
     /// Damping ratio of the mode that fits the lines without the sine.
     pub(crate) damping_ratio: f64,
     /// Power of the sine over that of this mode.
     pub(crate) strength: f64,
-    /// Whether a mode is left without the sine.
+    /// Whether a mode remains without the sine.
     pub(crate) mode_remains: bool,
 }
 
@@ -54,7 +54,7 @@ impl LineTest {
 pub(crate) struct FineLines<'a> {
     record: &'a Record,
     channels: BTreeMap<usize, Vec<Complex64>>,
-    /// Hann's window over the record, and its transform, once they are needed.
+    /// Hann's window over the record, and its transform, computed when needed.
     hann: Vec<f64>,
     plan: Option<Arc<dyn RealToComplex<f64>>>,
 }
@@ -86,7 +86,7 @@ impl<'a> FineLines<'a> {
         })
     }
 
-    /// Powers of the lines near the middle one along a shape, and their number on each side of it; `None` if the record has too few.
+    /// Powers of the lines near the middle line along a shape, and their number on each side; `None` if the record has too few.
     fn about(
         &mut self,
         shape: &[Complex64],
@@ -116,11 +116,12 @@ impl<'a> FineLines<'a> {
     /// ```text
     /// Λ = max_(S, A, w') Σ (ln p₀ of lines under two modes)  against  Σ (ln p₁ of lines under one mode and a sine),  w, w' ≥ 1.5
     /// ```
-    /// Under random forces P_i/m_i is exponential with mean 1, also in gusts. The alternative to a sine is a second mode: a pair of modes is no sine.
+    /// Under random forces P_i/m_i is exponential with mean 1, also in gusts. The alternative to a sine is a second mode, so two close modes are not
+    /// taken for a sine.
     ///
     /// # Source
     /// Whittle (1953) Ark. Mat. 2:423-434 for the likelihood; Fisher (1929) Proc. R. Soc. A 125:54-59 for a line that is too strong for chance.
-    /// Differs from Fisher: the surrounding spectrum is that of a mode, not white.
+    /// Differs from Fisher: the surrounding spectrum is that of a mode instead of white.
     pub(crate) fn test(&mut self, mode: &Mode) -> Option<LineTest> {
         const CHANNELS: usize = 4;
         let duration_s = self.record.length() as f64 / self.record.sampling_rate_hz();
@@ -132,7 +133,7 @@ impl<'a> FineLines<'a> {
         let (mut reach, mut power) = self.about(&mode.shape, &channels, middle, 2.0 * half_width)?;
         let mut found = judged(&power)?;
         if SKIRTS * found.half_width > reach as f64 {
-            // the noise near a mode is visible only beyond its skirts
+            // the noise near a mode is visible only outside the flanks of the mode
             (reach, power) = self.about(&mode.shape, &channels, middle, SKIRTS * found.half_width)?;
             found = judged(&power)?;
         }
@@ -148,7 +149,7 @@ impl<'a> FineLines<'a> {
     }
 }
 
-/// Position of a sine between the lines, from Hann's main lobe: amplitudes of neighbours 1 and (1 + δ)/(2 − δ).
+/// Position of a sine between two lines, from Hann's main lobe: the neighbouring amplitudes are 1 and (1 + δ)/(2 − δ).
 fn offset(power: &[f64], line: usize) -> f64 {
     let amplitude = |i: usize| power.get(i).copied().unwrap_or(0.0).sqrt();
     let (before, at, after) = (
@@ -169,11 +170,10 @@ struct Judged {
     mode_remains: bool,
 }
 
-/// A mode over white noise, fitted.
 struct OneMode {
     model: Vec<f64>,
     half_width: f64,
-    /// Top over the noise.
+    /// Peak value over the noise.
     over_noise: f64,
     /// S.
     top: f64,
@@ -224,7 +224,7 @@ fn at_line(power: &[f64], line: usize, whole: &OneMode) -> Judged {
     let around: Vec<usize> = (0..power.len()).filter(|i| near(*i)).collect();
     let ln_rest: f64 = around.iter().map(|&i| rest.model[i].ln()).sum();
     let mut with_mode = f64::INFINITY;
-    // neighbouring modes have similar damping: the second not much less than the first
+    // neighbouring modes have similar damping: the damping of the second is not much less than that of the first
     let narrowest = HALF_WIDTH_LEAST.max(0.8 * rest.half_width.min(40.0));
     for half_width in [1.0, 1.5, 2.5, 4.0].map(|times| times * narrowest) {
         for shift in [-1.0, -0.5, 0.0, 0.5, 1.0] {
@@ -245,7 +245,7 @@ fn at_line(power: &[f64], line: usize, whole: &OneMode) -> Judged {
         }
     }
     let alone: f64 = around.iter().map(|&i| cost(power[i], whole.model[i])).sum();
-    // Hann's window spreads a line of power P over lines that sum to 1.5 P
+    // Hann's window spreads a line of power P over lines with the sum 1.5 P
     let sine: f64 = lobe.iter().map(|&i| (power[i] - rest.model[i]).max(0.0)).sum();
     Judged {
         line,
@@ -258,12 +258,12 @@ fn at_line(power: &[f64], line: usize, whole: &OneMode) -> Judged {
     }
 }
 
-/// Power of a mode `line`s from its centre, relative to its maximum.
+/// Power of a mode `line`s from its centre, relative to its peak.
 fn lorentz(line: usize, centre: f64, half_width: f64) -> f64 {
     1.0 / (1.0 + ((line as f64 - centre) / half_width).powi(2))
 }
 
-/// Σ ln v of values between 1e-36 and 1e36, by the logarithms of products of 8.
+/// Σ ln v of values between 1e-36 and 1e36, from the logarithms of products of 8.
 fn sum_of_logarithms(mut values: impl Iterator<Item = f64>) -> f64 {
     let mut sum = 0.0;
     loop {
@@ -280,7 +280,7 @@ fn sum_of_logarithms(mut values: impl Iterator<Item = f64>) -> f64 {
     }
 }
 
-/// The most likely mode over white noise, without these lines.
+/// The most likely mode over white noise, fitted without the lines `without`.
 fn fitted(power: &[f64], without: &[usize]) -> OneMode {
     let used: Vec<usize> = (0..power.len()).filter(|i| !without.contains(i)).collect();
     // power of the lines before each one, zero for excluded lines

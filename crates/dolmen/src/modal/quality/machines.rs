@@ -12,8 +12,8 @@ use crate::modal::spectrum::FddResult;
 use crate::modal::{Method, ModalError, Mode, Modes, Note, Refusal, Tone, ToneOnMode};
 use crate::signal::Record;
 
-/// Largest power of a sine over that of the mode under it with a separate result for each. Our choice: beyond it, the skirts of the sine
-/// look like a mode.
+/// Largest power of a sine, over that of the mode at its frequency, for which both have a separate result. Our choice: a stronger sine has
+/// flanks that look like a mode.
 const STRENGTH_MOST: f64 = 15.0;
 
 /// Peaks that are not modes.
@@ -25,8 +25,8 @@ pub(crate) struct SetAside {
     pub(crate) peaks: Vec<Candidate>,
 }
 
-/// Removes and returns the peaks that are too steady for random forces, or narrower than a mode with the least damping where the lines are
-/// fine enough. Those with one phase for the whole record, or too steady, are machines; the others are undecided.
+/// Removes and returns the peaks that are too steady for random forces, or narrower than a mode with the least damping (if the resolution is
+/// sufficient). Peaks with a constant phase throughout, or too steady, are machines; the others are undecided.
 pub(crate) fn split_tones(
     record: &Record,
     peaks: &mut FddResult,
@@ -48,7 +48,7 @@ pub(crate) fn split_tones(
             damping_ratio: Some(damping_ratio),
             ..mode.clone()
         };
-        // a free decay is always limited to a period
+        // a free decay is never present throughout the record
         let found = in_spells(record, &as_wide).filter(|_| options.method != Method::Era);
         let kurtosis = kurtosis(record, &mode, USUAL_LEAST.max(damping_ratio_least))?;
         let looks_steady = kurtosis.as_ref().is_some_and(Kurtosis::harmonic);
@@ -123,11 +123,11 @@ struct RemovedPeak {
     prominence_db: f64,
     tone: Tone,
     is_machine: bool,
-    /// The damping ratio of the mode than which it is narrower, if it is.
+    /// Least damping ratio of a mode, if the peak is narrower than that.
     damping_ratio_least: f64,
 }
 
-/// Names the sines at the modes and at unexplained peaks of the spectrum, if a mode remains without the sine.
+/// Names the sines at modes and at unexplained peaks of the spectrum where a mode remains without the sine.
 pub(crate) fn note_tones_on_modes(record: &Record, (modes, peaks): (&Modes, &Modes), notes: &mut Vec<Note>) {
     if modes.channels.len() != record.channels().len() || modes.method == Method::Era {
         return;
@@ -153,10 +153,10 @@ pub(crate) fn note_tones_on_modes(record: &Record, (modes, peaks): (&Modes, &Mod
     }
 }
 
-/// Lines on each side of a tone with small peaks due to leakage.
+/// Lines on each side of a tone in which leakage causes small peaks.
 const SKIRT_LINES: f64 = 20.0;
 
-/// The tones, by frequency, without those within `skirt_hz` of a stronger one.
+/// The tones, by frequency, without those that are within `skirt_hz` of a stronger tone.
 fn strongest(mut tones: Vec<RemovedPeak>, skirt_hz: f64) -> Vec<RemovedPeak> {
     tones.sort_by(|a, b| b.prominence_db.total_cmp(&a.prominence_db));
     let mut kept: Vec<RemovedPeak> = Vec::new();
@@ -199,8 +199,8 @@ fn kurtosis(record: &Record, mode: &Mode, damping_ratio_least: f64) -> Result<Op
     }
 }
 
-/// Gives each mode the kurtosis of its band and its variation (the least and the most extreme of all records), and names or removes modes
-/// that are too steady, or vary in a way impossible under random forces. Each record has the components of the shapes at its channels.
+/// Adds to each mode the kurtosis of its band and its variation (the least and the most extreme over all records). Names or removes modes that
+/// are too steady, or that vary in a way impossible under random forces. The components of the shapes belong to the channels of each record.
 pub(crate) fn test_for_machines(
     records: &[(&Record, Vec<usize>)],
     options: &Identify,
@@ -239,8 +239,8 @@ pub(crate) fn test_for_machines(
     Ok(())
 }
 
-/// Names modes that vary like machines. Those with as little damping as machines and the lightest structures are left out, unless the user
-/// allows such modes.
+/// Names modes that vary like machines. Modes with as little damping as machines and the lightest structures are left out, unless the user
+/// allows them.
 fn note_wandering(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) {
     let admitted = options.criteria.damping_ratio_least.is_some();
     let is_left_out = |mode: &Mode| {
@@ -260,7 +260,7 @@ fn note_wandering(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) 
     modes.modes.retain(|mode| !is_left_out(mode));
 }
 
-/// The refusal of a mode that was removed because its amplitude is too steady.
+/// The reason for a mode that was removed because its amplitude is too steady.
 pub(crate) fn of_steady(mode: &Mode) -> Refusal {
     match mode.harmonic() {
         true => Refusal::Machine,
@@ -268,8 +268,8 @@ pub(crate) fn of_steady(mode: &Mode) -> Refusal {
     }
 }
 
-/// Leaves out modes with as little damping as machines and the lightest structures, if their amplitude is steady as for a machine, even with few
-/// independent amplitudes; unless the user allows such modes. Our choice: the tone of Palisaden at 20.5 Hz has 1.57.
+/// Leaves out modes with as little damping as machines and the lightest structures, if their amplitude is as steady as that of a machine, even
+/// with few independent amplitudes. The user can allow such modes. Our choice: the tone of Palisaden at 20.5 Hz has a kurtosis of 1.57.
 fn leave_out_steady_light(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) {
     const KURTOSIS_LEAST: f64 = 2.0;
     if options.criteria.damping_ratio_least.is_some() {

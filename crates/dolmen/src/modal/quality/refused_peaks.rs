@@ -3,7 +3,7 @@
 use super::remarks::near;
 use crate::modal::{Cluster, Clustering, Fate, JudgedPole, Refusal, Stability, Stabilization};
 
-/// The poles of one analysis and their clusters, with the result of every test.
+/// The poles of an analysis and their clusters, with the results of all tests.
 pub(crate) struct Diagram<'a> {
     pub(crate) stabilization: &'a Stabilization,
     pub(crate) clusters: &'a [Cluster],
@@ -12,8 +12,8 @@ pub(crate) struct Diagram<'a> {
 }
 
 impl Diagram<'_> {
-    /// Why no pole at this peak became a mode. The reason is that of the cluster with the most orders near the peak; without a cluster it is
-    /// the test that most poles there failed. `None` if the method takes the peaks themselves as modes.
+    /// Why no pole at this peak became a mode: the reason of the cluster with the most orders near the peak, or without a cluster the test
+    /// that most poles there failed. `None` if the method takes the peaks themselves as modes.
     pub(crate) fn refusal(&self, peak_hz: f64) -> Option<Refusal> {
         if self.stabilization.poles.is_empty() {
             return None;

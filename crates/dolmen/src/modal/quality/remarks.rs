@@ -2,10 +2,10 @@
 
 use crate::modal::{Method, Mode, Modes, Note, Refusal, RefusedPeak};
 
-/// Few modes are damped less.
+/// Damping ratio below which few structures have modes.
 pub(super) const USUAL_LEAST: f64 = 0.002;
 
-/// Frequencies that were left out with their own reason.
+/// Frequencies for which another note already gives the reason.
 fn in_spells_hz(note: &Note) -> Vec<f64> {
     match note {
         Note::InSpells { modes } => modes.iter().map(|mode| mode.frequency_hz).collect(),
@@ -83,7 +83,7 @@ pub(crate) fn explained(peak: &Mode, modes: &[Mode]) -> bool {
         .any(|mode| near(mode.frequency_hz, peak.frequency_hz))
 }
 
-/// Whether a line of the spectrum is this near its mode.
+/// Whether a line of the spectrum is near enough to a peak.
 pub(crate) fn near(frequency_hz: f64, peak_hz: f64) -> bool {
     const NEAR: f64 = 0.03;
     (frequency_hz / peak_hz - 1.0).abs() <= NEAR

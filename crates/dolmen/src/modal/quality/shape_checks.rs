@@ -1,9 +1,9 @@
-//! Checks of the sensors by the mode shapes: different units, constant channels, delayed clocks.
+//! Checks the sensors by the mode shapes: different units, channels without motion, delayed clocks.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | λ | `root` | continuous eigenvalue, ω (−ζ + i√(1 − ζ²)) | rad/s |
-//! | φ_c | `z` | component of a channel, the largest of its mode 1 | – |
+//! | φ_c | `z` | component of a channel; the largest of its mode is 1 | – |
 
 use crate::modal::indicators::{normalized, phase_collinearity, phase_deviation};
 use crate::modal::{Mode, Modes, Note, Pole, ShapeQuantity};
@@ -11,19 +11,21 @@ use crate::signal::{Channel, Quantity};
 use dolmen_linalg::Complex64;
 use std::f64::consts::TAU;
 
-/// Share of the largest component in every mode below which a channel stands still. Our choice: a foundation on soil moves by a few per cent.
+/// A channel does not move if its component in every mode is below this share of the largest. Our choice: a foundation on soil moves by a few
+/// per cent.
 const STILL: f64 = 0.01;
-/// Least share of the largest component, and least number of its deviations, for a component with a phase. Our choice.
+/// A component has a known phase if it is at least this share of the largest component, and at least this number of its standard deviations.
+/// Our choice.
 const PHASE_FROM: f64 = 0.1;
 const PHASE_DEVIATIONS: f64 = 4.0;
-/// Angles from the real axis that are impossible for a mode, rad: 45° in one mode, or 30° in two. Our choice: lightly damped shapes are
+/// Angles from the real axis that are impossible for a mode, rad: 45° in one mode, or 30° in two. Our choice: lightly damped shapes stay
 /// within 10°.
 const PHASE_ONCE: f64 = 45.0 * TAU / 360.0;
 const PHASE_TWICE: f64 = 30.0 * TAU / 360.0;
 
 /// Measured quantities of the channels of a record, if they differ.
 pub(crate) struct Quantities {
-    /// Number of derivatives of displacement for each, and the quantity of most; `None` if one is unknown or all measure the same.
+    /// Number of derivatives of displacement for each channel, and the quantity of most channels; `None` if one is unknown or all are equal.
     orders: Option<(Vec<i32>, ShapeQuantity)>,
 }
 
@@ -41,7 +43,7 @@ impl Quantities {
         }
     }
 
-    /// Judges poles by the phase of their shape in one quantity: the shape of mixed velocities and accelerations has phases of 90°.
+    /// Evaluates the phases of shapes in one quantity, because mixed velocities and accelerations have phases of 90°.
     pub(crate) fn judge_as_one(&self, poles: &mut [Pole]) {
         let Some((orders, target)) = &self.orders else {
             return;
@@ -55,7 +57,7 @@ impl Quantities {
     }
 }
 
-/// Converts shapes of channels with different quantities to one quantity: that of most channels.
+/// Converts shapes of channels with different quantities to the quantity of most channels.
 ///
 /// ```text
 /// acceleration = λ velocity = λ² displacement        at the pole, exactly
@@ -80,7 +82,7 @@ fn order(quantity: Quantity) -> Option<i32> {
     }
 }
 
-/// Powers of λ that convert each channel to the quantity of most.
+/// Powers of λ that convert each channel to the quantity of most channels.
 fn factors(frequency_hz: f64, damping_ratio: f64, (orders, target): (&[i32], i32)) -> Vec<Complex64> {
     let zeta = damping_ratio.clamp(0.0, 1.0);
     let root = Complex64::new(-zeta, (1.0 - zeta * zeta).sqrt()) * (TAU * frequency_hz);
@@ -105,7 +107,7 @@ fn convert(mode: &mut Mode, orders: &[i32], target: i32) {
     }
 }
 
-/// Channels without motion in every mode, and channels with a phase impossible in a shape.
+/// Notes channels without motion in all modes, and channels with a phase that is impossible in a mode shape.
 pub(crate) fn doubt_channels(modes: &Modes, notes: &mut Vec<Note>) {
     for (c, channel) in modes.channels.iter().enumerate() {
         let most = modes
@@ -131,7 +133,7 @@ pub(crate) fn doubt_channels(modes: &Modes, notes: &mut Vec<Note>) {
     }
 }
 
-/// Whether the angles of one channel from the real axis, 0 to π/2, are impossible in a shape.
+/// Whether the angles of one channel from the real axis, 0 to π/2, are impossible in a mode shape.
 pub(super) fn is_no_shapes(angles: &[f64]) -> bool {
     let twice = angles.iter().filter(|angle| **angle >= PHASE_TWICE).count() > 1;
     twice || angles.iter().any(|angle| *angle >= PHASE_ONCE)
@@ -202,7 +204,7 @@ mod tests {
         identify(record, &options).unwrap()
     }
 
-    /// φ of a velocity is that of the acceleration over λ: after the conversion, the shape is the original one.
+    /// φ of a velocity is that of the acceleration over λ: the conversion restores the original shape.
     #[test]
     fn exact_velocities_and_accelerations_make_one_shape() {
         let analysis = found(&decay(&[2]));
@@ -250,7 +252,7 @@ mod tests {
     fn holds_a_late_clock_and_a_channel_that_stands_still_are_named() {
         let turned = |degrees: f64| Complex64::from_polar(0.6, degrees.to_radians());
         let one = Complex64::ONE;
-        // 10° and 20° twice are no fault; 46° once is; 35° twice is, towards 180° too
+        // 10° and 20° twice are no fault; 46° once and 35° twice are, also near 180°
         assert_eq!(sentences(&[[one, turned(10.0)], [one, turned(-160.0)]]), [""; 0]);
         assert_eq!(sentences(&[[one, turned(35.0)], [one, turned(5.0)]]), [""; 0]);
         for [a, b] in [[46.0, 5.0], [35.0, 145.0]] {

@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | Z_sk | `powers` | Fourier sum of window s (Hann, half overlapping) along the shape, k lines from the frequency |
+//! | Z_sk | `powers` | Fourier sum of window s (Hann, half overlapping) along the shape, k lines above the frequency |
 //! | p | | sum of abs(Z_s0)² over windows |
 //! | q | | sum of abs(Z_sk)² over windows; median of the lines of a side; of the lower side |
 
@@ -16,12 +16,12 @@ use std::ops::RangeInclusive;
 
 /// Lines examined on each side, outside the main lobe.
 const BESIDE: RangeInclusive<usize> = 4..=12;
-/// Least ratio of a mode to its surroundings. Chosen on the development seeds of `unkind_modes`: of 271 modes the lowest has 2.7; of 38 lines
-/// from footsteps 36 have less than 1.7.
+/// Least ratio of a mode to its surroundings. Chosen on the development seeds of `unkind_modes`: the lowest of 271 modes has 2.7; 36 of 38
+/// lines from footsteps have less than 1.7.
 const STANDS_OUT: f64 = 2.0;
 
-/// Removes modes that are visible only in some periods, and names them: footsteps and other repeated blows make spectral lines that a
-/// subspace method identifies as modes.
+/// Removes modes that are visible only in some periods, and names them. Footsteps and other repeated impacts cause spectral lines that a
+/// subspace method takes for modes.
 pub(crate) fn leave_out_spells(record: &Record, modes: &mut Modes, notes: &mut Vec<Note>) {
     if modes.channels.len() != record.channels().len() {
         return;
@@ -60,17 +60,17 @@ pub(super) fn note_spells(found: Vec<InSpells>, notes: &mut Vec<Note>) {
     notes.push(Note::InSpells { modes: all });
 }
 
-/// Result for a mode that stands out of its surroundings only in some periods.
+/// Result for a mode that exceeds its surroundings only in some periods.
 ///
 /// ```text
 /// p/q < 2   in the half of the windows in which the structure moves least,
 ///           or of each line in the half in which it is weakest (spells much shorter than the record),
 ///           or in the third whose neighbours, two windows before and after, are weakest at this line (spells as long as the rest)
 /// ```
-/// The length of windows is the decay time of the mode, 1/(ζf), at most an eighth of the record.
+/// The length of a window is the decay time of the mode, 1/(ζf), but at most an eighth of the record.
 ///
 /// # Limits
-/// A mode that is visible only while something passes, and hidden by noise at all other times, counts as one of such periods.
+/// A mode that is visible only while something passes, and otherwise hidden by noise, is classified as visible only in some periods.
 pub(super) fn in_spells(record: &Record, mode: &Mode) -> Option<InSpells> {
     let lines = Lines::of(record, mode)?;
     let windows = lines.strengths.len();
@@ -103,12 +103,12 @@ pub(super) fn in_spells(record: &Record, mode: &Mode) -> Option<InSpells> {
 struct Lines {
     /// Power of all motion along the shape, one per window.
     strengths: Vec<f64>,
-    /// Powers of each line in the windows: lines below the mode, its own, and lines above.
+    /// Powers in the windows for each line: below the mode, at the mode, and above it.
     powers: Vec<Vec<f64>>,
 }
 
 impl Lines {
-    /// `None` where the record is too short, or the lines lie beyond its band.
+    /// `None` if the record is too short, or if the lines are outside its frequency band.
     fn of(record: &Record, mode: &Mode) -> Option<Lines> {
         const WINDOWS_LEAST: usize = 15;
         const NYQUIST_SHARE: f64 = 0.96;
@@ -144,7 +144,7 @@ impl Lines {
         Some(Lines { strengths, powers })
     }
 
-    /// p/q; `of` gives each line's power from those of its windows.
+    /// p/q; `of` computes the power of a line from its powers in the windows.
     fn stands_out(&self, of: impl Fn(&[f64]) -> f64) -> f64 {
         let each: Vec<f64> = self.powers.iter().map(|powers| of(powers)).collect();
         let middle = BESIDE.count();
@@ -176,7 +176,7 @@ fn along(record: &Record, mode: &Mode) -> Vec<f64> {
     along
 }
 
-/// abs(Σ x_t e^(−2πiνt))² by Goertzel's recurrence, ν in cycles per sample, for several lines side by side.
+/// abs(Σ x_t e^(−2πiνt))² by Goertzel's recurrence, ν in cycles per sample, for several lines together.
 fn powers_at(x: &[f64], offsets: &[f64], cycles_a_sample: impl Fn(f64) -> f64) -> Vec<f64> {
     const LANES: usize = 24; // three registers of the widest kind: the lines about one mode
     let mut powers = Vec::with_capacity(offsets.len());
@@ -227,7 +227,7 @@ mod tests {
         }
     }
 
-    /// Two modes for ten minutes, with a motion of its own at 5.5 Hz from 200 to 230 s and passing vehicles.
+    /// Two modes, ten minutes, with an additional motion at 5.5 Hz from 200 to 230 s and passing vehicles.
     fn record(vehicles: &[f64]) -> Record {
         let made = MadeRecord {
             modes: MODES

@@ -1,10 +1,10 @@
-//! Distinguishes modes from machines of variable amplitude or speed: random forces change a motion equally in phase and in quadrature.
+//! Distinguishes modes from machines of variable amplitude or speed: random forces change a motion equally in phase with it and in quadrature.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | a_s | `motion` | complex amplitude of part s of the record at the frequency |
-//! | ρ | `rho` | Σ a_(s+1) a_s* / Σ |a_s|², of [`RUN`] parts |
-//! | w_s | | new motion in part s + 1, a_(s+1) − ρ a_s |
+//! | ρ | `rho` | Σ a_(s+1) a_s* / Σ |a_s|², over [`RUN`] parts |
+//! | w_s | | new motion in part s + 1: a_(s+1) − ρ a_s |
 //! | ψ_s | | angle of w_s relative to ρ a_s |
 //! | R | `along` | mean cos 2ψ |
 
@@ -14,13 +14,13 @@ use crate::signal::Record;
 use dolmen_linalg::Complex64;
 use std::f64::consts::TAU;
 
-/// Fewest and most parts of the record. Our choice: fewer allow no conclusion, and more are as short as the cycles allow in any record.
+/// Fewest and most parts of the record. Our choice: fewer parts allow no conclusion, and more would be shorter than the required cycles.
 const PARTS: [usize; 2] = [64, 2048];
-/// Fewest cycles in a part: its band then reaches an eighth to either side.
+/// Fewest cycles in a part: the band then extends an eighth to either side.
 const CYCLES_LEAST: f64 = 16.0;
-/// Parts with one ρ: the frequency changes more slowly with amplitude or temperature. Our choice.
+/// Number of parts with a common ρ: within them, temperature and amplitude hardly change the frequency. Our choice.
 const RUN: usize = 32;
-/// Deviation from zero, in standard deviations, that indicates a machine. Our choice: by chance one in a million modes.
+/// Distance from zero, in standard deviations, that indicates a machine. Our choice: chance gives one in a million modes.
 const DEVIATIONS: f64 = 5.0;
 
 /// Whether the motion near a frequency changes equally in amplitude and in phase.
@@ -28,19 +28,18 @@ const DEVIATIONS: f64 = 5.0;
 pub struct Wander {
     /// Middle of the band, Hz.
     pub frequency_hz: f64,
-    /// 0 if amplitude and phase change equally, as under random forces; 1 if only the amplitude changes, −1 if only the phase does.
+    /// 0 if amplitude and phase change equally, as under random forces; 1 if only the amplitude changes, −1 if only the phase changes.
     pub along: f64,
     /// Its standard deviation under random forces.
     pub deviation: f64,
 }
 
 impl Wander {
-    /// Whether random forces cannot cause this: five deviations from 0.
+    /// Whether random forces cannot be the cause: five standard deviations from 0.
     pub fn is_machine(&self) -> bool {
         self.beyond() > DEVIATIONS
     }
 
-    /// Deviations from 0.
     pub(super) fn beyond(&self) -> f64 {
         self.along.abs() / self.deviation
     }
@@ -57,21 +56,21 @@ impl std::fmt::Display for Wander {
     }
 }
 
-/// Change of the motion of some channels near a frequency from one part of the record to the next, in the direction with the most motion;
+/// Change of the motion near a frequency from one part of the record to the next, at the given channels in the direction of the largest motion;
 /// `None` if the record is too short.
 ///
 /// ```text
 /// w_s = a_(s+1) − ρ a_s,   R = mean cos 2 arg(w_s (ρ a_s)*),   sd R = 1/√(2n)
 /// ```
 /// Under Gaussian forces a is circular for any spectrum and any slow variation of their intensity: w and a are independent, and ψ is uniform on the
-/// circle. A machine changes its speed more than its amplitude (R < 0), or the reverse (R > 0), however slowly. The lengths of parts go from 1/64
-/// of the record down to 16 cycles, each half of the previous one; the value farthest from 0 counts.
+/// circle. A machine changes its phase more than its amplitude (R < 0), or the reverse (R > 0), however slowly. The length of the parts decreases
+/// by half from 1/64 of the record down to 16 cycles; the value farthest from 0 is used.
 ///
 /// # Errors
 /// [`ModalError::Linalg`].
 ///
 /// # Limits
-/// For a constant sine w is only noise, and a machine that changes both equally looks like a mode: R = 0.
+/// For a constant sine w is only noise. A machine that changes phase and amplitude equally looks like a mode: R = 0.
 pub(super) fn wander(
     record: &Record,
     channels: &[usize],
@@ -128,7 +127,7 @@ mod tests {
     use crate::numeric::Random;
     use std::f64::consts::PI;
 
-    /// A slowly varying quantity with mean square 1 over this number of steps.
+    /// A slowly varying quantity with unit mean square; it varies over this number of steps.
     fn slow(random: &mut Random, length: usize, steps: f64) -> Vec<f64> {
         let rho = (-1.0 / steps).exp();
         let (mut fast, mut smooth) = (0.0, 0.0);
@@ -147,7 +146,7 @@ mod tests {
     fn exact_random_motion_changes_in_all_directions_alike_and_machines_in_one() {
         const COUNT: usize = 1024;
         let mut random = Random::new(4, 0);
-        // a circular recursion of two time constants and a gust: no stationary spectrum of one mode
+        // a circular process with two time constants and a gust, which no single mode under stationary forces produces
         let mut a = [Complex64::ZERO; 2];
         let mut next = |s: usize| {
             let mut normal = || Complex64::new(random.normal(), random.normal());
@@ -170,8 +169,8 @@ mod tests {
         assert!(found.along > 0.99 && found.is_machine(), "{found:?}");
     }
 
-    /// Four sensors for half an hour: modes at 1.1, 4.9 and 8.3 Hz, and a machine at 3.5 Hz with `strength` times the total motion. Its
-    /// amplitude varies by half within 20 s and its phase drifts randomly, with the width of a mode with 0.06 % damping.
+    /// Four sensors, half an hour: modes at 1.1, 4.9 and 8.3 Hz, and a machine at 3.5 Hz with `strength` times the total motion. Its amplitude
+    /// varies by half within 20 s; its phase drifts randomly, with the bandwidth of a mode with 0.06 % damping.
     fn with_a_machine(strength: f64, seed: u64, options: &Identify) -> ModalAnalysis {
         const HALF_WIDTH_HZ: f64 = 0.002;
         let shapes = [
@@ -232,7 +231,7 @@ mod tests {
         for seed in 0..6 {
             let found = with_a_machine(0.3, seed, &Identify::default());
             let [(machine_hz, true)] = wandering(&found)[..] else {
-                // a machine within five deviations stays, as a mode that is too light for random forces
+                // a machine within five standard deviations is kept, with the note that its damping is unusually low
                 let is_light = |note: &Note| matches!(note, Note::LightModes { .. });
                 assert!(found.notes.iter().any(is_light), "{seed}: {:?}", found.notes);
                 continue;
@@ -245,7 +244,7 @@ mod tests {
             }
         }
         assert!(count >= 4, "{count} of 6");
-        // a user who allows such light modes gets it, marked
+        // a user who allows such damping gets the mode, with a note
         let mut admitting = Identify::default();
         admitting.criteria.damping_ratio_least = Some(0.0001);
         let found = with_a_machine(0.3, 0, &admitting);

@@ -1,42 +1,42 @@
-//! Whether several setups agree on one number, and their mean.
+//! Whether several setups agree on a value, and their mean.
 
 use crate::modal::ModalError;
 use crate::numeric::chi_squared_above;
 
-/// Whether the setups agree on one number.
+/// Whether the setups agree on a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Agreement {
-    /// Deviation of the setups from their mean, √(Σ (x - mean)²/(S - 1)).
+    /// Standard deviation of the setups about their mean, √(Σ (x - mean)²/(S - 1)).
     pub spread: f64,
-    /// Σ (x - mean)²/σ²; `None` where a deviation is unknown.
+    /// Σ (x - mean)²/σ²; `None` if a standard deviation is unknown.
     pub chi_squared: Option<f64>,
-    /// Probability of a χ² at least this large by chance, with S - 1 degrees of freedom.
+    /// Probability that chance gives at least this χ², with S - 1 degrees of freedom.
     pub p: Option<f64>,
 }
 
 impl Agreement {
-    /// Whether the setups differ beyond chance: by chance in about 1 of 100 cases; in 2 if deviations come from 30 blocks of time, and up
-    /// to 6 from 10, because χ² assumes exact deviations.
+    /// Whether the setups differ significantly. Chance does so in about 1 of 100 cases; in 2 if the standard deviations come from 30
+    /// blocks of time, and in up to 6 for 10 blocks, because χ² assumes exact standard deviations.
     pub fn differs(&self) -> bool {
         const CHANCE: f64 = 0.01; // ours: ten modes and no change give a false alarm in one of ten surveys
         self.p.is_some_and(|p| p < CHANCE)
     }
 }
 
-/// A number of one setup and its deviation, if known.
+/// A value of one setup and its standard deviation, if known.
 pub(super) type Estimate = (f64, Option<f64>);
 
-/// A number of several setups.
 pub(super) struct Mean {
     pub(super) value: f64,
     pub(super) sd: Option<f64>,
-    /// Degrees of freedom of the standard deviation, if it comes from the spread of the setups.
+    /// Degrees of freedom of the standard deviation, if it comes from the scatter of the setups.
     pub(super) degrees_of_freedom: Option<f64>,
     pub(super) agreement: Agreement,
 }
 
-/// By inverse variance if all deviations are known, else the plain mean with its deviation from the scatter.
+/// Weighted by inverse variance if all standard deviations are known; otherwise the plain mean, with a standard deviation from the
+/// scatter.
 pub(super) fn mean(all: &[Estimate]) -> Result<Mean, ModalError> {
     let n = all.len() as f64;
     let known: Option<Vec<f64>> = all.iter().map(|(_, sd)| sd.filter(|sd| *sd > 0.0)).collect();
@@ -86,7 +86,7 @@ mod tests {
     #[test]
     fn exact_mean_by_inverse_variance_and_chi_squared_by_hand() {
         let found = mean(&[(1.0, Some(0.1)), (1.3, Some(0.2))]).unwrap();
-        // weights 100 and 25: (100 + 32.5)/125 = 1.06; χ² = .06²·100 + .24²·25 = 1.8
+        // weights 100 and 25: (100 + 32.5)/125 = 1.06; χ² = 0.06²·100 + 0.24²·25 = 1.8
         assert!((found.value - 1.06).abs() < 1e-14);
         assert!((found.agreement.chi_squared.unwrap() - 1.8).abs() < 1e-12);
         assert!((found.sd.unwrap() - (1.8_f64 / 125.0).sqrt()).abs() < 1e-14);

@@ -1,12 +1,13 @@
-//! Correlations of several setups, transformed to a common excitation and stacked, with the change due to each block of time.
+//! Correlations of several setups, transformed to a common excitation and stacked, with their changes by each block of time.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | H_s^ref, H_s^mov | `Setup::whole` | Hankel matrices of fixed and of moved sensors with the fixed ones; not formed | r br × r br, m_s br × r br |
+//! | H_s^ref, H_s^mov | `Setup::whole` | Hankel matrices of the fixed and of the moved sensors with the fixed ones; never formed | r br
+//! × r br, m_s br × r br |
 //! | U | `basis` | left singular vectors of [H_1^ref … H_S^ref] | r br × n |
 //! | Z_s | | Uᵀ H_s^ref: excitation of setup s | n × r br |
 //! | Z_s⁺ = Q R⁻ᵀ | `Excitation` | from the QR of Z_sᵀ | r br × n |
-//! | T | `Setup::seen` | H_s^mov Z_s⁺: motion of the moved sensors where the fixed ones have U | m_s br × n |
+//! | T | `Setup::seen` | H_s^mov Z_s⁺: motion of the moved sensors when that of the fixed ones is U | m_s br × n |
 //! | X | `x` | singular vectors of the stacked matrix over its singular values | r br × n |
 
 use super::sensor_places::ChannelPlace;
@@ -25,7 +26,6 @@ pub(super) struct Setup {
     channels: usize,
     /// Number of fixed sensors.
     references: usize,
-    /// Places of the others.
     moved_places: Vec<usize>,
     /// Mean square of the fixed sensors.
     pub(super) power: f64,
@@ -67,7 +67,7 @@ impl Setup {
         }
     }
 
-    /// Rows of the fixed sensors, and of the moved ones.
+    /// Rows of the fixed sensors, and of the moved sensors.
     fn parted(&self, y: &Matrix) -> [Matrix; 2] {
         let (l, n) = (self.channels, self.references);
         let blocks = y.rows() / l;
@@ -76,7 +76,7 @@ impl Setup {
                 y[(i / count * l + from + i % count, j)]
             })
         };
-        // a setup may have no moved sensor
+        // a setup may have no moved sensors
         let moved = match l - n {
             0 => Matrix::zeros(0, y.columns()),
             count => of(n, count),
@@ -84,7 +84,7 @@ impl Setup {
         [of(0, n), moved]
     }
 
-    /// Rows of the fixed sensors, zeros for the moved ones.
+    /// Rows of the fixed sensors, with zeros for the moved ones.
     fn lifted(&self, y: &Matrix) -> Matrix {
         let (l, n) = (self.channels, self.references);
         Matrix::from_fn(y.rows() / n * l, y.columns(), |i, j| match i % l {
@@ -94,7 +94,7 @@ impl Setup {
     }
 }
 
-/// [H_1^ref … H_S^ref], not formed.
+/// [H_1^ref … H_S^ref], never formed.
 struct ReferenceHankels<'a> {
     setups: &'a [Setup],
     rows: usize,
@@ -143,7 +143,7 @@ struct Excitation {
 }
 
 impl Excitation {
-    /// Of Z_sᵀ.
+    /// From the QR of Z_sᵀ.
     fn of(transposed: &Matrix) -> Result<Self, ModalError> {
         let f = qr(transposed)?;
         Ok(Excitation {
@@ -158,7 +158,7 @@ impl Excitation {
     }
 }
 
-/// Quantities from which the deviations of all blocks of time are computed.
+/// Quantities needed for the deviations of all blocks of time.
 struct Stacked<'a> {
     setups: &'a [Setup],
     basis: Matrix,
@@ -196,7 +196,7 @@ pub(super) fn stacked(
         .filter(|place| !moved_places.contains(place))
         .collect();
     let (mut transposed, mut seen) = (Vec::new(), Vec::new());
-    // U, and T of each setup, at their places among all
+    // U, and T of each setup, at their places among all sensors
     let mut all = Matrix::zeros(places * ssi.block_rows, n);
     placed(&mut all, &basis, (&stay, places));
     for setup in setups {
@@ -208,7 +208,7 @@ pub(super) fn stacked(
         seen.push(of_setup);
         transposed.push(z);
     }
-    // U Z_1 is the projection of the first setup's references on the basis: all setups contribute to the basis
+    // U Z_1 is the projection of the first setup's references on the basis, to which all setups contribute
     let parts = of_product(&all, &transposed[0])?;
     let stacked = Stacked {
         setups,
@@ -232,10 +232,10 @@ pub(super) fn stacked(
     let blocks: usize = setups.iter().map(|s| s.deviations.len()).sum();
     for (index, setup) in setups.iter().enumerate() {
         let count = setup.deviations.len() as f64;
-        // each setup has its own mean: b/(b - 1) of its own blocks, not of all
+        // each setup has its own mean, so the factor is b/(b - 1) of its own blocks
         let share = (count / (count - 1.0) * (blocks as f64 - 1.0) / blocks as f64).sqrt();
         let own: Vec<usize> = stay.iter().chain(&setup.moved_places).copied().collect();
-        // the common excitation is that of the first setup
+        // the first setup defines the common excitation
         let touched: Vec<usize> = if index == 0 { (0..places).collect() } else { own };
         let rows = Rows::of((&found.u, &found.upper), places, &touched);
         for deviation in &setup.deviations {
@@ -254,11 +254,11 @@ pub(super) fn stacked(
     Ok(found)
 }
 
-/// A change of some rows, and the places of their sensors; `None`: of the fixed ones.
+/// A change of some rows, and the places of their sensors; `None` for the fixed sensors.
 type Change<'a> = (Matrix, Option<&'a [usize]>);
 
 impl Stacked<'_> {
-    /// First-order change of the product of the stacked matrix with X by the deviation of one block of time of the setup at `index`.
+    /// First-order change of the stacked matrix times X, when the deviation of one block of time changes the setup at `index`.
     fn changes(&self, index: usize, deviation: &BlockHankel) -> Result<Vec<Change<'_>>, ModalError> {
         let setup = &self.setups[index];
         let (basis, rows) = (&self.basis, self.basis.rows());
@@ -267,7 +267,7 @@ impl Stacked<'_> {
             0 => z.transpose_times(&self.x),
             _ => self.first_x.clone(),
         };
-        // U Uᵀ H_1 turns with U: (I - U Uᵀ) dH_s X_s Z_1, X_s = V S⁻¹
+        // U Uᵀ H_1 changes with U: (I - U Uᵀ) dH_s X_s Z_1, X_s = V S⁻¹
         let weights = &self
             .beside_x
             .block(index * rows, 0, rows, self.beside_x.columns())
@@ -293,7 +293,7 @@ impl Stacked<'_> {
     }
 }
 
-/// Rows of one setup at their places among all: in each block row one for each of `at`.
+/// Writes the rows of one setup to their places among all sensors: in each block row one row for each of `at`.
 fn placed(whole: &mut Matrix, part: &Matrix, (at, places): (&[usize], usize)) {
     for j in 0..part.columns() {
         let column = whole.column_mut(j);
@@ -325,7 +325,7 @@ mod tests {
         (Complex64::new(-zeta, (1.0 - zeta * zeta).sqrt()) * omega * STEP_S).exp()
     }
 
-    /// Re Σ φ λ^k gᵀ for the channels of one setup, with the excitation g; φ and λ of modes whose frequencies are multiplied by `more`.
+    /// Re Σ φ λ^k gᵀ for the channels of one setup, with the excitation g and the modes φ, λ; `more` multiplies their frequencies.
     fn lags_of(channels: &[usize], g: &[[Complex64; 6]; 3], more: f64) -> Vec<f64> {
         let entry = |k: usize, a: usize, b: usize| -> f64 {
             let of = MODES.iter().zip(&SHAPES).zip(g);
@@ -342,7 +342,7 @@ mod tests {
             .collect()
     }
 
-    /// Sensors 0 and 1 are fixed, one of them reversed in the second setup; each setup has its own excitation.
+    /// Sensors 0 and 1 are fixed; one of them is reversed in the second setup. Each setup has its own excitation.
     fn setups(more: f64) -> (Vec<Setup>, Ssi) {
         let ssi = Ssi {
             block_rows: BLOCK_ROWS,
@@ -403,8 +403,8 @@ mod tests {
 
     #[test]
     fn exact_scatter_of_setups_whose_frequencies_move_together() {
-        // every block of every setup moves all frequencies by ± ε: each setup alone has 2 × 2 (ε f)², and the three, moved one at a
-        // time, move the pole by shares that sum to ε f
+        // every block of every setup changes all frequencies by ± ε: each setup alone has 2 × 2 (ε f)². The changes of the three
+        // setups, one at a time, change the pole by shares with the sum ε f
         let epsilon = 1e-6;
         let (setups, ssi) = setups(1.0 + epsilon);
         let found = stacked(&setups, 6, &ssi, 100.0).unwrap();
@@ -417,7 +417,7 @@ mod tests {
                 two.plus(&found.moved[4 + sign])
             })
             .collect();
-        // without their factor √(2/1 × 5/6)
+        // without the factor √(2/1 × 5/6)
         let share = (2.0_f64 * 5.0 / 6.0).sqrt();
         let mut propagation = Propagation::new(&together);
         let mut changes = Vec::new();
@@ -429,7 +429,7 @@ mod tests {
             );
             changes.push(propagation.deviation(pole).unwrap().frequency_changes_hz);
         }
-        // and they move as one: their covariance is the product of their deviations
+        // they change together: their covariance is the product of their standard deviations
         let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let correlation = product(&changes[0], &changes[2])
             / (product(&changes[0], &changes[0]) * product(&changes[2], &changes[2])).sqrt();

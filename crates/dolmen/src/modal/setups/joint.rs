@@ -1,4 +1,4 @@
-//! Several setups in one identification: their correlations transformed to one excitation and stacked (PreGER).
+//! Identifies several setups together: their correlations are transformed to one excitation and stacked (PreGER).
 
 use super::common_excitation::{Setup, stacked};
 use super::merge_setups::{MergeSetups, MergedSetups};
@@ -18,7 +18,7 @@ use crate::modal::subspace::{Cluster, Clustering};
 use crate::modal::{Identify, Method, ModalError, Mode, Modes, Note, Propagation};
 use crate::signal::Record;
 
-/// Relative difference below which peaks of two setups are one.
+/// Relative difference below which peaks of two setups are the same.
 const ONE_PEAK: f64 = 0.03;
 
 /// Largest relative difference of the frequencies of one mode in several setups. Our choice.
@@ -33,18 +33,18 @@ pub struct JointSetups {
     pub references: Vec<usize>,
     /// Every pole with its verdict.
     pub stabilization: Stabilization,
-    /// Every group of poles with its fate.
+    /// Every cluster of poles with its verdict.
     pub clusters: Vec<Cluster>,
     /// Settings chosen from the data.
     pub settings: Settings,
-    /// Root mean square of the fixed sensors in each setup over that in the first.
+    /// Root mean square of the fixed sensors in each setup over that in the first setup.
     pub strength: Vec<f64>,
     /// Notes on the modes.
     pub notes: Vec<Note>,
 }
 
 impl JointSetups {
-    /// Frequencies, Hz, of the modes of `merged` that this identification lacks, including those found only in single setups.
+    /// Frequencies, Hz, of the modes of `merged` that are missing here, including modes found only in single setups.
     ///
     /// # Errors
     /// As [`pair_modes`].
@@ -55,7 +55,7 @@ impl JointSetups {
         let paired = pair_modes(&together, &own, &options)?;
         let lost = paired.only_first.iter().map(|&i| together[i].frequency_hz);
         let mut frequency_hz: Vec<f64> = lost.collect();
-        // a mode of some setups has no shape at all sensors: by frequency, among modes without a pair
+        // a mode of some setups has no shape at all sensors: it is paired by frequency with the remaining modes
         let mut free: Vec<f64> = paired.only_second.iter().map(|&j| own[j].frequency_hz).collect();
         for mode in &merged.partial {
             let near = |hz: &f64| (hz / mode.frequency_hz - 1.0).abs() <= ONE_PEAK;
@@ -77,23 +77,24 @@ impl JointSetups {
 /// [H_1^ref … H_S^ref] = U S Vᵀ,   Z_s = Uᵀ H_s^ref                         first n columns of U
 /// H = [U Z_1; H_1^mov Z_1⁺ Z_1; H_2^mov Z_2⁺ Z_1; … H_S^mov Z_S⁺ Z_1]             shape: l br × r br, l all sensors, r fixed ones
 /// ```
-/// then as [`ssi_cov`](crate::modal::ssi_cov()). The fixed sensors have U in every setup and only Z_s differs with the excitation, so that
-/// Z_s⁺ Z_1 transforms the motion of the moved sensors to that under the excitation of the first setup. The settings are chosen from the
-/// peaks of all setups. Standard deviations: first order, with the blocks of time of each setup separately.
+/// then as [`ssi_cov`](crate::modal::ssi_cov()). The fixed sensors have the same U in every setup; only Z_s depends on the excitation. So Z_s⁺
+/// Z_1 transforms the motion of the moved sensors to the excitation of the first setup. The settings are chosen from the peaks of all setups.
+/// Standard deviations are of first order, from the blocks of time of each setup separately.
 ///
 /// # Errors
-/// [`ModalError::Setups`] with fewer than two; [`ModalError::NoCommonReference`], [`ModalError::SetupRate`]; else as
+/// [`ModalError::Setups`] with fewer than two; [`ModalError::NoCommonReference`], [`ModalError::SetupRate`]; otherwise as
 /// [`identify`](crate::modal::identify()).
 ///
 /// # Limits
-/// The setups are assumed to be one structure: frequencies that change between them (weather, moved mass) are not detected, and smear each mode;
-/// merging after identification (`merge_setups`) shows them. A mode without motion at the fixed sensors is lost. The spectrum of each
-/// setup and the least kurtosis of all reveal machines. A sensor in several setups, but not all, has the component of the last one.
+/// The setups are assumed to measure the same structure: frequencies that change between them (weather, moved mass) are not detected and blur
+/// each mode. Merging after identification (`merge_setups`) shows such changes. A mode without motion at the fixed sensors is lost. Machines are
+/// detected by the spectrum of each setup and by the least kurtosis of all. A sensor in several setups, but not all, has the component of the
+/// last one.
 ///
 /// # Source
-/// Mevel, Basseville, Benveniste & Goursat (2002) Mech. Syst. Signal Process. 16:759-783; Döhler, Andersen & Mevel (2010) Proc. IMAC
-/// XXVIII, the strategy called PreGER there. Differs from the sources: Z_s⁺ from a QR; in the deviations of the
-/// moved sensors U is fixed (its change cancels to first order).
+/// Mevel, Basseville, Benveniste & Goursat (2002) Mech. Syst. Signal Process. 16:759-783; Döhler, Andersen & Mevel (2010) Proc. IMAC XXVIII,
+/// which calls the strategy PreGER. Differs from the sources: Z_s⁺ from a QR; U is constant in the standard deviations of the moved sensors (its
+/// change cancels to first order).
 pub fn joint_setups(
     records: &[Record],
     options: &Identify,
@@ -119,7 +120,7 @@ pub fn joint_setups(
     let shortest = records.iter().min_by_key(|r| r.length()).unwrap_or(first);
     let mut settings = choose(shortest, &options, (&peaks, &tones_hz), &mut notes)?;
     let ssi = check_ssi(&settings.ssi(), places.channels.len())?;
-    // counted among all sensors, not among the fixed ones
+    // indices among all sensors, not among the fixed ones
     settings.references.clone_from(&references);
     let duration_s: f64 = records.iter().map(Record::duration_s).sum();
     let mut setups = Vec::with_capacity(records.len());
@@ -130,13 +131,13 @@ pub fn joint_setups(
         .iter()
         .map(|s| (s.power / setups[0].power).sqrt())
         .collect();
-    // the deviation of a pole is compared with the floor of the mean setup
+    // the standard deviation of a pole is compared with the lower bound of the mean setup
     let mean_s = duration_s / records.len() as f64;
     let found = stacked(&setups, places.channels.len(), &ssi, mean_s)?;
     let channels = records.iter().map(|r| r.channels().len()).sum::<usize>() as f64 / records.len() as f64;
     let past = channels / references.len() as f64;
     let clustering = Clustering {
-        // the past has only the fixed sensors: with a third of all, deviations are up to three times as large
+        // the past includes only the fixed sensors: with a third of all sensors, standard deviations are up to three times as large
         deviation_over_floor_most: past.sqrt() * options.clustering.deviation_over_floor_most,
         ..options.clustering.clone()
     };
@@ -153,7 +154,7 @@ pub fn joint_setups(
         clustering: &clustering,
         duration_s,
     };
-    // no setup shows the whole shape of a peak: only the poles give the modes
+    // no setup shows the complete shape of a peak: only the poles give the modes
     let no_peaks = Modes {
         modes: Vec::new(),
         ..peaks.clone()
@@ -192,7 +193,7 @@ pub fn joint_setups(
     })
 }
 
-/// The places of all sensors, and those of the channels of each record.
+/// The places of all sensors, and of the channels of each record.
 fn common_places(
     records: &[Record],
     place_within_m: f64,
@@ -224,7 +225,7 @@ fn common_places(
     Ok((places, channel_places))
 }
 
-/// Peaks in the spectra of all setups, each once and without machines, and the machines' frequencies, Hz.
+/// Peaks in the spectra of all setups, each once and without machines, and the frequencies of machines, Hz.
 fn peaks_of_all(
     records: &[Record],
     options: &Identify,
@@ -233,7 +234,7 @@ fn peaks_of_all(
     let mut all: Option<Modes> = None;
     let mut tones_hz = Vec::new();
     for record in records {
-        // references are counted among the fixed sensors, and the spectrum uses all
+        // indices of references refer to the fixed sensors, but the spectrum uses all sensors
         check(record, options)?;
         notes.extend(judge_channels(record)?);
         note_filter(record, options, notes);

@@ -1,6 +1,6 @@
 //! Merges the setups of a survey, each identified separately, through the sensors that stayed in place.
 //!
-//! φ_s, r and α_s: see merged_mode.rs; f_s, σ_s: frequency (or damping ratio) in setup s and its deviation.
+//! φ_s, r and α_s: see merged_mode.rs; f_s, σ_s: frequency (or damping ratio) in setup s and its standard deviation.
 
 use super::merged_mode::{MergedMode, MergingMode};
 use super::pairing::{ObservedMode, Pairing, pair_modes};
@@ -11,7 +11,7 @@ use crate::modal::{ModalError, Modes};
 /// Options of [`merge_setups`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct MergeSetups {
-    /// Pairing of the modes of two setups; default 5 % of frequency, else as [`Pairing`].
+    /// Pairing of the modes of two setups; default 5 % of frequency, otherwise as [`Pairing`].
     pub pairing: Pairing,
 }
 
@@ -29,20 +29,20 @@ impl Default for MergeSetups {
 /// A mode found in only some setups.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartialMode {
-    /// Its frequency, Hz, in the first setup that has it.
+    /// Frequency, Hz, in the first setup with the mode.
     pub frequency_hz: f64,
-    /// Setups that have it, from 0.
+    /// Setups with the mode, from 0.
     pub setups: Vec<usize>,
-    /// Setups with a mode of that frequency (2 %) that has another shape at the references, or another partner.
+    /// Setups with a mode of that frequency (within 2 %) that has another shape at the references, or another partner.
     pub unlike_in: Vec<usize>,
 }
 
-/// Several setups, merged.
+/// The merged result of several setups.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MergedSetups {
     /// The modes found in every setup, at all sensors.
     pub modes: Modes,
-    /// The merging of each mode, in the same order.
+    /// How each mode was merged, in the same order.
     pub merged: Vec<MergedMode>,
     /// Modes missing in some setups: left out.
     pub partial: Vec<PartialMode>,
@@ -52,30 +52,31 @@ pub struct MergedSetups {
     pub reference_faults: Vec<ReferenceFault>,
 }
 
-/// Largest relative difference of the frequencies of two setups for one mode, whatever the shapes. Our choice.
+/// Largest relative difference between the frequencies of one mode in two setups, for any shapes. Our choice.
 const ONE_FREQUENCY: f64 = 0.02;
 
-/// Modes of several setups put together (post-separate estimation re-scaling).
+/// Merges the modes of several setups (post-separate estimation re-scaling).
 ///
 /// ```text
 /// α_s = φ_s* r / φ_s* φ_s                     least squares of α φ_s = r at the places that setups before s show
 /// mean f = Σ f_s/σ_s² / Σ 1/σ_s²,   χ² = Σ (f_s - mean)²/σ_s²,   sd = √(1/Σ 1/σ_s²) √max(1, χ²/(S - 1))
 /// ```
-/// Setup after setup: its modes are paired with those of the setups before by frequency and by their shapes at the places that both
-/// show, scaled, and laid beside; where several setups show a place, their mean stands. Where setups disagree on a number the
-/// deviation of the mean is widened by √(χ²/(S - 1)).
+/// The setups are added one by one. The modes of a setup are paired with those of the earlier setups by frequency and by their shapes at
+/// the common places, then scaled and combined; a place in several setups has their mean. If the setups disagree on a value, the standard
+/// deviation of its mean is multiplied by √(χ²/(S - 1)).
 ///
 /// # Errors
-/// [`ModalError::Setups`] with fewer than two setups; [`ModalError::NoReference`] for a setup that shares no sensor with those before it.
+/// [`ModalError::Setups`] with fewer than two setups; [`ModalError::NoReference`] for a setup without a sensor in common with earlier
+/// ones.
 ///
 /// # Limits
-/// A reference near a node of a mode scales it badly: the standard deviation of the shape includes this, and `reference_assurance` shows
-/// it. With one reference there is no such check.
+/// The scale of a mode is inaccurate if the reference is near a node: the standard deviation of the shape includes this, and
+/// `reference_assurance` shows it. With one reference there is no such check.
 ///
 /// # Source
-/// Reynders, Magalhães, De Roeck & Cunha (2009) Proc. IMAC XXVII; Döhler, Andersen & Mevel (2010) Proc. IMAC XXVIII, the strategy called
-/// PoSER there. Widened deviation: Birge (1932) Phys. Rev. 40:207. Differs from the sources: each setup is scaled to the mean of those
-/// before it, and not to the first alone, so that references may change from setup to setup.
+/// Reynders, Magalhães, De Roeck & Cunha (2009) Proc. IMAC XXVII; Döhler, Andersen & Mevel (2010) Proc. IMAC XXVIII, which calls the
+/// strategy PoSER. Increased standard deviation: Birge (1932) Phys. Rev. 40:207. Differs from the sources: each setup is scaled to the
+/// mean of the earlier ones instead of the first alone, so that references may change from setup to setup.
 pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSetups, ModalError> {
     let [first, others @ ..] = setups else {
         return Err(ModalError::Setups { given: 0 });
@@ -166,7 +167,7 @@ mod tests {
             ];
             for (s, setup) in setups.iter_mut().enumerate() {
                 for (i, mode) in setup.modes.iter_mut().enumerate() {
-                    // modes of one setup move alike in its first block, apart in its second
+                    // the frequencies of one setup change together in its first block, and in opposite directions in its second
                     let apart = if i % 2 == 0 { 0.6 } else { -0.6 };
                     mode.frequency_sd_hz = Some(0.002 * (s + 1) as f64);
                     mode.frequency_changes_hz = [0.8, apart].map(|c| c * 0.002 * (s + 1) as f64).to_vec();
@@ -184,7 +185,7 @@ mod tests {
                     "{mode:?}"
                 );
             }
-            // .8² − .6² of the variances
+            // 0.8² − 0.6² of the variances
             let pairs = found[0]
                 .frequency_changes_hz
                 .iter()
@@ -195,7 +196,7 @@ mod tests {
         }
     }
 
-    /// Exact modes of four floors at the given channels, each shape with its own scale.
+    /// Exact modes of four floors at the given channels; each shape has its own scale.
     fn setup(channels: &[usize], scale: Complex64, factor: f64) -> Modes {
         let made = ReferenceCase::ClosePairs.made(0).unwrap();
         let mode = |m: &crate::modal::MadeMode| Mode {
@@ -317,7 +318,7 @@ mod tests {
             );
             assert!((fault.factor / factor - 1.0).abs() < 1e-6, "{fault:?}");
             assert!(fault.to_string().contains(words), "{fault}");
-            // the first of the setups at fault, seen in the two others
+            // the first setup is at fault, which the two others show
             setups.swap(0, 1);
             let found = merge_setups(&setups, &MergeSetups::default()).unwrap();
             let [fault] = &found.reference_faults[..] else {
@@ -350,7 +351,7 @@ mod tests {
 
     #[test]
     fn holds_references_that_agree_are_no_fault() {
-        // a component off by twice its deviation, and one setup scaled by -0.4
+        // a component with an error of twice its standard deviation, and one setup scaled by -0.4
         let first = setup(&[6, 7, 4, 0], Complex64::ONE, 1.0);
         let mut second = setup(&[6, 7, 4, 1], Complex64::new(-0.4, 0.0), 1.002);
         for (i, mode) in second.modes.iter_mut().enumerate() {

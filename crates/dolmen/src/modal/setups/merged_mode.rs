@@ -1,10 +1,10 @@
-//! One mode of several setups: scaled by the places that are known already, and laid beside.
+//! Merges one mode of several setups: each shape is scaled at the known places and combined with the others.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | φ_s | `b` | a shape in setup s at the places that are known already | references × 1 |
-//! | r | `a` | what the setups before show there | references × 1 |
-//! | α_s | `scale` | what setup s must be multiplied by | - |
+//! | φ_s | `b` | shape in setup s at the places that earlier setups have too | references × 1 |
+//! | r | `a` | shape from the earlier setups at these places | references × 1 |
+//! | α_s | `scale` | factor on the shape of setup s | - |
 
 use super::agreement::{Agreement, Estimate, Mean, mean};
 use super::pairing::{ObservedMode, ObservedPoint};
@@ -13,7 +13,7 @@ use crate::modal::indicators::{assurance, normalized, phase_collinearity};
 use crate::modal::{ModalError, Mode};
 use dolmen_linalg::Complex64;
 
-/// The merging of one mode.
+/// How one mode was merged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MergedMode {
     /// Frequency in each setup, Hz.
@@ -22,27 +22,27 @@ pub struct MergedMode {
     pub damping_ratio: Vec<Option<f64>>,
     /// Factor on the shape of each setup; 1 for the first.
     pub scale: Vec<Complex64>,
-    /// Assurance of each setup's shape with those before it, at the places both show; `None` for the first, and with fewer than two.
+    /// Assurance (MAC) between the shape of each setup and the earlier ones at their common places; `None` for the first setup, and with
+    /// fewer than two places.
     pub reference_assurance: Vec<Option<f64>>,
     /// Whether the setups agree on the frequency.
     pub frequency: Agreement,
-    /// Whether they agree on the damping ratio; `None` where one has none.
+    /// Whether the setups agree on the damping ratio; `None` if one has none.
     pub damping: Option<Agreement>,
-    /// Degrees of freedom of the standard deviations if they come from the differences between setups: number of setups minus one. `None` if
-    /// they come from those of each setup.
+    /// Degrees of freedom of the standard deviations, if they come from the differences between setups: number of setups minus one. `None`
+    /// if they come from those of each setup.
     pub degrees_of_freedom: Option<f64>,
     /// Whether another pairing was nearly as good in any setup.
     pub doubtful: bool,
 }
 
-/// A mode as the setups so far show it.
 #[derive(Clone)]
 pub(super) struct MergingMode {
     pub(super) members: Vec<Mode>,
     scale: Vec<Complex64>,
     reference_assurance: Vec<Option<f64>>,
     pub(super) doubtful: bool,
-    /// Sum of the scaled components at each place, of their variances, and how many there are.
+    /// For each place: sum of the scaled components, sum of their variances, and their number.
     sum: Vec<Complex64>,
     variance: Vec<f64>,
     count: Vec<f64>,
@@ -65,7 +65,7 @@ impl MergingMode {
         self.sum[place] / self.count[place]
     }
 
-    /// As it is paired with the modes of the next setup.
+    /// The mode, to be paired with the modes of the next setup.
     pub(super) fn observed(&self, places: &SensorPlaces) -> ObservedMode {
         let points = self.sum.iter().zip(&places.channels).enumerate();
         let shape = points
@@ -82,7 +82,7 @@ impl MergingMode {
         }
     }
 
-    /// Scales a mode of the next setup to this one, and lays it beside.
+    /// Scales a mode of the next setup to this mode, and adds its components.
     pub(super) fn add(&mut self, mode: &Mode, channel_places: &[ChannelPlace], places: usize) {
         let turned: Vec<Complex64> = mode
             .shape
@@ -106,7 +106,7 @@ impl MergingMode {
         } else {
             Complex64::ONE
         };
-        // first order, of the noise of both at the references: var α = Σ |b|² (var a + |α|² var b) / (Σ |b|²)²
+        // first order, from the noise of both at the references: var α = Σ |b|² (var a + |α|² var b) / (Σ |b|²)²
         let of_references = known.iter().zip(&b).map(|((c, s), b)| {
             let before = self.variance[s.place] / self.count[s.place].powi(2);
             b.norm_sqr() * (before + scale.norm_sqr() * own[*c])
@@ -131,7 +131,7 @@ impl MergingMode {
         self.members.push(mode.clone());
     }
 
-    /// Changes of the mean by the blocks of time of one setup after the other, widened as its deviation is.
+    /// Changes of the mean by the blocks of time of each setup in turn, multiplied by the same factor as the standard deviation of the mean.
     fn frequency_changes_hz(&self, mean: &Mean) -> Vec<f64> {
         let known =
             |m: &Mode| m.frequency_sd_hz.is_some_and(|sd| sd > 0.0) && !m.frequency_changes_hz.is_empty();

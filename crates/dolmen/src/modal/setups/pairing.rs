@@ -1,9 +1,9 @@
-//! Pairs the modes of two occasions by frequency and shape, all at the same time.
+//! Pairs all modes of two occasions together, by frequency and shape.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | d | `apart` | difference of two frequencies, over the largest allowed one |
-//! | c | `cost` | d + 1 - MAC, or d alone where shapes cannot be compared |
+//! | d | `apart` | difference of two frequencies over the largest allowed difference |
+//! | c | `cost` | d + 1 - MAC, or d alone if the shapes cannot be compared |
 
 use crate::modal::error::refused;
 use crate::modal::indicators::assurance;
@@ -12,17 +12,17 @@ use crate::numeric::assignment;
 use crate::signal::Channel;
 use dolmen_linalg::Complex64;
 
-/// A pair costs as much as two modes without a partner: more expensive pairs are not made.
+/// Cost of a mode without a partner: two modes are not paired if this costs more than leaving both single.
 const UNPAIRED: f64 = 1.0;
 /// Cost of a forbidden pair: more than any sum of other costs.
 const FORBIDDEN: f64 = 1e6;
-/// Cost of a mode without a partner for the largest possible number of pairs.
+/// Cost of a mode without a partner when looking for the largest possible number of pairs.
 const UNPAIRED_AT_ALL: f64 = 1e3;
-/// MAC from which two modes may be one, for any difference of frequency. Our choice.
+/// Least MAC of two modes that may be the same for any difference of frequency. Our choice.
 const LIKE_LEAST: f64 = 0.8;
-/// Least cosine of the angle between two sensors for the same, or opposite, direction: 2.6°.
+/// Least cosine of the angle between two sensors with the same, or opposite, direction: 2.6°.
 const PARALLEL: f64 = 0.999;
-/// Fewest common places for comparing shapes: with a single place any two shapes are equal.
+/// Fewest common places for a comparison of shapes: at a single place all shapes are equal.
 const PLACES_LEAST: usize = 2;
 
 /// Options of [`pair_modes`].
@@ -30,10 +30,10 @@ const PLACES_LEAST: usize = 2;
 pub struct Pairing {
     /// Largest relative difference of the frequencies of a pair; default 0.15 (our choice).
     pub frequency_within: f64,
-    /// Least MAC of the shapes of a pair with at least two common places; default 0.4 (our choice: two close modes rotate in the plane of their
-    /// shapes, and unrelated shapes have less with four sensors or more).
+    /// Least MAC for a pair with at least two common places; default 0.4 (our choice: two close modes rotate in the plane of their shapes, and
+    /// unrelated shapes have a smaller MAC with four sensors or more).
     pub assurance_least: f64,
-    /// Largest distance between two sensors that count as one, m; default 0.1 (our choice).
+    /// Largest distance between two sensors at the same place, m; default 0.1 (our choice).
     pub place_within_m: f64,
 }
 
@@ -50,14 +50,14 @@ impl Default for Pairing {
 /// Displacement of a mode at one sensor or one point of a survey.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObservedPoint {
-    /// The sensor: its name, place and direction.
+    /// Name, place and direction of the sensor.
     pub channel: Channel,
-    /// Component of the shape along its direction, any scale.
+    /// Component of the shape along the direction of the sensor, at any scale.
     pub component: Complex64,
 }
 
 impl ObservedPoint {
-    /// A point that moves in phase or in opposite phase.
+    /// A point that moves exactly in phase or in opposite phase.
     pub fn real(channel: Channel, displacement: f64) -> Self {
         ObservedPoint {
             channel,
@@ -72,33 +72,34 @@ impl ObservedPoint {
 pub struct ObservedMode {
     /// Natural frequency, Hz.
     pub frequency_hz: f64,
-    /// Its standard deviation, Hz, if known.
+    /// Standard deviation of the frequency, Hz, if known.
     pub frequency_sd_hz: Option<f64>,
     /// Damping ratio.
     pub damping_ratio: Option<f64>,
-    /// Its standard deviation.
+    /// Standard deviation of the damping ratio.
     pub damping_ratio_sd: Option<f64>,
     /// Degrees of freedom of the standard deviations; infinite if these are assumed exact.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub degrees_of_freedom: f64,
-    /// Known direction of the motion, or "torsion": modes of two different directions are never a pair. `None`: unknown.
+    /// Known direction of the motion, or "torsion": modes with two different directions are never a pair. `None`: unknown.
     pub direction: Option<String>,
-    /// Whether the user requested it although a test refused it.
+    /// Whether the user requested the mode although a test refused it.
     pub accepted: bool,
-    /// Its shape; empty if only the frequency is known.
+    /// Shape of the mode; empty if only the frequency is known.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub shape: Vec<ObservedPoint>,
 }
 
 impl ObservedMode {
-    /// From a mode of [`identify`](crate::modal::identify); `time_blocks` is the number of blocks for its deviations, below 2 if these are assumed exact.
+    /// From a mode of [`identify`](crate::modal::identify); `time_blocks` is the number of blocks behind its standard deviations, below 2 if they are
+    /// assumed exact.
     ///
     /// ```text
     /// 1/ν = 2/(b − 1) + (sd ζ/ζ)²/2        b blocks of time, ν one at least
     /// ```
-    /// The selected order is one with a small deviation, so that its deviation is low by chance: 8 % in one minute of
-    /// 1.5 to 6 Hz, 5 % in three, none in ten (measured); half of the degrees of freedom compensate for this. The deviation of a frequency is
-    /// proportional to √ζ, and its relative error is that of √ζ.
+    /// The selected order has a small standard deviation, so its value is low by chance: by 8 % in one minute at 1.5 to 6 Hz, 5 % in three minutes,
+    /// none in ten (measured). Half of the degrees of freedom compensate for this. The standard deviation of a frequency is proportional to √ζ, so
+    /// its relative error is that of √ζ.
     pub fn of(mode: &Mode, channels: &[Channel], time_blocks: usize) -> Self {
         let points = channels.iter().zip(&mode.shape);
         ObservedMode {
@@ -132,18 +133,18 @@ impl ObservedMode {
     }
 }
 
-/// Two modes taken for the same.
+/// Two modes that are considered the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModePair {
     /// Index in the first list.
     pub first: usize,
     /// Index in the second list.
     pub second: usize,
-    /// Assurance of the two shapes at their common places; `None` with fewer than two: paired by frequency only.
+    /// MAC of the two shapes at their common places; `None` with fewer than two places: paired by frequency only.
     pub assurance: Option<f64>,
     /// Number of common places.
     pub places: usize,
-    /// Increase of the cost of the whole pairing if these two must not be a pair, 0 to 1.
+    /// Increase of the total cost if these two must not be a pair, 0 to 1.
     pub margin: f64,
 }
 
@@ -158,16 +159,16 @@ impl ModePair {
 /// Two lists of modes, paired.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairedModes {
-    /// The pairs, by the first list.
+    /// The pairs, in the order of the first list.
     pub pairs: Vec<ModePair>,
     /// Modes of the first list without a partner.
     pub only_first: Vec<usize>,
     /// Modes of the second list without a partner.
     pub only_second: Vec<usize>,
-    /// Modes of the first list without a partner, each with a possible counterpart in the second list that moved further than allowed for a
+    /// Modes of the first list without a partner, each with a possible counterpart in the second list whose frequency differs more than allowed for a
     /// pair.
     pub moved_further: Vec<MovedFurther>,
-    /// The pairing with the most pairs, if it has more than this one: indices in both lists. Else empty.
+    /// The pairing with the most pairs, as indices in both lists; empty if it has no more pairs than this one.
     pub most_pairs: Vec<[usize; 2]>,
 }
 
@@ -178,7 +179,7 @@ pub struct MovedFurther {
     pub first: usize,
     /// Index in the second list, without a partner there; `None` if none is similar.
     pub second: Option<usize>,
-    /// Their MAC, where shapes are known.
+    /// MAC of the two, if the shapes are known.
     pub assurance: Option<f64>,
 }
 
@@ -188,15 +189,15 @@ pub struct MovedFurther {
 /// d = |f - f'| / (½ (f + f') w),   w = frequency_within            c = d + 1 - MAC, or d where fewer than two places are the same
 /// minimise Σ_pairs c + Σ_first without a partner 1                 d > 1, c > 1 or MAC < assurance_least: no pair
 /// ```
-/// Two sensors are at one place if their distance is at most `place_within_m` and their directions are parallel (the sign changes if these are
-/// opposite); with an unknown place or direction, if their names are equal.
+/// Two sensors are at one place if their distance is at most `place_within_m` and their directions are parallel (opposite directions change the
+/// sign). If a place or direction is unknown, their names must be equal.
 ///
 /// # Errors
 /// [`ModalError::Option`] for an option out of its range; [`ModalError::Compared`] for a frequency that is not positive.
 ///
 /// # Limits
-/// A mode whose frequency changed by more than `frequency_within` appears as lost and as new. Two modes closer than their bandwidths share the
-/// plane of their shapes: their pairing may be chance, which [`ModePair::doubtful`] indicates.
+/// A mode whose frequency changed by more than `frequency_within` appears as lost and as new. Two modes closer than their bandwidths share the plane
+/// of their shapes, so their pairing may be chance; [`ModePair::doubtful`] indicates this.
 pub fn pair_modes(
     first: &[ObservedMode],
     second: &[ObservedMode],
@@ -324,12 +325,11 @@ fn check<'a>(modes: impl Iterator<Item = &'a ObservedMode>, options: &Pairing) -
     Ok(())
 }
 
-/// Similarity of two modes.
 struct Likeness {
     cost: f64,
     assurance: Option<f64>,
     places: usize,
-    /// Whether the two have different directions.
+    /// Whether the directions of the two are known and different.
     strangers: bool,
 }
 
@@ -356,7 +356,7 @@ impl Likeness {
     }
 }
 
-/// Components of two shapes at their common places, each place once.
+/// Components of two shapes at their common places; each place occurs once.
 pub(crate) fn shared(a: &[ObservedPoint], b: &[ObservedPoint], within_m: f64) -> [Vec<Complex64>; 2] {
     let mut free = vec![true; b.len()];
     let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
@@ -374,7 +374,7 @@ pub(crate) fn shared(a: &[ObservedPoint], b: &[ObservedPoint], within_m: f64) ->
     [of_a, of_b]
 }
 
-/// 1 if two sensors measure the same motion, -1 if the opposite, `None` if another one.
+/// 1 if two sensors measure the same motion, -1 if they measure the opposite, `None` for different motions.
 pub(crate) fn same_place(a: &Channel, b: &Channel, within_m: f64) -> Option<f64> {
     if let (Some(p), Some(q), Some(u), Some(v)) = (a.position_m, b.position_m, a.direction, b.direction) {
         let apart_m = p.iter().zip(q).map(|(x, y)| (x - y).powi(2)).sum::<f64>().sqrt();
@@ -424,7 +424,7 @@ mod tests {
                 .iter()
                 .all(|p| p.assurance.is_some_and(|mac| mac > 0.99) && !p.doubtful())
         );
-        // the same frequencies without shapes: the nearest, with the doubt
+        // the same frequencies without shapes: the nearest are paired, as doubtful
         let bare = |modes: &[ObservedMode]| -> Vec<ObservedMode> {
             modes.iter().map(|m| mode(m.frequency_hz, &[])).collect()
         };
@@ -438,7 +438,7 @@ mod tests {
 
     #[test]
     fn holds_the_whole_is_paired_best_and_not_mode_by_mode() {
-        // the nearest partner of 2.10 is 2.13, which 2.20 needs more
+        // the nearest partner of 2.10 is 2.13, but 2.20 needs this partner more
         let first = [mode(2.10, &[]), mode(2.20, &[])];
         let second = [mode(1.95, &[]), mode(2.13, &[])];
         let found = pair_modes(&first, &second, &Pairing::default()).unwrap();

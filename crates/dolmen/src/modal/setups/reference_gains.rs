@@ -2,32 +2,33 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | a, b | `a`, `b` | shape of a mode at the shared sensors in the setup before, in this one | references × 1 |
-//! | α | `scale` | what the shape of this setup is multiplied by | - |
-//! | g | `factor` | what one sensor is multiplied by besides, in all modes | - |
-//! | v | `variance` | of αb − a | references × 1 |
+//! | a, b | `a`, `b` | shape of a mode at the common sensors, in the earlier and in this setup | references × 1 |
+//! | α | `scale` | factor on the shape of this setup | - |
+//! | g | `factor` | additional factor on one sensor, in all modes | - |
+//! | v | `variance` | variance of αb − a | references × 1 |
 
 use super::pairing::{ObservedMode, Pairing, pair_modes, same_place};
 use crate::modal::{ModalError, Mode, Modes};
 use dolmen_linalg::Complex64;
 
-/// Deviation of a component beside that stated, of the largest of its mode: weather and modes that lie close. Our choice.
+/// Additional standard deviation of a component, relative to the largest of its mode, for weather and close modes. Our choice.
 const BESIDE: f64 = 0.03;
-/// Standard deviation assumed if none is stated. Our choice.
+/// Assumed standard deviation if none is given. Our choice.
 const NOT_STATED: f64 = 0.05;
-/// Least change of a factor that a note names, beside four of its deviations. Our choice: well above what sensors of one kind differ by.
+/// Smallest change of a factor in a note; it must also exceed four standard deviations. Our choice: far above differences between
+/// sensors of one kind.
 const CHANGE_LEAST: f64 = 0.15;
 const DEVIATIONS: f64 = 4.0;
-/// Factor by which one sensor's factor must reduce the unexplained variance, compared with no factor and with a factor of any other
+/// Factor by which the factor of one sensor must reduce the unexplained variance, compared with no factor and with a factor of any other
 /// sensor.
 const EXPLAINS: f64 = 4.0;
 const TOLD_APART: f64 = 2.0;
-/// Modes that must show it.
+/// Fewest modes that must show the fault.
 const MODES_LEAST: usize = 2;
-/// Rounds of least squares over α and g in turn.
+/// Number of rounds of least squares for α and g in turn.
 const ROUNDS: usize = 30;
 
-/// A sensor that stays and is not the same in two setups.
+/// A reference sensor whose gain or sign differs between two setups.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReferenceFault {
     /// The setup at fault and the setup of comparison, from 0; with only two setups either may be at fault.
@@ -36,9 +37,9 @@ pub struct ReferenceFault {
     pub channels: Vec<String>,
     /// Ratio of the measured to the expected displacement of the first sensor in the first setup; negative if the sensor was reversed.
     pub factor: f64,
-    /// Its standard deviation.
+    /// Standard deviation of the factor.
     pub factor_sd: f64,
-    /// Modes that show it.
+    /// Number of modes that show the fault.
     pub modes: usize,
 }
 
@@ -67,19 +68,19 @@ impl std::fmt::Display for ReferenceFault {
     }
 }
 
-/// A mode of two setups at the sensors that both have.
+/// A mode of two setups, at their common sensors.
 struct Shared {
     a: Vec<Complex64>,
     b: Vec<Complex64>,
     variance: Vec<f64>,
 }
 
-/// Sensors that are not the same in all setups, one a pair of setups at most.
+/// Sensors whose gain or sign differs between setups, at most one for each pair of setups.
 ///
 /// ```text
 /// minimise Σ_modes Σ_c |α g_c b_c − a_c|²/v_c      g = 1 but of one sensor; v = |α|² sd(b)² + sd(a)² + (0.03 max|a|)²
 /// ```
-/// Modes are paired by frequency alone, for a sensor turned round makes every shape unlike.
+/// The modes are paired by frequency alone, because a reversed sensor changes every shape.
 ///
 /// # Errors
 /// As [`pair_modes`].
@@ -93,7 +94,7 @@ pub(super) fn reference_faults(
             found.extend(of_two(setups, [later, before], pairing)?);
         }
     }
-    // the setup that most of a sensor's faults have in common is the one at fault
+    // the setup that takes part in most faults of a sensor is at fault
     let mut named: Vec<ReferenceFault> = Vec::new();
     let alike = |a: &ReferenceFault, b: &ReferenceFault| {
         a.channels.len() == b.channels.len() && a.channels.iter().all(|name| b.channels.contains(name))
@@ -202,7 +203,7 @@ impl Shared {
         Shared { a, b, variance }
     }
 
-    /// α by least squares, of the sensors but `without`, with the variance that it has.
+    /// α by least squares without the sensor `without`, and its variance.
     fn scale(&self, factors: &[f64], without: Option<usize>) -> (Complex64, f64) {
         let (mut inner, mut power) = (Complex64::ZERO, f64::MIN_POSITIVE);
         for c in (0..self.a.len()).filter(|c| Some(*c) != without) {
@@ -214,7 +215,7 @@ impl Shared {
     }
 }
 
-/// Variance that the factors of the sensors leave unexplained, relative.
+/// Relative variance that remains with these factors.
 fn left(modes: &[Shared], factors: &[f64]) -> f64 {
     let of = |mode: &Shared| -> f64 {
         let (scale, _) = mode.scale(factors, None);
@@ -227,7 +228,7 @@ fn left(modes: &[Shared], factors: &[f64]) -> f64 {
     modes.iter().map(of).sum()
 }
 
-/// The factor of one sensor that explains most.
+/// The factor of a single sensor that reduces the variance most.
 struct Fit {
     factor: f64,
     sd: f64,

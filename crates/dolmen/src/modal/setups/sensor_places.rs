@@ -1,4 +1,4 @@
-//! Places of the sensors of several setups, with common ones identified.
+//! Places of the sensors of several setups; sensors at a common place are recognised.
 
 use super::pairing::same_place;
 use crate::modal::ModalError;
@@ -7,16 +7,16 @@ use crate::signal::Channel;
 /// The sensors of all setups so far.
 pub(super) struct SensorPlaces {
     pub(super) channels: Vec<Channel>,
-    /// Setups that have each.
+    /// Number of setups with each sensor.
     seen: Vec<usize>,
 }
 
-/// Index of the place of a channel among all places, and whether it points the opposite way.
+/// Index of a channel's place among all places, and whether the channel has the opposite direction.
 #[derive(Clone, Copy)]
 pub(super) struct ChannelPlace {
     pub(super) place: usize,
     pub(super) sign: f64,
-    /// Whether a setup before has it.
+    /// Whether an earlier setup has this place.
     pub(super) known: bool,
 }
 

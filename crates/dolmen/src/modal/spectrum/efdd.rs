@@ -4,9 +4,9 @@
 //! |:--|:--|:--|
 //! | S(f), s_k, u_k | | spectral matrix, its singular values and vectors (fdd.rs) |
 //! | φ | `phi` | u_1 at the top of the peak |
-//! | b(f) | `bell` | spectrum of the mode alone |
-//! | a(τ) | `decay` | its correlation, complex: modulus decays, phase turns |
-//! | w(τ) | `parzen` | window of the correlations that S came from |
+//! | b(f) | `bell` | part of the spectrum that belongs to the mode |
+//! | a(τ) | `decay` | correlation of the mode, complex: its modulus decays, its phase rotates |
+//! | w(τ) | `parzen` | window of the correlations behind S |
 
 use super::fdd::{Fdd, FddResult, peaks_of};
 use super::spectral_matrices::{SpectralMatrices, parzen};
@@ -17,21 +17,20 @@ use crate::signal::Record;
 use dolmen_linalg::{Complex64, hermitian_eigen};
 use std::f64::consts::PI;
 
-/// Where the fit of the decay begins and ends, parts of its start: before, what the cut sides of the bell make of it; after, noise.
+/// Amplitudes, over the initial one, between which the decay is fitted. The truncated bell distorts larger amplitudes; noise distorts smaller ones.
 const FIT_FROM: f64 = 0.85;
 const FIT_TO: f64 = 0.25;
-/// The effect of the window is removed from the decay down to this value of the window: beyond it noise would be multiplied.
+/// Least value of the window for which its effect is removed from the decay: for smaller values the division would amplify noise.
 const WINDOW_LEAST: f64 = 0.12;
-/// Points of the decay that a fit needs.
 const POINTS_LEAST: usize = 5;
-/// Points of the decay in one inverse width of the bell.
+/// Number of points of the decay in one inverse width of the bell.
 const POINTS_A_WIDTH: f64 = 40.0;
 
-/// A bell that another mode cuts above this part of its top is too narrow for its damping: -30 to -80 % for the close modes of
-/// the twisting building, which are cut above a quarter.
+/// Largest height, relative to the peak, at which another mode may cut off the bell. A bell cut off higher is too narrow for its damping: the error
+/// is -30 to -80 % for the close modes of the twisting building, which are cut off above a quarter.
 const CUT_MOST: f64 = 0.06;
 
-/// Lines by which the frequency of a decay may lie beside its peak, or half the width of the peak if that is more. Our choice.
+/// Largest distance between the frequency of a decay and its peak, in lines; or half the width of the peak if that is larger. Our choice.
 const LINES_AWAY: f64 = 4.0;
 
 /// Options of [`efdd`].
@@ -39,10 +38,9 @@ const LINES_AWAY: f64 = 4.0;
 pub struct Efdd {
     /// The spectrum and its peaks.
     pub fdd: Fdd,
-    /// `Efdd` (default): the bell is the singular value whose vector is like φ; `Fsdd`: φ* S φ.
+    /// `Efdd` (default): the bell is the singular value whose vector is similar to φ; `Fsdd`: φ* S φ.
     pub method: Method,
-    /// Least assurance of a line's singular vector with φ for the line to belong to the bell; default 0.8 (Jacobsen's
-    /// group takes 0.8 to 0.95; pyOMA2 0.85).
+    /// Least MAC between φ and the singular vector of a line in the bell; default 0.8 (Jacobsen's group uses 0.8 to 0.95; pyOMA2 0.85).
     pub assurance_least: f64,
 }
 
@@ -56,27 +54,28 @@ impl Default for Efdd {
     }
 }
 
-/// Modes at the peaks of the spectrum with their damping, from the decay of each peak's own correlation.
+/// Modes at the peaks of the spectrum, with damping from the decay of the correlation of each peak.
 ///
 /// ```text
 /// b(f) = s_k(f) where MAC(u_k(f), φ) ≥ assurance_least (EFDD);  φ* S(f) φ there (FSDD)      lines about the peak, to the saddles beside it
 /// a(τ) = Σ b(f) e^(2πi f τ) / w(τ)
 /// ln |a| falls with -ζωτ;  arg a turns with ω√(1-ζ²) τ                straight lines from |a| = 0.85 to 0.25 of a(0)
 /// ```
-/// The window's own decay is removed (÷ w), and with it most of the bias that short correlations give to damping:
-/// `Mode::window_bias` tells how large it would have been.
+/// The decay is divided by the window w, which removes most of the bias of damping due to short correlations; `Mode::window_bias` gives the removed
+/// bias.
 ///
 /// # Errors
-/// As [`fdd`](crate::modal::fdd()). A peak whose decay is too short to fit, whose bell another mode cuts above 6 % of its top, or whose decay has
-/// another frequency than the peak or a damping ratio above 15 % has none.
+/// As [`fdd`](crate::modal::fdd()). A peak has no damping if its decay is too short for a fit, if another mode cuts off its bell above 6 % of the
+/// peak, if the frequency of the decay differs from that of the peak, or if the damping ratio exceeds 15 %.
 ///
 /// # Limits
-/// For modes further apart than some of their bandwidths: of closer ones one peak may be all that is seen. There is no standard deviation; the floor beside it is the best that is possible.
+/// For modes separated by several bandwidths; closer modes may have a single peak. There is no standard deviation; the lower bound given is the best
+/// possible.
 ///
 /// # Source
-/// Brincker, Ventura & Andersen (2001) Proc. 19th IMAC (EFDD); Zhang, Wang & Tamura (2010) Mech. Syst. Signal Process.
-/// 24:1227-1239 (FSDD). Differs from the sources: the complex correlation instead of extremes and zero crossings; S is
-/// transformed, not √S; its window is removed.
+/// Brincker, Ventura & Andersen (2001) Proc. 19th IMAC (EFDD); Zhang, Wang & Tamura (2010) Mech. Syst. Signal Process. 24:1227-1239 (FSDD). Differs
+/// from the sources: the complex correlation instead of extremes and zero crossings; S is transformed instead of √S; the effect of its window is
+/// removed.
 pub fn efdd(record: &Record, options: &Efdd) -> Result<FddResult, ModalError> {
     if !(options.assurance_least > 0.0 && options.assurance_least < 1.0) {
         return refused("assurance_least", options.assurance_least, "between 0 and 1");
@@ -97,11 +96,11 @@ pub fn efdd(record: &Record, options: &Efdd) -> Result<FddResult, ModalError> {
     Ok(found)
 }
 
-/// Lines of one mode about its peak.
+/// Lines of one mode near its peak.
 struct Bell {
     first: usize,
     value: Vec<f64>,
-    /// Whether another mode ends it where it is still higher than `CUT_MOST` of its top.
+    /// Whether another mode cuts off the bell above `CUT_MOST` of its peak.
     cut: bool,
 }
 
@@ -113,7 +112,7 @@ fn bell(matrices: &SpectralMatrices, peak: usize, options: &Efdd) -> Result<Bell
     let value = |line: usize| -> Result<Option<f64>, ModalError> {
         let s = matrices.at(line);
         let e = hermitian_eigen(&s)?;
-        // the one of the two largest similar to φ: the bells of two modes may cross
+        // the singular vector, of the two largest values, that is similar to φ, because the bells of two modes may cross
         let like = (0..channels.min(2))
             .map(|k| channels - 1 - k)
             .find(|&k| assurance(e.vectors.column(k), &phi) >= options.assurance_least);
@@ -132,7 +131,7 @@ fn bell(matrices: &SpectralMatrices, peak: usize, options: &Efdd) -> Result<Bell
         let (mut at, mut values, mut least) = (peak, Vec::new(), top);
         while let Some(line) = next(at) {
             match value(line)? {
-                // another peak of a like shape begins, as every shape of one channel is: the bell ends at the saddle
+                // another peak with a similar shape begins (with one channel all shapes are equal): the bell ends at the minimum between them
                 Some(x) if x > rise * least => {
                     let saddle = values.iter().rposition(|v| *v == least).map_or(0, |i| i + 1);
                     values.truncate(saddle);
@@ -166,7 +165,7 @@ fn bell(matrices: &SpectralMatrices, peak: usize, options: &Efdd) -> Result<Bell
     })
 }
 
-/// Frequency, damping ratio and the window's share in it, from the decay of the bell.
+/// Frequency, damping ratio and the bias due to the window, from the decay of the bell.
 fn refine(mode: &mut Mode, bell: &Bell, (peak, step_hz, lines): (usize, f64, usize), duration_s: f64) {
     let half = 0.5 / step_hz; // half a period of the lines: the longest lag, lines × dt
     let total: f64 = bell.value.iter().sum();
@@ -180,7 +179,7 @@ fn refine(mode: &mut Mode, bell: &Bell, (peak, step_hz, lines): (usize, f64, usi
         if window < WINDOW_LEAST {
             break;
         }
-        // relative to the peak's line, so that the phase turns slowly
+        // relative to the peak's line, so that the phase rotates slowly
         let turned = |(i, b): (usize, &f64)| {
             let offset = (bell.first + i) as f64 - peak as f64;
             Complex64::from_polar(*b, 2.0 * PI * offset * step_hz * tau_s)
@@ -207,7 +206,7 @@ fn refine(mode: &mut Mode, bell: &Bell, (peak, step_hz, lines): (usize, f64, usi
     mode.cycles = frequency_hz * duration_s;
 }
 
-/// Decay, 1/s, and turning, Hz, of a complex correlation: straight lines through the logarithm and the phase.
+/// Decay rate, 1/s, and frequency, Hz, of a complex correlation: from straight lines through its logarithm and phase.
 fn rates(a: &[(f64, Complex64)]) -> Option<[f64; 2]> {
     let from = a.iter().position(|(_, a)| a.norm() < FIT_FROM)?;
     let end = a[from..]
@@ -247,7 +246,7 @@ mod tests {
 
     #[test]
     fn holds_bells_of_one_channel_end_at_the_saddles() {
-        // three modes of 2 % under white forces, 10 min at 50 Hz; every line of one channel is like every other
+        // three modes with 2 % damping under white-noise forces, 10 min at 50 Hz; with one channel all lines have the same shape
         let (rate_hz, zeta) = (50.0, 0.02);
         let truth = [1.8, 4.9, 7.7];
         let mut random = Random::new(5, 0);

@@ -14,25 +14,25 @@ use crate::signal::Record;
 use dolmen_linalg::{ComplexMatrix, HermitianEigen, Matrix, hermitian_eigen, hermitian_eigenvalues};
 use std::ops::Range;
 
-/// Spectral lines never exceed this: finer ones cost memory and show nothing more.
+/// Largest number of spectral lines: more lines need memory and show nothing more.
 const LINES_MOST: usize = 16_384;
-/// Fewest lines that still show a peak.
+/// Smallest number of lines that can show a peak.
 const LINES_LEAST: usize = 64;
-/// Samples over lines: fewer parts to average, and the peaks of noise pass for modes.
+/// Least ratio of samples to lines: with a smaller ratio there are fewer averages, and peaks of noise look like modes.
 const PARTS_LEAST: usize = 16;
-/// Independent parts that Parzen's window averages, times lags over samples (Priestley 1981, table 6.2: 3.71 degrees of freedom).
+/// Number of independent parts that Parzen's window averages, times lags over samples (Priestley 1981, table 6.2: 3.71 degrees of freedom).
 const PARZEN_PARTS: f64 = 1.855;
-/// Lines from zero frequency that the removed mean and the lag window spoil.
+/// Number of lines from zero frequency that the removal of the mean and the lag window distort.
 const LINES_SPOILT: usize = 4;
 
 /// Options of [`fdd`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fdd {
-    /// Lines of the spectrum from 0 to half the sampling rate; `None` (default): the power of two nearest below
-    /// 1/16 of the samples, at least 64 and at most 16384, so that about 30 independent parts are averaged.
+    /// Number of lines from 0 to half the sampling rate; `None` (default): the largest power of two below 1/16 of the samples, from 64 to
+    /// 16384, so that about 30 independent parts are averaged.
     pub lines: Option<usize>,
-    /// Height of a peak over the higher of the two saddles beside it, dB; default 8: five standard deviations of a
-    /// line that averages 30 parts, on either side (ours).
+    /// Height of a peak above the higher of the two minima next to it, dB; default 8 (our choice: five standard deviations of a line that
+    /// averages 30 parts, on either side).
     pub prominence_db: f64,
     /// Lowest frequency of the analysis, Hz; default 0.
     pub frequency_low_hz: f64,
@@ -58,16 +58,16 @@ pub struct SingularSpectrum {
     pub frequency_hz: Vec<f64>,
     /// For each frequency all singular values, descending, unit²/Hz: as many as channels.
     pub singular_values: Vec<Vec<f64>>,
-    /// Height of each peak over the higher saddle beside it, dB, in the order of the modes.
+    /// Height of each peak above the higher minimum next to it, dB, in the order of the modes.
     pub prominence_db: Vec<f64>,
-    /// Width of each peak 3 dB below its top, Hz, in the order of the modes: 2ζf, but no less than the window's 1.3/(M dt).
+    /// Width of each peak 3 dB below its top, Hz, in the order of the modes: 2ζf, but at least 1.3/(M dt), the width of the window.
     pub half_power_width_hz: Vec<f64>,
 }
 
-/// Peaks of the spectrum as modes, with the singular values they were picked from.
+/// Peaks of the spectrum as modes, with the singular values behind them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FddResult {
-    /// Modes without damping: frequency at the line (refined by a parabola through three), first singular vector.
+    /// Modes without damping: frequency of the line (refined by a parabola through three lines), first singular vector.
     pub modes: Modes,
     /// The spectrum of the analysis.
     pub spectrum: SingularSpectrum,
@@ -80,12 +80,12 @@ pub(super) struct AtPeak {
     pub(super) frequency_hz: f64,
     /// Re S over its trace.
     real: Matrix,
-    /// Standard deviation of each component of the shape across its direction.
+    /// Standard deviation of each component of the shape in one direction of the complex plane.
     shape_sd: Vec<f64>,
 }
 
 impl FddResult {
-    /// Σ Re S/tr S over the peaks that are still modes.
+    /// Σ Re S/tr S over the peaks that remain as modes.
     pub(crate) fn seen_at_peaks(&self) -> Matrix {
         let l = self.modes.channels.len();
         let mode = |f: f64| self.modes.modes.iter().any(|m| m.frequency_hz == f);
@@ -98,7 +98,7 @@ impl FddResult {
         seen
     }
 
-    /// The peaks that are still modes, each with the deviations of its shape.
+    /// The peaks that remain as modes, each with the standard deviations of its shape.
     pub(crate) fn with_deviations(&self) -> Modes {
         let mut all = self.modes.clone();
         for mode in &mut all.modes {
@@ -121,21 +121,22 @@ impl FddResult {
 /// w is Parzen's window: its transform is positive, so no singular value is negative.
 ///
 /// # Errors
-/// [`ModalError::TooShort`], [`ModalError::Option`], [`ModalError::Linalg`]. No peak is no error: `modes` is empty.
+/// [`ModalError::TooShort`], [`ModalError::Option`], [`ModalError::Linalg`]. A spectrum without peaks is not an error: `modes` is then
+/// empty.
 ///
 /// # Limits
-/// Two modes closer than about 2/(M dt) appear as one peak. Damping is not estimated: use `efdd` or the subspace methods.
+/// Two modes closer than about 2/(M dt) have a single peak. Damping is not estimated: use `efdd` or the subspace methods.
 ///
 /// # Source
-/// Brincker, Zhang & Andersen (2001) Smart Mater. Struct. 10:441-445. Differs from the source: spectra come from
-/// windowed correlations (Blackman & Tukey), which are shared with SSI, not from averaged periodograms.
+/// Brincker, Zhang & Andersen (2001) Smart Mater. Struct. 10:441-445. Differs from the source: the spectra come from windowed correlations
+/// (Blackman & Tukey), which SSI uses too, instead of averaged periodograms.
 pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
     let lines = options.lines_of(record)?;
     peaks_of(record, &SpectralMatrices::of(record, lines)?, options)
 }
 
 impl Fdd {
-    /// Lines of the spectrum of this record, all options checked.
+    /// Number of spectral lines for this record; checks all options.
     pub(super) fn lines_of(&self, record: &Record) -> Result<usize, ModalError> {
         if !(self.prominence_db > 0.0 && self.prominence_db.is_finite()) {
             return refused("prominence_db", self.prominence_db, "a positive number");
@@ -228,8 +229,8 @@ pub(crate) fn peaks_of(
     })
 }
 
-/// Standard deviation of each component of the first singular vector of a matrix averaged over this number of parts, in one direction of the
-/// complex plane. The largest component is 1.
+/// Standard deviation of each component of the first singular vector, in one direction of the complex plane, if the matrix is an average of
+/// this number of parts. The largest component is 1.
 ///
 /// ```text
 /// var u₁(c) = Σ_(k > 1) |u_k(c)|² s₁ s_k / ((s₁ − s_k)² ν)
@@ -259,7 +260,7 @@ pub(crate) fn decibel(power: f64) -> f64 {
     10.0 * power.max(f64::MIN_POSITIVE).log10()
 }
 
-/// Distance in lines between the points 3 dB below the top at `line`, on straight lines through the spectrum.
+/// Distance in lines between the points 3 dB below the peak at `line`, on straight lines through the spectrum.
 fn half_power_width(level: &[f64], line: usize) -> f64 {
     const HALF_POWER_DB: f64 = 3.0103; // 10 log10 2
     let target = level[line] - HALF_POWER_DB;
@@ -279,12 +280,12 @@ fn half_power_width(level: &[f64], line: usize) -> f64 {
 
 pub(crate) struct Peak {
     pub(crate) line: usize,
-    /// Place of the top between the lines, -0.5 to 0.5.
+    /// Position of the peak between the lines, -0.5 to 0.5.
     offset: f64,
     prominence_db: f64,
 }
 
-/// Local maxima that rise by `prominence_db` over the higher of the two lowest points between them and a higher line.
+/// Local maxima that rise by `prominence_db` above the higher of the two minima that separate them from higher lines.
 pub(crate) fn peaks(level: &[f64], range: Range<usize>, prominence_db: f64) -> Vec<Peak> {
     let mut found = Vec::new();
     for i in range.start.max(1)..range.end.min(level.len() - 1) {

@@ -1,4 +1,5 @@
-//! Standard deviations of the poles of a matrix fraction, from the scatter of the correlations over blocks of time.
+//! Standard deviations of the poles of a matrix fraction, from the scatter of the correlations between blocks of
+//! time.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
@@ -19,10 +20,10 @@ use dolmen_linalg::{Complex64, ComplexMatrix, Matrix, hermitian_eigen};
 /// dα_j = α(R + dR_j) - α(R);   dλ = -wᵀ dA(λ) v / wᵀ A'(λ) v;   var f = b/(b-1) Σ df²      over the b blocks of time
 /// ```
 /// dR_j is the contribution of block j to the mean, minus the mean contribution, so that the sum equals that of the
-/// jackknife. Shapes get no standard deviation.
+/// jackknife. Shapes have no standard deviation.
 pub(crate) struct FractionScatter<'a> {
     fraction: &'a MatrixFraction,
-    /// Spectral sums of the mean, followed by those of each block's change; computed at first use.
+    /// Spectral sums of the mean, then of the change of each block; computed at first use.
     sums: Vec<Sums>,
     degrees: Vec<Option<Degree>>,
 }

@@ -1,4 +1,4 @@
-//! A right matrix fraction of one degree: its least squares, poles and shapes.
+//! A right matrix fraction of one degree: least-squares fit, poles and shapes.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
@@ -14,16 +14,16 @@ use dolmen_linalg::{
 };
 use std::f64::consts::PI;
 
-/// Directions of a symmetric matrix whose eigenvalue is below this part of the largest are rounding.
+/// Eigenvalues of a symmetric matrix below this fraction of the largest are rounding; their directions are
+/// ignored.
 const RANK_LEAST: f64 = 1e-13;
 
-/// Coefficients of one degree.
 pub(super) struct Fit {
     degree: usize,
     references: usize,
-    /// α_1 … α_p below each other.   shape: p r × r
+    /// α_1 … α_p, one below the other.   shape: p r × r
     pub(super) alpha: Matrix,
-    /// β_0 … β_p below each other, one matrix an output.   shape: (p + 1) × r
+    /// β_0 … β_p, one below the other; one matrix for each output.   shape: (p + 1) × r
     numerator: Vec<Matrix>,
 }
 
@@ -72,7 +72,7 @@ impl Fit {
         let e = eigen(&companion)?;
         let mut poles = Vec::new();
         for (k, inverse) in e.values.iter().enumerate() {
-            // the upper half plane alone, and what dies away under the window
+            // only the upper half plane, and only poles that decay under the window
             if inverse.im >= 0.0 || inverse.norm() <= 1.0 {
                 continue;
             }
@@ -131,7 +131,7 @@ impl Fit {
     }
 }
 
-/// Symmetric W with W² the inverse of a semidefinite matrix, without the eigenvalues that are rounding.
+/// Symmetric W with W² the inverse of a semidefinite matrix, without the eigenvalues that are only rounding.
 fn inverse_root(a: &Matrix) -> Result<Matrix, LinalgError> {
     let e = symmetric_eigen(a)?;
     let n = a.rows();

@@ -1,4 +1,4 @@
-//! Half spectra of correlations, and the sums over their lines that least squares need.
+//! Half spectra of correlations, and the sums over their lines for least squares.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
@@ -15,13 +15,12 @@ use realfft::RealFftPlanner;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// Half spectra at the lines of a range.
 pub(super) struct HalfSpectra {
     pub(super) channels: usize,
     pub(super) references: usize,
     /// Angle of each line.
     pub(super) omega: Vec<f64>,
-    /// Decay of the window a lag.
+    /// Decay of the window per lag.
     pub(super) beta: f64,
     /// Line after line, each row by row.
     values: Vec<Complex64>,
@@ -37,7 +36,7 @@ impl Lines {
 }
 
 impl HalfSpectra {
-    /// The lines that `options` ask for at this rate.
+    /// The lines that `options` request at this rate.
     pub(super) fn range(options: &Plscf, rate_hz: f64) -> Lines {
         let count = options.lags + 1;
         let step_hz = rate_hz / count as f64;
@@ -46,7 +45,7 @@ impl HalfSpectra {
         Lines(first..=last)
     }
 
-    /// Of `lags`, R_0 … R_M as `r` holds them.
+    /// Half spectra of `lags`, which are R_0 … R_M in the order of `r`.
     pub(super) fn new(r: &Correlations, lags: &[f64], options: &Plscf) -> Self {
         let (l, n) = (r.channels, options.references.len());
         let count = options.lags + 1;
@@ -81,7 +80,7 @@ impl HalfSpectra {
     }
 }
 
-/// Sums over lines; those of the highest degree serve all below.
+/// Sums over lines; the sums for the highest degree include those for all lower degrees.
 pub(super) struct Sums {
     pub(super) channels: usize,
     pub(super) references: usize,
@@ -133,7 +132,7 @@ impl Sums {
         Matrix::from_fn(degree + 1, degree + 1, |j, k| self.lines[j.abs_diff(k)])
     }
 
-    /// Re Σ Ω* [S_o, z S_o … z^p S_o] of one output.   shape: p + 1 × r (p + 1)
+    /// Re Σ Ω* [S_o, z S_o … z^p S_o] for one output.   shape: p + 1 × r (p + 1)
     pub(super) fn lines_with_spectra(&self, output: usize, degree: usize) -> Matrix {
         let (l, n) = (self.channels, self.references);
         Matrix::from_fn(degree + 1, (degree + 1) * n, |j, column| {

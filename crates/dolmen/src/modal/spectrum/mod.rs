@@ -1,4 +1,5 @@
-//! Modes from the spectrum: its peaks, their bells, and matrix fractions fitted to half spectra.
+//! Modes from the spectrum: from its peaks and the lines near them, and from matrix fractions fitted to half
+//! spectra.
 
 mod efdd;
 mod fdd;

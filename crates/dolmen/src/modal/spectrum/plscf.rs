@@ -1,9 +1,9 @@
-//! Poly-reference least squares in the frequency domain: a right matrix fraction fitted to half spectra, at every degree.
+//! Poly-reference least squares in the frequency domain: a right matrix fraction of every degree, fitted to half spectra.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | l, r, p | `channels`, `references`, `degree` | channels, reference channels, degree of the polynomials | |
-//! | M, N | `lags` | longest lag; N = M + 1 lines about the whole circle | |
+//! | M, N | `lags` | longest lag; N = M + 1 lines on the whole circle | |
 //! | S⁺ | `HalfSpectra` | half spectrum, e^(-βk) R_k transformed | l × r |
 //! | A, B, λ | fraction_fit.rs | denominator, numerator, poles | r × r, l × r |
 
@@ -19,13 +19,13 @@ use crate::signal::Record;
 /// Poles of every degree, with the data for their standard deviations.
 #[derive(Clone, Debug)]
 pub struct MatrixFraction {
-    /// All poles that swing and whose windowed correlation dies away, by order, then by frequency.
+    /// All oscillating poles whose windowed correlation decays, by order, then by frequency.
     pub poles: Vec<Pole>,
     /// The method of identification.
     pub method: Method,
     /// Reference channels, by index.
     pub references: Vec<usize>,
-    /// Lines that were fitted.
+    /// Number of fitted lines.
     pub lines: usize,
     /// Highest order: reference channels × degree.
     pub order_most: usize,
@@ -37,29 +37,29 @@ pub struct MatrixFraction {
     pub(super) correlations: Correlations,
 }
 
-/// Poles of all model orders up to `order_most` of an ambient record, from its half spectra.
+/// Poles of an ambient record from its half spectra, for all model orders up to `order_most`.
 ///
 /// ```text
 /// S⁺(ω) = ½ R_0 + Σ e^(-βk) R_k e^(-iωk),  k = 1 … M,  ω = 2πm/(M + 1)      shape: l × r
 /// min Σ_ω |B(ω) - S⁺(ω) A(ω)|²,  A = I + Σ α_k z^k,  B = Σ β_k z^k,  z = e^(iω),  k ≤ p
 /// det A(λ) = 0;  μ = (ln λ + β)/dt;  f = |μ|/2π;  ζ = -Re μ/|μ|;  shape = B(λ) v with A(λ) v = 0
 /// ```
-/// At these lines the sum that ends at lag M is a rational function of z for every mode (λ^(M+1) is the same at each line), so
-/// there is no leakage with any window. The window reduces the noise of late lags, and β removes its decay from the damping. A
-/// constant in S⁺, such as white sensor noise, becomes part of the numerator. With the lowest coefficient fixed at I, poles that
-/// fit noise are outside the unit circle: they grow in time, and are left out.
+/// At these lines the sum up to lag M is a rational function of z for every mode (λ^(M+1) is the same at each line), so no window
+/// causes leakage. The window reduces the noise of large lags, and β removes its decay from the damping. A constant in S⁺, such as
+/// white sensor noise, becomes part of the numerator. The lowest coefficient is fixed to I; poles that fit noise are then outside
+/// the unit circle, where they grow in time, and are left out.
 ///
 /// # Errors
 /// [`ModalError::Option`], [`ModalError::TooShort`], [`ModalError::Linalg`].
 ///
 /// # Limits
-/// Linear least squares weigh noise with the poles themselves: damping is biased, more so for weak modes. Exact correlations give
-/// their poles to 1e-9 (a test); measured biases stand in the book.
+/// The poles themselves weight the noise in linear least squares, so damping is biased, more for weak modes. For exact correlations
+/// the poles are accurate to 1e-9 (a test); the book gives measured biases.
 ///
 /// # Source
 /// Peeters, Van der Auweraer, Guillaume & Leuridan (2004) Shock Vib. 11:395-409; Peeters & Van der Auweraer (2005) Proc. 1st IOMAC;
-/// which coefficient to hold: Cauberghe (2004) thesis, Vrije Universiteit Brussel. Differs from the sources: lines that make
-/// the cut correlations exact; shapes from the numerator, where they fit residues afterwards.
+/// for the fixed coefficient: Cauberghe (2004) thesis, Vrije Universiteit Brussel. Differs from the sources: lines for which the
+/// truncated correlations are exact; shapes from the numerator instead of a later fit of residues.
 pub fn plscf(record: &Record, options: &Plscf) -> Result<MatrixFraction, ModalError> {
     let options = check(options, record)?;
     let lags = (options.lags, options.time_blocks);
@@ -68,7 +68,6 @@ pub fn plscf(record: &Record, options: &Plscf) -> Result<MatrixFraction, ModalEr
     fraction(correlations, options, record.duration_s())
 }
 
-/// Poles of these correlations.
 pub(super) fn fraction(
     correlations: Correlations,
     options: Plscf,
@@ -122,7 +121,7 @@ pub(super) fn check(options: &Plscf, record: &Record) -> Result<Plscf, ModalErro
     let rate_hz = record.sampling_rate_hz() / options.decimation as f64;
     let degree = options.order_most / options.references.len();
     let lines = HalfSpectra::range(&options, rate_hz).len();
-    // real numbers that the lines of one output hold, and unknowns of its numerator and of the denominator
+    // number of real values in the lines of one output, and of unknowns in its numerator and in the denominator
     let (held, unknown) = (
         2 * lines * options.references.len(),
         (2 * degree + 1) * options.references.len(),
@@ -149,7 +148,7 @@ mod tests {
     ];
     const LAGS: usize = 80;
 
-    /// Σ φ φᵀ e^(-ζωτ) cos(ω_d τ), damping ratios `more` as large, and white sensor noise at lag 0.
+    /// Σ φ φᵀ e^(-ζωτ) cos(ω_d τ), with damping ratios multiplied by `more`, and white sensor noise at lag 0.
     fn lags_of(more: f64) -> Vec<f64> {
         let entry = |k: usize, a: usize, b: usize| -> f64 {
             let of = MODES.iter().map(|(f, zeta, phi)| {
@@ -204,7 +203,7 @@ mod tests {
 
     #[test]
     fn exact_poles_and_shapes_of_exact_correlations_whatever_the_window_and_the_lines() {
-        // three pairs of poles: degree 2 of three references, degree 3 of two
+        // three pairs of poles: degree 2 with three references, degree 3 with two
         for (references, window_end, high_hz) in [
             (vec![0, 1, 2], 0.01, f64::INFINITY),
             (vec![0, 1, 2], 1.0, f64::INFINITY),
@@ -237,7 +236,7 @@ mod tests {
 
     #[test]
     fn exact_scatter_of_blocks_whose_damping_differs() {
-        // correlations of a system damped ε more, less those of the system: its poles have dζ = ε ζ, and no df
+        // difference of the correlations when all damping ratios increase by the factor 1 + ε: dζ = ε ζ, and df = 0
         let (mean, epsilon) = (lags_of(1.0), 1e-4);
         let block = |sign: f64| -> Vec<f64> {
             let moved = lags_of(1.0 + sign * epsilon);

@@ -7,8 +7,8 @@
 
 use dolmen_linalg::Matrix;
 
-/// Channels are selected until the residual motion at the peaks is at most this fraction. Our choice, on the records of the book: a
-/// tenth selects 2 of 8 channels for close pairs, a hundredth nearly all.
+/// Channels are selected until the residual motion at the peaks is at most this fraction. Our choice, from the records of the book:
+/// 0.1 selects 2 of 8 channels for close pairs, 0.01 nearly all.
 const LEFT_MOST: f64 = 0.1;
 /// Fewest channels: two modes of the same frequency need two references.
 pub(crate) const REFERENCES_LEAST: usize = 2;
@@ -31,7 +31,7 @@ pub(crate) struct ReferenceChannels {
     pub(crate) kept: f64,
 }
 
-/// Selects one channel after the other, each time the one that explains most of the remaining motion at the peaks (pivoted Cholesky).
+/// Selects channels one by one: each explains most of the remaining motion at the peaks (pivoted Cholesky).
 ///
 /// ```text
 /// c_k = argmax diag M_k;   M_(k+1) = M_k - m mᵀ/m_c,  m = column c_k of M_k;   until tr M_k ≤ .1 tr M         shape: l × l
@@ -96,7 +96,7 @@ mod tests {
 
     #[test]
     fn exact_share_that_two_channels_keep_of_three_shapes_by_hand() {
-        // e0 e0ᵀ + e1 e1ᵀ + e2 e2ᵀ: each channel has a third of the motion, and two leave more than a tenth
+        // e0 e0ᵀ + e1 e1ᵀ + e2 e2ᵀ: each channel has a third of the motion, so two channels leave more than a tenth
         let apart = [
             [1.0, 0.0, 0.0, 0.0, 0.0],
             [0.0, 1.0, 0.0, 0.0, 0.0],

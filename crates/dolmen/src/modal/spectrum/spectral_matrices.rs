@@ -1,4 +1,4 @@
-//! Spectral matrices of a record at every line, from its correlations through a lag window (Blackman & Tukey).
+//! Spectral matrices of a record at every line, from its windowed correlations (Blackman & Tukey).
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -16,13 +16,12 @@ use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use std::cmp::Ordering;
 
-/// Largest memory for sums of products, bytes. For a record of many channels only some rows of the matrices are computed at a time, in
-/// several passes.
+/// Largest memory for sums of products, bytes. For many channels only some rows of the matrices are computed at a time, in several passes.
 const SUMS_BYTES: usize = 3 << 24;
-/// Bytes of a sum, complex.
 const SUM_BYTES: usize = 16;
 
-/// Larger triangles than these are held in 32 bits: of a hundred channels or fewer the singular values then have six digits of the largest.
+/// Largest size of the triangles in 64 bits; larger ones use 32 bits. With up to a hundred channels the singular values are then accurate
+/// to six digits of the largest.
 const PAIRS_BYTES: usize = 1 << 26;
 
 /// Lower triangle of S at every line, one pair of channels after the other.
@@ -41,7 +40,7 @@ impl SpectralMatrices {
     /// ```text
     /// S_ab(f) = H_ab + conj H_ba,   H_ab = 2 dt Σ w_k R_ab,k e^(-2πi f k dt),  k = 0 … M - 1,  w_0 halved
     /// ```
-    /// w is Parzen's window. No lag is kept beyond its pair of channels.
+    /// w is Parzen's window. The lags of a channel pair are not kept after its transform.
     ///
     /// # Errors
     /// [`ModalError::TooShort`].
@@ -108,7 +107,7 @@ impl SpectralMatrices {
         whole
     }
 
-    /// Puts the lower triangle at a line in its place.
+    /// Writes the lower triangle of one line to `lower`.
     pub(super) fn lower_into(&self, line: usize, lower: &mut ComplexMatrix) {
         let mut at = line;
         for i in 0..self.channels {

@@ -5,46 +5,46 @@ use super::levels::Levels;
 use super::shaking::{Shaking, ShakingKind};
 use crate::signal::Record;
 
-/// Least value of the largest score. Of 200 simulated records with lorries, gusts and footsteps the highest has 11.5, and one with an equally sudden
-/// onset 9.8; of 100 simulated earthquakes of 20 times the noise and more the lowest has 12.7. Our choice.
+/// Least value of the largest score. Among 200 simulated records with lorries, gusts and footsteps the highest score is 11.5, and 9.8 for those with
+/// an equally sudden onset. Among 100 simulated earthquakes of at least 20 times the noise the lowest is 12.7. Our choice.
 const SCORE_LEAST: f64 = 11.0;
-/// Least growth of the score within two seconds on the way to its peak: an earthquake begins suddenly, a lorry or a gust gradually. Our choice.
+/// Least growth of the score within two seconds before its peak: an earthquake begins suddenly, a lorry or a gust gradually. Our choice.
 const GROWTH_LEAST: f64 = 3.5;
-/// Score from which a gradual onset is accepted, as for a distant earthquake: no traffic is so strong. Our choice.
+/// Score that needs no sudden onset, as for a distant earthquake: no traffic is so strong. Our choice.
 const SCORE_SURE: f64 = 100.0;
-/// Conditions for accepting a gradual onset at a lower score: the weakest peak, m/s² and m/s (1 % of g, which traffic hardly causes in a monument);
-/// the longest strong phase, s; and power in more than a few lines, because a gust shakes a structure only in its lowest modes. A storm lasts longer.
-/// Of 200 simulated earthquakes with a gradual onset 131 have the score; 114 of them grow suddenly enough, and 127 are accepted with this condition.
-/// Our choice.
+/// Conditions for a gradual onset at a lower score: least peak, m/s² and m/s (1 % of g, which traffic hardly causes in a monument); longest strong
+/// phase, s, because a storm lasts longer; and power in more than a few lines, because a gust shakes a structure only in its lowest modes. Among 200
+/// simulated earthquakes with a gradual onset 131 have the score; 114 of them grow suddenly enough, and 127 are accepted with these conditions. Our
+/// choice.
 const SWELLS_LEAST_M_S2: f64 = 0.1;
 const SWELLS_LEAST_M_S: f64 = 0.005;
 const SWELLS_MOST_S: f64 = 120.0;
-/// A free decay has its peak on every channel at its beginning, and grows again only through beating of close modes. So an earthquake must have its
+/// In a free decay every channel has its peak at the beginning, and grows again only if close modes beat. So an earthquake must either have its
 /// latest channel peak at least this long after the first sample above the noise, or grow again by this ratio. Our choice.
 const LATEST_PEAK_S: f64 = 2.0;
 const REGROWTH_LEAST: f64 = 3.0;
-/// Time within which every channel reaches its peak after a blow or a release, with all power in a few lines. Of 331 simulated earthquakes the
-/// smallest value is 0.94 s; of nine simulated decays with beating close modes, five have at most 0.11 s. Our choice.
+/// Time within which every channel reaches its peak after a blow or a release, with all power in a few lines. The smallest value of 331 simulated
+/// earthquakes is 0.94 s; five of nine simulated decays with beating close modes have at most 0.11 s. Our choice.
 const AT_ONCE_S: f64 = 0.3;
 /// Fraction of the power in the four highest lines of the spectrum, each with two on either side, for the channel with the smallest fraction. A decay
-/// has all its power there, an earthquake has not. Of 33 simulated decays the lowest has 0.65; of the simulated earthquakes with an early peak the
-/// highest has 0.55. Our choice.
+/// has all its power there, but an earthquake does not. The lowest of 33 simulated decays has 0.65; the highest of the simulated earthquakes with an
+/// early peak has 0.55. Our choice.
 const IN_LINES_MOST: f64 = 0.6;
-/// Least and largest duration of the strong phase, s: a machine that was switched on continues.
+/// Least and largest duration of the strong phase, s: a machine that is switched on runs longer.
 const STRONG_LEAST_S: f64 = 1.5;
 const STRONG_MOST_S: f64 = 300.0;
 /// Weakest peak of an earthquake, m/s² and m/s: 0.2 % of g, hardly felt indoors; traffic near a monument stays below. Our choice.
 const ACCELERATION_LEAST_M_S2: f64 = 0.02;
 const VELOCITY_LEAST_M_S: f64 = 0.001;
-/// Ratio of the motion from 0.5 to 2 Hz to that of the quiet part from which a motion is certainly an earthquake: nearby traffic excites the ground
-/// above 5 Hz. Our choice, from simulated records: of 62 earthquakes the lowest has 9, of 28 trains and lorries the highest 2.3.
+/// Ratio of the motion from 0.5 to 2 Hz to that of the quiet part, above which a motion is certainly an earthquake: nearby traffic excites the ground
+/// above 5 Hz. Our choice, from simulated records: the lowest of 62 earthquakes has 9, the highest of 28 trains and lorries 2.3.
 const LOW_GROWTH_LEAST: f64 = 4.0;
-/// Peak from which this ratio is not required: 5 % of g, which neither traffic nor wind causes in a monument, m/s².
+/// Peak above which this ratio is not required, m/s²: 5 % of g, which neither traffic nor wind causes in a monument.
 pub(super) const SURE_M_S2: f64 = 0.5;
-/// Largest number of examined motions: a record of a swarm may have as many, and is not ambient vibration anyway.
+/// Largest number of motions that are examined. A record of a swarm may have as many; it is not ambient vibration in any case.
 const MOTIONS_MOST: usize = 30;
 
-/// The earthquake in a record; if there are several, the strongest relative to the noise. `None` for ambient vibration.
+/// The earthquake in a record; the strongest relative to the noise if there are several. `None` for ambient vibration.
 ///
 /// # Limits
 /// As [`earthquakes_in`].
@@ -54,7 +54,7 @@ pub fn earthquake_in(record: &Record, inputs: &[usize]) -> Option<Shaking> {
     all.max_by(|a, b| a.over_noise.total_cmp(&b.over_noise))
 }
 
-/// The earthquakes in a record, by time; none in ambient vibration. Parts in `lost_s`, s, were lost and are not examined.
+/// The earthquakes in a record, by time; none in ambient vibration. Lost parts, `lost_s`, s, are not examined.
 ///
 /// ```text
 /// s_k ≥ 11 in the peak                on all channels (of four or more, a quarter may miss it): no spike, no blow beside one sensor
@@ -64,20 +64,20 @@ pub fn earthquake_in(record: &Record, inputs: &[usize]) -> Option<Shaking> {
 /// not: all channels have their peak within 0.3 s                                                     the same with beating close modes
 /// 1.5 to 300 s between 5 % and 95 % of the energy; 0.02 m/s² or 1 mm/s at least
 /// ```
-/// If one such motion is found, every other motion with s_k ≥ 11 that is long enough is returned too, even with a gradual onset: a record of a main
-/// shock and its aftershocks is not ambient vibration. A motion is ambiguous, an earthquake or nearby traffic, if its amplitude from 0.5 to 2 Hz is
-/// below 4 times that of the quiet part and its peak below 0.5 m/s², or if its onset is gradual.
+/// If one such motion is found, all other motions with s_k ≥ 11 that are long enough are returned too, even with a gradual onset, because a record of
+/// a main shock and its aftershocks is not ambient vibration. A motion may be an earthquake or nearby traffic if its amplitude from 0.5 to 2 Hz is
+/// below 4 times that of the quiet part and its peak is below 0.5 m/s², or if its onset is gradual.
 ///
 /// # Limits
-/// One second of median is long for a structure whose lowest mode is below 0.5 Hz: its levels fluctuate. A blast, a collapse, a jumping crowd,
-/// several hammer blows in a row, a machine that runs for minutes, or a gust of more than ten times the previous wind may be classified as an
-/// earthquake. Of 200 simulated gusts of 3 to 30 times this happens for 97, before the modes at rest identify 67 of them. A motion below 11 times the
-/// noise, or in a record without several quiet seconds, is not found. An aftershock counts as part of the previous motion if that has not decreased
-/// to twice the noise for five seconds. Records of unknown unit are judged by their form alone.
+/// A median over one second fluctuates if the lowest mode of the structure is below 0.5 Hz. A blast, a collapse, a jumping crowd, several hammer
+/// blows in a row, a machine that runs for minutes, or a gust of more than ten times the previous wind may be classified as an earthquake. This
+/// happens for 97 of 200 simulated gusts of 3 to 30 times the wind, before the modes at rest identify 67 of them. A motion below 11 times the noise,
+/// or in a record without several quiet seconds, is not found. An aftershock belongs to the previous motion until the level stays below twice the
+/// noise for five seconds. Records of unknown unit are classified by their form alone.
 ///
 /// # Source
-/// The ratio of a short to a long average: Allen (1978) Bull. Seism. Soc. Am. 68(5):1521-1532. Differs from the source: medians over all
-/// channels, and the tests of growth and decay.
+/// Ratio of a short to a long average: Allen (1978) Bull. Seism. Soc. Am. 68(5):1521-1532. Differs from the source: medians over all channels, and
+/// the tests of growth and decay.
 pub fn earthquakes_in(record: &Record, inputs: &[usize], lost_s: &[[f64; 2]]) -> Vec<Shaking> {
     let Some(mut levels) = Levels::of(record, lost_s) else {
         return Vec::new();
@@ -128,7 +128,7 @@ fn lasts(found: &Features) -> bool {
     (STRONG_LEAST_S..=STRONG_MOST_S).contains(&(of.strong_to_s - of.strong_from_s)) && !decays && !is_weak
 }
 
-/// Whether it contains frequencies that traffic does not excite, or is stronger than traffic.
+/// Whether it has low frequencies that traffic does not excite, or is stronger than traffic.
 fn is_low(found: &Features) -> bool {
     found.low_growth.is_none_or(|growth| growth >= LOW_GROWTH_LEAST)
         || found.peak_m_s2.is_some_and(|peak| peak >= SURE_M_S2)

@@ -8,30 +8,30 @@ use std::f64::consts::PI;
 
 /// Number of windows over which the growth of the score is measured: two seconds.
 const GROWTH_WINDOWS: usize = 4;
-/// Fraction of the largest score from which renewed growth counts.
+/// Fraction of the largest score above which renewed growth counts.
 const REGROWN_LEAST: f64 = 0.25;
 /// Number of highest spectral lines, and of lines on each side of them.
 const LINES: usize = 4;
 const BESIDE: usize = 2;
-/// Ratio of a sample to the noise level at which the motion begins. Gaussian noise has one sample in 10⁵ above 3 standard deviations.
+/// Ratio of a sample to the noise level at which the motion begins. Gaussian noise exceeds 3 standard deviations in one of 10⁵ samples.
 const BEGINS: f64 = 6.5;
 /// Fractions of the energy at the start and end of the strong phase (Husid; Trifunac and Brady 1975).
 const STRONG: [f64; 2] = [0.05, 0.95];
 
-/// Fraction of the channels that may not show the motion.
+/// Largest fraction of the channels without the motion.
 const MISSING: f64 = 0.25;
-/// Frequency range without traffic, Hz: wheels and axles excite the ground at 5 to 30 Hz, but an earthquake that can be felt excites all lower
+/// Frequency range without traffic, Hz: wheels and axles excite the ground at 5 to 30 Hz, but an earthquake that people feel excites all lower
 /// frequencies.
 const LOW_HZ: [f64; 2] = [0.5, 2.0];
 /// Lowest sampling rate that includes this range, Hz.
 const RATE_LEAST_HZ: f64 = 5.0;
-/// Least duration of the strong phase in the test; least and largest duration of the quiet part beside it, and largest distance to it, s.
+/// Least duration of the strong phase for this test; least and largest duration of the quiet part next to it, and largest distance between them,
+/// s.
 const STRONG_LEAST_S: f64 = 4.0;
 const QUIET_LEAST_S: f64 = 8.0;
 const QUIET_MOST_S: f64 = 60.0;
 const APART_S: f64 = 1.0;
 
-/// Features of a strong motion.
 #[derive(Clone, Debug)]
 pub(super) struct Features {
     pub(super) shaking: Shaking,
@@ -41,8 +41,8 @@ pub(super) struct Features {
     pub(super) regrowth: f64,
     /// Fraction of the power in the highest spectral lines, for the channel with the smallest fraction.
     pub(super) in_lines: f64,
-    /// Ratio of the motion from 0.5 to 2 Hz to that of the quiet part, for the channel with the smallest ratio; `None` if the record cannot give
-    /// it.
+    /// Ratio of the motion from 0.5 to 2 Hz to that of the quiet part, for the channel with the smallest ratio; `None` if the record does not
+    /// allow it.
     pub(super) low_growth: Option<f64>,
     pub(super) peak_m_s2: Option<f64>,
     pub(super) peak_m_s: Option<f64>,
@@ -149,7 +149,8 @@ fn in_lines(shaken: &[&[f64]], levels: &Levels) -> f64 {
     levels.live().map(share).fold(1.0, f64::min)
 }
 
-/// RMS from 0.5 to 2 Hz in the strong phase over that of the quiet part before it, or else after it. A quarter of the channels may have less.
+/// RMS from 0.5 to 2 Hz in the strong phase over that of the quiet part before it, or otherwise after it. A quarter of the channels may have a
+/// smaller ratio.
 fn low_growth(levels: &Levels, [from, strong_to]: [usize; 2], end: usize) -> Option<f64> {
     let of_s = |s: f64| (s * levels.rate_hz) as usize;
     let length = levels.steady.first().map_or(0, Vec::len);

@@ -2,9 +2,9 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | q_ck | `levels` | level of channel c in window k: median of abs(x) over one second, windows half overlapping |
-//! | n_c | `noise` | level of the channel's noise: median of q_ck before the arrival, else their lowest tenth |
-//! | s_k | `scores` | q_ck / n_c of the channel that moves least, a quarter of the channels passed over |
+//! | q_ck | `levels` | level of channel c in window k: median of abs(x) over one second; windows overlap by half |
+//! | n_c | `noise` | noise level of the channel: median of q_ck before the arrival, otherwise their 10 % quantile |
+//! | s_k | `scores` | smallest q_ck / n_c of the channels, except for a quarter of them |
 
 use crate::numeric::quantile;
 use crate::signal::Record;
@@ -14,22 +14,21 @@ use std::ops::Range;
 const WINDOW_S: f64 = 1.0;
 /// Period above which motion counts as drift of the sensor, s.
 const SLOW_S: f64 = 4.0;
-/// Share of the channels that may miss the earthquake: dead, loose, or off by themselves.
+/// Largest share of the channels that may miss the earthquake: dead, loose, or with different motion.
 const MISSING: f64 = 0.25;
-/// Score at which the arrival is looked for, going back from the largest, and windows in a row that end the search.
+/// Score at which the search for the arrival ends, backwards from the largest score, and number of successive windows below it.
 const ARRIVED: f64 = 3.0;
 const STILL_WINDOWS: usize = 4;
-/// Score below which the motion has ended, and windows in a row for that.
+/// Score below which the motion has ended, and number of successive windows for this.
 const ENDED: f64 = 2.0;
 const ENDED_WINDOWS: usize = 10;
 /// RMS of rounding by a digitiser over its step, 1/√12: the noise of a channel is never below this.
 const OF_STEP: f64 = 0.289;
-/// Windows that a record must have.
 const WINDOWS_LEAST: usize = 20;
-/// Windows before the arrival that give the noise.
+/// Fewest windows before the arrival for the noise level.
 const NOISE_WINDOWS_LEAST: usize = 6;
 
-/// A record second by second.
+/// The levels of a record, window by window.
 #[derive(Clone, Debug)]
 pub(super) struct Levels {
     pub(super) rate_hz: f64,
@@ -37,25 +36,22 @@ pub(super) struct Levels {
     hop: usize,
     /// Each channel without its drift, computed at first use.
     pub(super) steady: Vec<Vec<f64>>,
-    /// Noise of each channel.
     pub(super) noise: Vec<f64>,
-    /// The score of each window; of one that lost samples that of the window before.
+    /// Score of each window; a window with lost samples has the score of the previous one.
     pub(super) scores: Vec<f64>,
 }
 
-/// Windows of one motion.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Motion {
-    /// The window with the largest score.
     pub(super) at: usize,
-    /// From the arrival to the first window after it.
+    /// Windows from the arrival to the end of the motion, which is excluded.
     pub(super) windows: Range<usize>,
-    /// Whether it has ended before the record does, or before the next motion begins.
+    /// Whether the motion ends before the end of the record or the next motion.
     pub(super) ends: bool,
 }
 
 impl Levels {
-    /// `None` of a record that is too short, and where no channel moves; what lies in `lost_s` was lost.
+    /// `None` if the record is too short, or if no channel moves. Samples in `lost_s` were lost.
     pub(super) fn of(record: &Record, lost_s: &[[f64; 2]]) -> Option<Levels> {
         let rate_hz = record.sampling_rate_hz();
         let hop = ((0.5 * WINDOW_S * rate_hz).round() as usize).max(2);
@@ -95,22 +91,22 @@ impl Levels {
         })
     }
 
-    /// Keeps each channel without its drift: as large as the record, and most records hold no motion to look at.
+    /// Stores each channel without its drift. Only done when needed: this takes as much memory as the record, and most records have no
+    /// strong motion.
     pub(super) fn keep_steady(&mut self, record: &Record, lost_s: &[[f64; 2]]) {
         self.steady = (0..self.noise.len()).map(|c| steady(record, c, lost_s)).collect();
     }
 
-    /// Start of a window, s.
     pub(super) fn time_s(&self, window: usize) -> f64 {
         (window * self.hop) as f64 / self.rate_hz
     }
 
-    /// Channels that move.
+    /// Channels with motion.
     pub(super) fn live(&self) -> impl Iterator<Item = usize> {
         (0..self.noise.len()).filter(|c| self.noise[*c] > 0.0)
     }
 
-    /// The strongest motion outside of these windows, of a score of `least` and more.
+    /// The strongest motion outside these windows with a score of at least `least`.
     pub(super) fn motion(&self, taken: &[Range<usize>], least: f64) -> Option<Motion> {
         let at = peak_of(&self.scores, taken)?;
         if self.scores[at] < least {
@@ -132,7 +128,7 @@ impl Levels {
     }
 }
 
-/// A channel without its drift, nothing where it was lost.
+/// A channel without its drift, and zero where samples were lost.
 fn steady(record: &Record, c: usize, lost_s: &[[f64; 2]]) -> Vec<f64> {
     let rate_hz = record.sampling_rate_hz();
     let mut own = without_drift(record.samples(c), (SLOW_S * rate_hz) as usize);
@@ -167,7 +163,7 @@ pub(super) fn without_drift(x: &[f64], length: usize) -> Vec<f64> {
     steady
 }
 
-/// The smallest difference of two samples that are not alike: the step of the digitiser, or next to nothing; 0 of a channel that stands.
+/// The smallest difference between two unequal samples: the step of the digitiser, or almost nothing; 0 if the channel is constant.
 fn step(x: &[f64]) -> f64 {
     let differences = x.windows(2).map(|two| (two[1] - two[0]).abs());
     let moves = differences.filter(|by| *by > 0.0);
@@ -185,7 +181,7 @@ fn levels(x: &[f64], hop: usize, windows: usize) -> Vec<f64> {
     (0..windows).map(median).collect()
 }
 
-/// `None` where no channel moves.
+/// `None` if no channel moves.
 fn scores(levels: &[Vec<f64>], noise: &[f64], is_lost: &[bool]) -> Option<Vec<f64>> {
     let live: Vec<usize> = (0..levels.len()).filter(|c| noise[*c] > 0.0).collect();
     if live.is_empty() {
@@ -204,7 +200,7 @@ fn scores(levels: &[Vec<f64>], noise: &[f64], is_lost: &[bool]) -> Option<Vec<f6
     Some(is_lost.iter().enumerate().map(score).collect())
 }
 
-/// The first of the largest outside of these windows.
+/// The first of the largest scores outside these windows.
 pub(super) fn peak_of(scores: &[f64], taken: &[Range<usize>]) -> Option<usize> {
     let by_size = |a: &(usize, &f64), b: &(usize, &f64)| a.1.total_cmp(b.1).then(b.0.cmp(&a.0));
     let free = scores
@@ -214,7 +210,7 @@ pub(super) fn peak_of(scores: &[f64], taken: &[Range<usize>]) -> Option<usize> {
     free.max_by(by_size).map(|(at, _)| at)
 }
 
-/// The first window of the motion that holds the peak, `least` or later.
+/// The first window of the motion that contains the peak; not before `least`.
 fn arrival_of(scores: &[f64], at: usize, least: usize) -> usize {
     let (mut arrival, mut still) = (at, 0);
     for k in (least..at).rev() {

@@ -1,32 +1,31 @@
-//! Missing samples and time of a record.
+//! Lost samples and clipped channels of a record.
 
 /// Missing samples and time of a record.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Losses {
-    /// Times at which samples were lost and are filled in, from and to, s from its first sample.
+    /// Times from and to of lost samples that were filled in, s from the first sample.
     pub lost_s: Vec<[f64; 2]>,
-    /// Channels that were held at the end of their range.
+    /// Channels that were clipped at the end of their range.
     pub clipped: Vec<String>,
 }
 
-/// Why the largest value of a channel may have been larger.
+/// Why the true peak of a channel may have been larger.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AtLeast {
-    /// The channel was held at the end of its range.
+    /// The channel was clipped.
     Clipped,
-    /// Samples were lost in the earthquake.
+    /// Samples were lost during the earthquake.
     Lost,
-    /// The record begins or ends in the earthquake.
+    /// The record begins or ends during the earthquake.
     Edge,
 }
 
 impl Losses {
-    /// Whether samples were lost between these times.
     pub(super) fn is_lost(&self, [from_s, to_s]: [f64; 2]) -> bool {
         self.lost_s.iter().any(|[from, to]| *from < to_s && *to > from_s)
     }
 
-    /// The longest time between these two in which nothing was lost; the later of two alike.
+    /// The longest time between these two without lost samples; the later one of two equal times.
     pub(super) fn whole_within(&self, [from_s, to_s]: [f64; 2]) -> [f64; 2] {
         let mut inside: Vec<[f64; 2]> = self
             .lost_s

@@ -3,17 +3,16 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | r | `softened` | stiffness over that before | – |
-//! | x, v | `state` | displacement and velocity of the floors over the ground | m, m/s |
+//! | r | `softened` | stiffness over the initial stiffness | – |
+//! | x, v | `state` | displacement and velocity of the floors relative to the ground | m, m/s |
 
 use crate::numeric::Random;
 use crate::signal::{Channel, Quantity, Record, SignalError, low_pass};
 use std::f64::consts::{PI, TAU};
 
-/// Storeys, kg; stiffness of both, N/m: the first mode lies at 2.5 Hz before.
+/// Mass of each storey, kg; stiffness of each storey, N/m: the initial first mode is at 2.5 Hz.
 const MASS_KG: f64 = 10e3;
 const STIFFNESS: f64 = 6.459e6;
-/// Steps of the integration in a sample.
 const FINER: usize = 4;
 const RATE_HZ: f64 = 100.0;
 /// Highest frequency of the shaking, Hz.
@@ -22,7 +21,7 @@ const CORNER_HZ: f64 = 12.0;
 /// Time course of a simulated earthquake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MadeEarthquake {
-    /// Seed of all that is random.
+    /// Seed of all random values.
     pub seed: u64,
     /// Duration of the record, s.
     pub duration_s: f64,
@@ -32,15 +31,16 @@ pub struct MadeEarthquake {
     pub rise_s: f64,
     /// Duration of the strong part, s.
     pub plateau_s: f64,
-    /// Time in which it then falls to 1/e, s.
+    /// Time of the decay to 1/e after the strong part, s.
     pub fall_s: f64,
     /// Peak acceleration of the ground, m/s².
     pub peak_m_s2: f64,
-    /// Root mean square of ground and sensors without it, m/s².
+    /// Root mean square of ground and sensor noise without the earthquake, m/s².
     pub noise_m_s2: f64,
-    /// Ground acceleration at 100 Hz instead of a noise with that envelope, scaled to the peak; empty without.
+    /// Ground acceleration at 100 Hz that replaces the noise with this envelope, scaled to the peak; empty: no
+    /// replacement.
     pub ground_m_s2: Vec<f64>,
-    /// Stiffness in the earthquake and after it over that before.
+    /// Stiffness in the earthquake, and after it, over the initial stiffness.
     pub softened: [f64; 2],
 }
 
@@ -62,10 +62,10 @@ impl Default for MadeEarthquake {
 }
 
 impl MadeEarthquake {
-    /// Damping ratio of both modes before.
+    /// Initial damping ratio of both modes.
     pub const DAMPING: f64 = 0.02;
 
-    /// Frequencies with this part of the stiffness, Hz, in closed form.
+    /// Frequencies with this share of the stiffness, Hz, in closed form.
     ///
     /// ```text
     /// ω² = (3 ∓ √5)/2 · r k/m
@@ -150,7 +150,7 @@ impl MadeEarthquake {
         Record::new(channels.collect(), samples.to_vec(), RATE_HZ)
     }
 
-    /// Softens with the rise of the earthquake, and stiffens again while it falls.
+    /// The stiffness falls as the earthquake rises, and recovers as it decays.
     fn stiffness_at(&self, at_s: f64) -> f64 {
         let [during, after] = self.softened;
         let turn = |from: f64, to: f64, share: f64| {

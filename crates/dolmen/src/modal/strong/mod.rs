@@ -1,4 +1,4 @@
-//! Records with earthquakes: their detection, and the behaviour of the structure before, during, between and after them.
+//! Records with earthquakes: their detection, and the structure before, during, between and after them.
 
 mod detection;
 mod features;

@@ -1,14 +1,14 @@
-//! A part of a record in which the structure was not shaken.
+//! A part of a record outside the earthquakes.
 
 use crate::modal::modal_analysis::ModalAnalysis;
 use crate::signal::{Record, cut};
 
-/// A part of the record in which the structure was not shaken.
+/// A part of a record outside the earthquakes.
 #[derive(Clone, Debug)]
 pub struct Part {
     /// From and to, s from the first sample of the record.
     pub span_s: [f64; 2],
-    /// Its modes; `None` where it is too short, or no modes were found in it.
+    /// Modes of this part; `None` if it is too short or has no modes.
     pub analysis: Option<ModalAnalysis>,
 }
 

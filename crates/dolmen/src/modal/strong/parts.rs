@@ -1,4 +1,4 @@
-//! Modes before, in and after an earthquake, and what of it lasts.
+//! Modes before, during and after an earthquake, and their lasting change.
 
 use super::losses::Losses;
 use super::part::{Part, part_of};
@@ -12,38 +12,39 @@ use crate::modal::{Method, Mode, Modes};
 use crate::signal::Record;
 use dolmen_linalg::Complex64;
 
-/// Shortest part for identifying modes, s. Our choice: in shorter parts standard deviations from blocks of time are unreliable.
+/// Shortest part for identifying modes, s. Our choice: in shorter parts, standard deviations from blocks of time are unreliable.
 const PART_LEAST_S: f64 = 40.0;
-/// Seconds that are kept from the earthquake: before it the length of a window; after it what a structure at 2 Hz and 2 % of damping takes to
-/// forget a swing of twice the noise.
+/// Distance of quiet parts from the earthquake, s: before it the length of a window; after it the time in which a mode at 2 Hz with 2 % damping
+/// decays from twice the noise.
 const APART_S: f64 = 1.0;
 const SETTLES_S: f64 = 5.0;
-/// Largest relative difference of two frequencies, and least likeness of two shapes, that are taken for one mode.
+/// Largest relative difference of the frequencies, and least likeness of the shapes, of one mode.
 const FREQUENCY_WITHIN: f64 = 0.35;
 const ALIKE: f64 = 0.8;
-/// As above, within one part of a record. Our choice.
+/// The same, within one part of a record. Our choice.
 const TWICE_WITHIN: f64 = 0.25;
 const TWICE_ALIKE: f64 = 0.9;
-/// Ratio of the standard deviation in a state with little motion to that in the state with motion, from which the former is dropped. Our choice.
+/// Ratio of the standard deviation in a state with little motion to that in the state with motion, above which the former is dropped. Our choice.
 const LITTLE_MOVED: f64 = 4.0;
-/// The strong phase with the quiet time before it, which weighs little beside it, s: a record of that length can be identified. Our choice.
+/// Shortest span for the strong phase, s. The quiet time before the earthquake fills it up, which has little weight; a record of this length can be
+/// identified. Our choice.
 const DRIVEN_S: f64 = 30.0;
 
-/// Modes above the measured ground in one state of the structure, and when.
+/// Modes relative to the measured ground in one state of the structure, with the time span.
 #[derive(Clone, Debug)]
 pub struct DrivenPart {
     /// From and to, s from the first sample of the record.
     pub span_s: [f64; 2],
-    /// The inputs taken as given.
+    /// The channels used as inputs.
     pub inputs: Vec<String>,
     /// The modes.
     pub analysis: ModalAnalysis,
 }
 
-/// The structure in the earthquake.
+/// The structure during the earthquake.
 #[derive(Clone, Debug)]
 pub enum During {
-    /// Modes on the measured ground as it moved.
+    /// Modes relative to the measured ground motion.
     Driven(Box<DrivenPart>),
     /// The lowest mode, window by window.
     Tracked(Tracked),
@@ -51,28 +52,28 @@ pub enum During {
     Unknown,
 }
 
-/// A mode before and after.
+/// One mode before and after the earthquake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LastingChange {
     /// Frequency before, Hz.
     pub before_hz: f64,
-    /// Standard deviation of that.
+    /// Standard deviation of the frequency before, Hz.
     pub before_sd_hz: Option<f64>,
     /// Frequency after, Hz.
     pub after_hz: f64,
-    /// Standard deviation of that.
+    /// Standard deviation of the frequency after, Hz.
     pub after_sd_hz: Option<f64>,
-    /// After over before, less 1.
+    /// Frequency after over frequency before, minus 1.
     pub ratio: f64,
-    /// Standard deviation of it; `None` where one of both is unknown.
+    /// Standard deviation of this ratio; `None` if one of the two is unknown.
     pub ratio_sd: Option<f64>,
 }
 
 impl LastingChange {
-    /// Standard deviations beyond which a change is one. Our choice: two identifications differ by as much once in 370 times.
+    /// Number of standard deviations above which a change is significant. Our choice: chance gives as much once in 370 comparisons.
     pub const BEYOND: f64 = 3.0;
 
-    /// Whether it is more than both identifications scatter.
+    /// Whether the change exceeds the scatter of both identifications.
     pub fn is_beyond_chance(&self) -> bool {
         self.ratio_sd
             .is_some_and(|sd| self.ratio.abs() > Self::BEYOND * sd)
@@ -92,7 +93,7 @@ impl During {
     }
 }
 
-/// Modes of the parts before the first earthquake, between each two, and after the last: of each the longest time in which no samples were lost.
+/// Modes before the first earthquake, between successive ones, and after the last, each from the longest time without lost samples.
 pub(super) fn quiet(record: &Record, options: &Identify, shakings: &[Shaking], losses: &Losses) -> Vec<Part> {
     let ends_s = record.duration_s();
     let after = |of: &Shaking| (of.end_s + SETTLES_S).min(ends_s);
@@ -103,7 +104,7 @@ pub(super) fn quiet(record: &Record, options: &Identify, shakings: &[Shaking], l
     whole.map(|span_s| part(record, options, span_s)).collect()
 }
 
-/// As the ambient vibration that it is: what the file says of a ground that drives, and of modes that must be found, is not asked of it.
+/// Treats a part as ambient vibration: requests for inputs and for modes that must be found do not apply to it.
 fn part(record: &Record, options: &Identify, span_s: [f64; 2]) -> Part {
     let ambient = Identify {
         method: match options.method {
@@ -125,7 +126,8 @@ fn part(record: &Record, options: &Identify, span_s: [f64; 2]) -> Part {
     }
 }
 
-/// The structure in an earthquake: above the measured ground, else its lowest mode followed; `quiet` are its modes at another time.
+/// The structure during an earthquake: modes relative to the measured ground, or otherwise its tracked lowest mode. `quiet` are modes at another
+/// time.
 pub(super) fn during(
     (record, losses): (&Record, &Losses),
     options: &Identify,
@@ -140,10 +142,10 @@ pub(super) fn during(
     found.map_or(During::Unknown, During::Tracked)
 }
 
-/// Modes from the channels marked as inputs during the strong phase of an earthquake, or else during the whole motion; `None` without inputs, or if
-/// none are found.
+/// Modes from the channels marked as inputs, from the strong phase of an earthquake, or otherwise from the whole motion; `None` without inputs or
+/// modes.
 ///
-/// The strong phase comes first: what follows it moves a structure that stiffens again, and would show each mode a second time.
+/// The strong phase comes first: after it the structure stiffens again, so that the whole motion would show each mode twice.
 fn driven_in(
     (record, losses): (&Record, &Losses),
     options: &Identify,
@@ -186,7 +188,7 @@ fn driven_in(
     first
 }
 
-/// Whether two modes have one shape and are near each other: one mode of a structure that stiffened or softened meanwhile.
+/// Whether two modes have similar shapes and frequencies: then they are one mode of a structure whose stiffness changed.
 fn has_a_mode_twice(of: &Modes) -> bool {
     let twice = |(at, one): (usize, &Mode)| {
         let mut later = of.modes.iter().skip(at + 1);
@@ -200,7 +202,7 @@ fn is_one_mode(of: &Modes, one: &Mode, other: &Mode) -> bool {
     is_near && likeness((of, one), (of, other)) >= TWICE_ALIKE
 }
 
-/// If a mode is found in two states of the structure, keeps that of the state in which it moved.
+/// If a mode is found in two states of the structure, keeps the one in the state with motion.
 fn leave_little_moved(analysis: &mut ModalAnalysis) {
     let all = &analysis.modes;
     let is_weak = |weak: &Mode| {
@@ -218,7 +220,8 @@ fn leave_little_moved(analysis: &mut ModalAnalysis) {
     }
 }
 
-/// Whether a whole record shows the structure in one state, that of the strong phase of its earthquake: no mode twice, and the lowest where it was then.
+/// Whether a whole record shows the structure in one state, that of the strong phase: no mode occurs twice, and the lowest mode has the same
+/// frequency.
 pub fn is_of_one_state(whole: &Modes, strong: &Modes) -> bool {
     let (Some(one), Some(other)) = (whole.modes.first(), strong.modes.first()) else {
         return false;
@@ -231,7 +234,7 @@ pub fn is_of_one_state(whole: &Modes, strong: &Modes) -> bool {
     !has_a_mode_twice(whole) && off <= LastingChange::BEYOND * sd
 }
 
-/// Each mode before beside the one of like shape after.
+/// Pairs each mode before with the mode after that has a similar shape.
 pub(super) fn changes(before: &Modes, after: &Modes) -> Vec<LastingChange> {
     let mut left: Vec<&Mode> = after.modes.iter().collect();
     let mut all = Vec::new();
@@ -261,7 +264,7 @@ pub(super) fn changes(before: &Modes, after: &Modes) -> Vec<LastingChange> {
     all
 }
 
-/// Assurance over the channels that both have.
+/// MAC over the channels that both have.
 fn likeness((a, one): (&Modes, &Mode), (b, other): (&Modes, &Mode)) -> f64 {
     let both = a.channels.iter().enumerate().filter_map(|(at, channel)| {
         let place = b.channels.iter().position(|of| of.name == channel.name)?;

@@ -8,15 +8,15 @@ use crate::signal::{
     peak_velocity_m_s, response_spectrum,
 };
 
-/// Low corners of the band of the peak velocity, Hz: the first whose filter fits the record; and the order.
+/// Possible lower corners of the velocity band, Hz; the first whose filter fits the record is used. Then the order of the filter.
 const LOW_HZ: [f64; 4] = [0.1, 0.2, 0.5, 1.0];
 const HIGH_OF_RATE: f64 = 0.4;
 const ORDER: usize = 4;
-/// Start of the measures before the arrival, s.
+/// Time before the arrival at which the measures start, s.
 const LEAD_S: f64 = 2.0;
-/// Start of the integration of the velocity before the arrival, s: longer than the transient of the filter.
+/// Time before the arrival at which the integration to velocity starts, s: longer than the transient of the filter.
 const RUN_UP_S: f64 = 30.0;
-/// Share of its largest value of all from which a clipped channel is at the end of its range in an earthquake.
+/// Share of its largest value in the record above which a clipped channel is at the end of its range in an earthquake.
 const NEAR_RANGE: f64 = 0.9;
 /// Periods of the response spectrum, s, and its damping ratio.
 const PERIODS_S: [f64; 2] = [0.05, 4.0];
@@ -26,38 +26,37 @@ const DAMPING: f64 = 0.05;
 /// Peak values of a channel in an earthquake; `None` if its unit or the record does not give them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StrongChannel {
-    /// Its name.
+    /// Name of the channel.
     pub name: String,
     /// Measured quantity.
     pub quantity: Quantity,
-    /// Largest distance from the mean of that part, in its unit.
+    /// Largest distance from the mean of this part, in the unit of the channel.
     pub peak: f64,
-    /// Its time, s from the first sample of the record.
+    /// Time of the peak, s from the first sample of the record.
     pub peak_at_s: f64,
-    /// Why the peak and every measure below may be too small; `None` if the channel contains the whole earthquake.
+    /// Why the peak and the following measures may be too small; `None` if the channel contains the whole earthquake.
     pub at_least: Option<AtLeast>,
-    /// Root mean square in the quiet part before it, else after it.
+    /// Root mean square in the quiet part before the earthquake, or otherwise after it.
     pub noise: f64,
     /// Largest acceleration, m/s².
     pub peak_acceleration_m_s2: Option<f64>,
     /// Largest velocity within the band, m/s.
     pub peak_velocity_m_s: Option<f64>,
-    /// Band of that velocity, Hz.
+    /// Frequency band of that velocity, Hz.
     pub velocity_band_hz: Option<[f64; 2]>,
     /// Arias intensity, m/s.
     pub arias_intensity_m_s: Option<f64>,
-    /// Pseudo-acceleration at 5 % damping over periods, of an oscillator at the place of the sensor. Empty unless the sensor measures
+    /// Pseudo-acceleration of an oscillator at the place of the sensor, with 5 % damping, over periods. Empty unless the sensor measures
     /// acceleration.
     pub spectrum: Vec<SpectralOrdinate>,
 }
 
-/// Data for the measures of strength.
 pub(super) struct Strength<'a> {
     record: &'a Record,
     shakings: &'a [Shaking],
     quiet: &'a [Part],
     losses: &'a Losses,
-    /// The record within the band of the peak velocity, and that band, Hz.
+    /// The record filtered to the band of the peak velocity, and this band, Hz.
     band: Option<(Record, [f64; 2])>,
 }
 
@@ -91,7 +90,7 @@ impl<'a> Strength<'a> {
         each.collect()
     }
 
-    /// Samples of a quiet part next to an earthquake, preferably the one before it; the whole channel where both last less than a second.
+    /// Samples of a quiet part next to an earthquake, preferably before it; the whole channel if both parts are shorter than a second.
     fn still(&self, event: usize, at: usize) -> &[f64] {
         let rate_hz = self.record.sampling_rate_hz();
         let samples = self.record.samples(at);
@@ -105,7 +104,6 @@ impl<'a> Strength<'a> {
         &samples[from..to]
     }
 
-    /// Samples of an earthquake.
     fn span(&self, event: usize) -> [usize; 2] {
         let shaking = &self.shakings[event];
         let rate_hz = self.record.sampling_rate_hz();
@@ -122,7 +120,7 @@ impl<'a> Strength<'a> {
         each.fold(0.0, f64::max)
     }
 
-    /// Why the largest value of a channel may have been larger.
+    /// Why the true peak of a channel may have been larger.
     fn at_least(&self, event: usize, at: usize) -> Option<AtLeast> {
         let shaking = &self.shakings[event];
         let name = &self.record.channels()[at].name;

@@ -5,7 +5,7 @@
 pub enum ShakingKind {
     /// An earthquake.
     Earthquake,
-    /// An earthquake, or what else shakes a structure: the record does not tell.
+    /// An earthquake or other shaking; the record does not allow a decision.
     EarthquakeOrTraffic,
 }
 
@@ -14,17 +14,17 @@ pub enum ShakingKind {
 pub struct Shaking {
     /// Classification of the motion.
     pub kind: ShakingKind,
-    /// It rises out of the noise.
+    /// Time at which the motion exceeds the noise.
     pub arrival_s: f64,
-    /// 5 % of its energy has come.
+    /// Time at which 5 % of the energy is reached.
     pub strong_from_s: f64,
-    /// 95 % of its energy has come.
+    /// Time at which 95 % of the energy is reached.
     pub strong_to_s: f64,
-    /// It has sunk into the noise again, the next one begins, or the record ends.
+    /// Time at which the motion falls to the noise, the next motion begins, or the record ends.
     pub end_s: f64,
     /// Whether the record continues after the motion.
     pub ends: bool,
-    /// Its largest level over that of the noise, of the channel that moves least.
+    /// Largest level over that of the noise, for the channel with the smallest ratio.
     pub over_noise: f64,
     /// Largest growth of that level within two seconds.
     pub growth: f64,

@@ -1,4 +1,4 @@
-//! From a record that holds earthquakes to what the structure did.
+//! Evaluates a record with earthquakes: what the structure did before, during and after them.
 
 use super::detection::{SURE_M_S2, earthquakes_in};
 use super::losses::Losses;
@@ -14,31 +14,31 @@ use crate::signal::{Quantity, Record};
 /// One earthquake of a record.
 #[derive(Clone, Debug)]
 pub struct StrongEvent {
-    /// Its time, and how it was detected.
+    /// Times of the earthquake, and how it was detected.
     pub shaking: Shaking,
     /// Peak values of each channel.
     pub channels: Vec<StrongChannel>,
-    /// The structure in it.
+    /// The structure during the earthquake.
     pub during: During,
-    /// Each mode found both in the part before it and in the part after it.
+    /// Changes of the modes found both before and after it.
     pub changes: Vec<LastingChange>,
 }
 
-/// The earthquakes of a record, and the structure before, in, between and after them.
+/// The earthquakes of a record, and the structure before, during, between and after them.
 #[derive(Clone, Debug)]
 pub struct StrongMotion {
-    /// Every one, by time: at least one.
+    /// All earthquakes, by time; at least one.
     pub events: Vec<StrongEvent>,
-    /// The structure before the first, between each two, and after the last; none of these parts holds an earthquake.
+    /// The structure before the first earthquake, between successive ones, and after the last; these parts contain no earthquake.
     pub quiet: Vec<Part>,
     /// Indices of the two parts compared for the total lasting change: the first part with modes and the last.
     pub compared: Option<[usize; 2]>,
-    /// Each mode found in both of them, by frequency.
+    /// Changes of the modes found in both parts, by frequency.
     pub changes: Vec<LastingChange>,
 }
 
 impl StrongEvent {
-    /// The channel with the largest acceleration; without accelerations, the largest of all.
+    /// The channel with the largest acceleration; if none measures acceleration, the channel with the largest value.
     pub fn strongest(&self) -> Option<&StrongChannel> {
         let is_acceleration = |of: &&StrongChannel| of.quantity == Quantity::Acceleration;
         let of_acceleration = self.channels.iter().filter(is_acceleration);
@@ -46,52 +46,52 @@ impl StrongEvent {
         all.or_else(|| self.channels.iter().max_by(|a, b| a.peak.total_cmp(&b.peak)))
     }
 
-    /// Whether a larger acceleration than the largest may have been.
+    /// Whether the true peak acceleration may have been larger.
     pub fn is_at_least(&self) -> bool {
         let is_acceleration = |of: &&StrongChannel| of.quantity == Quantity::Acceleration;
         let of_acceleration = self.channels.iter().filter(is_acceleration);
         of_acceleration.into_iter().any(|of| of.at_least.is_some())
     }
 
-    /// As [`StrongMotion::lasting`], of this one alone.
+    /// As [`StrongMotion::lasting`], for this earthquake alone.
     pub fn lasting(&self) -> Option<&LastingChange> {
         lowest_beyond(&self.changes)
     }
 }
 
 impl StrongMotion {
-    /// The one that is strongest over the noise.
+    /// The earthquake that is strongest relative to the noise.
     pub fn strongest(&self) -> &StrongEvent {
         let over = |of: &&StrongEvent| of.shaking.over_noise;
         let strongest = self.events.iter().max_by(|a, b| over(a).total_cmp(&over(b)));
         strongest.unwrap_or(&self.events[0])
     }
 
-    /// The one with the largest acceleration.
+    /// The earthquake with the largest acceleration.
     pub fn largest(&self) -> &StrongEvent {
         let peak = |of: &&StrongEvent| of.strongest().map_or(0.0, |of| of.peak);
         let largest = self.events.iter().max_by(|a, b| peak(a).total_cmp(&peak(b)));
         largest.unwrap_or(&self.events[0])
     }
 
-    /// Whether one of them is an earthquake beyond doubt.
+    /// Whether at least one motion is certainly an earthquake.
     pub fn is_sure(&self) -> bool {
         self.events
             .iter()
             .any(|of| of.shaking.kind == ShakingKind::Earthquake)
     }
 
-    /// The structure before the first.
+    /// The structure before the first earthquake.
     pub fn before(&self) -> &Part {
         &self.quiet[0]
     }
 
-    /// The structure after the last.
+    /// The structure after the last earthquake.
     pub fn after(&self) -> &Part {
         &self.quiet[self.events.len()]
     }
 
-    /// The last part between two of them that gives modes.
+    /// The last part between two earthquakes that has modes.
     pub fn between(&self) -> Option<&Part> {
         let inner = &self.quiet[1..self.events.len()];
         inner.iter().rev().find(|part| part.analysis.is_some())
@@ -108,7 +108,7 @@ impl StrongMotion {
         }
     }
 
-    /// Among the significant changes, that of the lowest mode.
+    /// The significant change of the lowest mode that has one.
     pub fn lasting(&self) -> Option<&LastingChange> {
         lowest_beyond(self.shown())
     }
@@ -119,7 +119,7 @@ impl StrongMotion {
         beyond.max_by(|a, b| a.ratio.abs().total_cmp(&b.ratio.abs()))
     }
 
-    /// The result with all its times shifted by this number of seconds, for a record that is the rest of a longer one.
+    /// The result with all times shifted by this number of seconds, for a record that was cut from a longer one.
     #[must_use]
     pub fn later(mut self, by_s: f64) -> Self {
         for event in &mut self.events {
@@ -136,21 +136,21 @@ impl StrongMotion {
     }
 }
 
-/// Among the significant changes, that of the lowest mode.
+/// The significant change of the lowest mode that has one.
 fn lowest_beyond(changes: &[LastingChange]) -> Option<&LastingChange> {
     let beyond = changes.iter().filter(|of| of.is_beyond_chance());
     beyond.min_by(|a, b| a.before_hz.total_cmp(&b.before_hz))
 }
 
-/// The earthquakes in a record; `None` of ambient vibration, and where the user says that it is a free decay.
+/// The earthquakes in a record; `None` for ambient vibration, or if the user states that the record is a free decay.
 ///
-/// Before, between and after them modes are found as in any ambient record. In each of them they are those above the channels marked as inputs, where
-/// there are any, by observer/Kalman filter identification; without, the lowest mode is followed along its shape, window by window.
+/// Outside the earthquakes the modes are found as in any ambient record. During an earthquake, observer/Kalman filter identification gives the modes
+/// relative to the channels marked as inputs. Without inputs the lowest mode is tracked along its shape, window by window.
 ///
 /// # Limits
-/// Each part needs 40 s. A structure that softens with amplitude, as all of stone and timber do, shows a lower frequency as long as
-/// it still moves: the part after begins where the motion has sunk to twice the noise. No lasting tilt or displacement is given: integrating an
-/// accelerometer twice makes one of any offset; a tilt sensor or a survey gives it.
+/// Each part needs 40 s. Structures of stone and timber soften with amplitude, and so show a lower frequency while they still move: the part after an
+/// earthquake starts when the motion is down to twice the noise. Lasting tilt or displacement is not given, because double integration turns any
+/// offset of an accelerometer into one; use a tilt sensor or a survey.
 ///
 /// # Example
 /// ```

@@ -1,10 +1,10 @@
-//! The lowest mode followed through an earthquake whose ground was not measured.
+//! Tracks the lowest mode through an earthquake whose ground motion was not measured.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | y | `y` | motion along the shape that the mode had before | |
-//! | f_0 | `expected_hz` | frequency before | Hz |
-//! | W | `length` | window: twelve periods, half overlapping | s |
+//! | y | `y` | motion along the shape of the mode before the earthquake | |
+//! | f_0 | `expected_hz` | frequency before the earthquake | Hz |
+//! | W | `length` | window: twelve periods, overlapping by half | s |
 
 use super::levels::without_drift;
 use super::losses::Losses;
@@ -13,16 +13,16 @@ use crate::modal::Mode;
 use crate::signal::{Channel, Record};
 use std::f64::consts::PI;
 
-/// Periods of a window. Our choice.
+/// Number of periods in a window. Our choice.
 const PERIODS: f64 = 12.0;
-/// Range of the frequencies in the search, relative to the frequency before: a structure softens in an earthquake, and hardly stiffens.
+/// Range of the searched frequencies, relative to the frequency before: a structure softens in an earthquake, and hardly stiffens.
 const BAND: [f64; 2] = [0.45, 1.15];
-/// Level over that before the arrival from which a window counts.
+/// Least ratio of the level in a window to the level before the arrival.
 const OVER_NOISE: f64 = 4.0;
-/// Standard deviation of the frequency of a window, over 1/W: the effect of a non-white excitation on a peak. From simulated earthquakes
-/// with known stiffness: see the test.
+/// Standard deviation of the frequency in a window, over 1/W, because the excitation is not white. From simulated earthquakes with known
+/// stiffness: see the test.
 const RESOLUTION: f64 = 0.45;
-/// Steps of the search for a peak in 1/W.
+/// Number of search steps within 1/W.
 const STEPS: f64 = 8.0;
 
 /// The frequency in one window.
@@ -38,20 +38,20 @@ pub struct TrackPoint {
     pub power: f64,
 }
 
-/// The lowest mode through the earthquake.
+/// The lowest mode during the earthquake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tracked {
-    /// Window by window.
+    /// Frequency in each window.
     pub points: Vec<TrackPoint>,
-    /// Mean over the windows of the strong phase, each by its power, Hz.
+    /// Mean over the windows of the strong phase, weighted by power, Hz.
     pub frequency_hz: f64,
-    /// Standard deviation of that, Hz.
+    /// Standard deviation of the mean, Hz.
     pub frequency_sd_hz: f64,
     /// The window with the lowest frequency.
     pub lowest: TrackPoint,
 }
 
-/// Follows a mode through the earthquake; `None` where no window holds enough of it.
+/// Tracks a mode through the earthquake; `None` if no window has enough motion.
 pub(super) fn tracked(
     (record, losses): (&Record, &Losses),
     (mode, channels): (&Mode, &[Channel]),
@@ -97,7 +97,7 @@ pub(super) fn tracked(
         strong.iter().map(|of| of.power * value(of)).sum::<f64>() / sum.max(f64::MIN_POSITIVE)
     };
     let frequency_hz = mean(&|of| of.frequency_hz);
-    // windows that overlap by half share motion: two count as one
+    // windows that overlap by half share samples: two count as one
     let effective = sum * sum
         / strong
             .iter()
@@ -115,7 +115,7 @@ pub(super) fn tracked(
     })
 }
 
-/// The motion along the shape of a mode, by the channels that it has.
+/// The motion along the shape of a mode, from the channels of the mode.
 fn along(record: &Record, mode: &Mode, channels: &[Channel]) -> Vec<f64> {
     let mut along = vec![0.0; record.length()];
     for (channel, component) in channels.iter().zip(&mode.shape) {
@@ -128,7 +128,7 @@ fn along(record: &Record, mode: &Mode, channels: &[Channel]) -> Vec<f64> {
     along
 }
 
-/// The highest peak of the spectrum of a window (Hann) within a band that is not at its edge.
+/// The highest peak in the spectrum of a window (Hann) within a band, but not at the edge of the band.
 fn peak_hz(part: &[f64], rate_hz: f64, [low_hz, high_hz]: [f64; 2]) -> Option<f64> {
     let n = part.len() as f64;
     let step_hz = rate_hz / n / STEPS;

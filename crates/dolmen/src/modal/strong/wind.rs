@@ -1,4 +1,4 @@
-//! Distinguishes a gust from an earthquake if all sensors are on the structure: does the ground carry the sensors?
+//! Distinguishes a gust from an earthquake if all sensors are on the structure: does the motion come from the ground?
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -15,18 +15,17 @@ use dolmen_linalg::Complex64;
 use realfft::RealFftPlanner;
 use std::f64::consts::PI;
 
-/// Frequency range of the test, relative to the lowest mode. Below that mode the ground moves all floors equally, but wind moves each floor in
-/// proportion to its flexibility.
+/// Frequency range of the test, relative to the lowest mode. Below that mode a ground motion moves all floors equally, but wind moves each floor
+/// in proportion to its flexibility.
 const BELOW: [f64; 2] = [0.25, 0.5];
-/// Cosine from which two sensors count as parallel.
+/// Least cosine between two parallel sensors.
 const ALONG: f64 = 0.99;
 /// Largest φ_c/φ_k for which the two cases can be distinguished.
 const APART: f64 = 0.75;
-/// Fewest spectral lines in the range.
 const LINES_LEAST: usize = 4;
 
-/// Whether a force such as wind drives the structure, and not the ground: far below the lowest mode the channels then move in proportion to its
-/// shape, not equally. `false` if the record cannot decide.
+/// Whether a force such as wind drives the structure, instead of the ground. Far below the lowest mode, a force moves the channels in proportion
+/// to the mode shape, a ground motion moves them equally. `false` if the record cannot decide.
 ///
 /// ```text
 /// carried by the ground   r_c = (1 + Γ φ_c h) / (1 + Γ φ_k h),  h = (f/f_1)² / (1 − (f/f_1)²) ≤ 1/3
@@ -63,7 +62,7 @@ pub(super) fn is_pushed((record, losses): (&Record, &Losses), shaking: &Shaking,
     pushed().unwrap_or(false)
 }
 
-/// The channel with the largest motion in a mode, and the parallel channels whose motion is so much smaller that the two cases differ; `None` if
+/// The channel with the largest motion in a mode, and the parallel channels with much smaller motion, which make the two cases differ; `None` if
 /// there are none.
 fn alike(channels: &[Channel], mode: &Mode) -> Option<(usize, Vec<usize>)> {
     let size = |c: &usize| mode.shape[*c].norm();
@@ -82,7 +81,6 @@ fn alike(channels: &[Channel], mode: &Mode) -> Option<(usize, Vec<usize>)> {
     (!others.is_empty()).then_some((strongest, others))
 }
 
-/// Spectral lines (Hann window) within a band.
 fn lines(part: &[f64], rate_hz: f64, band_hz: [f64; 2]) -> Vec<Complex64> {
     let n = part.len() as f64;
     let mean = part.iter().sum::<f64>() / n;

@@ -1,4 +1,5 @@
-//! Change of a subspace by one block of time, projected once for all orders; the symbols are those of uncertainty.rs.
+//! Projected change of a subspace by one block of time, computed once for all orders. See uncertainty.rs for the
+//! symbols.
 
 use dolmen_linalg::{Matrix, Qr};
 
@@ -29,10 +30,10 @@ impl Block {
     }
 }
 
-/// The rows of some channels in U, U↓ and Q: a change in their rows alone is projected by these.
+/// Rows of some channels in U, U↓ and Q, which project a change in the rows of these channels alone.
 pub(crate) struct Rows {
     channels: Vec<usize>,
-    /// Channels in all.
+    /// Total number of channels.
     count: usize,
     r: Matrix,
     /// Last block row of U.
@@ -42,7 +43,7 @@ pub(crate) struct Rows {
 }
 
 impl Rows {
-    /// Of U and of the Q R of U↑, which have a row a channel and block.
+    /// From U and from the QR of U↑, which have one row for each channel and block.
     pub(crate) fn of((u, upper): (&Matrix, &Qr), count: usize, channels: &[usize]) -> Self {
         let those = |m: &Matrix| {
             let blocks = m.rows() / count;

@@ -1,11 +1,11 @@
-//! Products with a block Hankel matrix, without forming the matrix: by FFT along its antidiagonals.
+//! Products with a block Hankel matrix by FFT along its antidiagonals, without forming the matrix.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | R_k | `block(k)` | block on antidiagonal k - 1 | l × r |
 //! | H | `BlockHankel` | block (i, j) is R_(i+j+1), i, j = 0 … br - 1 | l br × r br |
 //! | R̂, X̂ | `bins`, `Transformed` | discrete Fourier transforms over k - 1, over the block rows of X | l × r, r × n per bin |
-//! | P | `points` | points of each transform, at least 2 br - 1, so that nothing wraps around | |
+//! | P | `points` | points of each transform, at least 2 br - 1, so that the convolution does not wrap around | |
 
 use super::hankel::side_by_side;
 use crate::modal::correlations::{Correlations, Ends};
@@ -14,7 +14,7 @@ use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::sync::Arc;
 
-/// H as the transforms of its blocks.
+/// H, stored as the transforms of its blocks.
 pub(crate) struct BlockHankel {
     /// Rows and columns of a block.
     size: [usize; 2],
@@ -64,7 +64,7 @@ impl BlockHankel {
         let (l, n) = (self.size[0], x.columns);
         let products: Vec<Matrix> = self.bins.iter().zip(&x.bins).map(|(a, b)| a * b).collect();
         let entry = |bin: &Matrix, i: usize, j: usize| {
-            // Re and Im of R̂ are stacked vertically, those of X̂ horizontally
+            // Re and Im of R̂ are stacked vertically, those of X̂ side by side
             Complex {
                 re: bin[(i, j)] + bin[(l + i, n + j)],
                 im: bin[(l + i, j)] - bin[(i, n + j)],
@@ -73,7 +73,7 @@ impl BlockHankel {
         self.back(&products, [l, n], entry)
     }
 
-    /// The transforms of X, r br × n: one X is used with many H.
+    /// The transforms of X, r br × n, for use with many H.
     pub(super) fn transformed(&self, x: &Matrix) -> Transformed {
         let r = self.size[1];
         Transformed {
@@ -106,7 +106,7 @@ impl BlockHankel {
         })
     }
 
-    /// Transforms each entry of the blocks over the block rows; one matrix per bin.
+    /// Transforms each entry of the blocks over the block rows; gives one matrix per bin.
     fn blocks_transformed(
         &self,
         x: &Matrix,
@@ -159,16 +159,16 @@ pub(super) struct Transformed {
     bins: Vec<Matrix>,
 }
 
-/// Y⁺ Y⁻ᵀ / S of [`future_past`](super::hankel::future_past) without forming it: the Hankel matrix of its lags, and the differences at the
+/// Y⁺ Y⁻ᵀ / S of [`future_past`](super::hankel::future_past) as an operator: the Hankel matrix of its lags plus the differences at the
 /// edges of the windows.
 ///
 /// ```text
 /// G(a, b) = R_(a-b) + 1/S Σ_u [y(S + a - u) ŷ(S + b - u)ᵀ - y(a - u) ŷ(b - u)ᵀ],   u = 1 … b
 /// ```
-/// The sums are products of two thin matrices, (l br) × (br - 1) and (r br) × (br - 1) each.
+/// The differences are products of two thin matrices, (l br) × (br - 1) and (r br) × (br - 1).
 pub(crate) struct FuturePast {
     hankel: BlockHankel,
-    /// Pairs of thin matrices A, B; their Σ A Bᵀ is added.
+    /// Pairs of thin matrices A, B; the operator includes Σ A Bᵀ.
     thin: Vec<[Matrix; 2]>,
 }
 
@@ -201,7 +201,7 @@ impl FuturePast {
     }
 }
 
-/// Block row i, column u - 1: the samples at `at(i)` - u of the chosen channels, zero before the first.
+/// Block row i, column u - 1: the samples at `at(i)` - u of the chosen channels, with zeros before the first sample.
 fn shifted(
     samples: &[f64],
     l: usize,
@@ -235,7 +235,6 @@ impl Operator for FuturePast {
     }
 }
 
-/// Real Fourier transforms of one length.
 struct Transform {
     forward: Arc<dyn RealToComplex<f64>>,
     inverse: Arc<dyn ComplexToReal<f64>>,
@@ -248,7 +247,7 @@ struct Buffers {
 }
 
 impl Transform {
-    /// At least `least` points: an even number with prime factors 2, 3 and 5 only.
+    /// The smallest even number of points from `least` on with prime factors 2, 3 and 5 only.
     fn of(least: usize) -> Self {
         let fast = |n: &usize| {
             let mut left = *n;
@@ -283,7 +282,6 @@ impl Transform {
         }
     }
 
-    /// The values, zeros behind them.
     fn forward(&self, values: impl Iterator<Item = f64>, buffers: &mut Buffers) {
         buffers.time.fill(0.0);
         for (t, x) in buffers.time.iter_mut().zip(values) {

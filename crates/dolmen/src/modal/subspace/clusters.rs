@@ -1,4 +1,4 @@
-//! Automatic selection of modes: clusters of poles that agree across model orders, one pole per order, each represented by its medoid.
+//! Automatic selection of modes: clusters of poles that agree across model orders, one pole per order. The medoid represents the cluster.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -15,16 +15,16 @@ use dolmen_linalg::Complex64;
 /// Options of [`clusters`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clustering {
-    /// Largest distance d of a pole from the medoid of its cluster; default 0.05 (our choice: several times the scatter of
-    /// a pole between orders, and far below the distance 1 of two shapes at right angles).
+    /// Largest distance d between a pole and the medoid of its cluster; default 0.05 (our choice: several times the scatter of a pole between
+    /// orders, and far below 1, the distance of two orthogonal shapes).
     pub distance_most: f64,
-    /// Least share of the model orders from the first that shows the mode to the highest, 0 to 1; default 0.2 (ours).
+    /// Least share of the model orders, from the first with the mode to the highest, 0 to 1; default 0.2 (our choice).
     pub orders_share_least: f64,
-    /// Least number of orders; default 4 (ours).
+    /// Fewest orders; default 4 (our choice).
     pub orders_least: usize,
-    /// Largest standard deviation of a mode's frequency relative to its lower bound √(ζ/2πN_c), at the order with the smallest deviation;
-    /// default 3.5 (our choice: modes of simulated records stay below 2, those of a timber building whose stiffness depends on amplitude
-    /// below 3; poles that fit noise start near 3.5).
+    /// Largest standard deviation of the frequency of a mode over its lower bound √(ζ/2πN_c), at the order with the smallest standard
+    /// deviation; default 3.5 (our choice: modes of simulated records stay below 2, and those of a timber building with amplitude-dependent
+    /// stiffness below 3; poles that fit noise start near 3.5).
     pub deviation_over_floor_most: f64,
 }
 
@@ -42,16 +42,16 @@ impl Default for Clustering {
 /// Result for a cluster.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fate {
-    /// It is a mode.
+    /// The cluster is a mode.
     Mode,
-    /// Too few orders show it.
+    /// Too few orders have the pole.
     FewOrders,
-    /// Its standard deviation is above what the record's length explains, at every order.
+    /// The standard deviation is too large for the length of the record, at every order.
     Scattered,
-    /// It is split off a mode with more orders, with a similar shape and frequencies within their scatter. Or it lies between two modes that
-    /// only higher orders separate.
+    /// The cluster is split off a mode with more orders: its shape is similar, and the frequencies agree within their scatter. Or it lies
+    /// between two modes that only higher orders separate.
     Double,
-    /// It ends before the highest orders, with far more damping than the modes: the appearance of several modes that the record does not
+    /// The cluster ends before the highest orders and has far more damping than the modes: it merges several modes that the record cannot
     /// separate.
     Blend,
 }
@@ -59,36 +59,36 @@ pub enum Fate {
 /// Poles of several orders that agree.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cluster {
-    /// The pole nearest to all others among those whose deviation is near the least.
+    /// The pole nearest to all others, among the poles whose standard deviation is near the smallest.
     pub medoid: Pole,
-    /// Its standard deviations; `None` where too few orders show it.
+    /// Standard deviations of the medoid; `None` if too few orders have it.
     pub deviation: Option<PoleDeviation>,
-    /// Orders that show it, ascending.
+    /// Orders with a pole in the cluster, ascending.
     pub orders: Vec<usize>,
-    /// Standard deviation of the frequency between the orders that know it best, strays left out, Hz.
+    /// Standard deviation of the frequency between the most accurate orders, without outliers, Hz.
     pub frequency_spread_hz: f64,
-    /// Standard deviation of the damping ratio between the orders that know it best, strays left out.
+    /// Standard deviation of the damping ratio between the most accurate orders, without outliers.
     pub damping_ratio_spread: f64,
     /// Result for the cluster.
     pub fate: Fate,
 }
 
-/// Groups the possible poles across orders and judges each group.
+/// Clusters the possible poles across orders, and tests each cluster.
 ///
 /// ```text
 /// d(i, j) = |μ_i - μ_j| / |μ_j| + 1 - MAC(i, j)
 /// ```
-/// The pole with most orders within d ≤ `distance_most` (ties: smallest mean d) leads the first group; of each order the
-/// pole nearest to it joins; all poles within reach leave the field; and so on. A group is shown by the medoid of the
-/// orders that know it best, of at least twice as many as there are modes: lower ones lump modes together and are biased
-/// without saying so (measured: a mode of the twisting building at 7.78 Hz by -0.15 %, six of its deviations).
+/// The pole with the most orders within d ≤ `distance_most` (if equal, with the smallest mean d) starts a cluster; the nearest pole of each
+/// order joins it. All poles within this distance are then removed, and the next cluster follows. The medoid represents a cluster. It is
+/// chosen from the most accurate orders, of at least twice the number of modes, because lower orders merge modes and are biased without a
+/// larger standard deviation (measured: a mode of the twisting building at 7.78 Hz by -0.15 %, six of its standard deviations).
 ///
 /// # Errors
 /// [`ModalError::Linalg`].
 ///
 /// # Source
-/// Distance: Magalhães, Cunha & Caetano (2009) Mech. Syst. Signal Process. 23:316-329. Differs from the source: greedy
-/// groups instead of a hierarchical tree; the number of modes is not given but follows from the orders that show each.
+/// Distance: Magalhães, Cunha & Caetano (2009) Mech. Syst. Signal Process. 23:316-329. Differs from the source: greedy clusters instead of a
+/// hierarchical tree; the number of modes is not given, but follows from the number of orders in each cluster.
 pub fn clusters(
     subspace: &Subspace,
     stabilization: &Stabilization,
@@ -102,7 +102,7 @@ pub fn clusters(
     )
 }
 
-/// As [`clusters`], of any poles.
+/// As [`clusters`], for any poles.
 pub(crate) fn group_poles(
     all: &AllOrders<'_>,
     deviations: &mut dyn Deviations,
@@ -115,7 +115,7 @@ pub(crate) fn group_poles(
         .filter(|j| j.stability.possible())
         .collect();
     let groups = group(&poles, options);
-    // an order below twice the number of modes merges some of them: biased, with an equally small standard deviation
+    // an order below twice the number of modes merges some of them: they are biased, with an equally small standard deviation
     let found = judged(&groups, &poles, 0, all, (deviations, options))?;
     let modes = found.iter().filter(|c| c.fate == Fate::Mode).count();
     let mut found = judged(&groups, &poles, 2 * modes, all, (deviations, options))?;
@@ -123,7 +123,7 @@ pub(crate) fn group_poles(
     Ok(found)
 }
 
-/// Each group with its medoid, from the orders that can hold all modes where there are enough of them, and its fate.
+/// The verdict and medoid of each cluster, from the orders that can hold all modes, if there are enough of them.
 fn judged(
     groups: &[Vec<usize>],
     poles: &[&JudgedPole],
@@ -190,9 +190,9 @@ fn judged(
     Ok(found)
 }
 
-/// Whether `cluster` is several modes in one: higher orders break it up without telling the modes apart, and its damping is beyond chance far
-/// above that of the modes. Of chains damped 5 % that two sensors see for 10 to 20 minutes, 240 modes in 48 records, 15 groups
-/// were damped 8 to 14 %; this leaves four, and all 151 others (ours).
+/// Whether `cluster` merges several modes: higher orders split it but cannot separate the modes, and its damping is significantly and far
+/// above that of the modes. In 48 simulated records of chains with 5 % damping (two sensors, 10 to 20 minutes, 240 modes), 15 clusters had 8
+/// to 14 % damping; this test leaves four of them, and all 151 others (our choice).
 fn blends(cluster: &Cluster, all: &[Cluster], order_most: usize) -> bool {
     const ENDS: f64 = 0.85; // of the highest order
     const ABOVE: f64 = 1.5; // of the median of the other modes
@@ -215,8 +215,8 @@ fn blends(cluster: &Cluster, all: &[Cluster], order_most: usize) -> bool {
         && zeta(cluster) - DEVIATIONS * sd > ABOVE * others[others.len() / 2]
 }
 
-/// Whether `cluster` is the low-order appearance of two modes, one on each side: it ends before one of them begins, it is within their
-/// half-power bands, and its shape is in the plane of both.
+/// Whether `cluster` merges two modes at low orders, one on each side: it ends before one of them begins, it is within their half-power
+/// bands, and its shape is in the plane of both.
 fn lumps(cluster: &Cluster, all: &[Cluster]) -> bool {
     const AROUND: f64 = 0.3; // relative: what low orders lump lies so near
     const IN_PLANE: f64 = 0.98; // of its square
@@ -244,7 +244,7 @@ fn lumps(cluster: &Cluster, all: &[Cluster]) -> bool {
         })
 }
 
-/// Share of the square of a shape that lies in the plane of two others.
+/// Share of the squared norm of a shape that is in the plane of two others.
 fn share_in_plane(shape: &[Complex64], plane: [&[Complex64]; 2]) -> f64 {
     let inner =
         |a: &[Complex64], b: &[Complex64]| a.iter().zip(b).map(|(a, b)| a.conj() * b).sum::<Complex64>();
@@ -266,7 +266,7 @@ impl Cluster {
     }
 }
 
-/// Whether `cluster` shows the same mode as `mode`, which has at least as many orders.
+/// Whether `cluster` is the same mode as `mode`, which has at least as many orders.
 fn splits_off(cluster: &Cluster, mode: &Cluster) -> bool {
     const DEVIATIONS: f64 = 3.0; // two estimates of one number lie so near in 99.7 % of cases
     const ALIKE: f64 = 0.8; // shapes of distinct modes, a handful of sensors: rarely above
@@ -284,7 +284,7 @@ struct Neighbour {
     distance: f64,
 }
 
-/// Groups of indices of poles that agree, one per order in ascending order; groups with the most orders first.
+/// Clusters as indices of poles, one per order in ascending order; clusters with the most orders first.
 fn group(poles: &[&JudgedPole], options: &Clustering) -> Vec<Vec<usize>> {
     let near: Vec<Vec<Neighbour>> = poles
         .iter()
@@ -312,8 +312,8 @@ fn group(poles: &[&JudgedPole], options: &Clustering) -> Vec<Vec<usize>> {
     found
 }
 
-/// The members whose deviation is near the least: at some orders a pole that fits noise comes so close to the mode that
-/// both are badly known.
+/// The members whose standard deviation is near the smallest. At some orders a pole that fits noise is so close to the mode that both are
+/// inaccurate.
 fn best_known<'a>(members: &[usize], poles: &[&'a JudgedPole]) -> Vec<&'a Pole> {
     const NEAR_LEAST: f64 = 1.3; // the deviations themselves are known to 13 % or so: twice that
     let sd_hz = |i: usize| poles[i].frequency_sd_hz.unwrap_or(f64::INFINITY);
@@ -322,7 +322,6 @@ fn best_known<'a>(members: &[usize], poles: &[&'a JudgedPole]) -> Vec<&'a Pole> 
     near.map(|&i| &poles[i].pole).collect()
 }
 
-/// The one nearest to all others.
 fn medoid<'a>(poles: &[&'a Pole]) -> Option<&'a Pole> {
     let apart = |p: &Pole| -> f64 { poles.iter().map(|q| (p.root_hz() - q.root_hz()).norm()).sum() };
     poles.iter().copied().min_by(|a, b| apart(a).total_cmp(&apart(b)))
@@ -343,7 +342,7 @@ fn neighbours(pole: &Pole, poles: &[&JudgedPole], most: f64) -> Vec<Neighbour> {
     near
 }
 
-/// The nearest free neighbour of each order; the neighbours are sorted by order.
+/// The nearest free neighbour at each order; the neighbours are sorted by order.
 fn one_an_order<'a>(near: &'a [Neighbour], poles: &[&JudgedPole], free: &[bool]) -> Vec<&'a Neighbour> {
     let mut members: Vec<&Neighbour> = Vec::new();
     for n in near.iter().filter(|n| free[n.index]) {
@@ -359,8 +358,8 @@ fn one_an_order<'a>(near: &'a [Neighbour], poles: &[&JudgedPole], free: &[bool])
     members
 }
 
-/// Standard deviations of frequency, Hz, and damping ratio between the orders, strays left out: low orders that lump two
-/// modes into one lie many deviations off.
+/// Standard deviations of frequency, Hz, and damping ratio between the orders, without outliers: low orders that merge two modes differ by
+/// many standard deviations.
 fn spreads(medoid: &Pole, poles: &[&Pole], deviation: Option<&PoleDeviation>) -> [f64; 2] {
     const STRAY: f64 = 4.0; // deviations: one in 16000 by chance
     let near = |p: &Pole, d: &PoleDeviation| {
@@ -440,7 +439,7 @@ mod tests {
             [0, 1, 2].map(|i| lumps(&all[i], &all))
         };
         assert_eq!(of(&[64, 72], &[72, 80], Fate::Mode), [false, true, false]);
-        // one of them may exist before; both may not, and none may be rejected
+        // one of them may exist before, but not both; and none may be rejected
         assert_eq!(of(&[56, 64], &[72, 80], Fate::Mode), [false, true, false]);
         assert_eq!(of(&[56, 64], &[56, 80], Fate::Mode), [false; 3]);
         assert_eq!(of(&[64, 72], &[72, 80], Fate::FewOrders), [false; 3]);
@@ -459,7 +458,7 @@ mod tests {
         let in_plane = |x: [f64; 3]| share_in_plane(&shape(x), [&a, &b]);
         assert!((in_plane([0.3, -2.0, 0.0]) - 1.0).abs() < 1e-12);
         assert!((in_plane([0.6, 0.0, 0.8]) - 0.36).abs() < 1e-12);
-        // one shape twice is a line
+        // two equal shapes span a line
         assert!((share_in_plane(&shape([1.0, 0.0, 0.0]), [&a, &a]) - 0.5).abs() < 1e-12);
     }
 }

@@ -14,7 +14,7 @@ use dolmen_linalg::{
 /// Largest matrix that is decomposed in full; for larger ones, an iteration computes only the required vectors.
 const FULL_MOST: usize = 500;
 /// Least fraction of the power of a past sample that the other samples do not explain. Below it the sums of products
-/// have lost half their digits, and the samples themselves are decomposed.
+/// have lost half their digits, so the samples themselves are decomposed.
 const UNEXPLAINED_LEAST: f64 = 1e-8;
 
 /// Left singular vectors U, the singular values, and X with U = (Y⁺ Y⁻ᵀ) X.
@@ -24,7 +24,6 @@ pub(crate) struct Decomposed {
     pub(crate) s: Vec<f64>,
 }
 
-/// Decomposition of the correlations.
 pub(super) fn of_covariance(r: &Correlations, options: &Ssi) -> Result<Decomposed, ModalError> {
     let (references, br) = (&options.references, options.block_rows);
     let operator = FuturePast::new(r, references, br);
@@ -33,7 +32,7 @@ pub(super) fn of_covariance(r: &Correlations, options: &Ssi) -> Result<Decompose
     })
 }
 
-/// Decomposition of A Bᵀ through that of R_A R_Bᵀ.   shape: m × n and k × n
+/// Decomposition of A Bᵀ from that of R_A R_Bᵀ.   shape: m × n and k × n
 pub(crate) fn of_product(a: &Matrix, b: &Matrix) -> Result<Decomposed, ModalError> {
     let (a, b) = (qr(a)?, qr(b)?);
     let f = svd(&(&a.r * &b.r.transpose()))?;
@@ -102,7 +101,7 @@ fn independent_past(r: &Correlations, options: &Ssi) -> Result<Option<Matrix>, M
     }
 }
 
-/// As [`of_data`], from the samples: R of their QR factorisation, in pieces.
+/// As [`of_data`], but from the samples: R of their QR factorisation, computed in pieces.
 fn of_samples(record: &Record, options: &Ssi) -> Result<Decomposed, ModalError> {
     const PIECES: usize = 4; // number of column sets per piece, which keeps the memory at a few R
     let (l, r, br) = (
@@ -141,7 +140,7 @@ fn of_samples(record: &Record, options: &Ssi) -> Result<Decomposed, ModalError> 
     let projection = Matrix::from_fn(l * br, past, |i, j| triangle[(j, past + i)]);
     let f = svd(&projection)?;
     let n = options.order_most.min(f.s.len());
-    // directions outside the span of the past have no scatter to propagate: keep their diagonal above zero
+    // directions outside the span of the past have no scatter: keep their diagonal above zero
     let largest = (0..past).map(|i| triangle[(i, i)].abs()).fold(0.0, f64::max);
     let floor = UNEXPLAINED_LEAST * largest;
     let lower = Matrix::from_fn(past, past, |i, j| match i.cmp(&j) {
@@ -177,7 +176,7 @@ fn leading(
     svd(&dense()?)
 }
 
-/// The operator Y⁺ Y⁻ᵀ L⁻ᵀ, not formed as a matrix.
+/// The operator Y⁺ Y⁻ᵀ L⁻ᵀ, never formed as a matrix.
 struct Projected<'a> {
     cross: &'a FuturePast,
     lower: &'a Matrix,

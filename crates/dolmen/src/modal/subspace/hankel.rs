@@ -1,4 +1,4 @@
-//! Sums of products of the future with the past, and of the past with itself: what both subspace methods decompose.
+//! Sums of products of the future with the past, and of the past with itself, which both subspace methods decompose.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
@@ -11,15 +11,15 @@
 use crate::modal::correlations::{Correlations, Ends};
 use dolmen_linalg::Matrix;
 
-/// Hankel matrices of more rows take many seconds.
+/// Largest number of rows of a Hankel matrix; more rows take many seconds.
 pub(crate) const HANKEL_ROWS_MOST: usize = 2400;
 
-/// Y⁺ Y⁻ᵀ / S: block (i, j) is G(br + i, br - 1 - j), or R_(i+j+1) where no ends are known.
+/// Y⁺ Y⁻ᵀ / S: block (i, j) is G(br + i, br - 1 - j), or R_(i+j+1) if the end samples are unknown.
 ///
 /// ```text
 /// G(a + 1, b + 1) = G(a, b) + [y(S + a) ŷ(S + b)ᵀ - y(a) ŷ(b)ᵀ] / S,   G(k, 0) = R_k
 /// ```
-/// No product of the record is summed twice, and no matrix with a column a sample is formed.
+/// No product is summed twice, and no matrix with one column per sample is formed.
 pub(super) fn future_past(r: &Correlations, references: &[usize], block_rows: usize) -> Matrix {
     let (l, n) = (r.channels, references.len());
     let all: Vec<usize> = (0..l).collect();
@@ -41,13 +41,13 @@ pub(super) fn future_past(r: &Correlations, references: &[usize], block_rows: us
     out
 }
 
-/// Lower triangle of Y⁻ Y⁻ᵀ / S: block (j, i), j ≥ i, is G(br - 1 - j, br - 1 - i). After decimation it is that of the record
-/// followed by zeros, which is never indefinite; it only weights the past and does not move a pole.
+/// Lower triangle of Y⁻ Y⁻ᵀ / S: block (j, i), j ≥ i, is G(br - 1 - j, br - 1 - i). After decimation it is the matrix of the
+/// record followed by zeros, which is never indefinite. It only weights the past and does not change any pole.
 pub(super) fn past_past(r: &Correlations, references: &[usize], block_rows: usize) -> Matrix {
     let n = references.len();
     let mut out = Matrix::zeros(n * block_rows, n * block_rows);
     for lag in 0..block_rows {
-        // G(b + lag, b), transposed: the earlier sample stands lower in Y⁻
+        // G(b + lag, b), transposed: the earlier sample is lower in Y⁻
         let sums = r.padded.as_ref().unwrap_or(&r.mean);
         displaced(
             r,
@@ -66,7 +66,7 @@ pub(super) fn past_past(r: &Correlations, references: &[usize], block_rows: usiz
     out
 }
 
-/// Calls `use_it(a, b, G(a, b))` for a = b + lag and each b of `wanted`; sums row by row.
+/// Calls `use_it(a, b, G(a, b))` for a = b + lag and each b in `wanted`; sums are row by row.
 fn displaced(
     r: &Correlations,
     sums: &[f64],

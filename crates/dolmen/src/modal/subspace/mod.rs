@@ -1,4 +1,5 @@
-//! Modes from stochastic subspaces: decompositions, poles of all orders, their deviations and clusters.
+//! Modes from stochastic subspaces: decompositions, poles of all orders, their standard deviations, and
+//! clusters.
 
 mod block_change;
 mod block_hankel;

@@ -22,17 +22,17 @@ use crate::signal::Record;
 use dolmen_linalg::{Complex64, Matrix, Qr, eigen, qr};
 use std::f64::consts::PI;
 
-/// Singular values below this share of the largest are rounding (double precision, FFT sums of many samples).
+/// Singular values below this fraction of the largest are rounding (double precision, FFT sums of many samples).
 pub(crate) const RANK_LEAST: f64 = 1e-13;
 
-/// One pole of one model order: upper half plane only, its conjugate is implied.
+/// One pole of one model order. Only the upper half plane is stored; the conjugate is implied.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pole {
-    /// Its model order.
+    /// Model order of the pole.
     pub order: usize,
     /// Natural (undamped) frequency, Hz.
     pub frequency_hz: f64,
-    /// Damping ratio; negative if the pole grows.
+    /// Damping ratio; negative if the motion of the pole grows.
     pub damping_ratio: f64,
     /// One component per channel; the largest is 1 + 0i.
     pub shape: Vec<Complex64>,
@@ -51,7 +51,7 @@ impl Pole {
         Complex64::new(-zeta, (1.0 - zeta * zeta).max(0.0).sqrt()) * self.frequency_hz
     }
 
-    /// Long-record floor of the standard deviation of the frequency, f √(ζ/2πN_c) (Au 2014), Hz.
+    /// Lower bound of the standard deviation of the frequency for a long record, f √(ζ/2πN_c) (Au 2014), Hz.
     pub(crate) fn floor_hz(&self, duration_s: f64) -> f64 {
         let cycles = self.frequency_hz * duration_s;
         self.frequency_hz * (self.damping_ratio / (2.0 * PI * cycles)).sqrt()
@@ -63,7 +63,7 @@ impl Pole {
 pub struct Subspace {
     /// All oscillating poles, by order, then by frequency.
     pub poles: Vec<Pole>,
-    /// Singular values of H, descending: all, or for a large H the first `order_most`.
+    /// Singular values of H, descending: all, or the first `order_most` of a large H.
     pub singular_values: Vec<f64>,
     /// The method of identification.
     pub method: Method,
@@ -86,7 +86,7 @@ pub struct Subspace {
     pub(crate) upper: Qr,
     /// Qᵀ O↓.
     pub(crate) shifted: Matrix,
-    /// dH X of each block of time, projected, for merged setups, whose correlations do not contain it.
+    /// dH X of each block of time, projected, for merged setups, whose correlations do not include dH.
     pub(crate) moved: Vec<Block>,
 }
 
@@ -97,19 +97,19 @@ pub struct Subspace {
 /// O↑ = Q R;  A_n = R_n⁻¹ (Qᵀ O↓)_n                 leading n × n blocks: one QR serves every order n
 /// λ = eig A_n;  μ = ln λ / dt;  f = |μ| / 2π;  ζ = -Re μ / |μ|;  shape = first block row of U φ
 /// ```
-/// The correlation at lag 0 is left out, so that white sensor noise does not enter.
+/// The correlation at lag 0 is not used, so that white sensor noise has no effect.
 ///
 /// # Errors
 /// [`ModalError::Order`], [`ModalError::Rank`], [`ModalError::Option`], [`ModalError::TooShort`], [`ModalError::Linalg`].
 ///
 /// # Limits
-/// With fewer than fs/(2 f1) block rows the first mode is lost or its damping is wrong by several times; see
-/// `identify`, which chooses them from the data. After decimation H holds R_(i+j+1): the windows differ by 2 br samples.
+/// With fewer than fs/(2 f1) block rows the first mode is lost or its damping is wrong by a factor of several; `identify` chooses the block
+/// rows from the data. After decimation H holds R_(i+j+1): the windows differ by 2 br samples.
 ///
 /// # Source
-/// Peeters & De Roeck (1999) Mech. Syst. Signal Process. 13(6):855-878; all orders from one QR: Döhler & Mevel (2012)
-/// Control Eng. Pract. 20:1078-1086 (their algorithm 2). Differs from the sources: the sums over other windows follow
-/// from one by displacement; U is not scaled with √S, which changes no pole.
+/// Peeters & De Roeck (1999) Mech. Syst. Signal Process. 13(6):855-878; all orders from one QR: Döhler & Mevel (2012) Control Eng. Pract.
+/// 20:1078-1086 (their algorithm 2). Differs from the sources: the sums for other windows follow from those for one window; U is not scaled
+/// with √S, which changes no pole.
 pub fn ssi_cov(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
     let (options, correlations) = correlated(record, options, false)?;
     let parts = of_covariance(&correlations, &options)?;
@@ -126,19 +126,20 @@ pub fn ssi_cov(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
 /// ```text
 /// H = Y⁺ Y⁻ᵀ L⁻ᵀ,   Y⁻ Y⁻ᵀ = L Lᵀ                  shape: l br × r br: the R₂₁ of a QR of the stacked samples
 /// ```
-/// then as [`ssi_cov`]. Both matrices of sums follow by displacement from the correlations of one streaming pass; the
-/// stacked samples, (l + r) br rows of a column a sample, are never formed.
+/// then as [`ssi_cov`]. Both matrices follow from the correlations of one pass over the record and its end samples; the stacked samples, (l
+/// + r) br rows with one column per sample, are never formed.
 ///
 /// # Errors
 /// As [`ssi_cov`].
 ///
 /// # Limits
-/// If the past is nearly linearly dependent (noise-free records), the sums of products would square its condition number: the samples are
-/// then decomposed by QR in pieces, which takes as long as in other programs. After decimation that is not possible, and the error says so.
+/// If the past is nearly linearly dependent (noise-free records), the sums of products would square its condition number. The samples are
+/// then decomposed by QR in pieces, which takes as long as in other programs. After decimation this is not possible, and the result is an
+/// error.
 ///
 /// # Source
-/// Peeters & De Roeck (1999), as above; sums of products instead of samples: Van Overschee & De Moor (1996) Subspace
-/// Identification for Linear Systems, section 4.4. Differs from the sources: displacement instead of products of the stacked matrix.
+/// Peeters & De Roeck (1999), as above; sums of products instead of samples: Van Overschee & De Moor (1996) Subspace Identification for
+/// Linear Systems, section 4.4. Differs from the sources: sums that follow from other windows instead of products of the stacked matrix.
 pub fn ssi_data(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
     let (options, correlations) = correlated(record, options, true)?;
     let parts = of_data(record, &correlations, &options)?;
@@ -150,7 +151,7 @@ pub fn ssi_data(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> 
     )
 }
 
-/// Options with the reference channels as a list, and the correlations that they need; `is_padded` is for those of the past with itself.
+/// Options with an explicit list of reference channels, and the necessary correlations; `is_padded` is for those of the past with itself.
 fn correlated(record: &Record, options: &Ssi, is_padded: bool) -> Result<(Ssi, Correlations), ModalError> {
     let channels = record.channels().len();
     let options = check_ssi(options, channels)?;
@@ -283,7 +284,7 @@ mod tests {
     const STEP_S: f64 = 0.05;
     const MODES: [(f64, f64, [f64; 3]); 2] = [(1.0, 0.01, [1.0, 0.5, -0.2]), (2.5, 0.03, [0.3, -0.8, 1.0])];
 
-    /// Correlations of free modes under white force, up to a scale: Σ φ φᵀ e^(-ζωτ) cos(ω_d τ).
+    /// Correlations of free modes under white-noise forces, up to a factor: Σ φ φᵀ e^(-ζωτ) cos(ω_d τ).
     fn analytic(lags: usize) -> Correlations {
         let mut mean = Vec::new();
         for k in 0..=lags {

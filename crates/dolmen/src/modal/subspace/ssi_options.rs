@@ -5,16 +5,16 @@
 pub struct Ssi {
     /// Block rows br, at the rate after decimation: at least half a period of the lowest mode; at least 2.
     pub block_rows: usize,
-    /// Highest model order, even, at most channels × (block_rows - 1) and reference channels × block_rows; twice the
-    /// modes looked for and more.
+    /// Highest model order, even, at most channels × (block_rows - 1) and reference channels × block_rows; at least
+    /// twice the expected number of modes.
     pub order_most: usize,
-    /// Samples before over samples after a low-pass filter of the correlations; 1 (default): none.
+    /// Samples before over samples after a low-pass filter of the correlations; 1 (default): no decimation.
     pub decimation: usize,
-    /// Consecutive blocks of time whose scatter gives the standard deviations; default 30 (the standard deviation
-    /// is then itself known to 13 %); at least 2.
+    /// Number of consecutive blocks of time whose scatter gives the standard deviations; default 30 (a standard
+    /// deviation is then accurate to 13 %); at least 2.
     pub time_blocks: usize,
-    /// Channels whose past is correlated with the future of all, by index; empty (default): all. Few make the work
-    /// smaller; a mode without motion at any of them is lost.
+    /// Channels whose past is correlated with the future of all channels, by index; empty (default): all. Fewer
+    /// channels need less computation, but a mode without motion at all of them is lost.
     pub references: Vec<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! Tests of poles: criteria for modes, and stability from one model order to the next.
+//! Criteria for poles: for each pole alone, and stability from one model order to the next.
 
 use super::uncertainty::Deviations;
 use crate::modal::indicators::assurance;
@@ -11,23 +11,23 @@ pub struct Criteria {
     pub frequency_low_hz: f64,
     /// Highest frequency, Hz; default none (infinite).
     pub frequency_high_hz: f64,
-    /// Least damping ratio; default none: the least that the record can show, see [`damping_least_at`](Self::damping_least_at).
+    /// Least damping ratio; default none: the smallest that the record can show, see [`damping_least_at`](Self::damping_least_at).
     pub damping_ratio_least: Option<f64>,
-    /// Largest damping ratio; default 0.15: above any structure in ambient motion without dampers (ours).
+    /// Largest damping ratio; default 0.15 (our choice: above any structure without dampers in ambient motion).
     pub damping_ratio_most: f64,
-    /// Least modal phase collinearity, 0 to 1; default 0.4 (our choice: of two modes 2 % apart, 10 minutes show shapes
-    /// that are not quite real).
+    /// Least modal phase collinearity, 0 to 1; default 0.4 (our choice: two modes 2 % apart have shapes that are not quite real in a
+    /// record of 10 minutes).
     pub phase_collinearity_least: f64,
-    /// Largest mean phase deviation over a right angle, 0 to 1; default 0.45 (ours).
+    /// Largest mean phase deviation over a right angle, 0 to 1; default 0.45 (our choice).
     pub phase_deviation_most: f64,
-    /// Largest standard deviation of the frequency over its floor √(ζ/2πN_c); default 8 (our choice: modes of the made
-    /// records reach 1 to 2, entangled with a noise pole 5 to 8; poles that fit noise 10 to 100).
+    /// Largest standard deviation of the frequency over its lower bound √(ζ/2πN_c); default 8 (our choice: 1 to 2 for modes of simulated
+    /// records, 5 to 8 for a mode close to a noise pole, 10 to 100 for poles that fit noise).
     pub deviation_over_floor_most: f64,
-    /// Largest change of frequency to the order below, relative; default 0.01 (Peeters & De Roeck 1999).
+    /// Largest relative change of the frequency from the next lower order; default 0.01 (Peeters & De Roeck 1999).
     pub frequency_change_most: f64,
-    /// Largest change of damping ratio to the order below, relative; default 0.3 (our choice: its scatter is that wide in 10 minutes).
+    /// Largest relative change of the damping ratio from the next lower order; default 0.3 (our choice: the scatter in 10 minutes).
     pub damping_change_most: f64,
-    /// Least assurance of the shape with the order below; default 0.95 (ours; Peeters & De Roeck take 0.98).
+    /// Least MAC of the shape with that of the next lower order; default 0.95 (our choice; Peeters & De Roeck use 0.98).
     pub assurance_least: f64,
 }
 
@@ -48,15 +48,15 @@ impl Default for Criteria {
     }
 }
 
-/// Half width of the narrowest mode that a record can resolve, in lines 1/T apart: its damping ratio has a standard deviation of at least
-/// 33 %. A narrower line is a sine, or cannot be distinguished from one.
+/// Half width of the narrowest mode that a record can resolve, in lines 1/T apart: the standard deviation of its damping ratio is at
+/// least 33 %. A narrower line is a sine, or cannot be distinguished from one.
 pub(crate) const HALF_WIDTH_LEAST: f64 = 1.5;
-/// Range of the least damping ratio of a mode, for any record: steel and single stones go down to 0.0005; the tones of machines are below
-/// 0.002 (the four in the Palisaden record: 0.0001 to 0.0019).
+/// Range of the least damping ratio of a mode, for any record: steel and single stones go down to 0.0005; machines have tones below 0.002
+/// (the four in the Palisaden record: 0.0001 to 0.0019).
 const DAMPING_LEAST: [f64; 2] = [0.0005, 0.002];
 
 impl Criteria {
-    /// Least damping ratio of a mode at this frequency in a record so long: the one that was given, or
+    /// Least damping ratio of a mode at this frequency in a record of this duration: the given one, or
     ///
     /// ```text
     /// ζ f T ≥ 1.5,   between 0.0005 and 0.002
@@ -67,7 +67,7 @@ impl Criteria {
             .unwrap_or_else(|| (HALF_WIDTH_LEAST / (frequency_hz * duration_s)).clamp(least, most))
     }
 
-    /// With no pole outside this range either, Hz.
+    /// The criteria with the frequency range further limited to this one, Hz.
     pub(crate) fn within(&self, [low_hz, high_hz]: [f64; 2]) -> Self {
         Criteria {
             frequency_low_hz: self.frequency_low_hz.max(low_hz),
@@ -80,40 +80,40 @@ impl Criteria {
 /// Result of the criteria for one pole: the first criterion that it fails, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
-    /// Passes all.
+    /// The pole passes all criteria.
     Stable,
-    /// Outside the frequency range: cannot be a mode looked for.
+    /// Outside the frequency range of the analysis.
     OutOfRange,
-    /// Damping ratio below the least or above the largest allowed: a machine's tone, or noise.
+    /// Damping ratio too small or too large: a machine's tone, or noise.
     Damping,
-    /// Shape too far from a real one (collinearity or phase deviation): taken as noise.
+    /// Shape too complex (collinearity or phase deviation): taken as noise.
     Complex,
-    /// Standard deviation far above what the record's length explains: fits noise, or is entangled with a pole that does.
+    /// Standard deviation far too large for the length of the record: the pole fits noise, or is close to a pole that does.
     Scattered,
-    /// No pole of like frequency at the order below.
+    /// The next lower order has no pole with a similar frequency.
     FrequencyMoved,
-    /// Frequency came back, damping did not.
+    /// The next lower order has a pole with a similar frequency, but different damping.
     DampingMoved,
-    /// Frequency and damping came back, the shape did not.
+    /// The next lower order has a pole with similar frequency and damping, but a different shape.
     ShapeMoved,
 }
 
 impl Stability {
-    /// Whether the pole fulfils the hard criteria, without comparison with the order below.
+    /// Whether the pole passes the criteria for a single pole, without comparison between orders.
     pub fn possible(self) -> bool {
         use Stability::{Complex, Damping, OutOfRange, Scattered};
         !matches!(self, OutOfRange | Damping | Complex | Scattered)
     }
 }
 
-/// One pole and what the criteria say of it.
+/// One pole and its verdict.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JudgedPole {
     /// The pole.
     pub pole: Pole,
     /// The verdict.
     pub stability: Stability,
-    /// Standard deviation of the frequency, Hz; `None` for a pole that fails a criterion before it.
+    /// Standard deviation of the frequency, Hz; `None` for a pole that fails an earlier criterion.
     pub frequency_sd_hz: Option<f64>,
 }
 
@@ -126,12 +126,12 @@ pub struct Stabilization {
     pub criteria: Criteria,
 }
 
-/// The poles of every order of an analysis, and from which record.
+/// Poles of all orders of an analysis, with the properties of the record.
 pub(crate) struct AllOrders<'a> {
     pub(crate) poles: &'a [Pole],
     pub(crate) duration_s: f64,
     pub(crate) order_most: usize,
-    /// From one order to the next.
+    /// Step between successive orders.
     pub(crate) order_step: usize,
 }
 
@@ -146,14 +146,14 @@ impl<'a> AllOrders<'a> {
     }
 }
 
-/// Judges each pole: hard criteria for the pole alone, soft ones by comparison with the possible poles of the order below.
+/// Tests each pole: alone, then by comparison with the possible poles of the next lower order.
 ///
 /// # Errors
 /// [`ModalError::Linalg`].
 ///
 /// # Source
-/// Floor of the deviation: Au (2014) Mech. Syst. Signal Process. 48:15-33. Differs from the practice of judging poles by
-/// the diagram alone: the deviation tells a mode from a pole that fits noise where both come back at every order.
+/// Lower bound of the standard deviation: Au (2014) Mech. Syst. Signal Process. 48:15-33. Differs from the usual evaluation of the
+/// diagram alone: if a mode and a pole that fits noise both recur at every order, the standard deviation distinguishes them.
 pub(crate) fn judge_poles(
     all: &AllOrders<'_>,
     deviations: &mut dyn Deviations,

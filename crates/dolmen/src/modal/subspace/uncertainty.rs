@@ -2,10 +2,10 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | dG | | Y⁺ Y⁻ᵀ of one block's deviation: the Hankel matrix of its lags | m × r br, m = l br |
-//! | X | `x` | U = (Y⁺ Y⁻ᵀ) X: V S⁻¹, of the data-driven method L⁻ᵀ V S⁻¹ | r br × N |
+//! | dG | | Y⁺ Y⁻ᵀ for the deviation of one block: the Hankel matrix of its lags | m × r br, m = l br |
+//! | X | `x` | U = (Y⁺ Y⁻ᵀ) X: V S⁻¹, or L⁻ᵀ V S⁻¹ for the data-driven method | r br × N |
 //! | D | `d` | dG X | m × N |
-//! | ↑, ↓ | `up`, `down` | without the last, the first block row | m - l rows |
+//! | ↑, ↓ | `up`, `down` | without the last, without the first block row | m - l rows |
 //! | E, F, G | `e`, `f`, `g` | Uᵀ D, Qᵀ D↓, Qᵀ D↑ | N × N |
 //! | J, K | `j`, `k` | D↑ᵀ U↓, D↑ᵀ U↑ = Gᵀ R | N × N |
 //! | χ, φ | `left`, `right` | left and right eigenvectors of A, χᵀφ = 1 | n |
@@ -24,11 +24,11 @@ use std::f64::consts::PI;
 pub struct PoleDeviation {
     /// Standard deviation of the frequency, Hz.
     pub frequency_sd_hz: f64,
-    /// Change of the frequency by each block of time, Hz: the squares sum to the square of `frequency_sd_hz`.
+    /// Change of the frequency by each block of time, Hz: the sum of their squares is the square of `frequency_sd_hz`.
     pub frequency_changes_hz: Vec<f64>,
     /// Standard deviation of the damping ratio.
     pub damping_ratio_sd: f64,
-    /// Standard deviation of the modulus of each shape component; 0 for the component that is set to 1. Empty if the
+    /// Standard deviation of the modulus of each shape component; 0 for the component that is scaled to 1. Empty if the
     /// method gives none.
     pub shape_sd: Vec<f64>,
 }
@@ -37,7 +37,6 @@ pub struct PoleDeviation {
 pub(crate) trait Deviations {
     /// Standard deviation of the frequency of a pole, Hz.
     fn frequency_sd_hz(&mut self, pole: &Pole) -> Result<f64, ModalError>;
-    /// Standard deviations of a pole.
     fn deviation(&mut self, pole: &Pole) -> Result<PoleDeviation, ModalError>;
 }
 
@@ -61,18 +60,18 @@ impl Deviations for Propagation<'_> {
 /// ```
 /// In dλ the middle term of dA φ is zero: χᵀ R⁻¹ (Qᵀ U↓ - λ R) = χᵀ (A - λ) = 0.
 ///
-/// Everything of a block that any order needs are five N × N matrices, N the highest order: no Kronecker product is
-/// formed and no block's Hankel matrix either. Of the data-driven method the change of L turns V and moves U within its
-/// span, but for the part that noise alone holds: to first order D is the same expression with its own X.
+/// For each block all orders need only five N × N matrices, with N the highest order; neither a Kronecker product nor
+/// the Hankel matrix of a block is formed. In the data-driven method, a change of L rotates V and moves U only within
+/// its span, except for the part due to noise. So to first order D is the same expression, with the X of that method.
 ///
 /// # Limits
-/// First order: it holds where the standard deviation is small beside the distance to the next pole of like shape.
-/// Blocks must be long beside the correlation time 1/(2πζf).
+/// First order: valid if the standard deviation is small compared with the distance to the next pole with a similar
+/// shape. Blocks must be long compared with the correlation time 1/(2πζf).
 ///
 /// # Source
 /// Reynders, Pintelon & De Roeck (2008) Mech. Syst. Signal Process. 22:948-969; Döhler & Mevel (2013) Mech. Syst.
-/// Signal Process. 38:346-366. Differs from the sources: matrix–vector products for the poles asked, not the
-/// covariance of A; the shape is set to 1 at its largest component before its deviation is taken.
+/// Signal Process. 38:346-366. Differs from the sources: matrix–vector products for the requested poles instead of the
+/// covariance of A; the shape is scaled to 1 at its largest component before its standard deviation is computed.
 pub struct Propagation<'a> {
     subspace: &'a Subspace,
     blocks: Vec<Block>,
@@ -83,12 +82,12 @@ pub struct Propagation<'a> {
 /// One order, and the change of its eigenvalues by each block of time.
 struct OrderSensitivity {
     order: Order,
-    /// dλ of the eigenvalues of the upper half plane, 0 of the others: eigenvalues in rows, blocks in columns.
+    /// dλ of the eigenvalues in the upper half plane, 0 for the others: eigenvalues in rows, blocks in columns.
     moves: ComplexMatrix,
 }
 
 impl<'a> Propagation<'a> {
-    /// Projects every block's deviation: the work that all poles share.
+    /// Projects the deviation of every block, which all poles need.
     pub fn new(subspace: &'a Subspace) -> Self {
         let (l, br) = (subspace.correlations.channels, subspace.block_rows);
         let size = [l, subspace.correlations.columns.len()];
@@ -175,7 +174,7 @@ impl<'a> Propagation<'a> {
     }
 }
 
-/// Correction of a sum of squares over blocks of time about their own mean.
+/// Correction of a sum of squares of blocks of time about their own mean.
 pub(crate) fn correction(blocks: usize) -> f64 {
     blocks as f64 / (blocks as f64 - 1.0)
 }
@@ -192,7 +191,7 @@ pub(crate) fn frequency_and_damping(pole: &Pole, d_lambda: Complex64, rate_hz: f
     ]
 }
 
-/// Change of a shape whose largest component is held at 1.
+/// Change of a shape whose largest component is scaled to 1.
 fn unit_shape_change(shape: &[Complex64], change: &[Complex64]) -> Vec<Complex64> {
     let m = largest(shape).unwrap_or(0);
     let (top, d_top) = (shape[m], change[m]);
@@ -231,12 +230,13 @@ impl Order {
         })
     }
 
-    /// First-order changes dλ of the eigenvalues in the upper half plane by the deviation of each block, all together.
+    /// First-order changes dλ of the eigenvalues in the upper half plane by the deviation of each block, computed
+    /// together.
     fn moves(&self, s: &Subspace, blocks: &[Block]) -> ComplexMatrix {
         let n = self.n;
         let upper: Vec<usize> = (0..n).filter(|&k| self.values[k].im > 0.0).collect();
         let p = upper.len();
-        // real parts beside imaginary ones
+        // real and imaginary parts side by side
         let phi = Matrix::from_fn(n, 2 * p, |i, j| {
             let z = self.right[(i, upper[j % p])];
             if j < p { z.re } else { z.im }
@@ -316,9 +316,9 @@ pub(crate) fn nearest(values: &[Complex64], to: Complex64) -> usize {
         .unwrap_or(0)
 }
 
-/// First `rows` rows and as many columns of `m` as `x` is long, times `x`.
+/// The first `rows` rows of `m`, as many columns as `x` has, times `x`.
 fn leading_times(m: &Matrix, rows: usize, x: &[Complex64]) -> Vec<Complex64> {
-    // real and imaginary parts apart, for the processor's wide registers
+    // real and imaginary parts separately, for vector instructions
     let (mut re, mut im) = (vec![0.0; rows], vec![0.0; rows]);
     for (j, xj) in x.iter().enumerate() {
         let column = &m.column(j)[..rows];

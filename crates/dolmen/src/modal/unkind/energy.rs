@@ -1,9 +1,10 @@
-//! How well a record can show a mode, from the densities it was made with: no method of identification is asked.
+//! How clearly a record can show a mode, from the densities of its simulation, independent of any method of
+//! identification.
 
 use crate::modal::{MadeMode, ModalError};
 use dolmen_linalg::{Matrix, solve};
 
-/// Density of mode `j` over that of all else at its frequency, in the combination of the channels that shows it best.
+/// Density of mode `j` over that of all other motion at its frequency, in the best combination of channels.
 ///
 /// ```text
 /// S = Σ_(k≠j) P_k φ_k φ_kᵀ + diag(noise),   max_w  P_j (wᵀφ_j)² / wᵀSw  =  P_j φ_jᵀ S⁻¹ φ_j
@@ -45,7 +46,7 @@ mod tests {
         // P |φ|²/n
         let alone = signal_over_rest(&[mode([3.0, 4.0])], 0, &[2.0], &[0.5, 0.5]).unwrap();
         assert!((alone - 2.0 * 25.0 / 0.5).abs() < 1e-9);
-        // with equal shapes the other mode counts as noise with its power; with orthogonal shapes it does not count
+        // a mode with the same shape counts as noise with its power; a mode with an orthogonal shape does not count
         let like = [mode([1.0, 0.0]), mode([1.0, 0.0])];
         let of = signal_over_rest(&like, 0, &[6.0, 2.0], &[1.0, 1.0]).unwrap();
         assert!((of - 6.0 / 3.0).abs() < 1e-9);

@@ -1,4 +1,4 @@
-//! Made records as unkind as the field's: what the identification of modes is measured against beside the kind ones of `synthetic.rs`.
+//! Simulated records with the disturbances of field measurements, as a harder test of the identification than those of `synthetic.rs`.
 
 mod energy;
 mod plan;

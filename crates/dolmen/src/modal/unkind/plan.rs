@@ -5,23 +5,22 @@ use crate::modal::MadeMode;
 use crate::numeric::Random;
 use crate::signal::Quantity;
 
-/// Sampling rates of recorders, Hz.
 const RATES_HZ: [f64; 5] = [50.0, 100.0, 128.0, 200.0, 256.0];
-/// Samples of all channels: what a test may take.
+/// Largest number of samples in all channels, to limit the time of a test.
 const SAMPLES_MOST: f64 = 3e6;
 
-/// A sine of a machine or of the mains.
+/// A sine from a machine or from the mains.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnkindTone {
-    /// Its frequency, Hz.
+    /// Frequency of the sine, Hz.
     pub frequency_hz: f64,
     /// RMS relative to that of the affected mode, or to that of the whole motion.
     pub strength: f64,
-    /// The mode it stands on, by index.
+    /// Index of the mode at its frequency.
     pub over_mode: Option<usize>,
-    /// Share of the time in which it runs, from the start of the record on.
+    /// Share of the time in which it runs, from the start of the record.
     pub share: f64,
-    /// Whether it comes in by the cables (the mains) and not by the structure.
+    /// Whether it comes through the cables (mains) instead of the structure.
     pub by_cable: bool,
 }
 
@@ -40,34 +39,34 @@ pub struct UnkindPlan {
     pub duration_s: f64,
     /// Measured quantity.
     pub quantity: Quantity,
-    /// Pole of the coloured part of the modal forces and its share: 0 is white.
+    /// Pole of the coloured part of the modal forces, and share of this part; 0 is white.
     pub colour: [f64; 2],
-    /// Logarithm of the strength of the forces at the end over that at the start, and of its wander.
+    /// Logarithm of the strength of the forces at the end over that at the start, and of its slow variation.
     pub drift: [f64; 2],
-    /// Vehicles that pass.
+    /// Number of passing vehicles.
     pub vehicles: usize,
-    /// Spells of footsteps, and their rate, Hz.
+    /// Number of periods with footsteps, and rate of the steps, Hz.
     pub walkers: (usize, f64),
     /// Tones.
     pub tones: Vec<UnkindTone>,
     /// White sensor noise relative to the motion of the channel, one value per channel.
     pub noise: Vec<f64>,
-    /// Share of the noise that is of low frequency.
+    /// Share of low-frequency noise.
     pub noise_colour: f64,
-    /// Step of the digitiser over the motion of the median channel; 0: none.
+    /// Step of the digitiser over the motion of the median channel; 0: no rounding.
     pub step: f64,
-    /// A channel with spikes, and how many, cut at the end of its range.
+    /// A channel with spikes, clipped at its range, and the number of spikes.
     pub spikes: Option<(usize, usize)>,
-    /// A sensor that is loose in spells.
+    /// A channel whose sensor is loose in some periods.
     pub loose: Option<usize>,
-    /// A channel whose clock drifts, and by how much, 1e-6.
+    /// A channel whose clock drifts, and its drift, 1e-6.
     pub clock: Option<(usize, f64)>,
-    /// Samples lost: first, and how many.
+    /// Lost samples: index of the first, and number.
     pub lost: Vec<(usize, usize)>,
 }
 
 impl UnkindPlan {
-    /// The plan of one seed.
+    /// The plan for one seed.
     pub fn drawn(seed: u64) -> UnkindPlan {
         let mut random = Random::new(seed, 0);
         let random = &mut random;

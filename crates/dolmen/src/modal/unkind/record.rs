@@ -1,9 +1,9 @@
-//! From the plan of an unkind record to its samples.
+//! Simulates the record of a plan with disturbances.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | p | | modal force: white and coloured noise times `envelope`, footsteps, tones |
-//! | e(t) | `envelope` | strength of the forces: drift, wander, vehicles |
+//! | e(t) | `envelope` | strength of the forces: drift, slow variation, vehicles |
 
 use super::energy::signal_over_rest;
 use super::plan::UnkindPlan;
@@ -14,18 +14,18 @@ use crate::numeric::Random;
 use crate::signal::{Channel, Record};
 use std::f64::consts::PI;
 
-/// One mode of an unkind record, exact, and how well the record shows it.
+/// A mode of the simulated record, exact, and how clearly the record shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnkindMode {
     /// The mode.
     pub mode: MadeMode,
-    /// Its spectral density at its frequency over that of all else, seen by the best combination of the channels: φᵀ S⁻¹ φ P.
+    /// Its spectral density at its frequency over that of all other motion, in the best combination of channels: φᵀ S⁻¹ φ P.
     pub signal_over_rest: f64,
-    /// Least relative standard deviation of its damping ratio in so long a record, 1/√(2πζN_c) (Au 2014).
+    /// Least relative standard deviation of its damping ratio for this duration, 1/√(2πζN_c) (Au 2014).
     pub damping_floor: f64,
 }
 
-/// An unkind record and the truth behind it.
+/// A simulated record with disturbances, and its exact modes.
 #[derive(Clone, Debug)]
 pub struct UnkindRecord {
     /// The measured record, including lost samples.
@@ -37,8 +37,8 @@ pub struct UnkindRecord {
 }
 
 impl UnkindMode {
-    /// Whether the record has enough energy for this mode: 10 dB above everything else, and a damping ratio that can be known to
-    /// 30 %. Our choice.
+    /// Whether the record has enough energy in this mode: 10 dB above all other motion, and a damping ratio that can be accurate
+    /// to 30 %. Our choice.
     pub fn has_enough_energy(&self) -> bool {
         self.signal_over_rest >= 10.0 && self.damping_floor <= 0.3
     }
@@ -48,7 +48,7 @@ impl UnkindPlan {
     /// The record.
     ///
     /// # Errors
-    /// [`ModalError::Record`] for a plan of no samples.
+    /// [`ModalError::Record`] for a plan without samples.
     pub fn make(&self) -> Result<UnkindRecord, ModalError> {
         let (rate_hz, l) = (self.sampling_rate_hz, self.noise.len());
         let n = (self.duration_s * rate_hz).round() as usize;
@@ -85,7 +85,7 @@ impl UnkindPlan {
         }
         let noise = |c: usize| {
             let sd = self.noise[c] * spread[c].max(0.02 * usual);
-            // a white density, and what a digitiser adds; the coloured part falls with the frequency
+            // white density, rounding of the digitiser, and a coloured part that falls with frequency
             move |hz: f64| {
                 let slow = (SLOW * self.noise_colour).powi(2) * lag_one(slow_pole(rate_hz), hz / rate_hz);
                 2.0 / rate_hz * (sd * sd * (1.0 + slow) + step * step / 12.0)
@@ -143,7 +143,7 @@ impl UnkindPlan {
         e
     }
 
-    /// Motion of one mode under its coloured force, of the strength planned, and its density.
+    /// Motion of one mode under its coloured force with the planned strength, and its density.
     fn motion(
         &self,
         j: usize,
@@ -205,7 +205,7 @@ impl UnkindPlan {
         }
     }
 
-    /// Tones that come by the structure.
+    /// Adds tones that come through the structure.
     fn hum(&self, motions: &mut [Vec<f64>]) {
         for (i, tone) in self.tones.iter().enumerate().filter(|(_, tone)| !tone.by_cable) {
             let mut random = Random::new(self.seed, 500 + i as u64);
@@ -246,7 +246,7 @@ impl UnkindPlan {
         }
     }
 
-    /// Noise, mains, a loose sensor, spikes, the digitiser and the clock of one channel.
+    /// Adds noise, mains, a loose sensor, spikes, and errors of digitiser and clock to one channel.
     fn disturb(&self, c: usize, y: &mut [f64], (spread, step): (f64, f64)) {
         let mut random = Random::new(self.seed, 1000 + c as u64);
         let rate_hz = self.sampling_rate_hz;
@@ -295,7 +295,7 @@ impl UnkindPlan {
     }
 }
 
-/// Corner of the coloured noise of sensors, Hz, and its largest deviation over that of the white noise.
+/// Corner of the coloured sensor noise, Hz, and its largest standard deviation over that of the white noise.
 const SLOW_HZ: f64 = 0.5;
 const SLOW: f64 = 3.0;
 
@@ -303,7 +303,7 @@ fn slow_pole(rate_hz: f64) -> f64 {
     (-2.0 * PI * SLOW_HZ / rate_hz).exp()
 }
 
-/// Density of x_k = ρ x_(k-1) + √(1 - ρ²) w_k over that of w, at a frequency over the rate.
+/// Density of x_k = ρ x_(k-1) + √(1 - ρ²) w_k over that of w, at a frequency over the sampling rate.
 fn lag_one(rho: f64, of_rate: f64) -> f64 {
     (1.0 - rho * rho) / (1.0 - 2.0 * rho * (2.0 * PI * of_rate).cos() + rho * rho)
 }
@@ -331,7 +331,7 @@ fn root_mean_square(x: &[f64]) -> f64 {
         .max(f64::MIN_POSITIVE)
 }
 
-/// Samples by a clock that is fast by `fast`: sample k at k / (1 + fast), by cubic interpolation through four samples.
+/// Samples of a clock that is fast by `fast`: sample k is at k / (1 + fast), by cubic interpolation of four samples.
 fn late(y: &mut [f64], fast: f64) {
     let read = y.to_vec();
     for (k, y) in y.iter_mut().enumerate() {
@@ -347,7 +347,7 @@ fn late(y: &mut [f64], fast: f64) {
 mod tests {
     use super::*;
 
-    /// The periodogram of the motion of one mode about its peak, against the density that decides which modes have enough energy.
+    /// Compares the periodogram of one mode near its peak with the density that decides which modes have enough energy.
     #[test]
     fn agrees_the_density_of_a_mode_with_its_periodogram() {
         let plan = UnkindPlan {

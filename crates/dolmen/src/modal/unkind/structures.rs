@@ -1,4 +1,4 @@
-//! The structures of unkind records: masts, storeyed buildings with twist, and structures with random shapes.
+//! Random structures for simulated records: masts, storeyed buildings with torsion, and structures with random shapes.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -9,20 +9,19 @@ use crate::modal::MadeMode;
 use crate::numeric::Random;
 use std::f64::consts::PI;
 
-/// βL of a cantilever's first modes (Blevins 1979, table 8-1); from the fifth on (2n − 1) π/2.
+/// βL of the first modes of a cantilever (Blevins 1979, table 8-1); (2n − 1) π/2 from the fifth on.
 const BETA: [f64; 4] = [1.875_104_07, 4.694_091_13, 7.854_757_44, 10.995_540_73];
 
-/// Uniformly distributed between two numbers.
+/// Uniformly distributed value between two numbers.
 pub(super) fn between(random: &mut Random, low: f64, high: f64) -> f64 {
     low + (high - low) * random.uniform()
 }
 
-/// With a uniformly distributed logarithm.
+/// Value between two numbers with a uniformly distributed logarithm.
 pub(super) fn log_between(random: &mut Random, low: f64, high: f64) -> f64 {
     between(random, low.ln(), high.ln()).exp()
 }
 
-/// A whole number from `low` to `high`.
 pub(super) fn whole(random: &mut Random, low: usize, high: usize) -> usize {
     low + ((high + 1 - low) as f64 * random.uniform()) as usize
 }
@@ -70,7 +69,8 @@ fn storeyed(n: usize, s: f64) -> (f64, f64) {
     (odd, (0.5 * PI * odd * s).sin())
 }
 
-/// Pairs along two axes, 0.5 to 30 % apart, rotated relative to the sensors, and twist where a floor has three sensors.
+/// Pairs of modes along two axes, 0.5 to 30 % apart, rotated relative to the sensors, and torsion if a floor has three
+/// sensors.
 fn swaying(
     random: &mut Random,
     (channels, each, first_hz): (usize, usize, f64),
@@ -92,7 +92,7 @@ fn swaying(
             let factor = [1.0, apart, twist][axis];
             let shape = (0..channels).map(|c| {
                 let height = (c / on_a_floor + 1) as f64 / floors as f64;
-                // sensors of a floor: x and y at one corner, y at the other
+                // sensors on a floor: x and y at one corner, y at another
                 let own = match (axis, c % on_a_floor) {
                     (0, 0) | (1, 1 | 2) => cos,
                     (0, _) => sin,

@@ -1,17 +1,17 @@
-//! A row of equal columns that rock on their feet and under their load.
+//! A row of equal columns that rock at foot and head.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | n | `count` | columns | – |
 //! | b, h | `width_m`, `height_m` | width of foot and head, height of the column | m |
-//! | N, e | `normal_n`, `eccentricity_m` | axial force of one column; distance of the resultants from the axis at foot and head | N, m |
+//! | N, e | `normal_n`, `eccentricity_m` | axial force of one column; distance of the resultants from its axis at foot and head | N, m |
 //! | θ, u, V | `rotation_rad`, `drift_m`, `force_n` | rotation of the columns, displacement of the head, force on all columns | rad, m, N |
 
 use super::foot::FootSection;
 use crate::numeric::{Bracketing, bracketed_root, maximum_between, nodes_15};
 use crate::stability::StabilityError;
 
-/// Equal free-standing columns, with the load on their heads.
+/// Equal free-standing columns with the weight on their heads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeColumns {
     count: usize,
@@ -29,11 +29,11 @@ pub struct ColumnPoint {
     pub rotation_rad: f64,
     /// u, m.
     pub drift_m: f64,
-    /// V, the horizontal resistance of all columns together, N.
+    /// V, the horizontal resistance of all columns, N.
     pub force_n: f64,
 }
 
-/// Resistance of columns under their weight alone.
+/// Resistance of columns under weight alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ColumnStanding {
@@ -45,11 +45,11 @@ pub struct ColumnStanding {
     pub falls: ColumnPoint,
 }
 
-/// Ratio of the ends of an interval of e(θ) beyond uplift that is integrated by one rule. Our choice: accurate to 1e-14.
+/// Ratio of the ends of one quadrature interval of e(θ) beyond uplift. Our choice: accurate to 1e-14.
 const PANEL: f64 = 2.0;
 
 impl FreeColumns {
-    /// `axial_n` is the whole weight on the columns, shared equally; a bed stiffness of `None` is rigid.
+    /// `axial_n` is the total weight on the columns, shared equally; a bed stiffness of `None` means a rigid bed.
     ///
     /// # Errors
     /// [`StabilityError::Option`] unless all are positive.
@@ -90,19 +90,19 @@ impl FreeColumns {
         })
     }
 
-    /// The weight on all columns together, N.
+    /// The total weight on the columns, N.
     pub fn axial_n(&self) -> f64 {
         self.axial_n
     }
 
-    /// Stiffness of the beds of foot and head against drift in full contact, N/m: 2 n k_w I/h². The weight reduces it by N/h. `None` on a rigid
-    /// bed, where it is unbounded.
+    /// Lateral stiffness of the beds of foot and head in full contact, N/m: 2 n k_w I/h². The weight reduces it by N/h. `None` for a rigid bed,
+    /// where it is unbounded.
     pub fn bed_stiffness_n_m(&self) -> Option<f64> {
         let moment_n_m = self.bed_stiffness_n_m3? * self.section.second_moment_m4();
         Some(2.0 * self.count as f64 * moment_n_m / self.height_m.powi(2))
     }
 
-    /// The bed stiffness at which columns of this weight just stand, N/m³: k_w = N h/(2 n I), that is k_w B b³/6 = N h/n.
+    /// The bed stiffness at which columns with this weight just stand, N/m³: k_w = N h/(2 n I), that is k_w B b³/6 = N h/n.
     pub fn least_bed_stiffness_n_m3(&self) -> f64 {
         self.normal_n() * self.height_m / (2.0 * self.section.second_moment_m4())
     }
@@ -116,15 +116,15 @@ impl FreeColumns {
         }
     }
 
-    /// The rotation at which their heads have this drift, rad.
+    /// The rotation at which the heads have this drift, rad.
     ///
     /// # Errors
-    /// [`StabilityError::Numeric`] if it is not found: none is known.
+    /// [`StabilityError::Numeric`] if the root is not found; no such case is known.
     pub(crate) fn rotation_at_rad(&self, drift_m: f64) -> Result<f64, StabilityError> {
         if drift_m <= 0.0 {
             return Ok(0.0);
         }
-        // rolling only adds to h sin θ
+        // rolling increases the drift beyond h sin θ
         let most_rad = (drift_m / self.height_m).min(1.0).asin();
         let off = |rotation: f64| self.at(rotation).drift_m - drift_m;
         if off(most_rad) <= 0.0 {
@@ -133,10 +133,10 @@ impl FreeColumns {
         Ok(bracketed_root(off, 0.0, most_rad, &Bracketing::default())?)
     }
 
-    /// Resistance of the columns under their weight alone; `None` if they do not stand.
+    /// Resistance of the columns under weight alone; `None` if they do not stand.
     ///
     /// # Errors
-    /// [`StabilityError::Numeric`] if a root is not found: none is known.
+    /// [`StabilityError::Numeric`] if a root is not found; no such case is known.
     pub fn standing(&self) -> Result<Option<ColumnStanding>, StabilityError> {
         let rigid_rad = (self.section.width_m() / self.height_m).atan();
         let Some(bed) = self.bed_stiffness_n_m3 else {
@@ -168,10 +168,11 @@ impl FreeColumns {
     /// rigid bed, e = b/2:  V = n N tan(α − θ),  u = h sin θ + b (1 − cos θ),  tan α = b/h
     /// ```
     ///
-    /// At θ = 0 on a rigid bed V is that just after the columns begin to move.
+    /// At θ = 0 on a rigid bed, V is the value just after the columns begin to move.
     ///
     /// # Limits
-    /// Foot and head are alike, with equal beds; the weight of the column itself is in N or neglected. Neither slips, and nothing crushes.
+    /// Foot and head are equal, with equal beds; the weight of the column itself is included in N or neglected. Foot and head do not slip, and
+    /// nothing crushes.
     pub fn at(&self, rotation_rad: f64) -> ColumnPoint {
         let rolled_m = match self.bed_stiffness_n_m3 {
             None => self.section.width_m() * 2.0 * (0.5 * rotation_rad).sin().powi(2),
@@ -184,7 +185,7 @@ impl FreeColumns {
         }
     }
 
-    /// The curve of force against drift from upright to the fall, with `points` rotations; empty if they do not stand.
+    /// The curve of force against drift from upright to the fall, with `points` rotations; empty if the columns do not stand.
     ///
     /// # Errors
     /// As [`FreeColumns::standing`].
@@ -192,7 +193,7 @@ impl FreeColumns {
         let Some(standing) = self.standing()? else {
             return Ok(Vec::new());
         };
-        // squared: the curve bends most where the feet lift off
+        // squared: the curvature is largest where the feet lift off
         let share = |i: usize| (i as f64 / (points.max(2) - 1) as f64).powi(2);
         let rotations = (0..points.max(2)).map(|i| share(i) * standing.falls.rotation_rad);
         Ok(rotations.map(|rotation| self.at(rotation)).collect())
@@ -222,7 +223,7 @@ impl FreeColumns {
         }
     }
 
-    /// ∫ f dθ from `low` to `high`, cut where the feet lift off and at each doubling beyond.
+    /// ∫ f dθ from `low` to `high`, divided where the feet lift off and at each doubling of θ beyond.
     pub(super) fn integral(&self, low: f64, high: f64, f: &dyn Fn(f64) -> f64) -> f64 {
         let mut sum = 0.0;
         let mut from = low;

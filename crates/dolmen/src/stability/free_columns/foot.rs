@@ -5,7 +5,7 @@
 //! | b, B, D, R | `width_m`, `breadth_m`, `diameter_m`, `radius` | width in the direction of motion, breadth across it; diameter, radius | m |
 //! | k_w | `bed_stiffness_n_m3` | pressure of the bed over its indentation | N/m³ |
 //! | N, M, e | `normal_n`, `moment_n_m`, `eccentricity_m` | axial force, moment about the centre of the foot, M/N | N, N m, m |
-//! | θ, θ0 | `rotation_rad` | rotation of the foot; the same where its edge lifts off | rad |
+//! | θ, θ0 | `rotation_rad` | rotation of the foot; rotation at which its edge lifts off | rad |
 //! | c | `contact_m` | width of the contact | m |
 //! | φ | `phi` | half the angle of the arc in contact | rad |
 
@@ -40,7 +40,7 @@ pub struct FootPressure {
 
 /// Half angle of the contact arc below which the closed forms of the circle lose digits. Our choice.
 const PHI_SMALL: f64 = 0.5;
-/// Newton steps for φ; five are usual. Our choice.
+/// Largest number of Newton steps for φ; five are usual. Our choice.
 const STEPS_MOST: usize = 60;
 
 impl FootSection {
@@ -52,7 +52,8 @@ impl FootSection {
         }
     }
 
-    /// Moment of a foot in full contact, over k_w and its rotation, m⁴: b³ B/12, or π D⁴/64.
+    /// Second moment of area of the foot, which gives its moment over k_w θ in full contact, m⁴: b³
+    /// B/12, or π D⁴/64.
     pub fn second_moment_m4(&self) -> f64 {
         match *self {
             FootSection::Rectangle { width_m, breadth_m } => breadth_m * width_m.powi(3) / 12.0,
@@ -71,7 +72,7 @@ impl FootSection {
         }
     }
 
-    /// The contact of a foot with load N and rotation θ ≥ 0.
+    /// The contact of a foot with load N at a rotation θ ≥ 0.
     ///
     /// ```text
     /// θ ≤ θ0:     M = k_w I θ

@@ -1,4 +1,4 @@
-//! Free-standing columns on foot stones: their resistance to drift by their weight.
+//! Free-standing columns on foot stones: resistance of their weight to drift.
 
 mod column;
 mod foot;

@@ -1,12 +1,12 @@
-//! Free oscillations of the load on columns: the larger, the slower.
+//! Free oscillations of a mass on free-standing columns: the larger the amplitude, the lower the frequency.
 
 use super::column::FreeColumns;
 use crate::numeric::nodes_15;
 use std::f64::consts::FRAC_PI_2;
 
 impl FreeColumns {
-    /// Frequency of free oscillations of `mass_kg` on the columns, with a spring of `spring_n_m` beside them, with an amplitude below the
-    /// rotation of zero force, Hz.
+    /// Frequency of free oscillations of `mass_kg` on the columns, Hz, with a parallel spring of `spring_n_m`. The amplitude must be below
+    /// the rotation of zero force.
     ///
     /// ```text
     /// T/4 = ∫ ds √(m / 2 (E(Θ) − E(θ))),   E(Θ) − E(θ) = ∫ (V + k u) du,   ds² = du² + dz²
@@ -15,8 +15,8 @@ impl FreeColumns {
     /// z is the height to which the columns lift the mass. Quadrature over θ = Θ sin τ, where the integrand is not singular.
     ///
     /// # Limits
-    /// Without losses: an impact as the columns pass upright takes energy, but does not change the period for the remaining amplitude. The
-    /// settlement of the bed is left out of z.
+    /// Without losses: an impact as the columns pass the upright position takes energy, but does not change the period for the remaining
+    /// amplitude. The settlement of the bed is not included in z.
     pub fn swing_frequency_hz(&self, mass_kg: f64, spring_n_m: f64, rotation_rad: f64) -> f64 {
         let work_n_m = |from: f64| {
             let columns = self.integral(from, rotation_rad, &|t| self.axial_n() * self.rise_m(t));

@@ -8,7 +8,7 @@ use crate::structure::wind::WindPressure;
 pub struct WindSurfaces {
     /// Force coefficient of the blocks.
     pub force_coefficient: f64,
-    /// For each block: an area that replaces its visible outline; `None` to use the visible outline.
+    /// For each block, an area that replaces its visible outline; `None` to use the outline.
     pub instead: Vec<Option<WindArea>>,
     /// Additional areas, such as banners: block, height in m, and area.
     pub more: Vec<(usize, f64, WindArea)>,
@@ -16,7 +16,7 @@ pub struct WindSurfaces {
     pub ground_m: f64,
 }
 
-/// An area across the wind.
+/// An area perpendicular to the wind.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WindArea {
     /// Area, m².
@@ -56,7 +56,7 @@ impl BlownBlock {
 /// Forces of a wind towards `direction`, a unit vector in plan, on each exposed block.
 ///
 /// ```text
-/// F = C_f ∫ q(z) b(z) dz over what is seen of the block + Σ C_f A q(z_A) of areas more, at its centroid
+/// F = C_f ∫ q(z) b(z) dz over the visible part of the block + Σ C_f A q(z_A) of additional areas, at its centroid
 /// ```
 ///
 /// # Limits
@@ -114,7 +114,6 @@ pub fn blown_blocks(
     each.collect()
 }
 
-/// A force and its moments.
 #[derive(Default)]
 struct ForceAndMoments {
     force: f64,
@@ -129,7 +128,7 @@ impl ForceAndMoments {
         self.across += force * across;
     }
 
-    /// Adds the visible part of a block, by height. Under uniform pressure its centroid is that of the outline.
+    /// Adds the visible part of a block, integrated over its height. Under uniform pressure its centroid is that of the outline.
     fn strips(&mut self, seen: &Silhouette, surfaces: &WindSurfaces, pressure: &WindPressure) {
         let (mut own, mut middle) = (ForceAndMoments::default(), [0.0; 2]);
         for strip in &seen.strips {

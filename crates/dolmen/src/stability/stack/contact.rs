@@ -22,7 +22,7 @@ impl Contact {
     }
 }
 
-/// The patches of a cut in the plane of the largest, with their convex hull.
+/// The patches of a cut, in the plane of the largest patch, with their convex hull.
 pub(super) fn contact(stack: &Stack, cut: &Cut) -> Contact {
     let joints = stack.joints();
     let area = |joint: &usize| joints[*joint].patch.moments().area_m2;

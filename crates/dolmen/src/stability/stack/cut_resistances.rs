@@ -13,19 +13,19 @@ use super::{Resistance, StackLimits, contact::names_below};
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
-/// All ways in which the part above one cut begins to move.
+/// Resistance of the part above one cut, for all directions in which it can begin to move.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CutResistance {
-    /// The bodies below it, in words: "'body 1'", "the ground".
+    /// The bodies below the cut, in words: "'body 1'", "the ground".
     pub above: String,
-    /// The blocks above, ascending.
+    /// The blocks above the cut, ascending.
     pub blocks: Vec<usize>,
-    /// Tipping about every edge, and sliding every 2°.
+    /// Tipping about every edge, and sliding in steps of 2°.
     pub resistances: Vec<Resistance>,
 }
 
-/// Resistance of the parts of a stack to tipping and sliding: those of [`stack_limits`](super::stack_limits), for inertia forces of any
-/// distribution over its height.
+/// Resistance of the parts of a stack to tipping and sliding, as in [`stack_limits`](super::stack_limits), for inertia forces with any
+/// distribution over the height.
 ///
 /// ```text
 /// tipping about the line (p, t)     t · (M − p × F) ≤ −t · (M₀ − p × F₀)        M₀, F₀ of weight and static loads

@@ -3,8 +3,8 @@
 use crate::structure::stack::{BED_GAP_M, Body, Joint, Stack};
 use glam::DVec3;
 
-/// Least sine of the inclination of a joint from the vertical for which it carries load (about 6°); a steeper joint is only a side contact.
-/// Our choice: an upright face may lean by 5°.
+/// Least sine of the inclination of a joint from the vertical for which the joint carries load (about 6°); a steeper joint is only a side
+/// contact. Our choice: an upright face may lean by 5°.
 const CARRIES_LEAST: f64 = 0.1;
 /// Cosine of 1°, the largest angle between joints in one plane. Our choice.
 const PARALLEL: f64 = 0.999_847_7;
@@ -39,7 +39,7 @@ pub(crate) fn is_statically_determinate(stack: &Stack) -> bool {
 /// Finds the cuts of a stack.
 ///
 /// ```text
-/// carried(A) = A and all blocks that stand on A, on what stands on A, …
+/// carried(A) = A and all blocks that stand on A, directly or through others
 /// cuts: connected parts of carried({upper block of j}) for each joint j that carries,
 ///       and of carried({upper blocks of all joints in the plane of j}); each once
 /// kept if all joints between the part and the other blocks lie in one plane below it (1°, 5 mm)

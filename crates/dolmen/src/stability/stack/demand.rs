@@ -7,7 +7,7 @@ use crate::stability::StabilityError;
 pub struct StackDemand {
     /// Peak horizontal acceleration of the ground, m/s²: the demand of a stack on rigid joints.
     pub peak_ground_acceleration_m_s2: f64,
-    /// The demand on elastic joints, if its first period is known.
+    /// The demand on elastic joints, if the first period is known.
     pub spectral: Option<SpectralDemand>,
 }
 
@@ -41,8 +41,8 @@ pub enum DemandVerdict {
 }
 
 impl DemandVerdict {
-    /// Ratio of capacity to demand below which "above demand" becomes "near demand", our choice: chipped edges and surveyed sizes are uncertain
-    /// by 10 %, and so is a demand.
+    /// Ratio of capacity to demand below which "above demand" becomes "near demand". Our choice: edges and surveyed sizes are uncertain by 10
+    /// %, and so is a demand.
     pub const NEAR_BELOW: f64 = 1.25;
 
     /// Verdict for a ratio of capacity to demand; unknown if the ratio is not a number.
@@ -69,30 +69,30 @@ impl DemandVerdict {
     }
 }
 
-/// One capacity against one demand.
+/// One capacity compared with one demand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Comparison {
-    /// Acceleration at which it begins to rock or slide, m/s²; `None` if it does not stand at all.
+    /// Acceleration at which the stack begins to rock or slide, m/s²; `None` if it does not stand.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub capacity_m_s2: Option<f64>,
-    /// The demanded acceleration, m/s².
+    /// The demand, m/s².
     pub demand_m_s2: f64,
-    /// Capacity over demand; `None` if it does not stand, infinite without a demand.
+    /// Capacity over demand; `None` if the stack does not stand, infinite without a demand.
     pub ratio: Option<f64>,
-    /// above, near, below demand; below if it does not stand.
+    /// Above, near or below demand; below if the stack does not stand.
     pub verdict: DemandVerdict,
 }
 
 /// A stack's threshold compared with an earthquake.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DemandComparison {
-    /// As if every joint were rigid: against the peak ground acceleration.
+    /// With rigid joints: compared with the peak ground acceleration.
     pub rigid: Comparison,
-    /// On elastic joints, which amplify: against S_a(T₁, ζ). `None` if the first period is unknown.
+    /// With elastic joints, which amplify: compared with S_a(T₁, ζ). `None` if the first period is unknown.
     pub elastic: Option<Comparison>,
-    /// The worse of both. Without the elastic one it is at best "unknown": a stack like P10 (first frequency 4.7 Hz) amplifies the ground
-    /// motion.
+    /// The worse verdict of both. Without the elastic comparison it is unknown at best: a stack like P10 (first frequency 4.7 Hz) amplifies the
+    /// ground motion.
     pub verdict: DemandVerdict,
 }
 
@@ -103,9 +103,9 @@ pub struct DemandComparison {
 /// is not a number.
 ///
 /// # Limits
-/// "Below demand" means that a joint opens or slides, not that the stack falls, which needs a time history. S_a acts on all masses alike; in a
-/// first mode the upper part has more (for a straight-line shape about 1.5 times), the lower part less: `assess::demand::stack_against_site`
-/// combines all modes joint by joint.
+/// "Below demand" means that a joint opens or slides, not that the stack falls; that needs a time history. S_a acts on all masses equally. In
+/// the first mode the upper part has a larger acceleration (for a straight-line shape about 1.5 times), the lower part a smaller one;
+/// `assess::demand::stack_against_site` combines all modes joint by joint.
 ///
 /// # Example
 /// ```

@@ -1,7 +1,7 @@
-//! The limit analysis without strength that comes only from dilating joints.
+//! Limit analysis without the resistance that comes only from dilating joints.
 //!
-//! Associated friction makes a sliding joint dilate. Coulomb joints do not: two leaves of a wall that each turn about their own toe slide along
-//! each other without pressing.
+//! Associated friction makes a sliding joint dilate. Coulomb joints do not dilate: if two leaves of a wall rotate about their own toes, they
+//! slide along each other without pressure.
 
 use super::cuts::carries;
 use super::limit_analysis::limit_analysis;
@@ -13,26 +13,26 @@ use crate::structure::stack::Stack;
 /// Largest number of rounds in which further joints begin to slide. Our choice.
 pub(crate) const ROUNDS: usize = 6;
 
-/// The lower of the limits with and without friction in upright joints that slide.
+/// The smaller of the limits with and without friction in upright joints that slide.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undilated {
-    /// The analysis with the lower limit.
+    /// The analysis with the smaller limit.
     pub analysis: LimitAnalysisResult,
-    /// Limit with friction in all joints, over gravity, where it is higher.
+    /// Limit with friction in all joints, over gravity, if it is larger.
     pub dilating_g: Option<f64>,
-    /// Whether a sliding joint still holds others apart in the mechanism, so that the limit is an upper bound.
+    /// Whether a joint in the mechanism still dilates and pushes others apart, so that the limit is an upper bound.
     pub is_upper_bound: bool,
 }
 
-/// Repeats the limit analysis without friction in the upright joints that slide in its mechanism, until no joint with friction slides. Returns
-/// the lowest limit.
+/// Repeats the limit analysis without friction in the upright joints that slide in its mechanism, until no upright joint with friction slides.
+/// Returns the smallest limit.
 ///
 /// # Errors
 /// As for [`limit_analysis`].
 ///
 /// # Limits
-/// Joints that carry weight keep their friction, because the weight presses them together whether they dilate or not. If one slides while others
-/// open, or the stack stands only by the friction of an upright sliding joint, the result says that it is an upper bound.
+/// Joints that carry weight keep their friction, because the weight presses them together in any case. The result is marked as an upper bound if
+/// such a joint slides while others open, or if the stack stands only by the friction of an upright sliding joint.
 pub fn limit_analysis_undilated(stack: &Stack, options: &LimitAnalysis) -> Result<Undilated, StabilityError> {
     let first = limit_analysis(stack, options)?;
     let all_friction_g = limit_g(&first);

@@ -8,7 +8,7 @@
 
 use super::Threshold;
 
-/// l · x ≤ s.
+/// The half plane l · x ≤ s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct HalfPlane {
     pub(super) lever: [f64; 2],
@@ -16,7 +16,7 @@ pub(super) struct HalfPlane {
 }
 
 impl HalfPlane {
-    /// s / |l|, infinite if no acceleration reaches it.
+    /// Smallest acceleration on its boundary, s / |l|; infinite if no acceleration reaches it.
     pub(super) fn distance(&self) -> f64 {
         let lever = self.lever[0].hypot(self.lever[1]);
         if lever > 0.0 {
@@ -26,7 +26,8 @@ impl HalfPlane {
         }
     }
 
-    /// Acceleration in a direction (unit) at which it is reached; infinite if the direction leads away.
+    /// Acceleration along a unit vector at which the boundary is reached; infinite if the direction
+    /// leads away from it.
     pub(super) fn along(&self, direction: [f64; 2]) -> f64 {
         let loses = self.lever[0] * direction[0] + self.lever[1] * direction[1];
         let lever = self.lever[0].hypot(self.lever[1]);
@@ -37,7 +38,7 @@ impl HalfPlane {
         }
     }
 
-    /// The place where it is reached first.
+    /// The point of the boundary with the smallest acceleration.
     pub(super) fn threshold(&self, gravity: f64) -> Threshold {
         let lever = self.lever[0].hypot(self.lever[1]);
         let direction = if lever > 0.0 {
@@ -49,13 +50,13 @@ impl HalfPlane {
     }
 }
 
-/// Place of the minimum of a unimodal f on an interval, by golden sections.
+/// Position of the minimum of a unimodal f on an interval, by golden sections.
 pub(super) fn least_on(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut a, mut b) = (high - ratio * (high - low), low + ratio * (high - low));
     let (mut at_a, mut at_b) = (f(a), f(b));
     for _ in 0..48 {
-        // 48 sections: 1e-10 of the interval, and the value is flat there
+        // 48 sections: 1e-10 of the interval, where f is flat
         if at_a <= at_b {
             high = b;
             (b, at_b) = (a, at_a);

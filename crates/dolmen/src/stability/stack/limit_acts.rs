@@ -8,21 +8,21 @@ use super::loads::{Load, together};
 use crate::structure::stack::{Joint, Stack};
 use glam::DVec3;
 
-/// A stack and what acts on it, for a limit analysis.
+/// A stack and its loads, for a limit analysis.
 #[derive(Clone, Copy)]
 pub(super) struct LimitProblem<'a> {
     pub(super) stack: &'a Stack,
     /// Loads on each block without shaking.
     pub(super) loads: &'a [Load],
-    /// Direction of the shaking; `None` for all.
+    /// Direction of the shaking; `None` for all directions.
     pub(super) towards: Option<[f64; 2]>,
-    /// Whether growing loads may press, or only shaking grows.
+    /// Whether growing loads may press on joints; otherwise only the shaking grows.
     pub(super) grows: bool,
-    /// Whether joints of finite strength are discretised coarsely, where the solver fails on the fine discretisation.
+    /// Whether joints of finite strength are discretised coarsely, because the solver failed on the fine discretisation.
     pub(super) is_coarse: bool,
 }
 
-/// Possible forces of every corner of every joint, and of every tie; for joints of finite strength, of every block of full stress.
+/// Possible forces of every corner of every joint, and of every tie; for joints of finite strength, of every stress block.
 pub(super) fn acts(problem: &LimitProblem<'_>, holding: Holding) -> Vec<PossibleForce> {
     let stack = problem.stack;
     let mut acts = Vec::new();
@@ -93,7 +93,7 @@ fn in_plane(joint: &Joint, way: [f64; 2]) -> Option<[f64; 2]> {
     (length > 1e-9).then(|| [x / length, y / length])
 }
 
-/// Forces of joints of finite strength without shaking, as far as known.
+/// Forces of joints of finite strength without shaking, as far as they are known.
 struct Crushing<'a> {
     problem: &'a LimitProblem<'a>,
     /// `None` if no joint crushes.

@@ -9,20 +9,20 @@ use super::limit_region::Nearest;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
-/// Acceleration over gravity that a rough solution, accurate to 1e-6, must exceed for the piece to stand. Our choice.
+/// Acceleration over gravity that a rough solution, accurate to 1e-6, must exceed for the piece to count as standing. Our choice.
 const CLEAR: f64 = 1e-3;
 
 /// Result for a piece along one direction.
 pub(super) struct DirectionLimit {
     /// The largest balanced acceleration.
     pub(super) found: Nearest,
-    /// Unknown forces and accelerations.
+    /// Number of unknown forces and accelerations.
     pub(super) unknowns: usize,
-    /// Velocities [rows] of the mechanism at the limit; empty where it does not stand.
+    /// Velocities [rows] of the mechanism at the limit; empty if the piece does not stand.
     pub(super) velocities: Vec<f64>,
 }
 
-/// One direction: the largest balanced acceleration, and whether the piece stands (the opposite direction must also reach beyond rest).
+/// The largest balanced acceleration along one direction. The piece stands if the opposite direction also gives a positive limit.
 pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<DirectionLimit, StabilityError> {
     let mut programme = piece.programme(AccelerationSet::Line(way))?;
     let mut along = DirectionLimit {
@@ -54,7 +54,7 @@ pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<DirectionLimit, Stab
     Ok(along)
 }
 
-/// Whether a piece stands, as [`along`] finds it: by rough solutions if both directions reach clearly beyond rest.
+/// Whether a piece stands, by the same criterion as [`along`], but with rough solutions if both limits are clearly positive.
 fn stands_along(piece: &Piece, way: [f64; 2]) -> Result<bool, StabilityError> {
     let mut programme = piece.programme_by(AccelerationSet::Line(way), rough())?;
     let is_clear = [way.map(|part| -part), way].into_iter().all(
@@ -66,7 +66,7 @@ fn stands_along(piece: &Piece, way: [f64; 2]) -> Result<bool, StabilityError> {
     }
 }
 
-/// Whether forces in the joints certainly balance weight and static loads, with shaking along both senses of one direction.
+/// Whether forces in the joints certainly balance weight and static loads, with shaking in both senses of one direction.
 ///
 /// # Errors
 /// Those of [`limit_analysis`](super::limit_analysis()).
@@ -93,7 +93,6 @@ pub(crate) fn stands_by_limit_analysis(
     Ok(true)
 }
 
-/// The direction as a unit vector.
 pub(super) fn unit(direction: [f64; 2]) -> Result<[f64; 2], StabilityError> {
     let length = direction[0].hypot(direction[1]);
     if !(length > 0.0 && length.is_finite()) {

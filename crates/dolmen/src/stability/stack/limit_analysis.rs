@@ -5,7 +5,7 @@
 //! | a | – | horizontal acceleration of the inertia forces over gravity | – |
 //! | f | – | forces at the corners of a joint's patch: normal f₀ ≥ 0, in the plane |f₁, f₂| ≤ μ f₀ | N |
 //! | μ | `friction_static` | static friction | – |
-//! | C | – | cohesion × area of the joint, shared alike by its corners | N |
+//! | C | – | cohesion × area of the joint, shared equally by its corners | N |
 
 use super::Threshold;
 use super::limit_acts::{LimitProblem, acts};
@@ -21,10 +21,10 @@ use crate::structure::stack::Stack;
 /// The least horizontal acceleration for which no forces in the joints balance every block.
 ///
 /// ```text
-/// forces      Σ f = weight + static + g m a,  Σ r × f = its moment      [6 a block]
-///             |f₁, f₂| ≤ μ f₀ + share of C at every corner of every patch: Coulomb's disc as it is
-/// region      all a for which there are such forces: convex; a conic programme says how far it reaches along ν
-/// answer      the point of its edge nearest to a = 0
+/// forces      Σ f = weight + static + g m a,  Σ r × f = its moment      [6 per block]
+///             |f₁, f₂| ≤ μ f₀ + share of C at every corner of every patch: Coulomb's disc without approximation
+/// region      all a for which such forces exist: convex; a conic programme gives its extent along ν
+/// answer      the boundary point nearest to a = 0
 /// ```
 ///
 /// # Errors
@@ -57,7 +57,7 @@ use crate::structure::stack::Stack;
 /// ```
 pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAnalysisResult, StabilityError> {
     let (mut result, moving) = match analysed(stack, options, false) {
-        // coarser joints resist less, never more, and make the programme much smaller
+        // coarser discretisations never resist more, and make the programme much smaller
         Err(StabilityError::ConicProgramme { .. }) if stack.least_strength_pa().is_some() => {
             analysed(stack, options, true)?
         }
@@ -74,13 +74,13 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
 
 /// The piece that moves first.
 enum Moving {
-    /// None does.
+    /// No piece moves.
     Nothing,
-    /// At rest.
+    /// This piece falls at rest.
     Falls(Piece),
-    /// Along a direction.
+    /// This piece moves along a direction.
     Sways(Piece, [f64; 2]),
-    /// With these velocities.
+    /// This piece moves with these velocities.
     SwaysWith(Piece, Vec<f64>),
 }
 
@@ -119,7 +119,7 @@ fn analysed(
         Some(swaying) => GrowingLoad::Swaying(swaying),
     };
     let mut pieces = pieces(stack, &loads, &acts, growing, ties);
-    // the largest first: it mostly governs, and the others are not needed beyond its limit
+    // the largest piece first: it usually governs, and the other pieces are not needed beyond its limit
     pieces.sort_by_key(|piece| std::cmp::Reverse(piece.equations()));
     let mut result = LimitAnalysisResult {
         status: LimitAnalysisStatus::Unlimited,
@@ -258,8 +258,8 @@ mod tests {
 
     #[test]
     fn exact_portal_that_sways() {
-        // both pillars turn about their feet and the beam stays level, carried at the corners that rise:
-        // virtual work: λ (2 w h/2 + W h) = 2 w b/2 + W b, w = .32, W = .4, h = 2, b = .4
+        // both pillars rotate about their feet and the beam stays level, carried at the rising corners:
+        // // virtual work: λ (2 w h/2 + W h) = 2 w b/2 + W b, w = .32, W = .4, h = 2, b = .4
         let sway: f64 = 0.4 * (0.32 + 0.4) / (2.0 * (0.32 + 0.4));
         let options = LimitAnalysis {
             shaking: Shaking::Along([1.0, 0.0]),
@@ -267,7 +267,7 @@ mod tests {
         };
         let found = limit(&portal(2.0), &options);
         assert!((found - sway).abs() < 1e-8, "{found} {sway}");
-        // the cuts miss this: an upper bound, reported as such
+        // single joints miss this: they give an upper bound, reported as such
         let states = stack_limits(&portal(2.0), &StackLimits::default()).unwrap();
         assert!(!states.statically_determinate);
         assert_eq!(
@@ -333,7 +333,7 @@ mod tests {
 
     #[test]
     fn exact_cohesion_and_shear_of_ties_add_to_friction() {
-        // .8 high, so that it rocks at .5 only: .2 + .1 slides, and a dowel of .15 W
+        // .8 high, so it rocks only at .5: it slides at .2 + .1 with a dowel of .15 W
         let weight = 0.128 * 2600.0 * 9.81;
         let material = JointMaterial {
             cohesion_pa: 0.1 * weight / 0.16,
@@ -363,7 +363,7 @@ mod tests {
             let found = limit(&stack, &options);
             assert!((found - known).abs() < 1e-8, "{holding:?} {found}");
         }
-        // a dowel that never shears: it rocks
+        // with a dowel that never shears, it rocks
         let endless = Tie {
             shear_strength_n: f64::INFINITY,
             ..tie
@@ -378,7 +378,7 @@ mod tests {
 
     #[test]
     fn exact_static_loads_and_vertical_motion() {
-        // rocks at .2; with a_z = −.25 g at .15; a static .05 g beside leaves .15 towards it
+        // rocks at .2; at .15 with a_z = −.25 g; with a static .05 g also at .15 in that direction
         let stack = tower(&[(0.4, 2.0)], 0.6);
         let with = |loads: StackLoads| {
             let options = LimitAnalysis {
@@ -410,7 +410,7 @@ mod tests {
 
     #[test]
     fn exact_a_wedged_stone_has_no_limit() {
-        // dowels that never break hold it in every way
+        // dowels that never break hold it in every direction
         let tie = Tie {
             lower: Body::Ground,
             upper: 0,
@@ -526,7 +526,7 @@ mod tests {
             };
             assert!((limit(&stack, &options) * factor / alike - 1.0).abs() < 1e-7);
         }
-        // one stone, .4 × .4 × 2 m: W .2 = a (W 1 + M), both ways and along both axes
+        // one stone, .4 × .4 × 2 m: W .2 = a (W 1 + M), in both senses of both axes
         let stone = tower(&[(0.4, 2.0)], 0.9);
         let weight = 0.32 * 2600.0 * 9.81;
         for way in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {

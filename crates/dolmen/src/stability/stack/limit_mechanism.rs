@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | v, ω | `velocity`, `spin` | of a body in the mechanism, to a common scale | m, – |
+//! | v, ω | `velocity`, `spin` | velocity and spin of a body in the mechanism, to a common scale | m, – |
 //! | t | – | tension that glue at every corner of every joint would have to resist for the stack to stand | N |
 
 use super::limit_pieces::Piece;
@@ -12,10 +12,10 @@ use crate::stability::StabilityError;
 use crate::structure::stack::{Body, Joint, Stack};
 use glam::DVec3;
 
-/// Motions of a joint below this fraction of the largest are not reported. Our choice: the solver is accurate to 1e-8.
+/// Fraction of the largest motion below which joints are not reported. Our choice: the solver is accurate to 1e-8.
 const NAMED_LEAST: f64 = 1e-3;
 
-/// A direction of shaking for pieces that fall under any shaking.
+/// Direction of shaking for pieces that fall without shaking.
 const ANY_WAY: [f64; 2] = [1.0, 0.0];
 
 /// The mechanism in which a piece that does not stand falls.
@@ -25,10 +25,10 @@ const ANY_WAY: [f64; 2] = [1.0, 0.0];
 /// its dual: the mechanism that gains most energy while all corners together open by a given sum
 /// ```
 ///
-/// Among the falling mechanisms this one opens few joints; for joints with a strength, it is the certificate of the programme. `None` where the
-/// pull is rounding: a piece balanced on an edge gains nothing.
+/// Of all mechanisms of the fall, this one opens few joints. For joints with a strength, it is the certificate of the programme. `None` if
+/// the tension is only a rounding error: a piece balanced on an edge gains no energy.
 pub(super) fn falling(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>, StabilityError> {
-    // no pull prevents crushing
+    // tension does not prevent crushing
     if piece.crushes() {
         return certified(stack, piece);
     }
@@ -113,7 +113,7 @@ fn corners_of(joint: &Joint, motions: &[Vec<BodyMotion>]) -> Vec<Corner> {
         .collect()
 }
 
-/// A corner is closed if its opening does not exceed the dilation of its slip under associated friction.
+/// The motion of a joint. A corner counts as closed if its opening does not exceed the dilation of its slip under associated friction.
 fn moving(joint: usize, corners: &[Corner], friction: f64, least: f64) -> Option<MovingJoint> {
     let is_closed = |corner: &&Corner| corner.opens - friction * corner.slips <= least;
     let closed: Vec<&Corner> = corners.iter().filter(is_closed).collect();

@@ -3,10 +3,10 @@
 use super::mechanism::Mechanism;
 use super::{StackLoads, Threshold};
 
-/// Resistance besides friction.
+/// Resistance in addition to friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Holding {
-    /// None: every joint is dry and every tie is absent. Default.
+    /// No resistance: every joint is dry and every tie is absent. Default.
     #[default]
     FrictionOnly,
     /// Cohesion resists sliding, fully in every joint at the same time, as if joints could slip without breaking. Ties are left out.
@@ -30,20 +30,20 @@ pub enum Shaking {
 pub struct LimitAnalysis {
     /// Loads before any horizontal shaking. Default none.
     pub loads: StackLoads,
-    /// Direction of the inertia forces. Default the one with the smallest limit.
+    /// Direction of the inertia forces. Default: the direction with the smallest limit.
     pub shaking: Shaking,
-    /// Resistance besides friction. Default none.
+    /// Resistance in addition to friction. Default none.
     pub holding: Holding,
     /// Shaking forces on each block, if they are not its mass times one acceleration. Default `None`.
     pub swaying: Option<Vec<SwayingForces>>,
 }
 
-/// Shaking forces on one block for a nominal 1 g: accelerations in the result are then factors on these, over g.
+/// Shaking forces on one block for a nominal 1 g: accelerations in the result are factors on these forces, over g.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SwayingForces {
-    /// Force at its centroid along x when shaken along x, and along y when shaken along y, N.
+    /// Force at its centroid along x under shaking along x, and along y under shaking along y, N.
     pub force_n: [f64; 2],
-    /// Moment about its centroid with each of them: about y, and about −x, N m.
+    /// Moment about its centroid under each shaking: about y, and about −x, N m.
     pub moment_n_m: [f64; 2],
 }
 
@@ -52,19 +52,19 @@ pub struct SwayingForces {
 pub struct LimitAnalysisResult {
     /// Its status.
     pub status: LimitAnalysisStatus,
-    /// The mechanism at the limit; for a stack that does not stand, the mechanism of its fall. `None` if no acceleration moves the stack, or it
-    /// stands on an edge.
+    /// The mechanism at the limit; for a stack that does not stand, the mechanism of its fall. `None` if no acceleration moves the stack, or if
+    /// it stands on an edge.
     pub mechanism: Option<Mechanism>,
-    /// Acceleration below which forces in the joints balance every direction examined, over gravity.
+    /// Acceleration up to which forces in the joints balance every direction examined, over gravity.
     pub at_least_g: f64,
-    /// Largest error of any solution, over the weight (times the size) of its piece: balance of forces and moments, friction beyond the cone, a
-    /// mechanism that penetrates a stone, the difference between both bounds.
+    /// Largest relative error of any solution, over the weight (times the size) of its piece: equilibrium of forces and moments, friction
+    /// beyond the cone, penetration in a mechanism, difference between both bounds.
     pub residual: f64,
-    /// Number of programmes solved.
+    /// Number of solved programmes.
     pub solved: usize,
-    /// Number of unknown forces of all pieces together.
+    /// Number of unknown forces of all pieces.
     pub variables: usize,
-    /// Number of equations of balance of all pieces together.
+    /// Number of equilibrium equations of all pieces.
     pub equations: usize,
 }
 

@@ -1,4 +1,4 @@
-//! Divides the balance of a stack into independent pieces.
+//! Divides the equilibrium of a stack into independent pieces.
 
 use super::SwayingForces;
 use super::cuts::{SupportRelation, carries};
@@ -11,42 +11,42 @@ use crate::structure::stack::{Body, Stack};
 use clarabel::solver::DefaultSettings;
 use glam::DVec3;
 
-/// Coefficients (of order 1) below this are rounding and left out. Our choice.
+/// Coefficients (of order 1) below this are rounding and are left out. Our choice.
 const ROUNDING: f64 = 1e-13;
-/// Relative difference below which places and loads are equal. Our choice: a limit changes by no more.
+/// Relative difference below which positions and loads count as equal. Our choice: the limit changes by no more.
 const SAME: f64 = 1e-9;
 
-/// Possible forces of a joint or tie at one point: on a block, with their opposites on the body below.
+/// Possible forces of a joint or tie at one point: on a block, with the opposite forces on the body below.
 #[derive(Clone, Copy)]
 pub(super) struct PossibleForce {
-    /// Index of its link: a joint, or after all joints a tie.
+    /// Index of its link: the joints, then the ties.
     pub(super) link: usize,
     pub(super) at: DVec3,
-    /// First the normal of a joint or the axis of a tie, along which it pushes its block; then across.
+    /// First the normal of a joint or the axis of a tie, along which it pushes its block; then two perpendicular axes.
     pub(super) axes: [DVec3; 3],
     pub(super) law: Law,
 }
 
-/// The possible forces.
+/// The law of possible forces.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Law {
-    /// Push along the first axis; across it the friction coefficient times as much.
+    /// Push along the first axis; across it at most the friction coefficient times as much.
     Friction(f64),
-    /// Push along the first axis, across it the friction coefficient times as much; all toes of a joint together at most its full capacity.
+    /// Push along the first axis; across it at most the friction coefficient times as much. All toes of a joint together carry at most its
+    /// full capacity.
     Toe {
-        /// The friction coefficient.
         friction: f64,
-        /// Capacity of this one alone, N.
+        /// Capacity of this toe alone, N.
         capacity_n: f64,
     },
-    /// Any force across the first axis up to this, N.
+    /// Any force across the first axis up to this value, N.
     Shear(f64),
-    /// Pull against the first axis up to this, N.
+    /// Pull against the first axis up to this value, N.
     Pull(f64),
 }
 
 impl Law {
-    /// Whether two are equal within rounding of a capacity.
+    /// Whether two laws are equal within rounding of a capacity.
     fn is_like(self, other: Law) -> bool {
         match (self, other) {
             (
@@ -68,11 +68,11 @@ pub(super) enum GrowingLoad<'a> {
     Shaking,
     /// Given shaking forces on each block.
     Swaying(&'a [SwayingForces]),
-    /// Static loads on each block: "along x" is their factor over g; nothing grows along y.
+    /// Static loads on each block: "along x" is their factor over g, and nothing grows along y.
     Loads(&'a [Load]),
 }
 
-/// Two bodies that push, rub or pull.
+/// Two bodies connected by a joint or a tie.
 #[derive(Clone, Copy)]
 struct Link {
     lower: Option<usize>,
@@ -89,16 +89,15 @@ impl Link {
     }
 }
 
-/// A unit of balance: three forces, three moments.
+/// The six equilibrium equations of a block, or of blocks that move as one: three forces, three moments.
 struct Balance {
     load: Load,
-    /// Force and moment about the origin of shaking of 1 g along x and along y.
+    /// Force and moment about the origin under shaking of 1 g along x and along y.
     shaking: [(DVec3, DVec3); 2],
-    /// The point of its moments.
+    /// Reference point of its moments.
     about: DVec3,
-    /// The whole weight on its block, N.
+    /// The total weight that its block carries, N.
     weight: f64,
-    /// The blocks in it.
     blocks: Vec<usize>,
 }
 
@@ -135,7 +134,7 @@ impl Piece {
         &self.pushes
     }
 
-    /// The unit of force of each push, N.
+    /// The force unit of each push, N.
     pub(super) fn units(&self) -> &[f64] {
         &self.units
     }
@@ -156,7 +155,7 @@ impl Piece {
         motions
     }
 
-    /// Whether joints of finite strength take part.
+    /// Whether joints of finite strength are included.
     pub(super) fn crushes(&self) -> bool {
         self.pushes.iter().any(|push| matches!(push, Push::Toes(_)))
     }
@@ -185,17 +184,17 @@ impl Piece {
     }
 }
 
-/// The pushes of a piece, one after the other.
+/// The pushes of a piece, in order.
 #[derive(Default)]
 struct PiecePushes {
     pushes: Vec<Push>,
     units: Vec<f64>,
-    /// The link of the last push's toes.
+    /// The link of the last push, if it is a toe.
     toes_of: Option<usize>,
 }
 
 impl PiecePushes {
-    /// Adds a possible force; `column` is the balance of one unit of force along an axis.
+    /// Adds a possible force; `column` gives the equilibrium terms of a unit force along an axis.
     fn add(&mut self, act: &PossibleForce, unit: f64, column: impl Fn(DVec3) -> Column) {
         let [normal, first_way, second_way] = act.axes;
         let mut toes_of = None;
@@ -209,7 +208,7 @@ impl PiecePushes {
                     parts: [normal, first_way * friction, second_way * friction].map(column),
                     share: unit / capacity_n,
                 };
-                // the toes of a joint come one after the other
+                // the toes of a joint are consecutive
                 let is_next = self.toes_of == Some(act.link);
                 if let Some(Push::Toes(toes)) = self.pushes.last_mut().filter(|_| is_next) {
                     toes.push(toe);
@@ -227,16 +226,16 @@ impl PiecePushes {
     }
 }
 
-/// Balances that a possible force acts on, with its sign in each.
+/// Balances that include a possible force, with its sign in each.
 type Incidence = Vec<(usize, f64)>;
 
-/// Division of a stack: each block with its links and the blocks that it carries.
+/// Division of a stack: its links, and for each block the blocks that it carries.
 struct Division {
     /// The joints, then the ties.
     links: Vec<Link>,
-    /// Of each block: itself and all that stands on it, ascending.
+    /// For each block: the block and all blocks that stand on it, ascending.
     groups: Vec<Vec<usize>>,
-    /// Of each block: the joint that alone links its group to the rest, if one does.
+    /// For each block: the joint that alone links its group to the rest, if there is one.
     alone: Vec<Option<usize>>,
 }
 
@@ -258,7 +257,7 @@ impl Division {
         Division { links, groups, alone }
     }
 
-    /// The balances that a link takes part in.
+    /// The balances that include the forces of a link.
     fn ends(&self, link: usize) -> Incidence {
         let Link { lower, upper } = self.links[link];
         let single = self.alone[upper] == Some(link);
@@ -269,7 +268,7 @@ impl Division {
             .collect()
     }
 
-    /// The piece of each block, named by its first block; links join pieces.
+    /// The piece of each block, identified by its first block; links connect pieces.
     fn piece_of(&self) -> Vec<usize> {
         let mut piece_of: Vec<usize> = (0..self.groups.len()).collect();
         for link in 0..self.links.len() {
@@ -285,7 +284,7 @@ impl Division {
         piece_of
     }
 
-    /// The blocks whose loads are in the balance of a block.
+    /// The blocks whose loads are included in the balance of a block.
     fn balanced_with(&self, block: usize) -> Vec<usize> {
         if self.alone[block].is_some() {
             return self.groups[block].clone();
@@ -299,11 +298,11 @@ impl Division {
     }
 }
 
-/// A stack in pieces.
+/// Divides a stack into pieces.
 ///
 /// ```text
 /// a joint that alone links all it carries to the rest: its forces balance the sum of what it carries    [6 equations]
-/// all other blocks, with the sum of what stands so on each as their load; linked ones in one piece      [6 a block]
+/// all other blocks, each with the loads that such joints transfer to it; linked blocks form one piece    [6 per block]
 /// ```
 ///
 /// Together they are equivalent to the balance of every block.
@@ -341,7 +340,6 @@ pub(super) fn pieces(
         .collect()
 }
 
-/// The balance of each block.
 fn balances(division: &Division, loads: &[Load], growing: GrowingLoad<'_>, gravity: f64) -> Vec<Balance> {
     let balance = |block: usize| {
         let blocks = division.balanced_with(block);
@@ -377,7 +375,7 @@ struct BalancedStack<'a> {
 }
 
 impl BalancedStack<'_> {
-    /// The piece of these blocks (ascending), on which these forces may act.
+    /// The piece of these blocks (ascending) with these possible forces.
     fn piece(&self, blocks: &[usize], acts: &[&PossibleForce]) -> Piece {
         let scale = &self.scale;
         let mut own = Vec::new();
@@ -405,7 +403,7 @@ impl BalancedStack<'_> {
             units: gathered.units,
             at_rest: Vec::new(),
             shaking: [Vec::new(), Vec::new()],
-            // mirrors apply only under equal shaking forces
+            // mirror symmetries hold only under equal shaking forces
             symmetries: match self.growing {
                 GrowingLoad::Shaking => symmetries(blocks, &balances, &own, scale),
                 GrowingLoad::Swaying(_) | GrowingLoad::Loads(_) => group(&[]),
@@ -422,7 +420,7 @@ impl BalancedStack<'_> {
         made
     }
 
-    /// A force at the point of `act` in the balances of a piece.
+    /// Contribution of a force at the point of `act` to the balances of a piece.
     fn column(&self, blocks: &[usize], act: &PossibleForce, ends: &Incidence, force: DVec3) -> Column {
         let mut column = Column::new();
         for &(block, sign) in ends {
@@ -511,7 +509,7 @@ fn symmetries(
     group(&generators.into_iter().filter(holds).collect::<Vec<_>>())
 }
 
-/// The joint under a block, if nothing else connects the block's load to the rest.
+/// The joint below a block, if nothing else connects the blocks above to the rest.
 fn alone(stack: &Stack, links: &[Link], block: usize, group: &[usize]) -> Option<usize> {
     let within = |block: usize| group.binary_search(&block).is_ok();
     let mut crossing =
@@ -527,7 +525,7 @@ struct Scale {
 }
 
 impl Scale {
-    /// Force over the weight, moment (given about the origin) about the point of the balance over weight and length.
+    /// Force divided by the weight; moment (given about the origin) about the point of the balance, divided by weight and length.
     fn six(&self, balance: &Balance, force: DVec3, moment: DVec3) -> [f64; 6] {
         let moment = (moment - balance.about.cross(force)) / (balance.weight * self.length);
         let force = force / balance.weight;

@@ -6,19 +6,20 @@
 //! | ν | `towards` | unit vector along which the acceleration is maximised | – |
 //! | f | `z` | forces at the corners of joints, each in Coulomb's cone, and in ties, over the weight | – |
 //! | v | `x` | velocities and angular velocities of the blocks: a mechanism | – |
-//! | A_most | `ACCELERATION_MOST` | upper end of the search | – |
+//! | A_most | `ACCELERATION_MOST` | upper bound of the search | – |
 
 use crate::stability::StabilityError;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 
-/// Acceleration over gravity that counts as unlimited. Our choice: far above any ground motion.
+/// Acceleration over gravity above which the result is unlimited. Our choice: far above any ground motion.
 pub(super) const ACCELERATION_MOST: f64 = 10.0;
 /// Tolerance of the solver, over the weight. Our choice: one or two steps more than its default 1e-8.
 const SOUGHT: f64 = 1e-10;
 /// Tolerance for a rough result. Our choice: several steps fewer.
 const SOUGHT_ROUGH: f64 = 1e-7;
-/// Largest accepted error of the force balance, of the cones and of the gap between both bounds, over the weight. Our choice; 1e-9 is usual.
+/// Largest accepted error of the force balance, of the cones and of the gap between both bounds, over the weight. Our choice; the usual error
+/// is 1e-9.
 const MISSED_MOST: f64 = 1e-6;
 /// Coefficients (of order 1) below this are rounding errors and are left out. Our choice.
 const ROUNDING: f64 = 1e-13;
@@ -43,7 +44,6 @@ pub(super) struct ToePush {
     pub(super) share: f64,
 }
 
-/// Row and value.
 pub(super) type Column = Vec<(usize, f64)>;
 
 /// Set of accelerations in the search.
@@ -154,7 +154,6 @@ impl Programme {
         self.right.len()
     }
 
-    /// Number of equilibrium equations.
     pub(super) fn equations(&self) -> usize {
         self.costs.len() - 1
     }
@@ -291,7 +290,6 @@ impl Programme {
     }
 }
 
-/// Settings of the solver.
 pub(super) fn settings() -> DefaultSettings<f64> {
     DefaultSettings {
         verbose: false,
@@ -303,7 +301,7 @@ pub(super) fn settings() -> DefaultSettings<f64> {
     }
 }
 
-/// Settings of the solver for a result of which only the sign relative to rest is used.
+/// Solver settings for a result of which only the sign matters.
 pub(super) fn rough() -> DefaultSettings<f64> {
     DefaultSettings {
         tol_gap_abs: SOUGHT_ROUGH,
@@ -357,7 +355,6 @@ pub(super) fn least_pull(
     Ok((gains > MISSED_MOST).then(|| solution.x[..rows].to_vec()))
 }
 
-/// The programme during its construction.
 struct Build {
     columns: Vec<Column>,
     costs: Vec<f64>,

@@ -1,4 +1,4 @@
-//! The balanced accelerations form a convex region: finds the point of its edge nearest to rest.
+//! Finds the boundary point nearest to rest in the convex region of balanced accelerations.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -19,7 +19,8 @@ const SAME: f64 = 1e-6;
 const NEAR: f64 = 0.02;
 /// Number of directions before [`NEAR`] suffices. Our choice: straight edges are found with fewer.
 const ENOUGH: usize = 12;
-/// Distance below which points are equal, over gravity: the line through them would be rounding. Our choice.
+/// Distance below which points count as equal, over gravity: the direction of a line through them would be
+/// rounding. Our choice.
 const APART: f64 = 1e-5;
 /// Largest number of directions; about 20 are usual. Our choice.
 const DIRECTIONS_MOST: usize = 200;
@@ -27,17 +28,16 @@ const DIRECTIONS_MOST: usize = 200;
 /// The smallest acceleration outside the region.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Nearest {
-    /// Rest itself is within it.
+    /// Whether rest is in the region, so that the piece stands.
     pub(super) stands: bool,
     /// Smallest h(ν) of all directions examined: an upper bound of the minimum.
     pub(super) bound: f64,
-    /// Its ν.
+    /// Direction ν of this bound.
     pub(super) towards: [f64; 2],
-    /// All accelerations below this are within the region: a lower bound.
+    /// All smaller accelerations are within the region: a lower bound.
     pub(super) at_least: f64,
     /// Largest error of the solutions.
     pub(super) missed: f64,
-    /// Number of solutions.
     pub(super) solved: usize,
 }
 
@@ -65,11 +65,12 @@ pub(super) fn turned(symmetry: &Symmetry, point: [f64; 2]) -> [f64; 2] {
     symmetry.map(|row| row[0] * point[0] + row[1] * point[1])
 }
 
-/// The point of the region's edge nearest to rest; ends early once it is known to be above `enough`.
+/// The boundary point of the region nearest to rest. Ends early if its distance is known to be above `enough`.
 ///
 /// ```text
-/// points reached: their hull lies within the region; directions asked: the region lies within their half planes
-/// the nearest edge of the hull is asked next, until it is an edge of the region
+/// the hull of the computed points lies within the region; the region lies within the half planes of the computed
+/// directions
+/// the next direction is the normal of the nearest edge of the hull, until this edge belongs to the region
 /// ```
 ///
 /// # Source
@@ -145,7 +146,7 @@ pub(super) fn nearest(
         {
             continue;
         }
-        // an edge of the region, or what rounding leaves of one
+        // an edge of the region, within rounding
         if found.bound - reached <= NEAR * found.bound + SAME {
             return Ok(found);
         }
@@ -158,7 +159,7 @@ pub(super) fn nearest(
     }
 }
 
-/// Outward normal of the edge of the points' hull nearest to rest, and its distance; negative if rest lies outside.
+/// Outward normal and distance of the hull edge nearest to rest; the distance is negative if rest lies outside.
 fn nearest_edge(points: &[[f64; 2]]) -> ([f64; 2], f64) {
     let corners = Polygon::hull(points.to_vec()).corners_m;
     let ends = if corners.is_empty() {
@@ -180,7 +181,7 @@ fn nearest_edge(points: &[[f64; 2]]) -> ([f64; 2], f64) {
     least
 }
 
-/// The two ends of points on a line.
+/// The two end points of collinear points.
 fn farthest(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let by = |a: &&[f64; 2], b: &&[f64; 2]| (a[0] + a[1] * 1e-3).total_cmp(&(b[0] + b[1] * 1e-3));
     let ends = [points.iter().min_by(by), points.iter().max_by(by)];
@@ -210,7 +211,7 @@ mod tests {
 
     #[test]
     fn exact_edge_of_a_polygon() {
-        // a triangle with an edge 3 x + 4 y = 5 at distance 1 in no direction that is asked first
+        // a triangle whose edge 3 x + 4 y = 5 has distance 1 and is not normal to a first direction
         let found = least(&[[3.0, -1.0], [-1.0, 2.0], [-4.0, -9.0]], &[]);
         assert!((found.bound - 1.0).abs() < 1e-12 && (found.at_least - 1.0).abs() < 1e-12);
         assert!((found.towards[0] - 0.6).abs() < 1e-12 && (found.towards[1] - 0.8).abs() < 1e-12);
@@ -248,7 +249,7 @@ mod tests {
             found.bound == 0.3 && found.at_least >= 0.98 * 0.3 && found.solved <= 16,
             "{found:?}"
         );
-        // known to be above .2 after the axes and little more
+        // the limit is known to be above .2 after the directions of the axes and few more
         let early = nearest(ask, &group(&[]), 0.2).unwrap();
         assert!(early.solved <= 4 && early.at_least >= 0.2, "{early:?}");
     }

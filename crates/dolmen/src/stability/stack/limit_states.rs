@@ -5,12 +5,12 @@ use super::{Cut, Standing, Threshold};
 use crate::stability::{StabilityError, Verdict};
 use crate::structure::stack::Polygon;
 
-/// Tipping about one edge of a contact, or about the line inside it at which the stone crushes.
+/// Tipping about one edge of a contact, or about the line inside the contact at which the stone crushes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeLimit {
     /// A point of the axis of rotation, m.
     pub pivot_m: [f64; 3],
-    /// Unit vector along the axis, m.
+    /// Unit vector along the axis.
     pub axis: [f64; 3],
     /// Distance from the static resultant to the axis, in the plane of the joint, m; negative if the resultant lies beyond.
     pub distance_m: f64,
@@ -39,7 +39,7 @@ pub struct CutLimits {
     pub contact: Polygon,
     /// Point where the resultant of weight and static loads crosses the plane, in coordinates of the plane, m.
     pub resultant_m: [f64; 2],
-    /// Distance from that point to the nearest edge of the contact, m; negative outside.
+    /// Distance from this point to the nearest edge of the contact, m; negative outside.
     pub depth_m: f64,
     /// The smaller of two margins. The margin of the resultant is 1 at the centroid of the contact, 0 at its edge, and linear between them.
     /// The margin of friction is 1 without shear and 0 at sliding.

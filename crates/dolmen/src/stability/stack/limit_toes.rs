@@ -1,35 +1,35 @@
-//! Capacity of a joint of finite strength in a limit analysis, linearised from inside.
+//! Capacity of a joint of finite strength in a limit analysis, linearised from the safe side.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | f, A | `strength_pa`, `area` | compressive strength, area of the patch | Pa, m² |
 //! | ν | `outward` | direction in the plane of the patch, unit | – |
-//! | α | `share` | part of the patch that a straight line cuts off | – |
-//! | N_k, c_k | `capacity_n`, `at_m` | α f A, resistance of that part at full stress, and its centroid | N, m |
+//! | α | `share` | fraction of the patch that a straight line cuts off | – |
+//! | N_k, c_k | `capacity_n`, `at_m` | α f A, resistance of this fraction at full stress, and its centroid | N, m |
 
 use super::toe::toe;
 use crate::structure::stack::Polygon;
 
-/// Shares of a patch that lines cut off, for its blocks of full stress in stacks of few joints. Our choice: up to 0.6 of the full capacity, the
-/// moment of a rectangle is at most 1.3 % too small about an edge, or 3.7 % askew.
+/// Fractions of a patch that form its stress blocks, for stacks with few joints. Our choice: up to 0.6 of the full capacity, the moment of a
+/// rectangle is at most 1.3 % too small about an edge, or 3.7 % about an oblique axis.
 const MANY: [f64; 12] = [
     0.85, 0.7, 0.57, 0.46, 0.36, 0.27, 0.19, 0.12, 0.07, 0.03, 0.006, 0.000_1,
 ];
-/// Fewer values for stacks of many joints: the error is 6.3 %, and 12.2 % with half of the directions. Our choice.
+/// Fractions for stacks with many joints: the errors are 6.3 % and, with half of the directions, 12.2 %. Our choice.
 const FEW: [f64; 9] = [0.75, 0.5, 0.3, 0.18, 0.1, 0.05, 0.02, 0.004, 0.000_05];
-/// Largest number of joints of a "few". Our choice: a check of such an arch takes some seconds.
+/// Largest number of joints that counts as few. Our choice: a check of such an arch takes some seconds.
 const JOINTS_FEW: usize = 25;
-/// Values relative to a known force in the joint, for shaking, which hardly changes that force. Our choice.
+/// Fractions relative to a known force in the joint, for shaking, which hardly changes that force. Our choice.
 const ABOUT_KNOWN: [f64; 5] = [1.0, 0.9, 1.1, 0.25, 4.0];
-/// And for growing loads, which may change it. Our choice, as [`MANY`].
+/// The same for growing loads, which may change the force. Our choice, as [`MANY`].
 const FROM_KNOWN: [f64; 12] = [1.0, 0.25, 0.7, 1.19, 1.41, 1.68, 2.0, 2.83, 4.0, 5.7, 8.0, 16.0];
-/// Number of directions between the normals of adjacent edges: for few joints, for many, and for patches with so many edges that their normals
-/// suffice. Our choice.
+/// Number of directions between the normals of adjacent edges: for few joints, for many joints, and for patches with so many edges that their
+/// normals suffice. Our choice.
 const BETWEEN_FEW: usize = 4;
 const BETWEEN_MANY: usize = 2;
 const EDGES_SUFFICE: usize = 12;
 
-/// The resultant of a block of full stress.
+/// The resultant of one stress block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Toe {
     pub(super) at_m: [f64; 2],
@@ -39,11 +39,11 @@ pub(super) struct Toe {
 /// Knowledge of the force in a joint before the analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum JointForce {
-    /// Known from statics alone.
+    /// Known from equilibrium alone.
     Known {
         /// The force without shaking, N.
         force_n: f64,
-        /// Whether growing loads may press.
+        /// Whether growing loads may press the joint together.
         grows: bool,
     },
     /// Known approximately, N, in a stack with this number of joints.
@@ -55,12 +55,12 @@ pub(super) enum JointForce {
     },
 }
 
-/// Resultants of blocks of full stress whose mixtures a patch can carry.
+/// Resultants of stress blocks; the patch can carry every mixture of them.
 ///
 /// ```text
-/// all that a patch bears      (N, N c) of a pressure 0 ≤ p ≤ f: convex; on its border p is f in what a line cuts off, 0 elsewhere
-/// mixtures                    Σ n_k (1, c_k) with n_k ≥ 0, Σ n_k / N_k ≤ 1: none that the patch does not bear
-/// rectangle b × l             N_k = f l t, c_k at t/2 inside the edge: exact where N is one of N_k
+/// capacity of a patch         (N, N c) of a pressure 0 ≤ p ≤ f: convex; on its boundary p is f beyond a straight line and 0 elsewhere
+/// mixtures                    Σ n_k (1, c_k) with n_k ≥ 0, Σ n_k / N_k ≤ 1: always within the capacity
+/// rectangle b × l             N_k = f l t, c_k at t/2 inside the edge: exact if N is one of N_k
 /// ```
 ///
 /// `towards` is a direction of the plane in addition to those of the edges and between them.
@@ -105,7 +105,7 @@ pub(super) fn toes(
     all
 }
 
-/// The normals of a patch's edges, and directions between them, evenly spaced after scaling the patch to equal widths.
+/// The normals of a patch's edges and directions between them, evenly spaced after the patch is scaled to equal widths.
 fn outwards(patch: &Polygon, between: usize) -> Vec<[f64; 2]> {
     let corners = &patch.corners_m;
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -137,8 +137,8 @@ mod tests {
     use crate::numeric::Random;
     use std::f64::consts::TAU;
 
-    /// Whether a force is within the capacity of pressures from 0 to f: towards every side it must not be farther out than the strip for its
-    /// size.
+    /// Whether a force is within the capacity for pressures from 0 to f: in every direction its point must not lie beyond the centroid of the
+    /// strip that carries the force.
     fn is_borne(patch: &Polygon, strength_pa: f64, force_n: f64, at_m: [f64; 2]) -> bool {
         (0..720).all(|k| {
             let angle = TAU * f64::from(k) / 720.0;
@@ -163,7 +163,7 @@ mod tests {
             };
             let all = toes(&patch, strength_pa, pressed, Some([1.0, 0.0]));
             for _ in 0..50 {
-                // a few of them, with a total of at most the full capacity
+                // a few stress blocks, with a total of at most the full capacity
                 let picked: Vec<(Toe, f64)> = (0..3)
                     .map(|_| {
                         (

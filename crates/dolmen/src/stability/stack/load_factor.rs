@@ -1,8 +1,8 @@
-//! The factor on static loads up to which forces in the joints balance them.
+//! The factor on static loads up to which joint forces can balance them.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | λ | `factor` | load factor: on the loads that grow | – |
+//! | λ | `factor` | load factor on the growing loads | – |
 //! | W | `weight_n` | weight of the stack | N |
 
 use super::StackLoads;
@@ -17,10 +17,10 @@ use super::mechanism::Mechanism;
 use crate::stability::StabilityError;
 use crate::structure::stack::{Stack, StaticLoad};
 
-/// The direction of growing loads in a programme.
+/// Direction of the growing loads in a programme.
 const GROWS: [f64; 2] = [1.0, 0.0];
 
-/// Growth of loads of the size of the weight that counts as unlimited.
+/// Load factor that counts as unlimited, for loads equal to the weight.
 const MOST: f64 = ACCELERATION_MOST * (1.0 - 1e-6);
 
 /// The constant loads.
@@ -36,12 +36,12 @@ pub struct SteadyLoads<'a> {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LoadFactor {
-    /// Smallest factor with a mechanism, which no forces balance; 0 if it does not stand without the loads, infinite where ten times the weight
-    /// as load moves nothing.
+    /// Smallest factor that no joint forces balance, with its mechanism; 0 if the stack does not stand without the loads; infinite if loads of
+    /// ten times the weight move nothing.
     pub factor: f64,
     /// Largest factor for which balanced forces were found.
     pub at_least: f64,
-    /// The mechanism there; `None` where nothing moves.
+    /// The mechanism at this factor; `None` if nothing moves.
     pub mechanism: Option<Mechanism>,
 }
 
@@ -53,8 +53,8 @@ impl LoadFactor {
     }
 }
 
-/// The factor on the growing loads up to which forces in the joints balance every block. Loads of the stack itself are not included: all loads
-/// are given here.
+/// The factor on the growing loads up to which joint forces balance every block. Only the loads given here count, not the static loads of the
+/// stack.
 ///
 /// ```text
 /// Σ f = weight · W + steady + λ growing,  |f₁, f₂| ≤ μ f₀ + share of C at every corner      λ ↦ max
@@ -73,7 +73,7 @@ impl LoadFactor {
 /// use dolmen::structure::stack::{Block, JointMaterial, Solid, Stack, StaticLoad};
 /// let block = Block { name: "stone".into(), solid: Solid::cuboid(0.4, 0.4, 2.0)?, density_kg_m3: 2500.0 };
 /// let stack = Stack::new(vec![block], JointMaterial::default(), 10.0)?;
-/// // 8 kN against a push of 400 N at the top: 8 · 0.2 = λ · 0.4 · 2
+/// // weight 8 kN, push of 400 N at the top: 8 · 0.2 = λ · 0.4 · 2
 /// let push = StaticLoad { block: 0, position_m: [0.0, 0.0, 2.0], force_n: [400.0, 0.0, 0.0] };
 /// let found = load_factor(&stack, &SteadyLoads { weight: 1.0, loads: &[] }, &[push])?;
 /// assert!((found.factor - 2.0).abs() < 1e-6);
@@ -118,7 +118,7 @@ pub fn load_factor(
     Ok(found)
 }
 
-/// Only the factor, for loads on a stack that is known to stand without them: a third of the work.
+/// Computes only the factor, for a stack that is known to stand without the loads; takes a third of the time.
 ///
 /// # Errors
 /// As [`load_factor`].
@@ -142,7 +142,7 @@ pub fn growth(
     Ok(least)
 }
 
-/// The balance in pieces, and the scale of its growing loads.
+/// The equilibrium in pieces, and the scale of its growing loads.
 fn pieces_of(
     bare: &Stack,
     steady: &SteadyLoads<'_>,
@@ -157,7 +157,7 @@ fn pieces_of(
     push_all(&mut loads, steady.loads);
     let size = |load: &StaticLoad| load.force_n.iter().map(|part| part * part).sum::<f64>().sqrt();
     let pushed_n: f64 = growing.iter().map(size).sum();
-    // the programme is of order 1 where loads of the weight act
+    // growing loads equal to the weight make the programme of order 1
     let weight_n = bare.mass_kg() * gravity;
     let unit = if pushed_n > 0.0 { weight_n / pushed_n } else { 1.0 };
     let scaled: Vec<StaticLoad> = growing

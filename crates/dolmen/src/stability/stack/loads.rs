@@ -48,8 +48,8 @@ pub(super) struct Load {
     pub(super) force: DVec3,
     /// Moment about the origin, N m.
     pub(super) moment: DVec3,
-    /// Moment about the origin of the horizontal static loads alone, N m. It rotates the soil from its settled
-    /// position.
+    /// Moment about the origin of the horizontal static loads alone, N m. It rotates the stack on the soil from its
+    /// settled position.
     pub(super) static_moment: DVec3,
 }
 
@@ -80,7 +80,6 @@ pub(super) fn without_weight(count: usize, forces: &[StaticLoad]) -> Vec<Load> {
     loads
 }
 
-/// Adds static forces to the loads on the blocks.
 pub(super) fn push_all(loads: &mut [Load], forces: &[StaticLoad]) {
     for of in forces {
         if let Some(load) = loads.get_mut(of.block) {
@@ -89,7 +88,6 @@ pub(super) fn push_all(loads: &mut [Load], forces: &[StaticLoad]) {
     }
 }
 
-/// Sum of the loads on these blocks.
 pub(super) fn together(loads: &[Load], blocks: &[usize]) -> Load {
     let mut sum = Load::default();
     for &block in blocks {
@@ -99,7 +97,6 @@ pub(super) fn together(loads: &[Load], blocks: &[usize]) -> Load {
 }
 
 impl StackLoads {
-    /// Loads on each block.
     pub(super) fn on_blocks(&self, stack: &Stack) -> Result<Vec<Load>, StabilityError> {
         let mut loads = self.on_bare_blocks(stack)?;
         push_all(&mut loads, stack.static_loads());

@@ -3,11 +3,11 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | α₀ | `multiplier` | horizontal acceleration over gravity at which the mechanism moves | – |
-//! | P | `weight_n` | weight of a rigid part: of all that moves as one body | N |
-//! | δ | `moves` | virtual displacement of the centroid of a part along the shaking, over the largest | – |
+//! | P | `weight_n` | weight of a rigid part, whose blocks move as one body | N |
+//! | δ | `moves` | virtual displacement of the centroid of a part along the shaking, over the largest one | – |
 //! | M* | `mass_kg` | participating mass | kg |
-//! | e* | `mass_ratio` | participating part of the mass that moves | – |
-//! | d₀* | `overturning_m` | displacement of the oscillator at which nothing holds it any more | m |
+//! | e* | `mass_ratio` | participating fraction of the moving mass | – |
+//! | d₀* | `overturning_m` | displacement of the oscillator at which its resistance vanishes | m |
 
 use super::StackLoads;
 use super::limit_acts::{LimitProblem, acts};
@@ -23,7 +23,7 @@ use glam::DVec3;
 
 /// Relative difference below which velocities are equal. Our choice: the solver is accurate to 1e-8.
 const SAME: f64 = 1e-4;
-/// Largest sine of the inclination of a level axis of rotation, and largest share of motion along it. Our choice.
+/// Largest sine of the inclination of a horizontal axis of rotation, and largest relative motion along the axis. Our choice.
 const LEVEL: f64 = 1e-3;
 
 /// Blocks that move as one rigid body in a mechanism.
@@ -41,35 +41,35 @@ pub struct RigidPart {
     pub rises: f64,
 }
 
-/// The mechanism in which a stack begins to move in one direction, by its rigid parts.
+/// The mechanism in which a stack begins to move in one direction, as rigid parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LocalMechanism {
     /// Unit vector of the inertia forces in plan.
     pub direction: [f64; 2],
     /// α₀.
     pub multiplier: f64,
-    /// The moving part, named by its lowest block.
+    /// The moving parts, each identified by its lowest block.
     pub parts: Vec<RigidPart>,
     /// M*, kg.
     pub mass_kg: f64,
     /// e*.
     pub mass_ratio: f64,
-    /// Whether a joint slides in it.
+    /// Whether a joint slides in the mechanism.
     pub slides: bool,
-    /// d₀*, m: `None` unless one part turns about a level axis and no joint slides.
+    /// d₀*, m; `None` unless exactly one part rotates, about a horizontal axis, and no joint slides.
     pub overturning_m: Option<f64>,
 }
 
-/// The mechanism in which a stack begins to move under inertia forces in one direction; `None` if it does not stand, or nothing moves it.
+/// The mechanism in which a stack begins to move under inertia forces in one direction; `None` if it does not stand, or if nothing moves it.
 ///
 /// ```text
-/// velocities of the blocks: those of the mechanism of the limit analysis
+/// velocities of the blocks: from the mechanism of the limit analysis
 /// part    all blocks whose velocities are those of one rigid body
 /// M* = (Σ P δ)² / (g Σ P δ²)          e* = (Σ P δ)² / (Σ P · Σ P δ²) = g M* / Σ P
-/// d₀*     one part that turns about a level axis: the way of its centroid until it stands above that axis
+/// d₀*     one part that rotates about a horizontal axis: displacement of its centroid until it stands above the axis
 /// ```
 ///
-/// Weights are summed over rigid parts, each at its own centroid: summed course by course, a wall that tips as one would have e* → 3/4.
+/// Weights are summed over rigid parts, each at its own centroid. Summed by course, a wall that tips as one part would have e* → 3/4.
 ///
 /// # Errors
 /// [`StabilityError`] for a direction without length, and a programme that the solver could not solve.
@@ -99,10 +99,11 @@ pub fn local_mechanism(stack: &Stack, direction: [f64; 2]) -> Result<Option<Loca
     found.pop().unwrap_or(Ok(None))
 }
 
-/// The mechanism in each of several directions, as in [`local_mechanism`]; opposite directions share the proof that it stands.
+/// The mechanisms in several directions, as in [`local_mechanism`]; opposite directions share the proof that the stack stands.
 ///
 /// # Errors
-/// [`StabilityError`] for a direction without length; within the answer of a direction for a programme that the solver could not solve.
+/// [`StabilityError`] for a direction of zero length. The result of a single direction is an error if the solver did not solve its
+/// programme.
 pub fn local_mechanisms(
     stack: &Stack,
     directions: &[[f64; 2]],
@@ -148,12 +149,12 @@ pub fn local_mechanisms(
 /// Largest balanced shaking along one direction.
 struct Limit {
     multiplier: f64,
-    /// The piece that moves first, and its velocities; `None` where nothing moves.
+    /// The piece that moves first, and its velocities; `None` if nothing moves.
     moving: Option<(usize, Vec<f64>)>,
 }
 
 impl Limit {
-    /// `None` where it is not beyond rest.
+    /// `None` if the limit is not positive.
     fn of(pieces: &[Piece], way: [f64; 2]) -> Result<Option<Self>, StabilityError> {
         let mut limit = Limit {
             multiplier: ACCELERATION_MOST * (1.0 - 1e-6),
@@ -256,7 +257,7 @@ fn of_parts(
     let first = sum(&|part| part.weight_n * part.moves);
     let second = sum(&|part| part.weight_n * part.moves * part.moves);
     let overturning_m = match &parts[..] {
-        // with static loads it does not fall where its centroid stands above the axis
+        // with static loads, a part whose centroid stands above the axis may still be stable
         [part] if !slides && stack.static_loads().is_empty() => {
             overturning(&motions[part.blocks[0]], part.centroid_m.into(), towards)
         }
@@ -273,7 +274,7 @@ fn of_parts(
     })
 }
 
-/// Displacement of the centroid of a part along the shaking, rotating about a level axis, until it stands above the axis.
+/// Displacement of the centroid of a part along the shaking, as the part rotates about a horizontal axis until the centroid stands above it.
 fn overturning(motions: &[BodyMotion], centroid: DVec3, towards: DVec3) -> Option<f64> {
     let spin: DVec3 = motions.iter().map(|motion| motion.spin).sum();
     let axis = spin.try_normalize()?;
@@ -281,7 +282,7 @@ fn overturning(motions: &[BodyMotion], centroid: DVec3, towards: DVec3) -> Optio
     if axis.z.abs() > LEVEL || moves.dot(axis).abs() > LEVEL * moves.length() {
         return None;
     }
-    // v = ω × r, r from the axis
+    // v = ω × r, with r from the axis
     let arm = moves.cross(spin) / spin.length_squared();
     let across = axis.cross(DVec3::Z);
     let (level, moves_across) = (arm.dot(across), towards.dot(across));

@@ -36,11 +36,12 @@ pub struct MovingJoint {
     pub joint: usize,
     /// Its motion.
     pub motion: JointMotion,
-    /// Middle of the corners that stay closed, m: the joint turns about it, or slides on it. `None` if it opens as a whole.
+    /// Middle of the corners that stay closed, m: the joint rotates about it, or slides on it. `None` if the whole joint
+    /// opens.
     pub closed_at_m: Option<[f64; 3]>,
 }
 
-/// How a stack begins to move: the joints between its rigid parts, ascending.
+/// The mechanism in which a stack begins to move: the joints between its rigid parts, ascending.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Mechanism {
@@ -48,7 +49,6 @@ pub struct Mechanism {
     pub joints: Vec<MovingJoint>,
 }
 
-/// Motion of a body in a mechanism.
 #[derive(Clone, Copy)]
 pub(super) struct BodyMotion {
     pub(super) velocity: DVec3,

@@ -1,4 +1,4 @@
-//! Contacts of a stack after large displacements: the overlap of faces, and the gap there.
+//! Contacts of a stack after large displacements: the overlap of faces, and their gap.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,11 +11,10 @@ use glam::{DMat3, DVec3};
 
 /// Smallest cosine between the normal of a face and that of its joint: 6°.
 const FACES_JOINT: f64 = 0.9945;
-/// Relative difference between the overlap of two faces and the joint's patch up to which the faces are used. Our choice; otherwise the patch
-/// itself replaces both.
+/// Relative difference between the overlap of two faces and the patch of the joint up to which the faces are used; beyond it, the patch
+/// replaces both. Our choice.
 const SAME_AREA: f64 = 0.01;
 
-/// Pose of a moved block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BlockPose {
     pub(super) centre: DVec3,
@@ -40,22 +39,22 @@ impl BlockPose {
         }
     }
 
-    /// Its centroid now.
+    /// Its current centroid.
     pub(super) fn now(&self) -> DVec3 {
         self.centre + self.shift
     }
 
-    /// A point of it now.
+    /// The current position of a point of the block as drawn.
     pub(super) fn point(&self, drawn: DVec3) -> DVec3 {
         self.now() + self.rotation * (drawn - self.centre)
     }
 
-    /// The original point at a place now.
+    /// The point of the block as drawn that is now at a given position.
     fn drawn(&self, now: DVec3) -> DVec3 {
         self.centre + self.rotation.transpose() * (now - self.now())
     }
 
-    /// Moves it further by a displacement of its centroid and a rotation vector.
+    /// Moves the block further, by a displacement of its centroid and a rotation vector.
     pub(super) fn on(&self, shift: DVec3, turn: DVec3) -> Self {
         let angle = turn.length();
         let rotation = match angle > 0.0 {
@@ -78,14 +77,12 @@ pub(super) struct Corner {
     /// On the upper block, m.
     pub(super) upper: DVec3,
     pub(super) gap: f64,
-    /// Slip of the upper block there on the lower body since it was drawn, m.
+    /// Slip of the upper block on the lower body at this corner since the stack was drawn, m.
     pub(super) slip: f64,
 }
 
-/// A contact in its present state.
 #[derive(Clone, Debug)]
 pub(super) struct Contact {
-    /// Index of the joint.
     pub(super) joint: usize,
     pub(super) lower: Option<usize>,
     pub(super) upper: usize,
@@ -94,7 +91,7 @@ pub(super) struct Contact {
     pub(super) corners: Vec<Corner>,
 }
 
-/// The two faces of a joint, in its plane as drawn; a small gap or wedge counts as closed.
+/// The two faces of a joint, in its plane as drawn; a small gap or wedge is closed.
 #[derive(Clone, Debug)]
 pub(super) struct Faces {
     joint: usize,
@@ -103,12 +100,11 @@ pub(super) struct Faces {
     origin: DVec3,
     axes: [DVec3; 3],
     friction: f64,
-    /// Corners as drawn, m; `None` for the ground, which has no end.
+    /// Corners as drawn, m; `None` for the ground, which is unbounded.
     lower_face: Option<Vec<DVec3>>,
     upper_face: Vec<DVec3>,
 }
 
-/// The faces of every joint.
 pub(super) fn faces_of(stack: &Stack) -> Vec<Faces> {
     let joints = stack.joints().iter().enumerate();
     joints
@@ -155,7 +151,7 @@ pub(super) fn faces_of(stack: &Stack) -> Vec<Faces> {
         .collect()
 }
 
-/// The face of a solid that lies in a joint's plane and looks along `outward`, about the joint's origin.
+/// The face of a solid in the plane of a joint with normal `outward`, about the joint's origin.
 fn face(solid: &Solid, joint: &Joint, outward: DVec3) -> Option<Polygon> {
     let [first, second, normal] = joint.axes.map(DVec3::from);
     let origin = DVec3::from(joint.origin_m);
@@ -184,10 +180,10 @@ fn counterclockwise(mut corners_m: Vec<[f64; 2]>) -> Polygon {
 }
 
 impl Faces {
-    /// The contact with its bodies at their present places; `None` without overlap.
+    /// The contact between two bodies in their current positions; `None` without overlap.
     ///
     /// ```text
-    /// both faces projected along their mean normal n; corners of their common area; g = distance of both planes along n at each corner
+    /// both faces are projected along their mean normal n; corners of their common area; g = distance of both planes along n at each corner
     /// ```
     pub(super) fn contact(&self, below: &BlockPose, above: &BlockPose) -> Option<Contact> {
         let [first, _, normal] = self.axes;

@@ -1,8 +1,8 @@
-//! One step of a stack on moving supports: the motion without penetration that lowers the weight most.
+//! One step of a stack on moving supports: among all motions without penetration, the one that lowers the weight most.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | d, θ | `Motion` | displacement of the centroid and rotation vector of a block in this step | m, rad |
+//! | d, θ | `Motion` | displacement of the centroid and rotation vector of a block in the step | m, rad |
 //! | u | `ground` | displacement of the ground under a block in this step | m |
 //! | s | `scale` | largest |u| of this step | m |
 //! | L, W | `length`, `weight` | height, weight of the stack | m, N |
@@ -27,14 +27,12 @@ pub(super) struct BlockDeadLoad {
     pub(super) moment: DVec3,
 }
 
-/// The motion of a block in a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion {
     pub(super) shift: DVec3,
     pub(super) turn: DVec3,
 }
 
-/// The result of a step.
 #[derive(Clone, Debug)]
 pub(super) struct Step {
     pub(super) motions: Vec<Motion>,
@@ -44,7 +42,6 @@ pub(super) struct Step {
     pub(super) missed: f64,
 }
 
-/// Input of a step.
 pub(super) struct Stage<'a> {
     pub(super) moved: &'a [BlockPose],
     pub(super) contacts: &'a [Contact],
@@ -60,11 +57,11 @@ pub(super) struct Stage<'a> {
 /// ```text
 /// minimise   −Σ (F·d + M·θ)   over d, θ of every block
 ///            (g + n·Δ, μ t·Δ) in the cone |across| ≤ along at every corner, Δ = d₂ + θ₂ × r₂ − d₁ − θ₁ × r₁ − u
-/// its dual   maximise the work of the ground's forces on its movement, less Σ f₀ g, over forces f in Coulomb's cones that balance the weight
+/// dual       maximise the work of the ground's forces on its movement, minus Σ f₀ g, over forces f in Coulomb's cones that balance the weight
 /// ```
 ///
-/// So with spreading supports the thrust is the smallest possible, with closing supports the largest. Open corners (g > 0) carry no force
-/// unless they close.
+/// With spreading supports, the thrust is therefore the smallest possible; with closing supports, the largest. Open corners (g > 0) carry no
+/// force unless they close.
 ///
 /// # Source
 /// Portioli & Cascini (2017) for rigid blocks on settling supports. Differs from the source: Coulomb's cone is exact, in three

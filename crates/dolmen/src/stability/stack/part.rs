@@ -11,23 +11,24 @@ use std::f64::consts::TAU;
 
 /// Number of directions between two neighbouring edges in which a toe of finite strength is computed. Our choice: 5.6° on a square.
 const TOES: usize = 16;
-/// Distance from the edge that counts as on it, over the size of the contact. Our choice: rounding of coordinates.
+/// Distance from the edge, over the size of the contact, below which a point counts as on the edge. Our choice: rounding of
+/// coordinates.
 const ON_EDGE: f64 = 1e-9;
 /// Number of directions of sliding before refinement. Our choice.
 const SLIDES: usize = 72;
-/// Number of directions in which the resistance to sliding is given. Our choice: the worst lies at most 1° beside one, 1.5e-4 of it.
+/// Number of directions in which the resistance to sliding is given. Our choice: the worst direction is at most 1° away, which
+/// changes it by 1.5e-4.
 const RESISTS: usize = 180;
 
-/// Rotation of the soil under the base.
+/// Rotation of the base on its soil.
 pub(super) struct Soil {
     /// 1 − W h / K.
     pub(super) factor: f64,
-    /// Horizontal acceleration added to every part by its rotation under static loads, m/s².
+    /// Horizontal acceleration added to every part by this rotation under static loads, m/s².
     pub(super) offset: [f64; 2],
     pub(super) standing: Standing,
 }
 
-/// Limits of the part above one cut.
 pub(super) fn limits_of(
     stack: &Stack,
     cut: Cut,
@@ -115,11 +116,11 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// Its whole resistance to tipping and sliding, without ties.
+    /// All resistances of the part to tipping and sliding, without ties.
     pub(super) fn resists(&self) -> Vec<Resistance> {
         let (mut all, strength) = (Vec::new(), self.strength());
         for outward in self.outwards(strength.is_some()) {
-            // a contact beyond its capacity resists nothing
+            // a contact beyond its capacity has no resistance
             let (pivot, crushed) = match self.pivot(outward, strength) {
                 Some(pivot) => (pivot, false),
                 None => (self.contact.hull.moments().centroid_m, true),
@@ -200,7 +201,7 @@ impl<'a> Part<'a> {
             .filter(move |tie| within(tie.lower) != within(Body::Block(tie.upper)))
     }
 
-    /// Axes of tipping: one for each edge, and with finite strength many between.
+    /// Outward directions of the tipping axes: one for each edge, and with finite strength many between the edges.
     fn outwards(&self, many: bool) -> Vec<[f64; 2]> {
         let corners = &self.contact.hull.corners_m;
         let edges = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -215,7 +216,7 @@ impl<'a> Part<'a> {
             }
         }
         if !many {
-            // the edges' own normals, free of the rounding of angles
+            // normals of the edges themselves, free of the rounding of angles
             let edges = corners.iter().zip(corners.iter().cycle().skip(1));
             outwards = edges
                 .map(|(a, b)| {
@@ -248,7 +249,6 @@ impl<'a> Part<'a> {
         Some([sum[0] / count, sum[1] / count])
     }
 
-    /// Fills in the tipping limits.
     fn tip(&self, limits: &mut CutLimits, strength: Option<f64>) {
         let middle = self.contact.hull.moments().centroid_m;
         let (mut inside, mut margin) = (f64::INFINITY, f64::INFINITY);
@@ -297,7 +297,7 @@ impl<'a> Part<'a> {
             });
         }
         limits.gravity_margin = margin;
-        // exactly on the edge the part does not stand, for any rounding
+        // a resultant exactly on the edge counts as not standing, independent of rounding
         let edge = ON_EDGE * self.contact.hull.size_m();
         if limits.depth_m <= edge {
             limits.standing = Standing::Leaves {
@@ -315,7 +315,7 @@ impl<'a> Part<'a> {
         }
         limits.tipping = tangents.clone();
         if strength.is_some() {
-            // chords between pivots lie inside the limit of the strength: safe in every direction
+            // chords between pivots lie inside the limit of the strength: conservative in every direction
             limits.tipping = self.chords(&pivots);
             tangents.extend(self.refined(best_direction, strength));
         }
@@ -354,7 +354,7 @@ impl<'a> Part<'a> {
             .collect()
     }
 
-    /// The worst direction near a given one, where finite strength rounds the contact's corners.
+    /// The worst direction near a given one, because finite strength rounds the corners of the contact.
     fn refined(&self, near: [f64; 2], strength: Option<f64>) -> Option<HalfPlane> {
         let angle = near[1].atan2(near[0]);
         let at = |angle: f64| {
@@ -369,7 +369,6 @@ impl<'a> Part<'a> {
         at(best)
     }
 
-    /// Fills in the sliding limits.
     fn slide(&self, limits: &mut CutLimits) {
         let (mu, cohesion) = self.friction();
         let normal = self.contact.axes[2];
@@ -400,7 +399,7 @@ impl<'a> Part<'a> {
         given.reduce(f64::min)
     }
 
-    /// Smallest friction of its joints, and cohesion × area of all, N.
+    /// Smallest friction coefficient of its joints, and the sum of cohesion × area, N.
     fn friction(&self) -> (f64, f64) {
         let joints = self.cut.joints.iter().map(|&joint| &self.stack.joints()[joint]);
         let (mut mu, mut cohesion) = (f64::INFINITY, 0.0);
@@ -411,7 +410,7 @@ impl<'a> Part<'a> {
         (mu, cohesion)
     }
 
-    /// Sliding in a direction of the plane.
+    /// Limit of sliding in one direction of the plane.
     fn slides_along(&self, angle: f64, mu: f64, bond: f64) -> HalfPlane {
         let way = self.contact.along([angle.cos(), angle.sin()]);
         let lever = (way + self.contact.axes[2] * mu) * self.load.mass;

@@ -2,9 +2,9 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | N, r | `normal_force_n`, `resultant_m` | force that presses, where its resultant crosses the joint | N, m |
-//! | σ(x, y) | `plane` | c₀ + c₁ x + c₂ y about the centroid, pressure where positive | Pa |
-//! | H | `hessian` | ∫ [1 x y]ᵀ [1 x y] over the part in contact | m², m³, m⁴ |
+//! | N, r | `normal_force_n`, `resultant_m` | compressive force, point where its resultant crosses the joint | N, m |
+//! | σ(x, y) | `plane` | c₀ + c₁ x + c₂ y about the centroid; positive values are pressure | Pa |
+//! | H | `hessian` | ∫ [1 x y]ᵀ [1 x y] over the area in contact | m², m³, m⁴ |
 
 use super::toe::beyond;
 use crate::stability::StabilityError;
@@ -15,31 +15,31 @@ use crate::structure::stack::Polygon;
 pub struct JointPressure {
     /// Greatest pressure, at a corner, Pa.
     pub peak_pa: f64,
-    /// Its place, m.
+    /// Its position, m.
     pub peak_at_m: [f64; 2],
     /// Area in contact over area of the joint.
     pub contact_share: f64,
-    /// The parts in contact, one for each patch, empty where a patch is open.
+    /// The areas in contact, one for each patch; empty if the patch is open.
     pub contact: Vec<Polygon>,
-    /// Pressure is `plane[0] + plane[1] x + plane[2] y` where that is positive, Pa and Pa/m.
+    /// Pressure is `plane[0] + plane[1] x + plane[2] y` where this is positive, Pa and Pa/m.
     pub plane: [f64; 3],
     /// Number of iterations.
     pub iterations: usize,
-    /// Relative error of force, and of the resultant's place over the size of the joint.
+    /// Relative error of the force, and of the position of the resultant over the size of the joint.
     pub residual: f64,
 }
 
 /// Largest number of iterations; fewer than 20 are needed. Our choice.
 const STEPS_MOST: usize = 200;
-/// Residual at which it ends. Our choice.
+/// Residual at which the iteration ends. Our choice.
 const RESIDUAL: f64 = 1e-12;
 
-/// Pressure under a force on one or several convex patches of a plane: linear, no tension; `None` if the resultant lies
-/// outside their convex hull or on its edge.
+/// Pressure under a force on one or several convex patches in one plane: linear, without tension. `None` if the
+/// resultant lies outside the convex hull of the patches or on its edge.
 ///
 /// ```text
 /// σ = max(0, c₀ + c₁x + c₂y),   ∫σ = N, ∫σx = N r_x, ∫σy = N r_y
-///     the least of ½∫σ² − N (c₀ + c₁r_x + c₂r_y), which is convex: Newton steps H(contact) c = N [1 r_x r_y], shortened
+///     minimum of ½∫σ² − N (c₀ + c₁r_x + c₂r_y), which is convex: Newton steps H(contact) c = N [1 r_x r_y], shortened
 /// rectangle l × b, resultant e from an edge, e < l/3:   peak 2 N / (3 e b), contact 3 e / l
 /// ```
 ///
@@ -77,7 +77,7 @@ pub fn no_tension_pressure(
     if depth.is_nan() || depth <= 1e-9 * size || hull.corners_m.len() < 3 {
         return Ok(None);
     }
-    // coordinates about the resultant over the size, force 1: then the loads are [1, 0, 0]
+    // coordinates relative to the resultant, divided by the size, and force 1: the loads are then [1, 0, 0]
     let scaled: Vec<Polygon> = patches
         .iter()
         .map(|patch| Polygon {
@@ -111,7 +111,7 @@ pub fn no_tension_pressure(
         let step: [f64; 3] = std::array::from_fn(|i| target[i] - c[i]);
         let size_of = |v: &[f64; 3]| v.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         if size_of(&step) <= 1e-14 * size_of(&c) {
-            break residual; // rounding: the next step would be the same
+            break residual; // rounding: the next step would be equal
         }
         let slope: f64 = (0..3)
             .map(|i| step[i] * (got[i] - f64::from(u8::from(i == 0))))
@@ -125,7 +125,8 @@ pub fn no_tension_pressure(
                 .abs()
                 .max(trial_got[1].abs())
                 .max(trial_got[2].abs());
-            // Armijo, a ten-thousandth of the slope; near the end the energy is flat to rounding, the residual not
+            // Armijo condition with 1e-4 of the slope; near the end the energy is constant within rounding, but the
+            // residual is not
             if energy(&trial_hessian, trial) <= value + 1e-4 * share * slope
                 || trial_residual <= 0.5 * residual
                 || share < 1e-6
@@ -150,7 +151,7 @@ pub fn no_tension_pressure(
     )))
 }
 
-/// Back to the joint's own coordinates.
+/// Transforms the result back to the coordinates of the joint.
 fn result(
     patches: &[Polygon],
     scaled: &[Polygon],

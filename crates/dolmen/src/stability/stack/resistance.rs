@@ -1,8 +1,8 @@
-//! One way in which a part of a stack begins to move.
+//! One limit on the forces on a part of a stack.
 
 use super::LimitKind;
 
-/// One way in which a part begins to move: f · F + m · M ≤ s.
+/// The resistance of a part to one motion: f · F + m · M ≤ s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resistance {
     /// Tipping about an edge, or sliding.

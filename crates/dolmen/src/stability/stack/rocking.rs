@@ -15,7 +15,7 @@ use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 use glam::{DMat3, DVec3};
 
-/// The part above a joint as one block that rocks about an edge.
+/// The part above a joint, as one block that rocks about an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockingBlock {
     /// Index into [`CutLimits::edges`].
@@ -32,7 +32,7 @@ pub struct RockingBlock {
     pub velocity_ratio: Option<f64>,
 }
 
-/// The part above a cut as one block that rocks about each of its edges; empty if it does not stand.
+/// The part above a cut as a block that rocks about each of its edges; empty if the part does not stand.
 ///
 /// ```text
 /// I₀ = Σ (t · J_k t + m_k |r_k ⊥ t|²),   p = √(W R / I₀),  W = m g (the weight without vertical acceleration)
@@ -83,7 +83,7 @@ pub fn rocking_blocks(stack: &Stack, limits: &CutLimits) -> Result<Vec<RockingBl
     for (edge, line) in limits.edges.iter().enumerate() {
         let axis = DVec3::from(line.axis);
         let square = |v: DVec3| (v - axis * v.dot(axis)).length_squared();
-        let mut own = 0.0; // about the centroid
+        let mut own = 0.0; // moment of inertia about the centroid
         for &block in &limits.cut.blocks {
             let block = &stack.blocks()[block];
             let inertia = DMat3::from_cols_array_2d(&block.solid.inertia_m5());
@@ -178,11 +178,11 @@ pub fn published_critical_slenderness_2a(spectral_velocity_m_s: f64, frequency_p
     spectral_velocity_m_s * frequency_parameter_rad_s
 }
 
-/// Published eq. 3, S_v / √(g R), rad. It takes m R²/I₀ as 1, but the value is 3/4 for every uniform rectangle, so the result is 15.5 % above
-/// [`RockingBlock::critical_slenderness_rad`].
+/// Published eq. 3, S_v / √(g R), rad. It assumes m R²/I₀ = 1, but the value is 3/4 for every uniform rectangle. The result is therefore 15.5
+/// % above [`RockingBlock::critical_slenderness_rad`].
 ///
 /// # Source
-/// Kim, Koo & Hong (2018), eq. 3. Its eq. 2b prints (M R)² where M R² is meant.
+/// Kim, Koo & Hong (2018), eq. 3. Its eq. 2b has (M R)² instead of M R².
 pub fn published_critical_slenderness_3(spectral_velocity_m_s: f64, gravity_m_s2: f64, radius_m: f64) -> f64 {
     spectral_velocity_m_s / (gravity_m_s2 * radius_m).sqrt()
 }
@@ -208,8 +208,8 @@ pub struct PeriodOfThumb {
 /// Limitation of a period estimated from the height alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PeriodCaveat {
-    /// Fitted to eight stone pagodas of 4 to 10 m: six are within 15 %; one was measured at less than half, and one at more than twice the
-    /// estimated frequency.
+    /// Fitted to eight stone pagodas of 4 to 10 m. Six measured frequencies are within 15 % of the estimate; one is less than half of it, one
+    /// more than twice.
     FewPagodas,
 }
 
@@ -232,7 +232,7 @@ impl std::fmt::Display for PeriodCaveat {
 ///
 /// # Source
 /// Kim, Koo & Hong (2018), eq. 1 and Table 2; its authors call for more measurements before it is used. Its text gives 5.59 Hz for the pagoda
-/// at Seojungri (5.9 m), which is the value of Sungjusa (6.3 m); its Table 2 has 5.87 Hz, as eq. 1.
+/// at Seojungri (5.9 m), but this is the value of Sungjusa (6.3 m); its Table 2 has 5.87 Hz, as eq. 1.
 pub fn period_of_thumb(height_m: f64) -> Result<PeriodOfThumb, StabilityError> {
     if !(height_m > 0.0 && height_m.is_finite()) {
         return Err(StabilityError::Option {
@@ -299,7 +299,7 @@ mod tests {
 
     #[test]
     fn holds_momentum_about_the_new_edge_off_centre() {
-        // impact seen from either side: (I_c + m ρ·ρ′) is the same, so r I₀′ = r′ I₀
+        // the impact in both directions: (I_c + m ρ·ρ′) is the same, so r I₀′ = r′ I₀
         let blocks = of(&shifted(&[(1.0, 0.5), (0.8, 1.5)], &[0.0, 0.2], 0.9), 1);
         assert_eq!(blocks.len(), 4);
         for (i, block) in blocks.iter().enumerate() {

@@ -7,7 +7,7 @@
 //! | m, c | `mass`, `centroid` | mass and centroid of the part above | kg, m |
 //! | F, M | `force`, `moment` | weight (1 + a_z/g) and static loads on the part; moment about the origin | N, N m |
 //! | x | – | horizontal acceleration of the inertia forces m x | m/s² |
-//! | μ, C | `mu`, `cohesion` | least friction of the joints, cohesion × area | –, N |
+//! | μ, C | `mu`, `cohesion` | smallest friction coefficient of the joints, cohesion × area | –, N |
 //! | f | `compressive_strength_pa` | compressive strength of the stone at the edge of a joint | Pa |
 //! | K | `rocking_stiffness_n_m_rad` | rocking stiffness of the base on its soil, of the [stack](Stack::soil) | N m/rad |
 
@@ -23,11 +23,11 @@ use crate::structure::stack::Stack;
 /// ```text
 /// rocking about the line (p, t):   x · m (t × (c − p))_h  ≤  −t · (M − p × F)
 ///     horizontal joint, weight only:  a/g = tan α = distance of the centroid from the edge, in plan / its height
-///     soonest along (t × (c − p))_h, so the least over all directions is the least over the edges
+///     smallest along (t × (c − p))_h, so the minimum over all directions is the minimum over the edges
 /// sliding, all unit v in the plane: x · m (v + μ n)_h ≤ μ N + C − v · F,  N = −F · n
 ///     tilted by β, weight only: a/g = tan(φ − β)
 /// strength:   the line lies at the centroid of the outermost strip of area N/f, in every direction
-/// soil:       the base turns by θ = (W h a/g + M_s) / (K − W h); every part then feels a + g θ, so with M_s = 0
+/// soil:       the base rotates by θ = (W h a/g + M_s) / (K − W h); every part then has a + g θ, so with M_s = 0
 ///             a = a_rigid (1 − W h / K)        W, h weight and height of centroid of the whole stack
 /// ```
 ///
@@ -36,9 +36,9 @@ use crate::structure::stack::Stack;
 ///
 /// # Limits
 /// Uplift and sliding are computed separately: a part that twists or opens while it slides needs a limit analysis. In a stack that is not
-/// statically determinate every threshold is an upper bound, three times too high for a beam across two pillars, and the result names no
-/// governing joint. Stones beside a part neither support nor push it; side supports are left out. The tensile strength of a joint is left out,
-/// and its cohesion acts only against sliding. If joints differ in friction or strength, the smallest value counts. With ties: each at its
+/// statically determinate, every threshold is an upper bound (three times too high for a beam across two pillars), and the result names no
+/// governing joint. Adjacent stones neither support nor push a part; side supports are left out. The tensile strength of a joint is left out,
+/// and its cohesion acts only against sliding. If joints differ in friction or strength, the smallest value is used. Each tie acts at its
 /// strength, although a brittle tie may break before the next one is stretched.
 ///
 /// # Source
@@ -110,17 +110,17 @@ fn soil(stack: &Stack, whole: &Load, options: &StackLimits) -> Soil {
         };
         return soil;
     }
-    // a moment about y tips towards x, one about −x towards y
+    // a moment about y tips towards x, a moment about −x towards y
     let turn = effective / (stiffness - falling);
     soil.offset = [whole.static_moment.y * turn, -whole.static_moment.x * turn];
     soil
 }
 
-/// The smallest margin and the first motion of all cuts.
+/// Sets the smallest margin and the first motion of all cuts.
 fn summarise(states: &mut StackLimitStates) {
     for cut in &states.cuts {
         let least = states.gravity_margin.unwrap_or(f64::INFINITY);
-        // the worst falling cut determines the fault
+        // the cut with the smallest margin determines the reason for falling
         if !cut.standing.stands() && (states.standing.stands() || cut.gravity_margin < least) {
             states.standing = cut.standing.clone();
         }
@@ -163,7 +163,7 @@ fn soonest(
     })
 }
 
-/// Uplift if both occur at the same acceleration.
+/// The earlier motion; uplift if both occur at the same acceleration.
 fn sooner(uplift: Option<Governing>, sliding: Option<Governing>) -> Option<Governing> {
     match (uplift, sliding) {
         (Some(uplift), Some(sliding)) => Some(
@@ -198,7 +198,7 @@ mod tests {
 
     #[test]
     fn exact_towers_of_ten_and_twenty_stones() {
-        // tan α of every sub-stack by hand: weights and heights of boxes
+        // tan α of every upper part by hand, from weights and heights of boxes
         for (sizes, known) in [(P10.to_vec(), 0.324), (p20(), 0.251)] {
             let states = limits(&tower(&sizes, 0.6));
             let mut least = (f64::INFINITY, 0);
@@ -241,7 +241,7 @@ mod tests {
     #[test]
     fn exact_offset_lowers_one_direction_only() {
         let states = limits(&shifted(&[(1.0, 0.5), (1.0, 1.0)], &[0.0, 0.1], 0.9));
-        // upper stone on 0.9 × 1 of the lower: 0.4 to the edge of the lower, 0.5 in y, height 0.5
+        // the upper stone stands on 0.9 × 1 of the lower one: 0.4 to its edge, 0.5 in y, height 0.5
         let upper = &states.cuts[1];
         assert!((upper.uplift.unwrap().acceleration_g - 0.8).abs() < 1e-12);
         assert!((upper.uplift.unwrap().direction[0] - 1.0).abs() < 1e-12);
@@ -285,7 +285,7 @@ mod tests {
         let sliding = stack_limits(&block, &lateral).unwrap().sliding.unwrap().threshold;
         assert!((sliding.acceleration_g - 0.55).abs() < 1e-12);
         let weight = 0.32 * 2600.0 * 9.81;
-        // a push of 0.04 W at the top: moment 0.08 W m of the resisting 0.2 W m, m h = 1
+        // a push of 0.04 W at the top: a moment of 0.08 W m, with a resistance of 0.2 W m, m h = 1
         let push = loads(StackLoads {
             forces: vec![PointForce {
                 block: 0,
@@ -367,7 +367,7 @@ mod tests {
         assert!((uplift(&on(10.0 * fall), &usual) - 0.18).abs() < 1e-12);
         let states = stack_limits(&on(0.9 * fall), &usual).unwrap();
         assert_eq!((states.governing, states.verdict), (None, Verdict::Unstable));
-        // a static lateral load of 0.05 g rotates the base by 0.05 / 9, which costs 0.05 / 9 and the tenth
+        // a static lateral load of 0.05 g rotates the base by 0.05 / 9, which reduces the limit by 0.05 / 9 and by a tenth
         let mut both = usual;
         both.loads.lateral_m_s2 = [0.05 * 9.81, 0.0];
         assert!((uplift(&on(10.0 * fall), &both) - 0.9 * (0.15 - 0.05 / 9.0)).abs() < 1e-12);
@@ -425,7 +425,7 @@ mod tests {
 
     #[test]
     fn exact_a_stone_with_its_weight_on_the_edge_does_not_stand() {
-        // half over: rounding may put the centroid on either side of the edge
+        // half of the stone overhangs: rounding may put the centroid on either side of the edge
         for shift in [0.5, 0.5 - 1e-12, 0.5 + 1e-12] {
             let states = limits(&shifted(&[(1.0, 0.5), (1.0, 0.5)], &[0.0, shift], 0.6));
             assert_eq!(

@@ -2,7 +2,7 @@
 
 use super::StackLoads;
 
-/// Input of the limits besides the stack.
+/// Options of the limits of a stack.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StackLimits {
     /// Loads before any horizontal shaking. Default none.

@@ -6,16 +6,16 @@ use std::fmt;
 /// Whether the part above a joint stands without shaking. `Display` gives a sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
-    /// It stands.
+    /// The part stands.
     Stands,
-    /// The resultant of weight and static loads leaves the joint: it tips.
+    /// The resultant of weight and static loads lies outside the joint: the part tips.
     Leaves {
         /// The bodies below, in words.
         above: String,
-        /// Distance, m.
+        /// Distance outside the joint, m.
         distance_m: f64,
     },
-    /// Weight and static loads exceed the shear resistance of the joint: it slides.
+    /// Weight and static loads exceed the shear resistance of the joint: the part slides.
     Slides {
         /// The bodies below, in words.
         above: String,
@@ -24,21 +24,21 @@ pub enum Standing {
         /// Resistance of friction and cohesion, N.
         resistance_n: f64,
     },
-    /// Nothing presses the joint together.
+    /// No force presses the joint together.
     Lifts {
         /// The bodies below, in words.
         above: String,
-        /// Pull, N.
+        /// Tension, N.
         pull_n: f64,
     },
-    /// The resultant lies where the stone crushes.
+    /// The resultant lies so close to an edge that the stone crushes.
     Crushes {
         /// The bodies below, in words.
         above: String,
         /// Distance beyond the line that the strength allows, m.
         distance_m: f64,
     },
-    /// Even spread over the whole joint, the force exceeds the strength.
+    /// The force exceeds the strength, even if it is distributed over the whole joint.
     Overloaded {
         /// The bodies below, in words.
         above: String,
@@ -47,16 +47,16 @@ pub enum Standing {
         /// Compressive strength, Pa.
         strength_pa: f64,
     },
-    /// Stones that share their load crush: no forces in the joints balance the weight, although they would without crushing.
+    /// Stones that share their load crush: no joint forces balance the weight with the strength, although they would without crushing.
     CrushesTogether {
         /// Smallest compressive strength of the joints, Pa.
         strength_pa: f64,
     },
-    /// The soil rotates without limit under the stack.
+    /// The base rotates on its soil without limit.
     SoilTurns {
-        /// Its rocking stiffness, N m/rad.
+        /// Rocking stiffness on the soil, N m/rad.
         stiffness_n_m_rad: f64,
-        /// The stiffness needed: weight × height of its centroid, N m/rad.
+        /// The required stiffness: weight × height of the centroid, N m/rad.
         least_n_m_rad: f64,
     },
 }
@@ -121,12 +121,12 @@ impl fmt::Display for Standing {
 }
 
 impl Verdict {
-    /// Margin below which a standing stack is "marginal", our choice: at one third of the way from the edge to the middle a rectangular joint is
-    /// in contact over half of its width.
+    /// Margin below which a standing stack is "marginal". Our choice: at one third of the way from the edge to the middle, a rectangular joint
+    /// is in contact over half of its width.
     pub const MARGINAL_BELOW_MARGIN: f64 = 1.0 / 3.0;
 
-    /// The verdict on a stack without shaking from its smallest margin: the remaining share of the way from the middle of a joint to its edge,
-    /// or of its friction. 0 or less: unstable.
+    /// The verdict on a stack without shaking, from its smallest margin: the distance of the resultant from the edge relative to that of the
+    /// middle, or the reserve of friction. 0 or less: unstable.
     pub fn of_gravity_margin(gravity_margin: f64) -> Self {
         if gravity_margin.is_nan() {
             Verdict::Unknown

@@ -11,10 +11,10 @@ use glam::DVec3;
 /// Options of moving supports.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SupportMovementOptions {
-    /// Loads besides the weight, constant in direction. Default none.
+    /// Loads in addition to the weight, with constant direction. Default none.
     pub loads: StackLoads,
-    /// Largest rotation of a stone, rad, and largest displacement over the size of the stack, in one step. Default 0.004, our choice: half of
-    /// it changes the collapse of an arch of t/R 0.15 by less than 0.1 %.
+    /// Largest rotation of a stone, rad, and largest displacement over the size of the stack, in one step. Default 0.004, our choice: half of it
+    /// changes the movement at collapse of an arch with t/R = 0.15 by less than 0.1 %.
     pub step: f64,
     /// Movement at which the analysis ends, over the size of the stack. Default 0.5, our choice: far beyond any repair.
     pub movement_most: f64,
@@ -37,80 +37,80 @@ impl Default for SupportMovementOptions {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SupportReaction {
-    /// The block that stands on it.
+    /// The block.
     pub block: usize,
     /// Force of the ground on the block, N, z up.
     pub force_n: [f64; 3],
 }
 
-/// A stack at one amount of movement.
+/// A stack at one stage of the movement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MovedStack {
-    /// The amount, over the given movement.
+    /// Factor on the given movement.
     pub factor: f64,
-    /// Its stones at that movement.
+    /// Its stones at this stage.
     pub solids: Vec<Solid>,
-    /// Joints that have opened or slipped since it was drawn.
+    /// Joints that have opened or slipped since the stack was drawn.
     pub mechanism: Option<Mechanism>,
     /// Force on each support, in the order of the blocks.
     pub reactions: Vec<SupportReaction>,
-    /// Largest slip in a closed joint until then, m.
+    /// Largest slip in a closed joint so far, m.
     pub slip_m: f64,
 }
 
 /// End of the analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MovementEnding {
-    /// No forces in the joints balance the weight beyond the last state, within less than one step.
+    /// Beyond the last state, within less than one step, no joint forces balance the weight.
     Falls {
-        /// Factor on the given movement at which it falls.
+        /// Factor on the given movement at which the stack falls.
         by_factor: f64,
     },
-    /// It stood until the largest movement of the analysis.
+    /// The stack stood until the largest movement of the analysis.
     Stands,
-    /// A step could not be solved, or the number of steps did not suffice: the result is unknown.
+    /// A step was not solved, or the number of steps did not suffice: the result is unknown.
     NotFollowed,
 }
 
 /// Result of moving supports.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MovedSupports {
-    /// Under a very small movement, at which only the first joints have opened.
+    /// State after a very small movement, in which only the first joints have opened.
     pub small: MovedStack,
-    /// Under the given movement; `None` if it falls before.
+    /// State after the given movement; `None` if the stack falls before.
     pub given: Option<MovedStack>,
-    /// The last state in which it stood.
+    /// The last state in which the stack stood.
     pub last: MovedStack,
-    /// Its end.
+    /// End of the analysis.
     pub ending: MovementEnding,
-    /// Largest error of balance in any step, over the weight.
+    /// Largest error of equilibrium in any step, over the weight.
     pub residual: f64,
     /// Number of steps tried.
     pub steps: usize,
 }
 
 impl MovedSupports {
-    /// Slip in closed joints, over the size of the stack, from which the movement at collapse depends on friction. Our choice.
+    /// Slip in closed joints, over the size of the stack, above which the movement at collapse depends on friction. Our choice.
     pub const SLIP_TELLS: f64 = 1e-3;
-    /// Factor on the given movement below which a standing stack is marginal. Our choice, as that on a load.
+    /// Factor on the given movement below which a standing stack is marginal. Our choice, as for loads.
     pub const MARGINAL_BELOW: f64 = 1.5;
 }
 
-/// The movement of a first state, over the size of the stack. Our choice: joints open by about as much.
+/// Movement of the first state, over the size of the stack. Our choice: joints open by about as much.
 const SMALL: f64 = 1e-4;
-/// Smallest step of the movement, over the size of the stack: if it needs a smaller one, it falls. Our choice: 0.02 mm a metre.
+/// Smallest step of the movement, over the size of the stack: a stack that needs a smaller step falls. Our choice: 0.02 mm per metre.
 const STEP_LEAST: f64 = 2e-5;
 /// Gaps and slips below this fraction of the largest are not reported. Our choice, as in the limit analysis.
 const NAMED_LEAST: f64 = 1e-3;
-/// And so are those below this fraction of the movement, if that is larger. Our choice.
+/// The same for this fraction of the movement, if it is larger. Our choice.
 const NAMED_OF_MOVEMENT: f64 = 0.1;
 
-/// Follows a stack while the ground under some of its stones moves, from its drawn shape until no forces in its joints balance its weight.
+/// Follows a stack while the ground under some of its stones moves, from its drawn shape until no joint forces balance its weight.
 ///
 /// ```text
-/// each step   the motion of all stones that loses most weight while nothing enters anything, for a small part of the movement given
-/// then        stones turned and moved in full; joints found anew where faces still cover each other; the next step
-/// falls       if no step is small enough for stones to move as little, or the weight is not balanced
+/// each step   for a small part of the given movement, the motion of all stones without penetration that loses most potential energy
+/// then        the stones move by finite rotations; joints are found again where faces still overlap; the next step
+/// falls       if stones move too far even in the smallest step, or if the weight is not balanced
 /// ```
 ///
 /// # Errors
@@ -118,8 +118,8 @@ const NAMED_OF_MOVEMENT: f64 = 0.1;
 ///
 /// # Limits
 /// The movement is slow. Stone is rigid and infinitely strong; bond, ties and side supports are left out. Only joints as drawn are included: new
-/// contacts of stones are not detected. Sliding follows Coulomb's law to the first order of the step; among equally loaded joints the first to
-/// slide is arbitrary. Before the joints have opened the stones do not determine the place of cracks.
+/// contacts of stones are not detected. Sliding follows Coulomb's law to the first order of the step. Of equally loaded joints, the first one to
+/// slide is arbitrary. Until joints have opened, the positions of cracks are not determined.
 ///
 /// # Source
 /// Ochsendorf (2006) for arches on spreading supports; Portioli & Cascini (2017) for the step.
@@ -171,7 +171,7 @@ pub fn follow_support_movement(
                 falls_by = Some(falls_by.map_or(to, |by| by.min(to)));
                 ahead = 0.5 * (to - path.factor);
                 if ahead < least {
-                    // a state is known to stand only by the step from it: go back and come nearer
+                    // only the next step shows whether a state stands: go back and approach in smaller steps
                     if let Some((before, taken)) = before.take().filter(|(_, taken)| *taken > least) {
                         let steps = path.steps;
                         path = Path { steps, ..before };
@@ -187,7 +187,7 @@ pub fn follow_support_movement(
                 }
             }
         }
-        // a failure may have come from too large a step
+        // the failure may be due to too large a step
         if falls_by.is_some_and(|by| path.factor >= by * (1.0 - 1e-12)) {
             falls_by = None;
         }
@@ -203,14 +203,13 @@ pub fn follow_support_movement(
     })
 }
 
-/// Outcome of a step.
 #[derive(Clone, Copy, PartialEq)]
 enum StepOutcome {
-    /// Stones moved by this share of the largest step.
+    /// Stones moved by this fraction of the largest step.
     Taken {
         share: f64,
     },
-    /// The supports would move farther, or no forces are in equilibrium.
+    /// The stones would move too far, or no forces are in equilibrium.
     Falls,
     NotSolved,
 }
@@ -293,7 +292,7 @@ impl<'a> Path<'a> {
         each.collect()
     }
 
-    /// Loads on the stones at their present places: the point of a static load moves with its stone.
+    /// Loads on the stones in their current positions; a static load moves with its stone.
     fn dead_now(&self) -> Vec<BlockDeadLoad> {
         let mut dead = self.dead.clone();
         for load in self.stack.static_loads() {
@@ -304,7 +303,7 @@ impl<'a> Path<'a> {
         dead
     }
 
-    /// Continues to a factor.
+    /// Tries a step to this factor.
     fn try_step(&mut self, factor: f64) -> StepOutcome {
         self.steps += 1;
         let ground: Vec<DVec3> = self.unit.iter().map(|u| *u * (factor - self.factor)).collect();
@@ -367,7 +366,7 @@ impl<'a> Path<'a> {
         }
     }
 
-    /// Gaps below this are closed, m.
+    /// Gap below which a corner is closed, m.
     fn closed_below(&self) -> f64 {
         let corners = self.contacts.iter().flat_map(|contact| &contact.corners);
         let far = self.unit.iter().map(|u| u.length()).fold(0.0, f64::max) * self.factor;
@@ -377,7 +376,7 @@ impl<'a> Path<'a> {
         NAMED_LEAST * most.max(NAMED_OF_MOVEMENT * far)
     }
 
-    /// Closed corners of a contact: the nearest, and those lifted no farther than a slip of the last step can do.
+    /// Closed corners of a contact: the nearest one, and those with a gap that the slip of the last step can explain.
     fn closed<'c>(&self, contact: &'c Contact) -> Vec<&'c Corner> {
         let least = self.closed_below();
         let nearest = contact.corners.iter().map(|corner| corner.gap);
@@ -419,7 +418,7 @@ impl<'a> Path<'a> {
     }
 }
 
-/// Loads keep their direction: force at the centroid, moment about it.
+/// Dead load of a block, with constant direction: force at its centroid and moment about it.
 fn dead(load: &Load) -> BlockDeadLoad {
     BlockDeadLoad {
         force: load.force,
@@ -445,7 +444,7 @@ mod tests {
         }
     }
 
-    /// Two pillars 0.4 m wide with a lintel across, on joints of these frictions; the right one moves.
+    /// Two pillars 0.4 m wide with a lintel, on joints with these friction coefficients; the right pillar moves.
     fn lintel(frictions: [f64; 2], movement_m: [f64; 3]) -> MovedSupports {
         let blocks = vec![
             block("left", [0.4, 0.4, 1.0], [-0.8, 0.0, 0.0]),
@@ -497,7 +496,7 @@ mod tests {
                 "{name}: {}",
                 found.last.slip_m
             );
-            // the smoother joint drags by what lies on it: of the lintel 0.375 to 0.625, wherever it lies on the pillars
+            // the joint with less friction slides at the friction of its load: 0.375 to 0.625 of the lintel, depending on its position
             let drags = [0.375, 0.625].map(|share| 0.2 * share * 0.24 * 2600.0 * 9.81);
             let [left, right] = [0, 1].map(|at| found.small.reactions[at].force_n[0]);
             assert!((left + right).abs() < 1e-6 * drags[0], "{left} {right}");
@@ -511,7 +510,7 @@ mod tests {
     #[test]
     fn exact_a_lintel_turns_with_a_pillar_that_settles() {
         let found = lintel([0.6, 0.6], [0.0, 0.0, -0.02]);
-        // it turns about the inner edge of the left pillar and lies on the outer one of the right, 0.6 and 1 m from its middle
+        // it rotates about the inner edge of the left pillar and lies on the outer edge of the right one, 0.6 and 1 m from its middle
         let mechanism = found.small.mechanism.unwrap();
         let places: Vec<f64> = mechanism
             .joints

@@ -1,5 +1,3 @@
-//! The horizontal acceleration of a first motion.
-
 /// The horizontal acceleration of a first motion, in its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

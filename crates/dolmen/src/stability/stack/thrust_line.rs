@@ -58,7 +58,7 @@ pub enum ThrustPlace {
 /// [`StabilityError::Indeterminate`] for a stack where blocks share their load; values out of range.
 ///
 /// # Limits
-/// Ties, bond and side supports carry nothing.
+/// Ties, bond and side supports carry no force.
 ///
 /// # Example
 /// ```

@@ -1,14 +1,14 @@
-//! The axis about which a part turns when the stone under its toe yields: the pivot of a stress block.
+//! The axis about which a part rotates when the stone at its edge crushes: the centroid of a stress block.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | ν | `outward` | direction in the plane, unit | – |
-//! | t | `depth` | depth of the pressed strip behind the outermost corner along ν | m |
+//! | t | `depth` | depth of the compressed strip behind the outermost corner along ν | m |
 //! | A(t) | `area` | area of the patches within the strip; A f = N | m² |
 
 use crate::structure::stack::Polygon;
 
-/// Centroid of the outermost strip of these patches along a direction that has the given area, in their plane; `None` if their whole area is
+/// Centroid, in the plane of the patches, of their outermost strip along a direction with the given area; `None` if their total area is
 /// smaller.
 ///
 /// ```text
@@ -28,7 +28,7 @@ pub(super) fn toe(patches: &[Polygon], outward: [f64; 2], area: f64) -> Option<[
             .max_by(|a, b| along(a).total_cmp(&along(b)))
             .map(|corner| [outward[0] * along(corner), outward[1] * along(corner)]);
     }
-    // A(t) rises with t: false position that halves the weight of an end that stays (Illinois)
+    // A(t) increases with t: false position, with half the weight for an end that stays (Illinois)
     let (mut low, mut high) = (0.0, most - least);
     let (mut below, mut above) = (-area, whole - area);
     for _ in 0..100 {

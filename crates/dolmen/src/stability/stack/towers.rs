@@ -49,7 +49,8 @@ pub(super) fn tower(sizes: &[(f64, f64)], friction: f64) -> Stack {
     shifted(sizes, &[], friction)
 }
 
-/// Two boxes .4 wide, .2 and 1 high, leaning as one by a slope along x: the joint between them is tilted.
+/// Two boxes .4 wide, .2 and 1 high, that lean together by a slope along x: the joint between them is
+/// inclined.
 pub(super) fn leaning(slope: f64, friction: f64) -> Stack {
     let place = |height: f64| {
         let length = slope.hypot(1.0);

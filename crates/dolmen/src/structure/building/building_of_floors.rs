@@ -4,19 +4,19 @@ use super::error::BuildingError;
 use super::floors::{Floor, Storey, check_floor, positive};
 use super::stability::{StoreyFall, storey_falls};
 
-/// Whether P-delta reduces the stiffness.
+/// Whether the weight reduces the stiffness (P-delta).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PDelta {
-    /// Left out.
+    /// No P-delta.
     LeftOut,
-    /// P-delta by the weight of all floors above, each acting at its centre of mass.
+    /// P-delta from the weight of all floors above; each weight acts at its centre of mass.
     Weights {
         /// Acceleration of gravity, m/s².
         gravity_m_s2: f64,
     },
 }
 
-/// A building of rigid floors on storeys, lowest first. Construction checks it: it is valid and stands.
+/// A building of rigid floors on storeys, lowest first. Construction checks that it is valid and stable.
 ///
 /// Three coordinates for each floor, u, v, θ of its centre of mass, floors from the bottom.
 ///
@@ -42,14 +42,14 @@ pub struct Building {
 }
 
 impl Building {
-    /// Builds it from floors and the storey below each, lowest first.
+    /// Makes a building from floors and the storey below each, lowest first.
     ///
     /// # Errors
     /// [`BuildingError::Empty`], [`BuildingError::Count`], [`BuildingError::Value`] for a mass, gyration or height that is
     /// not positive or a stiffness that is negative; [`BuildingError::Element`]; [`BuildingError::Asymmetric`];
     /// [`BuildingError::Sways`] and [`BuildingError::Twists`] for a storey without stiffness against sway or twist;
-    /// [`BuildingError::Outside`] if a centre of mass lies beyond the box around its floor;
-    /// [`BuildingError::Falls`] if P-delta exceeds the stiffness of a storey.
+    /// [`BuildingError::Outside`] if a centre of mass is outside the bounding box of its floor; [`BuildingError::Falls`]
+    /// if P-delta exceeds the stiffness of a storey.
     pub fn new(floors: Vec<Floor>, storeys: Vec<Storey>, p_delta: PDelta) -> Result<Self, BuildingError> {
         if floors.is_empty() {
             return Err(BuildingError::Empty);
@@ -101,7 +101,7 @@ impl Building {
         &self.storeys
     }
 
-    /// Whether P-delta reduces the stiffness.
+    /// Whether the weight reduces the stiffness (P-delta).
     pub fn p_delta(&self) -> PDelta {
         self.p_delta
     }
@@ -125,7 +125,7 @@ impl Building {
         self.floors.iter().map(|floor| floor.mass_kg).sum()
     }
 
-    /// Centre of all mass in plan, m.
+    /// Centre of the total mass in plan, m.
     pub fn centre_of_mass_m(&self) -> [f64; 2] {
         let total = self.mass_kg();
         let first = self.floors[0].centre_m;

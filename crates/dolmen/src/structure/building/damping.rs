@@ -1,4 +1,4 @@
-//! Damping of a building. All forms leave the modes uncoupled.
+//! Damping of a building. No form of damping couples the modes.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -18,7 +18,7 @@ const RATIO_MOST: f64 = 0.95;
 /// A frequency and the damping ratio at this frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DampingAnchor {
-    /// Frequency, Hz.
+    /// The frequency, Hz.
     pub frequency_hz: f64,
     /// Damping ratio there.
     pub damping_ratio: f64,
@@ -44,8 +44,8 @@ impl BuildingModes {
     ///
     /// # Errors
     /// [`BuildingError::Argument`] for a ratio outside 0 to 0.95, no ratio, more ratios than modes, or two anchors at one frequency;
-    /// [`BuildingError::Damping`] if a mode would gain energy or would not oscillate. Caughey's series may cause this between and beyond
-    /// its modes.
+    /// [`BuildingError::Damping`] if a mode would gain energy or would not oscillate. With Caughey's series this may happen between and
+    /// above its modes.
     pub fn damping_ratios(&self, damping: &BuildingDamping) -> Result<Vec<f64>, BuildingError> {
         let omegas = self.omegas_rad_s();
         let (ratios, why) = match damping {
@@ -82,7 +82,7 @@ impl BuildingModes {
             }
             BuildingDamping::Caughey(given) => {
                 checked(given, omegas.len())?;
-                // in powers of (ω/ω_1)², which stay near 1
+                // in powers of (ω/ω_1)², which keeps the numbers near 1
                 let first = omegas[0];
                 let square = |j: usize| (omegas[j] / first).powi(2);
                 let n = given.len();
@@ -115,7 +115,7 @@ impl BuildingModes {
 }
 
 impl Building {
-    /// The damping matrix C, 3N × 3N, that gives the modes these ratios without coupling them.
+    /// The damping matrix C, 3N × 3N, for these damping ratios without coupling of the modes.
     ///
     /// ```text
     /// C = M Φ diag(2 ζ_j ω_j) Φᵀ M

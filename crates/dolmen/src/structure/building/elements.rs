@@ -1,36 +1,36 @@
-//! Stiffness of a storey, from its walls and columns in plan or as given.
+//! Stiffness of a storey: from its walls and columns in plan, or given directly.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | x_e, y_e | `x_m`, `y_m` | place of a wall or column in plan | m |
-//! | k_1, k_2 | `stiffness_x_n_m`, `stiffness_y_n_m` | its stiffness along its own axes | N/m |
-//! | k_θe | `stiffness_rotation_n_m_rad` | its own stiffness against turning | N·m/rad |
-//! | α | `angle_degrees` | its first axis from x, counterclockwise | ° |
-//! | k | `matrix` | stiffness against u, v, θ of a point of the plan | N/m, N/rad, N·m/rad |
-//! | A, b, c | | its blocks: 2 × 2 translation, coupling, rotation | |
+//! | k_1, k_2 | `stiffness_x_n_m`, `stiffness_y_n_m` | stiffness along the axes of the element | N/m |
+//! | k_θe | `stiffness_rotation_n_m_rad` | stiffness against rotation of the element itself | N·m/rad |
+//! | α | `angle_degrees` | angle of the first axis of the element from x, counterclockwise | ° |
+//! | k | `matrix` | stiffness against u, v, θ of a point in plan | N/m, N/rad, N·m/rad |
+//! | A, b, c | | blocks of k: 2 × 2 translation, coupling, rotation | |
 
 use super::error::BuildingError;
 use dolmen_linalg::{Matrix, symmetric_eigen};
 
-/// Stiffness below this fraction of the largest counts as zero: rounding leaves 1e-16 of it. Our choice.
+/// Stiffness below this fraction of the largest is zero: rounding leaves 1e-16 of it. Our choice.
 const NONE: f64 = 1e-12;
-/// Two numbers across the diagonal may differ by this fraction of the largest. Our choice: files hold 9 digits or more.
+/// Largest difference between two opposite entries, as a fraction of the largest entry. Our choice: files hold 9 digits or more.
 const ASYMMETRY_MOST: f64 = 1e-9;
 
-/// A wall, column, core or brace of a storey, standing at a place of the plan.
+/// A wall, column, core or brace of a storey at a place in plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Element {
-    /// Its place in plan, x, m.
+    /// x of its place in plan, m.
     pub x_m: f64,
-    /// Its place in plan, y, m.
+    /// y of its place in plan, m.
     pub y_m: f64,
-    /// Stiffness along its own first axis, x unless it is turned, N/m.
+    /// Stiffness along the first axis of the element, which is x unless it is rotated, N/m.
     pub stiffness_x_n_m: f64,
-    /// Stiffness along its own second axis, y unless it is turned, N/m.
+    /// Stiffness along the second axis of the element, which is y unless it is rotated, N/m.
     pub stiffness_y_n_m: f64,
-    /// Its own stiffness against rotation about itself, N·m/rad: 0 for thin walls and columns.
+    /// Stiffness against rotation of the element itself, N·m/rad: 0 for thin walls and columns.
     pub stiffness_rotation_n_m_rad: f64,
-    /// Rotation of its axes from x and y, degrees, counterclockwise.
+    /// Rotation of the axes of the element from x and y, degrees, counterclockwise.
     pub angle_degrees: f64,
 }
 
@@ -39,7 +39,7 @@ pub struct Element {
 pub struct StoreyStiffness {
     about_m: [f64; 2],
     matrix: [[f64; 3]; 3],
-    /// Scale for the stiffness against rotation: that of all elements without cancellation, N·m/rad.
+    /// Scale for the rotational stiffness: the sum over all elements without cancellation, N·m/rad.
     turning_scale: f64,
     elements: Vec<Element>,
 }
@@ -50,7 +50,7 @@ impl StoreyStiffness {
     /// ```text
     /// k = Σ_e A_eᵀ R k_e Rᵀ A_e,   A_e = [1 0 −(y_e − y_O); 0 1 x_e − x_O],   R the rotation by α        3 × 3
     /// ```
-    /// O is the mean place of the elements.
+    /// O is the mean position of the elements.
     ///
     /// # Errors
     /// [`BuildingError::Element`] for a negative stiffness or a value that is not a number. [`Building::new`](super::Building::new) numbers the
@@ -120,7 +120,7 @@ impl StoreyStiffness {
         })
     }
 
-    /// The stiffness from its values along x and y and against rotation about its centre of rigidity.
+    /// The stiffness from its values along x and y and against rotation about the centre of rigidity.
     pub fn at_centre(
         stiffness_x_n_m: f64,
         stiffness_y_n_m: f64,
@@ -147,7 +147,7 @@ impl StoreyStiffness {
         }
     }
 
-    /// Its walls and columns; empty if the stiffness was given.
+    /// The walls and columns; empty if the stiffness was given directly.
     pub fn elements(&self) -> &[Element] {
         &self.elements
     }
@@ -177,7 +177,7 @@ impl StoreyStiffness {
         Some([self.about_m[0] - second, self.about_m[1] + first])
     }
 
-    /// Refuses a matrix that no springs can have.
+    /// Refuses a matrix that no springs can produce.
     pub(super) fn check(&self, storey: usize) -> Result<(), BuildingError> {
         let k = &self.matrix;
         for row in 0..3 {
@@ -280,7 +280,7 @@ mod tests {
 
     #[test]
     fn exact_four_walls_by_hand() {
-        // two walls along x at y = ±4 of 3, two along y at x = −5 of 6 and x = 5 of 2
+        // two walls along x at y = ±4 with stiffness 3; two along y, at x = −5 with 6 and at x = 5 with 2
         let walls = vec![
             wall(0.0, -4.0, 3.0, 0.0),
             wall(0.0, 4.0, 3.0, 0.0),

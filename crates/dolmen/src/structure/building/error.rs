@@ -1,9 +1,9 @@
-//! Errors of a building: invalid input, or a building that falls.
+//! Errors of a building: invalid input, or an unstable building.
 
 /// Why a floor, a storey or a building is refused. Each variant carries the refused value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BuildingError {
-    /// No floors.
+    /// There are no floors.
     #[error("the building has no floors, but needs at least 1")]
     Empty,
     /// The numbers of storeys and floors differ.
@@ -14,12 +14,12 @@ pub enum BuildingError {
         /// Floors given.
         floors: usize,
     },
-    /// A refused number of a floor or storey.
+    /// A value of a floor or storey is out of its range.
     #[error("{part} {number}: {quantity} is {given}, but must be {allowed}")]
     Value {
         /// "floor", "storey", "mode".
         part: &'static str,
-        /// Its number, from 1 at the bottom.
+        /// Number of the part, from 1 at the bottom.
         number: usize,
         /// Name of the quantity with its unit.
         quantity: &'static str,
@@ -28,7 +28,7 @@ pub enum BuildingError {
         /// The allowed range.
         allowed: &'static str,
     },
-    /// A refused number of a wall or column.
+    /// A value of a wall or column is out of its range.
     #[error("storey {storey}, element {element}: {quantity} is {given}, but must be {allowed}")]
     Element {
         /// Number of the storey, from 1 at the bottom.
@@ -42,7 +42,7 @@ pub enum BuildingError {
         /// The allowed range.
         allowed: &'static str,
     },
-    /// A stiffness matrix that is not symmetric.
+    /// A stiffness matrix is not symmetric.
     #[error(
         "storey {storey}: its stiffness matrix has {upper} in row {row}, column {column}, but {lower} across its diagonal: \
          springs give equal numbers there"
@@ -54,12 +54,12 @@ pub enum BuildingError {
         row: usize,
         /// Column, from 1.
         column: usize,
-        /// The number there.
+        /// Entry at this place.
         upper: f64,
-        /// The opposite number across the diagonal.
+        /// Opposite entry across the diagonal.
         lower: f64,
     },
-    /// A storey without stiffness against sway in some direction.
+    /// A storey has no stiffness against sway in some direction.
     #[error(
         "storey {storey} does not resist sway toward {direction_degrees:.1} degrees from x: its stiffness there is \
          {stiffness_n_m} N/m; give a wall or column that does"
@@ -67,12 +67,12 @@ pub enum BuildingError {
     Sways {
         /// Number of the storey, from 1 at the bottom.
         storey: usize,
-        /// The direction, degrees from x.
+        /// That direction, degrees from x.
         direction_degrees: f64,
-        /// Stiffness in it, N/m.
+        /// Stiffness in that direction, N/m.
         stiffness_n_m: f64,
     },
-    /// A storey without stiffness against twisting.
+    /// A storey has no stiffness against twist.
     #[error(
         "storey {storey} does not resist twisting: about its centre of rigidity ({x_m:.3}, {y_m:.3}) m its stiffness is \
          {stiffness_n_m_rad} N·m/rad; its walls all point at that place, or the matrix is not that of springs"
@@ -84,7 +84,7 @@ pub enum BuildingError {
         x_m: f64,
         /// Centre of rigidity, y, m.
         y_m: f64,
-        /// Stiffness against rotation about it, N·m/rad.
+        /// Stiffness against rotation about the centre of rigidity, N·m/rad.
         stiffness_n_m_rad: f64,
     },
     /// P-delta exceeds the stiffness of a storey.
@@ -93,34 +93,34 @@ pub enum BuildingError {
          stiffer walls there, a lower weight or a lower storey"
     )]
     Falls {
-        /// The storey that falls first, from 1 at the bottom.
+        /// The storey that fails first, from 1 at the bottom.
         storey: usize,
         /// "sways", "twists".
         motion: &'static str,
-        /// Factor on the weight at which it falls.
+        /// Factor on the weight at which it fails.
         load_factor: f64,
     },
-    /// An outline that is not the plan of a floor.
+    /// An outline is not the plan of a floor.
     #[error("the outline {why}: give its corners in order, each once")]
     Outline {
-        /// The fault.
+        /// Reason.
         why: String,
     },
-    /// A point outside a floor.
+    /// A point is outside a floor.
     #[error(
         "the point ({x_m}, {y_m}) m lies {beyond_m:.3} m outside the outline of floor {floor}: give a point on the floor"
     )]
     Outside {
         /// Number of the floor, from 1 at the bottom.
         floor: usize,
-        /// The point, m.
+        /// x of the point, m.
         x_m: f64,
-        /// The point, m.
+        /// y of the point, m.
         y_m: f64,
-        /// Distance outside, m.
+        /// Distance from the floor, m.
         beyond_m: f64,
     },
-    /// A part that does not exist.
+    /// A part does not exist.
     #[error("{part} {given} was asked for, but they are numbered from 1 to {most}")]
     Part {
         /// "floor", "mode".
@@ -130,26 +130,26 @@ pub enum BuildingError {
         /// Largest number.
         most: usize,
     },
-    /// A refused argument.
+    /// An argument is out of its range.
     #[error("{argument} is {given}, but must be {allowed}")]
     Argument {
-        /// Its name.
+        /// Name of the argument.
         argument: &'static str,
         /// The value given.
         given: f64,
         /// The allowed range.
         allowed: &'static str,
     },
-    /// Damping that adds energy to a mode.
+    /// Damping adds energy to a mode.
     #[error("mode {mode} at {frequency_hz:.4} Hz would have a damping ratio of {damping_ratio:.5}: {why}")]
     Damping {
         /// Number of the mode, from 1.
         mode: usize,
-        /// Its frequency, Hz.
+        /// Frequency of the mode, Hz.
         frequency_hz: f64,
-        /// Its damping ratio.
+        /// Damping ratio of the mode.
         damping_ratio: f64,
-        /// The reason and the remedy.
+        /// Reason and remedy.
         why: &'static str,
     },
     /// A decomposition failed.
@@ -158,7 +158,7 @@ pub enum BuildingError {
 }
 
 impl BuildingError {
-    /// Whether the error is an iteration that did not converge: the input may be valid.
+    /// Whether an iteration did not converge. In this case the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Linalg(why) => why.did_not_converge(),

@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | φ | `real` | components of a mode at the sensors on the floor, with the phase rotated so that they are as real as possible | – |
+//! | φ | `real` | components of a mode at the sensors on the floor, rotated in phase to be as real as possible | – |
 //! | G | `motions` | motion at each sensor for unit u, v and ρθ of the centre of mass: d_x, d_y, (d_y r_x − d_x r_y)/ρ | – |
 //! | q | `shape` | u, v, ρθ, by least squares: G q ≈ φ | – |
 //! | d, r | | direction of a sensor; its position relative to the centre of mass | –, m |
@@ -17,12 +17,10 @@ use dolmen_linalg::{Complex64, Matrix, solve};
 const ON_FLOOR_M: f64 = 0.5;
 /// A sensor whose direction has a larger vertical part than this is not horizontal. Our choice.
 const VERTICAL_MOST: f64 = 0.1;
-/// Fewest sensors that determine three motions.
 const SENSORS_LEAST: usize = 3;
-/// Smallest fraction of each of the three motions, as seen by the sensors, that must be independent of the other two. Below it the motions cannot be
-/// distinguished. Our choice: sensors within 5 cm of one line on a floor of 10 m have less.
+/// Least independent fraction of each of the three motions at the sensors. Below it the motions cannot be distinguished. Our choice: sensors within
+/// 5 cm of one line on a floor of 10 m have less.
 const APART_LEAST: f64 = 1e-4;
-/// All orders of three motions.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 /// Position of the floor.
@@ -41,7 +39,7 @@ pub struct FloorPlace {
 pub struct FloorMode {
     /// Frequency, Hz.
     pub frequency_hz: f64,
-    /// Its standard deviation, Hz; 0 if it is unknown.
+    /// Standard deviation of the frequency, Hz; 0 if unknown.
     pub frequency_sd_hz: f64,
     /// u, v, ρθ of the centre of mass; the sum of their squares is 1.
     pub shape: [f64; 3],
@@ -163,8 +161,8 @@ impl FloorModes {
         lowest.map(|mode| mode.unexplained).sum::<f64>() / count
     }
 
-    /// The lowest three modes, with shapes. Each has the name of its largest motion, if that gives three different names. The modes along x
-    /// and y also have their twist.
+    /// The lowest three modes, with shapes. Each is named after its largest motion, if that gives three different names. The modes along x and y
+    /// also have their twist.
     pub fn plan_modes(&self) -> Vec<PlanMode> {
         let lowest: Vec<&FloorMode> = self.modes.iter().take(3).collect();
         let share = |order: &[usize; 3]| -> f64 {

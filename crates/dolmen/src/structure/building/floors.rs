@@ -20,7 +20,7 @@ pub struct Floor {
     pub centre_m: [f64; 2],
     /// Radius of gyration about the centre of mass, m.
     pub gyration_m: f64,
-    /// Outline in plan; `None` if unknown: any point then counts as on the floor.
+    /// Outline in plan; `None` if unknown: then any point is on the floor.
     pub outline: Option<Outline>,
 }
 
@@ -68,8 +68,8 @@ pub(super) fn check_floor(floor: &Floor, number: usize) -> Result<(), BuildingEr
     let Some(outline) = &floor.outline else {
         return Ok(());
     };
-    // the centre of mass of a floor with a court, or L-shaped, may be off the floor, but never outside its convex
-    // hull
+    // the centre of mass of an L-shaped floor, or of one with a court, may be off the floor, but never outside
+    // its convex hull
     let hull = hull(outline.corners_m())?;
     let beyond_m = hull.beyond_m(floor.centre_m);
     if beyond_m > 0.0 {
@@ -96,7 +96,6 @@ pub(super) fn check_floor(floor: &Floor, number: usize) -> Result<(), BuildingEr
     Ok(())
 }
 
-/// The convex hull of corners.
 fn hull(corners: &[[f64; 2]]) -> Result<Outline, BuildingError> {
     Outline::new(crate::structure::stack::Polygon::hull(corners.to_vec()).corners_m)
 }

@@ -5,7 +5,7 @@
 //! | M | `mass_matrix` | diagonal: m, m, m ρ² for each floor | kg, kg·m² |
 //! | K | `stiffness_matrix` | including P-delta if the building has it | N/m, N/rad, N·m/rad |
 //! | q_i | | u, v, θ of the centre of mass of floor i | m, rad |
-//! | T_i | | displacement of the reference point per q_i: [1 0 y; 0 1 −x; 0 0 1], with the centre of mass at x, y from it | – |
+//! | T_i | | displacement of the reference point per q_i: [1 0 y; 0 1 −x; 0 0 1], with the centre of mass at x, y from that point | – |
 
 use super::building_of_floors::{Building, PDelta};
 use super::error::BuildingError;
@@ -33,11 +33,11 @@ impl Building {
     /// ```text
     /// K = Σ_s B_sᵀ (k_s − g_s) B_s,   B_s q = T_s q_s − T_(s−1) q_(s−1),   q_0 = 0        3 × 3N
     /// ```
-    /// k_s and g_s refer to the drift at one reference point of the plan, the centre of mass of the lowest floor. So floors are coupled
+    /// k_s and g_s refer to the drift at a common reference point, the centre of mass of the lowest floor. So the floors are coupled
     /// correctly even if their centres of mass are not above each other.
     ///
     /// # Limits
-    /// Floors are rigid. Walls that bend as one cantilever over several storeys are not modelled.
+    /// Floors are rigid. A wall that acts as one cantilever over several storeys is not modelled.
     pub fn stiffness_matrix(&self) -> Matrix {
         let n = self.floors().len();
         let about = self.floors()[0].centre_m;
@@ -71,7 +71,7 @@ impl Building {
         [[1.0, 0.0, y], [0.0, 1.0, -x], [0.0, 0.0, 1.0]]
     }
 
-    /// The row that gives the displacement of a point of a floor along a direction from all coordinates. As a column it is the load of a unit
+    /// Row over all coordinates that gives the displacement of a point of a floor along a direction. As a column it is the load of a unit
     /// force at this point.
     ///
     /// ```text
@@ -118,7 +118,7 @@ impl Building {
         Ok(row)
     }
 
-    /// The row that gives the rotation of a floor from all coordinates.
+    /// Row over all coordinates that gives the rotation of a floor.
     ///
     /// # Errors
     /// [`BuildingError::Part`] for a floor that does not exist (numbers from 1 at the bottom).
@@ -129,13 +129,13 @@ impl Building {
         Ok(row)
     }
 
-    /// All coordinates of the rigid building for a unit displacement of the ground along a direction.
+    /// All coordinates when the building moves as a rigid body by a unit displacement along a direction.
     pub fn ground_column(&self, direction: PlanDirection) -> Vec<f64> {
         let [cos, sin] = direction.unit();
         [cos, sin, 0.0].repeat(self.floors().len())
     }
 
-    /// All coordinates of the rigid building for a unit rotation about a point of the plan.
+    /// All coordinates when the building rotates as a rigid body by a unit angle about a point in plan.
     pub fn turn_column(&self, about_m: [f64; 2]) -> Vec<f64> {
         let each = self.floors().iter().flat_map(|floor| {
             [
@@ -184,10 +184,9 @@ impl Building {
     }
 
     /// Rows of the forces in the walls and columns of the lowest storey: shear along x and y, and torque about the vertical axis through the
-    /// centre of all mass. They depend only on the three coordinates of the lowest floor.
+    /// centre of the total mass. They depend only on the three coordinates of the lowest floor.
     ///
-    /// With P-delta the walls carry more than the reaction of the ground, because of the leaning weight: k_1 drift instead of (k_1 − g_1)
-    /// drift.
+    /// With P-delta the walls carry more than the ground reaction, because the weight leans: k_1 drift instead of (k_1 − g_1) drift.
     pub fn base_rows(&self) -> [Vec<f64>; 3] {
         let (from, about) = (self.floors()[0].centre_m, self.centre_of_mass_m());
         let k = self.storeys()[0].stiffness.matrix_about(from);

@@ -14,12 +14,12 @@ use super::plan_direction::PlanDirection;
 use dolmen_linalg::{Matrix, symmetric_eigen};
 use std::f64::consts::TAU;
 
-/// Ratio of rotation times radius of gyration to displacement below which a floor does not rotate: its mode centre would be a million radii
-/// away. Our choice.
+/// A floor does not rotate if the ratio of rotation times radius of gyration to displacement is below this limit: its mode centre would be a
+/// million radii away. Our choice.
 const WITHOUT_TURNING: f64 = 1e-6;
-/// A floor whose motion is below this fraction of the largest floor motion has no mode centre either. Our choice.
+/// A floor whose motion is below this fraction of the largest floor motion has no mode centre. Our choice.
 const AT_REST: f64 = 1e-9;
-/// Relative difference below which two frequencies count as repeated; their shapes can then be combined arbitrarily. Our choice.
+/// Relative difference below which two frequencies are repeated: any combination of their shapes is then a mode. Our choice.
 const REPEATED: f64 = 1e-6;
 
 /// The point about which a floor rotates in a mode.
@@ -48,7 +48,7 @@ pub struct BuildingMode {
     pub shape: Vec<f64>,
     /// Participation factors for shaking along x and y, √kg, and for rotation about the centre of mass, √kg m.
     pub participation: [f64; 3],
-    /// Effective mass along x and y, kg, and effective moment of inertia, kg·m². Their sums over all modes are those of the building.
+    /// Effective mass along x and y, kg, and effective moment of inertia, kg·m². Their sums over all modes are the totals of the building.
     pub effective_mass: [f64; 3],
     /// Fractions of the kinetic energy in u, v and θ of the centres of mass; their sum is 1.
     pub energy_shares: [f64; 3],
@@ -57,7 +57,7 @@ pub struct BuildingMode {
     pub coupling: f64,
     /// Mode centre of each floor, lowest first; `None` for a floor without rotation or without motion.
     pub centres: Vec<Option<ModeCentre>>,
-    /// Whether another mode has the same frequency within 1e-6: the shape is then one of many possible.
+    /// Whether another mode has the same frequency within 1e-6: the shape is then not unique.
     pub repeated: bool,
 }
 
@@ -73,7 +73,7 @@ impl BuildingMode {
 pub struct BuildingModes {
     /// The modes, 3 for each floor.
     pub modes: Vec<BuildingMode>,
-    /// Sum of the effective masses: the mass twice, kg, and the moment of inertia about the centre of mass, kg·m².
+    /// Sums of the effective masses: the total mass along x and along y, kg, and the moment of inertia about the centre of mass, kg·m².
     pub total_mass: [f64; 3],
     /// Shapes as columns, 3N × 3N.
     pub shapes: Matrix,
@@ -89,7 +89,7 @@ impl Building {
     /// For one floor whose rotation is coupled only with y, r_x of the two coupled modes satisfy r_1 r_3 = −ρ².
     ///
     /// # Errors
-    /// [`BuildingError::Linalg`] if the range of values exceeds the precision of the numbers.
+    /// [`BuildingError::Linalg`] if the input values differ by more than the precision of the computation.
     ///
     /// # Source
     /// Hwang, Min & Hong, eq. 12: mode centre relative to the centre of mass, which is their reference point. Tested by `building_modes`.

@@ -2,10 +2,10 @@
 
 use super::error::BuildingError;
 
-/// Points within this fraction of the floor's size of an edge count as on the floor: rounding of coordinates, our choice.
+/// Points within this fraction of the floor size from an edge are on the floor, because coordinates are rounded. Our choice.
 const EDGE: f64 = 1e-9;
 
-/// The outline of a floor in plan: a polygon without crossings, counterclockwise; construction checks it.
+/// The outline of a floor in plan: a polygon without crossings, counterclockwise. Construction checks it.
 ///
 /// ```
 /// use dolmen::structure::building::Outline;
@@ -23,10 +23,11 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// An outline from its corners in order, either way round.
+    /// An outline from its corners in order, clockwise or counterclockwise.
     ///
     /// # Errors
-    /// [`BuildingError::Outline`] for fewer than 3 corners, one that is not a number or repeats, edges that cross, or no area.
+    /// [`BuildingError::Outline`] for fewer than 3 corners, a corner that is not a number or repeats, crossing edges, or no
+    /// area.
     pub fn new(mut corners_m: Vec<[f64; 2]>) -> Result<Self, BuildingError> {
         let refuse = |why: String| Err(BuildingError::Outline { why });
         let n = corners_m.len();
@@ -91,7 +92,7 @@ impl Outline {
         Outline::new(corners.map(|c| [c[0] + centre_m[0], c[1] + centre_m[1]]).to_vec())
     }
 
-    /// Its corners, counterclockwise, m.
+    /// The corners, counterclockwise, m.
     pub fn corners_m(&self) -> &[[f64; 2]] {
         &self.corners_m
     }
@@ -101,12 +102,12 @@ impl Outline {
         self.area_m2
     }
 
-    /// Its centroid, m: the centre of mass of a uniform floor.
+    /// Centroid, m: the centre of mass of a uniform floor.
     pub fn centroid_m(&self) -> [f64; 2] {
         self.centroid_m
     }
 
-    /// Radius of gyration of a uniform floor about its centroid, m: √((I_x + I_y)/A).
+    /// Radius of gyration of a uniform floor about the centroid, m: √((I_x + I_y)/A).
     pub fn gyration_m(&self) -> f64 {
         self.gyration_m
     }
@@ -122,7 +123,7 @@ impl Outline {
     }
 }
 
-/// The point of a polygon nearest to a point, and the distance; inside, the point itself and 0.
+/// The nearest point of a polygon and its distance; a point inside is its own nearest point.
 pub(crate) fn nearest_on_floor(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> ([f64; 2], f64) {
     let mut inside = false;
     let mut nearest = ([x, y], f64::INFINITY);
@@ -158,14 +159,14 @@ fn size_m(corners: &[[f64; 2]]) -> f64 {
     extent(0).max(extent(1))
 }
 
-/// Area, centroid and polar second moment about it.
+/// Area, centroid and polar second moment about the centroid.
 struct Moments {
     area_m2: f64,
     centroid_m: [f64; 2],
     polar_m4: f64,
 }
 
-/// Sums triangles from the first corner; the area is negative if the corners run clockwise.
+/// Sums triangles from the first corner; the area is negative for a clockwise order.
 fn moments(corners: &[[f64; 2]]) -> Moments {
     let origin = corners[0];
     let (mut area, mut first, mut polar) = (0.0, [0.0; 2], 0.0);
@@ -215,7 +216,7 @@ mod tests {
 
     #[test]
     fn exact_moments_of_an_l_shape() {
-        // 4 × 4 without its upper right 2 × 2, part by part
+        // 4 × 4 without its upper right 2 × 2, piece by piece
         let corners = vec![
             [0.0, 0.0],
             [4.0, 0.0],

@@ -2,51 +2,50 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | t_x, t_y | `twist` | ρθ/u of the mode along x, ρθ/v of that along y | – |
+//! | t_x, t_y | `twist` | ρθ/u of the mode along x, ρθ/v of the mode along y | – |
 //!
 //! Three frequencies leave two of the five unknowns free. The twists of the modes along x and y parametrise all stiffnesses with these
-//! frequencies, so a search over the twists reaches all of them.
+//! frequencies, so a search over the twists covers all of them.
 
 use super::plan_roots::{PlanRoot, roots_with_shapes};
 use super::plan_stiffness::moves_otherwise;
 use super::plan_storey::{Labelled, PlanMode, PlanMotion, PlanStorey};
 use std::f64::consts::TAU;
 
-/// Largest twist: ρθ has twice the energy of the sway; beyond it the mode is one of torsion. √2, in agreement with the rule on motions.
+/// Largest twist: ρθ then has twice the energy of the sway; with more twist the mode is torsional. √2, in agreement with the limit on motions.
 const TWIST_MOST: f64 = std::f64::consts::SQRT_2;
-/// Twists of each mode in a round, and number of rounds, each on a finer grid about the best of the one before. Our choice: accurate to four
-/// digits.
+/// Number of twists of each mode in a round, and number of rounds. Each round has a finer grid around the best point of the previous round. Our
+/// choice: accurate to four digits.
 const NET: i32 = 20;
 const ROUNDS: usize = 6;
 const FINER: f64 = 0.2;
-/// Number of grid points for frequencies near the measured ones, about the twists found for these.
+/// Number of grid points for frequencies near the measured ones, around the twists found before.
 const NEAR: i32 = 8;
-/// Radius of the sphere of frequencies in standard deviations, jointly: 95 % of one number. Number of steps of the search on the sphere. Chosen
-/// here.
+/// Radius of the sphere of frequencies in standard deviations, which is the 95 % interval of a single value, and number of search steps on the
+/// sphere. Our choice.
 const DEVIATIONS: f64 = 1.96;
 const CLIMBS: usize = 3;
 
-/// Bounds of the quantities that three frequencies leave free.
+/// Bounds of the quantities that three frequencies do not determine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PlanBounds {
     /// Smallest and largest k_x, k_y, N/m, and k_θ about the centre of rigidity, N·m/rad.
     pub stiffness: [[f64; 2]; 3],
-    /// Smallest and largest coordinates of the centre of rigidity from the centre of mass, m.
+    /// Smallest and largest coordinates of the centre of rigidity relative to the centre of mass, m.
     pub eccentricity_m: [[f64; 2]; 2],
-    /// Whether the bounds include the scatter of the frequencies; they do not where a standard deviation is unknown.
+    /// Whether the bounds include the scatter of the frequencies, which needs all standard deviations.
     pub with_scatter: bool,
 }
 
-/// Bounds of the stiffness of a floor that has the measured frequencies and kinds of modes, over every centre of rigidity within `reach_m` (from
-/// the centre of mass, smallest and largest along x and y). `None` unless all three motions are known, or where no centre of rigidity is
-/// possible.
+/// Bounds of the stiffness of a floor with the measured frequencies and kinds of modes, for all centres of rigidity within `reach_m` (smallest
+/// and largest x and y relative to the centre of mass). `None` unless all three motions are known, or if no centre of rigidity is possible.
 ///
-/// Where all three standard deviations are known, the bounds also cover all frequencies within 1.96 of them jointly: Σ ((f − f_measured)/s)² ≤
-/// 1.96². The search follows the gradient of each bound on this sphere.
+/// If all three standard deviations are known, the bounds also cover all frequencies within a joint distance of 1.96 of them: Σ ((f −
+/// f_measured)/s)² ≤ 1.96². The search follows the gradient of each bound on this sphere.
 ///
 /// # Limits
-/// The search uses a grid of twists that grows finer about each extreme. On the sphere it treats a bound as nearly linear.
+/// The search uses a grid of twists that is refined around each extreme. On the sphere it assumes that a bound is nearly linear.
 pub fn plan_bounds(
     storey: &PlanStorey,
     modes: &[PlanMode; 3],
@@ -75,7 +74,6 @@ pub fn plan_bounds(
     })
 }
 
-/// An extreme value and its twists.
 #[derive(Clone, Copy)]
 struct Extreme {
     value: f64,
@@ -91,12 +89,12 @@ struct Family<'a> {
 }
 
 impl Family<'_> {
-    /// The largest (`sign` 1) or smallest (−1) of k_x, k_y, k_θ, e_x, e_y.
+    /// The largest (`sign` 1) or smallest (−1) of k_x, k_y, k_θ, e_x or e_y.
     fn extreme(&self, quantity: usize, sign: f64) -> Option<Extreme> {
         self.extreme_about([0.0, 0.0], (NET, 0), (quantity, sign))
     }
 
-    /// The extreme value on a grid about given twists, without the first rounds.
+    /// The extreme value on a grid around given twists, without the first rounds.
     fn extreme_about(
         &self,
         twist: [f64; 2],
@@ -124,7 +122,7 @@ impl Family<'_> {
         best.map(|value| Extreme { value, twist: about })
     }
 
-    /// The extreme value over all frequencies within 1.96 standard deviations jointly.
+    /// The extreme value over all frequencies within a joint distance of 1.96 standard deviations.
     fn with_scatter(&self, quantity: usize, sign: f64) -> Option<f64> {
         let measured = self.extreme(quantity, sign)?;
         let at = |deviations: [f64; 3]| {

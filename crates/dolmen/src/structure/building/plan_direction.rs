@@ -7,12 +7,12 @@ pub enum PlanDirection {
     X,
     /// Along y.
     Y,
-    /// Turned from x, counterclockwise.
+    /// Rotated from x, counterclockwise.
     Degrees(f64),
 }
 
 impl PlanDirection {
-    /// Its unit vector.
+    /// Unit vector of the direction.
     pub fn unit(self) -> [f64; 2] {
         match self {
             PlanDirection::X => [1.0, 0.0],
@@ -25,7 +25,7 @@ impl PlanDirection {
     }
 }
 
-/// Sine and cosine, exact at quarter turns.
+/// Sine and cosine, exact at multiples of 90°.
 pub(super) fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
     match degrees.rem_euclid(360.0) {
         0.0 => (0.0, 1.0),

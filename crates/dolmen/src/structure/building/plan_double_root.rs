@@ -1,41 +1,40 @@
-//! Two storeys in plan that coincide within the scatter of the measurement: near a double root of the cubic.
+//! Two solutions for a storey in plan that coincide within the scatter of the measurement: near a double root of the cubic.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | p | | v of the mode along x over its u | – |
-//! | c(p; d) | `cubic` | the cubic of [`super::plan_roots`] with the measured numbers d | (rad/s)² |
+//! | p | | ratio v/u of the mode along x | – |
+//! | c(p; d) | `cubic` | the cubic of [`super::plan_roots`] for the measured values d | (rad/s)² |
 //! | d, s | `data`, `sd` | ln f of the three modes, t_x, t_y, and their standard deviations | – |
-//! | g | `gradient` | s ∂c/∂d at the turning point; σ = \|g\| is the deviation of c there | (rad/s)² |
+//! | g | `gradient` | s ∂c/∂d at the turning point; σ = \|g\| is the standard deviation of c there | (rad/s)² |
 //!
-//! At a turning point where \|c\| < σ two roots have met or nearly met; near an inflection where c hardly slopes, three. A root moves with the
-//! square or cube root of c there, so no linear estimate gives its scatter. Every p with \|c\| ≤ z σ fits equally well, and the storey gets a
-//! wide interval.
+//! At a turning point with \|c\| < σ two roots coincide or nearly do; near an inflection where c is almost flat, three. There a root moves with
+//! the square or cube root of c, so no linear estimate gives its scatter. Every p with \|c\| ≤ z σ fits equally well, so the storey has a wide
+//! interval.
 
 use super::plan_roots::{PlanRoot, SIDEWAYS_MOST, cubic, real_roots, root_at, turning_points};
 use super::plan_storey::{Labelled, PlanMode, PlanMotion, PlanStorey};
 use std::f64::consts::TAU;
 
-/// Number of deviations within which two real roots count as one, and within which two complex roots count as a double root that scatter
-/// removed: 95 %, and 1 in 400 as for other evidence.
+/// Number of standard deviations within which two real roots are one (95 %), and within which two complex roots are a double root that scatter
+/// removed (1 in 400, as for other evidence).
 const REAL_WITHIN: f64 = 1.96;
 const LOST_WITHIN: f64 = 3.0;
-/// Points of the interval of p at which the storey is computed. Our choice.
+/// Number of points in the interval of p at which the storey is computed. Our choice.
 const SAMPLES: usize = 33;
-/// Step of a numerical derivative, in standard deviations. Our choice: accurate to 1e-4 of a deviation.
+/// Step of a numerical derivative, in standard deviations. Our choice: accurate to 1e-4 of a standard deviation.
 const STEP: f64 = 1e-3;
 const ROUNDS: usize = 20;
-/// An inflection counts as flat if the cubic term of p is at least this fraction of the linear one over the scatter. Our choice.
+/// An inflection is flat if the cubic term of p is at least this fraction of the linear term over the scatter. Our choice.
 const LINEAR: f64 = 0.5;
 
-/// A storey near which roots coincide.
 pub(super) struct DoubleRoot {
-    /// The storey in the middle of the interval, for the measured numbers moved onto it.
+    /// The storey at the middle of the interval, for measured values shifted to it.
     pub(super) root: PlanRoot,
-    /// Whether part of the interval moves as measured; the middle and the deviations then refer to this part alone.
+    /// Whether part of the interval agrees with the measured motions. The middle and the standard deviations then refer to this part only.
     pub(super) is_accepted: bool,
     /// Smallest and largest p.
     between: [f64; 2],
-    /// k_x, k_y, k_θ, e_x, e_y over the interval, and the squares of their deviations at one p.
+    /// k_x, k_y, k_θ, e_x, e_y over the interval, and their variances at one p.
     interval: Vec<[f64; 5]>,
     at_one_p: [f64; 5],
     /// The largest change of a stiffness in per cent when each frequency changes by 1 %.
@@ -43,7 +42,7 @@ pub(super) struct DoubleRoot {
 }
 
 impl DoubleRoot {
-    /// Deviations of k_x, k_y, k_θ, e_x, e_y about a storey of the interval: 1.96 of them span it.
+    /// Standard deviations of k_x, k_y, k_θ, e_x, e_y about a storey of the interval; 1.96 of them cover the interval.
     pub(super) fn deviations(&self, root: &PlanRoot) -> [f64; 5] {
         let about = numbers(root);
         std::array::from_fn(|at| {
@@ -52,7 +51,6 @@ impl DoubleRoot {
         })
     }
 
-    /// Whether a root lies in the interval.
     pub(super) fn holds(&self, root: &PlanRoot) -> bool {
         let [least, most] = self.between;
         root.sideways.is_some_and(|p| p >= least && p <= most)
@@ -96,12 +94,12 @@ impl NearDoubleRoot<'_> {
         })
     }
 
-    /// The smallest shift of the data, in deviations, that makes p a root.
+    /// The smallest shift of the data, in standard deviations, that makes p a root.
     fn to_root(&self, p: f64) -> [f64; 5] {
         let mut shift = [0.0; 5];
         for _ in 0..ROUNDS {
             let (c, g) = (value(&self.cubic(&shift), p), self.gradient(p, &shift));
-            // projects onto the tangent of c = 0, for the smallest shift
+            // projects onto the tangent of c = 0, which gives the smallest shift
             let square: f64 = g.iter().map(|g| g * g).sum();
             let along: f64 = g.iter().zip(&shift).map(|(g, s)| g * s).sum();
             shift = g.map(|g| g * (along - c) / square);
@@ -125,7 +123,8 @@ fn numbers(root: &PlanRoot) -> [f64; 5] {
     [k_x, k_y, k_theta, e_x, e_y]
 }
 
-/// The storey at the turning point nearest to a root in standard deviations; `None` where none is within the scatter, or the scatter is unknown.
+/// The storey at the turning point nearest to a root, in standard deviations; `None` if none is within the scatter, or if the scatter is
+/// unknown.
 pub(super) fn double_root(
     storey: &PlanStorey,
     modes: &[PlanMode; 3],
@@ -174,7 +173,7 @@ pub(super) fn double_root(
     let at = |i: usize| least + (most - least) * i as f64 / (SAMPLES - 1) as f64;
     let sample = |i: usize| near.storey(at(i), &near.to_root(at(i)));
     let all: Vec<PlanRoot> = (0..SAMPLES).map(sample).collect();
-    // those that move as measured, if there are any
+    // those that agree with the measured motions, if any
     let kept: Vec<usize> = (0..SAMPLES).filter(|i| moves_as_measured(&all[*i])).collect();
     let is_accepted = !kept.is_empty();
     let (first, last) = match (kept.first(), kept.last()) {
@@ -195,7 +194,7 @@ pub(super) fn double_root(
             *square += (own - middle).powi(2);
         }
     }
-    // each frequency 1 % off, with the signs that move c most
+    // each frequency changes by 1 %, with the signs that change c most
     let of_frequencies = near.gradient(p, &[0.0; 5]);
     let off: f64 = (0..3).map(|i| 0.01 * of_frequencies[i].abs() / near.sd[i]).sum();
     let moved = between(&measured, p, off + value(&measured, p).abs())
@@ -225,8 +224,8 @@ fn candidates(c: &[f64; 4]) -> Vec<f64> {
     }
 }
 
-/// Number of deviations of c within which roots coincide at a candidate; `None` where c is so steep at an inflection that it is linear over its
-/// scatter.
+/// Number of standard deviations of c within which roots coincide at a candidate; 0 at an inflection where c is so steep that it is linear over
+/// its scatter.
 fn within(c: &[f64; 4], p: f64, sigma: f64) -> f64 {
     let slope = c[1] + p * (2.0 * c[2] + 3.0 * c[3] * p);
     let bend = 2.0 * c[2] + 6.0 * c[3] * p;
@@ -246,7 +245,7 @@ fn within(c: &[f64; 4], p: f64, sigma: f64) -> f64 {
     }
 }
 
-/// The nearest p below and above at which \|c\| has this value; `None` where one side has none.
+/// The nearest p below and above at which \|c\| reaches this value; `None` if one side has none.
 fn between(c: &[f64; 4], p: f64, most: f64) -> Option<[f64; 2]> {
     let mut ends: Vec<f64> = Vec::new();
     for sign in [1.0, -1.0] {

@@ -1,20 +1,19 @@
-//! All roots of the stiffness of one storey in plan.
+//! All solutions for the stiffness of one storey in plan.
 //!
 //! Coordinates are u, v, ρθ times √m, so that the mass matrix is the identity; stiffness is divided by m, 1/s².
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | q_x, q_y, q_θ | `q` | unit shapes of the modes along x, along y and of torsion | – |
-//! | p, s | | v of the mode along x over its u; u of that along y over its v | – |
+//! | p, s | | ratio v/u of the mode along x; ratio u/v of the mode along y | – |
 //! | A, B | `a`, `b` | λ_x − λ_θ, λ_y − λ_θ | (rad/s)² |
 
 use super::plan_storey::{Labelled, PlanStiffnessError, PlanStorey};
 use crate::structure::inverse::{SpringModel, roots_by_continuation};
 use dolmen_linalg::{Matrix, symmetric_eigen};
 
-/// Largest p of the search: the mode "along x" would move a thousand times more along y.
+/// Largest p of the search: the mode "along x" then moves a thousand times more along y.
 pub(super) const SIDEWAYS_MOST: f64 = 1e3;
-/// The six orders of three.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 pub(super) struct PlanRoot {
@@ -23,23 +22,23 @@ pub(super) struct PlanRoot {
     pub(super) eccentricity_m: [f64; 2],
     /// Unit shapes u, v, ρθ of the modes, ascending.
     pub(super) shapes: [[f64; 3]; 3],
-    /// p, for a root found with twists.
+    /// p, for a root from measured twists.
     pub(super) sideways: Option<f64>,
 }
 
 pub(super) struct PlanRoots {
     pub(super) roots: Vec<PlanRoot>,
-    /// Whether all solutions in complex numbers were found.
+    /// Whether all complex solutions were found.
     pub(super) complete: bool,
 }
 
-/// Directions b_x, b_y, b_θ of the springs in u, v, ρθ, with k_θ over ρ².
+/// Vectors b_x, b_y, b_θ of the springs in u, v, ρθ, with k_θ over ρ².
 pub(super) fn springs(storey: &PlanStorey, eccentricity_m: [f64; 2]) -> [[f64; 3]; 3] {
     let [e_x, e_y] = eccentricity_m.map(|e| e / storey.gyration_m);
     [[1.0, 0.0, -e_y], [0.0, 1.0, e_x], [0.0, 0.0, 1.0]]
 }
 
-/// Roots of det(K − λ_j M) = 0 with the given centre of rigidity.
+/// Solutions of det(K − λ_j M) = 0 for a given centre of rigidity.
 pub(super) fn roots_with_stated_centre(
     storey: &PlanStorey,
     lambda: &[f64; 3],
@@ -98,7 +97,7 @@ fn uncoupled(storey: &PlanStorey, lambda: &[f64; 3]) -> PlanRoots {
     }
 }
 
-/// Roots, with their centres of rigidity, for given twists of the modes along x and y.
+/// Solutions, with their centres of rigidity, for given twists of the modes along x and y.
 ///
 /// ```text
 /// q_x ∝ [1 p t_x]ᵀ,  q_y ∝ [s 1 t_y]ᵀ,  q_xᵀ q_y = 0:  s = −p − t_x t_y,    K/m = Σ λ_j q_j q_jᵀ + w/m I
@@ -126,7 +125,6 @@ pub(super) fn cubic(lambda: &[f64; 3], labelled: &Labelled) -> [f64; 4] {
     ]
 }
 
-/// The storey of a root p.
 pub(super) fn root_at(storey: &PlanStorey, lambda: &[f64; 3], labelled: &Labelled, p: f64) -> PlanRoot {
     let [t_x, t_y] = labelled.twist;
     let unit = |v: [f64; 3]| {
@@ -182,7 +180,7 @@ pub(super) fn real_roots(c: &[f64; 4], most: f64) -> Vec<f64> {
         if (value(low) > 0.0) == rises {
             continue;
         }
-        // to the last bit
+        // until the interval cannot be divided further
         loop {
             let middle = 0.5 * (low + high);
             if middle <= low || middle >= high {
@@ -199,7 +197,7 @@ pub(super) fn real_roots(c: &[f64; 4], most: f64) -> Vec<f64> {
     roots
 }
 
-/// The turning points of the cubic, both computed without cancellation; a division by 0 leaves one out.
+/// The turning points of the cubic, computed without cancellation; a division by 0 leaves one of them out.
 pub(super) fn turning_points(c: &[f64; 4]) -> Vec<f64> {
     let discriminant = c[2] * c[2] - 3.0 * c[3] * c[1];
     if discriminant < 0.0 {

@@ -9,14 +9,13 @@ use super::plan_storey::{EccentricityFrom, PlanMode, PlanMotion, PlanStiffnessEr
 use dolmen_linalg::{Matrix, solve};
 use std::f64::consts::TAU;
 
-/// Standard deviations, and the amplification of errors in frequency.
 pub(super) struct Scatter {
     pub(super) stiffness_sd: Option<[f64; 3]>,
     pub(super) eccentricity_sd_m: Option<[f64; 2]>,
     pub(super) amplification: f64,
 }
 
-/// Linearises the equations at a root. The unknowns are ln k_x, ln k_y, ln k_θ and, if twists were measured, e_x/ρ, e_y/ρ.
+/// Linearises the equations at a root. The unknowns are ln k_x, ln k_y, ln k_θ and, for measured twists, e_x/ρ, e_y/ρ.
 pub(super) fn scatter(
     storey: &PlanStorey,
     modes: &[PlanMode; 3],
@@ -87,7 +86,7 @@ fn stiffness_changes(storey: &PlanStorey, root: &PlanRoot) -> [[[f64; 3]; 3]; 5]
     let own = |spring: usize| -> [[f64; 3]; 3] {
         std::array::from_fn(|i| std::array::from_fn(|j| k[spring] * b[spring][i] * b[spring][j]))
     };
-    // b_y grows by [0 0 1] with e_x, b_x by [0 0 −1] with e_y
+    // b_y changes by [0 0 1] per e_x, b_x by [0 0 −1] per e_y
     let arm = |spring: usize, sign: f64| -> [[f64; 3]; 3] {
         let last = |at: usize| if at == 2 { sign } else { 0.0 };
         std::array::from_fn(|i| {

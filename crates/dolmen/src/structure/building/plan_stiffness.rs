@@ -3,10 +3,10 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | m, ρ | `mass_kg`, `gyration_m` | mass of the floor and its radius of gyration about the centre of mass | kg, m |
-//! | w | `weight_takes_n_m` | reduction of the sway stiffness by the weight, m g/h; 0 without P-delta | N/m |
-//! | e_x, e_y | `eccentricity_m` | centre of rigidity from the centre of mass | m |
-//! | k_x, k_y, k_θ | `stiffness` | along x, along y, against turning about the centre of rigidity | N/m, N·m/rad |
-//! | t | `twist` | ρθ/u of the mode along x, ρθ/v of that along y, of the centre of mass | – |
+//! | w | `weight_takes_n_m` | reduction of the sway stiffness by P-delta, m g/h; 0 without P-delta | N/m |
+//! | e_x, e_y | `eccentricity_m` | position of the centre of rigidity relative to the centre of mass | m |
+//! | k_x, k_y, k_θ | `stiffness` | along x, along y, against rotation about the centre of rigidity | N/m, N·m/rad |
+//! | t | `twist` | ρθ/u of the mode along x, ρθ/v of the mode along y, at the centre of mass | – |
 //! | λ_j | | (2π f_j)² | (rad/s)² |
 
 use super::plan_double_root::{DoubleRoot, double_root};
@@ -14,23 +14,23 @@ use super::plan_roots::{PlanRoot, roots_with_shapes, roots_with_stated_centre};
 use super::plan_scatter::scatter;
 use super::plan_storey::{EccentricityFrom, Labelled, PlanMode, PlanMotion, PlanStiffnessError, PlanStorey};
 
-/// Frequencies closer than this fraction are one frequency: coupled sway and twist then have no shapes of their own.
+/// Frequencies closer than this fraction are equal: the shapes of coupled sway and twist are then not unique.
 const REPEATED: f64 = 1e-6;
-/// A mode contradicts the measured motion if another motion has more than this many times its energy. Our choice: whoever sees a floor sway or
-/// twist sees the larger part of its motion.
+/// A mode contradicts the measured motion if another motion has more than this multiple of its energy. Our choice: an observer names the larger
+/// part of the motion.
 const OTHERWISE: f64 = 2.0;
-/// A solution is not accepted if the assurance (MAC) between a measured shape and its own is below this. Our choice: shapes 18° apart.
+/// A solution is rejected if the MAC between a measured shape and its own is below this. Our choice: shapes 18° apart.
 const SHAPE_LEAST: f64 = 0.9;
 
 /// A mode of a solution whose motion contradicts the measured one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MovesOtherwise {
-    /// Its frequency, Hz.
+    /// Frequency of the mode, Hz.
     pub frequency_hz: f64,
     /// The measured motion.
     pub measured: PlanMotion,
-    /// The motion of this solution.
+    /// The predominant motion in this solution.
     pub would_be: PlanMotion,
     /// Share of the energy in that motion.
     pub share: f64,
@@ -40,9 +40,9 @@ pub struct MovesOtherwise {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ShapeOtherwise {
-    /// Its frequency, Hz.
+    /// Frequency of the mode, Hz.
     pub frequency_hz: f64,
-    /// Assurance (MAC) of u, v, ρθ between measurement and solution: 1 for the same shape.
+    /// MAC of u, v, ρθ between measurement and solution: 1 for the same shape.
     pub assurance: f64,
 }
 
@@ -52,21 +52,21 @@ pub struct ShapeOtherwise {
 pub struct PlanSolution {
     /// k_x, k_y, N/m, and k_θ about the centre of rigidity, N·m/rad.
     pub stiffness: [f64; 3],
-    /// Standard deviations, linearised; `None` where one of the measured numbers has no known deviation.
+    /// Standard deviations, linearised; `None` if that of a measured value is unknown.
     pub stiffness_sd: Option<[f64; 3]>,
-    /// Centre of rigidity from the centre of mass, m.
+    /// Position of the centre of rigidity relative to the centre of mass, m.
     pub eccentricity_m: [f64; 2],
-    /// Its standard deviations; `None` where it was given, or one of the measured numbers has no known deviation.
+    /// Standard deviations of this position; `None` if it was given, or if that of a measured value is unknown.
     pub eccentricity_sd_m: Option<[f64; 2]>,
-    /// u, v and ρθ of the centre of mass in each mode, ascending, their squares summing to 1.
+    /// u, v and ρθ of the centre of mass in each mode, ascending; the sum of their squares is 1.
     pub shapes: [[f64; 3]; 3],
     /// The largest change of a stiffness in per cent when each frequency changes by 1 %; 2 if sway and twist do not couple.
     pub amplification: f64,
-    /// Whether solutions coincide here within the scatter of the measurement: the deviations then span all of them.
+    /// Whether solutions coincide here within the scatter of the measurement: the standard deviations then cover all of them.
     pub roots_meet: bool,
-    /// The first mode that contradicts the measured motion; if there is one, the solution is not accepted.
+    /// The first mode that contradicts the measured motion; such a solution is rejected.
     pub moves_otherwise: Option<MovesOtherwise>,
-    /// The mode that contradicts its measured shape most; if there is one, the solution is not accepted.
+    /// The mode that contradicts its measured shape most; such a solution is rejected.
     pub shape_otherwise: Option<ShapeOtherwise>,
 }
 
@@ -76,42 +76,42 @@ impl PlanSolution {
         self.shapes.map(|shape| shape.map(|q| q * q))
     }
 
-    /// Whether its modes move as they were measured.
+    /// Whether its modes agree with the measured motions and shapes.
     pub fn is_accepted(&self) -> bool {
         self.moves_otherwise.is_none() && self.shape_otherwise.is_none()
     }
 }
 
-/// A stiffness that its own frequency determines for any values of the others.
+/// A stiffness that one frequency determines alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SingleStiffness {
-    /// The stiffness.
+    /// The motion that the stiffness resists.
     pub motion: PlanMotion,
     /// k_x, k_y, N/m, or k_θ, N·m/rad.
     pub stiffness: f64,
-    /// Its standard deviation; `None` where that of the frequency is unknown.
+    /// Standard deviation of the stiffness; `None` if that of the frequency is unknown.
     pub stiffness_sd: Option<f64>,
 }
 
-/// Result of the frequencies of a floor for its storey.
+/// Stiffness of a storey from the frequencies of its floor.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PlanStiffness {
     /// Every positive stiffness with the three frequencies, accepted ones first, then by k_x. Empty with fewer frequencies.
     pub solutions: Vec<PlanSolution>,
-    /// Source of their eccentricity.
+    /// Source of the eccentricity.
     pub eccentricity_from: EccentricityFrom,
-    /// Whether all solutions in complex numbers were found. If not, one may be missing.
+    /// Whether all complex solutions were found. If not, one may be missing.
     pub complete: bool,
-    /// With fewer than three frequencies: the stiffnesses that these determine by themselves.
+    /// With fewer than three frequencies: the stiffnesses that these determine alone.
     pub singles: Vec<SingleStiffness>,
-    /// With fewer than three frequencies: the quantities that stay free.
+    /// With fewer than three frequencies: the motions whose stiffness is not determined.
     pub free: Vec<PlanMotion>,
 }
 
 impl PlanStiffness {
-    /// Solutions whose modes move as they were measured.
+    /// Solutions whose modes agree with the measured motions and shapes.
     pub fn accepted(&self) -> impl Iterator<Item = &PlanSolution> {
         self.solutions.iter().filter(|one| one.is_accepted())
     }
@@ -123,20 +123,20 @@ impl PlanStiffness {
 /// K = k_x b_x b_xᵀ + k_y b_y b_yᵀ + k_θ b_θ b_θᵀ − w diag(1, 1, ρ²)                                   3 × 3
 /// b_x = [1 0 −e_y]ᵀ,  b_y = [0 1 e_x]ᵀ,  b_θ = [0 0 1]ᵀ,   det(K − λ_j diag(m, m, m ρ²)) = 0,  j = 1…3
 /// ```
-/// With a given eccentricity the function follows all six solutions in complex numbers, and keeps the real positive ones. With the twists of the
-/// modes along x and y it finds the eccentricity too: the shapes are orthogonal and K has no entry between u and v, which leaves one unknown and
-/// a cubic. Where roots of the cubic coincide within the scatter (real roots within 1.96 standard deviations, roots that scatter made complex
-/// within 3), the deviations of each span them all; where scatter removed them, the result is the storey between them. A twist of only one of
-/// the two modes is not used.
+/// With a given eccentricity, the function follows all six complex solutions and keeps the real positive ones. With the twists of the modes
+/// along x and y it finds the eccentricity too: the shapes are orthogonal, and K has no entry between u and v, so one unknown and a cubic
+/// remain. If roots of the cubic coincide within the scatter (real roots within 1.96 standard deviations, roots that scatter made complex within
+/// 3), the standard deviations of each root cover them all; if scatter removed the roots, the result is the storey between them. The twist of
+/// only one of the two modes is not used.
 ///
-/// Solutions whose modes contradict the measured motions or shapes are kept, with the reason. With fewer than three frequencies the result has
-/// the stiffnesses that single frequencies determine (only if no eccentricity prevents it), and the quantities that remain undetermined.
+/// Solutions whose modes contradict the measured motions or shapes are listed with the reason. With fewer than three frequencies the result has
+/// the stiffnesses that single frequencies determine (unless eccentricity prevents this), and the motions that remain undetermined.
 ///
 /// # Errors
 /// [`PlanStiffnessError`].
 ///
 /// # Limits
-/// One rigid floor, with walls along x and y. Deviations are linearised, and masses taken as exact.
+/// One rigid floor, with walls along x and y. Standard deviations are linearised, and masses are taken as exact.
 ///
 /// # Example
 /// ```
@@ -270,7 +270,7 @@ fn check(storey: &PlanStorey, modes: &[PlanMode]) -> Result<(), PlanStiffnessErr
     Ok(())
 }
 
-/// Stiffnesses from fewer than three frequencies: sway along x is uncoupled where e_y is 0, along y where e_x is 0, torsion where both are.
+/// Stiffnesses from fewer than three frequencies: sway along x is uncoupled if e_y is 0, sway along y if e_x is 0, torsion if both are 0.
 fn of_few(storey: &PlanStorey, modes: &[PlanMode]) -> PlanStiffness {
     let [e_x, e_y] = storey.eccentricity_m;
     let alone = [e_y == 0.0, e_x == 0.0, e_x == 0.0 && e_y == 0.0];
@@ -329,7 +329,7 @@ fn solution(
     Ok(solution)
 }
 
-/// The storey in the middle of an interval that moves as measured, where no real root of the interval does.
+/// The storey at the middle of an interval that agrees with the measured motions, if no real root of the interval does.
 fn of_double(double: &DoubleRoot) -> PlanSolution {
     let mut one = PlanSolution {
         stiffness: double.root.stiffness,
@@ -372,11 +372,11 @@ fn shape_otherwise(modes: &[PlanMode; 3], shapes: &[[f64; 3]; 3]) -> Option<Shap
         })
     });
     let least = each.min_by(|a, b| a.assurance.total_cmp(&b.assurance));
-    // a value that is not a number proves nothing
+    // a value that is not a number is no evidence
     least.filter(|of| of.assurance < SHAPE_LEAST || of.assurance.is_nan())
 }
 
-/// A measured shape holds more than the name of the motion, and is compared with the root separately.
+/// Modes that contradict the measured motion. A measured shape says more than the name of the motion, so it is compared separately.
 pub(super) fn moves_otherwise(
     modes: &[PlanMode; 3],
     energy_shares: &[[f64; 3]; 3],

@@ -53,9 +53,9 @@ pub struct PlanStorey {
     pub mass_kg: f64,
     /// Radius of gyration about the centre of mass, m.
     pub gyration_m: f64,
-    /// Reduction of the sway stiffness by the weight, m g/h, N/m; 0 without P-delta.
+    /// Reduction of the sway stiffness by P-delta, m g/h, N/m; 0 without P-delta.
     pub weight_takes_n_m: f64,
-    /// Given position of the centre of rigidity relative to the centre of mass, m. Not used if twists determine it.
+    /// Given position of the centre of rigidity relative to the centre of mass, m. Ignored if twists determine it.
     pub eccentricity_m: [f64; 2],
 }
 
@@ -90,7 +90,7 @@ pub enum PlanStiffnessError {
         /// The allowed range.
         allowed: &'static str,
     },
-    /// No frequency is given, or more than a floor has modes.
+    /// No frequency is given, or more frequencies than a floor has modes.
     #[error("{given} modes were measured, but one floor has 3: along x, along y, torsion")]
     Modes {
         /// Number of frequencies.
@@ -119,7 +119,7 @@ pub enum PlanStiffnessError {
 }
 
 impl PlanStiffnessError {
-    /// Whether an iteration ended before it converged, in which case the input may be valid.
+    /// Whether an iteration did not converge. In this case the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Structure(why) => why.did_not_converge(),

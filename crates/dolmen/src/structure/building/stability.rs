@@ -1,11 +1,11 @@
-//! P-delta of a building: reduction of the storey stiffness by the weight, and the load factor at which each storey falls.
+//! P-delta of a building: reduction of the storey stiffness by the weight, and the load factor at which each storey becomes unstable.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | w_j | | weight of floor j, m_j g | N |
 //! | k_s | | elastic stiffness of storey s against drift | N/m … |
 //! | g_s | `geometric` | geometric stiffness: the reduction by the weight | N/m … |
-//! | λ_s | `load_factor` | factor on the weight at which storey s falls | – |
+//! | λ_s | `load_factor` | factor on the weight at which storey s becomes unstable | – |
 
 use super::elements::moved;
 use super::error::BuildingError;
@@ -19,10 +19,10 @@ pub struct StoreyFall {
     pub storey: usize,
     /// Weight carried by the storey, N.
     pub weight_n: f64,
-    /// Factor on the weight at which the storey falls.
+    /// Factor on the weight at which the storey becomes unstable.
     pub load_factor: f64,
-    /// Drift in the mode of instability: u, v at the centre of the weight above and ρθ, with the sum of squares 1; ρ is the radius of
-    /// gyration of that weight.
+    /// Drift in the mode of instability: u, v at the centre of the weight above, and ρθ, with the sum of squares 1; ρ is the radius
+    /// of gyration of that weight.
     pub drift: [f64; 3],
 }
 
@@ -42,7 +42,7 @@ impl StoreyFall {
     }
 }
 
-/// Kind of motion of a falling storey.
+/// Motion of an unstable storey.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StoreyMotion {
     /// Sideways.
@@ -61,7 +61,7 @@ impl StoreyMotion {
     }
 }
 
-/// The geometric stiffness of each storey by the weight above, against u, v, θ at `about_m`.
+/// Geometric stiffness of each storey from the weight above, against u, v, θ at `about_m`.
 ///
 /// ```text
 /// g_s = 1/h_s Σ_(j ≥ s) w_j [1 0 −y; 0 1 x; −y x ρ² + x² + y²],   x, y of the centre of floor j from the point       3 × 3
@@ -92,7 +92,7 @@ pub(super) fn geometric(
     sums
 }
 
-/// Load factor of each storey, lowest first. Storeys fall independently, because the stiffness matrix is block-diagonal in storey
+/// Load factor of each storey, lowest first. The storeys are independent, because the stiffness matrix is block-diagonal in storey
 /// drifts.
 ///
 /// ```text

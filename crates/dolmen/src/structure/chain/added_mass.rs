@@ -1,9 +1,9 @@
-//! A chain that carries more than its links.
+//! Additional masses on the links of a chain.
 
 use super::{Chain, Inertia, Link};
 use crate::structure::StructureError;
 
-/// A mass that a link carries at one height, as a lamp or a board does.
+/// An additional mass at one height of a link, such as a lamp or a board.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AddedMass {
     /// The link, from 0 at the bottom.

@@ -1,9 +1,8 @@
-//! Stiffness of a chain's joints from measured modes: every solution found, its uncertainty, and what the sensors
-//! do not see.
+//! Stiffness of a chain's joints from measured modes: all solutions found, their uncertainty, and what the sensors do not determine.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | M_i | `necessary_n_m_rad` | Σ_{j≥i} G_j, the exact limit of joint i with the others rigid | N m/rad |
+//! | M_i | `necessary_n_m_rad` | Σ_{j≥i} G_j, the least stiffness of joint i if the others are rigid | N m/rad |
 //! | J | | d(data over sd)/d(ln k) | |
 
 use super::Chain;
@@ -25,19 +24,18 @@ pub type ChainStiffness = StiffnessSearch;
 /// cov(ln k) = J⁺ C J⁺ᵀ       J: data × joints over sd, exact derivatives; C: correlations of the data, (JᵀJ)⁻¹ without any
 /// ```
 ///
-/// As many frequencies as joints are n polynomials of degrees 1 to n in k: at most n! solutions (Bézout), and every real
-/// one stands, since K is then positive definite. Up to five joints all of them are followed in complex numbers, so none
-/// is missed. Else damped Gauss–Newton from many starts: the solution of the linear equations K(k) φ = ω² M φ where a
-/// mode's points give its whole shape, stiffnesses in proportion to M_i, and a low-discrepancy scatter. On the
-/// flagpole of Choi (2021) five frequencies leave 4 solutions if stiffness goes with M_i, 40 if the joints are equal,
-/// and up to all 5! = 120 if the upper joints are the stiffer ones.
+/// With as many frequencies as joints, there are n polynomials of degrees 1 to n in k. They have at most n! solutions (Bézout), and every real
+/// solution is stable, because K is then positive definite. Up to five joints, all complex solutions are followed, so none is missed. Otherwise
+/// damped Gauss–Newton starts from many points: the solution of the linear equations K(k) φ = ω² M φ if the points of a mode determine its whole
+/// shape, stiffnesses in proportion to M_i, and a low-discrepancy sequence. For the flagpole of Choi (2021) five frequencies leave 4 solutions if
+/// stiffness is in proportion to M_i, 40 if the joints are equal, and up to all 5! = 120 if the upper joints are stiffer.
 ///
-/// With fewer data than joints, the solution given is the one whose stiffnesses are nearest to a common multiple of
-/// M_i (least squares of ln k); `choice` is [`Choice::Underdetermined`](crate::structure::Choice) and the notes say what stays free.
+/// With fewer data than joints, the result is the solution whose stiffnesses are nearest to a common multiple of M_i (least squares of ln k).
+/// `choice` is then [`Choice::Underdetermined`](crate::structure::Choice), and the notes say what is not determined.
 ///
 /// # Input
-/// * `modes` -- the **lowest** modes of one direction, ascending, none left out between them. Displacements are those
-///   of points at heights above the lowest joint.
+/// * `modes` -- the **lowest** modes of one direction, ascending, without gaps. Displacements are those of points at heights above the lowest
+/// joint.
 ///
 /// # Errors
 /// [`StructureError::ModesMissing`], [`StructureError::ModesMost`] for more modes than links,
@@ -46,11 +44,12 @@ pub type ChainStiffness = StiffnessSearch;
 ///
 /// # Limits
 /// Above five joints, and with shapes, "every solution" means every solution found: the search starts from many points and may miss one. Standard
-/// deviations are linearised: above about 30 % of k they give only the order of magnitude. Small rotations, rigid links, a known mass.
+/// deviations are linearised: above about 30 % of k they give only the order of magnitude. Rotations are small, links are rigid, and masses are
+/// known.
 ///
 /// # Source
-/// The future work announced by Choi (2021), sec. 5; damped Gauss–Newton with variable projection (Golub & Pereyra
-/// 1973 SIAM J. Numer. Anal. 10:413-432) and exact derivatives of simple modes (Fox & Kapoor 1968 AIAA J. 6:2426-2429).
+/// Choi (2021), sec. 5, announces this as future work; damped Gauss–Newton with variable projection (Golub & Pereyra 1973 SIAM J. Numer. Anal.
+/// 10:413-432) and exact derivatives of simple modes (Fox & Kapoor 1968 AIAA J. 6:2426-2429).
 ///
 /// # Example
 /// ```
@@ -97,7 +96,7 @@ impl Sprung for Chain {
             _ if row + 1 == i => -1.0,
             _ => 0.0,
         });
-        // stiffness of unit joints minus their springs leaves gravity and the side support
+        // the stiffness with unit joints minus that of their springs leaves gravity and the side support
         let rest = &self.stiffness_matrix(&vec![1.0; n])? - &(&springs * &springs.transpose());
         Ok(SpringModel {
             mass: self.mass_matrix(),

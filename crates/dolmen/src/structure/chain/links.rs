@@ -4,8 +4,8 @@
 //! |:--|:--|:--|:--|
 //! | m_i | `mass_kg` | mass of link i; i = 1 is the lowest | kg |
 //! | L_i | `length_m` | length of link i from joint to joint | m |
-//! | l_i | `centroid_m` | height of its centre of mass above its lower joint | m |
-//! | J_i | `inertia` | moment of inertia about its centre of mass, about a horizontal axis | kg m² |
+//! | l_i | `centroid_m` | height of the centre of mass of link i above its lower joint | m |
+//! | J_i | `inertia` | moment of inertia of link i about a horizontal axis through its centre of mass | kg m² |
 //! | b_i | `bed_width_m` | width of the bed below link i, in the direction of motion | m |
 
 use super::SideSupport;
@@ -133,7 +133,7 @@ impl Chain {
         })
     }
 
-    /// The chain with one more spring between it and the ground beside it.
+    /// Adds a spring between the chain and the ground.
     ///
     /// # Errors
     /// [`StructureError::Height`] if the spring is not on the chain; [`StructureError::NotPositive`] for its

@@ -1,4 +1,4 @@
-//! Chain: n rigid links on rotational springs, as a flagpole of stacked stones.
+//! Chain: n rigid links on rotational springs, such as a flagpole of stacked stones.
 
 mod added_mass;
 mod from_modes;

@@ -16,7 +16,7 @@ impl Chain {
     /// if the decomposition fails.
     ///
     /// # Limits
-    /// Small amplitudes. A chain that falls has a negative ω² in its first mode and frequency 0.
+    /// Small amplitudes. If the chain is unstable, its first mode has a negative ω² and frequency 0.
     ///
     /// # Source
     /// Choi (2021) eq. 28. Tested by `choi_2021`.

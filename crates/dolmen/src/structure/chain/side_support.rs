@@ -1,15 +1,15 @@
-//! A spring at the side of a chain: the posts that hold a flagpole loosely (Choi 2021, Fig. 6c).
+//! A spring at the side of a chain: posts that support a flagpole with play (Choi 2021, Fig. 6c).
 
 use crate::structure::StructureError;
 
 /// A lateral spring between the chain and the ground, with a gap.
 ///
 /// # Limits
-/// Matrices, modes and stability are linear. They count the spring **only if the gap is 0** (contact both ways);
-/// with a gap it is left out, which is on the safe side until the chain has leaned that far. A motion in time counts it with its gap.
+/// Matrices, modes and stability are linear. They include the spring **only if the gap is 0** (contact both ways). A spring with a
+/// gap is left out, which is conservative until the chain has leaned that far. A time history includes the spring with its gap.
 ///
 /// # Source
-/// Differs from Choi (2021), who leaves the posts out because their hold was found loose.
+/// Differs from Choi (2021), who leaves out the posts because their support was found to be loose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SideSupport {
@@ -22,7 +22,7 @@ pub struct SideSupport {
 }
 
 impl SideSupport {
-    /// Whether linear analysis counts it: only without a gap.
+    /// Whether linear analysis includes the spring: only without a gap.
     pub fn acts_linearly(&self) -> bool {
         self.gap_m == 0.0
     }

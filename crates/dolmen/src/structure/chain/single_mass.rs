@@ -1,5 +1,5 @@
-//! The simplest model of a pole, for checking other models: one rigid body on one rotational spring (Choi 2021, Fig.
-//! 7).
+//! The simplest model of a pole, for a check of other models: one rigid body on one rotational spring (Choi 2021,
+//! Fig. 7).
 
 use super::Chain;
 use crate::structure::StructureError;
@@ -26,16 +26,16 @@ pub struct SingleMass {
 }
 
 impl SingleMass {
-    /// Critical stiffness m g h, at which the body just stands, N m/rad. For a chain this is M_1, the exact limit of
-    /// its lowest joint when all other joints are rigid.
+    /// Critical stiffness m g h, below which the body is unstable, N m/rad. For a chain this is M_1, the exact limit
+    /// of its lowest joint if all other joints are rigid.
     pub fn critical_stiffness_n_m_rad(&self) -> f64 {
         self.mass_kg * self.gravity_m_s2 * self.height_m
     }
 
     /// Natural frequency with a rotational spring at the foot, Hz; 0 if the body falls.
     ///
-    /// For a chain with k_1 at the foot it is an upper bound of the first frequency, because the other joints are
-    /// taken as rigid.
+    /// For a chain with k_1 at the foot this is an upper bound of the first frequency, because the other joints are
+    /// rigid here.
     ///
     /// # Errors
     /// [`StructureError::NotPositive`] if a value is not positive.

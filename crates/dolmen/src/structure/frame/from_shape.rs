@@ -3,18 +3,18 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | φ | `displacement` | shape, Y of each level, any scale | – |
-//! | q | `force` | ω² M φ + K_G φ − K_ties φ: what the storeys' springs hold | – · N/m |
-//! | e_i | `extension` | drift of storey i (grounded: its displacement) | – |
+//! | q | `force` | ω² M φ + K_G φ − K_ties φ: forces in the storey springs | – · N/m |
+//! | e_i | `extension` | drift of storey i (or its displacement, if grounded) | – |
 
 use super::storeys::{Convention, Frame};
 use crate::structure::StructureError;
 use dolmen_linalg::Matrix;
 
-/// Extension of a spring, relative to the largest displacement, below which it is taken as not seen: measured shapes of
-/// ambient vibration are rarely better than a per cent, so the stiffness would be all noise.
+/// Least extension of a spring, relative to the largest displacement. Measured shapes of ambient vibration are rarely
+/// better than 1 %, so a smaller extension gives only noise.
 const EXTENSION_LEAST: f64 = 1e-3;
 
-/// The stiffness with which this frequency and shape are a mode of the frame: exact, no other mode is needed.
+/// Stiffness for which this frequency and shape are an exact mode of the frame; no other mode is needed.
 ///
 /// ```text
 /// q = ω² M φ + K_G φ − K_ties φ                                                       n values
@@ -22,19 +22,19 @@ const EXTENSION_LEAST: f64 = 1e-3;
 /// grounded:  k_i = q_i / φ_i
 /// ```
 ///
-/// A stiffness that comes out negative means that frequency, shape and masses cannot belong together.
+/// A negative stiffness means that frequency, shape and masses contradict each other.
 ///
 /// # Input
 /// * `frequency_hz` -- of the mode
 /// * `displacement` -- of each level, lowest first; any scale and sign
 ///
 /// # Errors
-/// [`StructureError::Mode`]; [`StructureError::Count`] unless there is one displacement a storey;
-/// [`StructureError::Invisible`] if a storey's spring does not move: any stiffness would do.
+/// [`StructureError::Mode`]; [`StructureError::Count`] unless there is one displacement for each storey;
+/// [`StructureError::Invisible`] if the spring of a storey does not deform, so that any stiffness fits.
 ///
 /// # Limits
-/// Errors of the shape are amplified by 1/|φ_i − φ_{i−1}|: with a displacement wrong by 1 % of the largest and a drift of
-/// 5 % of it, k_i is wrong by 20 to 30 %.
+/// Errors of the shape are amplified by 1/|φ_i − φ_{i−1}|: with an error of 1 % of the largest displacement and a drift
+/// of 5 % of it, k_i is wrong by 20 to 30 %.
 ///
 /// # Example
 /// ```
@@ -66,7 +66,7 @@ pub fn stiffness_from_shape(
     }
     let largest = displacement.iter().fold(0.0_f64, |most, y| most.max(y.abs()));
     let omega = std::f64::consts::TAU * frequency_hz;
-    // stiffness without the storeys' springs is K_ties − K_G
+    // the stiffness without the storey springs is K_ties − K_G
     let other: Matrix = frame.stiffness_matrix(&vec![0.0; n])?;
     let inertia = frame.storeys().iter().zip(displacement);
     let inertia = inertia.map(|(s, y)| omega * omega * s.mass_kg * y);

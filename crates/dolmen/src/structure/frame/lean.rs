@@ -1,9 +1,9 @@
-//! Lateral forces of the weight of a leaning frame.
+//! Lateral forces from the weight of a leaning frame.
 
 use super::storeys::Frame;
 
 impl Frame {
-    /// Horizontal forces at the levels, N, that have the moments of the axial forces in storeys leaning by `tilt`, horizontal over vertical.
+    /// Horizontal forces at the levels, N, with the moments of the axial forces in storeys that lean by `tilt`, horizontal over vertical.
     ///
     /// ```text
     /// F = Bᵀ N τ:  F_i = (N_i − N_{i+1}) τ                                 n levels

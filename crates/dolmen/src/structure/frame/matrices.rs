@@ -69,17 +69,17 @@ impl Frame {
     /// As [`Frame::elastic_matrix`].
     ///
     /// # Limits
-    /// Small drifts: sin β = β, so a drift of 5 % of the height is wrong by 0.04 %.
+    /// Small drifts: sin β = β; for a drift of 5 % of the height the error is 0.04 %.
     ///
     /// # Source
-    /// Park & Min (2010), eqs 1 to 7, for `Grounded`. Tested by `park_min_2010`. Differs from the source: N_i is the axial force of the storey.
-    /// Eq. 7 has P1 + P2 in place of N1 although its printed P1 already holds P2; give
-    /// [`storey_axial_forces_n`](crate::structure::storey_axial_forces_n) of the printed P to reproduce it.
+    /// Park & Min (2010), eqs 1 to 7, for `Grounded`. Tested by `park_min_2010`. Differs from the source: N_i is the axial force of the storey. Eq.
+    /// 7 has P1 + P2 in place of N1, although its printed P1 already includes P2; to reproduce it, give the
+    /// [`storey_axial_forces_n`](crate::structure::storey_axial_forces_n) of the printed P.
     pub fn stiffness_matrix(&self, stiffness_n_m: &[f64]) -> Result<Matrix, StructureError> {
         Ok(&self.elastic_matrix(stiffness_n_m)? - &self.geometric_matrix())
     }
 
-    /// Natural modes, lowest first. A mode with ω² < 0 is a shape in which the frame falls.
+    /// Natural modes, lowest first. If ω² < 0, the frame is unstable in this shape.
     ///
     /// ```text
     /// K φ = ω² M φ                                        n modes, n displacements each

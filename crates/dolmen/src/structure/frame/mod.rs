@@ -1,4 +1,4 @@
-//! Frame: rigid storeys with P-delta, as a timber gate (Park & Min 2010).
+//! Frame: rigid storeys with P-delta, such as a timber gate (Park & Min 2010).
 
 mod from_frequencies;
 mod from_modes;

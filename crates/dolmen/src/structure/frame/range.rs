@@ -1,4 +1,4 @@
-//! How far a storey's stiffness can lie from the one found, when frequencies are rounded.
+//! Range of a storey's stiffness when frequencies are rounded.
 
 use super::from_frequencies::check_ascending;
 use super::storeys::{Frame, not_negative};
@@ -8,21 +8,22 @@ use crate::structure::{StiffnessRange, StructureError};
 /// Range of each stiffness of one root while every frequency stays within `frequencies_hz` ± `half_width_hz`: the
 /// effect of rounding alone.
 ///
-/// The root is followed to the 2ⁿ corners of the box of frequencies and its extremes on the way are kept. A root can meet
-/// another one and end inside the box; the range then says so.
+/// The function follows the root to the 2ⁿ corners of the box of frequencies and keeps its extremes. A root can meet another
+/// root and end inside the box; the range then says so.
 ///
 /// # Input
 /// * `frequencies_hz` -- of all n modes, ascending
 /// * `half_width_hz` -- of each frequency; 0.05 for one printed with one decimal
-/// * `root_n_m` -- the stiffness found for them, as from [`stiffness_from_frequencies`](super::stiffness_from_frequencies)
+/// * `root_n_m` -- the stiffness for these frequencies, for example from
+/// [`stiffness_from_frequencies`](super::stiffness_from_frequencies)
 ///
 /// # Errors
 /// [`StructureError::Frequencies`], [`StructureError::Mode`], [`StructureError::FrequencyOrder`], [`StructureError::Count`],
 /// [`StructureError::Negative`] for a half-width.
 ///
 /// # Limits
-/// Extremes between corners are not looked for: exact where each stiffness rises or falls with each frequency all over the
-/// box, which holds away from where two roots meet.
+/// Extremes between corners are not searched. The result is exact if each stiffness increases or decreases with each
+/// frequency throughout the box, which is true unless two roots are near.
 ///
 /// # Example
 /// ```

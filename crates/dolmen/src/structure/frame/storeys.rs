@@ -4,7 +4,7 @@
 //! |:--|:--|:--|:--|
 //! | m_i | `mass_kg` | mass of storey i; i = 1 is the lowest | kg |
 //! | l_i | `height_m` | column height of storey i | m |
-//! | N_i | `axial_n` | gravity load that storey i carries: that of its own level and of all levels above | N |
+//! | N_i | `axial_n` | gravity load that storey i carries: from its own level and all levels above | N |
 //! | P_i | `level_loads_n` | gravity load that acts at level i alone | N |
 //! | k_i | stiffness | lateral stiffness of storey i, by [`Convention`] | N/m |
 //! | Y_i | | lateral displacement of level i relative to the ground | m |
@@ -29,12 +29,12 @@ pub struct Storey {
     pub mass_kg: f64,
     /// Column height, m.
     pub height_m: f64,
-    /// Axial force in the storey, N: the gravity loads of its top level and of all levels above. 0 leaves P-delta
-    /// out.
+    /// Axial force in the storey, N: the gravity loads of its top level and of all levels above. With 0 there is no
+    /// P-delta.
     pub axial_n: f64,
 }
 
-/// A spring between two levels in addition to the storey springs: a buttress, a rampart, a cable.
+/// A spring between two levels in addition to the storey springs, such as a buttress, a rampart or a cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tie {
     /// One level, from 1; 0 is the ground.

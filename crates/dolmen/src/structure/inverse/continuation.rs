@@ -9,8 +9,8 @@
 //! | s | `s` | parameter of the path, 0 to 1 |
 //!
 //! At t = 0 the matrices are diagonal, and every assignment of frequencies to springs, k_i = S_j(i),ii, is a solution:
-//! n! solutions. Then t moves from 0 to 1 on an arc in the complex plane. On the arc no solutions meet (except on a set
-//! of measure zero) and none goes to infinity, so they end at the n! solutions of the problem.
+//! there are n! solutions. Then t moves from 0 to 1 on an arc in the complex plane. On this arc no solutions meet
+//! (except on a set of measure zero) and none goes to infinity, so the paths end at the n! solutions of the problem.
 
 use dolmen_linalg::{Complex64, Matrix};
 
@@ -29,27 +29,25 @@ pub(crate) struct AllSolutions {
     pub(crate) expected: usize,
 }
 
-/// Heights of the arc of t beside the real axis, in the order in which they are tried. Any heights would do; unrelated
-/// numbers do not meet the same special case twice.
+/// Heights of the arc of t above the real axis, in the order of the attempts. Any heights are possible; unrelated
+/// numbers avoid meeting the same special case twice.
 const ARCS: [f64; 4] = [0.618, -0.377, 1.173, -0.845];
-/// Longest step along the path, also the first one, and the factor on it for each further arc.
+/// Longest step along the path, which is also the first; and its factor for each further arc.
 const STEP_MOST: f64 = 0.1;
 const CAUTION: f64 = 0.3;
-/// Step below which a path counts as lost: two solutions meet there, and then differ by the square root of this.
+/// Step below which a path is lost: two solutions meet there, and then differ by the square root of this.
 const STEP_LEAST: f64 = 1e-12;
-/// Number of steps after which a path counts as lost; 10 to 60 are usual, and frequencies within 0.1 % of each other
-/// need more.
+/// Number of steps after which a path is lost. 10 to 60 are usual; frequencies within 0.1 % of each other need more.
 const STEPS_MOST: usize = 500;
-/// Largest relative error at which the corrector may start, largest relative error after it, and its number of Newton
-/// iterations.
+/// Largest relative error before the corrector, largest relative error after it, and its number of Newton iterations.
 const CORRECTION_MOST: f64 = 0.05;
 const CORRECTED: f64 = 1e-9;
 const CORRECTIONS: usize = 3;
 /// Number of Newton iterations at the end of a path, enough to converge to rounding.
 const FINISHING: usize = 12;
-/// Pivot, relative to the largest entry, that replaces a smaller one: far below rounding, far above underflow.
+/// Replaces a smaller pivot, relative to the largest entry: far below rounding, far above underflow.
 const PIVOT_LEAST: f64 = 1e-40;
-/// Two solutions that differ by less than this, relative, are the same.
+/// Two solutions are the same if they differ by less than this (relative).
 const SAME: f64 = 1e-7;
 
 /// All distinct complex solutions.
@@ -75,7 +73,6 @@ pub(crate) fn continue_all(pencil: &Pencil) -> AllSolutions {
     AllSolutions { solutions, expected }
 }
 
-/// All permutations of 0…n−1.
 fn permutations(n: usize) -> Vec<Vec<usize>> {
     let mut all = vec![Vec::new()];
     for item in 0..n {
@@ -100,7 +97,7 @@ fn distance(a: &[Complex64], b: &[Complex64]) -> f64 {
     })
 }
 
-/// End of one path; `None` if the path is lost.
+/// Follows one path to its end; `None` if the path is lost.
 fn follow(pencil: &Pencil, start: &[usize], arc: f64, step_most: f64) -> Option<Vec<Complex64>> {
     let t = |s: f64| Complex64::new(s, arc * s * (1.0 - s));
     let dt = |s: f64| Complex64::new(1.0, arc * (1.0 - 2.0 * s));

@@ -1,4 +1,4 @@
-//! How far a structure with given stiffness is from measured modes, with the exact derivative.
+//! Difference between a structure with given stiffness and measured modes, with exact derivatives.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -7,7 +7,7 @@
 //! | q_j, λ_j | | eigenvector and eigenvalue of L⁻¹ K L⁻ᵀ, φ_j = L⁻ᵀ q_j | , (rad/s)² |
 //! | ĉ_i | `springs` | L⁻¹ b_i | |
 //! | ẑ_p | `Shape::sensors` | L⁻¹ c(z_p) | |
-//! | w, v | `Shape::measured`, `computed` | measured and computed shape, over sd | |
+//! | w, v | `Shape::measured`, `computed` | measured and computed shape, each over its sd | |
 //! | a | `scale` | scale of the shape, (vᵀw)/(vᵀv) | |
 
 use super::{SpringModel, Sprung};
@@ -15,7 +15,7 @@ use crate::numeric::Residuals;
 use crate::structure::{MeasuredMode, StructureError};
 use dolmen_linalg::{Matrix, cholesky, solve, symmetric_eigen};
 
-/// Standard deviations that stand in where modes carry none.
+/// Standard deviations assumed for modes without any.
 #[derive(Clone, Copy)]
 pub(super) struct StandIn {
     /// Relative to the frequency.
@@ -35,7 +35,7 @@ struct Target {
     ln_omega_squared: f64,
     /// sd of ln f.
     sd: f64,
-    /// Whether that follows from one that was stated in Hz.
+    /// Whether this follows from a standard deviation given in Hz.
     is_stated: bool,
     /// Changes of ln f by each block of time, over sd.
     changes: Vec<f64>,
@@ -44,7 +44,7 @@ struct Target {
 
 pub(super) struct ModalFit {
     springs: Vec<Vec<f64>>,
-    /// L⁻¹ K_0 L⁻ᵀ: what there is beside the springs.
+    /// L⁻¹ K_0 L⁻ᵀ: the stiffness without the springs.
     rest: Matrix,
     targets: Vec<Target>,
 }
@@ -83,13 +83,13 @@ impl ModalFit {
         })
     }
 
-    /// Number of independent data: a shape of p points holds p − 1, its scale being free.
+    /// Number of independent data: a shape of p points has p − 1, because its scale is free.
     pub(super) fn data(&self) -> usize {
         let shapes = self.targets.iter().filter_map(|target| target.shape.as_ref());
         self.targets.len() + shapes.map(|shape| shape.measured.len() - 1).sum::<usize>()
     }
 
-    /// Correlations of the data: those of frequencies that share their blocks of time; 1 on the diagonal.   shape: data × data
+    /// Correlations of the data: frequencies with common blocks of time are correlated; 1 on the diagonal.   shape: data × data
     pub(super) fn correlations(&self) -> Matrix {
         let mut rows = Vec::new(); // where each frequency stands
         let mut count = 0;
@@ -108,7 +108,7 @@ impl ModalFit {
         all
     }
 
-    /// Largest difference of the shape of each mode, relative to its largest displacement; `None` for a mode without.
+    /// Largest difference of the shape of each mode, relative to its largest displacement; `None` for a mode without a shape.
     pub(super) fn shapes_off(&self, x: &[f64]) -> Vec<Option<f64>> {
         let Some(at) = self.residuals(x) else {
             return vec![None; self.targets.len()];
@@ -132,7 +132,7 @@ impl ModalFit {
         Some(symmetric_eigen(&self.reduced_stiffness(x)).ok()?.values)
     }
 
-    /// Mean of ln ω²_measured − ln ω²_computed over the measured modes; `None` if the structure falls.
+    /// Mean of ln ω²_measured − ln ω²_computed over the measured modes; `None` if the structure is unstable.
     pub(super) fn mean_log_frequency_short(&self, x: &[f64]) -> Option<f64> {
         let values = self.omega_squared(x).filter(|values| values[0] > 0.0)?;
         let each = self.targets.iter().zip(&values);
@@ -156,7 +156,7 @@ impl ModalFit {
         a
     }
 
-    /// The residuals with frequencies in Hz, as they were stated, so that residuals below and above a measured frequency count equally.
+    /// Residuals with given frequencies in Hz, so that equal differences above and below a measured frequency count equally.
     ///
     /// ```text
     /// r = (f/f_measured − 1)/sd,   from r' = ln(f/f_measured)/sd and dr'/dx
@@ -176,7 +176,8 @@ impl ModalFit {
         is_finite.then_some(all)
     }
 
-    /// Residuals (computed − measured)/sd, frequencies as logarithms, and d/dx; `None` if the structure falls.
+    /// Residuals (computed − measured)/sd with frequencies as logarithms, and their derivatives d/dx; `None` if the structure is
+    /// unstable.
     ///
     /// ```text
     /// d ln f_j / dx_i = k_i (ĉ_iᵀ q_j)² / 2 λ_j
@@ -238,13 +239,13 @@ impl ModalFit {
     }
 }
 
-/// Standard deviation of the point that sets the scale of a shape, as a fraction of the smallest one of the others, because it has no
-/// scatter. Small enough to fix the scale, large enough for a well-conditioned problem. Our choice.
+/// Standard deviation of the point that sets the scale of a shape, which has no scatter, as a fraction of the smallest of the others.
+/// Small enough to fix the scale, large enough for a well-conditioned problem. Our choice.
 const EXACT_SHARE: f64 = 1e-3;
-/// A standard deviation below this share of the largest displacement is rounding of 0.
+/// A standard deviation below this share of the largest displacement is 0 with rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// The points of a mode, over their sd; `None` with fewer than 2, since the scale is free.
+/// The points of a mode, each over its sd; `None` with fewer than 2, because the scale is free.
 fn shape(
     structure: &impl Sprung,
     mode: &MeasuredMode,

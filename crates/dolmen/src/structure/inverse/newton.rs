@@ -1,13 +1,14 @@
-//! The root of the frequencies near a given stiffness.
+//! Newton search for the root near a given stiffness.
 
 use super::SpringModel;
 use dolmen_linalg::{Matrix, solve};
 
-/// Relative error of ω² up to which a root counts as found: 1e-10 in frequency.
+/// Relative error of ω² at which a root is found: 1e-10 in frequency.
 const REACHED: f64 = 2e-10;
 const ITERATIONS_MOST: usize = 40;
 
-/// Stiffness with these ω², by Newton's method in ln k from `start`; `None` if it leads to none that is positive.
+/// Stiffness with these ω², by Newton's method in ln k from `start`; `None` if the search finds no positive
+/// stiffness.
 ///
 /// ```text
 /// dλ_j/dk_i = (b_iᵀ φ_j)²,   φ_jᵀ M φ_j = 1

@@ -1,4 +1,4 @@
-//! Notes for the reader of an identification.
+//! Notes on the result of an identification.
 
 use super::Sprung;
 use super::options::Weighting;
@@ -8,9 +8,9 @@ use crate::structure::{
 };
 use dolmen_linalg::Svd;
 
-/// A note names a spring as not seen whose direction the data determine by less than this share.
+/// A note names a spring as not seen if the data determine its direction by less than this share.
 const SEEN_LEAST: f64 = 0.5;
-/// Components of a free direction below this are left out of the note.
+/// Smaller components of a free direction are left out of the note.
 const COMPONENT_LEAST: f64 = 0.05;
 
 pub(super) fn of_solutions<S: Sprung>(
@@ -116,7 +116,7 @@ fn misfit(weighting: Weighting, misfit: f64) -> Misfit {
     }
 }
 
-/// Combinations of stiffness that can change without a change of any datum.
+/// Combinations of stiffness that can change without changing the data.
 pub(super) fn of_free_directions(spring: Spring, jacobian: &Svd, choice: Choice) -> Vec<StiffnessNote> {
     if choice != Choice::Underdetermined {
         return Vec::new();
@@ -136,7 +136,7 @@ pub(super) fn of_free_directions(spring: Spring, jacobian: &Svd, choice: Choice)
         .collect()
 }
 
-/// Shapes without standard deviations, by how much they are off.
+/// Shapes without standard deviations, with their errors.
 pub(super) fn of_shapes<S: Sprung>(search: &Search<'_, S>, x: &[f64]) -> Vec<StiffnessNote> {
     let modes = search.modes.iter().zip(search.fit.shapes_off(x)).enumerate();
     modes
@@ -161,8 +161,8 @@ pub(super) fn of_ranges(solutions: &[StiffnessSolution]) -> Option<StiffnessNote
     (!solutions.is_empty()).then_some(StiffnessNote::RangeIncomplete { solutions })
 }
 
-/// Springs not determined whose own stiffness barely changes the data; where it is the split between several that stays
-/// free, each of them is seen.
+/// Undetermined springs whose own stiffness barely changes the data. If only the split between several springs is
+/// undetermined, each of them is seen.
 pub(super) fn of_unseen(
     spring: Spring,
     visibility: &Visibility,
@@ -173,7 +173,7 @@ pub(super) fn of_unseen(
     (!numbers.is_empty()).then_some(StiffnessNote::Unseen { spring, numbers })
 }
 
-/// Springs whose interval is hardly linear.
+/// Springs whose interval is too wide to be linear.
 pub(super) fn of_wide_intervals(spring: Spring, solution: &StiffnessSolution) -> Option<StiffnessNote> {
     const LINEAR_MOST: f64 = 0.3; // beyond it ln k and k differ by more than a seventh
     let each = solution.stiffness_sd.iter().flatten().zip(&solution.stiffness);

@@ -7,12 +7,12 @@ use crate::structure::{MeasuredMode, StructureError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StiffnessSearch {
     /// Number of random starting points, for problems in which not all solutions can be followed. Default 1000, our choice: with five
-    /// frequencies of the flagpole of Choi (2021) it finds the same solutions as 10,000 starts, for stiffness in proportion to M_i and
-    /// for equal joints.
+    /// frequencies of the flagpole of Choi (2021) it finds the same solutions as 10,000 starts, both for stiffness in proportion to M_i
+    /// and for equal joints.
     pub starts: usize,
     /// Largest number of listed solutions; a note gives the number of further ones. Default 64, our choice.
     pub solutions_most: usize,
-    /// Largest misfit of a solution, in standard deviations (given or assumed), if the modes have standard deviations or shapes. Default
+    /// Largest misfit of a solution in standard deviations (given or assumed), if the modes have standard deviations or shapes. Default
     /// 2, our choice.
     pub misfit_most: f64,
     /// Largest relative misfit of frequencies, if there are only frequencies without standard deviations. Default 0.01, our choice: the
@@ -40,7 +40,6 @@ impl Default for StiffnessSearch {
 }
 
 impl StiffnessSearch {
-    /// Refuses options outside their ranges.
     pub(super) fn check(&self) -> Result<(), StructureError> {
         let positive = "a positive number";
         for (option, given, allowed) in [
@@ -63,7 +62,6 @@ impl StiffnessSearch {
     }
 }
 
-/// Weights of the data.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Weighting {
     /// Frequencies only, without standard deviations: relative differences.
@@ -79,7 +77,7 @@ pub(super) enum Weighting {
 impl Weighting {
     pub(super) fn of(modes: &[MeasuredMode]) -> Self {
         let all = modes.iter().flat_map(|mode| {
-            // the largest deviation of a shape counts: the point that sets its scale has none
+            // the largest deviation of a shape counts, because the point that sets its scale has none
             let points = mode.shape.iter().filter(|_| mode.shape.len() >= 2);
             let shape = points.map(|point| point.displacement_sd).reduce(f64::max);
             shape.into_iter().chain([mode.frequency_sd_hz])

@@ -1,4 +1,4 @@
-//! Fewer independent data than springs: the fit nearest to an assumption about their proportions.
+//! Fewer independent data than springs: the fit that is nearest to an assumed proportion.
 
 use super::Sprung;
 use super::search::{Count, ITERATIONS_MOST, Minimum, Search};
@@ -7,21 +7,21 @@ use crate::numeric::{LeastSquaresFit, Residuals, levenberg_marquardt};
 use crate::structure::{Choice, StiffnessSolutions, StructureError};
 use dolmen_linalg::Matrix;
 
-/// Decreasing weights of the prior, relative to that of the data: the last is below the rounding of the data.
+/// Decreasing weights of the prior relative to the data: the last is below the rounding of the data.
 const PRIOR_WEIGHTS: [f64; 4] = [1.0, 1e-2, 1e-4, 1e-6];
-/// The first of them that hardly pulls.
+/// Index of the first weight with almost no effect.
 const LET_GO: usize = 2;
 
 impl<S: Sprung> Search<'_, S> {
-    /// Of all fits, the one nearest to the prior in ln k, with a free common factor of the prior. If the search from
-    /// the prior ends without a fit, the first fit from scattered starts.
+    /// The fit nearest to the prior in ln k; the common factor of the prior is free. If the search from the prior
+    /// fails, the first fit from scattered starts.
     pub(super) fn nearest_to_the_prior(&self, prior: &[f64]) -> Result<StiffnessSolutions, StructureError> {
         let mut accepted: Vec<Minimum> = Vec::new();
         let mut nearest: Option<f64> = None;
         let mut tried = 0;
         for start in scattered_starts(prior, 0, self.options.starts) {
             tried += 1;
-            // a strong prior would pull every start back to where the first one ended
+            // a strong prior would pull every start back to the end of the first search
             let weights = if tried == 1 {
                 &PRIOR_WEIGHTS[..]
             } else {
@@ -52,7 +52,7 @@ impl<S: Sprung> Search<'_, S> {
         self.answer(accepted, choice, count)
     }
 
-    /// The fit that letting the prior go by steps leads to.
+    /// The fit reached by reducing the weight of the prior step by step.
     fn fit_near(&self, prior: &[f64], mut x: Vec<f64>, weights: &[f64]) -> Option<Minimum> {
         let n = prior.len();
         for &weight in weights {

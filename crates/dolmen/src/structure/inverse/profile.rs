@@ -1,4 +1,4 @@
-//! How far a stiffness can lie from the best one where no linear interval exists: the profile of the misfit.
+//! Interval of a stiffness from the profile of the misfit, for cases without a linear interval.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -12,28 +12,29 @@ use crate::numeric::{Residuals, levenberg_marquardt};
 use crate::structure::StiffnessBounds;
 use dolmen_linalg::Matrix;
 
-/// Chi-squared beyond that of the best fit at the end of an interval: 95 % of one degree of freedom.
+/// Increase of chi-squared over the best fit at the end of an interval: 95 % for one degree of freedom.
 const CHI_SQUARED_95: f64 = 3.841_459;
-/// First step of ln k away from the best value, and growth of the steps.
+/// First step of ln k from the best value, and growth factor of the steps.
 const STEP_FIRST: f64 = 0.25;
 const STEP_GROWTH: f64 = 1.5;
-/// A stiffness that may be 10,000 times larger has no upper end; one that may be e⁴⁰ times smaller, where the fit is as if rigid, no lower.
+/// Largest distances in ln k. A stiffness that may be 10,000 times larger has no upper bound; one that may be e⁴⁰ times smaller, if the fit is
+/// practically rigid, has no lower bound.
 const WAY_MOST: [f64; 2] = [40.0, 9.210_340_371_976_184];
-/// A spring e¹⁴ times stiffer than the softest is as if rigid: beyond that numbers are lost and no end can be found.
+/// A spring e¹⁴ times stiffer than the softest is practically rigid: beyond that, precision is lost and no bound can be found.
 const RIGID: f64 = 14.0;
-/// Ends are found to this in ln k: a third of a per cent.
+/// Accuracy of the bounds in ln k: a third of a per cent.
 const END_WITHIN: f64 = 0.003;
 
 impl<S: Sprung> Search<'_, S> {
-    /// Both ends of the 95 % interval of every stiffness by its profile: the stiffness is held, the others fit the data
-    /// again, and the interval ends where χ² exceeds the least by 3.84.
+    /// Both ends of the 95 % interval of every stiffness from its profile: with this stiffness fixed, the others are fitted again, and the interval
+    /// ends where χ² exceeds the minimum by 3.84.
     ///
     /// ```text
     /// min over the other x of χ²(x_i, x) = χ²_best + 3.84 (widened²)
     /// ```
     ///
-    /// A frequency that carries a standard deviation counts by its difference in Hz, as it was stated: with a large one a logarithm would hold the lower end
-    /// too high. Data that share blocks of time are taken as independent here.
+    /// A frequency with a given standard deviation counts by its difference in Hz: for a large standard deviation, a logarithm would make the lower
+    /// bound too high. Data with common blocks of time are taken as independent here.
     pub(super) fn bounds(&self, best: &Minimum) -> Vec<StiffnessBounds> {
         let deviation = self.deviation_unit() * self.widened(best);
         let allowed = self.squares(best) + CHI_SQUARED_95 * deviation.powi(2);
@@ -88,7 +89,7 @@ impl<S: Sprung> Search<'_, S> {
         Some((best.x[i] + side * way).exp())
     }
 
-    /// The fit of the others while x_i is held; `None` if its χ² exceeds `allowed` or the structure falls.
+    /// The fit of the other stiffnesses with x_i fixed; `None` if its χ² exceeds `allowed` or the structure is unstable.
     fn held(&self, start: &[f64], i: usize, at: f64, allowed: f64) -> Option<Vec<f64>> {
         let whole = |others: &[f64]| {
             let mut x = others.to_vec();

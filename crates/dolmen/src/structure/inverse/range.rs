@@ -1,18 +1,18 @@
-//! How far a stiffness can lie from the one found, when each frequency may lie anywhere within a half-width.
+//! Range of a stiffness when each frequency may be anywhere within a half-width.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | h_j | `half_width_hz` | half-width of the interval of frequency j | Hz |
-//! | s | `way` | way from the measured frequencies to a corner of the box, 0 to 1 | – |
+//! | s | `way` | position between the measured frequencies (0) and a corner of the box (1) | – |
 
 use super::SpringModel;
 use super::newton::stiffness_by_newton;
 use crate::structure::StiffnessRange;
 
-/// Steps from the centre of the box of frequencies to each of its corners.
+/// Number of steps from the centre of the box of frequencies to each corner.
 const STEPS: usize = 16;
 
-/// The root is followed to the 2ⁿ corners of the box of frequencies; its extremes on the way are kept.
+/// Follows the root to the 2ⁿ corners of the box of frequencies and keeps its extremes.
 pub(crate) fn range_of_root(
     model: &SpringModel,
     frequencies_hz: &[f64],

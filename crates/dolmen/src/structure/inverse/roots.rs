@@ -1,4 +1,4 @@
-//! Every stiffness that has exactly as many frequencies as measured.
+//! All stiffnesses for as many measured frequencies as springs.
 
 use super::SpringModel;
 use super::continuation::{Pencil, continue_all};
@@ -6,29 +6,29 @@ use super::newton::stiffness_by_newton;
 use crate::structure::{StiffnessNote, StructureError};
 use dolmen_linalg::{Matrix, solve};
 
-/// Two roots whose every stiffness agrees to this are one: √ε, as close as a double root can be resolved.
+/// Two roots are the same if every stiffness agrees within this: √ε, the resolution of a double root.
 const SAME_ROOT: f64 = 1e-6;
-/// Imaginary part, relative to the modulus, up to which a solution may be a real one not yet made exact: two real roots
-/// that nearly meet are found with √ε of it.
+/// Largest imaginary part, relative to the modulus, of a solution that may be real after refinement: two real roots
+/// that nearly meet are found with an error of √ε.
 const NEARLY_REAL: f64 = 1e-3;
 
-/// Every stiffness that gives a structure exactly its measured frequencies.
+/// All stiffnesses that give a structure exactly its measured frequencies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrequencyRoots {
-    /// Each a stiffness a spring, N/m or N m/rad, lowest first; ordered by the first.
+    /// One stiffness per spring, N/m or N m/rad, lowest first; sorted by the first.
     pub stiffness: Vec<Vec<f64>>,
     /// Number of complex solutions, n!, all of which were followed.
     pub solutions_complex: usize,
-    /// Whether all of them were reached. If not, real roots may be missing.
+    /// Whether all of them were reached. If not, real solutions may be missing.
     pub complete: bool,
-    /// Why there is no root, or fewer than looked for, with the numbers.
+    /// Notes: why there is no solution, or fewer than expected.
     pub notes: Vec<StiffnessNote>,
 }
 
-/// All complex solutions, then the real ones among them, each made exact and verified.
+/// Finds all complex solutions, then refines and verifies the real ones.
 ///
 /// # Errors
-/// [`StructureError::Linalg`] if the springs do not hold every coordinate.
+/// [`StructureError::Linalg`] if some coordinate has no spring.
 pub(crate) fn roots_by_continuation(
     model: &SpringModel,
     lambda: &[f64],
@@ -75,7 +75,7 @@ pub(crate) fn roots_by_continuation(
     })
 }
 
-/// det(diag(k) + H − λ W) = 0: in the coordinates of the springs, δ = Bᵀ φ, each k_i stands alone on the diagonal.
+/// det(diag(k) + H − λ W) = 0: in spring coordinates, δ = Bᵀ φ, each k_i is a single diagonal entry.
 ///
 /// ```text
 /// H = B⁻¹ K_0 B⁻ᵀ,   W = B⁻¹ M B⁻ᵀ                                                      n × n

@@ -7,9 +7,9 @@ use crate::numeric::LeastSquaresFit;
 use crate::structure::{MeasuredMode, StructureError};
 use dolmen_linalg::{Matrix, svd};
 
-/// Iterations from one start, most: from far starts about 30 suffice.
+/// Largest number of iterations from one start: from far starts about 30 suffice.
 pub(super) const ITERATIONS_MOST: usize = 120;
-/// Misfit that is rounding: the data are reproduced exactly.
+/// Misfit below which the data are reproduced exactly, except for rounding.
 pub(super) const EXACT: f64 = 1e-9;
 /// Singular values below this share of the largest are 0.
 const RANK_LEAST: f64 = 1e-8;
@@ -23,9 +23,9 @@ pub(super) struct Minimum {
 pub(super) struct Count {
     pub(super) starts: usize,
     pub(super) solutions: usize,
-    /// Number of these that are as good as the best.
+    /// Number of solutions as good as the best.
     pub(super) as_good: usize,
-    /// Misfit of the best end of all, accepted or not.
+    /// Smallest misfit of all searches, accepted or not.
     pub(super) nearest: Option<f64>,
     /// Whether the number of solutions shows that at least one is missing.
     pub(super) odd: bool,
@@ -65,10 +65,10 @@ impl<S: Sprung> Search<'_, S> {
         }
     }
 
-    /// The same proportions, with the common factor that fits the logarithms of the frequencies on average.
+    /// The same proportions, with the common factor that fits the mean logarithm of the frequencies.
     ///
-    /// Gravity reduces the stiffness by the same amount for any springs. So the factor is found by doubling until the
-    /// structure stands, then by the secant method on the mean of ln ω² (its slope in ln k is near 1).
+    /// Gravity reduces the stiffness by the same amount for any springs. So the factor is doubled until the structure
+    /// is stable; then the secant method on the mean of ln ω² finds the factor (the slope in ln k is near 1).
     pub(super) fn scaled(&self, mut x: Vec<f64>) -> Vec<f64> {
         const DOUBLINGS_MOST: usize = 200;
         const CORRECTIONS: usize = 4;
@@ -95,7 +95,8 @@ impl<S: Sprung> Search<'_, S> {
     }
 }
 
-/// The Jacobian with rows of zeros added until it is at least square: all right singular vectors then exist.
+/// The Jacobian with rows of zeros added until it has at least as many rows as columns, so that all right singular
+/// vectors exist.
 pub(super) fn tall(jacobian: &Matrix) -> Matrix {
     let (m, n) = (jacobian.rows(), jacobian.columns());
     Matrix::from_fn(m.max(n), n, |i, j| if i < m { jacobian[(i, j)] } else { 0.0 })

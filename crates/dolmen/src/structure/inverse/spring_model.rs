@@ -2,12 +2,12 @@
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
-//! | K_0 | `rest` | stiffness without the unknown springs: minus the reduction by gravity, plus all known stiffness |
-//! | b_i | `springs` | the deformation of spring i in a shape φ is b_iᵀ φ |
+//! | K_0 | `rest` | stiffness without the unknown springs: known stiffness minus the reduction by gravity |
+//! | b_i | `springs` | b_iᵀ φ is the deformation of spring i in a shape φ |
 
 use dolmen_linalg::{Matrix, SymmetricEigen, generalized_symmetric_eigen};
 
-/// Matrices of a structure whose stiffness is a known rest and one unknown spring a part.
+/// Matrices of a structure with a known stiffness and one unknown spring for each part.
 ///
 /// ```text
 /// K(k) = K_0 + Σ k_i b_i b_iᵀ,   K φ = ω² M φ                                          n × n

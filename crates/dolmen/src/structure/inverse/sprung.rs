@@ -3,7 +3,7 @@
 use super::{FrequencyRoots, SpringModel};
 use crate::structure::{NaturalMode, Proportion, Spring, StiffnessNote, StructureError};
 
-/// A structure of springs to be found, with its words.
+/// A structure with unknown springs, and its terms.
 pub(crate) trait Sprung {
     /// "links", "storeys".
     const PARTS: &'static str;
@@ -18,14 +18,13 @@ pub(crate) trait Sprung {
     /// A first guess of the stiffnesses, up to a factor.
     fn proportion(&self) -> Vec<f64>;
 
-    /// What [`Sprung::proportion`] is in proportion to.
+    /// The quantity to which [`Sprung::proportion`] is proportional.
     fn proportion_to(&self) -> Proportion;
 
     fn natural_modes_with(&self, stiffness: &[f64]) -> Result<Vec<NaturalMode>, StructureError>;
 
-    /// Every stiffness with exactly these frequencies, one a part; `None` where that would take too long.
+    /// All stiffnesses with exactly these frequencies, one for each part; `None` if this takes too long.
     fn roots(&self, frequencies_hz: &[f64]) -> Result<Option<FrequencyRoots>, StructureError>;
 
-    /// Assumptions of the model.
     fn assumptions(&self) -> Vec<StiffnessNote>;
 }

@@ -4,12 +4,12 @@ use super::{SpringModel, Sprung};
 use crate::structure::{MeasuredMode, StructureError};
 use dolmen_linalg::{LinalgError, Matrix, solve, solve_least_squares};
 
-/// Range of the scattered starts, as ln of the stiffness over the prior: e^±4 = 55 and 1/55. The stone joints of one
-/// pole differ by that much (our choice).
+/// Range of the scattered starts, as ln of the stiffness over the prior: e^±4 = 55 and 1/55. The joints of one pole
+/// differ by as much (our choice).
 const SCATTER: f64 = 4.0;
 
-/// Points of ln k: a low-discrepancy scatter around the prior. Returns points `first` to `first + count` of the
-/// sequence, in which point 0 is the prior.
+/// Points of ln k: a low-discrepancy sequence around the prior. Returns points `first` to `first + count`; point 0
+/// is the prior.
 ///
 /// # Source
 /// Roberts, M. (2018) The unreasonable effectiveness of quasirandom sequences: x_i = frac(½ + i g^(−j)), with g the

@@ -1,4 +1,4 @@
-//! The search for stiffness: from roots and starts to ranked, judged solutions.
+//! The search for stiffness: from roots and starts to ranked solutions.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -17,28 +17,28 @@ use crate::structure::{
 };
 use dolmen_linalg::svd;
 
-/// Iterations that finish a solution to be listed: few are needed unless it lies in a long flat valley.
+/// Largest number of iterations to refine a listed solution: few are needed except in a long flat valley.
 const ITERATIONS_LAST: usize = 500;
-/// One start in this many is tried where shapes are given: they leave far fewer solutions than n!.
+/// With shapes only one start in this many is tried, because shapes leave far fewer solutions than n!.
 const STARTS_WITH_SHAPES: usize = 5;
-/// Two solutions nearer than this in every ln k are one.
+/// Two solutions are the same if every ln k agrees within this.
 const SAME: f64 = 1e-5;
-/// Batches of starts tried at most: while the number of solutions of as many frequencies as joints is odd, or while
-/// none is found where shapes are given.
+/// Largest number of batches of starts: more batches are tried as long as the number of solutions is odd (with as many frequencies as
+/// joints), or as no solution is found (with shapes).
 const BATCHES_MOST: usize = 5;
-/// Most springs whose range is followed to the 2ⁿ corners of the box of frequencies.
+/// Largest number of springs for which the range is followed to the 2ⁿ corners of the box of frequencies.
 const RANGED_PARTS_MOST: usize = 4;
-/// Chi-squared beyond that of the best fit at which another is dropped: 99.9 % of one degree of freedom.
+/// Increase of chi-squared over the best fit at which another fit is dropped: 99.9 % for one degree of freedom.
 const CHI_SQUARED_999: f64 = 10.827_566;
-/// Two ends of the search beside a double root nearer than this in every ln k are one: the valley there is flat, and
-/// descents stop all along it.
+/// Two results near a double root are the same if every ln k agrees within this: the valley is flat there, and searches stop anywhere
+/// along it.
 const SAME_VALLEY: f64 = 0.1;
-/// Relative standard deviation above which the other of two solutions may lie within the scatter.
+/// Relative standard deviation above which the second of two solutions may be within the scatter.
 const SEPARATE_SD_MOST: f64 = 1.0;
-/// Share of the proportion's largest at which each is floored: a joint that carries nothing has a stiffness all the same.
+/// Smallest value of the proportion over its largest: a joint that carries nothing still has a stiffness.
 const PROPORTION_LEAST: f64 = 1e-3;
 
-/// Every stiffness found that explains the modes.
+/// All stiffnesses found that explain the modes.
 ///
 /// # Errors
 /// As [`chain_stiffness`](crate::structure::chain_stiffness).
@@ -90,7 +90,7 @@ impl<S: Sprung> Search<'_, S> {
         self.scaled(proportion.iter().map(|k| share(k).ln()).collect())
     }
 
-    /// All solutions: followed from a solved case where that is possible, else from many starts.
+    /// All solutions: followed from a known problem if possible, otherwise from many starts.
     fn many_starts(
         &self,
         prior: &[f64],
@@ -108,7 +108,7 @@ impl<S: Sprung> Search<'_, S> {
             self.descend(start, ITERATIONS_MOST, &mut all);
         }
         let complete = roots.as_ref().is_some_and(|roots| roots.complete);
-        // without a root the frequencies may still lie within their scatter of a double one
+        // without a root, the frequencies may still be within their scatter of a double root
         let beside_roots = only_frequencies && complete && all.is_empty();
         if only_frequencies && complete && !beside_roots {
             tried += roots.as_ref().map_or(0, |roots| roots.solutions_complex);
@@ -157,7 +157,7 @@ impl<S: Sprung> Search<'_, S> {
         self.answer(finished, choice, count)
     }
 
-    /// Minima from a scatter of starts; how many starts were tried.
+    /// Minima from scattered starts, and the number of starts.
     fn descend_from_scattered(&self, prior: &[f64], starts: usize, all: &mut Vec<Minimum>) -> usize {
         let only_frequencies = self.fit.data() == self.modes.len();
         let mut tried = 0;
@@ -178,7 +178,7 @@ impl<S: Sprung> Search<'_, S> {
         tried
     }
 
-    /// Adds the minimum that a start leads to, unless it is there already.
+    /// Adds the minimum reached from a start, unless it is known.
     fn descend(&self, start: Vec<f64>, iterations_most: usize, all: &mut Vec<Minimum>) {
         let end = levenberg_marquardt(start, iterations_most, |x| self.fit.residuals(x));
         let Some(found) = end.map(|end| self.found(end)) else {
@@ -190,7 +190,7 @@ impl<S: Sprung> Search<'_, S> {
         }
     }
 
-    /// Best misfit first, exact ones by their first stiffness.
+    /// Sorts by misfit; exact solutions by their first stiffness.
     fn sort(&self, all: &mut [Minimum]) {
         let order = |a: &Minimum, b: &Minimum| rounded(a.misfit).total_cmp(&rounded(b.misfit));
         all.sort_by(|a, b| order(a, b).then(a.x[0].total_cmp(&b.x[0])));
@@ -212,7 +212,7 @@ impl<S: Sprung> Search<'_, S> {
         })
     }
 
-    /// With standard deviations, given or assumed, leaves out fits that are too much worse than the best.
+    /// With standard deviations, given or assumed, removes fits that are too much worse than the best.
     fn drop_the_excluded(&self, all: &mut Vec<Minimum>) {
         let Some(best) = all.first().map(|best| rounded(best.misfit)) else {
             return;
@@ -223,8 +223,8 @@ impl<S: Sprung> Search<'_, S> {
         }
     }
 
-    /// Descents that ended on a plateau (a spring as if rigid) or on their way along a valley are no solutions: a step would still lower
-    /// their squares. Roots, which have none, and the best stay.
+    /// Removes searches that stopped on a plateau (a practically rigid spring) or along a valley: a step would still reduce their sum of
+    /// squares. Roots, which have a sum of zero, and the best solution are kept.
     fn drop_the_unfinished(&self, all: &mut Vec<Minimum>) -> Result<(), StructureError> {
         const FALLS_LEAST: f64 = 1e-4; // of the square of what counts as seen
         let mut kept = Vec::with_capacity(all.len());
@@ -241,7 +241,7 @@ impl<S: Sprung> Search<'_, S> {
         Ok(())
     }
 
-    /// By how much a linear step lowers the squares: ‖U Uᵀ r‖², 0 at a minimum.
+    /// Reduction of the sum of squares by a linear step: ‖U Uᵀ r‖², 0 at a minimum.
     fn squares_along(&self, found: &Minimum) -> Result<f64, StructureError> {
         let Some(at) = self.fit.residuals(&found.x) else {
             return Ok(f64::INFINITY);
@@ -257,8 +257,8 @@ impl<S: Sprung> Search<'_, S> {
         Ok(along.map(|part| part * part).sum())
     }
 
-    /// Whether another solution meets this one here, or so nearly that the scatter of the frequencies moves one into the
-    /// other: as many frequencies as springs, yet some combination of seen springs that they leave free.
+    /// Whether another solution coincides with this one, or is so near that the scatter of the frequencies can turn one into the other:
+    /// there are as many frequencies as springs, but some combination of seen springs is undetermined.
     pub(super) fn meets_another(&self, found: &Minimum) -> Result<bool, StructureError> {
         let n = found.x.len();
         if n < 2 || self.modes.len() != n || self.fit.data() != n {
@@ -358,12 +358,12 @@ impl<S: Sprung> Search<'_, S> {
     }
 }
 
-/// Misfit with rounding taken away, so that exact solutions rank as equal.
+/// Misfit without rounding, so that exact solutions rank equally.
 fn rounded(misfit: f64) -> f64 {
     if misfit < EXACT { 0.0 } else { misfit }
 }
 
-/// Keeps the best of those that lie in one flat valley.
+/// Keeps the best of the solutions in each flat valley.
 fn one_a_valley(all: &mut Vec<Minimum>) {
     let mut kept: Vec<Minimum> = Vec::new();
     for found in all.drain(..) {

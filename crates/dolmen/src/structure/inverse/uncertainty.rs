@@ -17,7 +17,6 @@ const LINEAR_SD_MOST: f64 = 0.5;
 /// standard deviations the bound is one standard deviation.
 const SEEN_RELATIVE: f64 = 0.005;
 
-/// Uncertainty of the stiffnesses of one solution.
 #[derive(Default)]
 pub(super) struct StiffnessUncertainty {
     /// Standard deviation of each ln k, if the modes have standard deviations.

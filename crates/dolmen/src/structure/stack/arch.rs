@@ -2,8 +2,8 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | s, h | `span_m`, `rise_m` | of the inner line: clear span at the springing, rise above the springing | m |
-//! | t | `thickness_m` | from the inner to the outer line, measured along the joints | m |
+//! | s, h | `span_m`, `rise_m` | clear span of the inner line at the springing, its rise above the springing | m |
+//! | t | `thickness_m` | distance from the inner to the outer line, along the joints | m |
 //! | r | `radius` | radius of the inner line | m |
 //! | x_c, z_c | `centre` | centre of the circle of the left half, from the middle of the springing line | m |
 //! | θ | `angle` | angle of a joint about that centre, from the horizontal on the left | rad |
@@ -20,8 +20,8 @@ const VOUSSOIRS_MOST: u32 = 400;
 pub struct ArchFactors {
     /// Clear span of the inner line at the springing, m.
     pub span_m: f64,
-    /// Rise of the inner line above the springing, m. Half the span gives a round arch, less a segment of a circle. More gives a
-    /// pointed arch of two arcs with their centres on the springing line.
+    /// Rise of the inner line above the springing, m. Half the span gives a round arch, less than half a segment of a circle.
+    /// More than half gives a pointed arch of two arcs with their centres on the springing line.
     pub rise_m: f64,
     /// Thickness along the joints, m.
     pub thickness_m: f64,

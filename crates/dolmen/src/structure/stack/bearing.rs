@@ -1,12 +1,12 @@
-//! Determines how much of a contact between two faces is stone. The face of a convex hull also spans the gaps of a mesh and the
+//! Determines how much of a contact between two faces is stone. The face of a convex hull also spans gaps of a mesh and
 //! openings.
 
 use super::{Polygon, Solid};
 use glam::DVec3;
 
-/// Largest depth of stone behind the face of a hull that is still in contact, m. Our choice: dressed stone is not flatter.
+/// Largest depth of stone behind the face of a hull at which it is in contact, m. Our choice: dressed stone is not flatter.
 const BEHIND_M: f64 = 0.001;
-/// Cosine of 5°, the largest angle between the face of a hull and triangles in contact: as between two beds.
+/// Cosine of 5°, the largest angle between the face of a hull and triangles in contact, as for two beds.
 const ALIGNED: f64 = 0.996_194_7;
 /// Least area of the convex outline of the stone in contact, as a fraction of the hulls' contact: a stone tips about this
 /// outline. Our choice.
@@ -25,7 +25,7 @@ pub(super) struct Bearing {
 }
 
 impl Bearing {
-    /// Whether tipping and bearing are as for the hulls.
+    /// Whether tipping and bearing are those of the hulls.
     pub(super) fn is_whole(&self) -> bool {
         self.outline >= OUTLINE_LEAST && self.area >= AREA_LEAST
     }
@@ -57,7 +57,7 @@ pub(super) fn bearing(
     };
     let under = lower.map(|(solid, face)| pieces(solid, face, origin, axes));
     let over = pieces(upper.0, upper.1, origin, axes);
-    // faces without meshes or openings are the faces of their hulls
+    // without meshes and openings, faces are those of the hulls
     let (under, over) = match (under, over) {
         (None | Some(None), None) => return whole,
         (under, over) => (under.flatten(), over),
@@ -160,8 +160,7 @@ fn pieces(solid: &Solid, face: usize, origin: DVec3, axes: &[DVec3; 3]) -> Optio
     own
 }
 
-/// The remainder of a convex polygon after removal of a convex hole, in convex pieces: the part beyond each edge of the hole in
-/// turn.
+/// The remainder of a convex polygon after removal of a convex hole, in convex pieces, one for each edge of the hole.
 fn without(polygon: &Polygon, hole: &Polygon) -> Vec<Polygon> {
     let mut rest = polygon.clone();
     let mut left = Vec::new();

@@ -4,32 +4,31 @@ use super::bearing::{Bearing, bearing};
 use super::{Body, Joint, JointMaterial, Polygon, ScannedJoint, Solid};
 use glam::DVec3;
 
-/// Beds closer than this touch, m: surveyed dimensions and dressed stone are not better. Our choice. What is left of a
-/// gap or wedge counts as bedded (mortar, shims): contact begins as drawn.
+/// Beds closer than this are in contact, m: surveyed dimensions and dressed stone are not more accurate. Our choice. The remaining gap or wedge is
+/// filled (mortar, shims), so contact begins in the drawn position.
 pub const BED_GAP_M: f64 = 0.005;
-/// Cosine of the largest angle between faces that still count as bedded, 5°. Our choice: a stone that leans more does not lie on its bed.
+/// Cosine of the largest angle between faces in contact, 5°. Our choice: a stone that leans more does not rest on its bed.
 const PARALLEL: f64 = 0.996_194_7;
-/// Patches smaller than this part of the smaller face are an edge or corner that touches. Our choice.
+/// Patches smaller than this fraction of the smaller face are only contact at an edge or corner. Our choice.
 const PATCH_LEAST: f64 = 1e-6;
 
-/// Beds of scans touch up to this many standard deviations of their noise. Our choice.
+/// Largest gap between beds of scans in contact, in standard deviations of their noise. Our choice.
 const GAP_NOISE: f64 = 3.0;
-/// Least part of a patch that must be flat stone of both scans. Our choice: less is an edge, or a guess.
+/// Least fraction of a patch that is flat stone in both scans. Our choice: with less, the contact is an edge, or unknown.
 pub(super) const USED_LEAST: f64 = 0.3;
 
-/// Least part of the area of all patches of two bodies that their joint, the largest, must have. Our choice: with less,
-/// the stones touch on a bed that is not flat, and one facet of it is not where they turn.
+/// Least fraction of the area of all patches of two bodies in the largest one, which is their joint. Our choice: with less, the stones touch on a bed
+/// that is not flat, and a single facet does not represent it.
 pub(super) const FACET_LEAST: f64 = 0.98;
 
-/// A common patch of two solids.
 pub(super) struct Bed {
     origin: DVec3,
     axes: [DVec3; 3],
     patch: Polygon,
     gap_m: f64,
-    /// Its area over that of all patches of the two solids.
+    /// Area of the patch over that of all patches of the two solids.
     share: f64,
-    /// The fraction of stone on stone, if it differs from the common area of the hulls.
+    /// The fraction of stone on stone, if it differs from 1.
     hollow: Option<Bearing>,
     scanned: Option<ScannedJoint>,
     /// Radius of curvature where the lower and the upper solid touch with a face that is no bed but part of a curved surface, m.
@@ -47,18 +46,18 @@ impl Bed {
         self.hollow
     }
 
-    /// The fraction of the patch that is flat stone, if it is too small for a joint.
+    /// The fraction of the patch that is flat stone, if too small for a joint.
     pub(super) fn barely_used(&self) -> Option<f64> {
         let used = self.scanned?.used_ratio;
         (used < USED_LEAST).then_some(used)
     }
 
-    /// The fraction of all patches that this one has, if it is too small to represent all.
+    /// The fraction of all patches in this one, if too small to represent them all.
     pub(super) fn is_facet(&self) -> Option<f64> {
         (self.scanned.is_none() && self.share < FACET_LEAST).then_some(self.share)
     }
 
-    /// With what the scans of its faces tell of it.
+    /// The bed with data from the scans of its faces.
     fn scanned(mut self, faces: &[(&Solid, usize)]) -> Self {
         let scans = faces
             .iter()
@@ -78,7 +77,7 @@ impl Bed {
         self
     }
 
-    /// Area of the triangles of a scan that lie over the patch, in its plane, m².
+    /// Area of the scan triangles above the patch, in its plane, m².
     fn area_m2(&self, solid: &Solid, triangles: Option<&Vec<usize>>) -> f64 {
         let [first, second, normal] = self.axes;
         let each = triangles.into_iter().flatten().map(|&number| {
@@ -98,7 +97,7 @@ impl Bed {
         each.fold(0.0, std::ops::Add::add)
     }
 
-    /// Rise of its normal, as sine.
+    /// Sine of the slope of the normal above the horizontal.
     pub(super) fn rises(&self) -> f64 {
         self.axes[2].z
     }
@@ -135,14 +134,14 @@ impl Bed {
     }
 }
 
-/// Two unit vectors in the plane of a normal, the first as near to x as can be, so that (first, second, normal) is right handed.
+/// Two unit vectors in the plane of a normal, the first as near to x as possible, so that (first, second, normal) is right-handed.
 pub(crate) fn plane_axes(normal: DVec3) -> [DVec3; 3] {
     let near = if normal.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
     let first = (near - normal * normal.dot(near)).normalize();
     [first, normal.cross(first), normal]
 }
 
-/// A face seen in a plane, counterclockwise about its normal.
+/// A face projected on a plane, counterclockwise about its normal.
 pub(crate) fn face_in_plane(solid: &Solid, face: usize, origin: DVec3, axes: &[DVec3; 3]) -> Polygon {
     let corners = solid.faces()[face].iter().map(|&vertex| {
         let from = DVec3::from(solid.vertices_m()[vertex]) - origin;
@@ -155,7 +154,7 @@ pub(crate) fn face_in_plane(solid: &Solid, face: usize, origin: DVec3, axes: &[D
     Polygon { corners_m }
 }
 
-/// The bed between `lower` (the ground if `None`) and `upper`, its normal from the first to the second.
+/// The bed between `lower` (the ground if `None`) and `upper`; the normal points from lower to upper.
 pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
     let mut best: Option<(f64, Bed, [Option<usize>; 2])> = None;
     let (mut total, mut radii_m) = (0.0, [None, None]);
@@ -175,7 +174,7 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
         let down = upper.normal(below);
         let Some(lower) = lower else {
             if -down.z >= PARALLEL {
-                // what fills the wedge below a stone that leans has the slope of the stone's bed
+                // the filling of the wedge below a leaning stone has the slope of the stone's bed
                 let axes = plane_axes(levelled(-down));
                 let corner = DVec3::from(upper.vertices_m()[upper.faces()[below][0]]);
                 let patch = face_in_plane(upper, below, corner, &axes);
@@ -229,7 +228,7 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
     Some(bed.scanned(&faces))
 }
 
-/// Gap within which a bed of a stone touches another, m.
+/// Largest gap of a bed in contact, m.
 pub(super) fn gap_allowed_m(solid: &Solid) -> f64 {
     solid
         .scan()
@@ -245,8 +244,8 @@ fn levelled(normal: DVec3) -> DVec3 {
     }
 }
 
-/// The normal of the joint between two faces that are nearly level: that of the one with the steeper slope, down which a stone slides first; of upright ones
-/// the mean.
+/// The normal of the joint between two nearly level faces: that of the steeper face, on which a stone slides first. For upright faces the mean of
+/// both.
 fn steeper(below: DVec3, above: DVec3) -> DVec3 {
     const LEVEL: f64 = 0.5;
     let (below, above) = (levelled(below), levelled(above));

@@ -5,14 +5,14 @@ use super::{Solid, StackError};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Fraction of the solid below which a part counts as empty. Our choice, for rounding.
+/// Smallest fraction of the solid in a part that is not empty. Our choice, because of rounding.
 const NOTHING: f64 = 1e-9;
 
 impl Solid {
     /// The part of the solid behind a plane, on the side opposite to `normal`.
     ///
-    /// A mesh is cut as a mesh and closed at the plane, and then gets the convex hull of the remaining part. Openings are
-    /// cut too.
+    /// A mesh is cut as a mesh and closed at the plane; its contact is then the convex hull of the remaining part. Openings
+    /// are cut too.
     ///
     /// # Errors
     /// [`StackError::Position`] or [`StackError::Direction`] for a plane that is not valid; [`StackError::CutAway`] if
@@ -46,12 +46,22 @@ impl Solid {
             return Ok(self.clone());
         }
         let away = StackError::CutAway { point_m, normal };
+        if !self.pieces.is_empty() {
+            let cut = self.pieces.iter().map(|piece| piece.cut(point_m, normal));
+            let left: Result<Vec<Solid>, StackError> = cut
+                .filter(|piece| !matches!(piece, Err(StackError::CutAway { .. })))
+                .collect();
+            return left.and_then(|left| match left.is_empty() {
+                true => Err(away),
+                false => Solid::joined(&left),
+            });
+        }
         let whole = if self.mesh.is_empty() {
             self.hull_triangles()
         } else {
             self.mesh.clone()
         };
-        // openings count as stone here and are subtracted below; a drum is larger than its polygon
+        // openings are stone here and are subtracted below; a drum is larger than its polygon
         let openings: f64 = self.openings.iter().map(Solid::volume_m3).sum();
         let before = moments_of(whole.iter().copied(), on).0;
         let evenly = (self.volume_m3() + openings) / before;
@@ -113,7 +123,7 @@ fn below(triangles: &[[DVec3; 3]], height: &dyn Fn(DVec3) -> f64) -> Vec<[DVec3;
     kept
 }
 
-/// The part of a convex polygon with `height` ≤ 0. An edge that is cut gives the same point for both of its polygons.
+/// The part of a convex polygon with `height` ≤ 0. A cut edge gives the same point for both of its polygons.
 pub(super) fn clipped(polygon: &[DVec3], height: &dyn Fn(DVec3) -> f64) -> Vec<DVec3> {
     let mut part = Vec::with_capacity(polygon.len() + 1);
     for (&a, &b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
@@ -174,10 +184,10 @@ mod tests {
         );
         // two boxes 1 × 1 × 0.75 m, 1 m from the middle: about the vertical axis, m (1/6 + 1)
         assert!((prongs.inertia_m5()[2][2] - 1.5 * (1.0 / 6.0 + 1.0)).abs() < 1e-13);
-        // one prong of it, by a second cut
+        // one prong, by a second cut
         let prong = prongs.cut([1.5, 0.0, 0.0], [1.0, 0.0, 0.0]).unwrap();
         assert!((prong.volume_m3() - 0.75).abs() < 1e-14 && (prong.centroid_m()[0] - 0.5).abs() < 1e-14);
-        // cut in the plane of the notch's floor
+        // a cut in the plane of the notch's floor
         let foot = u.cut([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).unwrap();
         assert!((foot.volume_m3() - 3.0).abs() < 1e-14 && foot.faces().len() == 6);
     }

@@ -15,7 +15,7 @@ pub(super) fn all_positive(dimensions: &[(&'static str, f64)]) -> Result<(), Sta
     Ok(())
 }
 
-/// A dimension that cannot be.
+/// The error for a dimension out of its range.
 pub(super) fn refused(quantity: &'static str, given: f64, allowed: &'static str) -> StackError {
     StackError::Dimension {
         quantity,

@@ -1,28 +1,28 @@
-//! Joints that are drawn with a gap, closed or left open.
+//! Joints drawn with a gap, closed or left open.
 
 use super::{Block, Body, Joint, Solid, Stack};
 use glam::DVec3;
 
-/// A gap wider than this is more than the roughness of dressed stone, m. Our choice.
+/// Largest gap that is only the roughness of dressed stone, m. Our choice.
 pub const GAP_CLOSED_M: f64 = 0.001;
-/// As above, in standard deviations of the noise of scans: the scatter of both beds of a joint. Our choice.
+/// The same for scans, in standard deviations of their noise: the scatter of both beds of a joint. Our choice.
 const GAP_NOISE: f64 = 3.0;
 
-/// The widest gap of joints that are drawn with one.
+/// The widest gap of the joints drawn with a gap.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WidestGap {
-    /// Name of the body below it, "ground" of the ground.
+    /// Name of the body below the gap, "ground" for the ground.
     pub lower: String,
-    /// Name of the block above it.
+    /// Name of the block above the gap.
     pub upper: String,
-    /// Its width, m.
+    /// Width of the gap, m.
     pub gap_m: f64,
-    /// Number of joints with one.
+    /// Number of joints with a gap.
     pub joints: usize,
 }
 
 impl Joint {
-    /// Whether its faces are drawn apart by more than their roughness, so that it is not known to be closed.
+    /// Whether the faces are drawn apart by more than their roughness, so that it is unknown whether the joint is closed.
     pub fn is_drawn_open(&self) -> bool {
         let roughness_m = self.scanned.map_or(0.0, |scanned| scanned.roughness_m);
         self.gap_m > GAP_CLOSED_M.max(GAP_NOISE * roughness_m)
@@ -30,7 +30,7 @@ impl Joint {
 }
 
 impl Stack {
-    /// The joints drawn with a gap that count as closed, ascending.
+    /// The joints drawn with a gap but taken as closed, ascending.
     pub fn joints_drawn_open(&self) -> Vec<usize> {
         let all = 0..self.joints().len();
         all.filter(|&joint| self.joints()[joint].is_drawn_open())
@@ -50,8 +50,8 @@ impl Stack {
         })
     }
 
-    /// The stack without the joints that are drawn with a gap, except for those without which a stone would have no support;
-    /// these stay closed. `None` if no joint can be left out. The widest gap is opened first.
+    /// The stack without the joints drawn with a gap, except for joints without which a stone would have no support. The
+    /// widest gap is opened first. `None` if no joint can be left out.
     pub fn with_gaps_open(&self) -> Option<Stack> {
         let mut open = self.clone();
         let mut by_width = self.joints_drawn_open();
@@ -71,7 +71,7 @@ impl Stack {
     pub(super) fn without_joints_through_blocks(mut self) -> Self {
         let blocks = &self.blocks;
         self.joints.retain(|joint| {
-            // the origin lies on either face
+            // the origin may be on either face
             let half = DVec3::from(joint.axes[2]) * (0.5 * joint.gap_m);
             let middles = [half, -half].map(|half| DVec3::from(joint.origin_m) + half);
             let fills = |(block, of): (usize, &Block)| {
@@ -94,7 +94,7 @@ impl Stack {
     }
 }
 
-/// Whether a point lies within the hull of a solid.
+/// Whether a point is inside the hull of a solid.
 fn holds(solid: &Solid, point: DVec3) -> bool {
     (0..solid.faces().len()).all(|face| {
         let on = DVec3::from(solid.vertices_m()[solid.faces()[face][0]]);
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn holds_a_gap_opens_unless_a_stone_would_float() {
-        // two leaves 4 mm apart, and a stone 4 mm above the first
+        // two leaves 4 mm apart, and a stone 4 mm above the first leaf
         let blocks = vec![
             stone("one", [0.2, 3.0, 3.0], [0.0; 3]),
             stone("other", [0.2, 3.0, 3.0], [0.204, 0.0, 0.0]),
@@ -138,7 +138,7 @@ mod tests {
             .map(|joint| (joint.lower, joint.upper))
             .collect();
         assert_eq!(ends, [(Body::Ground, 0), (Body::Ground, 1), (Body::Block(0), 2)]);
-        // a sheet of 4 mm between the first leaf and what stands on it: no joint through it
+        // a sheet of 4 mm between the first leaf and the block above: no joint passes through the sheet
         let sheet = vec![
             stone("one", [0.2, 3.0, 3.0], [0.0; 3]),
             stone("sheet", [0.2, 3.0, 0.004], [0.0, 0.0, 3.0]),

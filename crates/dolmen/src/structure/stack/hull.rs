@@ -1,11 +1,11 @@
-//! Convex hull of points, with the facets of one plane merged into one face.
+//! Convex hull of points; coplanar facets are merged into one face.
 //!
-//! Quickhull (Barber, Dobkin & Huhdanpaa 1996) on coordinates rounded to integers, so that every question "which side of
-//! the plane" has an exact answer and no rounding can make a facet turn inward.
+//! Quickhull (Barber, Dobkin & Huhdanpaa 1996) on coordinates rounded to integers, so that the side of a plane is always exact and rounding cannot
+//! turn a facet inward.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | q | `GRID` | cells over the largest extent | – |
+//! | q | `GRID` | number of cells over the largest extent | – |
 //! | (b − a) × (c − a) · (p − a) | `side` | six times the volume of a tetrahedron, > 0 if p is outside abc | cells³ |
 
 use super::hull_faces::merged;
@@ -13,28 +13,28 @@ use super::{Solid, StackError};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Cells over the largest extent, 2⁴⁰: a product of three differences then fits 128 bits. 1e-12 of the size, far below the
+/// Number of cells over the largest extent, 2⁴⁰: a product of three differences then fits in 128 bits. A cell is 1e-12 of the size, far below the
 /// precision of any survey.
 const GRID: f64 = 1_099_511_627_776.0;
 
-/// Distance from a plane within which corners lie in it, relative to the largest extent; corners closer to each other are
-/// one; a thinner solid is flat. A micrometre for a stone of one metre. Our choice.
+/// Distance from a plane within which corners are in the plane, relative to the largest extent. Closer corners are merged, and a thinner solid is
+/// flat. For a stone of one metre this is a micrometre. Our choice.
 pub(super) const FLAT: f64 = 1e-6;
 
-/// Units that coordinates are rounded to, m: where all are whole multiples, none is better known. Our choice: surveys and
+/// Possible units of rounded coordinates, m; coordinates that are all multiples of a unit are not more accurate than it. Our choice: surveys and
 /// drawings give 1 mm to 0.01 mm.
 const UNITS_M: [f64; 3] = [1e-3, 1e-4, 1e-5];
-/// A face is never flattened by more than this part of the largest extent. Our choice: 5 mm of a stone of one metre.
+/// Largest distance by which merging flattens a face, relative to the largest extent. Our choice: 5 mm for a stone of one metre.
 const FLATTENED_MOST: f64 = 0.005;
 
 type Cell = [i64; 3];
 
-/// A triangle of the hull while it grows.
+/// A triangle of the growing hull.
 struct Facet {
     corners: [usize; 3],
-    /// The facet beyond the edge from corner i to the next.
+    /// The adjacent facet at the edge from corner i to the next.
     beyond: [usize; 3],
-    /// Points outside of it.
+    /// Points outside this facet.
     outside: Vec<usize>,
     alive: bool,
 }
@@ -42,17 +42,16 @@ struct Facet {
 impl Solid {
     /// The convex hull of points, of uniform density.
     ///
-    /// Corners within 1e-6 of the largest extent of a plane share one face, and corners closer than that are one: eight
-    /// points of a box known to a nanometre give six faces. Where all coordinates are whole multiples of 1, 0.1 or 0.01 mm
-    /// they are taken as rounded: corners share a face if the plane fitted to them passes each within that unit (and
-    /// within 0.005 of the largest extent).
+    /// Corners within 1e-6 of the largest extent from a plane share one face, and closer corners are merged: eight points of a box with errors of a
+    /// nanometre give six faces. If all coordinates are multiples of 1, 0.1 or 0.01 mm they are assumed to be rounded: corners then share a face if
+    /// the fitted plane is within that unit of each (and within 0.005 of the largest extent).
     ///
     /// # Errors
-    /// [`StackError::Position`] for a point that is not finite, [`StackError::Points`] for fewer than four,
-    /// [`StackError::Flat`] if all lie in a plane or on a line within 1e-6 of the largest extent.
+    /// [`StackError::Position`] for a point that is not finite, [`StackError::Points`] for fewer than four, [`StackError::Flat`] if all are in a
+    /// plane or on a line within 1e-6 of the largest extent.
     ///
     /// # Limits
-    /// Faces are flat within 1e-6 of the largest extent, or within the rounding of the points. Points that no corner of the hull needs are dropped.
+    /// Faces are flat within 1e-6 of the largest extent, or within the rounding of the points. Points that are not corners of the hull are dropped.
     ///
     /// # Source
     /// C. B. Barber, D. P. Dobkin, H. Huhdanpaa (1996), ACM Transactions on Mathematical Software 22, 469–483.
@@ -71,7 +70,7 @@ impl Solid {
         Solid::convex_of(points_m, rounding_m(points_m))
     }
 
-    /// The convex hull, its faces flat within `rounding_m` or 1e-6 of the largest extent, whichever is more.
+    /// The convex hull, with faces flat within `rounding_m` or 1e-6 of the largest extent, whichever is larger.
     pub(super) fn convex_of(points_m: &[[f64; 3]], rounding_m: f64) -> Result<Self, StackError> {
         for &given in points_m {
             if !given.iter().all(|value| value.is_finite()) {
@@ -102,7 +101,7 @@ impl Solid {
     }
 }
 
-/// The unit that all coordinates are whole multiples of, m; 0 if they have more digits.
+/// The largest unit of which all coordinates are multiples, m; 0 if they have more digits.
 fn rounding_m(points_m: &[[f64; 3]]) -> f64 {
     const ROUND_OFF: f64 = 1e-6;
     let whole = |unit: &&f64| {
@@ -114,7 +113,7 @@ fn rounding_m(points_m: &[[f64; 3]]) -> f64 {
     UNITS_M.iter().find(whole).copied().unwrap_or_default()
 }
 
-/// The corners that no earlier one is near, in the order of x.
+/// Corners in the order of x, without those close to an earlier one.
 fn apart(points: &[DVec3], mut corners: Vec<usize>, near: f64) -> Vec<usize> {
     corners.sort_by(|&a, &b| points[a].x.total_cmp(&points[b].x).then(a.cmp(&b)));
     let mut kept: Vec<usize> = Vec::with_capacity(corners.len());
@@ -133,7 +132,7 @@ fn apart(points: &[DVec3], mut corners: Vec<usize>, near: f64) -> Vec<usize> {
     kept
 }
 
-/// The solid of these faces, its corners numbered in the order of the points.
+/// The solid with these faces; its corners are numbered in the order of the points.
 fn with_used_corners(points: &[DVec3], faces: &[Vec<usize>]) -> Solid {
     let used: BTreeSet<usize> = faces.iter().flatten().copied().collect();
     let numbers: BTreeMap<usize, usize> = used.iter().enumerate().map(|(new, &old)| (old, new)).collect();
@@ -192,7 +191,7 @@ impl Hull {
         Ok(hull)
     }
 
-    /// Six times the volume of the tetrahedron; positive if `p` lies outside of the facet.
+    /// Six times the volume of the tetrahedron; positive if `p` is outside the facet.
     fn side(&self, [a, b, c]: [usize; 3], p: usize) -> i128 {
         let from = |i: usize| {
             let (to, at) = (self.cells[i], self.cells[a]);
@@ -204,7 +203,7 @@ impl Hull {
             + p[2] * (b[0] * c[1] - b[1] * c[0])
     }
 
-    /// Gives each point to the first facet, from `from` on, that it lies outside of.
+    /// Assigns each point to the first facet, from `from` on, that has the point outside.
     fn share_out(&mut self, points: Vec<usize>, from: usize) {
         for point in points {
             let sees = |facet: &usize| self.side(self.facets[*facet].corners, point) > 0;
@@ -214,7 +213,7 @@ impl Hull {
         }
     }
 
-    /// Replaces all that the farthest point of a facet sees by a cone from that point to the horizon.
+    /// Replaces all facets visible from the farthest point of a facet by a cone from this point to the horizon.
     fn grow(&mut self, start: usize) {
         let corners = self.facets[start].corners;
         let farthest = self.facets[start].outside.iter().copied();
@@ -261,7 +260,7 @@ impl Hull {
                     across.beyond[edge] = number;
                 }
             }
-            // beyond from–to the old facet, beyond to–apex the next of the cone; beyond apex–from is set below
+            // the neighbour at from–to is the old facet, at to–apex the next of the cone; at apex–from it is set below
             self.facets.push(Facet {
                 corners: [from, to, apex],
                 beyond: [beyond, numbers.get(&to).copied().unwrap_or(number), number],
@@ -320,8 +319,7 @@ mod tests {
             .collect()
     }
 
-    /// Volume by slices: area of the section at height z, by clipping every hull edge pair — here: by counting points of a
-    /// lattice inside all planes that three points span with the others on one side (brute force over all triples).
+    /// Planes through three points with all others on one side, by brute force over all triples.
     fn brute_force_planes(points: &[DVec3]) -> Vec<(DVec3, f64)> {
         let mut planes = Vec::new();
         for i in 0..points.len() {
@@ -363,7 +361,7 @@ mod tests {
         }
     }
 
-    /// Boxes and frusta turned about odd axes, their corners rounded as surveys round them: six faces, each of its area.
+    /// Boxes and frusta at odd angles, with corners rounded as in surveys: six faces, each with its area.
     #[test]
     fn exact_rounded_corners_of_turned_boxes_have_six_faces() {
         for case in 1..=60_u32 {
@@ -396,7 +394,7 @@ mod tests {
         }
     }
 
-    /// A chamfer of 5 mm and a plate of 2 mm are no rounding.
+    /// A chamfer of 5 mm and a plate of 2 mm are not taken for rounding.
     #[test]
     fn holds_chamfers_and_thin_plates_keep_their_faces() {
         let mut chamfered = Vec::new();
@@ -435,7 +433,7 @@ mod tests {
                 let beyond = raw.iter().map(|p| solid.normal(face).dot(DVec3::from(*p) - on));
                 prop_assert!(beyond.fold(f64::NEG_INFINITY, f64::max) < 4e-6);
             }
-            // every plane that three points span with no point beyond is a face, and bounds the volume from the centroid
+            // every plane through three points with no point outside is a face, and bounds the volume from the centroid
             let points: Vec<DVec3> = raw.iter().copied().map(DVec3::from).collect();
             let centroid = DVec3::from(solid.centroid_m());
             let mut volume = 0.0;
@@ -453,7 +451,7 @@ mod tests {
             let Ok(solid) = Solid::convex(&points) else { return Ok(()) };
             let edges: usize = solid.faces().iter().map(Vec::len).sum::<usize>() / 2;
             prop_assert_eq!(solid.vertices_m().len() + solid.faces().len(), edges + 2);
-            // no two faces in one plane, every point inside, six times the volume a whole number
+            // no two faces in one plane, every point inside, and six times the volume an integer
             for face in 0..solid.faces().len() {
                 let normal = solid.normal(face);
                 let on = DVec3::from(solid.vertices_m()[solid.faces()[face][0]]);
@@ -467,7 +465,7 @@ mod tests {
 
     #[test]
     fn exact_volume_of_many_points_on_a_sphere() {
-        // a spiral of 20 000 points: the hull's volume tends to the ball's, from within
+        // a spiral of 20 000 points: the volume of the hull approaches that of the sphere from below
         let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
         let points: Vec<[f64; 3]> = (0..20_000)
             .map(|i| {

@@ -1,16 +1,16 @@
-//! Joins the triangles of a convex hull into plane faces. A face may include triangles that leave its plane only at rounded corners.
+//! Merges the triangles of a convex hull into plane faces. A face may include triangles that leave its plane only because corners are rounded.
 
 use super::scan::Plane;
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Cosine of the largest angle between a triangle and the face with rounded corners that it joins. Chamfers are steeper and stay separate faces.
+/// Cosine of the largest angle between a face with rounded corners and a triangle that joins it. Chamfers are steeper and remain separate faces.
 const ALIGNED_LEAST: f64 = 0.5;
-/// Height of a corner above the current plane, in tolerances, up to which the plane is fitted again with that corner. The fourth corner of a
-/// parallelogram can be this far off, because it carries the rounding of the other three. Our choice.
+/// Largest height of a corner above the current plane, in tolerances, for a new fit that includes this corner. The fourth corner of a
+/// parallelogram can be this far off, because its error is the sum of the rounding of the other three. Our choice.
 const REACH: f64 = 4.0;
 
-/// Joins triangles of one plane into faces; `None` if the edges of a face do not form one loop.
+/// Merges triangles of one plane into faces; `None` if the edges of a face do not form a single loop.
 pub(super) fn merged(
     points: &[DVec3],
     triangles: &[[usize; 3]],
@@ -67,7 +67,7 @@ pub(super) fn edge_owners(triangles: &[[usize; 3]]) -> BTreeMap<(usize, usize), 
     edges.collect()
 }
 
-/// The face number of each triangle. Faces grow from their largest triangle.
+/// The face of each triangle. Faces grow from their largest triangle.
 fn groups(points: &[DVec3], triangles: &[[usize; 3]], flat: f64, exact: f64) -> Vec<usize> {
     let normal = |t: &[usize; 3]| (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
     let normals: Vec<DVec3> = triangles.iter().map(normal).collect();

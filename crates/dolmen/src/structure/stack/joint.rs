@@ -5,7 +5,7 @@ use super::{JointMaterial, Polygon};
 /// One side of a joint or tie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Body {
-    /// The ground: the plane z = 0 and all below.
+    /// The ground: the plane z = 0 and everything below.
     Ground,
     /// A block by its index.
     Block(usize),
@@ -14,32 +14,32 @@ pub enum Body {
 /// The contact of two bodies: a flat patch with its own axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// The lower body, which the patch's plane belongs to.
+    /// The lower body; the plane of the patch belongs to it.
     pub lower: Body,
     /// The upper block.
     pub upper: usize,
     /// Centroid of the patch, m.
     pub origin_m: [f64; 3],
-    /// Unit vectors of its frame: two in the plane, then the normal, from the lower to the upper body.
+    /// Unit vectors of the joint's axes: two in the plane, then the normal, from the lower to the upper body.
     pub axes: [[f64; 3]; 3],
     /// The patch in its own plane, about the origin, m.
     pub patch: Polygon,
     /// Friction, bond, springs, damping.
     pub material: JointMaterial,
-    /// From the face of the lower body up to that of the upper at the centroid of the patch, m, which counts as closed; negative if
-    /// they pass through each other.
+    /// Distance from the face of the lower body up to that of the upper body at the centroid of the patch, m; taken as closed.
+    /// Negative if they overlap.
     pub gap_m: f64,
-    /// How well the scans of its stones know it; `None` if neither is a scan with noise.
+    /// Accuracy from the scans of the stones; `None` if neither is a scan with noise.
     pub scanned: Option<ScannedJoint>,
 }
 
-/// Properties of a joint from scans.
+/// Accuracy of a joint from scans.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScannedJoint {
-    /// Area of both beds that is flat stone there, over the patch: the lesser of the two, at most 1.
+    /// Area of flat stone over the area of the patch: the smaller value of both beds, at most 1.
     pub used_ratio: f64,
-    /// From the fitted plane of the lower bed up to that of the upper, m; negative if they pass through each other.
+    /// Distance from the fitted plane of the lower bed up to that of the upper bed, m; negative if they overlap.
     pub gap_m: f64,
-    /// Standard deviation of the vertices of both stones off their fitted planes, m: the larger.
+    /// Standard deviation of the vertices from their fitted planes, m: the larger value of both stones.
     pub roughness_m: f64,
 }

@@ -3,14 +3,14 @@
 use super::{Stack, StackError, StaticLoad};
 use glam::DVec3;
 
-/// How far off the bounds of its stone a load may act, m: at the end of a bracket or a pole. Our choice.
+/// Largest distance of a load from the bounds of its stone, m, for example at the end of a bracket or a pole. Our choice.
 const REACH_M: f64 = 3.0;
 
 impl Stack {
     /// The same stack with a static force on one of its blocks.
     ///
     /// # Errors
-    /// [`StackError`] for a block that is not there, numbers that are not finite, and a point farther than 3 m from the bounds of the block.
+    /// [`StackError`] for a block that does not exist, values that are not finite, or a point farther than 3 m from the bounds of the block.
     pub fn with_static_load(mut self, load: StaticLoad) -> Result<Self, StackError> {
         let last = self.blocks().len() - 1;
         let given = load.block;
@@ -41,17 +41,17 @@ impl Stack {
         Ok(self)
     }
 
-    /// Whether static loads press on stones.
+    /// Whether static loads act on blocks.
     pub fn is_pressed(&self) -> bool {
         self.static_loads.iter().any(|load| load.force_n[2] < 0.0)
     }
 
-    /// Static forces on its blocks.
+    /// Static forces on the blocks.
     pub fn static_loads(&self) -> &[StaticLoad] {
         &self.static_loads
     }
 
-    /// The same stack with its weight alone.
+    /// The same stack under its weight alone.
     pub fn without_static_loads(mut self) -> Self {
         self.static_loads.clear();
         self

@@ -1,4 +1,4 @@
-//! Loose stones: rubble and boulders, which have no beds and find their places under their own weight.
+//! Loose stones: rubble and boulders, which have no beds and settle under their own weight.
 
 use super::beds::BED_GAP_M;
 use super::overlap::overlap_depth;
@@ -6,14 +6,14 @@ use super::stack_of_blocks::{apart, check_values, overlap};
 use super::{Block, JointMaterial, Stack, StackError};
 
 impl Stack {
-    /// Stones that lie about where they are drawn, without joints: [`crate::blocks::settle_loose`] finds where they come to rest.
+    /// Stones near their drawn positions, without joints: [`crate::blocks::settle_loose`] finds their positions at rest.
     ///
     /// # Errors
-    /// [`StackError`] for no blocks, names that repeat, density, gravity or material out of range, and blocks that overlap each other or the ground
+    /// [`StackError`] for no blocks, repeated names, a density, gravity or material out of range, and blocks that overlap each other or the ground
     /// by more than [`BED_GAP_M`].
     ///
     /// # Limits
-    /// Contact is between convex hulls. A loose stack has no joints, so it has no limits and no modes.
+    /// Contact is between convex hulls. A loose stack has no joints, and therefore no limits or modes.
     pub fn loose(blocks: Vec<Block>, material: JointMaterial, gravity_m_s2: f64) -> Result<Self, StackError> {
         let material = material.checked()?;
         check_values(&blocks, gravity_m_s2)?;
@@ -37,7 +37,7 @@ impl Stack {
         Ok(stack)
     }
 
-    /// What acts where loose stones meet; `None` for stones in joints.
+    /// Contact material of loose stones; `None` for stones with joints.
     pub fn loose_material(&self) -> Option<&JointMaterial> {
         self.loose.as_ref()
     }

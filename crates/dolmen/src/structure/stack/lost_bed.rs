@@ -1,42 +1,42 @@
-//! Beds with a lost part, crushed, spalled or washed out on one side.
+//! Beds that lost a part on one side, crushed, spalled or washed out.
 
 use super::{Block, JointMaterial, Solid, Stack, StackError};
 use glam::DVec3;
 
-/// Inclination of the foot beyond the remaining bed, 30°. Our choice: far steeper than the tolerance for parallel beds (5°), and a stone that has
-/// rotated so far has fallen.
+/// Inclination of the foot of the stone outside the remaining bed, 30°. Our choice: far steeper than the tolerance for parallel beds (5°), and a
+/// stone that rotates so far has fallen.
 const RISE_RAD: f64 = std::f64::consts::FRAC_PI_6;
-/// Least rise of the normal of a bed, as cosine: 45°. Our choice; what leans more is a side.
+/// Least vertical component of the normal of a bed: 45°. Our choice; a steeper face is a side.
 const UPRIGHT_LEAST: f64 = 0.7;
-/// Gravity for the look at the joints alone: no answer depends on it.
+/// Gravity, used only to find the joints; it has no effect on the result.
 const GRAVITY_M_S2: f64 = 9.806_65;
 
 /// Lost part of the bed below a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LostBed {
-    /// The block above the bed, by its index.
+    /// Index of the block above the bed.
     pub block: usize,
     /// Share of the bed's width that is lost, above 0 and below 1.
     pub share: f64,
-    /// The side from which it is lost: x and y.
+    /// Side of the lost part: x and y.
     pub outward: [f64; 2],
 }
 
-/// The blocks, with one block that is no longer supported on the outer part of its bed.
+/// The blocks, of which one has lost the outer part of its bed.
 ///
-/// The foot of the block ends at a line across the bed and rises at 30° beyond it, so that the block tips about that line. Its weight, centroid and
-/// inertia do not change: the lost part may still be there.
+/// The foot of the block ends at a line across the bed and rises at 30° outside it, so that the block tips about this line. Weight, centroid and
+/// inertia of the block do not change, because the lost part may still be there.
 ///
 /// ```text
 /// pivot of a bed of width b towards the lost side:   b/2 − s b from the middle
 /// ```
 ///
 /// # Errors
-/// [`StackError::Dimension`] for a share out of its range, [`StackError::Direction`] for no side, [`StackError::NoBlock`], [`StackError::NoJoint`] where
-/// nothing flat lies below the block, and what [`Stack::new`] refuses.
+/// [`StackError::Dimension`] for a share out of its range, [`StackError::Direction`] for no side, [`StackError::NoBlock`], [`StackError::NoJoint`] if
+/// there is no flat bed below the block, and the errors of [`Stack::new`].
 ///
 /// # Limits
-/// For a bed on several stones the whole width counts. The stiffness per area does not change: the rest of the bed is taken as sound.
+/// For a bed on several stones the share refers to the whole width. The stiffness per area does not change: the remaining bed is taken as sound.
 pub fn without_bed(mut blocks: Vec<Block>, lost: &LostBed) -> Result<Vec<Block>, StackError> {
     if !(lost.share > 0.0 && lost.share < 1.0) {
         return Err(StackError::Dimension {
@@ -82,7 +82,7 @@ pub fn without_bed(mut blocks: Vec<Block>, lost: &LostBed) -> Result<Vec<Block>,
     });
     let normal = DVec3::from(first.axes[2]);
     let along = (outward - normal * outward.dot(normal)).normalize();
-    // on the foot of the block, which may lie a little above the bed
+    // on the foot of the block, which may be slightly above the bed
     let origin = DVec3::from(first.origin_m) + normal * first.gap_m;
     let line = high - lost.share * (high - low);
     let on = origin + along * ((line - outward.dot(origin)) / along.dot(outward));
@@ -94,11 +94,12 @@ pub fn without_bed(mut blocks: Vec<Block>, lost: &LostBed) -> Result<Vec<Block>,
         whole.second_m5(),
     );
     left.openings.clone_from(&whole.openings);
+    left.pieces.clone_from(&whole.pieces);
     block.solid = left;
     Ok(blocks)
 }
 
-/// The hull of the part behind a plane: its corners there, and the points where edges pass through the plane. Faces are cut along their own edges, so
+/// The hull of the part behind a plane: its corners there, and the intersections of edges with the plane. Faces are cut along their own edges, so
 /// that each remains one face.
 fn behind(solid: &Solid, height: &dyn Fn(DVec3) -> f64) -> Result<Solid, StackError> {
     let corners: Vec<DVec3> = solid.vertices_m().iter().map(|at| DVec3::from(*at)).collect();
@@ -115,7 +116,7 @@ fn behind(solid: &Solid, height: &dyn Fn(DVec3) -> f64) -> Result<Solid, StackEr
             if height(corners[first]) <= 0.0 {
                 keep(corners[first]);
             }
-            // each edge is met from both of its faces: always the same way round, for the same rounding
+            // both faces of an edge compute its intersection in the same order, so that rounding is the same
             let (a, b) = (corners[first.min(next)], corners[first.max(next)]);
             let (from, to) = (height(a), height(b));
             if from * to < 0.0 {

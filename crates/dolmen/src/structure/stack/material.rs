@@ -5,28 +5,30 @@ use super::StackError;
 /// Friction, bond, springs and damping of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointMaterial {
-    /// Static friction coefficient, until a point first slips. Default 0.6, dressed granite.
+    /// Static friction coefficient, valid until a point first slips. Default 0.6, dressed granite.
     pub friction_static: f64,
     /// Kinetic friction coefficient, while a point slips; at most the static one. Default 0.6.
     pub friction_kinetic: f64,
-    /// Shear strength of the bond beyond friction, Pa, lost where it fails. Default 0: dry.
+    /// Shear strength of the bond in addition to friction, Pa; lost at points that fail. Default 0: dry.
     pub cohesion_pa: f64,
-    /// Tensile strength of the bond, Pa, lost where it fails. Default 0: dry.
+    /// Tensile strength of the bond, Pa; lost at points that fail. Default 0: dry.
     pub tension_pa: f64,
-    /// Compressive strength f of stone or mortar in the joint, Pa: an edge crushes under a block of this stress. Default `None`: it never crushes.
+    /// Compressive strength f of stone or mortar in the joint, Pa: an edge crushes under a stress block of this value. Default `None`: no
+    /// crushing.
     pub compressive_strength_pa: Option<f64>,
     /// Normal stiffness per area, Pa/m. Default 1e9 (Kim, Koo & Hong 2018, Fig. 17).
     pub normal_stiffness_pa_m: f64,
-    /// Shear stiffness per area, Pa/m. Default 4e8 (the same).
+    /// Shear stiffness per area, Pa/m. Default 4e8 (same source).
     pub shear_stiffness_pa_m: f64,
-    /// Dashpots of the springs, as a fraction of the critical damping of the two stones on the springs of the
-    /// whole joint; 0 to 20. Default 0.3, our choice. It does not alone set what is lost when a stone rocks: see `docs/stack-engine.md`.
+    /// Damping of the contact springs, as a fraction of the critical damping of the two stones on the springs of the whole joint; 0 to 20. Default
+    /// 0.3, our choice. The energy loss of a rocking stone depends on more than this: see `docs/stack-engine.md`.
     pub damping_ratio: f64,
-    /// Restitution of falls under the rigid law: mean normal velocity of the points that touch after an impact of faces that were apart, over
-    /// that before; 0 to 1. Default 0, plastic. Contact springs bounce by `damping_ratio`: see [`damping_ratio_of`](Self::damping_ratio_of).
+    /// Restitution of falls with the rigid law, for faces that were apart: mean normal velocity of the contact points after an impact, over that
+    /// before; 0 to 1. Default 0, plastic. With contact springs, `damping_ratio` determines the rebound: see
+    /// [`damping_ratio_of`](Self::damping_ratio_of).
     pub normal_restitution: f64,
-    /// Restitution of rocking under the rigid law: the part of its angular velocity that a rocking stone keeps when its weight passes from
-    /// edge to edge; above 0, to 1. Default `None`: what an impact at the far edge leaves, Housner's 1 − 1.5 sin²α of one block.
+    /// Restitution of rocking with the rigid law: the fraction of its angular velocity that a rocking stone keeps when its weight passes from one
+    /// edge to the other; above 0, to 1. Default `None`: the impact at the far edge determines it, which for one block is Housner's 1 − 1.5 sin²α.
     pub rocking_restitution: Option<f64>,
 }
 
@@ -48,7 +50,7 @@ impl Default for JointMaterial {
 }
 
 impl JointMaterial {
-    /// The default with one friction coefficient, static and kinetic.
+    /// The default material with equal static and kinetic friction coefficients.
     pub fn with_friction(friction_coefficient: f64) -> Self {
         JointMaterial {
             friction_static: friction_coefficient,
@@ -57,15 +59,15 @@ impl JointMaterial {
         }
     }
 
-    /// Restitution of a stone that falls flat on contact springs with a damping ratio, its weight left out beside the force of the impact.
+    /// Restitution of a stone that falls flat on contact springs with this damping ratio; its weight is neglected against the impact force.
     ///
     /// ```text
     /// e = exp(−ζ/√(1−ζ²) [π − atan2(2ζ√(1−ζ²), 1−2ζ²)])      ζ < 1;    e = exp(−2) at ζ = 1
     /// e = exp(−ζ/√(ζ²−1) atanh(2ζ√(ζ²−1)/(2ζ²−1)))           ζ > 1
     /// ```
     ///
-    /// SOURCE   Schwager, T. and Pöschel, T. (2007) Granular Matter 9(6), 465-469: spring and dashpot that part where the force is 0.
-    /// CHECKED  `exact_rebound_of_springs_and_dashpots`, by steps in time and of a stone that falls in `simulate`.
+    /// SOURCE   Schwager, T. and Pöschel, T. (2007) Granular Matter 9(6), 465-469: spring and dashpot that separate when the force is 0.
+    /// CHECKED  `exact_rebound_of_springs_and_dashpots`, by time stepping and by a falling stone in `simulate`.
     pub fn restitution_of(damping_ratio: f64) -> f64 {
         let z = damping_ratio;
         if (z - 1.0).abs() < 1e-6 {
@@ -79,8 +81,8 @@ impl JointMaterial {
         (-z / root * turn).exp()
     }
 
-    /// Damping ratio of the contact springs that gives a stone which falls flat this restitution, by bisection; at most
-    /// [`DAMPING_RATIO_MOST`](Self::DAMPING_RATIO_MOST), which leaves 0.0006.
+    /// Damping ratio of the contact springs for this restitution of a stone that falls flat, by bisection; at most
+    /// [`DAMPING_RATIO_MOST`](Self::DAMPING_RATIO_MOST), which gives a restitution of 0.0006.
     pub fn damping_ratio_of(normal_restitution: f64) -> f64 {
         let (mut low, mut high) = (0.0, Self::DAMPING_RATIO_MOST);
         if normal_restitution <= Self::restitution_of(high) {

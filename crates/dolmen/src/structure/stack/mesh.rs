@@ -1,4 +1,4 @@
-//! Solids from closed triangle meshes: a scan's own mass, contact by its convex hull.
+//! Solids from closed triangle meshes: mass from the mesh, contact from its convex hull.
 
 use super::scan::fitted;
 use super::solid::moments_of;
@@ -6,11 +6,11 @@ use super::{Scan, Solid, StackError};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// A mesh must fill at least this part of its convex hull. Our choice: less is rounding; a real stone fills half.
+/// Least fraction of its convex hull that a mesh fills. Our choice: less is rounding; a real stone fills half.
 const FILL_LEAST: f64 = 1e-6;
-/// A loose stone must fill at least this part of its hull, which carries its contact. Chosen here.
+/// Least fraction of its hull that a loose stone fills, because the hull carries its contact. Our choice.
 const HULL_FILLED_LEAST: f64 = 0.9;
-/// And at most this part: the hull is flat within 1e-6 of its size, and a stone at least 1/10 as thick as long. Chosen here.
+/// Largest such fraction: the hull is flat within 1e-6 of its size, and a stone is at least 1/10 as thick as long. Our choice.
 const FILL_MOST: f64 = 1.0 + 1e-4;
 
 impl Solid {
@@ -25,8 +25,8 @@ impl Solid {
     /// piece, an inside-out mesh, a mesh that overlaps itself so that its volume exceeds that of its hull, or a flat mesh.
     ///
     /// # Limits
-    /// Corners that lie in one place under two numbers do not join their triangles. A mesh that passes through itself is
-    /// found only if its volume shows it.
+    /// Corners at the same place with different indices do not connect their triangles. A mesh that intersects itself is detected
+    /// only if its volume shows it.
     ///
     /// # Example
     /// ```
@@ -42,7 +42,7 @@ impl Solid {
         Solid::of_mesh(vertices_m, triangles, true)
     }
 
-    /// As [`Solid::mesh`], with its convex hull as contact even where the mesh carries noise: for loose stones, which have no beds.
+    /// As [`Solid::mesh`], but the convex hull is the contact body even of a mesh with noise: for loose stones, which have no beds.
     ///
     /// # Errors
     /// As [`Solid::mesh`]; [`StackError::MeshHull`] for a stone that fills less than 0.9 of its hull.
@@ -105,8 +105,8 @@ impl Solid {
         Ok(solid)
     }
 
-    /// Volume of the convex hull that carries contact, m³: of a box or prism its own, of a drum 0.64 % less, of a mesh or
-    /// a solid with openings more.
+    /// Volume of the convex hull that carries contact, m³. It equals the volume of a box or prism, is 0.64 % less for a drum, and
+    /// more for a mesh or a solid with openings.
     pub fn hull_volume_m3(&self) -> f64 {
         let near = self.vertices_m().first().copied().unwrap_or_default();
         moments_of(self.hull_triangles().into_iter(), DVec3::from(near)).0
@@ -140,7 +140,7 @@ pub(super) fn check_corners(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -
     Ok(())
 }
 
-/// Each edge must have two triangles, one on each side.
+/// Checks that each edge has two triangles, one on each side.
 pub(super) fn check_edges(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), StackError> {
     let mut sides: BTreeMap<[usize; 2], [usize; 2]> = BTreeMap::new(); // triangles that run up it and down it
     for triangle in triangles {
@@ -191,7 +191,7 @@ pub(super) fn check_edges(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> 
     }
 }
 
-/// All triangles must hang together.
+/// Checks that all triangles are connected.
 fn check_pieces(triangles: &[[usize; 3]]) -> Result<(), StackError> {
     let owners = super::hull_faces::edge_owners(triangles);
     let mut piece = vec![usize::MAX; triangles.len()];
@@ -276,7 +276,7 @@ mod tests {
         }
     }
 
-    /// An L of three unit cubes: its own mass, its hull's contact, everything turning along.
+    /// An L of three unit cubes: mass of the mesh, contact of the hull, and everything rotates with the solid.
     #[test]
     fn exact_mass_of_an_l_and_contact_of_its_hull() {
         let outline = [[0., 0.], [2., 0.], [2., 1.], [1., 1.], [1., 2.], [0., 2.]];

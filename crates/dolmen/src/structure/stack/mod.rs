@@ -1,4 +1,4 @@
-//! Stacks of stone: blocks, the joints between them, and what ties and holds them.
+//! Stacks of stone: blocks, the joints between them, ties and supports.
 
 mod arch;
 mod bearing;
@@ -20,6 +20,7 @@ mod opening;
 mod overlap;
 mod pagoda;
 mod perturbed;
+mod pieces;
 mod polygon;
 mod scan;
 mod shapes;
@@ -45,6 +46,7 @@ pub use lost_bed::{LostBed, without_bed};
 pub use material::JointMaterial;
 pub use pagoda::{Pagoda, PagodaFactors, PagodaSlenderness, pagoda};
 pub use perturbed::SmallDifferences;
+pub use pieces::WithMast;
 pub use polygon::{Polygon, PolygonMoments};
 pub use silhouette::{Silhouette, SilhouetteStrip, across, silhouettes};
 pub use slicing::{SliceError, Sliced, SlicedBed, SlicedStone, slice};

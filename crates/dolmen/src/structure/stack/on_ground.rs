@@ -1,12 +1,13 @@
-//! Blocks on the ground, and the ground that moves under them.
+//! Blocks on the ground, and movements of the ground below them.
 
 use super::{Body, Stack, StackError, SupportMovement};
 
 impl Stack {
-    /// The stack with a movement of the ground under one of its blocks, which a check follows; before it the stack stands as drawn.
+    /// The stack with a movement of the ground below one of its blocks. The movement starts from the drawn position; a check follows it.
     ///
     /// # Errors
-    /// [`StackError`] for a block that is not there or does not stand on the ground, and a movement that is not finite or has no length.
+    /// [`StackError`] for a block that does not exist or does not stand on the ground, and for a movement that is not finite or has no
+    /// length.
     pub fn with_support_movement(mut self, movement: SupportMovement) -> Result<Self, StackError> {
         let last = self.blocks().len() - 1;
         let given = movement.block;

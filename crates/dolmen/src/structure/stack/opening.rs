@@ -1,4 +1,4 @@
-//! Openings: niches and hollows that reduce the mass and do not change the contact.
+//! Openings: niches and cavities that reduce the mass but do not change the contact.
 
 use super::cut::clipped;
 use super::overlap::overlap_depth;
@@ -6,7 +6,7 @@ use super::{Solid, StackError};
 use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
 
-/// How far an opening may stick out, relative to the solid's size: rounding of coordinates. Our choice.
+/// Largest distance of an opening outside the solid, relative to its size: rounding of coordinates. Our choice.
 const STICKS_OUT: f64 = 1e-9;
 
 impl Solid {
@@ -21,8 +21,8 @@ impl Solid {
     /// it intersects an earlier opening; [`StackError::OpeningInMesh`] if it extends outside the mesh of the solid.
     ///
     /// # Limits
-    /// The contact remains that of the whole solid: a stack refuses a bed if an opening removes an edge or more than a tenth of it. Cut such a stone
-    /// into several.
+    /// The contact remains that of the whole solid, so a stack refuses a bed of which an opening removes an edge or more than a tenth. Cut such a
+    /// stone into several parts.
     ///
     /// # Example
     /// ```
@@ -66,7 +66,7 @@ impl Solid {
         self.without(opening).ok_or(refused)
     }
 
-    /// No triangle of a mesh may lie in the opening, and the opening must not lie in the open.
+    /// Checks that no triangle of a mesh is in the opening, and that the opening is inside the mesh.
     fn check_mesh(&self, opening: &Solid, near: f64) -> Result<(), StackError> {
         if self.mesh.is_empty() {
             return Ok(());
@@ -104,7 +104,7 @@ impl Solid {
     }
 }
 
-/// Solid angle under which a point sees a closed surface from inside: 4π, or 0 from outside. Van Oosterom & Strackee (1983).
+/// Solid angle of a closed surface seen from a point: 4π from inside, 0 from outside. Van Oosterom & Strackee (1983).
 fn solid_angle(triangles: &[[DVec3; 3]], from: DVec3) -> f64 {
     let of = |triangle: &[DVec3; 3]| {
         let [a, b, c] = triangle.map(|v| v - from);
@@ -134,7 +134,7 @@ mod tests {
         Solid::cuboid(side, side, side).unwrap().placed(&place)
     }
 
-    /// Two halves of a box with a hollow against one box with the other half removed as an opening.
+    /// Compares two halves of a box with a cavity with one box whose other half is removed as an opening.
     #[test]
     fn exact_a_box_without_its_right_half_is_its_left_half() {
         let place = |x: f64| Placement {

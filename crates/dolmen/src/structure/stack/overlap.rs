@@ -1,9 +1,9 @@
-//! Penetration of two convex solids, by separating axes.
+//! Overlap of two convex solids, by separating axes.
 
 use super::Solid;
 use glam::DVec3;
 
-/// Least distance by which one of two convex solids must move to be free of the other, m; 0 or negative if they are free.
+/// Least distance to separate two convex solids, m; 0 or negative if they do not overlap.
 pub(crate) fn overlap_depth(a: &Solid, b: &Solid) -> f64 {
     let mut depth = f64::INFINITY;
     let mut axes: Vec<DVec3> = Vec::new();
@@ -97,7 +97,7 @@ mod tests {
         assert_eq!((joint.lower, joint.upper), (Body::Block(0), 1));
         assert!((joint.patch.moments().area_m2 - 0.75).abs() < 1e-12);
         assert!((joint.origin_m[0] - 0.125).abs() < 1e-12 && (joint.origin_m[2] - 0.5).abs() < 1e-12);
-        // turned by 45°: the regular octagon of two unit squares, area 2 (√2 − 1)
+        // rotated by 45°: the intersection of two unit squares is the regular octagon of area 2 (√2 − 1)
         high.solid = Solid::cuboid(1.0, 1.0, 0.5).unwrap().placed(&Placement {
             yaw_rad: std::f64::consts::FRAC_PI_4,
             position_m: [0.0, 0.0, 0.5],

@@ -4,7 +4,7 @@
 //! |:--|:--|:--|:--|
 //! | N_f | `storeys` | number of storeys | – |
 //! | H_t | `body_height_m` | total height of the storeys, without the base | m |
-//! | tan α | `slenderness_angle` | half width over height of the centroid above, the least of all joints | – |
+//! | tan α | `slenderness_angle` | half width over height of the centroid above, the smallest of all joints | – |
 //! | λ | `body_slenderness` | H_t / width of the body of the first storey | – |
 //! | φ | `taper_rad` | taper: the width of the body decreases by tan φ per metre of height | rad |
 //! | γ_H | `body_base_height_ratio` | H_t / height of the base | – |
@@ -13,8 +13,8 @@ use super::{Block, Placement, Solid, StackError};
 
 /// Width of an eave over that of the body below. Our choice, as in the stack P20.
 const EAVE: f64 = 1.68;
-/// The two bases and their cover stones: width, relative to that of the first body, and fraction of the height of the base.
-/// Our choice, as in the stack P20.
+/// The two bases and their cover stones: width relative to that of the first body, and fraction of the height of the base. Our
+/// choice, as in the stack P20.
 const BASE: [(&str, f64, f64); 4] = [
     ("lower base", 2.24, 0.45 / 1.85),
     ("lower base cover", 2.40, 0.25 / 1.85),
@@ -29,7 +29,7 @@ const SLENDERNESS_RANGE: [f64; 2] = [0.2, 50.0];
 pub enum PagodaSlenderness {
     /// λ: total height of the storeys over the width of the first body.
     Body(f64),
-    /// tan α: half width over height of the centroid above, the least of all joints.
+    /// tan α: half width over height of the centroid above, the smallest of all joints.
     Angle(f64),
 }
 
@@ -89,9 +89,9 @@ pub struct Pagoda {
 /// no body has the required tan α.
 ///
 /// # Limits
-/// α and λ determine each other if the other factors are given, so exactly one of them is an input. For 5 storeys, 8° and γ_H
+/// If the other factors are given, α and λ determine each other, so exactly one of them is an input. For 5 storeys, 8° and γ_H
 /// = 3 the source prints tan α 0.338, 0.385, 0.414 for λ 4.67, 3.74, 3.32. These blocks have 0.276, 0.320, 0.348, which is 16
-/// to 18 % less: to obtain the tan α of the source, give tan α.
+/// to 18 % less; for the tan α of the source, give tan α.
 ///
 /// # Example
 /// ```
@@ -104,9 +104,9 @@ pub struct Pagoda {
 /// ```
 ///
 /// # Source
-/// N. Kim, I. Y. Koo, S.-G. Hong (2018), six factors of Fig. 13, prototypes of Fig. 16. Differs from the source: it defines λ
-/// and φ by drawings without dimensions and gives no sizes of blocks. The definitions in the table above and all proportions
-/// are chosen here.
+/// N. Kim, I. Y. Koo, S.-G. Hong (2018), six factors of Fig. 13, prototypes of Fig. 16. Differs from the source, which defines
+/// λ and φ by drawings without dimensions and gives no block sizes: the definitions in the table above and all proportions are
+/// our choice.
 pub fn pagoda(factors: &PagodaFactors) -> Result<Pagoda, StackError> {
     let range = |quantity, given: f64, holds: bool, allowed| {
         if holds && given.is_finite() {
@@ -198,7 +198,7 @@ fn sizes(factors: &PagodaFactors, lambda: f64) -> Vec<StoneSize> {
             height: part * base,
         })
         .collect();
-    // similar storeys: each has q times the width of the one below
+    // the storeys are similar: each has q times the width of the one below
     let q = (1.0 - lambda * factors.taper_rad.tan())
         .max(0.0)
         .powf(1.0 / f64::from(storeys));
@@ -303,8 +303,8 @@ mod tests {
         }
     }
 
-    /// Only our own numbers: the difference between these blocks and the tan α of the source, 0.338, 0.385, 0.414 (5 storeys,
-    /// 8°, γ_H 3). The expected values are the same sum over blocks, written independently of this code.
+    /// Compares only our own values: the difference between these blocks and the tan α of the source, 0.338, 0.385, 0.414 (5
+    /// storeys, 8°, γ_H 3). The expected values are the same sum over blocks, written independently.
     #[test]
     fn regress_slenderness_angles_beside_the_printed_ones() {
         for (lambda, ours, printed) in [

@@ -4,15 +4,16 @@ use super::{Joint, JointMaterial, Stack, StackError};
 use crate::numeric::Random;
 use glam::{DMat3, DVec3};
 
-/// Least rise of a joint's normal, as cosine, for a bed: stones between steeper joints fit each other, and keep their sizes.
+/// Least vertical component of a joint's normal for a bed. Stones between steeper joints must fit each other, so their sizes
+/// do not vary.
 const BED_RISE_LEAST: f64 = 0.9;
 
-/// How far the inputs of a stack are known: each is drawn evenly from both sides of its value.
+/// Accuracy of the inputs of a stack. Each input varies uniformly about its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmallDifferences {
     /// Relative standard deviation of the friction of each joint. Default 0.02.
     pub friction_share: f64,
-    /// Standard deviation of the edges of each bed, m; only if all joints are beds. Default 1 mm.
+    /// Standard deviation of the edges of each bed, m; used only if all joints are beds. Default 1 mm.
     pub bed_edge_m: f64,
     /// Relative standard deviation of the strength of a motion. Default 0.005.
     pub motion_share: f64,
@@ -29,20 +30,20 @@ impl Default for SmallDifferences {
 }
 
 impl SmallDifferences {
-    /// Evenly from −1 to 1.
+    /// A uniform value from −1 to 1.
     fn side(random: &mut Random) -> f64 {
         2.0 * random.uniform() - 1.0
     }
 
-    /// The factor on a motion.
+    /// A random factor on a motion.
     pub fn motion_factor(&self, random: &mut Random) -> f64 {
         1.0 + self.motion_share * Self::side(random)
     }
 
-    /// The stack with other friction and, where all joints are beds, stones that are a little wider or narrower.
+    /// The stack with varied friction and, if all joints are beds, slightly wider or narrower stones.
     ///
     /// # Errors
-    /// [`StackError`], where the stones no longer make a stack.
+    /// [`StackError`] if the varied stones do not form a stack.
     pub fn applied_to(&self, stack: &Stack, random: &mut Random) -> Result<Stack, StackError> {
         let mut other = match self.moves_edges(stack) {
             true => stack.widened(|| [0, 1].map(|_| self.bed_edge_m * Self::side(random)))?,
@@ -63,7 +64,7 @@ impl SmallDifferences {
         Ok(other)
     }
 
-    /// Whether edges of beds vary too: not if stones fit between others, nor if they are scans.
+    /// Whether the edges of beds vary too: not if stones must fit between others, or if they are scans.
     pub fn moves_edges(&self, stack: &Stack) -> bool {
         let beds = stack
             .joints()
@@ -88,7 +89,7 @@ impl Stack {
         }
         let usual = JointMaterial::default();
         let mut other = Stack::new(blocks, usual, self.gravity_m_s2())?;
-        // gaps that are open stay so
+        // open gaps stay open
         other.joints.retain(|joint| {
             let is_own = |own: &Joint| own.lower == joint.lower && own.upper == joint.upper;
             !joint.is_drawn_open() || self.joints().iter().any(is_own)
@@ -137,7 +138,7 @@ mod tests {
                 );
                 assert!((other_low[axis] + other_high[axis] - low[axis] - high[axis]).abs() < 1e-12);
             }
-            // a box again: m (b² + c²)/12
+            // still a box: m (b² + c²)/12
             let [a, b, c] = [0, 1, 2].map(|axis| other_high[axis] - other_low[axis]);
             let volume = other.solid.volume_m3();
             assert!((volume / (a * b * c) - 1.0).abs() < 1e-12);

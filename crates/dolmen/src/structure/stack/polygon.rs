@@ -1,6 +1,6 @@
 //! Convex polygons in a plane: clipping, area, centroid, second moments.
 
-/// A convex polygon, counterclockwise: coordinates in a joint's own plane, m.
+/// A convex polygon in the plane of a joint, counterclockwise; coordinates in m.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Polygon {
     /// Its corners, m, counterclockwise.
@@ -91,7 +91,7 @@ impl Polygon {
         moments
     }
 
-    /// The part of this polygon that lies within `other`; empty if none does.
+    /// The intersection with `other`; may be empty.
     pub fn clipped(&self, other: &Polygon) -> Polygon {
         let mut corners = self.corners_m.clone();
         let edges = other.corners_m.iter().zip(other.corners_m.iter().cycle().skip(1));
@@ -102,13 +102,13 @@ impl Polygon {
         Polygon { corners_m: corners }.cleaned()
     }
 
-    /// The part of this polygon to the left of a line through two points; empty if none is.
+    /// The part of this polygon to the left of a line through two points; may be empty.
     pub(super) fn left_of(&self, start: [f64; 2], end: [f64; 2]) -> Polygon {
         let corners_m = keep_left(&self.corners_m, start, minus(end, start));
         Polygon { corners_m }.cleaned()
     }
 
-    /// Without corners that repeat or lie on the line between their neighbours, to 1e-9 of its size.
+    /// Removes corners that repeat or are on the line between their neighbours, to 1e-9 of its size.
     pub fn cleaned(self) -> Polygon {
         let size = self.size_m();
         let near = 1e-9 * size; // rounding of coordinates, and no stone is cut finer
@@ -126,7 +126,7 @@ impl Polygon {
             }
             corners.pop();
         }
-        // one at a time: of two that nearly coincide each lies on the line past the other
+        // one by one: if two corners nearly coincide, each of them is on the line to the other's neighbour
         let mut i = 0;
         while i < corners.len() && corners.len() > 2 {
             let n = corners.len();
@@ -158,7 +158,7 @@ impl Polygon {
         extent(0).max(extent(1))
     }
 
-    /// Distance from an inner point to the edge along a direction, m; negative if the point lies outside and the
+    /// Distance from an inner point to the edge along a direction, m; negative if the point is outside and the
     /// edge behind it.
     ///
     /// ```text
@@ -179,7 +179,7 @@ impl Polygon {
         reach
     }
 
-    /// Distance of a point inside the nearest edge, m; negative outside.
+    /// Distance of a point to the nearest edge, m; negative outside.
     pub fn depth_m(&self, point_m: [f64; 2]) -> f64 {
         let mut depth = f64::INFINITY;
         let edges = self.corners_m.iter().zip(self.corners_m.iter().cycle().skip(1));
@@ -247,7 +247,7 @@ mod tests {
 
     #[test]
     fn exact_corners_that_nearly_coincide_keep_one() {
-        // 3e-9 apart on a square of 1: each lies on the line past the other
+        // two corners 3e-9 apart on a unit square: each is on the line to the other's neighbour
         let square = Polygon {
             corners_m: vec![[0.0, 0.0], [1.0, -1.5e-9], [1.0, 1.5e-9], [1.0, 1.0], [0.0, 1.0]],
         };

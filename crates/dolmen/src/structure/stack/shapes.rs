@@ -11,17 +11,17 @@ use super::{Solid, StackError};
 use glam::{DMat3, DVec3};
 use std::f64::consts::{PI, TAU};
 
-/// Number of sides of the polygon that replaces the circle of a drum in contact. Our choice: its corners are on the
-/// circle, so its area is 0.64 % and its extent at most 0.48 % smaller, which is conservative.
+/// Number of sides of the polygon that replaces the circle of a drum in contact. Our choice: its corners are on the circle,
+/// so its area is 0.64 % smaller and its extent at most 0.48 %, which is conservative.
 const DRUM_SIDES: u32 = 32;
 
-/// Most sides of a prism. Our choice: more are a drum.
+/// Largest number of sides of a prism. Our choice: with more sides, use a drum.
 const SIDES_MOST: u32 = 64;
 
 impl Solid {
-    /// A regular prism: its base centred on the origin, one side facing along x.
+    /// A regular prism with its base centred on the origin; one side faces along x.
     ///
-    /// `width_m` is the width across flats: twice the distance from the axis to a side, also where their number is odd.
+    /// `width_m` is the width across flats: twice the distance from the axis to a side, also for an odd number of sides.
     ///
     /// # Errors
     /// [`StackError::Sides`] for fewer than 3 or more than 64 sides, [`StackError::Dimension`] unless width and height are
@@ -66,19 +66,19 @@ impl Solid {
         ))
     }
 
-    /// A drum: an upright cylinder, its base centred on the origin.
+    /// A drum: an upright cylinder with its base centred on the origin.
     ///
     /// # Errors
     /// [`StackError::Dimension`] unless both are positive.
     ///
     /// # Limits
-    /// Volume, centroid and inertia are the cylinder's. Contact is of an inscribed polygon of 32 sides: its area is 0.64 %
-    /// smaller, the distance to its edge up to 0.48 %.
+    /// Volume, centroid and inertia are those of the cylinder. Contact is that of an inscribed polygon of 32 sides: its
+    /// area is 0.64 % smaller, the distance to its edge up to 0.48 %.
     pub fn drum(diameter_m: f64, height_m: f64) -> Result<Self, StackError> {
         Solid::tapered_drum(diameter_m, diameter_m, height_m)
     }
 
-    /// A drum that tapers: a frustum of a cone.
+    /// A tapered drum: a frustum of a cone.
     ///
     /// ```text
     /// V = π h (a² + ab + b²)/3,   z = h (a² + 2ab + 3b²)/4(a² + ab + b²)
@@ -107,7 +107,7 @@ impl Solid {
     }
 }
 
-/// A solid between two regular polygons with these distances from the axis to a corner.
+/// A solid between two regular polygons with these radii to their corners.
 fn between_polygons(sides: u32, base: f64, top: f64, height: f64) -> Solid {
     let ring = |radius: f64, z: f64| {
         (0..sides).map(move |i| {
@@ -149,14 +149,15 @@ mod tests {
         let inertia = drum.inertia_m5();
         assert!((inertia[2][2] - volume * 0.16 / 2.0).abs() < 1e-16); // m r²/2
         assert!((inertia[0][0] - volume * (3.0 * 0.16 + 0.25) / 12.0).abs() < 1e-16); // m (3r² + h²)/12
-        // a cone: V = πr²h/3, centroid h/4, 3mr²/10 about its axis, 3m(4r² + h²)/80 across it
+        // a cone: V = πr²h/3, centroid h/4, moments of inertia 3mr²/10 about its axis and 3m(4r² + h²)/80 across it
         let cone = Solid::tapered_drum(2.0, 1e-9, 3.0).unwrap();
         assert!((cone.volume_m3() - PI).abs() < 1e-8 && (cone.centroid_m()[2] - 0.75).abs() < 1e-8);
         assert!((cone.inertia_m5()[2][2] - 0.3 * PI).abs() < 1e-8);
         assert!((cone.inertia_m5()[1][1] - 3.0 * PI * 13.0 / 80.0).abs() < 1e-8);
     }
 
-    /// A prism of ever more sides of the drum's area tends to the drum, with an error of 1/n²: extrapolated from 32 and 64.
+    /// A prism with the area of the drum approaches the drum as its number of sides grows, with an error of 1/n²:
+    /// extrapolated from 32 and 64.
     #[test]
     fn exact_prisms_tend_to_the_tapered_drum() {
         let drum = Solid::tapered_drum(1.0, 0.7, 0.9).unwrap();

@@ -1,4 +1,4 @@
-//! Outline of each block of a stack as seen by the wind, without the parts that blocks in front hide.
+//! Outline of each block of a stack as seen by the wind, without the parts hidden by other blocks.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,36 +11,36 @@ use glam::DVec3;
 /// Number of cells along the longer side of the grid on which blocks hide each other. Our choice: the error of the hidden area is about
 /// half a per cent.
 const CELLS: f64 = 500.0;
-/// Where in its cell a ray goes: not in the middle, where edges of round numbers lie.
+/// Position of the ray in its cell: not the middle, where edges with round coordinates are.
 const IN_CELL: [f64; 2] = [0.503_17, 0.497_31];
 
 /// Visible outline of one block.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Silhouette {
-    /// Area of its own outline, m².
+    /// Area of the block's own outline, m².
     pub own_area_m2: f64,
     /// Visible area, m².
     pub area_m2: f64,
-    /// Centroid of that: across the wind and its height, m.
+    /// Centroid of the visible area: across the wind, and height, m.
     pub centroid_m: [f64; 2],
-    /// By height, lowest first.
+    /// The visible outline by height, lowest strip first.
     pub strips: Vec<SilhouetteStrip>,
 }
 
 /// Visible part of a block between two heights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SilhouetteStrip {
-    /// From, m.
+    /// Lower height, m.
     pub bottom_m: f64,
-    /// To, m.
+    /// Upper height, m.
     pub top_m: f64,
-    /// Breadth seen, m: all strips together have the block's area.
+    /// Visible breadth, m; all strips together have the visible area.
     pub breadth_m: f64,
-    /// Its middle across the wind, m.
+    /// Centre of the strip across the wind, m.
     pub middle_m: f64,
 }
 
-/// Unit vector across a wind, in plan: to its left.
+/// Unit vector across a wind in plan, to its left.
 pub fn across([x, y]: [f64; 2]) -> [f64; 2] {
     [-y, x]
 }
@@ -48,9 +48,8 @@ pub fn across([x, y]: [f64; 2]) -> [f64; 2] {
 /// Outlines of the blocks of a stack as seen by a wind that blows towards `direction`, a unit vector in plan.
 ///
 /// # Limits
-/// A block that nothing hides has its exact outline where it is convex. What is hidden, and the outline of a block that is not convex,
-/// are counted on a grid of 500 cells along the longer side: to about half a per cent. What stands behind another block counts
-/// as hidden however far behind it stands.
+/// The outline of a convex block that nothing hides is exact. Hidden parts, and outlines of other blocks, are counted on a grid of 500
+/// cells along the longer side, which is accurate to about half a per cent. A part behind another block is hidden at any distance.
 pub fn silhouettes(stack: &Stack, direction: [f64; 2]) -> Vec<Silhouette> {
     let all: Vec<Facing> = stack
         .blocks()
@@ -64,14 +63,14 @@ pub fn silhouettes(stack: &Stack, direction: [f64; 2]) -> Vec<Silhouette> {
     grid.seen(&all)
 }
 
-/// A triangle that looks to windward: its corners across, upwards and along.
+/// A triangle that faces the wind; its corners across, upwards and along the wind.
 type Triangle = [DVec3; 3];
 
-/// The triangles of a block that look to windward.
+/// The triangles of a block that face the wind.
 struct Facing {
     triangles: Vec<Triangle>,
     area: f64,
-    /// Area × centroid across and upwards.
+    /// Area times centroid, across and upwards.
     first: [f64; 2],
 }
 
@@ -91,7 +90,7 @@ impl Facing {
             for k in 1..face.len().saturating_sub(1) {
                 let corners = [face[0], face[k], face[k + 1]].map(seen);
                 let [a, b, c] = corners;
-                // outward faces run counterclockwise; (across, up, along) is right-handed for who looks with the wind
+                // outward faces are counterclockwise; (across, up, along) is right-handed for a viewer who looks along the wind
                 let area = 0.5 * (b - a).cross(c - a).z;
                 let shadow = area.abs();
                 if area * Facing::WINDWARD > 1e-12 {
@@ -106,11 +105,10 @@ impl Facing {
         facing
     }
 
-    /// Sign of the area of a triangle that looks to windward.
+    /// Sign of the area of a triangle that faces the wind.
     const WINDWARD: f64 = -1.0;
 }
 
-/// Sums over cells of a block.
 #[derive(Clone, Copy, Default)]
 struct Cells {
     count: f64,
@@ -130,7 +128,7 @@ impl Cells {
     }
 }
 
-/// The cells on which blocks hide each other.
+/// Grid of the cells on which blocks hide each other.
 struct Grid {
     low: [f64; 2],
     cell: f64,
@@ -139,7 +137,7 @@ struct Grid {
     seen: Vec<Option<(usize, f64)>>,
     /// The block that was drawn last into a cell.
     drawn: Vec<usize>,
-    /// Cells of each block's own outline, and how often its faces cover them.
+    /// Number of cells in each block's own outline, and how often its faces cover them.
     own: Vec<(Cells, f64)>,
 }
 
@@ -171,7 +169,7 @@ impl Grid {
         ]
     }
 
-    /// The first index whose ray lies at or beyond a coordinate.
+    /// The first index whose ray is at or above a coordinate.
     fn index(&self, axis: usize, at: f64) -> usize {
         let index = ((at - self.low[axis]) / self.cell - IN_CELL[axis]).ceil();
         (index.max(0.0) as usize).min(self.size[axis])
@@ -233,7 +231,7 @@ impl Grid {
         if own.count == 0.0 {
             return thin(facing, exact);
         }
-        // 1 if the solid is convex: no face hides another of the same block
+        // 1 for a convex solid: no face hides another of the same block
         let once = own.count / covered;
         let own_area_m2 = facing.area * once;
         let mut all = Cells::default();
@@ -249,7 +247,7 @@ impl Grid {
             };
         }
         let area_m2 = own_area_m2 * all.count / own.count;
-        // what the grid rounds is the same for all of the block
+        // the grid changes the whole block by the same ratio
         let rounding = match once == 1.0 {
             true => [0, 1].map(|axis| exact[axis] - own.middle()[axis]),
             false => [0.0; 2],
@@ -276,7 +274,7 @@ impl Grid {
     }
 }
 
-/// A block too thin for the grid: as if nothing hid it.
+/// A block too thin for the grid, treated as if nothing hid it.
 fn thin(facing: &Facing, exact: [f64; 2]) -> Silhouette {
     let heights = facing.triangles.iter().flatten().map(|corner| corner.y);
     let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
@@ -295,7 +293,7 @@ fn thin(facing: &Facing, exact: [f64; 2]) -> Silhouette {
     }
 }
 
-/// Intersection of a triangle with a height: the left and the right end, with their distances along the wind.
+/// Intersection of a triangle with a height: left and right end, with their distances along the wind.
 fn crossed(corners: Triangle, up: f64) -> Option<[DVec3; 2]> {
     let mut ends: Vec<DVec3> = Vec::with_capacity(2);
     for k in 0..3 {

@@ -1,11 +1,11 @@
-//! Soil that gives under a stack.
+//! Elastic soil below a stack.
 
 use super::soil_springs::SoilBelow;
 use super::{Body, JointMaterial, Stack, StackError};
 use crate::structure::soil::{Footing, Soil};
 
 impl Stack {
-    /// The stack on an elastic half-space, with a rigid footing on its surface: of the given plan, or of that of the lowest bed.
+    /// The stack on an elastic half-space, with a rigid footing on its surface; the footing has the given plan, or that of the lowest bed.
     ///
     /// ```text
     /// K = least of the two rocking stiffnesses of the footing ([`Soil`]),   K_h = 8 G R/(2 − ν), R = √(A/π)
@@ -16,11 +16,12 @@ impl Stack {
     /// As [`with_soil`](Stack::with_soil).
     ///
     /// # Limits
-    /// Springs under the bed have the rotational stiffness of the half-space, and no more tension; vertically they are up to 2.7 times as stiff. A
-    /// bed that is not square has the softer k_n of its two directions. Radiation damping is left out; the damping of the joint counts.
+    /// The springs under the bed have the rotational stiffness of the half-space and carry no tension; vertically they are up to 2.7 times too stiff.
+    /// A bed that is not square has the smaller k_n of its two directions. Radiation damping is left out; the damping of the joint remains.
     ///
     /// # Source
-    /// K: see [`Soil`]. K_h: a rigid disc that is pushed along, R. D. Mindlin (1949) J. Appl. Mech. 16, 259-268; of other plans the disc of the same area.
+    /// K: see [`Soil`]. K_h: horizontal load on a rigid disc, R. D. Mindlin (1949) J. Appl. Mech. 16, 259-268; for other plans the disc with the same
+    /// area.
     pub fn on_half_space(
         self,
         [shear_modulus_pa, poisson_ratio]: [f64; 2],
@@ -28,7 +29,7 @@ impl Stack {
     ) -> Result<Self, StackError> {
         let moments = self.joints[self.ground_joint()?].patch.moments();
         let area_m2 = moments.area_m2;
-        // the rectangle of the same second moments
+        // the rectangle with the same second moments
         let side = |axis: usize| (12.0 * moments.second_m4[axis] / area_m2).sqrt();
         let soil = Soil {
             shear_modulus_pa,
@@ -51,8 +52,8 @@ impl Stack {
     /// The stack on soil: the springs of the soil act in series with the joint on the ground.
     ///
     /// # Errors
-    /// [`StackError::SoilUnderSeveral`] for a stack that stands on the ground with several blocks, [`StackError::Dimension`] for a stiffness that is
-    /// not positive and finite.
+    /// [`StackError::SoilUnderSeveral`] for a stack with several blocks on the ground, [`StackError::Dimension`] for a stiffness that is not positive
+    /// and finite.
     pub fn with_soil(mut self, soil: SoilBelow) -> Result<Self, StackError> {
         for (quantity, given) in [
             (
@@ -85,7 +86,7 @@ impl Stack {
         Ok(self)
     }
 
-    /// The soil under it; `None` for ground that gives nothing.
+    /// The soil below the stack; `None` for rigid ground.
     pub fn soil(&self) -> Option<&SoilBelow> {
         self.soil.as_ref()
     }
@@ -127,7 +128,7 @@ mod tests {
         let stack = tower(&[[2.0, 1.0, 0.5], [0.8, 0.8, 2.0]], JointMaterial::default());
         let on_soil = stack.clone().on_half_space([30e6, 0.35], None).unwrap();
         let soil = on_soil.soil().unwrap();
-        // about its long axis: G b^3/(1 - v) (3.2 L/B + 0.8)
+        // about the long axis: G b^3/(1 - v) (3.2 L/B + 0.8)
         let about_long = 30e6 * 0.125 / 0.65 * 7.2;
         assert!((soil.rocking_stiffness_n_m_rad / about_long - 1.0).abs() < 1e-12);
         let about_short = 30e6 * 0.125 / 0.65 * (3.73 * 2.0_f64.powf(2.4) + 0.27);

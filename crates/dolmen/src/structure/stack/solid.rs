@@ -3,7 +3,7 @@
 use super::StackError;
 use glam::{DMat3, DVec3};
 
-/// A closed solid: its convex hull carries contact, its own volume, centroid and inertia carry mass.
+/// A closed solid: its convex hull determines contact; volume, centroid and inertia are its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
     vertices_m: Vec<[f64; 3]>,
@@ -13,31 +13,33 @@ pub struct Solid {
     second_m5: [[f64; 3]; 3],
     /// Openings, already subtracted from volume, centroid and second moments.
     pub(super) openings: Vec<Solid>,
-    /// The surface of its stone where that is not its hull: triangles, outward; empty otherwise.
+    /// The pieces of a stone of several, lowest first; empty otherwise. Drawings show them; contact and moments are those of the stone.
+    pub(super) pieces: Vec<Solid>,
+    /// The surface of the stone if it differs from the hull: triangles, outward; otherwise empty.
     pub(super) mesh: Vec<[DVec3; 3]>,
     /// Data of a mesh with noise; its faces are then fitted planes.
     pub(super) scan: Option<Box<Scan>>,
 }
 
-/// The faces of a scanned stone.
+/// Data of a scanned stone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scan {
-    /// Standard deviation of its vertices off the planes of its faces, m.
+    /// Standard deviation of the vertices from the planes of their faces, m.
     pub noise_m: f64,
-    /// For each face of the solid, its triangles of the mesh.
+    /// Mesh triangles of each face of the solid.
     pub(super) triangles: Vec<Vec<usize>>,
     /// For each face that is part of a curved surface, its radius of curvature, m.
     pub(super) radii_m: Vec<Option<f64>>,
 }
 
-/// Position of a solid: a rotation about the origin of its own coordinates, followed by a shift.
+/// Position of a solid: a rotation about the origin of its coordinates, then a shift.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placement {
-    /// Turn about the vertical, rad, counterclockwise seen from above; the first turn.
+    /// Rotation about the vertical axis, rad, counterclockwise seen from above; applied first.
     pub yaw_rad: f64,
-    /// Then leaning: the slopes dx/dz and dy/dz that its vertical axis gets.
+    /// Slopes dx/dz and dy/dz of the vertical axis of the solid; applied second.
     pub tilt: [f64; 2],
-    /// Then the shift, m.
+    /// Shift, m; applied last.
     pub position_m: [f64; 3],
 }
 
@@ -62,7 +64,7 @@ pub(super) fn positive(quantity: &'static str, given: f64) -> Result<f64, StackE
 }
 
 impl Solid {
-    /// A box: its base centred on the origin, width along x, depth along y, height up.
+    /// A box with its base centred on the origin: width along x, depth along y, height upwards.
     ///
     /// # Errors
     /// [`StackError::Dimension`] unless each is positive.
@@ -97,7 +99,7 @@ impl Solid {
         Solid::of_faces(vertices_m, faces)
     }
 
-    /// A solid bounded by these faces, counterclockwise seen from outside, which the caller knows to be closed, convex
+    /// A solid with these faces, counterclockwise seen from outside. The caller ensures that they are closed, convex
     /// and outward.
     pub(super) fn of_faces(vertices_m: Vec<[f64; 3]>, faces: Vec<Vec<usize>>) -> Self {
         let near = vertices_m.first().copied().unwrap_or_default();
@@ -108,6 +110,7 @@ impl Solid {
             centroid_m: near,
             second_m5: [[0.0; 3]; 3],
             openings: Vec::new(),
+            pieces: Vec::new(),
             mesh: Vec::new(),
             scan: None,
         };
@@ -159,7 +162,7 @@ impl Solid {
         self.centroid_m
     }
 
-    /// Moment of inertia about the centroid for a density of 1, m⁵ (kg m² a kg/m³).
+    /// Moment of inertia about the centroid for unit density, m⁵ (kg m² per kg/m³).
     ///
     /// ```text
     /// J = (tr S) 1 − S,   S = ∫ (x − c)(x − c)ᵀ dV          [3×3]
@@ -177,7 +180,7 @@ impl Solid {
         self.moved(rotation, shift)
     }
 
-    /// Turned about the origin, then shifted.
+    /// The solid rotated about the origin, then shifted.
     pub(crate) fn moved(&self, rotation: DMat3, shift: DVec3) -> Self {
         let place = |v: &[f64; 3]| (rotation * DVec3::from(*v) + shift).into();
         let second = DMat3::from_cols_array_2d(&self.second_m5);
@@ -188,6 +191,7 @@ impl Solid {
             centroid_m: place(&self.centroid_m),
             second_m5: (rotation * second * rotation.transpose()).to_cols_array_2d(),
             openings: self.openings.iter().map(|o| o.moved(rotation, shift)).collect(),
+            pieces: self.pieces.iter().map(|o| o.moved(rotation, shift)).collect(),
             mesh: self
                 .mesh
                 .iter()
@@ -197,7 +201,6 @@ impl Solid {
         }
     }
 
-    /// Stretched about a point.
     pub(super) fn stretched(&self, stretch: DMat3, about: DVec3) -> Self {
         let place = |v: DVec3| about + stretch * (v - about);
         let second = DMat3::from_cols_array_2d(&self.second_m5);
@@ -217,6 +220,7 @@ impl Solid {
                 .iter()
                 .map(|o| o.stretched(stretch, about))
                 .collect(),
+            pieces: self.pieces.iter().map(|o| o.stretched(stretch, about)).collect(),
             mesh: self.mesh.iter().map(|t| t.map(place)).collect(),
             scan: self.scan.clone(),
         }
@@ -224,7 +228,7 @@ impl Solid {
 
     /// Outward unit normal of a face.
     pub(crate) fn normal(&self, face: usize) -> DVec3 {
-        // Newell: right for any planar polygon
+        // Newell: correct for any planar polygon
         let corners = &self.faces[face];
         let at = |i: usize| DVec3::from(self.vertices_m[corners[i % corners.len()]]);
         let origin = at(0);
@@ -234,7 +238,7 @@ impl Solid {
         sum.normalize_or_zero()
     }
 
-    /// Least and largest coordinates of its corners, m.
+    /// Smallest and largest coordinates of the corners, m.
     pub fn bounds_m(&self) -> [[f64; 3]; 2] {
         let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         for vertex in &self.vertices_m {
@@ -246,7 +250,7 @@ impl Solid {
         bounds
     }
 
-    /// The solid with the same contact geometry and other moments of mass, for meshes and openings.
+    /// The solid with the same contact geometry but other mass properties, for meshes and openings.
     pub(super) fn with_moments(mut self, volume_m3: f64, centroid_m: DVec3, second_m5: DMat3) -> Self {
         self.volume_m3 = volume_m3;
         self.centroid_m = centroid_m.into();
@@ -254,13 +258,13 @@ impl Solid {
         self
     }
 
-    /// ∫ (x − c)(x − c)ᵀ dV about its centroid c, m⁵.
+    /// ∫ (x − c)(x − c)ᵀ dV about the centroid c, m⁵.
     pub(super) fn second_m5(&self) -> DMat3 {
         DMat3::from_cols_array_2d(&self.second_m5)
     }
 }
 
-/// Volume, centroid and ∫(x − c)(x − c)ᵀ dV within outward triangles; `near` is a point close to them, against
+/// Volume, centroid and ∫(x − c)(x − c)ᵀ dV within outward triangles; `near` is a point close to them, which avoids
 /// cancellation. Tetrahedra from `near`: ∫ x xᵀ = V/20 (Σ vᵢvᵢᵀ + s sᵀ), s = Σ vᵢ.
 pub(super) fn moments_of(triangles: impl Iterator<Item = [DVec3; 3]>, near: DVec3) -> (f64, DVec3, DMat3) {
     let outer = |v: DVec3| DMat3::from_cols(v * v.x, v * v.y, v * v.z);

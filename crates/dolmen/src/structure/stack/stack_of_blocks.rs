@@ -1,4 +1,4 @@
-//! The stack: blocks that touch in joints, checked once.
+//! The stack: blocks in contact at joints, checked once.
 
 use super::bearing::{AREA_LEAST, OUTLINE_LEAST};
 use super::beds::{BED_GAP_M, Bed, FACET_LEAST, USED_LEAST, bed, gap_allowed_m};
@@ -6,10 +6,10 @@ use super::overlap::overlap_depth;
 use super::{Body, Joint, JointMaterial, SoilBelow, Solid, StackError, StaticLoad, SupportMovement};
 use glam::DVec3;
 
-/// Ties and side supports lie no farther than this from the bounds of the blocks that they hold, m. Our choice: clamps lie on the outside of stones.
+/// Largest distance of ties and side supports from the bounds of their blocks, m. Our choice: clamps are on the outside of stones.
 const PIECE_REACH_M: f64 = 0.1;
 
-/// A block lies on a joint whose normal rises at least this much, as sine; with a steeper one it leans. Our choice.
+/// Least vertical component of the normal of a joint that a block lies on; on a steeper joint it leans. Our choice.
 const RISE_LEAST: f64 = 0.05;
 
 /// One stone.
@@ -17,7 +17,7 @@ const RISE_LEAST: f64 = 0.05;
 pub struct Block {
     /// Name, unique in its stack.
     pub name: String,
-    /// Its shape where it stands: x right, y away, z up from the ground, m.
+    /// Shape and position: x right, y away, z up from the ground, m.
     pub solid: Solid,
     /// Density, kg/m³.
     pub density_kg_m3: f64,
@@ -30,43 +30,43 @@ impl Block {
     }
 }
 
-/// A dowel or clamp: a small spring between two bodies with a strength.
+/// A dowel or clamp: a small spring with a strength between two bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tie {
     /// One body.
     pub lower: Body,
     /// The other.
     pub upper: usize,
-    /// Point at which it crosses the joint, m.
+    /// Point where it crosses the joint, m.
     pub position_m: [f64; 3],
-    /// Its axis: a vertical dowel [0, 0, 1]; need not be of unit length, and is taken to point from the lower body to the upper one.
+    /// Axis: [0, 0, 1] for a vertical dowel; of any length. It is taken to point from the lower to the upper body.
     pub axis: [f64; 3],
     /// Stiffness along the axis, N/m; 0 for a dowel that can slip out.
     pub axial_stiffness_n_m: f64,
     /// Stiffness across the axis, N/m.
     pub shear_stiffness_n_m: f64,
-    /// Tension at which it breaks, N.
+    /// Tension at which the tie breaks, N.
     pub tension_strength_n: f64,
-    /// Shear at which it breaks, N.
+    /// Shear at which the tie breaks, N.
     pub shear_strength_n: f64,
 }
 
-/// Something beside a block that it meets after a gap: unilateral, without friction.
+/// A support beside a block, with a gap: unilateral, without friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SideSupport {
     /// The block.
     pub block: usize,
-    /// Point of the block that meets it, m, where the block stands at rest.
+    /// Contact point of the block at rest, m.
     pub position_m: [f64; 3],
-    /// Direction in which the block must move to meet it; need not be of unit length.
+    /// Direction in which the block must move to reach the support; of any length.
     pub direction: [f64; 3],
-    /// The distance that it must move, m.
+    /// Distance to the support, m.
     pub gap_m: f64,
-    /// Stiffness once met, N/m.
+    /// Stiffness in contact, N/m.
     pub stiffness_n_m: f64,
 }
 
-/// Blocks on the ground, touching in joints; only valid ones exist.
+/// Blocks on the ground, with joints between them; construction checks that it is valid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stack {
     pub(super) blocks: Vec<Block>,
@@ -76,13 +76,13 @@ pub struct Stack {
     pub(super) support_movements: Vec<SupportMovement>,
     pub(super) static_loads: Vec<StaticLoad>,
     pub(super) soil: Option<SoilBelow>,
-    /// What acts where loose stones meet; `None` for stones in joints.
+    /// Contact material of loose stones; `None` for stones with joints.
     pub(super) loose: Option<JointMaterial>,
     gravity_m_s2: f64,
 }
 
 impl Stack {
-    /// Finds the joints between blocks that stand where they stand, and refuses what cannot be.
+    /// Finds the joints between blocks in their positions, and refuses an invalid stack.
     ///
     /// # Errors
     /// [`StackError`] for no blocks, names that repeat, density, gravity or material out of range, blocks that overlap by
@@ -90,9 +90,9 @@ impl Stack {
     /// no joint carries.
     ///
     /// # Limits
-    /// Contact is between convex hulls. A joint in which the stone itself has less contact than the hulls is refused; such a stone must be given in
-    /// several parts. Within the outline up to a tenth of the area may be empty, but springs and bonds count it fully. Two bodies share one joint,
-    /// from the pair of faces with the largest common patch. Faces up to 5° from parallel count as bedded.
+    /// Contact is between convex hulls. A joint in which the stone itself has less contact than the hulls is refused; give such a stone as several
+    /// parts. Up to a tenth of the area within the outline may be empty, but springs and bonds use the full area. Two bodies share one joint, from
+    /// the pair of faces with the largest common patch. Faces may differ from parallel by up to 5°.
     ///
     /// # Example
     /// ```
@@ -148,7 +148,7 @@ impl Stack {
         Ok(stack)
     }
 
-    /// Blocks with these joints and nothing else.
+    /// Blocks with these joints, but without ties, supports and loads.
     pub(super) fn bare(blocks: Vec<Block>, joints: Vec<Joint>, gravity_m_s2: f64) -> Self {
         Stack {
             blocks,
@@ -177,7 +177,7 @@ impl Stack {
     /// The same stack with a dowel or clamp.
     ///
     /// # Errors
-    /// [`StackError`] for a block that is not there, a value out of its range, or a place farther than 0.1 m from the bounds of both blocks.
+    /// [`StackError`] for a block that does not exist, a value out of its range, or a place farther than 0.1 m from the bounds of both blocks.
     pub fn with_tie(mut self, tie: Tie) -> Result<Self, StackError> {
         if let Body::Block(lower) = tie.lower {
             self.check_block(lower)?;
@@ -197,7 +197,7 @@ impl Stack {
             ("shear_strength_n", tie.shear_strength_n),
         ];
         for (quantity, given) in not_negative {
-            // an infinite strength is one that never breaks
+            // an infinite strength means that the tie never breaks
             if given.is_nan() || given < 0.0 || (quantity.ends_with("_n_m") && given.is_infinite()) {
                 return Err(StackError::Dimension {
                     quantity,
@@ -210,7 +210,7 @@ impl Stack {
         Ok(self)
     }
 
-    /// A piece far off the blocks that it holds would hold them by an arm that is not there.
+    /// Refuses a piece far from its blocks, because it would act with a lever arm that does not exist.
     fn check_near(
         &self,
         piece: &'static str,
@@ -240,7 +240,7 @@ impl Stack {
         Ok(())
     }
 
-    /// The tie with its axis from the lower body to the upper.
+    /// The tie with its axis from the lower to the upper body.
     fn oriented(&self, tie: Tie) -> Tie {
         let upper = DVec3::from(self.blocks[tie.upper].solid.centroid_m());
         let lower = match tie.lower {
@@ -261,7 +261,7 @@ impl Stack {
     /// The stack with a support beside a block.
     ///
     /// # Errors
-    /// [`StackError`] for a block that is not there or a value out of its range.
+    /// [`StackError`] for a block that does not exist or a value out of its range.
     pub fn with_side_support(mut self, support: SideSupport) -> Result<Self, StackError> {
         self.check_block(support.block)?;
         check_direction("direction of a side support", support.direction)?;
@@ -311,7 +311,7 @@ impl Stack {
         self.gravity_m_s2
     }
 
-    /// Name of a body: of the block, or "ground".
+    /// Name of the block, or "ground".
     pub fn name(&self, body: Body) -> &str {
         match body {
             Body::Ground => "ground",
@@ -319,7 +319,7 @@ impl Stack {
         }
     }
 
-    /// Height of its highest corner, m.
+    /// Height of the highest corner, m.
     pub fn height_m(&self) -> f64 {
         let tops = self.blocks.iter().map(|block| block.solid.bounds_m()[1][2]);
         tops.fold(0.0, f64::max)
@@ -338,8 +338,8 @@ impl Stack {
         Ok(())
     }
 
-    /// Every block must reach the ground through joints, and lie on one or lean between several: whether it then stands is
-    /// for equilibrium to say.
+    /// Checks that every block is connected to the ground through joints, and lies on one joint or leans between several. Equilibrium decides later
+    /// whether it is stable.
     pub(super) fn check_carried(&self) -> Result<(), StackError> {
         let leans: Vec<bool> = (0..self.blocks.len())
             .map(|block| {
@@ -458,7 +458,7 @@ pub(super) fn overlap(first: &str, second: &str, depth_m: f64) -> StackError {
     }
 }
 
-/// Whether the bounding boxes of two solids are farther apart than a bed's gap.
+/// Whether the bounding boxes of two solids are farther apart than the largest gap of a bed.
 pub(super) fn apart(a: &Solid, b: &Solid) -> bool {
     let gap_m = gap_allowed_m(a).max(gap_allowed_m(b));
     let (a, b) = (a.bounds_m(), b.bounds_m());

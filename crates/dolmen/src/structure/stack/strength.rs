@@ -1,9 +1,9 @@
-//! Stacks whose joints crush.
+//! Stacks with joints that can crush.
 
 use super::Stack;
 
 impl Stack {
-    /// Least compressive strength of its joints, Pa; `None` if none crushes.
+    /// Smallest compressive strength of the joints, Pa; `None` if none can crush.
     pub fn least_strength_pa(&self) -> Option<f64> {
         let given = self
             .joints
@@ -12,7 +12,7 @@ impl Stack {
         given.reduce(f64::min)
     }
 
-    /// The same stack with joints that never crush.
+    /// The same stack with joints that cannot crush.
     #[must_use]
     pub fn without_strength(mut self) -> Self {
         for joint in &mut self.joints {

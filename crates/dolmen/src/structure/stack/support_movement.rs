@@ -1,9 +1,9 @@
 //! Movements of the ground under single stones of a stack.
 
-/// Movement of the ground under one block: an abutment that yields, a footing that settles.
+/// Movement of the ground below one block: an abutment that yields, a footing that settles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportMovement {
-    /// The block; it stands on the ground.
+    /// The block, which stands on the ground.
     pub block: usize,
     /// Displacement of the ground below it, m, z up.
     pub movement_m: [f64; 3],

@@ -3,8 +3,8 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | b_k | `width` | width of course k: b₀ + (b_n − b₀) k / (n − 1) | m |
-//! | t | `thickness_m` | of the wall of a hollow tower | m |
-//! | m | `stones` | stones in a ring of a round hollow tower | – |
+//! | t | `thickness_m` | thickness of the wall of a hollow tower | m |
+//! | m | `stones` | number of stones in a ring of a round hollow tower | – |
 
 use super::dimension::{all_positive, refused};
 use super::{Block, Placement, Solid, StackError};
@@ -12,17 +12,17 @@ use std::f64::consts::TAU;
 
 /// Largest number of stones. Our choice, as for walls: a check then takes several seconds.
 const STONES_MOST: u32 = 600;
-/// Most courses. Our choice.
+/// Largest number of courses. Our choice.
 const COURSES_MOST: u32 = 200;
 
 /// Plan of a tower.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TowerPlan {
-    /// A square, its sides along x and y. Hollow: four stones a course, each with one end against the next; every second course turns
-    /// the other way round.
+    /// A square with sides along x and y. If hollow, a course has four stones, each with one end against the next; every second course is
+    /// mirrored.
     Square,
-    /// A circle. Solid: drums. Hollow: rings of this number of flat-faced stones with their outer corners on the circle; every second ring is
-    /// rotated by half a stone.
+    /// A circle. If solid: drums. If hollow: rings of this number of stones with flat faces and outer corners on the circle; every second ring
+    /// is rotated by half a stone.
     Round {
         /// Stones in a ring, 6 to 48.
         stones: u32,
@@ -36,23 +36,23 @@ pub struct TowerFactors {
     pub plan: TowerPlan,
     /// Width or diameter of the lowest course, m.
     pub width_m: f64,
-    /// Width of the top course, m: the courses between are set back in equal steps.
+    /// Width of the top course, m; the courses between are set back in equal steps.
     pub top_width_m: f64,
     /// Courses, 1 to 200.
     pub courses: u32,
     /// Height of a course, m.
     pub course_height_m: f64,
-    /// Thickness of the wall, m; `None`: solid, one stone a course.
+    /// Thickness of the wall, m; `None`: solid, one stone in each course.
     pub thickness_m: Option<f64>,
     /// Density, kg/m³.
     pub density_kg_m3: f64,
 }
 
-/// A tower, lowest course first: "course 3", or where it is hollow "course 3 stone 2", both from 1.
+/// A tower, lowest course first. The stones are named "course 3", or "course 3 stone 2" if hollow, both from 1.
 ///
 /// # Errors
-/// [`StackError::Dimension`] for a factor out of its range, a wall that leaves no hollow, courses set back off the wall below, or more than 600
-/// stones.
+/// [`StackError::Dimension`] for a factor out of its range, a wall that leaves no cavity, a course set back beyond the wall below, or more than
+/// 600 stones.
 ///
 /// # Example
 /// ```
@@ -105,13 +105,12 @@ pub fn tower(factors: &TowerFactors) -> Result<Vec<Block>, StackError> {
 }
 
 impl TowerFactors {
-    /// Width of a course, m.
     fn width(&self, course: u32) -> f64 {
         let up = f64::from(course) / f64::from(self.courses.max(2) - 1);
         self.width_m + (self.top_width_m - self.width_m) * up
     }
 
-    /// Four stones round a square, each from one corner up to the next stone.
+    /// Four stones around a square, each from one corner to the next stone.
     fn pinwheel(&self, course: u32, thickness: f64) -> Result<Vec<Solid>, StackError> {
         let (width, height) = (self.width(course), self.course_height_m);
         let along = 0.5 * (width - thickness);
@@ -125,7 +124,7 @@ impl TowerFactors {
                     true => Solid::cuboid(length, depth, height)?,
                     false => Solid::cuboid(depth, length, height)?,
                 };
-                // off the middle of its side by half a thickness, to the left seen from outside, and in the next course to the right
+                // off the centre of its side by half a thickness: to the left seen from outside, and to the right in the next course
                 let off = 0.5 * thickness * mirror;
                 Ok(solid.placed(&Placement {
                     position_m: [x * along + y * off, y * along - x * off, 0.0],
@@ -251,7 +250,7 @@ mod tests {
                 .sum();
             assert!((volume / known - 1.0).abs() < 1e-9, "{plan:?}: {volume} {known}");
             let stack = Stack::new(made, JointMaterial::default(), 9.81).unwrap();
-            // each stone touches both neighbours of its course, lies on two stones at least, and none of these joints lie above each other
+            // each stone touches both neighbours in its course and lies on at least two stones, and no two of these joints are above each other
             let joints = stack.joints();
             let upright = joints.iter().filter(|joint| joint.axes[2][2].abs() < 0.1).count();
             assert_eq!(upright, 9 * of_course, "{plan:?}");

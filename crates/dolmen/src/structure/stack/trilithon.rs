@@ -16,13 +16,13 @@ pub struct TrilithonFactors {
     pub depth_m: f64,
     /// Height of the lintel, m.
     pub lintel_height_m: f64,
-    /// How far the lintel goes beyond the outer faces of the posts, m; negative where it ends on them.
+    /// Overhang of the lintel beyond the outer faces of the posts, m; negative if it ends on the posts.
     pub overhang_m: f64,
     /// Density, kg/m³.
     pub density_kg_m3: f64,
 }
 
-/// "post 1" on the left, "post 2" and "lintel", the middle of the span at x = 0.
+/// "post 1" on the left, "post 2" and "lintel"; the middle of the span is at x = 0.
 ///
 /// ```text
 /// sways along x at a/g = b / h: both posts turn about their feet, and carry the lintel, level, on the corners that rise

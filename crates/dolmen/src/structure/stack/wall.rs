@@ -5,11 +5,12 @@ use super::{Block, Placement, Solid, StackError};
 
 /// Largest number of stones. Our choice: a check then takes several seconds.
 const STONES_MOST: f64 = 600.0;
-/// A stone shorter than this part of a whole one joins that beside it. Our choice: masons do not lay slivers.
+/// A stone shorter than this fraction of a whole one is joined to its neighbour. Our choice: masons do not lay slivers.
 const SLIVER: f64 = 0.25;
-/// Least core between leaves, m: faces nearer than half of it may touch, and friction between them is nothing to rely on. Our choice.
+/// Least width of the core between leaves, m: if faces are nearer than half of it they may touch, and friction between them is not reliable. Our
+/// choice.
 const CORE_LEAST_M: f64 = 0.01;
-/// Length that counts as none, over that of a stone: rounding.
+/// Length of zero with rounding, relative to a stone.
 const NOTHING: f64 = 1e-9;
 
 /// Factors of a wall.
@@ -17,7 +18,7 @@ const NOTHING: f64 = 1e-9;
 pub struct WallFactors {
     /// Length, along x, m.
     pub length_m: f64,
-    /// Thickness, along y, m: of all leaves together.
+    /// Thickness of all leaves together, along y, m.
     pub thickness_m: f64,
     /// Courses, 1 to 100.
     pub courses: u32,
@@ -25,9 +26,9 @@ pub struct WallFactors {
     pub course_height_m: f64,
     /// Length of a whole stone, m.
     pub stone_length_m: f64,
-    /// Leaves side by side, 1 to 3, equally thick: only through stones and lintels hold them together.
+    /// Number of parallel leaves, 1 to 3, of equal thickness; only through stones and lintels connect them.
     pub leaves: u32,
-    /// Width of the core between two leaves, m: its filling is left out. Of no effect with one leaf.
+    /// Width of the core between two leaves, m; its filling is left out. No effect with one leaf.
     pub core_m: f64,
     /// Every n-th course consists of through stones, as thick as the wall; `None` for none.
     pub through_every: Option<u32>,
@@ -37,14 +38,14 @@ pub struct WallFactors {
     pub density_kg_m3: f64,
 }
 
-/// A door or window, through all leaves, under a lintel of one course where there is one above it.
+/// A door or window through all leaves, below a lintel of one course if there is a course above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallOpening {
-    /// From the left end of the wall to its left side, m.
+    /// Distance from the left end of the wall to the left side of the opening, m.
     pub from_m: f64,
     /// Width, m.
     pub width_m: f64,
-    /// Its lowest course, from 1.
+    /// Lowest course of the opening, from 1.
     pub first_course: u32,
     /// Number of courses.
     pub courses: u32,
@@ -53,7 +54,7 @@ pub struct WallOpening {
 }
 
 impl WallOpening {
-    /// The part of a course, counted from 0, that the opening or its lintel takes.
+    /// The part of a course, counted from 0, that the opening or its lintel occupies.
     fn takes(&self, course: u32) -> Option<CourseSpan> {
         let above = self.first_course - 1 + self.courses;
         let [from, to] = [self.from_m, self.from_m + self.width_m];
@@ -80,15 +81,15 @@ struct CourseSpan {
     is_lintel: bool,
 }
 
-/// A wall in running bond, lowest course first: every second course begins with half a stone, and so does every second leaf.
+/// A wall in running bond, lowest course first. Every second course begins with half a stone, as does every second leaf.
 ///
-/// Names are "course 2 stone 3", both from 1, stones from the left; of several leaves "course 2 leaf 1 stone 3" and "course 3 through stone 2", the
-/// first leaf where y is least; "lintel 1" of the first opening. What is left at an end or beside an opening is one shorter stone, or makes the last
-/// one longer where it is less than a quarter.
+/// Names are "course 2 stone 3", both from 1, stones from the left. With several leaves they are "course 2 leaf 1 stone 3" and "course 3 through
+/// stone 2", where the first leaf has the smallest y. "lintel 1" belongs to the first opening. The remainder at an end or beside an opening is one
+/// shorter stone, or lengthens the last one if it is less than a quarter.
 ///
 /// # Errors
-/// [`StackError::Dimension`] for a factor out of its range, an opening that leaves the wall or its lintel without bearing, openings that meet, or more
-/// than 600 stones.
+/// [`StackError::Dimension`] for a factor out of its range, an opening outside the wall or with a lintel without bearing, openings that touch, or
+/// more than 600 stones.
 ///
 /// # Example
 /// ```
@@ -135,7 +136,7 @@ pub fn wall(factors: &WallFactors) -> Result<Vec<Block>, StackError> {
     Ok(blocks)
 }
 
-/// A stone between two ends, in its course and leaf, given the number of leaves.
+/// A stone between two ends, in its course and leaf; `leaves` is the number of leaves.
 fn stone_at(
     factors: &WallFactors,
     name: String,
@@ -355,7 +356,7 @@ mod tests {
                 assert!((found - known).abs() < 1e-12, "{low:?} {high:?}");
             }
             let whole = 0.4 * (4.0 * 1.25 - 0.9 * 0.5);
-            // the core of the courses that do not go through, but for the lintel in the third
+            // the core in the courses without through stones, except for the lintel in the third course
             let goes_through = |course: u32| through_every.is_some_and(|every| course.is_multiple_of(every));
             let cored = (1..=5)
                 .filter(|&course| !goes_through(course))
@@ -403,7 +404,7 @@ mod tests {
         assert!(said(vec![opening(0.5, 0, 1)]).contains("within the courses"));
         assert!(said(vec![opening(0.2, 1, 2), opening(1.0, 2, 1)]).contains("apart"));
         assert_eq!(said(vec![opening(0.2, 1, 1), opening(1.2, 1, 1)]), "");
-        // up to the top of the wall it needs no lintel
+        // an opening up to the top of the wall needs no lintel
         assert_eq!(said(vec![opening(0.5, 3, 2)]), "");
     }
 }

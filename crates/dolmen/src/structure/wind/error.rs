@@ -17,12 +17,12 @@ pub enum WindError {
         /// End of the profile, m.
         most_m: f64,
     },
-    /// The code needs to know whether the wind makes the body vibrate, and its frequency is unknown.
+    /// The code asks whether the wind makes the body vibrate, but the natural frequency is unknown.
     #[error(
         "the code asks for the lowest natural frequency, which is not known: the stiffness of the joints is not given"
     )]
     FrequencyUnknown,
-    /// Resonance matters, and the damping is unknown.
+    /// Resonance matters, but the damping is unknown.
     #[error(
         "the lowest natural frequency is {frequency_hz:.3} Hz, so that resonance counts, and the damping ratio is not given"
     )]

@@ -26,11 +26,11 @@ pub enum EurocodeTerrain {
     Ii,
     /// Villages, suburbs, forest.
     Iii,
-    /// Towns: buildings higher than 15 m on 15 % of the ground.
+    /// Towns: buildings higher than 15 m on at least 15 % of the ground.
     Iv,
 }
 
-/// A mean wind by EN 1991-1-4.
+/// A mean wind according to EN 1991-1-4.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EurocodeWind {
     /// v_b, m/s.
@@ -43,9 +43,10 @@ pub struct EurocodeWind {
     pub air_density_kg_m3: f64,
 }
 
-/// Height at which the profile of the code ends, m: 4.3.2.
+/// Height at which the profile of the code ends, m (4.3.2).
 const HEIGHT_MOST_M: f64 = 200.0;
-/// Frequency from which a structure is stiff, Hz: 6.2 (1) c names 5 Hz for façades and roofs; here it applies to free-standing structures.
+/// Frequency above which a structure is stiff, Hz: 6.2 (1) c gives 5 Hz for façades and roofs; here it applies to free-standing
+/// structures.
 const STIFF_HZ: f64 = 5.0;
 /// Factor of I_v in q_p: 4.8.
 const PEAK: f64 = 7.0;
@@ -77,7 +78,7 @@ impl EurocodeWind {
     /// [`WindError::Height`] above 200 m, [`WindError::FrequencyUnknown`], [`WindError::DampingUnknown`] at 5 Hz and below.
     ///
     /// # Limits
-    /// Along the wind in the first mode. Aerodynamic damping is left out (on the safe side), and so are vortices.
+    /// Along the wind, in the first mode. Aerodynamic damping (conservative) and vortices are left out.
     ///
     /// # Source
     /// EN 1991-1-4:2005, 4.3 to 4.5, 6.2, Annex B.
@@ -189,7 +190,7 @@ fn length_scale_m(z_m: f64, roughness_m: f64) -> f64 {
 
 /// Admittances R_h(η), R_b(η): 1 as η → 0.
 fn admittance(eta: f64) -> f64 {
-    // below this the difference loses digits: 1 − 2η/3 is within 1e-8
+    // below this the difference loses digits: the error of 1 − 2η/3 is below 1e-8
     const SMALL: f64 = 1e-4;
     match eta < SMALL {
         true => 1.0 - 2.0 * eta / 3.0,

@@ -1,10 +1,10 @@
-//! A wind as given: a pressure, a gust, or a mean by a code.
+//! A given wind: a pressure, a gust, or a mean wind of a code.
 
 use super::error::positive;
 use super::pressure::{Profile, Resonance, WindBody, WindPressure, velocity_pressure_pa};
 use super::{EurocodeWind, Kds41Wind, WindError};
 
-/// A wind as given.
+/// A given wind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wind {
     /// The peak velocity pressure, the same at all heights, Pa.
@@ -16,9 +16,9 @@ pub enum Wind {
         /// ρ, kg/m³.
         air_density_kg_m3: f64,
     },
-    /// A 10-minute mean by EN 1991-1-4.
+    /// A 10-minute mean according to EN 1991-1-4.
     Eurocode(EurocodeWind),
-    /// A 10-minute mean by KDS 41 12 00.
+    /// A 10-minute mean according to KDS 41 12 00.
     Kds41(Kds41Wind),
 }
 
@@ -26,7 +26,7 @@ impl Wind {
     /// The pressure on a body.
     ///
     /// # Errors
-    /// [`WindError`] for a number that is not positive, and where a code needs an unknown property of the body.
+    /// [`WindError`] for a value that is not positive, and if a code needs an unknown property of the body.
     ///
     /// # Example
     /// ```

@@ -4,8 +4,8 @@
 //! |:--|:--|:--|:--|
 //! | F̄ | `mean_forces_n` | ½ ρ C_f b h V² of each strip | N |
 //! | χ | `force_per_speed` | ρ C_f b h V: force per speed of the gust, quasi-steady | N s/m |
-//! | C | `coherence_decay` | coherence exp(−C n (\|Δy\| + \|Δz\|)/V) | |
-//! | J | `within` | the coherence averaged over a length, twice | |
+//! | C | `coherence_decay` | decay constant: coherence exp(−C n (\|Δy\| + \|Δz\|)/V) | |
+//! | J | `within` | coherence averaged over all pairs of points of a length | |
 
 use super::{Turbulence, TurbulenceSpectrum, WindError};
 use dolmen_linalg::{LinalgError, Matrix, symmetric_eigen};
@@ -74,8 +74,8 @@ impl GustFace {
         slow.fold(f64::INFINITY, f64::min)
     }
 
-    /// Independent force patterns on the strips at a frequency, each with one value per strip and length 1. The patterns are ordered by
-    /// variance, the largest first, and include at least the fraction `part` of the total variance.
+    /// Independent force patterns on the strips at a frequency, each with one value per strip and length 1. They are sorted by variance, the
+    /// largest first, and include at least the fraction `part` of the total variance.
     ///
     /// # Errors
     /// [`LinalgError`] if the decomposition fails.

@@ -1,4 +1,4 @@
-//! Histories of the forces of a turbulent wind on the strips of a face: sums of cosines with random amplitudes.
+//! Time histories of the forces of a turbulent wind on the strips of a face: sums of cosines with random amplitudes.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,8 +11,8 @@ use crate::numeric::Random;
 use dolmen_linalg::{Complex64, LinalgError, symmetric_eigen};
 use rayon::prelude::*;
 
-/// Samples per period of the highest line. Our choice: the largest sample of a single cosine is then at most 1 − cos 45° too small, and such
-/// high lines hardly contribute to sway.
+/// Samples per period of the highest line. Our choice: the largest sample of a single cosine is then at most 1 − cos 45° too small, and lines
+/// of such high frequency hardly contribute to sway.
 const SAMPLES_PER_LINE: usize = 4;
 /// The number of samples is a multiple of this, for a fast Fourier transform. Our choice.
 const SMOOTH: f64 = 1200.0;
@@ -24,7 +24,7 @@ pub struct GustTimes {
     pub time_step_s: f64,
     /// Number of samples in a whole period.
     pub samples: usize,
-    /// Number of samples in use, from the first on.
+    /// Number of used samples, from the first on.
     pub looked_at: usize,
 }
 
@@ -65,7 +65,7 @@ impl GustTimes {
 /// Random numbers of a history: equal seeds and draws give equal histories.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GustDraw {
-    /// Seed of the history; any number will do.
+    /// Seed of the history; any number.
     pub seed: u64,
     /// Number of the history with that seed, for winds at other times or from other sides.
     pub stream: u64,
@@ -104,7 +104,7 @@ impl GustForces {
 }
 
 impl GustFace {
-    /// A history for each draw: a periodic Gaussian process whose cross spectra equal those of the face at each line.
+    /// A history for each draw: a periodic Gaussian process that has the cross spectra of the face at each line.
     ///
     /// ```text
     /// F(t) = F̄ + Σ_k √Δn A(n_k) [a_k cos 2πn_k t + b_k sin 2πn_k t],  n_k = k Δn,  a, b normal     strips
@@ -118,8 +118,8 @@ impl GustFace {
     /// Gaussian forces. Frequencies above a quarter of the sampling rate are left out. Tested by `gust_histories`.
     ///
     /// # Source
-    /// Shinozuka M. & Deodatis G. (1991) Appl. Mech. Rev. 44(4):191–204. Differs from the source: amplitudes are normal, where they take random
-    /// phases alone, so that ten minutes scatter as those of a Gaussian process do.
+    /// Shinozuka M. & Deodatis G. (1991) Appl. Mech. Rev. 44(4):191–204. Differs from the source: amplitudes are normally distributed (in the
+    /// source only phases are random), so that ten minutes scatter like those of a Gaussian process.
     pub fn histories(&self, times: &GustTimes, draws: &[GustDraw]) -> Result<Vec<GustForces>, LinalgError> {
         let strips = self.strips.len();
         let spacing_hz = times.spacing_hz();

@@ -1,4 +1,4 @@
-//! Wind by KDS 41 12 00:2022, stiff structures.
+//! Wind according to KDS 41 12 00:2022, stiff structures.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -23,7 +23,7 @@ pub enum Kds41Exposure {
     D,
 }
 
-/// A mean wind by KDS 41 12 00.
+/// A mean wind according to KDS 41 12 00.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kds41Wind {
     /// V_0, m/s.
@@ -88,7 +88,7 @@ impl Kds41Wind {
     /// K_D, the directional factor, is 1.
     ///
     /// # Source
-    /// KDS 41 12 00:2022, chapter 5, after two public programs; the text itself was not at hand.
+    /// KDS 41 12 00:2022, chapter 5, from two public programs; the text of the code was not available.
     pub(super) fn pressure(&self, body: &WindBody) -> Result<WindPressure, WindError> {
         let (h, b) = (body.height_m, body.breadth_m);
         let of = self.numbers_up_to(h)?;

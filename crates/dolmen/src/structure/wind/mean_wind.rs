@@ -1,4 +1,4 @@
-//! The mean wind and turbulence of a code, for a wind as given.
+//! Mean wind and turbulence of a code at any height.
 
 use super::{Turbulence, TurbulenceSpectrum, Wind, WindError};
 
@@ -9,15 +9,15 @@ impl Wind {
     /// EN 1991-1-4   v_m = k_r ln(z/z_0) c_o v_b,  I_v = 1/(c_o ln(z/z_0)),  L = 300 (z/200)^(0.67 + 0.05 ln z_0)      4.3, 4.4, B.1
     /// KDS 41 12 00  V = V_0 K_zr K_zt I_w,  I_z = 0.1 (z/Z_g)^(−α − 0.05),  L = 100 m, above 30 m · √(z/30)
     /// ```
-    /// Below z_min (EN) or z_b (KDS) as there.
+    /// Below z_min (EN) or z_b (KDS) the values are those at that height.
     ///
     /// # Errors
     /// [`WindError::NotAMean`] for a gust or a given pressure; [`WindError::Height`] above the profile of the code;
     /// [`WindError::NotPositive`].
     ///
     /// # Source
-    /// EN 1991-1-4:2005; KDS 41 12 00:2022 after two public programs. Differs from these: they take speed and turbulence at the height of the
-    /// roof; here the same formulas are evaluated at every height.
+    /// EN 1991-1-4:2005; KDS 41 12 00:2022 from two public programs. Differs from these: they use speed and turbulence at the roof height;
+    /// here the same formulas are evaluated at every height.
     pub fn turbulence_at(&self, height_m: f64) -> Result<Turbulence, WindError> {
         super::error::positive("height_m", height_m)?;
         match self {

@@ -16,7 +16,7 @@ const DIRECTIONS: usize = 8;
 /// Least improvement of the fit by a curved instead of a plane face: the F value of one additional parameter, with so many trial directions.
 const BETTER_LEAST: f64 = 25.0;
 /// A face bulges by at least this part of the tolerance of its plane; less is as flat as dressed stone. Our choice.
-const BULGE_LEAST: f64 = 0.5;
+const BULGE_LEAST: f64 = 1.0 / 3.0;
 /// The middle of a face, as a part of its outline: a flat face with rounded edges is curved beyond it only.
 const MIDDLE: f64 = 0.7;
 /// Ends of the flat part of a face with rounded edges, as parts of its outline, that are tried.

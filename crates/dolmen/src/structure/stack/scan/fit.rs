@@ -1,4 +1,4 @@
-//! The contact body of a scanned stone: its fitted faces and where they meet, not the hull of noisy vertices.
+//! The contact body of a scanned stone: its fitted faces and their intersections instead of the hull of noisy vertices.
 
 use super::curvature;
 use super::half_spaces::body;
@@ -15,27 +15,26 @@ const TOLERANCE_M: f64 = 0.003;
 const FLAT_SHARE: f64 = 0.01;
 /// As above, in standard deviations of the noise.
 const TOLERANCE_NOISE: f64 = 4.0;
-/// Largest distance of a face inside the outermost vertex, in standard deviations: the mean effect of noise on an outermost vertex.
+/// Largest distance of a face behind the outermost vertex, in standard deviations: the mean effect of noise on an outermost vertex.
 const OUTERMOST_NOISE: f64 = 2.0;
-/// Triangle normals are taken as they are where noise turns them by less than this, rad.
+/// Rotation of triangle normals by noise below which they are used without smoothing, rad.
 const TURN_RAW_RAD: f64 = 0.03;
-/// Volume of the fitted body over that of the mesh, less 1, at most: more is a stone that is not convex. Our choice.
+/// Largest volume of the fitted body over that of the mesh, minus 1: a larger value means a stone that is not convex. Our choice.
 const VOLUME_MOST: f64 = 0.02;
-/// Rounds in which worn edges and corners are cut.
+/// Number of rounds in which worn edges and corners are cut.
 const BEVELS: usize = 8;
-/// A rounded edge is one whose faces end this much before it, as a part of the stone's size. Our choice.
+/// Least distance between the edge and the end of the flat part, relative to the size of the stone, for a rounded edge. Our choice.
 const ROUNDED_LEAST: f64 = 0.004;
-/// Cosine of 10°, the largest inclination of a face whose edges are examined: the beds of the stone in its position. Our choice.
+/// Cosine of 10°, the largest inclination of a face whose edges are examined: these are the beds of the stone in its position. Our choice.
 const LEVEL_LEAST: f64 = 0.985;
-/// Planes of a fitted body at most.
 const PLANES_MOST: usize = 400;
-/// A plane with more than this part of the hull's corners outside of it belongs to a re-entrant corner.
+/// A plane with more than this fraction of the hull's corners outside belongs to a re-entrant corner.
 const OUTSIDE_MOST: f64 = 0.05;
 
-/// Normals closer than this are of one plane: 0.06°.
+/// Normals closer than this belong to one plane: 0.06°.
 const ONE_PLANE: f64 = 1e-3;
 
-/// A stone as its fitted planes bound it.
+/// A stone bounded by its fitted planes.
 pub(crate) struct Fitted {
     /// The body that carries contact.
     pub(crate) solid: Solid,
@@ -47,10 +46,10 @@ pub(crate) struct Fitted {
     pub(crate) noise_m: f64,
 }
 
-/// The fitted body of a mesh; `None` for one without noise, whose hull is exact.
+/// The fitted body of a mesh; `None` for a mesh without noise, whose hull is exact.
 ///
 /// # Errors
-/// [`StackError::MeshUneven`] if no planes bound a body of the volume of the mesh.
+/// [`StackError::MeshUneven`] if no planes bound a body with the volume of the mesh.
 pub(crate) fn fitted(
     vertices_m: &[[f64; 3]],
     triangles: &[[usize; 3]],
@@ -95,7 +94,7 @@ pub(crate) fn fitted(
     })
 }
 
-/// Whether no two faces of a hull lie in one plane: of a face of many points some facets may be left beside it.
+/// Whether no two faces of a hull are coplanar: a face with many points may leave facets unmerged.
 fn is_merged(hull: &Solid, flat_m: f64) -> bool {
     let mut planes: Vec<(DVec3, f64)> = (0..hull.faces().len())
         .map(|face| {
@@ -115,8 +114,8 @@ fn is_merged(hull: &Solid, flat_m: f64) -> bool {
     })
 }
 
-/// The body behind the planes of all outer faces, its worn edges and corners cut, and cut again where faces cease to be flat; its volume
-/// before that, m³.
+/// The body behind the planes of all outer faces. Its worn edges and corners are cut, repeatedly if faces are then no longer flat. Also its
+/// volume before the cuts, m³.
 fn bounded(surface: &Surface, found: Vec<Region>, hull: &Solid, tolerance_m: f64) -> Option<(Fitted, f64)> {
     let corners: Vec<DVec3> = hull.vertices_m().iter().copied().map(DVec3::from).collect();
     let outer = |region: &Region| {
@@ -165,7 +164,7 @@ fn bounded(surface: &Surface, found: Vec<Region>, hull: &Solid, tolerance_m: f64
     Some((fit, uncut_m3))
 }
 
-/// The region in whose plane a face of the body lies.
+/// The region whose plane contains a face of the body.
 fn region_of<'a>(solid: &Solid, number: usize, faces: &'a [Region], size: f64) -> Option<&'a Region> {
     let (normal, on) = (solid.normal(number), solid.vertices_m()[solid.faces()[number][0]]);
     faces.iter().find(|face| {
@@ -174,7 +173,7 @@ fn region_of<'a>(solid: &Solid, number: usize, faces: &'a [Region], size: f64) -
     })
 }
 
-/// Planes through the ends of the flat parts of beds before rounded edges; `sharp` is the body of the faces alone.
+/// Planes through the ends of the flat parts of beds at rounded edges; `sharp` is the body of the faces alone.
 fn chamfers(surface: &Surface, sharp: &Solid, faces: &[Region], size: f64, noise_m: f64) -> Vec<Plane> {
     let place = |vertex: usize| DVec3::from(sharp.vertices_m()[vertex]);
     let regions: Vec<Option<&Region>> = (0..sharp.faces().len())
@@ -230,8 +229,8 @@ fn roughness_m(surface: &Surface, faces: &[Region]) -> f64 {
     }
 }
 
-/// Planes that cut what sticks out of the stone by more than `worn_m`: at each edge and corner of the body, across the
-/// mean of the normals there, `inside_m` within the outermost vertex.
+/// Planes that cut off parts of the body outside the stone by more than `worn_m`: at each edge and corner of the body, normal to the mean of
+/// the normals there, `inside_m` behind the outermost vertex.
 fn bevels(solid: &Solid, corners: &[DVec3], worn_m: f64, inside_m: f64) -> Vec<Plane> {
     let mut at: Vec<(Vec<usize>, DVec3)> = Vec::new();
     for (vertex, &place) in solid.vertices_m().iter().enumerate() {
@@ -273,7 +272,7 @@ mod tests {
     use crate::structure::stack::{Block, Joint, JointMaterial, Placement, Solid, Stack};
     use std::collections::BTreeMap;
 
-    /// Normal draws of a linear congruential generator, by the sum of twelve uniform ones.
+    /// Normally distributed numbers: the sum of twelve uniform ones from a linear congruential generator.
     struct Draws(u64);
 
     impl Draws {
@@ -286,8 +285,8 @@ mod tests {
         }
     }
 
-    /// A box with its base centred on the origin, each side n × n squares, turned by 0.1 rad, shifted, and noisy; `worn`
-    /// ones are hollow below but for their rim.
+    /// A box with its base centred on the origin, each side n × n squares, rotated by 0.1 rad, shifted, and with noise. If `worn`, it is
+    /// hollow below except for its rim.
     fn scan(size: [f64; 3], n: usize, z: f64, noise_m: f64, worn: bool) -> Result<Solid, String> {
         let mut draws = Draws(7);
         let mut numbers: BTreeMap<[usize; 3], usize> = BTreeMap::new();
@@ -338,7 +337,7 @@ mod tests {
         stack.joints().to_vec()
     }
 
-    /// Beds of two boxes of 0.6 × 0.5 × 0.4 m and 0.5 × 0.4 × 0.6 m: area and place of each joint, by arithmetic.
+    /// Beds of two boxes of 0.6 × 0.5 × 0.4 m and 0.5 × 0.4 × 0.6 m: area and position of each joint, by arithmetic.
     #[test]
     fn exact_beds_of_boxes_with_noise() {
         for noise_m in [0.0, 1e-5, 1e-4, 1e-3, 2e-3] {
@@ -374,7 +373,7 @@ mod tests {
         }
     }
 
-    /// A box of 0.8 × 0.6 × 0.6 m on the ground whose edges and corners are rounded with a radius.
+    /// A box of 0.8 × 0.6 × 0.6 m on the ground, with edges and corners rounded by a radius.
     fn rounded(radius_m: f64, noise_m: f64) -> Result<Solid, String> {
         let (size, n) = ([0.8, 0.6, 0.6], [40, 30, 30]);
         let mut draws = Draws(5);
@@ -420,8 +419,8 @@ mod tests {
         Solid::mesh(&vertices, &triangles).map_err(|why| why.to_string())
     }
 
-    /// Extent of the bed of a rounded box with vertices 20 mm apart: half its width minus the radius. If two rows of vertices or fewer are in
-    /// the rounding, the bed may end a row or two before it, never after it.
+    /// Extent of the bed of a rounded box with vertices 20 mm apart: half its width minus the radius. With two rows of vertices or fewer in
+    /// the rounding, the bed may end one or two rows earlier, but never later.
     #[test]
     fn holds_a_bed_ends_where_its_edge_begins_to_round() {
         let mut wrong = Vec::new();
@@ -458,7 +457,7 @@ mod tests {
         );
     }
 
-    /// A bed of eight corners alone: 0.01 mm off, its hull is in triangles.
+    /// A bed with only eight corners, 0.01 mm off: its hull consists of triangles.
     #[test]
     fn exact_bed_of_eight_corners_with_noise() {
         let upright = |z: f64| scan([0.4, 0.4, 1.0], 1, z, 1e-5, false).unwrap();

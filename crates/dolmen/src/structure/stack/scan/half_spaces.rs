@@ -1,10 +1,10 @@
-//! The convex body that planes bound, by clipping a square in each plane with all others.
+//! The convex body bounded by planes: a square in each plane is clipped by all others.
 
 use super::plane::Plane;
 use crate::structure::stack::{Solid, StackError};
 use glam::DVec3;
 
-/// Corners closer than this part of the size are one.
+/// Corners closer than this fraction of the size are merged.
 const SAME: f64 = 1e-9;
 
 /// The body behind all planes within a box of half-size `reach_m` about `centre`.
@@ -29,7 +29,7 @@ pub(super) fn body(planes: &[Plane], centre: DVec3, reach_m: f64) -> Result<Soli
     Solid::convex(&corners)
 }
 
-/// The part of a plane that lies behind all others.
+/// The part of a plane behind all other planes.
 fn face(number: usize, plane: &Plane, all: &[Plane], centre: DVec3, reach_m: f64) -> Vec<DVec3> {
     let along = plane.normal.any_orthonormal_vector();
     let across = plane.normal.cross(along);

@@ -11,7 +11,7 @@ pub(in crate::structure::stack) struct Plane {
 }
 
 impl Plane {
-    /// Height of a point above it, m; positive outside.
+    /// Height of a point above the plane, m; positive outside.
     pub(in crate::structure::stack) fn height_m(&self, point: DVec3) -> f64 {
         self.normal.dot(point) - self.offset_m
     }

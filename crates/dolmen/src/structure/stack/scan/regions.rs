@@ -19,7 +19,6 @@ const ONE_FACE: f64 = 0.990_3;
 /// Number of rounds of fitting planes and reassigning triangles.
 const ROUNDS: usize = 4;
 
-/// A face: its plane and its triangles.
 pub(super) struct Region {
     pub(super) plane: Plane,
     pub(super) triangles: Vec<usize>,

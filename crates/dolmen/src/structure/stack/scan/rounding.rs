@@ -25,7 +25,6 @@ const BETTER_LEAST: f64 = 25.0;
 /// Trial values whose sum of squares exceeds the best by at most this multiple of its mean square count as equally good. The innermost of them is
 /// used, so that a rounding with few vertices is not underestimated.
 const AS_GOOD: f64 = 1.0;
-/// An edge of a face.
 pub(super) struct Edge {
     pub(super) face: Plane,
     /// Outward normal of the adjacent face.

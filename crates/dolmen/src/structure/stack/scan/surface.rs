@@ -4,26 +4,24 @@ use glam::DVec3;
 
 /// Angle between adjacent triangles below which a mesh has no modelled edge, rad: 3°, a cylinder of 120 sides. Our choice.
 const TURN_MODELLED_RAD: f64 = 0.052;
-/// As above for triangles that may be part of a bed, rad: 8°. Neighbours on the side of a drum may differ by less, those on a modelled bed do not
-/// differ. Our choice.
+/// The same for triangles that may be part of a bed, rad: 8°. Adjacent triangles on the side of a drum may differ by less, but those of a modelled
+/// bed do not differ. Our choice.
 const TURN_BED_RAD: f64 = 0.14;
 /// Least vertical component of the unit normal of a triangle that may be part of a bed: a slope of 20°.
 const BED_RISE: f64 = 0.94;
 /// Median of the absolute value of a normal variable over its standard deviation.
 const MEDIAN_OF_NORMAL: f64 = 0.6745;
 
-/// A mesh with the data for fitting planes.
 pub(super) struct Surface {
     pub(super) vertices: Vec<DVec3>,
     pub(super) triangles: Vec<[usize; 3]>,
-    /// The triangle beyond the edge from corner i to the next.
+    /// The adjacent triangle at the edge from corner i to the next.
     pub(super) across: Vec<[usize; 3]>,
-    /// Normals of triangles, as long as their areas, m².
+    /// Normals of triangles; their length is the area, m².
     pub(super) areas: Vec<DVec3>,
     /// Unit normals of vertices: mean over the triangles around a vertex and its neighbours, weighted by area. Noise s changes the normal of one
     /// triangle by 2 s/ℓ.
     pub(super) normals: Vec<DVec3>,
-    /// Median length of an edge, m.
     pub(super) edge_m: f64,
 }
 

@@ -1,6 +1,6 @@
-//! A simple polygon as triangles, by cutting ears.
+//! Triangulates a simple polygon by ear clipping.
 //!
-//! The ear with the shortest cut goes first, so that long slivers from one corner do not arise.
+//! The ear with the shortest cut comes first, which avoids long slivers from one corner.
 //!
 //! # Source
 //! G. H. Meisters, "Polygons have ears", The American Mathematical Monthly 82 (1975).
@@ -8,17 +8,17 @@
 use glam::DVec2;
 use std::collections::BTreeSet;
 
-/// Area that the triangles may miss of that of the polygon, as a part of it.
+/// Largest area that the triangles may miss, relative to the polygon.
 const AREA_MISSED: f64 = 1e-7;
 
 /// Region inside an outline.
 #[derive(Debug)]
 pub(super) enum Outline {
-    /// Triangles between its corners, counterclockwise.
+    /// Triangles between the corners, counterclockwise.
     Closed(Vec<[usize; 3]>),
-    /// It runs clockwise round a hole of this area, m².
+    /// The outline is clockwise around a hole of this area, m².
     Turned { area_m2: f64 },
-    /// It crosses itself.
+    /// The outline crosses itself.
     Crossed,
 }
 
@@ -27,7 +27,7 @@ fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// The corners that are left, each between two others.
+/// The remaining corners, each with its two neighbours.
 struct Ring<'a> {
     places: &'a [DVec2],
     before: Vec<usize>,
@@ -55,14 +55,14 @@ impl Ring<'_> {
         true
     }
 
-    /// Length of the cut that would take a corner off, as bits that order as the lengths do.
+    /// Length of the cut that removes a corner, as bits in the order of the lengths.
     fn cut(&self, corner: usize) -> u64 {
         let [a, c] = [self.before[corner], self.after[corner]].map(|at| self.places[at]);
         a.distance_squared(c).to_bits()
     }
 }
 
-/// The triangles of a polygon given counterclockwise.
+/// The triangles of a counterclockwise polygon.
 pub(super) fn triangles_of(places: &[DVec2]) -> Outline {
     let count = places.len();
     let first = places.first().copied().unwrap_or_default();
@@ -78,7 +78,7 @@ pub(super) fn triangles_of(places: &[DVec2]) -> Outline {
         before: (0..count).map(|n| (n + count - 1) % count).collect(),
         after: (0..count).map(|n| (n + 1) % count).collect(),
     };
-    // corners with an area of only rounding are cut last
+    // corners whose area is only rounding are cut last
     let rounding = 1e-14 * twice;
     let mut least = rounding;
     let mut waiting: BTreeSet<(u64, usize)> = (0..count).map(|corner| (ring.cut(corner), corner)).collect();
@@ -90,7 +90,7 @@ pub(super) fn triangles_of(places: &[DVec2]) -> Outline {
             if !has_cut && least < 0.0 {
                 return Outline::Crossed;
             }
-            // an ear cut since then may have blocked others
+            // a later cut may have blocked other ears
             least = if has_cut { rounding } else { -rounding };
             has_cut = false;
             waiting.extend(passed.iter().map(|&corner| (ring.cut(corner), corner)));

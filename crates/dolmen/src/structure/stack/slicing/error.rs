@@ -22,7 +22,7 @@ pub enum SliceError {
     Unsorted {
         /// The earlier height, m.
         first_m: f64,
-        /// The later height, which is not above it, m.
+        /// The next height, which is not above the earlier one, m.
         then_m: f64,
     },
     /// A height is outside the scan.
@@ -37,7 +37,7 @@ pub enum SliceError {
         /// Highest point of the scan, m.
         high_m: f64,
     },
-    /// A stone would be as thin as the error of a measured height.
+    /// A stone would be no thicker than the error of a measured height.
     #[error(
         "the stone from {low_m:.4} to {high_m:.4} m is {:.1} mm thick, but must be at least {:.0} mm: take one of its beds out",
         1e3 * (high_m - low_m), 1e3 * least_m
@@ -86,16 +86,16 @@ pub enum SliceError {
         /// Allowed number of corners.
         most: usize,
     },
-    /// The mesh contains a closed surface inside the stone, or one that is inside out.
+    /// The mesh contains a closed surface inside the stone, or a surface that is inside out.
     #[error(
         "a closed piece of the mesh has its outside inside, {:.6} m³: take surfaces out that lie in the stone, or turn their triangles over",
         volume_m3.abs()
     )]
     Void {
-        /// Its volume, m³; negative.
+        /// Volume of this surface, m³; negative.
         volume_m3: f64,
     },
-    /// The stones do not add up to the whole.
+    /// The volumes of the stones do not add up to that of the scan.
     #[error(
         "the stones hold {:.2} % of the scan's {whole_m3:.5} m³, but must hold 100 ± {:.1} %: near a bed the scan is too rough to be cut, or passes through itself",
         100.0 * ratio, 100.0 * allowed

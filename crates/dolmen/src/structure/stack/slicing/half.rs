@@ -6,28 +6,25 @@ use super::section::Body;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// A vertex this near to the plane lies in it, as a part of the size of the mesh.
+/// Distance from the plane, relative to the size of the mesh, within which a vertex is in the plane.
 const IN_PLANE: f64 = 1e-10;
-/// Corners of a section at most. Our choice: the cap takes time as their square.
+/// Largest number of corners of a section. Our choice: the time for the cap grows with its square.
 const CORNERS_MOST: usize = 20_000;
 
-/// The side that is kept.
+/// The side that remains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     Below,
     Above,
 }
 
-/// A level plane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane {
     /// Height of the cut through the mesh, m.
     pub(super) cut_m: f64,
-    /// Height of the bed, m.
     pub(super) at_m: f64,
 }
 
-/// A closed mesh.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Part {
     pub(super) vertices: Vec<DVec3>,
@@ -43,7 +40,7 @@ impl Part {
     }
 }
 
-/// The part of a body on one side of a plane, with a cap in the plane.
+/// The part of a body on one side of a plane, closed by a cap in the plane.
 ///
 /// # Errors
 /// [`SliceError`] for a section that no cap closes.
@@ -58,7 +55,7 @@ pub(super) fn half(body: &Body<'_>, side: Side, plane: Plane, size_m: f64) -> Re
     };
     let rims = rims(&part.triangles).ok_or(SliceError::Crossed { bed_m: plane.at_m })?;
     for rim in rims {
-        // a rim runs along the kept triangles; its cap runs against them
+        // a rim follows the direction of the kept triangles; its cap has the opposite direction
         let corners: Vec<usize> = match side {
             Side::Below => rim.into_iter().rev().collect(),
             Side::Above => rim,
@@ -91,7 +88,7 @@ pub(super) fn half(body: &Body<'_>, side: Side, plane: Plane, size_m: f64) -> Re
     Ok(part)
 }
 
-/// The kept triangles as they come.
+/// The triangles kept so far.
 struct Cutting<'a> {
     body: &'a Body<'a>,
     side: Side,
@@ -117,7 +114,7 @@ impl<'a> Cutting<'a> {
         }
     }
 
-    /// A vertex in the plane counts as above it, on both sides.
+    /// A vertex in the plane is above it, for both sides.
     fn is_kept(&self, vertex: usize) -> bool {
         let is_above = self.body.vertices[vertex].z >= self.plane.cut_m - self.in_plane_m;
         is_above == (self.side == Side::Above)
@@ -141,7 +138,8 @@ impl<'a> Cutting<'a> {
         new
     }
 
-    /// Where an edge from a kept to another vertex meets the plane: a vertex that lies there, or a new one.
+    /// Intersection of the plane with an edge from a kept to another vertex: a vertex in the plane, or a new
+    /// one.
     fn crossing(&mut self, kept: usize, beyond: usize) -> usize {
         let [p, q] = [kept, beyond].map(|vertex| self.body.vertices[vertex]);
         let at_end = [kept, beyond]
@@ -186,7 +184,7 @@ impl<'a> Cutting<'a> {
     }
 }
 
-/// The closed lines along which triangles have no neighbour; `None` where two of them meet in a vertex.
+/// The closed lines along which triangles have no neighbour; `None` if two of them meet at a vertex.
 fn rims(triangles: &[[usize; 3]]) -> Option<Vec<Vec<usize>>> {
     let mut sides: BTreeMap<[usize; 2], i32> = BTreeMap::new();
     for triangle in triangles {

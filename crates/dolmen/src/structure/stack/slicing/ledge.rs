@@ -1,31 +1,31 @@
-//! Where a section steps near the height that somebody measured: the bed of two stones that are not equally wide.
+//! Finds the step of a section near a measured height: the bed between two stones of different width.
 
 use super::section::{Body, Section};
 use glam::DVec2;
 
-/// A step is looked for this far from the height given, m. Our choice: a height taken with a tape is no better than 1 or 2 cm.
+/// Range of the search for a step on each side of the given height, m. Our choice: a tape is accurate to 1 or 2 cm.
 pub(super) const LOOKED_M: f64 = 0.02;
-/// And no farther than this part of the way to the next bed.
+/// Largest range, as a share of the distance to the next bed.
 const LOOKED_SHARE: f64 = 0.25;
-/// Sections on each side of the height.
+/// Number of sections on each side of the height.
 const SECTIONS: usize = 20;
-/// A step is more than this part of the root of the section's area.
+/// Least size of a step, relative to the square root of the section's area.
 const STEP_LEAST: f64 = 0.01;
 /// Least step, in standard deviations of the noise.
 const STEP_NOISE: f64 = 4.0;
-/// Least ratio of the step to the change over the same height just below and just above: slopes are not steps.
+/// Least ratio of the step to the change over the same height just below and just above, because slopes are not steps.
 const STEP_SLOPES: f64 = 2.0;
-/// Rounds of bisection: 20 mm become less than 1e-10 m.
+/// Number of bisections: 20 mm become less than 1e-10 m.
 const ROUNDS: usize = 28;
-/// Heights nearer than this are one, m.
+/// Heights closer than this are equal, m.
 const ONE_HEIGHT_M: f64 = 1e-6;
 
 /// The position at which a bed is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bed {
-    /// Height at which it is put, m.
+    /// Height of the bed, m.
     pub(super) at_m: f64,
-    /// How far below and above the sections are taken, m; 0 where nothing steps.
+    /// Distance of the sections below and above the bed, m; 0 without a step.
     pub(super) apart_m: f64,
 }
 
@@ -38,12 +38,12 @@ pub(super) struct Named {
     pub(super) middle: DVec2,
 }
 
-/// How far from a step both sections are taken: the noise of its vertices ends there, m.
+/// Distance from a step at which both sections are taken, m: the noise of the vertices does not reach so far.
 fn apart_m(noise_m: f64) -> f64 {
     (5.0 * noise_m).max(ONE_HEIGHT_M)
 }
 
-/// The bed at a height, or at the step next to it.
+/// The bed at a height, or at the step near it.
 pub(super) fn bed(body: &Body<'_>, named: &Named) -> Bed {
     let Named {
         height_m, noise_m, ..
@@ -107,7 +107,7 @@ struct Step {
     length: usize,
     from: usize,
     size_m: f64,
-    /// The larger of the changes just below and just above, over the same height.
+    /// The larger of the changes just below and just above the step, over the same height.
     beside_m: f64,
 }
 
@@ -117,7 +117,7 @@ impl Step {
         let change = |from: usize| (at(from + over) - at(from)).abs();
         let last = sections.len() - over;
         let changes: Vec<f64> = (0..last).map(change).collect();
-        // the middle of a run of equal changes: the step is within all of them
+        // the middle of a run of equal changes, because the step is within all of them
         let size_m = changes.iter().copied().fold(0.0, f64::max);
         let is_largest = |from: &usize| changes[*from] >= 0.98 * size_m;
         let runs: Vec<usize> = (0..last).filter(is_largest).collect();

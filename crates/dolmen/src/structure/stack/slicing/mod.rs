@@ -1,4 +1,4 @@
-//! A closed mesh of a whole tower cut at the heights of its beds into stones.
+//! Cuts a closed mesh of a whole tower into stones at the heights of its beds.
 
 mod cap;
 mod error;

@@ -14,7 +14,7 @@ impl Part {
         moments_of(triangles, near).0
     }
 
-    /// The connected parts, each with its own vertices; the leftmost first, and among equals the foremost.
+    /// The connected parts, each with its own vertices; sorted by x, then by y.
     ///
     /// # Errors
     /// [`SliceError::Void`] for a piece that is inside out.
@@ -56,7 +56,7 @@ impl Part {
     }
 }
 
-/// The root of a vertex, its way there made short.
+/// The root of a vertex; shortens the path to it.
 fn root(owner: &mut [usize], mut vertex: usize) -> usize {
     while owner[vertex] != vertex {
         owner[vertex] = owner[owner[vertex]];

@@ -2,10 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
-/// Directions in which the reach is taken, all round.
+/// Number of directions, around the full circle, in which the extent is measured.
 const DIRECTIONS: usize = 16;
 
-/// A mesh as sections are taken of it.
 pub(super) struct Body<'a> {
     pub(super) vertices: &'a [DVec3],
     pub(super) triangles: &'a [[usize; 3]],
@@ -14,7 +13,6 @@ pub(super) struct Body<'a> {
 /// Size of a section: the square root of its area, then its extent from the middle in each direction, m.
 #[derive(Clone, Debug)]
 pub(super) struct Section {
-    /// Area, m².
     pub(super) area_m2: f64,
     /// Root of the area and reaches, m.
     pub(super) lengths_m: Vec<f64>,
@@ -37,7 +35,7 @@ impl Body<'_> {
         (high - low).max_element()
     }
 
-    /// Triangles that reach into a range of heights.
+    /// Triangles within a range of heights.
     pub(super) fn between(&self, low_m: f64, high_m: f64) -> Vec<[usize; 3]> {
         let reaches = |t: &&[usize; 3]| {
             let z = t.map(|v| self.vertices[v].z);
@@ -46,7 +44,7 @@ impl Body<'_> {
         self.triangles.iter().filter(reaches).copied().collect()
     }
 
-    /// The section at a height, its outline counterclockwise seen from above.
+    /// The section at a height; its outline is counterclockwise seen from above.
     ///
     /// ```text
     /// A = ½ Σ (p × q)z      over the segments p → q of the outline
@@ -80,7 +78,7 @@ impl Body<'_> {
                     *reach = reach.max(direction.dot(at));
                 }
             }
-            // the outside is to the right of where the surface comes up: from the edge that goes down to the one that comes up
+            // where the surface goes up, the outside is to the right: from the falling to the rising edge
             area_m2 += 0.5 * down.perp_dot(up);
         }
         let reaches = reaches.map(|reach| if reach.is_finite() { reach } else { 0.0 });

@@ -10,18 +10,18 @@ use crate::structure::stack::mesh::{check_corners, check_edges};
 use crate::structure::stack::scan::noise_of;
 use glam::DVec3;
 
-/// How far the volume of all stones may be from that of the whole, as a part of it.
+/// Largest relative difference between the volume of all stones and that of the whole.
 const VOLUME_OFF_MOST: f64 = 0.005;
-/// Noise that is reckoned with at most, m. Our choice: what scatters more is shape.
+/// Largest noise that is considered, m. Our choice: larger scatter is shape.
 const NOISE_MOST_M: f64 = 0.002;
 
 /// A tower cut into stones.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sliced {
-    /// Its stones, course by course from below; in a course by their x.
+    /// The stones, course by course from below; within a course by x.
     pub stones: Vec<SlicedStone>,
-    /// Its beds, lowest first.
+    /// The beds, lowest first.
     pub beds: Vec<SlicedBed>,
     /// Lowest and highest point of the whole, m.
     pub span_m: [f64; 2],
@@ -29,7 +29,7 @@ pub struct Sliced {
     pub volume_m3: f64,
     /// Volume of all stones over that of the whole.
     pub volume_ratio: f64,
-    /// Noise of the vertices that the cuts reckon with, m; 0 of a modelled mesh.
+    /// Noise of the vertices considered in the cuts, m; 0 for a modelled mesh.
     pub noise_m: f64,
 }
 
@@ -37,7 +37,7 @@ pub struct Sliced {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SlicedStone {
-    /// Its course, from 0 below.
+    /// Course of the stone, from 0 at the bottom.
     pub course: usize,
     /// Its corners, m.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -45,7 +45,7 @@ pub struct SlicedStone {
     /// Its triangles, counterclockwise seen from outside.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub triangles: Vec<[usize; 3]>,
-    /// Its volume, m³.
+    /// Volume of the stone, m³.
     pub volume_m3: f64,
 }
 
@@ -53,9 +53,9 @@ pub struct SlicedStone {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SlicedBed {
-    /// Height that was given, m.
+    /// Given height, m.
     pub named_m: f64,
-    /// Height at which the scan was cut, m: that of the step next to the one given, if there is one.
+    /// Height of the cut, m: that of the step near the given height, if there is one.
     pub at_m: f64,
     /// Area of the section just below, m².
     pub area_below_m2: f64,
@@ -63,19 +63,19 @@ pub struct SlicedBed {
     pub area_above_m2: f64,
 }
 
-/// Cuts a closed mesh at the heights of its beds into stones, each closed by level caps.
+/// Cuts a closed mesh into stones at the heights of its beds; level caps close each stone.
 ///
-/// A height is given as somebody measured it. Where the section of the scan steps within 20 mm of it (a stone stands on a wider or
-/// narrower one, or off its middle), the bed is at the step: the lower stone ends with the section just below, the upper one begins with
-/// that just above, each beyond the noise of the scan (five standard deviations), and both are carried on to the bed. So no splinter of one
-/// stone stays at the other. What does not hang together between two beds becomes several stones.
+/// The heights are measured values. If the section of the scan has a step within 20 mm of a height (a stone on a wider or narrower one, or off
+/// its centre), the bed is at the step. The lower stone then ends with the section just below, and the upper one begins with the section just
+/// above, each outside the noise of the scan (five standard deviations); both are extended to the bed. So no fragment of one stone remains on
+/// the other. Separate parts between two beds become several stones.
 ///
 /// # Errors
-/// [`SliceError`]: a mesh that bounds no body; heights that do not rise, lie outside or leave less than 20 mm between them; a section with a
-/// hole, or with an outline that crosses itself; stones whose volumes differ from the whole by more than 0.5 %.
+/// [`SliceError`] for a mesh that bounds no body; for heights that do not ascend, are outside, or are less than 20 mm apart; for a section
+/// with a hole or an outline that crosses itself; and if the volumes of the stones differ from the whole by more than 0.5 %.
 ///
 /// # Limits
-/// The caps are planes because they are cut: the outside does not show how rough the real bed is, or how much of it is in contact. Stones that
+/// The caps are plane because they are cuts: the outside does not show how rough the real bed is, or how much of it is in contact. Stones that
 /// touch within a course become one stone.
 pub fn slice(
     vertices_m: &[[f64; 3]],
@@ -184,7 +184,7 @@ fn middle(body: &Body<'_>) -> glam::DVec2 {
     0.5 * (low + high)
 }
 
-/// Heights must rise within the scan, with a stone between each and the next.
+/// Checks that the heights ascend within the scan, with a stone between successive heights.
 fn check_heights(beds_m: &[f64], [low_m, high_m]: [f64; 2]) -> Result<(), SliceError> {
     if beds_m.is_empty() {
         return Err(SliceError::NoBeds);
