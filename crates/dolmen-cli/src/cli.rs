@@ -119,6 +119,15 @@ pub(crate) struct OfScan {
         allow_negative_numbers = true
     )]
     pub(crate) beds: Vec<f64>,
+    /// Heights where the section steps within one stone (a moulding, a corbel), m: 0.82,0.90
+    #[arg(
+        long,
+        value_name = "METRES",
+        value_delimiter = ',',
+        requires = "scan",
+        allow_negative_numbers = true
+    )]
+    pub(crate) allow: Vec<f64>,
     /// Unit of the file; by default inferred from its height, and reported
     #[arg(long, value_enum, requires = "scan")]
     pub(crate) unit: Option<ScanUnit>,

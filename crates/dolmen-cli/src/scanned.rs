@@ -32,6 +32,7 @@ pub(crate) fn run(options: &New, of: &OfScan, scan: &Path, manner: &Manner) -> R
             .into_owned(),
         bytes: &bytes,
         beds_m: of.beds.clone(),
+        allowed_steps_m: of.allow.clone(),
         unit: of.unit.map(|unit| match unit {
             Typed::M => ScanUnit::Metres,
             Typed::Cm => ScanUnit::Centimetres,

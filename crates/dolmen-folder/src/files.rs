@@ -186,7 +186,7 @@ pub fn read_text(path: &Path, most: u64) -> Result<String> {
 }
 
 /// The whole lines of a text that may end within a letter, as a killed process leaves it.
-pub fn read_whole_lines(path: &Path, most: u64) -> Result<String> {
+pub(crate) fn read_whole_lines(path: &Path, most: u64) -> Result<String> {
     let mut bytes = read(path, most)?;
     let whole = bytes.iter().rposition(|byte| *byte == b'\n');
     bytes.truncate(whole.map_or(0, |at| at + 1));

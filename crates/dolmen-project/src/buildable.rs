@@ -5,7 +5,7 @@ use super::content::Structure;
 use super::error::Fault;
 use super::quantity::Quantity;
 use super::reader::Reader;
-use super::wrong::said;
+use super::wrong::{StackSlip, said};
 use dolmen::structure::StructureError;
 use dolmen_words::message::Both;
 
@@ -20,7 +20,14 @@ pub(super) fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) 
         Some(Structure::Stack(stack)) => {
             if let Err(why) = stack.build(&mut Quantity::nominal) {
                 let path = why.path();
-                reader.fault(Fault::new(reader.place(path), path, Both::from(why.sentence())));
+                let fault = Fault::new(reader.place(path), path, Both::from(why.sentence()));
+                reader.fault(match stack.tilt_that_overlaps(&why) {
+                    Some(tilt) => fault.help(StackSlip::TiltedIntoBed {
+                        path: tilt.path.clone(),
+                        written: tilt.written.clone(),
+                    }),
+                    None => fault,
+                });
             }
             return;
         }

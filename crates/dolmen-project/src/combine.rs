@@ -109,7 +109,7 @@ fn combined(
         Some(mut project) if faults.is_empty() => {
             project
                 .warnings
-                .extend(lists.iter().filter_map(|list| list.warnings(text)));
+                .extend(lists.iter().flat_map(|list| list.warnings(text)));
             Ok(project)
         }
         _ => Err(faults),

@@ -13,6 +13,14 @@ messages! {
             en: "blocks: the stones become wider upwards ({share} % more of the pairs than narrower ones): is the list top first? Stones are listed lowest first",
             ko: "blocks: 위로 갈수록 부재가 넓어진다(넓어지는 쌍이 좁아지는 쌍보다 {share} % 많음). 위에서부터 적은 것이 아닌가? 부재는 아래에서부터 적는다",
         },
+        ColumnsUnread { file: String, heads: Vec<String> } => {
+            en: "{file}: the model does not use the numbers of {heads}: if they matter, write them in the project file; if not, take the columns out",
+            ko: "{file}: {heads} 열의 수는 모델에 쓰이지 않는다. 필요한 값이면 프로젝트 파일에 적고, 아니면 열을 삭제한다",
+        },
+        MeshLarge { path: String, name: String, extent: Quantity, height: Quantity, others: String } => {
+            en: "{path}: '{name}' is {extent} across, in a stack {height} high; stones are seldom above 8 m, and stacks of scanned stones above 25 m. Is the mesh in another unit? Stone and stack would be {others}. Write unit = \"mm\" or \"cm\" beside file; scale a mesh in inches by 25.4 to mm",
+            ko: "{path}: '{name}'의 크기가 {extent}, 전체 높이가 {height}이다. 석재가 8 m를, 스캔한 석조물이 25 m를 넘는 일은 드물다. 메시가 다른 단위가 아닌가? 그 단위로 본 석재와 전체의 크기: {others}. file 옆에 unit = \"mm\" 또는 \"cm\"를 쓴다. 인치 메시는 25.4배 하여 mm로 한다",
+        },
         FloorOrder { ratio: Quantity } => {
             en: "floors: no storey is softer than the one below, and the top one is {ratio} times as stiff as the lowest: is the list top first? Floors are listed lowest first",
             ko: "floors: 위로 갈수록 층강성이 커져 최상층이 최하층의 {ratio}배이다. 위에서부터 적은 것이 아닌가? 층은 아래에서부터 적는다",

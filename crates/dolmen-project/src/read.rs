@@ -164,7 +164,7 @@ fn read_with(text: &str, files: &dyn Files, lists: &[Tabled]) -> Result<Project,
             project.warnings.extend(own);
             project
                 .warnings
-                .extend(lists.iter().filter_map(|list| list.warnings(text)));
+                .extend(lists.iter().flat_map(|list| list.warnings(text)));
             project.variants = read_variants;
             Ok(project)
         }

@@ -4,11 +4,13 @@
 use super::error::Fault;
 use super::measure::Measure;
 use super::placed::place;
-use super::tabled_heads::{Column, ELSEWHERE, LISTS};
+use super::tabled_heads::{Column, LISTS};
 use super::totals::{Total, total};
 use super::units::parse_unit;
+use super::unread_columns::{Unread, unread};
 use super::wrong::{Common, WrongTable};
 use crate::content::{Warning, WarningKind};
+use crate::doubted::Doubted;
 use crate::warned::Warned;
 use crate::wrong::said;
 use dolmen_records::{Files, SHEET_BYTES_MOST, SheetCell, SheetValue, is_misspelt, read_sheet};
@@ -29,6 +31,8 @@ pub(super) struct Tabled {
     places: BTreeMap<String, String>,
     /// Heads of columns that no part uses.
     left_out: Vec<String>,
+    /// Heads of those that hold numbers of unknown meaning.
+    unread: Vec<String>,
     /// The survey that the list belongs to; `None` for a list of the file.
     survey: Option<String>,
 }
@@ -47,6 +51,7 @@ impl Tabled {
             file,
             places,
             left_out: Vec::new(),
+            unread: Vec::new(),
             survey: None,
         }
     }
@@ -59,23 +64,28 @@ impl Tabled {
             file: String::new(),
             places: BTreeMap::new(),
             left_out: Vec::new(),
+            unread: Vec::new(),
             survey: Some(survey),
         }
     }
 
-    /// A warning about the columns that were not read.
-    pub(super) fn warnings(&self, text: &str) -> Option<Warning> {
-        if self.left_out.is_empty() {
-            return None;
-        }
-        let said = Warned::ColumnsLeftOut {
-            file: self.file.clone(),
-            heads: self.left_out.clone(),
-        };
+    /// Warnings about the columns that were not read.
+    pub(super) fn warnings(&self, text: &str) -> Vec<Warning> {
         let key = self.text.split(' ').next().unwrap_or_default();
-        let mut warning = Warning::new(WarningKind::ColumnsLeftOut, key, said.into());
-        warning.line = Fault::new(self.span.clone(), "", "").locate(text).line;
-        Some(warning)
+        let file = || self.file.clone();
+        let noted = (!self.left_out.is_empty()).then(|| {
+            let heads = self.left_out.clone();
+            let said = Warned::ColumnsLeftOut { file: file(), heads };
+            Warning::new(WarningKind::ColumnsLeftOut, key, said.into())
+        });
+        let doubted = (!self.unread.is_empty()).then(|| {
+            let heads = self.unread.clone();
+            let said = Doubted::ColumnsUnread { file: file(), heads };
+            Warning::new(WarningKind::Doubtful, key, said.into())
+        });
+        let line = Fault::new(self.span.clone(), "", "").locate(text).line;
+        let all = doubted.into_iter().chain(noted);
+        all.map(|warning| Warning { line, ..warning }).collect()
     }
 
     /// Replaces the table that names a file by the list; faults of the list have the place of that table.
@@ -231,7 +241,7 @@ fn list(
     file: &str,
 ) -> Result<Tabled, Vec<(Both, Both)>> {
     let (header, body) = rows.split_first().unwrap_or((&rows[0], &[]));
-    let heads = heads(key, columns, header, root, file)?;
+    let heads = heads(key, columns, (header, body), root, file)?;
     refuse_total(&heads, body, file)?;
     let mut faults = Vec::new();
     let mut text = format!("{key} = [");
@@ -241,7 +251,7 @@ fn list(
         let path = format!("{key}[{number}]");
         for (at, cell) in row.iter().enumerate() {
             let (name, unit) = match heads.get(at).unwrap_or(&Head::Missing) {
-                Head::LeftOut(_) => continue,
+                Head::LeftOut(..) => continue,
                 // the cell of a missing value must be filled
                 Head::Of(name, _) if cell.value == SheetValue::Empty => {
                     places.insert(format!("{path}.{name}"), cell.place.clone());
@@ -277,17 +287,21 @@ fn list(
         }
     }
     text.push(']');
-    let left_out = heads.into_iter().filter_map(|head| match head {
-        Head::LeftOut(head) => Some(head),
-        Head::Of(..) | Head::Missing => None,
-    });
+    let left_out = |which: Unread| -> Vec<String> {
+        let heads = heads.iter().filter_map(move |head| match head {
+            Head::LeftOut(head, of) if *of == which => Some(head.clone()),
+            Head::LeftOut(..) | Head::Of(..) | Head::Missing => None,
+        });
+        heads.collect()
+    };
     match faults.is_empty() {
         true => Ok(Tabled {
             span: 0..0,
             text,
             file: String::new(),
             places,
-            left_out: left_out.collect(),
+            left_out: left_out(Unread::Note),
+            unread: left_out(Unread::Numbers),
             survey: None,
         }),
         false => Err(faults),
@@ -299,7 +313,7 @@ enum Head {
     /// The key of the column, and its unit.
     Of(&'static str, Option<String>),
     /// A column that no part uses.
-    LeftOut(String),
+    LeftOut(String, Unread),
     /// None.
     Missing,
 }
@@ -314,13 +328,13 @@ impl Head {
 fn heads(
     key: &'static str,
     columns: &[Column],
-    header: &[SheetCell],
+    (header, body): (&[SheetCell], &[Vec<SheetCell>]),
     root: &DeTable<'_>,
     file: &str,
 ) -> Result<Vec<Head>, Vec<(Both, Both)>> {
     let mut faults = Vec::new();
     let mut heads: Vec<Head> = Vec::new();
-    for cell in header {
+    for (at, cell) in header.iter().enumerate() {
         let SheetValue::Text(head) = &cell.value else {
             // an empty head over an empty column is not a column
             heads.push(Head::Missing);
@@ -346,17 +360,25 @@ fn heads(
                     help,
                 )),
             },
-            None if !is_needed(head, columns) => heads.push(Head::LeftOut(head.clone())),
             None => {
+                let below = body.iter().filter_map(|row| row.get(at));
+                let below: Vec<&SheetValue> = below.map(|cell| &cell.value).collect();
+                let of = unread(head, &below);
+                if of != Unread::Missed && !is_misspelt_in(head, columns) {
+                    heads.push(Head::LeftOut(head.clone(), of));
+                    continue;
+                }
                 let known: Vec<&str> = columns.iter().map(|(known, ..)| *known).collect();
+                let known = known.join(", ");
                 let message = WrongTable::CellIsNoColumn {
                     file: file.to_string(),
                     place: cell.place.to_string(),
                     head: head.to_string(),
                     key: key.to_string(),
                 };
-                let help = WrongTable::NameItOneOf {
-                    known: known.join(", "),
+                let help = match of {
+                    Unread::Missed => WrongTable::WriteItInProject { known },
+                    Unread::Numbers | Unread::Note => WrongTable::NameItOneOf { known },
                 };
                 faults.push((message.into(), help.into()));
             }
@@ -368,14 +390,12 @@ fn heads(
     }
 }
 
-/// Whether an unknown head seems to belong to a part: misspelt, or a key that only the project file can have.
-fn is_needed(head: &str, columns: &[Column]) -> bool {
+/// Whether an unknown head seems to be that of a column.
+fn is_misspelt_in(head: &str, columns: &[Column]) -> bool {
     let name = head.split_once(['(', '[']).map_or(head, |(name, _)| name).trim();
-    let mut all = columns.iter();
-    ELSEWHERE.contains(&name.to_lowercase().replace('_', " ").as_str())
-        || all.any(|(known, others, _)| {
-            is_misspelt(name, known) || others.iter().any(|other| is_misspelt(name, other))
-        })
+    columns.iter().any(|(known, others, _)| {
+        is_misspelt(name, known) || others.iter().any(|other| is_misspelt(name, other))
+    })
 }
 
 /// Rejects a row that is the total of the others.
@@ -385,7 +405,7 @@ fn refuse_total(heads: &[Head], body: &[Vec<SheetCell>], file: &str) -> Result<(
     for (at, _) in heads
         .iter()
         .enumerate()
-        .filter(|(_, head)| matches!(head, Head::LeftOut(_)))
+        .filter(|(_, head)| matches!(head, Head::LeftOut(..)))
     {
         let cells = body.iter_mut().filter_map(|row| row.get_mut(at));
         cells.for_each(|cell| cell.value = SheetValue::Empty);

@@ -377,6 +377,8 @@ fn wind(judged: &VersionJudgement) -> Option<Sentence> {
         of.ratio.map(|ratio| Quantity::beside_one(ratio, DIGITS)),
     ) {
         (Some(WindLimit::Acceleration), Some(ratio)) => Headline::WordAcceleration { word, ratio },
+        // it does not bear the wind, or its drift at rest is beyond the limit: there is no ratio
+        (Some(WindLimit::Drift), Some(_)) if of.ratio == Some(0.0) => Headline::Word { word },
         (Some(WindLimit::Drift), Some(ratio)) => Headline::WordDrift { word, ratio },
         (Some(WindLimit::Room), Some(ratio)) => Headline::WordRoom {
             word,

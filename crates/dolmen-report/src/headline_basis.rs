@@ -16,6 +16,10 @@ messages! {
         },
         Damage { part: String, what: Sentence } => { en: "“{part}”: {what}", ko: "‘{part}’ {what}" },
         More { count: usize } => { en: "{count} more", ko: "그 외 {count}건" },
+        InspectionsLeftOut { surveys: Vec<String> } => {
+            en: "not in it: the damage of inspection {surveys}",
+            ko: "{surveys} 점검의 손상 미반영",
+        },
         CapLeftOut => {
             en: "not in it: the cap stone (on the unsafe side)",
             ko: "옥개석 미반영(불안전측)",
@@ -62,6 +66,10 @@ pub(crate) fn left_out(basis: &Basis) -> Vec<Sentence> {
         let more = (more > 0).then(|| HeadlineBasis::More { count: more }.into());
         let found = named.chain(more).collect();
         all.push(HeadlineBasis::SevereLeftOut { found }.into());
+    }
+    if !basis.inspections_left_out.is_empty() {
+        let surveys = basis.inspections_left_out.clone();
+        all.push(HeadlineBasis::InspectionsLeftOut { surveys }.into());
     }
     all.extend(basis.is_cap_left_out.then(|| HeadlineBasis::CapLeftOut.into()));
     all.extend(basis.is_wind_left_out.then(|| HeadlineBasis::WindLeftOut.into()));

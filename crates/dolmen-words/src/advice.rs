@@ -247,6 +247,7 @@ impl Advice for ChangeNote {
             | Self::OtherShapes { .. }
             | Self::DirectionsExchanged(_)
             | Self::RateRatio { .. }
+            | Self::Reciprocals { .. }
             | Self::OneFactor { .. } => None,
         }
     }

@@ -104,7 +104,7 @@ pub struct History {
     pub lean_beyond: Option<f64>,
     /// The lasting change with the largest weight: falls of frequency before rises.
     pub change: Option<StrongestChange>,
-    /// Whether a mode changed, or the last surveys are off, without a later repair or inspection.
+    /// Whether a mode changed, or the last surveys or the newest days of a log are off, without a later repair or inspection.
     pub is_change_open: bool,
     /// The mode of the last survey that is farthest from its prediction.
     pub last_off: Option<LastFarOff>,
@@ -196,7 +196,13 @@ impl History {
         });
         let logged = answer.logs.iter().filter_map(|log| match &log.part.kind {
             LogKind::Tilt { direction } if log.trend.limit.is_some() => {
-                Some((direction, log.trend.slope.ok()?, log.trend.is_beyond_chance()))
+                let slope = log.trend.slope.ok()?;
+                let now = log.trend.last_off.map_or(slope.now, |_| log.trend.newest);
+                Some((
+                    direction,
+                    TiltSlope { now, ..slope },
+                    log.trend.is_beyond_chance(),
+                ))
             }
             _ => None,
         });
@@ -212,7 +218,7 @@ impl History {
             cracks_beyond: answer.cracks_beyond(),
             open_sensor_alarms: answer.open_sensor_alarms(),
             lean_beyond: answer.lean_beyond(),
-            is_change_open: answer.has_unanswered_change(),
+            is_change_open: answer.has_unanswered_change() || answer.is_log_off(),
             last_off: answer.last_far_off().first().copied(),
             change: strongest.map(|(mode, change)| StrongestChange {
                 frequency_hz: mode.track.frequency_hz,

@@ -153,6 +153,11 @@ impl WatchAnswer {
             .max_by(f64::total_cmp)
     }
 
+    /// Whether the newest days of a log differ from those before.
+    pub fn is_log_off(&self) -> bool {
+        self.logs.iter().any(|log| log.trend.last_off.is_some())
+    }
+
     /// Cracks, logged or inspected, and other inspected damage beyond their limits.
     pub fn cracks_beyond(&self) -> usize {
         let cracks = self.logs.iter().filter(|log| !log.is_tilt());

@@ -5,7 +5,12 @@
 //! ```
 //! Six modes between 1.3 Hz and the highest, ten minutes. Prints each mode of both, the seconds they took, and the number of modes missed and
 //! false. With a file it only writes the record, for the time and memory of the whole process.
-#![allow(clippy::print_stdout, reason = "an example: its output is what it is for")]
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::print_stdout,
+    reason = "an example: it prints times, and writes a record"
+)]
 
 use dolmen::modal::{Identify, MadeMode, MadeRecord, identify};
 use dolmen::signal::Record;

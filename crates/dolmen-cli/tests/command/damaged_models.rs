@@ -424,3 +424,21 @@ fn refuses_two_damages_that_only_a_name_tells_apart() {
     let checked = scratch.briefly("check .").words();
     assert!(checked.contains("begins to move at 0.018"), "{checked}");
 }
+
+#[test]
+fn holds_damage_of_a_later_inspection_stands_in_the_headline() {
+    let scratch = Scratch::new("damaged-later");
+    let early = inspection("2024-05-12", "top", "stiffness_left = 0.75");
+    let late = inspection("2026-05-12", "top", "stiffness_left = 0.5");
+    let base = chain("0.5", "900").replace("cap = ", "as_inspected = \"2024-05-12\"\ncap = ");
+    write(&scratch, "pole.toml", &(base.clone() + &early + &late));
+    let words = scratch.briefly("check pole.toml").words();
+    assert!(
+        words.contains("not in it: the damage of inspection 2026-05-12"),
+        "{words}"
+    );
+    let mended = inspection("2027-05-12", "top", "mended = true");
+    write(&scratch, "pole.toml", &(base + &early + &late + &mended));
+    let words = scratch.briefly("check pole.toml").words();
+    assert!(!words.contains("not in it"), "{words}");
+}

@@ -73,7 +73,7 @@ fn holds_what_the_page_says_stands_in_the_document_with_the_same_numbers() {
                 .find("부록: 입력 자료</h2>")
                 .or(page.find("Appendix: What was given</h2>"))
                 .unwrap();
-            let page = &page[page.find("<h2>").unwrap()..inputs];
+            let page = &page[page.find("<h2").unwrap()..inputs];
             let said = ["td", "h3", "p"].map(|tag| inside(page, tag)).concat();
             assert!(said.len() > 40, "{example}: {} of the page", said.len());
             for words in said {

@@ -123,6 +123,36 @@ fn holds_a_log_at_its_limit_ends_with_one_and_one_without_zero_says_so() {
 }
 
 #[test]
+fn holds_newest_days_that_differ_are_no_good_news() {
+    let scratch = Scratch::new("logs-newest");
+    let last = 1080 - 1;
+    for count in [0, 1, 2, 5] {
+        let moved = |day: f64| f64::from(u8::from(day > f64::from(last - count)));
+        let rows = days(1080, |day| 2.5 + 4.0 * moved(day) + noise(day));
+        tilt(&scratch, &rows, "limit = \"10 mm/m\"\n");
+        let answer = scratch.briefly("watch pole.toml");
+        assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+        let words = answer.words();
+        let good = words.contains("● top: no trend");
+        if count == 0 {
+            assert!(good && !words.contains("newest readings"), "{words}");
+            continue;
+        }
+        let said = format!("(days: {count}, since 2025-12-{:02}) stand", 31 - count);
+        assert!(!good && words.contains(&said), "{words}");
+        let off = json(&scratch, "watch pole.toml")["logs"][0].clone();
+        let [by, now] = [&off["last_off"]["off"], &off["now"]].map(|of| of.as_f64().unwrap());
+        assert!(
+            (by - 4e-3).abs() < 0.1e-3 && (now - 6.5e-3).abs() < 0.1e-3,
+            "{off}"
+        );
+        // the reading of the last day alone reaches a limit of 6 mm/m
+        tilt(&scratch, &rows, "limit = \"6 mm/m\"\n");
+        assert_eq!(scratch.briefly("watch pole.toml").status, 1);
+    }
+}
+
+#[test]
 fn holds_what_cannot_be_told_is_not_told() {
     let scratch = Scratch::new("logs-short");
     tilt(&scratch, &days(400, noise), "");

@@ -357,7 +357,10 @@ fn refuses_a_boulder_on_its_crown() {
     fs::write(scratch.path().join("project.toml"), text).unwrap();
     for (language, said) in [
         ("en", "'boulder' rests on a rounded face (radius of curvature 0."),
-        ("ko", "'boulder'이(가) 접합면이 아니라 둥근 면(곡률 반지름 0."),
+        (
+            "ko",
+            "'지면' 위의 'boulder': 'boulder'가 접합면이 아니라 둥근 면(곡률 반지름 0.",
+        ),
     ] {
         let answer = scratch.dolmen(&format!("check project.toml --language {language}"));
         assert_eq!(answer.status, 2, "{}{}", answer.stdout, answer.stderr);

@@ -174,6 +174,69 @@ fn refuses_scans_with_what_to_do_and_writes_nothing() {
     assert_eq!(fs::read_dir(scratch.path().join("full")).unwrap().count(), 1);
 }
 
+/// A tower of a box of 1 m, one of 0.6 m and one of 0.9 m as one closed mesh; its beds are at 0.5 and 1.7 m.
+fn stepped_tower() -> String {
+    let rings = [
+        (0.5, 0.0),
+        (0.5, 0.5),
+        (0.3, 0.5),
+        (0.3, 1.7),
+        (0.45, 1.7),
+        (0.45, 2.0),
+    ];
+    let mut text = String::new();
+    for (half, z) in rings {
+        for (x, y) in [(-half, -half), (half, -half), (half, half), (-half, half)] {
+            text += &format!("v {x} {y} {z}\n");
+        }
+    }
+    for ring in 0..rings.len() - 1 {
+        for side in 0..4 {
+            let (a, b) = (4 * ring + side + 1, 4 * ring + (side + 1) % 4 + 1);
+            text += &format!("f {a} {b} {}\nf {a} {} {}\n", b + 4, b + 4, a + 4);
+        }
+    }
+    text + "f 4 3 2 1\nf 21 22 23 24\n"
+}
+
+#[test]
+fn refuses_beds_beside_a_step_and_forgotten_beds() {
+    let scratch = Scratch::new("scan-steps");
+    fs::write(scratch.path().join("tower.obj"), stepped_tower()).unwrap();
+    let new = "new pagoda made --scan tower.obj --beds";
+    for (beds, english, korean) in [
+        (
+            "0.45,1.7",
+            "steps at 0.500 m (1.000 → 0.360 m²), and no bed is there; it does not step at bed 1 (0.450 m)",
+            "접합면 1 (0.450 m)에서는 단면이 바뀌지 않는다",
+        ),
+        (
+            "1.7",
+            "steps at 0.500 m (1.000 → 0.360 m²), and no bed is there. A tower without",
+            "0.500 m (1.000 → 0.360 m²)에서 단면이 바뀌는데",
+        ),
+        ("0.5", "1.700 m (0.360 → 0.810 m²)", "--allow 1.700"),
+    ] {
+        for (language, said) in [("en", english), ("ko", korean)] {
+            let answer = scratch.briefly(&format!("{new} {beds} --language {language}"));
+            assert_eq!(answer.status, 2, "{beds}: {}", answer.stdout);
+            assert!(answer.stderr.contains(said), "{beds}: {}", answer.stderr);
+            assert!(!scratch.path().join("made").exists(), "{beds}");
+        }
+    }
+    let whole = scratch.dolmen(&format!("{new} 0.51,1.7"));
+    assert_eq!(whole.status, 0, "{}", whole.stderr);
+    assert!(!whole.stdout.contains("steps within"), "{}", whole.stdout);
+    let allowed = scratch.dolmen("new pagoda allowed --scan tower.obj --beds 0.5,1.0 --allow 1.7");
+    assert_eq!(allowed.status, 0, "{}", allowed.stderr);
+    for said in [
+        "! The section steps within a stone, as --allow states: at 1.700 m (0.360 → 0.810 m²)",
+        "! Beds without a step of the section: 2.",
+    ] {
+        assert!(allowed.words().contains(said), "{}", allowed.stdout);
+    }
+}
+
 /// Two posts and a lintel: 1 % more height of one post alone would lift the lintel off the other, so it is no sensitivity.
 #[test]
 fn holds_heights_of_stones_that_carry_one_together_are_no_sensitivity() {

@@ -271,7 +271,7 @@ fn holds_a_stone_that_still_topples_at_the_end_is_no_survivor() {
     // it has rocked beyond 0.35 of its slenderness angle: DS3, whatever comes after
     assert_eq!(cut.status, 1, "{}{}", cut.stdout, cut.stderr);
     assert!(
-        cut.stdout.contains("It still moved at the end of the run"),
+        cut.stdout.contains("It was falling at the end of the run"),
         "{}",
         cut.stdout
     );

@@ -1,7 +1,7 @@
 //! Damage in the model.
 
 use super::in_model::InModel;
-use crate::survey::DamageKind;
+use crate::survey::{DamageKind, Inspection};
 
 /// Damage in the model.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,4 +18,11 @@ pub struct ModelDamage {
     pub effect: InModel,
     /// Its path in the file.
     pub path: String,
+}
+
+impl ModelDamage {
+    /// Whether an entry of an inspection is of this damage.
+    pub fn is_of(&self, one: &Inspection) -> bool {
+        self.part == one.part && self.what == one.what && self.name == one.name
+    }
 }

@@ -1,5 +1,6 @@
 //! Steps below a roof stone (옥개받침) and a mast on a finial (찰주): parts of their block that do not move by themselves.
 
+use super::attached_part::{CornicePart, MastPart};
 use super::file::{BlockRaw, CorniceRaw, MastRaw};
 use super::part::{BlockPart, ShapePart};
 use crate::error::Fault;
@@ -12,28 +13,6 @@ use dolmen::structure::stack::{Block, Body, Placement, Solid, StackError};
 
 /// Most steps of a cornice. Our choice: pagodas have three to five.
 const STEPS_MOST: usize = 20;
-
-/// Steps below a block, each set back from the one above it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CornicePart {
-    /// Their number.
-    pub steps: u32,
-    /// Height of all together, m.
-    pub height: Quantity,
-    /// How far the side of each is set back from that above it, m.
-    pub setback: Quantity,
-}
-
-/// An upright cylinder on a block.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MastPart {
-    /// Upwards, m.
-    pub height: Quantity,
-    /// Its diameter, m.
-    pub diameter: Quantity,
-    /// Density, kg/m³; `None` that of the block.
-    pub density: Option<Quantity>,
-}
 
 /// The cornice of a block, `Some(None)` if the file gives none.
 pub(super) fn cornice(

@@ -4,6 +4,7 @@ use super::part::{BedPart, BlockPart, ShapePart, StackPart};
 use crate::doubted::Doubted;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::usual::rounded_length;
 use crate::usual_numbers::{metres, ratio};
 use dolmen::structure::stack::Body;
 
@@ -17,6 +18,11 @@ const FRICTION_LEAST: f64 = 0.15;
 const TURNED_MOST_RAD: f64 = std::f64::consts::FRAC_PI_4 * 1.01;
 /// Largest settlement of the lowest joint under the stones, m. Our choice: dry rubble closes by 1 mm.
 const SINKS_MOST_M: f64 = 0.003;
+/// Largest stone from a mesh, m, and highest stack of them. Our choice: roof stones have up to 7 m, pagodas of stone 15 m.
+const MESH_MOST_M: f64 = 8.0;
+const MESHES_HIGH_M: f64 = 25.0;
+/// Units of a mesh, with their length in m.
+const MESH_UNITS: [(&str, f64); 4] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001), ("in", 0.0254)];
 
 pub(crate) fn doubt_stack(reader: &mut Reader, part: &StackPart) {
     order(reader, part);
@@ -28,6 +34,7 @@ pub(crate) fn doubt_stack(reader: &mut Reader, part: &StackPart) {
         friction(reader, bed);
     }
     sinks(reader, part);
+    large_meshes(reader, part);
     for rotation in part.blocks.iter().filter_map(|block| block.rotation.as_ref()) {
         if rotation.value.abs() > TURNED_MOST_RAD {
             let path = &rotation.path;
@@ -98,6 +105,57 @@ fn friction(reader: &mut Reader, bed: &BedPart) {
             },
         );
     }
+}
+
+/// Meshes read in too large a unit: margins without shaking do not depend on the size, so nothing else shows it.
+fn large_meshes(reader: &mut Reader, part: &StackPart) {
+    let meshes = part
+        .blocks
+        .iter()
+        .enumerate()
+        .filter_map(|(i, block)| match &block.shape {
+            ShapePart::Mesh(mesh) => Some((i, block, mesh)),
+            _ => None,
+        });
+    let (mut largest, mut span_m, mut sum_m) = (None, [f64::INFINITY, f64::NEG_INFINITY], 0.0);
+    for (i, block, mesh) in meshes {
+        let [low, high] = mesh.solid.bounds_m();
+        let extent_m = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
+        if largest.is_none_or(|(_, _, _, most_m)| extent_m > most_m) {
+            largest = Some((i, block, mesh, extent_m));
+        }
+        if block.shape.keeps_its_place() {
+            span_m = [span_m[0].min(low[2]), span_m[1].max(high[2])];
+        } else if i == 0 || block.on == [Body::Block(i - 1)] {
+            sum_m += high[2] - low[2];
+        }
+    }
+    let Some((i, block, mesh, extent_m)) = largest else {
+        return;
+    };
+    let height_m = sum_m.max(span_m[1] - span_m[0]);
+    if extent_m <= MESH_MOST_M && height_m <= MESHES_HIGH_M {
+        return;
+    }
+    let others = MESH_UNITS
+        .iter()
+        .filter(|(_, unit_m)| *unit_m < 0.999 * mesh.unit_m);
+    let others: Vec<String> = others
+        .map(|(name, unit_m)| {
+            let [extent_m, height_m] =
+                [extent_m, height_m].map(|length_m| rounded_length(length_m * unit_m / mesh.unit_m));
+            format!("{extent_m} m, {height_m} m ({name})")
+        })
+        .collect();
+    let path = format!("blocks[{}].file", i + 1);
+    let doubted = Doubted::MeshLarge {
+        path: path.clone(),
+        name: block.name.clone(),
+        extent: metres(extent_m),
+        height: metres(height_m),
+        others: others.join("; "),
+    };
+    reader.doubt(&path, doubted);
 }
 
 /// ρ g H over the stiffness per area: the settlement of the lowest joint under a column of all stones.

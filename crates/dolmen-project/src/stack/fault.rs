@@ -1,5 +1,7 @@
 //! Why a stack cannot be built.
 
+use super::part::StackPart;
+use crate::quantity::Quantity;
 use dolmen::structure::stack::StackError;
 
 /// Why a stack cannot be built, and where in the file.
@@ -49,5 +51,22 @@ impl StackFault {
             | StackFault::Apart { path, .. }
             | StackFault::Twice { path, .. } => path,
         }
+    }
+}
+
+impl StackPart {
+    /// The tilt of a block that overlaps another or the ground.
+    pub(crate) fn tilt_that_overlaps(&self, why: &StackFault) -> Option<&Quantity> {
+        let StackFault::Part { why, .. } = why else {
+            return None;
+        };
+        let StackError::Overlap { first, second, .. } = why.as_ref() else {
+            return None;
+        };
+        let mut both = self
+            .blocks
+            .iter()
+            .filter(|block| [first, second].contains(&&block.name));
+        both.find_map(|block| block.tilt.iter().flatten().find(|tilt| tilt.value != 0.0))
     }
 }

@@ -1,6 +1,7 @@
 //! Stacks: blocks of stone on each other.
 
 mod attached;
+mod attached_part;
 mod bed;
 mod block;
 mod body;
@@ -23,7 +24,7 @@ mod slips_held;
 mod surveyed_lean;
 mod vectors;
 
-pub use attached::{CornicePart, MastPart};
+pub use attached_part::{CornicePart, MastPart};
 pub(crate) use doubts::doubt_stack;
 pub use fault::StackFault;
 pub(crate) use file::{

@@ -1,6 +1,6 @@
 //! The stack of a project file.
 
-use super::attached::{CornicePart, MastPart};
+use super::attached_part::{CornicePart, MastPart};
 use super::made_part::MadePart;
 use super::surveyed_lean::SurveyedLean;
 use crate::loads::LoadPart;
@@ -78,6 +78,8 @@ pub struct MeshPart {
     pub file: String,
     /// Number of triangles in the file.
     pub triangles: usize,
+    /// Length of the unit of the file, m.
+    pub unit_m: f64,
     /// The stone, m.
     pub solid: Solid,
     /// The origin of its coordinates.

@@ -359,6 +359,7 @@ fn mesh(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Opti
         Ok(solid) => Some(ShapePart::Mesh(Box::new(MeshPart {
             file: file.value.clone(),
             triangles: mesh.triangles.len(),
+            unit_m: metres,
             solid: frame.of(solid),
             frame,
         }))),

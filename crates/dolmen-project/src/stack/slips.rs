@@ -4,6 +4,7 @@ use super::made_part::MadePart;
 use super::part::{BedPart, BlockPart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
 use super::slips_beside::judge_beside;
 use super::slips_held::judge_held;
+use crate::named_order::begins_with_top;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::soil::judge_soil;
@@ -101,7 +102,16 @@ fn judge_order(reader: &mut Reader, stack: &StackPart) {
         let before = i.checked_sub(1).map_or(Body::Ground, Body::Block);
         block.on == [before] && !block.shape.keeps_its_place()
     };
-    if stack.blocks.len() < STONES_LEAST || !stack.blocks.iter().enumerate().all(listed) {
+    if !stack.blocks.iter().enumerate().all(listed) {
+        return;
+    }
+    let names: Vec<&str> = stack.blocks.iter().map(|block| block.name.as_str()).collect();
+    if let ([foot, .., top], true) = (names.as_slice(), begins_with_top(&names)) {
+        let (foot, top) = ((*foot).to_owned(), (*top).to_owned());
+        let message = StackSlip::NamesBeginWithTop { foot, top };
+        return reader.slip("blocks", message, StackSlip::ListStonesLowestFirst);
+    }
+    if names.len() < STONES_LEAST {
         return;
     }
     let width = |block: &BlockPart| {

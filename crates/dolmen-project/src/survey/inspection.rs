@@ -102,6 +102,11 @@ pub struct Inspection {
 }
 
 impl Inspection {
+    /// Whether another entry is of the same damage.
+    pub fn is_like(&self, other: &Inspection) -> bool {
+        self.part == other.part && self.what == other.what && self.name == other.name
+    }
+
     /// Standard deviation of its size by the error of reading, m: as its cov says, and at least what the last digit that is written leaves open,
     /// its step over √12. 0 without a size.
     pub fn reading_sd_m(&self) -> f64 {

@@ -9,6 +9,10 @@ messages! {
             en: "blocks: the last stone, '{top}', stands on top and is {last_m} m wide, the first, '{foot}', stands on the ground and is {first_m} m",
             ko: "blocks: 마지막 석재 '{top}'은(는) 맨 위에 있고 폭이 {last_m} m, 첫 석재 '{foot}'은(는) 지반 위에 있고 폭이 {first_m} m이다",
         },
+        NamesBeginWithTop { foot: String, top: String } => {
+            en: "blocks: the first stone, '{foot}', stands on the ground and the last, '{top}', on top, but by their names the list begins with the top",
+            ko: "blocks: 첫 석재 '{foot}'이(가) 지반 위에, 마지막 석재 '{top}'이(가) 맨 위에 놓였으나 이름으로 보면 위에서부터 적은 목록이다",
+        },
         ListStonesLowestFirst => {
             en: "list the stones lowest first, or say with on what each stands on",
             ko: "석재를 아래에서부터 쓰거나 각 석재가 놓인 곳을 on으로 밝힌다",
@@ -36,6 +40,10 @@ messages! {
         LeansFar { path: String, written: String } => {
             en: "{path} = {written} leans further than any stone stands",
             ko: "{path} = {written}은(는) 석재가 설 수 없을 만큼 큰 기울기이다",
+        },
+        TiltedIntoBed { path: String, written: String } => {
+            en: "{path} = {written} presses an edge of the stone into a bed that is level: half the width times the tilt must be less than those 0.005 m. For a lean of the whole structure give the tilt of a survey; for one stone correct the tilt, or give its corners as they lie (shape = \"points\")",
+            ko: "{path} = {written}이면 석재의 모서리가 수평인 접합면 속으로 들어간다. 반폭 × 기울기가 허용값 0.005 m보다 작아야 한다. 전체가 기울었으면 조사(survey)의 tilt로 주고, 석재 하나이면 기울기를 고치거나 꼭짓점을 실제 위치대로 준다(shape = \"points\")",
         },
         IsItInDegrees => {
             en: "a bare number is horizontal / vertical: \"1/177\", \"0.32 deg\", \"5.65 mm/m\". Is it in degrees?",

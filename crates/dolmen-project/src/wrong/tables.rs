@@ -31,6 +31,10 @@ messages! {
             en: "name it one of {known}, in English or Korean, or take it out",
             ko: "{known} 중 하나(한글 이름도 가능)로 고치거나 삭제한다",
         },
+        WriteItInProject { known: String } => {
+            en: "the table holds {known}: write the list in the project file, where each part can have more, and several parts alike as one row each; or take the column out if it has no bearing on the answer",
+            ko: "표에서 읽는 열은 {known}이다. 부재마다 다른 값도 줄 수 있는 프로젝트 파일에 목록을 적고, 같은 부재가 여러 개이면 한 행에 하나씩 적는다. 결과와 무관한 열이면 삭제한다",
+        },
         CellStandsUnderNo { file: String, place: String } => {
             en: "{file}, cell {place}: stands under no head",
             ko: "{file}, {place} 셀: 열 이름이 없는 값이다",

@@ -101,11 +101,7 @@ fn exact_a_mast_of_iron_is_a_cylinder_on_its_finial() {
 #[test]
 fn refuses_a_cornice_without_a_bed_and_a_mast_under_a_stone() {
     let cases = [
-        (
-            "setback = 0.1",
-            "setback = 0.4",
-            "leave no bed of a width of 3 m",
-        ),
+        ("setback = 0.1", "setback = 0.4", "leave no bed of a width of 3 m"),
         (
             "shape = \"frustum\", width = 3.0, top_width = 2.0,",
             "shape = \"drum\", diameter = 3.0,",

@@ -3,8 +3,10 @@
 use super::project::refused;
 use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness, Stack, pagoda};
 use dolmen_project::{
-    MemoryFiles, Project, Quantity, ShapePart, StackPart, Structure, parse_project, parse_project_with,
+    MemoryFiles, Project, Quantity, ShapePart, StackPart, Structure, WarningKind, parse_project,
+    parse_project_with,
 };
+use dolmen_words::Language;
 
 const HEAD: &str = "schema = 1\nkind = \"stack\"\nname = \"S\"\ndensity = 2600\n";
 
@@ -109,6 +111,29 @@ fn exact_a_mesh_in_the_coordinates_of_the_site_stays_where_it_is() {
         stack.blocks()[1].solid.bounds_m(),
         [[5.0, 2.0, 0.1], [5.8, 2.6, 1.1]],
     );
+}
+
+#[test]
+fn holds_a_mesh_in_too_large_a_unit_is_doubted_with_its_size_in_the_others() {
+    let doubts = |text: &str| -> Vec<String> {
+        let warnings = read(text).unwrap().warnings;
+        let doubts = warnings
+            .iter()
+            .filter(|warning| warning.kind == WarningKind::Doubtful);
+        doubts
+            .map(|warning| warning.message.text(Language::English))
+            .collect()
+    };
+    // 1000 high in the file: 1 m in mm, 10 m in cm
+    assert!(doubts(&with_mesh("file = \"stone.obj\", unit = \"mm\"")).is_empty());
+    let text = with_mesh("file = \"stone.obj\", unit = \"cm\"");
+    let found = doubts(&text);
+    assert_eq!(found.len(), 1, "{found:?}");
+    for said in ["'body' is 10", "1 m, 1 m (mm)"] {
+        assert!(found[0].contains(said), "{found:?}");
+    }
+    let allowed = text.replace("blocks = [", "allow = [\"blocks[2].file\"]\nblocks = [");
+    assert!(doubts(&allowed).is_empty());
 }
 
 #[test]

@@ -72,8 +72,18 @@ fn holds_columns_of_no_part_are_left_out_and_named() {
         .iter()
         .find(|warning| warning.kind == WarningKind::ColumnsLeftOut);
     let said = said.map(|warning| (warning.path.clone(), warning.message.text(Language::English)));
-    let expected = "stones.csv: the model does not use the columns 번호, 비고 and 무게 (kN)";
+    let expected = "stones.csv: the model does not use the columns 번호 and 비고";
     assert_eq!(said, Some(("blocks".to_owned(), expected.to_owned())));
+    // numbers stand in the first lines of every answer
+    let doubted = more
+        .warnings
+        .iter()
+        .find(|warning| warning.kind == WarningKind::Doubtful);
+    let doubted = doubted.unwrap().message.text(Language::English);
+    assert!(
+        doubted.starts_with("stones.csv: the model does not use the numbers of 무게 (kN)"),
+        "{doubted}"
+    );
 }
 
 #[test]
@@ -88,6 +98,16 @@ fn refuses_tables_by_their_cell() {
             "",
             "이름,폭,높이,기울기 (도)\nbase,1,1,2\n",
             "stones.csv, cell D1: \"기울기 (도)\" is no column of blocks",
+        ),
+        (
+            "",
+            "이름,폭,높이,수량(개)\nbase,1,1,2\n",
+            "stones.csv, cell D1: \"수량(개)\" is no column of blocks",
+        ),
+        (
+            "",
+            "이름,폭,높이,편심(mm)\nbase,1,1,0\nbody,1,1,120\n",
+            "stones.csv, cell D1: \"편심(mm)\" is no column of blocks",
         ),
         (
             "",

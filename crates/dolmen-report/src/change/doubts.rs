@@ -68,7 +68,7 @@ pub(super) fn doubts(change: &SurveyChange) -> Vec<Finding> {
     sensors.into_iter().chain(all).collect()
 }
 
-/// Whether a note says that a sensor, a direction or a sampling rate changed.
+/// Whether a note says that a sensor, a direction, a sampling rate or a unit changed.
 pub(super) fn is_of_sensors(note: &ChangeNote) -> bool {
     matches!(
         note,
@@ -76,6 +76,8 @@ pub(super) fn is_of_sensors(note: &ChangeNote) -> bool {
             | ChangeNote::Swapped(_)
             | ChangeNote::DirectionsExchanged(_)
             | ChangeNote::RateRatio { .. }
+            | ChangeNote::Reciprocals { .. }
+            | ChangeNote::OneFactor { .. }
     )
 }
 

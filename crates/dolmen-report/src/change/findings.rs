@@ -21,9 +21,13 @@ messages! {
             en: "Surveys {from} and {to}: no frequency of one was found again in the other, so nothing could be compared (other directions, or too far apart).",
             ko: "{from} 조사와 {to} 조사: 서로 대응하는 고유진동수가 없어 비교할 수 없다(방향이 다르거나 차이가 너무 크다).",
         },
-        NotTested { from: String, to: String } => {
-            en: "Surveys {from} and {to}: whether a frequency changed cannot be said, since no standard deviations are known.",
-            ko: "{from} 조사와 {to} 조사: 표준편차를 알 수 없어 고유진동수의 변화 여부를 판단할 수 없다.",
+        NotTested { from: String, to: String, each: Vec<Sentence> } => {
+            en: "From survey {from} to {to} the frequencies differ by {each}; whether that is beyond chance cannot be said, since no standard deviations are known.",
+            ko: "{from} 조사에서 {to} 조사까지 고유진동수의 차이: {each}. 표준편차를 알 수 없어 유의한 변화인지 판단할 수 없다.",
+        },
+        Differs { frequency: Quantity, sign: String, change: Quantity, stiffness: Quantity } => {
+            en: "{frequency} {sign}{change} ({stiffness} of stiffness)",
+            ko: "{frequency} {sign}{change}(강성 {stiffness})",
         },
         Unchanged { from: String, to: String, tested: usize, known: Sentence, least: Quantity, power: Quantity } => {
             en: "From survey {from} to {to} no change was shown in {tested} of {known}. A change of {least} would have been seen with {power} probability; smaller ones could have been missed.",
@@ -130,7 +134,10 @@ fn frequencies(change: &SurveyChange) -> Finding {
     let (from, to) = (change.from.clone(), change.to.clone());
     let (tone, said) = match (change.detectable(), change.changed().count()) {
         (None, _) if change.modes.is_empty() => (Tone::Unknown, Found::NothingPaired { from, to }),
-        (None, _) => (Tone::Unknown, Found::NotTested { from, to }),
+        (None, _) => {
+            let each = differences(change);
+            (Tone::Unknown, Found::NotTested { from, to, each })
+        }
         (Some(least), 0) => {
             let said = Found::Unchanged {
                 from,
@@ -155,6 +162,23 @@ fn frequencies(change: &SurveyChange) -> Finding {
         }
     };
     Finding::key(tone, said)
+}
+
+/// The largest differences of frequencies without standard deviations.
+fn differences(change: &SurveyChange) -> Vec<Sentence> {
+    let mut modes: Vec<&ModeChange> = change.modes.iter().collect();
+    modes.sort_by(|a, b| b.frequency.relative.abs().total_cmp(&a.frequency.relative.abs()));
+    let one = |mode: &ModeChange| {
+        let by = mode.frequency.relative;
+        let said = Found::Differs {
+            frequency: hertz(mode.from.frequency_hz),
+            sign: plus(by),
+            change: percent(by, 1),
+            stiffness: percent(by * (2.0 + by), 0),
+        };
+        said.into()
+    };
+    modes.into_iter().take(LISTED).map(one).collect()
 }
 
 /// The frequencies that changed most, with their intervals.

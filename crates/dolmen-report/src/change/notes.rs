@@ -50,8 +50,16 @@ messages! {
             ko: "입력 오류 의심: 한 조사의 샘플링 주파수가 틀린 것으로 보인다. 고유진동수 {modes}개가 모두 이전의 {factor}배이며, 이는 두 조사의 샘플링 주파수({before}, {after})의 비와 같다. 변화로 판단하기 전에 sampling_rate 또는 파일의 시각을 확인해야 한다.",
         },
         OneFactor { factor: Quantity, modes: usize } => {
-            en: "No mode has a partner, and all {modes} frequencies are {factor} times what they were: is the sampling rate of a survey wrong?",
-            ko: "짝을 이룬 모드가 없고, 진동수 {modes}개가 모두 이전의 {factor}배이다. 한 조사의 샘플링 주파수가 잘못되지 않았는지 확인이 필요하다.",
+            en: "PROBABLY A SLIP: no mode has a partner, and all {modes} frequencies are {factor} times what they were. Check the sampling rate of a survey, and how its frequencies were counted and written, before believing a change.",
+            ko: "입력 오류 의심: 짝을 이룬 모드가 없고, 진동수 {modes}개가 모두 이전의 {factor}배이다. 변화로 판단하기 전에 한 조사의 샘플링 주파수와 진동수를 센 방법·단위를 확인한다.",
+        },
+        Angular { factor: Quantity } => {
+            en: "PROBABLY A SLIP: one survey has angular frequencies (rad/s) where the other has frequencies (Hz): no mode has a partner, and each is {factor} times what it was, which is 2π or its reciprocal. Write Hz, and compare again.",
+            ko: "입력 오류 의심: 한 조사는 각진동수(rad/s), 다른 조사는 진동수(Hz)로 적은 것으로 보인다. 짝을 이룬 모드가 없고 모두 이전의 {factor}배이며, 이는 2π 또는 그 역수이다. Hz로 고치고 다시 비교해야 한다.",
+        },
+        Periods => {
+            en: "PROBABLY A SLIP: one survey has periods (s) where the other has frequencies (Hz): no mode has a partner, and the values of one are the reciprocals of those of the other. Write Hz, and compare again.",
+            ko: "입력 오류 의심: 한 조사는 주기(s), 다른 조사는 진동수(Hz)로 적은 것으로 보인다. 짝을 이룬 모드가 없고 한 조사의 값이 다른 조사 값의 역수이다. Hz로 고치고 다시 비교해야 한다.",
         },
     }
 }
@@ -122,10 +130,17 @@ pub(super) fn note(note: &ChangeNote) -> Noted {
                 modes: *modes,
             }
         }
-        ChangeNote::OneFactor { factor, modes } => Noted::OneFactor {
-            factor: Quantity::new(*factor, Unit::ratio(), Digits::Fixed(3)),
-            modes: *modes,
-        },
+        ChangeNote::Reciprocals { .. } => Noted::Periods,
+        ChangeNote::OneFactor { factor, modes } => {
+            let shown = Quantity::new(*factor, Unit::ratio(), Digits::Fixed(3));
+            match note.is_angular() {
+                true => Noted::Angular { factor: shown },
+                false => Noted::OneFactor {
+                    factor: shown,
+                    modes: *modes,
+                },
+            }
+        }
     }
 }
 

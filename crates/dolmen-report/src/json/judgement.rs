@@ -61,6 +61,7 @@ fn version(version: &VersionJudgement) -> Value {
         "undamped": version.is_undamped,
         "damage": version.damage.iter().map(damage).collect::<Vec<_>>(),
         "severe_damage_left_out": version.basis.severe_damage.iter().map(severe).collect::<Vec<_>>(),
+        "inspections_left_out": version.basis.inspections_left_out,
         "cap_left_out": version.basis.is_cap_left_out,
         "wind_left_out": version.basis.is_wind_left_out,
         "loads_left_out": version.basis.is_loads_left_out,

@@ -21,8 +21,16 @@ pub fn scan_json(answer: &ScanAnswer) -> Value {
         as_json!({
             "given_m": bed.named_m,
             "cut_m": bed.at_m,
+            "is_at_step": bed.is_at_step,
             "area_below_m2": bed.area_below_m2,
             "area_above_m2": bed.area_above_m2,
+        })
+    });
+    let steps = sliced.steps_without_bed.iter().map(|step| {
+        as_json!({
+            "at_m": step.at_m,
+            "area_below_m2": step.area_below_m2,
+            "area_above_m2": step.area_above_m2,
         })
     });
     as_json!({
@@ -34,6 +42,7 @@ pub fn scan_json(answer: &ScanAnswer) -> Value {
         "volume_m3": sliced.volume_m3,
         "stones_over_scan_volume": sliced.volume_ratio,
         "beds": beds.collect::<Vec<_>>(),
+        "steps_without_bed": steps.collect::<Vec<_>>(),
         "stones": stones.collect::<Vec<_>>(),
     })
 }

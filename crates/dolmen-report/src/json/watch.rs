@@ -257,6 +257,7 @@ fn tilt(trend: &TiltTrend, answer: &WatchAnswer) -> Value {
         "seen_from_per_year": slope.map(|slope| slope.seen_from_per_year),
         "now": slope.map(|slope| slope.now),
         "sign_in_question": trend.is_sign_in_question(),
+        "unit_in_question": trend.is_unit_in_question(),
         "years_to_limit_as_mark_before": carried.and_then(|reach| reach.years),
         "limit": reach.map(|reach| reach.limit),
         "years_to_limit": reach.and_then(|reach| reach.years),
@@ -320,6 +321,9 @@ fn log(log: &WatchedLog, answer: &WatchAnswer) -> Value {
             "form": form(of.form), "date": date_text(of.day), "date_earliest": date_text(of.after), "date_latest": date_text(of.before),
             "size": of.size, "sd": of.sd,
         })).collect::<Vec<_>>(),
+        "last_off": trend.last_off.map(|of| as_json!({
+            "days": of.days, "from": date_text(of.from), "off": of.off, "scatter": of.scatter,
+        })),
         "stuck_since": trend.stuck_since.map(date_text),
         "silent_since": log.silent_since(answer.newest_day()).map(date_text),
         "jump": trend.jump.map(|jump| as_json!({

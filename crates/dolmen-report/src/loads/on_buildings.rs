@@ -5,6 +5,7 @@ use super::words::{DIGITS, Found, what};
 use crate::building::{axis_words, beside, floor_words, millimetres, name, scaled, significant};
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone, table_series};
 use crate::figures::building_drifts;
+use crate::html::words::set;
 use dolmen::stability::Verdict;
 use dolmen_project::LoadPart;
 use dolmen_words::{Quantity, Sentence, Unit, messages};
@@ -161,7 +162,11 @@ pub(super) fn listed(load: &LoadPart, floor: &str) -> OnBuildings {
     if let Some([x, y]) = &load.place {
         written.push(format!("({}, {})", x.written, y.written));
     }
-    written.extend(load.torque.iter().map(|torque| format!("θ {}", torque.written)));
+    written.extend(
+        load.torque
+            .iter()
+            .map(|torque| format!("θ {}", set(&torque.written))),
+    );
     OnBuildings::OnFloor {
         name: load.name.clone(),
         floor: floor_words(floor),
@@ -248,15 +253,20 @@ pub(super) fn section<'a>(document: &mut Document<'a>, what: &Sentence, of: &'a 
     }
 }
 
+/// A part of the drift of a storey along x and y, m.
+type Drift = fn(&StoreyCombined) -> [f64; 2];
+/// The head of its column, from the axis.
+type Head = fn(Sentence) -> OnBuildings;
+
 fn storeys(what: &Sentence, of: &BuildingCombination) -> Table {
-    let acts = |drift: fn(&StoreyCombined) -> [f64; 2]| {
+    let acts = |drift: Drift| {
         let mut all = of.storeys.iter().flat_map(drift);
         all.any(|m| m != 0.0)
     };
-    let shown: Vec<(fn(&StoreyCombined) -> [f64; 2], fn(Sentence) -> OnBuildings)> = [
+    let shown: Vec<(Drift, Head)> = [
         (
-            (|of| of.loads_m) as fn(&StoreyCombined) -> [f64; 2],
-            (|axis| OnBuildings::ByLoads { axis }) as fn(Sentence) -> OnBuildings,
+            (|of| of.loads_m) as Drift,
+            (|axis| OnBuildings::ByLoads { axis }) as Head,
         ),
         (|of| of.wind_m, |axis| OnBuildings::InWind { axis }),
         (|of| of.earthquake_m, |axis| OnBuildings::Shaken { axis }),

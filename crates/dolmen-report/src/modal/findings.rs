@@ -44,21 +44,29 @@ messages! {
             en: "No mode was found in {minutes} minutes of {channels}.",
             ko: "{minutes}분, {channels}의 기록에서 모드를 찾지 못하였다.",
         },
-        One { minutes: Quantity, channels: Sentence, how: Sentence, values: Values } => {
-            en: "1 mode was found in {minutes} minutes of {channels}, {how}: {values} (± standard deviation).",
-            ko: "{minutes}분, {channels}의 기록에서 모드 1개를 {how} 찾았다: {values}(± 표준편차).",
+        One { minutes: Quantity, channels: Sentence, how: Sentence, values: Sentence } => {
+            en: "1 mode was found in {minutes} minutes of {channels}, {how}: {values}.",
+            ko: "{minutes}분, {channels}의 기록에서 모드 1개를 {how} 찾았다: {values}.",
         },
-        Several { modes: usize, minutes: Quantity, channels: Sentence, how: Sentence, values: Values } => {
-            en: "{modes} modes were found in {minutes} minutes of {channels}, {how}: {values} (± standard deviation).",
-            ko: "{minutes}분, {channels}의 기록에서 모드 {modes}개를 {how} 찾았다: {values}(± 표준편차).",
+        Several { modes: usize, minutes: Quantity, channels: Sentence, how: Sentence, values: Sentence } => {
+            en: "{modes} modes were found in {minutes} minutes of {channels}, {how}: {values}.",
+            ko: "{minutes}분, {channels}의 기록에서 모드 {modes}개를 {how} 찾았다: {values}.",
         },
-        Accepted { values: Values } => {
-            en: "Accepted by the user, not found by the tests: {values} (± standard deviation). With the record stands what refused it.",
-            ko: "사용자가 채택한 모드로, 판정 기준으로 찾은 것이 아니다: {values}(± 표준편차). 기준에서 제외된 이유는 기록 항목에 있다.",
+        WithDeviations { values: Values } => {
+            en: "{values} (± standard deviation)",
+            ko: "{values}(± 표준편차)",
         },
-        AcceptedSeveral { values: Values } => {
-            en: "Accepted by the user, not found by the tests: {values} (± standard deviation). With the record stands what refused each.",
-            ko: "사용자가 채택한 모드로, 판정 기준으로 찾은 것이 아니다: {values}(± 표준편차). 각각이 기준에서 제외된 이유는 기록 항목에 있다.",
+        WithoutDeviations { values: Values } => {
+            en: "{values} (standard deviation not known)",
+            ko: "{values}(표준편차 미상)",
+        },
+        Accepted { values: Sentence } => {
+            en: "Accepted by the user, not found by the tests: {values}. With the record stands what refused it.",
+            ko: "사용자가 채택한 모드로, 판정 기준으로 찾은 것이 아니다: {values}. 기준에서 제외된 이유는 기록 항목에 있다.",
+        },
+        AcceptedSeveral { values: Sentence } => {
+            en: "Accepted by the user, not found by the tests: {values}. With the record stands what refused each.",
+            ko: "사용자가 채택한 모드로, 판정 기준으로 찾은 것이 아니다: {values}. 각각이 기준에서 제외된 이유는 기록 항목에 있다.",
         },
         Follows { mode: Quantity, from: Quantity, to: Quantity } => {
             en: "The mode at {mode} has no single frequency: {from} in the largest swings and {to} in the smallest. Loose joints do that.",
@@ -104,9 +112,9 @@ messages! {
             ko: "입력 오류 의심: {channel}은(는) 모든 모드에서 최대 성분의 {share} % 미만으로 움직인다. 단단한 지반 위의 센서가 아니라면, 연결되어 있고 단위가 다른 채널과 같은가(g를 gal로 읽으면 981배, m/s²를 mm/s²로 읽으면 1000배 작다)?",
         },
         Lost { file: String, said: Sentence } => { en: "Record {file}: {said}.", ko: "기록 {file}: {said}." },
-        Setups { setups: usize, modes: usize, sensors: usize, values: Values, differing: usize } => {
-            en: "{setups} setups together ({sensors} sensors) show modes: {modes}; {values} (± standard deviation). Modes in which the setups differ beyond chance: {differing}.",
-            ko: "측정 배치 {setups}개를 합성하여 센서 {sensors}개에서 모드 {modes}개를 찾았다: {values}(± 표준편차). 이 중 {differing}개에서 배치 사이의 차이가 유의하다.",
+        Setups { setups: usize, modes: usize, sensors: usize, values: Sentence, differing: usize } => {
+            en: "{setups} setups together ({sensors} sensors) show modes: {modes}; {values}. Modes in which the setups differ beyond chance: {differing}.",
+            ko: "측정 배치 {setups}개를 합성하여 센서 {sensors}개에서 모드 {modes}개를 찾았다: {values}. 이 중 {differing}개에서 배치 사이의 차이가 유의하다.",
         },
         SetupsNone { setups: usize, sensors: usize } => {
             en: "{setups} setups together ({sensors} sensors) show no mode.",
@@ -246,8 +254,14 @@ fn peaks_below(record: &RecordAnswer, found: &[&Mode]) -> Option<Finding> {
     (!below.is_empty()).then(|| Finding::key(Tone::Warn, said).with_code("mode-missing"))
 }
 
-fn frequencies(modes: &[&Mode]) -> Values {
-    Values(modes.iter().map(|mode| frequency(mode)).collect())
+/// The frequencies, and whether they have deviations.
+fn frequencies(modes: &[&Mode]) -> Sentence {
+    let values = Values(modes.iter().map(|mode| frequency(mode)).collect());
+    let said = match modes.iter().any(|mode| mode.frequency_sd_hz.is_some()) {
+        true => Found::WithDeviations { values },
+        false => Found::WithoutDeviations { values },
+    };
+    said.into()
 }
 
 /// The modes that the user accepted.

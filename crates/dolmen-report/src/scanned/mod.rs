@@ -5,7 +5,7 @@ mod words;
 use crate::brief_rows::BriefText;
 use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_text, heading_text};
 use dolmen_words::{Digits, Quantity, Sentence, Template, Unit};
-use dolmen_work::scanned::ScanAnswer;
+use dolmen_work::scanned::{ScanAnswer, listed_steps};
 use words::Scanned;
 
 /// Templates of the sentences on scans.
@@ -68,6 +68,16 @@ fn findings(answer: &ScanAnswer) -> Vec<Block<'static>> {
     let beds = moved.count();
     if beds > 0 {
         all.push(Block::Warning(Scanned::AtSteps { beds }.into()));
+    }
+    if !sliced.steps_without_bed.is_empty() {
+        let steps = listed_steps(&sliced.steps_without_bed);
+        all.push(Block::Warning(Scanned::StepsAllowed { steps }.into()));
+    }
+    let plain = sliced.beds.iter().enumerate().filter(|(_, bed)| !bed.is_at_step);
+    let plain: Vec<String> = plain.map(|(at, _)| (at + 1).to_string()).collect();
+    if !plain.is_empty() {
+        let beds = plain.join(", ");
+        all.push(Block::Warning(Scanned::NoStep { beds }.into()));
     }
     all.push(Block::Warning(Scanned::Assumed.into()));
     all

@@ -22,6 +22,14 @@ messages! {
             en: "Beds put at the step of the section next to the height given: {beds}. Look at the table and at drawing.svg.",
             ko: "주어진 높이 옆의 단면이 바뀌는 곳으로 옮긴 접합면: {beds}곳. 표와 drawing.svg에서 확인한다.",
         },
+        StepsAllowed { steps: String } => {
+            en: "The section steps within a stone, as --allow states: at {steps}. If a bed is there, the tower is weaker than computed.",
+            ko: "--allow에 따라 한 석재 안에서 단면이 바뀌는 곳: {steps}. 그곳에 접합면이 있으면 탑은 계산보다 약하다.",
+        },
+        NoStep { beds: String } => {
+            en: "Beds without a step of the section: {beds}. The scan does not show them; they are where you gave them.",
+            ko: "단면이 바뀌지 않는 접합면: {beds}. 스캔에 나타나지 않으므로 주어진 높이에 두었다.",
+        },
         Assumed => {
             en: "The beds are planes because they were cut: the outside of a scan shows neither how rough a joint is, nor how much of it bears, nor what is inside of a stone. Density and friction are assumed.",
             ko: "접합면은 잘라서 만든 평면이다. 스캔한 외면으로는 접합면의 거칠기, 실제 접촉 면적, 석재 내부를 알 수 없다. 밀도와 마찰계수는 가정값이다.",

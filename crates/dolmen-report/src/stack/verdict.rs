@@ -30,6 +30,10 @@ messages! {
             en: "Forces in the joints can balance {what}. It begins to move at {at} horizontal or less, or on ground that tilts by {tilt} or less: an upper bound.",
             ko: "{what}와(과) 평형을 이루는 접합력이 존재한다. 움직이기 시작하는 수평 가속도는 {at} 이하, 지반 기울기는 {tilt} 이하이다(상한값).",
         },
+        IfFriction { what: Sentence, at: Sentence, tilt: Quantity } => {
+            en: "Forces in the joints can balance {what}, but friction would have to hold it at rest. Only if it does, it begins to move at {at} horizontal or less, or on ground that tilts by {tilt} or less.",
+            ko: "{what}와(과) 평형을 이루는 접합력은 존재하나 마찰이 지탱하여야 한다. 마찰이 지탱하는 경우에만 움직이기 시작하는 수평 가속도는 {at} 이하, 지반 기울기는 {tilt} 이하이다.",
+        },
         FallsTogether { what: Sentence, moving: Sentence } => {
             en: "It does not stand without shaking: no forces in the joints balance {what}; {moving}.",
             ko: "지진이 없어도 서 있지 못한다: {what}와(과) 평형을 이루는 접합력이 존재하지 않는다. {moving}.",
@@ -70,12 +74,10 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
             let degrees = capacity.acceleration_g.atan().to_degrees();
             let tilt = Quantity::new(degrees, Unit::si("°"), Digits::Significant(DIGITS));
             let at = at(capacity);
-            match answer
-                .check
-                .notes
-                .iter()
-                .any(|note| matches!(note, StackNote::UpperBound))
-            {
+            let notes = &answer.check.notes;
+            let is_bound = notes.iter().any(|note| matches!(note, StackNote::UpperBound));
+            match is_bound {
+                _ if notes.iter().any(is_in_doubt) => Judged::IfFriction { what, at, tilt },
                 true => Judged::AdmissibleAtMost { what, at, tilt },
                 false => Judged::Admissible { what, at, tilt },
             }
@@ -88,6 +90,14 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
         (falls, _) => Judged::Falls { why: standing(falls) },
     };
     said.into()
+}
+
+/// Whether a note says that friction may not hold the stones at rest.
+fn is_in_doubt(note: &StackNote) -> bool {
+    matches!(
+        note,
+        StackNote::FrictionNoRest | StackNote::FrictionNotRun { .. } | StackNote::FrictionFell { .. }
+    )
 }
 
 /// The meaning of the verdicts on a stack.

@@ -87,9 +87,13 @@ messages! {
             en: "it fell; '{block}' came down, first of all, at {at}; by then '{upper}' on '{lower}' had opened or slipped farthest.",
             ko: "붕괴. {at}에 ‘{block}’이(가) 가장 먼저 쓰러지거나 떨어졌다. 이때 ‘{lower}’ 위의 ‘{upper}’이(가) 가장 크게 벌어지거나 미끄러졌다.",
         },
+        Falling { at: Quantity, block: String } => {
+            en: "it was falling at the end of the run, {at}; the weight of '{block}' is beyond the edge that carries it. Give a longer --duration.",
+            ko: "해석이 끝난 {at}에 전도 중이다. ‘{block}’의 무게중심이 지지면 가장자리를 벗어났다. --duration을 늘려 다시 해석한다.",
+        },
         StillMoving { at: Quantity, block: String, left: Quantity } => {
-            en: "it still moved at the end of the run, {at}; '{block}' is not at rest, {left} of the way from its plumb line to the edge that carries it is left; no verdict. Give a longer --duration.",
-            ko: "해석이 끝난 {at}에도 ‘{block}’이(가) 정지하지 않아 판정하지 않는다. 무게중심선에서 지지면 가장자리까지의 거리는 처음의 {left}이(가) 남았다. --duration을 늘려 다시 해석한다.",
+            en: "it still moved at the end of the run, {at}; '{block}' is not at rest, {left} of the way from its plumb line to the edge that carries it is left; whether it comes to rest is not known. Give a longer --duration.",
+            ko: "해석이 끝난 {at}에도 ‘{block}’이(가) 정지하지 않아 그 뒤의 거동은 알 수 없다. 무게중심선에서 지지면 가장자리까지의 거리는 처음의 {left}이(가) 남았다. --duration을 늘려 다시 해석한다.",
         },
         NotConverged { at: Quantity, nearest: Quantity } => {
             en: "the run found no solution at {at}; no velocities obey the law of every joint, nearest {nearest}; all values are of the part before, and there is no verdict. Try half the step.",
@@ -163,6 +167,14 @@ fn until_the_end(simulation: &StackSimulation) -> Sentence {
                 lower,
             }
         }
+        Outcome::StillMoving {
+            block,
+            at_s,
+            margin_ratio,
+        } if margin_ratio <= 0.0 => Ending::Falling {
+            at: seconds(at_s),
+            block: name(block),
+        },
         Outcome::StillMoving {
             block,
             at_s,

@@ -166,10 +166,11 @@ fn is_sensitive(outcome: &Outcome) -> bool {
 
 pub(super) fn tone(simulation: &StackSimulation) -> Tone {
     match simulation.history.outcome {
+        Outcome::Fell { .. } => Tone::Bad,
+        Outcome::StillMoving { margin_ratio, .. } if margin_ratio <= 0.0 => Tone::Bad,
         _ if simulation.ended_before_the_motion_s().is_some() => Tone::Unknown,
         _ if simulation.shifted().is_some() && !simulation.falls() => Tone::Warn,
         Outcome::Stood => Tone::Good,
-        Outcome::Fell { .. } => Tone::Bad,
         // the colour of the word on the earthquake
         _ if Earthquake::of_damage(simulation.counted_damage()) == Earthquake::BelowDemand => Tone::Bad,
         Outcome::Uplifted { .. } | Outcome::Slid { .. } => Tone::Warn,

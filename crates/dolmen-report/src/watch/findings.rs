@@ -2,6 +2,7 @@
 
 use super::cause::{Cause, cause};
 use super::earthquakes::earthquakes;
+use super::exchanged::exchanged;
 use super::failing::failing;
 use super::inspected::inspected;
 use super::last::{far_off, last_off, last_survey};
@@ -161,6 +162,7 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(reaching.into_iter().map(|(_, found)| found));
     all.extend(far_ahead(answer));
     all.extend(last_survey(answer));
+    all.extend(exchanged(answer));
     all.extend(changes(answer));
     all.extend(parts(answer));
     all.extend(after);

@@ -72,6 +72,10 @@ messages! {
             en: "{label}: it jumped by {by} between {after} and {before}, and no work says why. A trend may be of its making: look what happened, and enter it into works of [watch].",
             ko: "{label}: {after}와(과) {before} 사이에 {by}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세가 이 급변 때문일 수 있으므로 원인을 확인하여 [watch]의 works에 기록한다.",
         },
+        LastOff { label: Both, days: usize, from: String, by: Quantity, scatter: Quantity, newest: Quantity } => {
+            en: "{label}: its newest readings (days: {days}, since {from}) stand {by} off what it did before, where such differences had a standard deviation of {scatter}; the last day reads {newest}. Whether it jumped or the sensor fell out is not known yet: look at the structure and the sensor.",
+            ko: "{label}: {from} 이후의 값({days}일)이 이전 거동에서 {by}만큼 벗어났다. 이전의 같은 차이는 표준편차가 {scatter}이었다. 마지막 날의 값은 {newest}이다. 급변인지 센서 이상인지 아직 알 수 없으므로 구조물과 센서를 점검한다.",
+        },
         Bends { label: Both, about: String, after: String, before: String, earlier: Quantity, since: Quantity } => {
             en: "{label}: its slope changed in about {about} ({after} to {before}): {earlier} a year before, {since} since.",
             ko: "{label}: 변화 속도가 {about}경({after}~{before})에 바뀌었다. 이전에는 해마다 {earlier}, 이후에는 {since}이다.",
@@ -174,6 +178,7 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
             };
             all.push(Finding::key(Tone::Warn, said));
         }
+        all.extend(last_off(log));
         all.extend(changed(log));
         if let Some(since) = log.trend.stuck_since {
             let said = Logged::Stuck {
@@ -218,8 +223,9 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
     if !log.trend.is_beyond_chance() {
         let least = logged(slope.seen_from_per_year, is_tilt, 3);
         let said = Logged::Steady { label, least, now };
-        // without a slope there is no good news if there is a jump
-        return match log.trend.jump.is_some() || !log.trend.at_limit.is_empty() {
+        // without a slope there is no good news if there is a jump, or if the newest days differ
+        let is_moved = log.trend.jump.is_some() || log.trend.last_off.is_some();
+        return match is_moved || !log.trend.at_limit.is_empty() {
             true => Finding::new(Tone::Plain, said),
             false => Finding::key(Tone::Good, said),
         };
@@ -291,6 +297,20 @@ fn changed(log: &WatchedLog) -> Vec<Finding> {
         }),
     });
     each.map(|said| Finding::key(Tone::Warn, said)).collect()
+}
+
+/// Finding that the newest days differ from those before.
+fn last_off(log: &WatchedLog) -> Option<Finding> {
+    let (off, is_tilt) = (log.trend.last_off?, log.is_tilt());
+    let said = Logged::LastOff {
+        label: label(log),
+        days: off.days,
+        from: date_text(off.from),
+        by: logged(off.off, is_tilt, 2),
+        scatter: logged(off.scatter, is_tilt, 2),
+        newest: logged(log.trend.newest, is_tilt, 2),
+    };
+    Some(Finding::key(Tone::Warn, said))
 }
 
 /// The month of a day: "2026-11".

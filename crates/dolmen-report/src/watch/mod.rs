@@ -3,6 +3,7 @@
 mod cause;
 mod dated_changes;
 mod earthquakes;
+mod exchanged;
 mod failing;
 mod findings;
 mod inspected;
@@ -63,7 +64,7 @@ messages! {
 }
 
 /// Templates of the sentences on a history.
-pub(crate) const TEMPLATES: [&[Template]; 16] = [
+pub(crate) const TEMPLATES: [&[Template]; 17] = [
     parts::Dated::TEMPLATES,
     inspected::Inspections::TEMPLATES,
     inspected_tables::InspectedTable::TEMPLATES,
@@ -76,6 +77,7 @@ pub(crate) const TEMPLATES: [&[Template]; 16] = [
     last::Unjudged::TEMPLATES,
     lost::Missing::TEMPLATES,
     tilts::Tilted::TEMPLATES,
+    exchanged::Exchanged::TEMPLATES,
     cause::Cause::TEMPLATES,
     unsearched::Unsearched::TEMPLATES,
     failing::Failing::TEMPLATES,

@@ -4,7 +4,7 @@ use super::dated_changes::changes_said;
 use super::numbers::{HALF_95, name, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, TiltSeries, TiltTrend};
-use dolmen_words::{Quantity, Sentence, messages};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::watched::{LeanNow, WatchAnswer};
 
 messages! {
@@ -37,6 +37,10 @@ messages! {
         TiltTurned { direction: String, by: Quantity, half: Quantity, after: String, before: String } => {
             en: "The tilt along {direction} changed its sign between {after} and {before}, by {by} ± {half} mm/m, and hardly its size: was the sign written the other way round? Correct the readings that have it wrong; if it is right, look at the structure.",
             ko: "{direction} 방향 기울기가 {after}~{before} 사이에 크기는 거의 그대로이면서 부호가 바뀌었다({by} ± {half} mm/m). 부호를 반대로 적은 것은 아닌가? 잘못 적은 값을 고치고, 값이 맞다면 구조물을 점검한다.",
+        },
+        TiltUnit { direction: String, by: Quantity, half: Quantity, ratio: Quantity, after: String, before: String } => {
+            en: "PROBABLY A SLIP: the tilt along {direction} became {ratio} times what it was between {after} and {before} ({by} ± {half} mm/m), as if written in another unit (mm/m, %, degrees, 1/n). Correct the readings that have the wrong unit; if they are right, look at the structure.",
+            ko: "입력 오류 의심: {direction} 방향 기울기가 {after}~{before} 사이에 이전의 {ratio}배가 되었다({by} ± {half} mm/m). 다른 단위(mm/m, %, 도, 1/n)로 적은 값으로 보인다. 단위가 틀린 값을 고치고, 값이 맞다면 구조물을 점검한다.",
         },
         TiltEitherSign { direction: String, yearly: Quantity, limit: Quantity, years: Quantity } => {
             en: "Along {direction} no year of the limit is given until that sign is settled. If the tilt grows in size by {yearly} mm/m a year, it reaches its limit of {limit} mm/m in {years} years.",
@@ -165,6 +169,14 @@ pub(super) fn changed(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
     };
     let named = |reading: usize| survey(answer, trend, reading);
     let mut all = changes_said(answer, trend, &named, |change| match change.of.form {
+        ChangeForm::Step if trend.changes_unit(change.of).is_some() => Tilted::TiltUnit {
+            direction: direction.clone(),
+            ratio: unit_ratio(trend.changes_unit(change.of)),
+            by: slope(change.of.size, 3),
+            half: slope(HALF_95 * change.of.sd, 3),
+            after: change.after,
+            before: change.before,
+        },
         ChangeForm::Step if trend.turns_sign(change.of) => Tilted::TiltTurned {
             direction: direction.clone(),
             by: slope(change.of.size, 3),
@@ -194,7 +206,11 @@ pub(super) fn changed(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
     all
 }
 
-/// When a tilt of uncertain sign reaches its limit, if it increases.
+fn unit_ratio(ratio: Option<f64>) -> Quantity {
+    Quantity::new(ratio.unwrap_or(f64::NAN), Unit::ratio(), Digits::Trimmed(4))
+}
+
+/// When a tilt of uncertain sign reaches its limit, if it moves away from the vertical.
 fn either_sign(trend: &TiltTrend, direction: &str) -> Option<Tilted> {
     let found = trend
         .slope

@@ -2,7 +2,7 @@
 
 use crate::state::{Check, State};
 use crate::survey_dates::date;
-use dolmen_project::{Cap, DamageKind, Inspection, Project, Severity, Structure, Survey};
+use dolmen_project::{Cap, DamageKind, InModel, Inspection, Project, Severity, Structure, Survey};
 
 /// The basis of the judgement of one version.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -13,6 +13,8 @@ pub struct Basis {
     pub made_up_surveys: Vec<String>,
     /// Severe damage of inspections that the model does not have.
     pub severe_damage: Vec<SevereDamage>,
+    /// Surveys whose damage the model does not have, because the file chooses an earlier inspection.
+    pub inspections_left_out: Vec<String>,
     /// Whether the model of a flagpole leaves out its cap stone.
     pub is_cap_left_out: bool,
     /// Whether the file gives a wind that no combination counts.
@@ -54,6 +56,10 @@ impl Basis {
                 None => SevereDamage::left_out(project),
                 Some(_) => Vec::new(),
             },
+            inspections_left_out: match variant {
+                None => inspections_left_out(project),
+                Some(_) => Vec::new(),
+            },
             is_cap_left_out: matches!(&project.structure, Structure::Chain(part) if part.cap == Cap::LeftOut),
             ..Basis::default()
         }
@@ -80,8 +86,35 @@ impl Basis {
         self.is_cap_left_out
             || self.is_wind_left_out
             || self.is_loads_left_out
+            || !self.inspections_left_out.is_empty()
             || !self.severe_damage.is_empty()
     }
+}
+
+/// Surveys with damage for the model that it does not have, because the file chooses an earlier inspection.
+fn inspections_left_out(project: &Project) -> Vec<String> {
+    let leaves_out = |survey: &&Survey| {
+        let day = date(&survey.name);
+        let is_new = |one: &Inspection| {
+            let is_later = |name: &str| date(name) >= day;
+            let in_model = project
+                .damage
+                .iter()
+                .any(|of| of.is_of(one) && is_later(&of.survey));
+            let mended = project
+                .surveys
+                .iter()
+                .filter(|other| is_later(&other.name))
+                .any(|other| {
+                    let mut all = other.inspections.iter();
+                    all.any(|of| of.is_like(one) && of.model == Some(InModel::Mended))
+                });
+            one.model.is_some_and(|effect| effect != InModel::Mended) && !in_model && !mended
+        };
+        day.is_some() && survey.inspections.iter().any(is_new)
+    };
+    let surveys = project.surveys.iter().filter(leaves_out);
+    surveys.map(|survey| survey.name.clone()).collect()
 }
 
 impl AssumedInputs {
@@ -108,16 +141,16 @@ impl SevereDamage {
             let mut later = surveys.iter().skip(place + 1);
             !later.any(|survey| survey.inspections.iter().any(|one| one.part == part))
         };
-        let is_in_model = |one: &Inspection| {
+        let is_in_model = |survey: &Survey, one: &Inspection| {
             let mut all = project.damage.iter();
-            all.any(|of| of.part == one.part && of.what == one.what && of.name == one.name)
+            all.any(|of| of.is_of(one) && date(&of.survey) >= date(&survey.name))
         };
         let each = surveys.iter().enumerate().flat_map(|(place, survey)| {
             let severe = survey
                 .inspections
                 .iter()
                 .filter(move |one| one.severity == Some(Severity::Severe) && is_last(place, &one.part))
-                .filter(|one| !is_in_model(one));
+                .filter(|one| !is_in_model(survey, one));
             severe.map(|one| SevereDamage {
                 survey: survey.name.clone(),
                 part: one.part.clone(),

@@ -47,6 +47,8 @@ pub struct ScanRequest<'a> {
     pub bytes: &'a [u8],
     /// Heights of the beds in the coordinates of the file, m, lowest first.
     pub beds_m: Vec<f64>,
+    /// Heights in the coordinates of the file at which the section steps within one stone, m.
+    pub allowed_steps_m: Vec<f64>,
     /// Unit of the file; `None` to recognise metres or millimetres.
     pub unit: Option<ScanUnit>,
 }

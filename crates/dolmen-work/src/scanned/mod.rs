@@ -6,5 +6,5 @@ mod project;
 mod stones;
 
 pub use answer::{ScanAnswer, ScanRequest, ScanUnit, ScannedStone};
-pub use error::ScanError;
+pub use error::{ScanError, listed_steps};
 pub use stones::stones_of_scan;

@@ -6,7 +6,7 @@ use super::project::{Cut, project_text};
 use crate::error::{Within as _, WorkError};
 use crate::opened::Opened;
 use crate::wrong::Place;
-use dolmen::structure::stack::{Sliced, slice};
+use dolmen::structure::stack::{Sliced, SlicedStep, slice};
 use dolmen_project::{Quantity, Structure};
 use dolmen_records::MemoryFiles;
 use dolmen_records::meshes::{Mesh, mesh_ply, read_mesh};
@@ -23,6 +23,8 @@ const FAR_M: f64 = 100.0;
 const GROUND_M: f64 = 1e-3;
 /// Number of standard deviations by which the lowest vertex of a noisy foot lies below its plane.
 const LOWEST_NOISE: f64 = 3.0;
+/// Distance within which an allowed step is the one found, m, as for the height of a bed.
+const ALLOWED_M: f64 = 0.02;
 
 /// Cuts a scan into stones and writes a project of them, which it reads and builds as a check.
 ///
@@ -34,6 +36,7 @@ pub fn stones_of_scan(request: &ScanRequest<'_>) -> Result<ScanAnswer, WorkError
     let unit = unit(request.unit, height_in_file)?;
     let mesh = mesh.scaled(unit.metres());
     let sliced = slice(&mesh.vertices, &mesh.triangles, &request.beds_m).map_err(ScanError::from)?;
+    check_steps(&sliced, &request.allowed_steps_m)?;
     let moved_m = moved(&mesh, &sliced);
     let (mut stones, mut files) = (Vec::new(), Vec::new());
     for (number, stone) in sliced.stones.iter().enumerate() {
@@ -83,6 +86,24 @@ pub fn stones_of_scan(request: &ScanRequest<'_>) -> Result<ScanAnswer, WorkError
         files,
         opened,
     })
+}
+
+/// Refuses a forgotten bed, or one given beside a step.
+fn check_steps(sliced: &Sliced, allowed_m: &[f64]) -> Result<(), ScanError> {
+    let is_allowed = |step: &SlicedStep| allowed_m.iter().any(|at| (at - step.at_m).abs() <= ALLOWED_M);
+    let steps: Vec<SlicedStep> = sliced
+        .steps_without_bed
+        .iter()
+        .copied()
+        .filter(|step| !is_allowed(step))
+        .collect();
+    let plain = sliced.beds.iter().enumerate().filter(|(_, bed)| !bed.is_at_step);
+    let plain_beds: Vec<(usize, f64)> = plain.map(|(at, bed)| (at + 1, bed.named_m)).collect();
+    match (steps.is_empty(), plain_beds.is_empty()) {
+        (true, _) => Ok(()),
+        (false, true) => Err(ScanError::StepsWithoutBed { steps }),
+        (false, false) => Err(ScanError::BedsBesideSteps { steps, plain_beds }),
+    }
 }
 
 /// Labels: "2a", "2b" and "2c" for three pieces of the second course; "2" for a course in one piece.

@@ -80,6 +80,9 @@ impl Settings {
     }
 }
 
+/// Share of the lowest peak at which its mode is still in range. Our choice: several times the scatter of a mode in ten minutes.
+const LOWEST_SCATTERS: f64 = 0.98;
+
 /// Fewest blocks of time: with fewer blocks, the error of the standard deviations exceeds 24 %.
 const TIME_BLOCKS_LEAST: usize = 10;
 
@@ -171,8 +174,8 @@ pub(super) fn choose(
         0.5 * rate_hz
     };
     let clean_hz = clean_hz.min(passed_hz(record).unwrap_or(clean_hz));
-    // with fewer block rows than the smallest number, the lags cover less than half a period
-    let seen_hz = 0.5 * sampling_rate_hz / block_rows as f64;
+    // below this the lags cover less than a period; with the fewest block rows the lowest mode itself scatters about it
+    let seen_hz = (0.5 * sampling_rate_hz / block_rows as f64).min(LOWEST_SCATTERS * lowest_hz);
     Ok(Settings {
         lowest_hz,
         highest_hz,
@@ -260,8 +263,29 @@ fn order_most(options: &Identify, bounds: OrderBounds) -> Result<usize, ModalErr
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Identify, MadeMode, MadeRecord, Method, Note, identify};
+    use super::super::{Identify, MadeMode, MadeRecord, Method, Note, ReferenceCase, identify};
+    use super::LOWEST_SCATTERS;
     use crate::signal::decimate;
+
+    #[test]
+    fn holds_the_lowest_mode_is_in_range_with_the_fewest_block_rows() {
+        let record = ReferenceCase::ShearChain.made(1).unwrap().make().unwrap();
+        let whole = Identify {
+            decimation: Some(1),
+            ..Identify::default()
+        };
+        let settings = identify(&record, &whole).unwrap().settings;
+        let fewest = Identify {
+            block_rows: Some(settings.block_rows_least),
+            ..whole
+        };
+        let found = identify(&record, &fewest).unwrap();
+        let low_hz = found.settings.range_hz[0];
+        assert!(
+            (low_hz / (LOWEST_SCATTERS * settings.lowest_hz) - 1.0).abs() < 1e-12,
+            "{low_hz}"
+        );
+    }
 
     #[test]
     fn holds_no_mode_is_found_at_the_edge_of_the_filter_of_a_lower_rate() {

@@ -10,7 +10,9 @@ use super::MonitoringError;
 use super::bends::{BentFit, Break, DatedBreak, bent_fit, refined};
 use super::changes::{Seeking, changes};
 use super::daily::DailyReadings;
+use super::logged_blocks::Blocks;
 use super::logged_faults::{LoggedJump, jump, spikes, stuck};
+use super::logged_last::{LoggedLast, newest_off};
 use super::scan::ChangeForm;
 use super::series::Series;
 use super::tilt::{SEASON_YEARS_LEAST, SlopeLimit, TiltSlope, slope_of};
@@ -124,6 +126,8 @@ pub struct LoggedTrend {
     pub spikes: Vec<f64>,
     /// The largest significant jump without a work, if there is one. It may cause an apparent slope.
     pub jump: Option<LoggedJump>,
+    /// The newest days, if they differ from the earlier behaviour of the log. The structure moved, or the sensor failed.
+    pub last_off: Option<LoggedLast>,
     /// The day from which the sensor shows a constant value; it and all later days are left out.
     pub stuck_since: Option<f64>,
     /// Number of days left out because their temperature is unknown.
@@ -144,7 +148,7 @@ pub struct LoggedTrend {
     pub changes: Vec<LoggedChange>,
     /// For each day, the reading without season and temperature; empty without a slope.
     pub line: Vec<f64>,
-    /// The reading on the last day: from a significant slope, otherwise the median of the last seven days.
+    /// The reading on the last day: from a significant slope, otherwise the median of the last seven days; `newest` if the newest days differ.
     pub now: f64,
     /// The median of the readings of the last day, independent of earlier days: the newest reading is never treated as a spike.
     pub newest: f64,
@@ -230,7 +234,7 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
         return Ok(trend);
     }
     trend.slope = Ok(worst.slope);
-    if trend.is_beyond_chance() {
+    if trend.is_beyond_chance() && trend.last_off.is_none() {
         trend.now = worst.slope.now;
     }
     trend.block_days = worst.block_days;
@@ -287,15 +291,26 @@ fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f6
     let newest = read().filter(|(day, _)| **day > last - NOW_DAYS);
     let calm = (0..until).filter(|i| !is_wild(i));
     let at_limit = calm.filter(|i| options.limit.is_some_and(|limit| limit.is_reached(values[*i])));
+    let jump = jump(&daily, &options.works);
+    let last_off = newest_off(
+        (&series.daily, &series.temperatures_c),
+        until,
+        (&wild, &options.works),
+        jump.as_ref(),
+    );
     let trend = LoggedTrend {
-        now: middle_mean(newest.map(|(_, value)| *value).collect()),
+        now: match last_off {
+            Some(_) => values.last().copied().unwrap_or(f64::NAN),
+            None => middle_mean(newest.map(|(_, value)| *value).collect()),
+        },
+        last_off,
         newest: values.last().copied().unwrap_or(f64::NAN),
         at_limit: at_limit.map(|i| all.days[i]).collect(),
         slope: Err(NoSlope::TooFew {
             days: daily.days.len(),
         }),
         spikes: wild.iter().map(|i| all.days[*i]).collect(),
-        jump: jump(&daily, &options.works),
+        jump,
         stuck_since: stuck_from.map(|from| all.days[from]),
         of_works: (0..until).filter(is_of_work).count(),
         without_temperature: (0..until).filter(is_cold).count(),
@@ -310,41 +325,6 @@ fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f6
         limit: options.limit,
     };
     (trend, temperatures_c)
-}
-
-/// Medians over this number of days each.
-struct Blocks {
-    begins: Vec<f64>,
-    days: Vec<f64>,
-    values: Vec<f64>,
-    temperatures_c: Vec<f64>,
-}
-
-impl Blocks {
-    fn of(daily: &DailyReadings, temperatures_c: &[f64], block_days: f64) -> Self {
-        let first = daily.days.first().copied().unwrap_or(0.0);
-        let block = |day: f64| ((day - first) / block_days).floor();
-        let mut blocks = Blocks {
-            begins: Vec::new(),
-            days: Vec::new(),
-            values: Vec::new(),
-            temperatures_c: Vec::new(),
-        };
-        let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
-        let mut from = 0;
-        while from < daily.days.len() {
-            let own = block(daily.days[from]);
-            let to = daily.days.partition_point(|day| block(*day) <= own);
-            blocks.begins.push(daily.days[from]);
-            blocks.days.push(mean(&daily.days[from..to]));
-            blocks.values.push(middle_mean(daily.values[from..to].to_vec()));
-            if let Some(of) = temperatures_c.get(from..to) {
-                blocks.temperatures_c.push(mean(of));
-            }
-            from = to;
-        }
-        blocks
-    }
 }
 
 /// Slope from medians over blocks of one length.

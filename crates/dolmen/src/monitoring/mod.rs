@@ -12,7 +12,9 @@ mod gram;
 mod growth;
 mod history;
 mod logged;
+mod logged_blocks;
 mod logged_faults;
+mod logged_last;
 mod lost;
 mod made;
 mod online;
@@ -47,6 +49,7 @@ pub use logged::{
     LoggedChange, LoggedLevel, LoggedOptions, LoggedSeries, LoggedTrend, NoSlope, logged_trend,
 };
 pub use logged_faults::LoggedJump;
+pub use logged_last::LoggedLast;
 pub use lost::LostMode;
 pub use made::{MadeHistory, made_history};
 pub use pooled::pooled;

@@ -13,11 +13,11 @@ const OTHER_FROM: f64 = 2.5;
 const TAKEN: usize = 4;
 
 impl TiltTrend {
-    /// The slope for the forecast: its own slope if significant, otherwise that of the previous mark; `None` if the sign is uncertain.
+    /// The slope for the forecast: its own if significant, or that of the previous mark; `None` if the sign or the unit is uncertain.
     pub fn forecast(&self) -> Option<&TiltSlope> {
         let own = self.slope.as_ref().filter(|_| self.is_beyond_chance());
         own.or(self.carried.as_ref())
-            .filter(|_| !self.is_sign_in_question())
+            .filter(|_| !self.is_sign_in_question() && !self.is_unit_in_question())
     }
 }
 

@@ -327,26 +327,32 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
                 });
             }
         }
-        for (other, earlier) in record.channels()[..c].iter().enumerate() {
-            if let Some(factor) = same_but_for_factor(record.samples(other), x, strengths[other].largest_at) {
-                faults.push(ChannelFault::Duplicated {
-                    channel: earlier.name.clone(),
-                    other: name(),
-                    factor,
-                });
-                break; // a third copy refers to the first only
-            }
-            if let Some(correlation) = alike(&steps[other], &steps[c]) {
-                faults.push(ChannelFault::Alike {
-                    channel: earlier.name.clone(),
-                    other: name(),
-                    correlation,
-                });
-                break;
-            }
-        }
+        faults.extend(copy(record, c, &strengths, &steps));
     }
     faults
+}
+
+/// The first earlier channel that this one repeats or resembles.
+fn copy(record: &Record, c: usize, strengths: &[Strength], steps: &[FirstSteps]) -> Option<ChannelFault> {
+    let x = record.samples(c);
+    record.channels()[..c]
+        .iter()
+        .enumerate()
+        .find_map(|(other, earlier)| {
+            let (channel, name) = (earlier.name.clone(), record.channels()[c].name.clone());
+            if let Some(factor) = same_but_for_factor(record.samples(other), x, strengths[other].largest_at) {
+                return Some(ChannelFault::Duplicated {
+                    channel,
+                    other: name,
+                    factor,
+                });
+            }
+            alike(&steps[other], &steps[c]).map(|correlation| ChannelFault::Alike {
+                channel,
+                other: name,
+                correlation,
+            })
+        })
 }
 
 /// Steps of a channel that are held together, in the first cache.

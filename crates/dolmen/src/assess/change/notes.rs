@@ -57,6 +57,11 @@ pub enum ChangeNote {
         /// Number of modes with this ratio.
         modes: usize,
     },
+    /// No mode has a partner, and the values of one survey are the reciprocals of those of the other.
+    Reciprocals {
+        /// Number of modes.
+        modes: usize,
+    },
     /// No mode has a partner, and all frequencies differ by one factor.
     OneFactor {
         /// Ratio of the frequencies, after over before.
@@ -137,6 +142,10 @@ impl std::fmt::Display for ChangeNote {
             } => write!(
                 f,
                 "all {modes} frequencies are {factor:.4} times what they were, the ratio of the sampling rates {before} and {after} Hz: one of these is probably wrong"
+            ),
+            ChangeNote::Reciprocals { modes } => write!(
+                f,
+                "no mode has a partner, and the values of one survey are the reciprocals of those of the other ({modes}): periods in s for frequencies in Hz?"
             ),
             ChangeNote::OneFactor { factor, modes } => write!(
                 f,
@@ -350,5 +359,21 @@ mod tests {
         };
         assert_eq!(found, [wanted]);
         assert_eq!(notes(&before, &[(2.5, FIRST), (7.0, SECOND)]), []);
+    }
+
+    #[test]
+    fn holds_periods_and_rad_s_for_frequencies_are_asked_about() {
+        let before = [(2.0, FIRST), (5.0, SECOND)];
+        let periods = notes(&before, &[(0.5, FIRST), (0.2, SECOND)]);
+        assert_eq!(periods, [ChangeNote::Reciprocals { modes: 2 }]);
+        let one = notes(&before[..1], &[(0.5, FIRST)]);
+        assert_eq!(one, [ChangeNote::Reciprocals { modes: 1 }]);
+        let angular = notes(&before[..1], &[(12.566, FIRST)]);
+        assert!(
+            matches!(angular[..], [ChangeNote::OneFactor { factor, modes: 1 }] if (factor - std::f64::consts::TAU).abs() < 0.001),
+            "{angular:?}"
+        );
+        // one frequency at half may be damage
+        assert_eq!(notes(&before[..1], &[(1.0, FIRST)]), []);
     }
 }

@@ -363,7 +363,7 @@ fn alike(mode: &Mode, of: &Modes, together: &Modes) -> Option<(f64, Option<f64>)
 
 #[cfg(test)]
 mod tests {
-    use super::super::made::MadeOnGround;
+    use super::super::made::{MadeOnGround, MadeOneMass};
     use super::*;
     use crate::modal::identify;
 
@@ -448,5 +448,29 @@ mod tests {
             }
             assert!(within.iter().all(|count| *count >= 5), "{what} {within:?}");
         }
+    }
+
+    #[test]
+    fn holds_the_frequency_of_one_mass_lies_in_its_interval_in_nineteen_of_twenty() {
+        let mut within = [0; 2];
+        for seed in 0..20 {
+            let made = MadeOneMass {
+                seed,
+                frequency_hz: 2.4,
+                damping_ratio: 0.02,
+                duration_s: 60.0,
+                noise: 0.01,
+            };
+            let found = identify(&made.make().unwrap(), &options()).unwrap();
+            let mode = found.modes.nearest(2.4, 0.2).unwrap();
+            let off = [
+                (mode.frequency_hz - 2.4) / mode.frequency_sd_hz.unwrap(),
+                (mode.damping_ratio.unwrap() - 0.02) / mode.damping_ratio_sd.unwrap(),
+            ];
+            for (within, off) in within.iter_mut().zip(off) {
+                *within += usize::from(off.abs() < 1.96);
+            }
+        }
+        assert!(within[0] >= 19 && within[1] >= 18, "{within:?}");
     }
 }

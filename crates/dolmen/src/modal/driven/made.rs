@@ -1,5 +1,6 @@
-//! A simulated record: two storeys on a footing on soil (spring and dashpot), excited by waves and by wind.
+//! Simulated records above a measured ground: two storeys on a footing on soil (spring and dashpot), excited by waves and by wind, and one mass.
 
+use crate::modal::synthetic::{MadeMode, Oscillator};
 use crate::numeric::Random;
 use crate::signal::{Channel, Quantity, Record, SignalError, low_pass};
 use dolmen_linalg::Complex64;
@@ -138,6 +139,55 @@ impl MadeOnGround {
                 .collect()
         };
         Ok(vec![waves, wind(1), wind(2)])
+    }
+}
+
+/// One mass on a spring above a ground that moves at random, whose spectrum falls with the frequency.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MadeOneMass {
+    /// Seed of its ground and noise.
+    pub seed: u64,
+    /// Frequency on the fixed ground, Hz.
+    pub frequency_hz: f64,
+    /// Damping ratio.
+    pub damping_ratio: f64,
+    /// Duration, s.
+    pub duration_s: f64,
+    /// Noise of both sensors over their motion.
+    pub noise: f64,
+}
+
+impl MadeOneMass {
+    /// Channels "ground" and "mass": absolute accelerations at 100 Hz, exact for a ground acceleration that is constant over each sample.
+    ///
+    /// # Errors
+    /// [`SignalError`] of a record without samples.
+    pub fn make(&self) -> Result<Record, SignalError> {
+        const COLOUR: f64 = 0.9; // of the sample before
+        let mode = MadeMode {
+            frequency_hz: self.frequency_hz,
+            damping_ratio: self.damping_ratio,
+            shape: vec![1.0],
+        };
+        let mut random = Random::new(self.seed, 0);
+        let mut last = 0.0;
+        let ground: Vec<f64> = (0..(self.duration_s * RATE_HZ) as usize)
+            .map(|_| {
+                last = COLOUR * last + random.normal();
+                last
+            })
+            .collect();
+        let own = Oscillator::new(&mode, RATE_HZ, Quantity::Acceleration);
+        let relative = own.driven(ground.iter().map(|a| -a));
+        let mass: Vec<f64> = relative.zip(&ground).map(|(x, a)| x + a).collect();
+        let noisy = |mut of: Vec<f64>| {
+            let power = of.iter().map(|x| x * x).sum::<f64>() / of.len() as f64;
+            of.iter_mut()
+                .for_each(|x| *x += self.noise * power.sqrt() * random.normal());
+            of
+        };
+        let samples = [ground, mass].map(noisy).to_vec();
+        Record::new(["ground", "mass"].map(Channel::named).to_vec(), samples, RATE_HZ)
     }
 }
 

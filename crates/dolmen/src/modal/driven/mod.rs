@@ -10,5 +10,5 @@ mod responses;
 
 pub use driven_modes::{Driven, DrivenMode};
 pub(super) use identify_driven::of_driven;
-pub use made::MadeOnGround;
+pub use made::{MadeOnGround, MadeOneMass};
 pub use responses::{FrequencyResponse, FrequencyResponses, frequency_responses};

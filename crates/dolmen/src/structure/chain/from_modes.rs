@@ -35,7 +35,7 @@ pub type ChainStiffness = StiffnessSearch;
 ///
 /// # Input
 /// * `modes` -- the **lowest** modes of one direction, ascending, without gaps. Displacements are those of points at heights above the lowest
-/// joint.
+///   joint.
 ///
 /// # Errors
 /// [`StructureError::ModesMissing`], [`StructureError::ModesMost`] for more modes than links,

@@ -15,7 +15,7 @@ use crate::structure::{StiffnessRange, StructureError};
 /// * `frequencies_hz` -- of all n modes, ascending
 /// * `half_width_hz` -- of each frequency; 0.05 for one printed with one decimal
 /// * `root_n_m` -- the stiffness for these frequencies, for example from
-/// [`stiffness_from_frequencies`](super::stiffness_from_frequencies)
+///   [`stiffness_from_frequencies`](super::stiffness_from_frequencies)
 ///
 /// # Errors
 /// [`StructureError::Frequencies`], [`StructureError::Mode`], [`StructureError::FrequencyOrder`], [`StructureError::Count`],

@@ -349,6 +349,22 @@ pub enum StackError {
         /// Number of joints on the ground.
         count: usize,
     },
+    /// A block meets the one below at an edge, because their beds are not parallel.
+    #[error(
+        "'{block}' does not lie on {lower}: their beds are not parallel but {angle_deg:.2}° apart, so that the far edge is {far_m:.4} m up, and the middle of a bed must lie within {allowed_m} m: check the coordinates, or give the wedge between them as a block"
+    )]
+    BedsNotParallel {
+        /// The block.
+        block: String,
+        /// The block below it, or "the ground".
+        lower: String,
+        /// Angle between the beds, °.
+        angle_deg: f64,
+        /// Height of the farthest corner over the bed below, m.
+        far_m: f64,
+        /// The allowed value, m.
+        allowed_m: f64,
+    },
     /// A block has no support.
     #[error(
         "'{block}' floats: the nearest bed below it, of {nearest}, is {gap_m:.4} m away, and a bed must lie within {allowed_m} m"

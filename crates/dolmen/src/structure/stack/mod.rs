@@ -36,6 +36,7 @@ mod support_movement;
 mod tower;
 mod trilithon;
 mod wall;
+mod wedge;
 
 pub use arch::{ArchFactors, arch};
 pub use beds::BED_GAP_M;
@@ -49,7 +50,7 @@ pub use perturbed::SmallDifferences;
 pub use pieces::WithMast;
 pub use polygon::{Polygon, PolygonMoments};
 pub use silhouette::{Silhouette, SilhouetteStrip, across, silhouettes};
-pub use slicing::{SliceError, Sliced, SlicedBed, SlicedStone, slice};
+pub use slicing::{SliceError, Sliced, SlicedBed, SlicedStep, SlicedStone, slice};
 pub use soil_springs::SoilBelow;
 pub use solid::{Placement, Scan, Solid};
 pub use stack_of_blocks::{Block, SideSupport, Stack, Tie};

@@ -51,7 +51,7 @@ fn edges(solid: &Solid) -> Vec<DVec3> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Block, Body, JointMaterial, Placement, Stack};
+    use super::super::{Block, Body, JointMaterial, Placement, Stack, StackError};
     use super::*;
 
     fn stone(name: &str, size: [f64; 3], position_m: [f64; 3]) -> Block {
@@ -84,6 +84,33 @@ mod tests {
         let fault = make(0.6).unwrap_err().to_string();
         assert!(
             fault.starts_with("'high' floats: the nearest bed below it, of low, is 0.1000 m away"),
+            "{fault}"
+        );
+    }
+
+    #[test]
+    fn refuses_a_stone_that_stands_on_its_edge_and_names_the_wedge() {
+        let angle = 1.0_f64.to_radians();
+        let mut high = stone("high", [1.0, 1.0, 0.5], [0.0; 3]);
+        high.solid = Solid::cuboid(1.0, 1.0, 0.5).unwrap().placed(&Placement {
+            tilt: [angle.tan(), 0.0],
+            position_m: [0.0, 0.0, 0.5 + 0.5 * angle.sin()],
+            ..Placement::default()
+        });
+        let blocks = vec![stone("low", [1.2, 1.2, 0.5], [0.0; 3]), high];
+        let fault = Stack::new(blocks, JointMaterial::default(), 9.81).unwrap_err();
+        let StackError::BedsNotParallel {
+            lower,
+            angle_deg,
+            far_m,
+            ..
+        } = &fault
+        else {
+            panic!("{fault}");
+        };
+        assert_eq!(lower, "low");
+        assert!(
+            (angle_deg - 1.0).abs() < 1e-6 && (far_m - angle.sin()).abs() < 1e-9,
             "{fault}"
         );
     }

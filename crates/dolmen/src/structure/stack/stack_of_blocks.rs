@@ -3,6 +3,7 @@
 use super::bearing::{AREA_LEAST, OUTLINE_LEAST};
 use super::beds::{BED_GAP_M, Bed, FACET_LEAST, USED_LEAST, bed, gap_allowed_m};
 use super::overlap::overlap_depth;
+use super::wedge::wedge;
 use super::{Body, Joint, JointMaterial, SoilBelow, Solid, StackError, StaticLoad, SupportMovement};
 use glam::DVec3;
 
@@ -395,10 +396,36 @@ impl Stack {
             let name = &self.blocks[block].name;
             return Err(rounded(name, &nearest.0, name, radius_m));
         }
+        if let Some(why) = self.not_parallel(block) {
+            return Err(why);
+        }
         Err(StackError::Floating {
             block: self.blocks[block].name.clone(),
             nearest: nearest.0,
             gap_m: nearest.1,
+            allowed_m: BED_GAP_M,
+        })
+    }
+    /// The stone below a floating block, or the ground, that it meets at an edge.
+    fn not_parallel(&self, block: usize) -> Option<StackError> {
+        let own = &self.blocks[block];
+        let [low, high] = own.solid.bounds_m();
+        let under = |other: &&Block| {
+            let [other_low, other_high] = other.solid.bounds_m();
+            other.name != own.name
+                && other_low[2] < low[2]
+                && (0..2).all(|axis| other_low[axis] < high[axis] && low[axis] < other_high[axis])
+        };
+        let stones = self.blocks.iter().filter(under);
+        let stones = stones.map(|other| (other.name.clone(), wedge(Some(&other.solid), &own.solid)));
+        let ground = ("the ground".to_owned(), wedge(None, &own.solid));
+        let (lower, found) = stones.chain([ground]).find(|(_, found)| found.is_some())?;
+        let found = found?;
+        Some(StackError::BedsNotParallel {
+            block: own.name.clone(),
+            lower,
+            angle_deg: found.angle_deg,
+            far_m: found.far_m,
             allowed_m: BED_GAP_M,
         })
     }

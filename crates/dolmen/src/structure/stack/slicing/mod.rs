@@ -7,6 +7,8 @@ mod ledge;
 mod pieces;
 mod section;
 mod slice;
+mod steps;
 
 pub use error::SliceError;
 pub use slice::{Sliced, SlicedBed, SlicedStone, slice};
+pub use steps::SlicedStep;

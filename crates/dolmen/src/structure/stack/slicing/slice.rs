@@ -4,6 +4,7 @@ use super::SliceError;
 use super::half::{Part, Plane, Side, half};
 use super::ledge::{Bed, LOOKED_M, Named, bed};
 use super::section::Body;
+use super::steps::{SlicedStep, steps};
 use crate::structure::stack::StackError;
 use crate::structure::stack::hull::FLAT;
 use crate::structure::stack::mesh::{check_corners, check_edges};
@@ -15,6 +16,9 @@ const VOLUME_OFF_MOST: f64 = 0.005;
 /// Largest noise that is considered, m. Our choice: larger scatter is shape.
 const NOISE_MOST_M: f64 = 0.002;
 
+/// Distance from a step at which a bed without a step is still at it, m: noise blurs a step by as much.
+const BESIDE_M: f64 = 0.005;
+
 /// A tower cut into stones.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -23,6 +27,8 @@ pub struct Sliced {
     pub stones: Vec<SlicedStone>,
     /// The beds, lowest first.
     pub beds: Vec<SlicedBed>,
+    /// Steps of the section by more than a fifth of its area where no bed is given, lowest first.
+    pub steps_without_bed: Vec<SlicedStep>,
     /// Lowest and highest point of the whole, m.
     pub span_m: [f64; 2],
     /// Volume of the whole, m³.
@@ -57,6 +63,8 @@ pub struct SlicedBed {
     pub named_m: f64,
     /// Height of the cut, m: that of the step near the given height, if there is one.
     pub at_m: f64,
+    /// Whether the section has a step there.
+    pub is_at_step: bool,
     /// Area of the section just below, m².
     pub area_below_m2: f64,
     /// Area of the section just above, m².
@@ -119,6 +127,7 @@ pub fn slice(
         .map(|(bed, &named_m)| SlicedBed {
             named_m,
             at_m: bed.at_m,
+            is_at_step: bed.apart_m > 0.0,
             area_below_m2: area(bed.at_m - bed.apart_m),
             area_above_m2: area(bed.at_m + bed.apart_m),
         })
@@ -128,6 +137,7 @@ pub fn slice(
             return Err(SliceError::Air { bed_m: bed.named_m });
         }
     }
+    let steps_without_bed = without_bed(steps(&body, middle), &beds_cut);
     let mut stones = Vec::new();
     for course in 0..=beds.len() {
         let mut part = whole.clone();
@@ -164,11 +174,22 @@ pub fn slice(
     Ok(Sliced {
         stones,
         beds: beds_cut,
+        steps_without_bed,
         span_m,
         volume_m3,
         volume_ratio,
         noise_m,
     })
+}
+
+/// The steps that are no bed: one cut without a step does not hold the step beside it.
+fn without_bed(steps: Vec<SlicedStep>, beds: &[SlicedBed]) -> Vec<SlicedStep> {
+    let holds = |bed: &SlicedBed, step: &SlicedStep| {
+        let most_m = if bed.is_at_step { LOOKED_M } else { BESIDE_M };
+        (bed.at_m - step.at_m).abs() <= most_m
+    };
+    let is_free = |step: &SlicedStep| !beds.iter().any(|bed| holds(bed, step));
+    steps.into_iter().filter(is_free).collect()
 }
 
 /// The middle of the bounds in plan.
