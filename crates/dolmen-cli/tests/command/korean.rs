@@ -248,7 +248,7 @@ fn holds_the_korean_of_each_verb_on_each_example_holds_no_english_sentence() {
         for verb in verbs {
             let words = verb.replace("EXAMPLE", &example);
             let answer = scratch.dolmen(&format!("{words} --language ko"));
-            // what is refused is said in Korean, too
+            // refusals are Korean, too
             let refused = if answer.status == 2 {
                 answer.stderr.as_str()
             } else {

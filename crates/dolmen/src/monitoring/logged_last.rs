@@ -237,7 +237,7 @@ mod tests {
         (daily, temperatures_c)
     }
 
-    /// Number of 200 logs whose newest days are named.
+    /// Of 200 logs, those whose newest days the trend reports.
     fn named(correlation: f64, newest: &[f64]) -> usize {
         let sum = newest.iter().sum::<f64>();
         let is_named = |seed: &u64| {

@@ -29,7 +29,7 @@ const LESSENS: f64 = 4.0;
 const AS_GOOD: f64 = 2.0;
 /// Difference between unexplained shares below which two changes are equally good: noise of shapes. Our choice.
 const NOISE: f64 = 0.005;
-/// Largest number of possible changes that are named; with more of them none is likely. Our choice.
+/// Largest number of possible changes in the answer; with more of them none is likely. Our choice.
 const CHANGES_MOST: usize = 4;
 /// Factors between units or ranges that are often confused. Shapes cannot distinguish 9.8 (g instead of m/s²) from 10, or 981 (g instead of gal) from
 /// 1000.

@@ -1,6 +1,6 @@
 // SOURCE     theory of the chain: K is linear in the stiffness of the joints; Bézout bounds the number of solutions.
 // GOAL       Modes computed with a known stiffness give this stiffness back if they determine it; otherwise every
-//            solution is found, and is said to be as good as the true one.
+//            solution is found, and the answer calls it as good as the true one.
 //
 //        |5| o  sensors: u(z) = Σ c_j(z) θ_j
 //        (k5

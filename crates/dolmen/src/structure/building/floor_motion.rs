@@ -161,7 +161,7 @@ impl FloorModes {
         lowest.map(|mode| mode.unexplained).sum::<f64>() / count
     }
 
-    /// The lowest three modes, with shapes. Each is named after its largest motion, if that gives three different names. The modes along x and y
+    /// The lowest three modes, with shapes. Its largest motion names each, if that gives three different names. The modes along x and y
     /// also have their twist.
     pub fn plan_modes(&self) -> Vec<PlanMode> {
         let lowest: Vec<&FloorMode> = self.modes.iter().take(3).collect();

@@ -48,7 +48,7 @@ pub struct TowerFactors {
     pub density_kg_m3: f64,
 }
 
-/// A tower, lowest course first. The stones are named "course 3", or "course 3 stone 2" if hollow, both from 1.
+/// A tower, lowest course first. Names of stones: "course 3", or "course 3 stone 2" if hollow, both from 1.
 ///
 /// # Errors
 /// [`StackError::Dimension`] for a factor out of its range, a wall that leaves no cavity, a course set back beyond the wall below, or more than
