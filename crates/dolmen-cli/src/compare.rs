@@ -29,13 +29,7 @@ pub(crate) fn run(options: &Compare, manner: &Manner) -> Result<Outcome> {
     if let Some(folder) = &options.output {
         Outputs::of(manner.access(), &found).folder(folder, &change_files(&answer, manner.language()))?;
         if !manner.quiet {
-            note!(
-                "{}",
-                Noted::Compared {
-                    folder: folder.display().to_string()
-                }
-                .text(manner)
-            );
+            note!("{}", Noted::Compared(folder.display().to_string()).text(manner));
         }
     }
     Ok(Outcome::Done)

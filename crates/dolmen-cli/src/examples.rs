@@ -110,7 +110,7 @@ pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
         true => {
             let text = skeleton(options.kind).as_bytes();
             dolmen_folder::fill_fresh(directory, &[("project.toml", text)])?;
-            [Noted::Placeholders { file }, Noted::NextOwnNumbers]
+            [Noted::Placeholders(file), Noted::NextOwnNumbers]
         }
         false => {
             let example = example_of(options.kind).to_owned();

@@ -125,7 +125,7 @@ impl Listener for OnTerminal<'_> {
 
     fn still_written(&self, files: usize) {
         if !self.manner.quiet {
-            note!("{}", Noted::StillWritten { files }.text(self.manner));
+            note!("{}", Noted::StillWritten(files).text(self.manner));
         }
     }
 }

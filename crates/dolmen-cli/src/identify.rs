@@ -49,13 +49,7 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
         let files = identification_files(&answer, manner.language(), &painted)?;
         Outputs::of(manner.access(), &found).folder(folder, &files)?;
         if !manner.quiet {
-            note!(
-                "{}",
-                Noted::Identified {
-                    folder: folder.display().to_string()
-                }
-                .text(manner)
-            );
+            note!("{}", Noted::Identified(folder.display().to_string()).text(manner));
         }
     }
     Ok(Outcome::Done)

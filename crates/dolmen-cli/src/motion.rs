@@ -140,13 +140,7 @@ fn written(options: &Options, report: &MotionReport, outputs: &Outputs, manner: 
         said.push(folder.display().to_string());
     }
     if !manner.quiet && !said.is_empty() {
-        note!(
-            "{}",
-            Noted::Wrote {
-                files: said.join(", ")
-            }
-            .text(manner)
-        );
+        note!("{}", Noted::Wrote(said.join(", ")).text(manner));
     }
     Ok(())
 }

@@ -135,8 +135,8 @@ impl Progress for Terminal {
                 let template = format!("{{bar:40}} {{pos}} {of} {{len}} {runs} {{eta}} {left}");
                 self.bar(*about as u64, &template)
             }
-            Stage::Reading { file } => self.spinner(AtWork::Reading { file: file.clone() }.text()),
-            Stage::Identifying { file } => self.spinner(AtWork::Identifying { file: file.clone() }.text()),
+            Stage::Reading { file } => self.spinner(AtWork::Reading(file.clone()).text()),
+            Stage::Identifying { file } => self.spinner(AtWork::Identifying(file.clone()).text()),
             Stage::Joining => self.spinner(AtWork::Joining.text()),
         };
     }

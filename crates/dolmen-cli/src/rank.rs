@@ -45,13 +45,7 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
         );
         outputs.folder(folder, &files)?;
         if !manner.quiet {
-            note!(
-                "{}",
-                Noted::Ranking {
-                    folder: folder.display().to_string()
-                }
-                .text(manner)
-            );
+            note!("{}", Noted::Ranking(folder.display().to_string()).text(manner));
         }
     }
     Ok(Outcome::Done)

@@ -179,7 +179,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
         outputs.file(&output, &bytes)?;
         if !manner.quiet {
             if let Some(folder) = made {
-                note!("{}", Noted::FolderMade { folder }.text(manner));
+                note!("{}", Noted::FolderMade(folder).text(manner));
             }
             say(&format!("{}\n", output.display()))?;
         }

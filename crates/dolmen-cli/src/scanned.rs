@@ -55,7 +55,7 @@ pub(crate) fn run(options: &New, of: &OfScan, scan: &Path, manner: &Manner) -> R
     if !manner.quiet {
         let folder = options.directory.display().to_string();
         let typed = for_a_shell(&folder);
-        let next = Noted::NextOfScan { folder }.text(manner);
+        let next = Noted::NextOfScan(folder).text(manner);
         say(&format!("\n{next}\n    dolmen check {typed}\n"))?;
     }
     Ok(Outcome::Done)

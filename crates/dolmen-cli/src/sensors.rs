@@ -33,7 +33,7 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
         Outputs::of(manner.access(), &found).folder(folder, &sensors_files(&answer, manner.language()))?;
         if !manner.quiet {
             let folder = folder.display().to_string();
-            note!("{}", Noted::Sensors { folder }.text(manner));
+            note!("{}", Noted::Sensors(folder).text(manner));
         }
     }
     Ok(Outcome::Done)

@@ -70,7 +70,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         }
         if let Some(why) = &answer.does_not_stand {
             let why = why.to_string();
-            say(&format!("\n{}\n", Noted::DoesNotStand { why }.text(manner)))?;
+            say(&format!("\n{}\n", Noted::DoesNotStand(why).text(manner)))?;
         }
     }
     if let (Some(folder), true) = (&options.output, answer.does_not_stand.is_none()) {
@@ -82,8 +82,8 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         if !manner.quiet {
             let folder = folder.display().to_string();
             let written = match answer.simulations.first() {
-                Some(Simulation::Stack(_) | Simulation::Supports(_)) => Noted::HistoriesAndFilm { folder },
-                _ => Noted::Histories { folder },
+                Some(Simulation::Stack(_) | Simulation::Supports(_)) => Noted::HistoriesAndFilm(folder),
+                _ => Noted::Histories(folder),
             };
             note!("{}", written.text(manner));
         }

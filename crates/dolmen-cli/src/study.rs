@@ -134,10 +134,7 @@ fn finish(plan: &Plan<'_>, folder: &StudyFolder, runs: Vec<Run>, manner: &Manner
     if !manner.quiet {
         note!(
             "{}",
-            Noted::Tables {
-                folder: folder.path().display().to_string()
-            }
-            .text(manner)
+            Noted::Tables(folder.path().display().to_string()).text(manner)
         );
     }
     Ok(Outcome::finished(answer.is_whole()))

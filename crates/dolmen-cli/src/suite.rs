@@ -49,7 +49,7 @@ pub(crate) fn run(
         outputs.folder(output, &suite_files(&answer, &called(output), manner.language()))?;
         if !manner.quiet {
             let files = output.display().to_string();
-            note!("{}", Noted::Wrote { files }.text(manner));
+            note!("{}", Noted::Wrote(files).text(manner));
         }
     }
     Ok(Outcome::finished(answer.is_kept()))

@@ -71,13 +71,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         let files = tune_files(&answers, manner.language());
         Outputs::of(manner.access(), &found).folder(folder, &files)?;
         if !manner.quiet {
-            note!(
-                "{}",
-                Noted::Results {
-                    folder: folder.display().to_string()
-                }
-                .text(manner)
-            );
+            note!("{}", Noted::Results(folder.display().to_string()).text(manner));
         }
     }
     Ok(Outcome::Done)

@@ -56,9 +56,9 @@ pub(crate) fn doctor() -> Result<Outcome> {
         system: std::env::consts::OS.to_owned(),
         processor: std::env::consts::ARCH.to_owned(),
     })?;
-    said(AtWork::Processors {
-        count: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-    })?;
+    said(AtWork::Processors(
+        std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
+    ))?;
 
     let cases = Terminal::new(false).waiting(AtWork::Reproducing, all_cases)?;
     let wrong: Vec<&Case> = cases.iter().filter(|case| !case.agrees()).collect();
@@ -70,15 +70,13 @@ pub(crate) fn doctor() -> Result<Outcome> {
         }
         .into());
     }
-    said(AtWork::Numbers { count: cases.len() })?;
+    said(AtWork::Numbers(cases.len()))?;
 
     for shown in examples::DEMO {
         let text = examples::example_text(shown.example, shown.file)?;
         parse_project(text, shown.example)?;
     }
-    said(AtWork::Examples {
-        count: examples::DEMO.len(),
-    })?;
+    said(AtWork::Examples(examples::DEMO.len()))?;
 
     let folder = std::env::temp_dir().join(format!("dolmen-doctor-{}", std::process::id()));
     dolmen_folder::write(&folder.join("text"), "당간".as_bytes())?;
@@ -93,17 +91,15 @@ pub(crate) fn doctor() -> Result<Outcome> {
         }
         .into());
     }
-    said(AtWork::Files {
-        folder: std::env::temp_dir().display().to_string(),
-    })?;
+    said(AtWork::Files(std::env::temp_dir().display().to_string()))?;
 
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
         .iter()
         .find_map(|name| std::env::var(name).ok());
     let is_utf8 = |locale: &str| locale.to_ascii_uppercase().replace('-', "").contains("UTF8");
     said(match locale {
-        Some(locale) if is_utf8(&locale) => AtWork::Utf8 { locale },
-        Some(locale) => AtWork::NotUtf8 { locale },
+        Some(locale) if is_utf8(&locale) => AtWork::Utf8(locale),
+        Some(locale) => AtWork::NotUtf8(locale),
         None => AtWork::NoLocale,
     })?;
     let took = Quantity::new(
@@ -111,6 +107,6 @@ pub(crate) fn doctor() -> Result<Outcome> {
         Unit::si("ms"),
         Digits::Fixed(0),
     );
-    said(AtWork::Well { took })?;
+    said(AtWork::Well(took))?;
     Ok(Outcome::Done)
 }

@@ -41,13 +41,7 @@ fn one(project: &Path, options: &Watch, manner: &Manner) -> Result<Outcome> {
     if let Some(folder) = &options.output {
         Outputs::of(manner.access(), &found).folder(folder, &watch_files(&answer, manner.language()))?;
         if !manner.quiet {
-            note!(
-                "{}",
-                Noted::Watched {
-                    folder: folder.display().to_string()
-                }
-                .text(manner)
-            );
+            note!("{}", Noted::Watched(folder.display().to_string()).text(manner));
         }
     }
     let line = InventoryLine::watched(answer.project.name.english().to_owned(), &answer);

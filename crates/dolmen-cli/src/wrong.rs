@@ -198,7 +198,7 @@ messages! {
     /// Notes in addition to an answer, on standard error.
     #[cfg_attr(not(feature = "pdf"), allow(dead_code, reason = "only a build with PDF says what it cannot print"))]
     pub(crate) enum Noted in "command.note" {
-        Ranking { folder: String } => {
+        Ranking(folder: String) => {
             en: "ranking, figure and page are in {folder}",
             ko: "순위, 그림, 웹 페이지를 {folder}에 썼다",
         },
@@ -206,12 +206,12 @@ messages! {
             en: "--samples had nothing to draw: no input carries a cov (coefficient of variation), or the stiffness that a load factor rests on is not known; give cov = 0.1 beside the value of an input",
             ko: "--samples로 추출할 것이 없다. cov(변동계수)가 있는 입력이 없거나 하중배율에 필요한 강성을 모른다. 입력의 값 옆에 cov = 0.1처럼 준다",
         },
-        Wrote { files: String } => { en: "wrote {files}", ko: "쓴 파일: {files}" },
+        Wrote(files: String) => { en: "wrote {files}", ko: "쓴 파일: {files}" },
         RunsKept { journal: String, runs: usize } => {
             en: "{journal}: {runs} runs are kept from before",
             ko: "{journal}: 앞서 실행한 해석 {runs}개를 그대로 쓴다",
         },
-        Tables { folder: String } => {
+        Tables(folder: String) => {
             en: "tables and figures are in {folder}",
             ko: "표와 그림을 {folder}에 썼다",
         },
@@ -219,23 +219,23 @@ messages! {
             en: "{designs} designs are in {path}; {left_out} were left out: scans are missing or cannot be used",
             ko: "설계 {designs}개를 {path}에 썼다. 조합이 없거나 쓸 수 없어 뺀 설계는 {left_out}개이다",
         },
-        Identified { folder: String } => {
+        Identified(folder: String) => {
             en: "figures and identification.json are in {folder}",
             ko: "그림과 identification.json을 {folder}에 썼다",
         },
-        Sensors { folder: String } => {
+        Sensors(folder: String) => {
             en: "sensors.svg, sensors.json and sensors.toml are in {folder}",
             ko: "sensors.svg, sensors.json, sensors.toml을 {folder}에 썼다",
         },
-        Compared { folder: String } => {
+        Compared(folder: String) => {
             en: "change.svg and change.json are in {folder}",
             ko: "change.svg와 change.json을 {folder}에 썼다",
         },
-        Results { folder: String } => {
+        Results(folder: String) => {
             en: "results and figures are in {folder}",
             ko: "결과와 그림을 {folder}에 썼다",
         },
-        Watched { folder: String } => {
+        Watched(folder: String) => {
             en: "years.svg and watch.json are in {folder}",
             ko: "years.svg와 watch.json을 {folder}에 썼다",
         },
@@ -247,23 +247,23 @@ messages! {
             en: "{file} holds the same bytes as {known_as}, which is stored already: it is no new record, and is passed over",
             ko: "{file}은(는) 이미 저장된 {known_as}와(과) 내용이 같다. 새 기록이 아니므로 처리하지 않았다",
         },
-        StillWritten { files: usize } => {
+        StillWritten(files: usize) => {
             en: "files that were still being written or too new: {files}; what rests by now was taken, the others are left for the next time",
             ko: "아직 쓰는 중이거나 너무 새로운 파일이 {files}개 있었다. 그사이 완료된 것은 처리하였고 나머지는 다음에 처리한다",
         },
-        FolderMade { folder: String } => {
+        FolderMade(folder: String) => {
             en: "the folder {folder} was not there and is new",
             ko: "폴더 {folder}이(가) 없어 새로 만들었다",
         },
-        Histories { folder: String } => {
+        Histories(folder: String) => {
             en: "histories and figures are in {folder}",
             ko: "시간이력과 그림을 {folder}에 썼다",
         },
-        HistoriesAndFilm { folder: String } => {
+        HistoriesAndFilm(folder: String) => {
             en: "histories, figures, film and exports are in {folder}",
             ko: "시간이력, 그림, 동영상(glTF), 내보낸 파일을 {folder}에 썼다",
         },
-        DoesNotStand { why: String } => {
+        DoesNotStand(why: String) => {
             en: "DOES NOT STAND without any shaking, so that nothing was simulated: {why}",
             ko: "지반운동이 없어도 서 있지 못하므로 해석하지 않았다: {why}",
         },
@@ -280,7 +280,7 @@ messages! {
             en: "{file} is a copy of the example {example}.",
             ko: "{file}은(는) 예제 {example}의 사본이다.",
         },
-        Placeholders { file: String } => {
+        Placeholders(file: String) => {
             en: "{file} holds placeholders alone: no survey, variant or source of another structure.",
             ko: "{file}에는 임시 값만 있으며 다른 구조물의 조사, 대안, 출처는 없다.",
         },
@@ -292,7 +292,7 @@ messages! {
             en: "Next: put your own numbers in it (its README.md says what each means) and take out the example's surveys and variants (--bare makes a file without them), then",
             ko: "다음: 자신의 값을 넣고(각 값의 뜻은 README.md 참조) 예제의 조사와 대안을 지운 뒤(--bare는 이를 뺀 파일을 만든다) 실행한다.",
         },
-        NextOfScan { folder: String } => {
+        NextOfScan(folder: String) => {
             en: "{folder} holds the stones, project.toml and drawing.svg. Next: look at the drawing, put your own density and friction into the file, then",
             ko: "{folder}에 석재 메시, project.toml, drawing.svg를 썼다. 다음: 도면을 확인하고 밀도와 마찰계수를 실제 값으로 고친 뒤 실행한다.",
         },
@@ -305,7 +305,7 @@ messages! {
             en: "study \"{study}\" is left out of the report: {why}",
             ko: "study \"{study}\"을(를) 보고서에서 뺐다: {why}",
         },
-        Meant { near: String } => { en: " Did you mean {near}?", ko: " {near}을(를) 쓰려던 것인가?" },
+        Meant(near: String) => { en: " Did you mean {near}?", ko: " {near}을(를) 쓰려던 것인가?" },
     }
 }
 
@@ -317,15 +317,7 @@ impl Noted {
 }
 
 fn meant(near: Option<&str>) -> Both {
-    near.map_or_else(
-        || Both::from(""),
-        |near| {
-            Noted::Meant {
-                near: near.to_owned(),
-            }
-            .into()
-        },
-    )
+    near.map_or_else(|| Both::from(""), |near| Noted::Meant(near.to_owned()).into())
 }
 
 /// The text of an error of the command or of folders in both languages; `None` for any other.

@@ -56,9 +56,7 @@ impl Reader<'_> {
             Bound::Any => WrongNumber::Finite.into(),
         };
         let message = if value.is_nan() {
-            WrongNumber::IsNotNumber {
-                path: path.to_string(),
-            }
+            WrongNumber::IsNotNumber(path.to_string())
         } else {
             WrongNumber::CannotBe {
                 path: path.to_string(),

@@ -205,7 +205,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                 self.faults.push(
                     Fault::new(key.span(), path, message)
                         .allowed(WrongKey::SwallowedByTableAbove)
-                        .help(WrongKey::MoveItInToml { remedy }),
+                        .help(WrongKey::MoveItInToml(remedy)),
                 );
                 if table.parent.is_none() {
                     self.swallowed.push(Swallowed {
@@ -227,13 +227,9 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             Some(near) => {
                 self.meant
                     .push(join(path[..path.len() - name.len()].trim_end_matches('.'), near));
-                Both::from(Common::DidYouMean {
-                    near: near.to_string(),
-                })
+                Both::from(Common::DidYouMean(near.to_string()))
             }
-            None => Both::from(WrongKey::KnownKeysAre {
-                known: known.join(", "),
-            }),
+            None => Both::from(WrongKey::KnownKeysAre(known.join(", "))),
         };
         self.faults
             .push(fault.allowed(WrongKey::UnknownKey).help(help).of_key());
@@ -280,9 +276,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                     "kind" => {
                         let kinds = property.iter().flat_map(|of| branches(self.schema, of));
                         let kinds: Vec<&str> = kinds.flat_map(words).collect();
-                        fault.help(WrongKey::WriteKind {
-                            kinds: alternatives(&kinds),
-                        })
+                        fault.help(WrongKey::WriteKind(alternatives(&kinds)))
                     }
                     _ => fault,
                 };
@@ -316,11 +310,9 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                 word: word.to_string(),
             },
         );
-        fault = fault.allowed(WrongKey::MustBe { allowed });
+        fault = fault.allowed(WrongKey::MustBe(allowed));
         if let Some(near) = nearest(word, words.iter().copied()) {
-            fault = fault.help(Common::DidYouMean {
-                near: near.to_string(),
-            });
+            fault = fault.help(Common::DidYouMean(near.to_string()));
         }
         self.faults.push(fault);
         false
@@ -375,23 +367,17 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                 given,
             },
         );
-        fault = fault.allowed(WrongKey::MustBeOfType { needed });
+        fault = fault.allowed(WrongKey::MustBeOfType(needed));
         let help = match node.get_ref() {
             DeValue::String(_) if is("a number") || is("a whole") => Some(WrongKey::WriteNumberWithoutQuotes),
-            DeValue::Datetime(_) if is("text") => Some(WrongKey::PutItInQuotes {
-                written: written.to_string(),
-            }),
+            DeValue::Datetime(_) if is("text") => Some(WrongKey::PutItInQuotes(written.to_string())),
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_)
                 if needed_word == "a list" && self.lists_tables(branches) =>
             {
-                Some(WrongKey::ListEachWithIts {
-                    path: path.to_string(),
-                })
+                Some(WrongKey::ListEachWithIts(path.to_string()))
             }
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed_word == "a list" => {
-                Some(WrongKey::PutItInBrackets {
-                    written: written.to_string(),
-                })
+                Some(WrongKey::PutItInBrackets(written.to_string()))
             }
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) | DeValue::Array(_)
                 if needed_word == "a table" && is_by_direction(path) && is_short =>
@@ -403,14 +389,10 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                 Some(WrongKey::GiveByDirection { key, written })
             }
             DeValue::String(_) if needed_word == "a table" && path.ends_with(".files") => {
-                Some(WrongKey::SayWhichComponentIt {
-                    written: written.to_string(),
-                })
+                Some(WrongKey::SayWhichComponentIt(written.to_string()))
             }
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if path == "damping" => {
-                Some(WrongKey::DampingRatio {
-                    written: written.to_string(),
-                })
+                Some(WrongKey::DampingRatio(written.to_string()))
             }
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed_word == "a table" => {
                 let (table, key) = path.rsplit_once('.').unwrap_or(("", path));

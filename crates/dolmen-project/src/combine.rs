@@ -93,9 +93,7 @@ fn combined(
             None => faults.push(Fault::new(
                 0..0,
                 "variant",
-                WrongFile::ThereIsNoVariant {
-                    name: name.to_string(),
-                },
+                WrongFile::ThereIsNoVariant(name.to_string()),
             )),
         }
     }

@@ -47,7 +47,7 @@ pub(super) fn judge_directions(reader: &mut Reader, structure: Option<&Structure
                 known: known.join(", "),
             };
             let near = near.to_owned();
-            reader.slip(&path, message, Common::DidYouMean { near });
+            reader.slip(&path, message, Common::DidYouMean(near));
         }
     }
 }

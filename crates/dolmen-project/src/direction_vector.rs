@@ -26,9 +26,7 @@ pub(super) fn direction_vector(reader: &mut Reader, raw: &At<WayRaw>, path: &str
         let fault = Fault::new(
             raw.span.clone(),
             path,
-            WrongNumber::IsNotDirection {
-                path: path.to_string(),
-            },
+            WrongNumber::IsNotDirection(path.to_string()),
         );
         reader.fault(fault.allowed(WrongNumber::MustBeXX));
     }

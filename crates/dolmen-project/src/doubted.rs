@@ -5,11 +5,11 @@ use dolmen_words::{Quantity, Sentence, messages};
 messages! {
     /// A probable slip that the numbers alone cannot prove: the sentence names the likely correction, and the answer is given.
     pub enum Doubted in "project.doubt" {
-        ChainOrder { ratio: Quantity } => {
+        ChainOrder(ratio: Quantity) => {
             en: "links: each is heavier per length than the one below, the top {ratio} times the lowest: is the list top first? Links are listed lowest first",
             ko: "links: 위로 갈수록 단위 길이당 질량이 커져 최상부가 최하부의 {ratio}배이다. 위에서부터 적은 것이 아닌가? 부재는 아래에서부터 적는다",
         },
-        StackOrder { share: Quantity } => {
+        StackOrder(share: Quantity) => {
             en: "blocks: the stones become wider upwards ({share} % more of the pairs than narrower ones): is the list top first? Stones are listed lowest first",
             ko: "blocks: 위로 갈수록 부재가 넓어진다(넓어지는 쌍이 좁아지는 쌍보다 {share} % 많음). 위에서부터 적은 것이 아닌가? 부재는 아래에서부터 적는다",
         },
@@ -21,7 +21,7 @@ messages! {
             en: "{path}: '{name}' is {extent} across, in a stack {height} high; stones are seldom above 8 m, and stacks of scanned stones above 25 m. Is the mesh in another unit? Stone and stack would be {others}. Write unit = \"mm\" or \"cm\" beside file; scale a mesh in inches by 25.4 to mm",
             ko: "{path}: '{name}'의 크기가 {extent}, 전체 높이가 {height}이다. 석재가 8 m를, 스캔한 석조물이 25 m를 넘는 일은 드물다. 메시가 다른 단위가 아닌가? 그 단위로 본 석재와 전체의 크기: {others}. file 옆에 unit = \"mm\" 또는 \"cm\"를 쓴다. 인치 메시는 25.4배 하여 mm로 한다",
         },
-        FloorOrder { ratio: Quantity } => {
+        FloorOrder(ratio: Quantity) => {
             en: "floors: no storey is softer than the one below, and the top one is {ratio} times as stiff as the lowest: is the list top first? Floors are listed lowest first",
             ko: "floors: 위로 갈수록 층강성이 커져 최상층이 최하층의 {ratio}배이다. 위에서부터 적은 것이 아닌가? 층은 아래에서부터 적는다",
         },
@@ -29,7 +29,7 @@ messages! {
             en: "survey {survey} measured a tilt of {measured}, but the blocks as the file places them lean by {own}: the file's own places are used; correct them, or the survey",
             ko: "{survey} 조사의 기울기는 {measured}인데 파일에 적은 부재 위치로는 {own}만큼 기울어 있다. 계산은 파일의 부재 위치로 하였다. 부재 위치나 조사 값을 바로잡는다",
         },
-        CentroidsFromTop { share: Quantity } => {
+        CentroidsFromTop(share: Quantity) => {
             en: "centroid: every centre of mass lies above the middle of its link, at {share} of its length on average: are they measured from the top? A centroid is its height above the link's lower joint",
             ko: "centroid: 모든 부재의 무게중심이 가운데보다 위(평균 길이의 {share}배)에 있다. 위에서 잰 값이 아닌가? centroid는 부재의 아래 접합부에서 잰 높이이다",
         },
@@ -41,7 +41,7 @@ messages! {
             en: "links: as stone the lowest would be {width} wide under a height of only {height}: are the weights in kN where N, kgf or kg are meant (1 kN is 102 kgf)?",
             ko: "links: 석재로 보면 최하부 부재의 폭이 {width}이고 전체 높이는 {height}뿐이다. N, kgf 또는 kg 값을 kN으로 적은 것이 아닌가(1 kN = 102 kgf)?",
         },
-        Beds { ratio: Quantity } => {
+        Beds(ratio: Quantity) => {
             en: "links: the beds are {ratio} times as wide as links of stone of that weight and length: are the weights in the unit that is written (1 tf is 9.81 kN), or the widths?",
             ko: "links: 접합면 폭이 같은 무게와 길이의 석재 부재 폭의 {ratio}배이다. 무게의 단위(1 tf = 9.81 kN) 또는 폭의 단위가 맞는가?",
         },
@@ -49,15 +49,15 @@ messages! {
             en: "{path} makes the link {ratio} times as heavy per length as those below and above it: is it in tf, kgf or kg (1 tf is 9.81 kN)?",
             ko: "{path}에 따르면 이 부재의 단위 길이당 무게가 위아래 부재의 {ratio}배이다. tf, kgf 또는 kg 값이 아닌가(1 tf = 9.81 kN)?",
         },
-        WeakJoints { share: Quantity } => {
+        WeakJoints(share: Quantity) => {
             en: "joints: the stiffest has {share} of the weight times height above it, and a chain needs about 1: is the stiffness per degree (1 N·m/deg is 57.3 N·m/rad)?",
             ko: "joints: 가장 강한 접합부도 상부 무게 × 높이의 {share}배뿐이며 자립하려면 약 1배가 필요하다. 도(°)당 강성이 아닌가(1 N·m/deg = 57.3 N·m/rad)?",
         },
-        StiffJoints { share: Quantity } => {
+        StiffJoints(share: Quantity) => {
             en: "joints: the softest has {share} times the weight times height above it, stiffer than stone on stone: is its unit N·m/rad, kN·m/rad or N·mm/rad?",
             ko: "joints: 가장 약한 접합부도 상부 무게 × 높이의 {share}배로 석재 접합부보다 강하다. 단위가 N·m/rad, kN·m/rad, N·mm/rad 중 어느 것인가?",
         },
-        AxialFactor { ratio: Quantity } => {
+        AxialFactor(ratio: Quantity) => {
             en: "axial_force: in every storey it is {ratio} times the weight of the masses: is one of them in tf or kgf (1 tf is 9.81 kN), or a mass given as a weight?",
             ko: "axial_force: 모든 층에서 질량에 따른 무게의 {ratio}배이다. 어느 한쪽이 tf나 kgf(1 tf = 9.81 kN)이거나 무게를 질량으로 적은 것이 아닌가?",
         },

@@ -84,7 +84,7 @@ impl ProjectError {
         let more = match self.more {
             0 => return text,
             1 => Framed::OneMore,
-            count => Framed::More { count },
+            count => Framed::More(count),
         };
         text += &format!("\n{}\n", Both::from(more).text(language));
         text
@@ -104,9 +104,7 @@ impl Problem {
         let before = columns(&mut self.text.chars().take(self.before));
         let marked = self.text.chars().skip(self.before).take(self.marked);
         let carets = columns(&mut marked.into_iter()).max(1);
-        let error = Both::from(Framed::Error {
-            message: self.message.clone(),
-        });
+        let error = Both::from(Framed::Error(self.message.clone()));
         let allowed = self.allowed.as_ref();
         let allowed = allowed.map_or_else(String::new, |allowed| format!(" {}", allowed.text(language)));
         let mut lines = vec![
@@ -117,7 +115,7 @@ impl Problem {
             format!("{gutter}| {}{}{allowed}", " ".repeat(before), "^".repeat(carets)),
         ];
         if let Some(help) = &self.help {
-            let help = Both::from(Framed::Help { help: help.clone() });
+            let help = Both::from(Framed::Help(help.clone()));
             lines.push(format!("{gutter}= {}", help.text(language)));
         }
         lines.join("\n") + "\n"
@@ -126,9 +124,7 @@ impl Problem {
 
 /// A sentence as an error: "error: …", "오류: …".
 pub fn headed(message: &str, language: Language) -> String {
-    let error = Framed::Error {
-        message: message.into(),
-    };
+    let error = Framed::Error(message.into());
     Both::from(error).text(language).to_owned()
 }
 

@@ -37,9 +37,7 @@ pub(super) fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
                 };
                 let help = match (*name, kind.as_str()) {
                     ("damping_ratio", "building") => WrongFile::DampingOfBuilding,
-                    _ => WrongFile::TakeItOutOrWrite {
-                        owner: owner.to_string(),
-                    },
+                    _ => WrongFile::TakeItOutOrWrite(owner.to_string()),
                 };
                 faults.push(
                     Fault::new(key.span(), name, message)

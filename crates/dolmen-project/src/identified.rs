@@ -21,12 +21,12 @@ pub(super) fn identified_from(
     match (is_identified, &table.survey) {
         (true, Some(survey)) => Ok(Some(survey.value.clone())),
         (true, None) => {
-            let message = WrongNumber::IdentifiedFromWhat { path: path_named() };
+            let message = WrongNumber::IdentifiedFromWhat(path_named());
             let fault = Fault::new(at.clone(), path, message);
             Err(Box::new(fault.help(WrongNumber::SurveyBeside)))
         }
         (false, Some(survey)) => {
-            let message = WrongNumber::SurveyWithoutSource { path: path_named() };
+            let message = WrongNumber::SurveyWithoutSource(path_named());
             let fault = Fault::new(survey.span.clone(), path, message);
             Err(Box::new(fault.help(WrongNumber::SourceIdentified)))
         }
@@ -48,7 +48,7 @@ pub(super) fn without_survey(
             survey: survey.to_owned(),
         };
         let known = surveys.join(", ");
-        Fault::new(place(&of.path), &of.path, message).help(WrongNumber::SurveysOfFile { known })
+        Fault::new(place(&of.path), &of.path, message).help(WrongNumber::SurveysOfFile(known))
     });
     faults.collect()
 }
@@ -68,7 +68,7 @@ pub(super) fn sought_in_none(
             survey: survey.to_owned(),
         };
         let known = surveys.join(", ");
-        Fault::new(place(&path), &path, message).help(WrongNumber::SurveysOfFile { known })
+        Fault::new(place(&path), &path, message).help(WrongNumber::SurveysOfFile(known))
     });
     faults.collect()
 }

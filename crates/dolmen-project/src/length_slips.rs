@@ -53,7 +53,7 @@ pub(super) fn one_for_all(reader: &mut Reader, text: &str, structure: &Structure
         |fault: &Fault| bare.contains(&fault.path) && UNITS.into_iter().any(|of| fault.asks_for(of));
     reader.faults.retain(|fault| !is_of_length(fault));
     let message = Slip::LengthsAllOff { count: slips, unit };
-    let fault = Fault::new(span.clone(), "units.length", message).help(Slip::MeantUnitOfLength { meant });
+    let fault = Fault::new(span.clone(), "units.length", message).help(Slip::MeantUnitOfLength(meant));
     reader.fault(match span.is_empty() {
         true => fault.at_top(),
         false => fault,

@@ -56,12 +56,8 @@ fn patch_list<'i>(list: &mut [Node<'i>], patch: &DeTable<'i>, path: &str) -> Vec
                     path: path.to_string(),
                     key: key.get_ref().to_string(),
                 };
-                let allowed = WrongFile::MustBeNumberFrom {
-                    count: count.to_string(),
-                };
-                let help = WrongFile::ListIsChangedBy {
-                    path: path.to_string(),
-                };
+                let allowed = WrongFile::MustBeNumberFrom(count.to_string());
+                let help = WrongFile::ListIsChangedBy(path.to_string());
                 faults.push(Fault::new(key.span(), path, message).allowed(allowed).help(help));
             }
         }

@@ -43,9 +43,7 @@ pub(super) fn heaviness(
             let fault = Fault::new(
                 weight.span.clone(),
                 path,
-                WrongFile::HasBothWeightAnd {
-                    path: path.to_string(),
-                },
+                WrongFile::HasBothWeightAnd(path.to_string()),
             );
             reader.fault(
                 fault
@@ -61,9 +59,7 @@ pub(super) fn heaviness(
                 let fault = Fault::new(
                     part.clone(),
                     path,
-                    WrongFile::HasNeitherWeightNor {
-                        path: path.to_string(),
-                    },
+                    WrongFile::HasNeitherWeightNor(path.to_string()),
                 );
                 reader.fault(fault.help(WrongFile::GiveWeightForceOr));
             }
@@ -86,9 +82,7 @@ pub(super) fn countable<T>(reader: &mut Reader, list: &At<Vec<T>>, path: &str) -
             count: count.to_string(),
         },
     );
-    reader.fault(fault.allowed(WrongFile::MustBeTo {
-        most: PARTS_MOST.to_string(),
-    }));
+    reader.fault(fault.allowed(WrongFile::MustBeTo(PARTS_MOST.to_string())));
     false
 }
 

@@ -35,10 +35,7 @@ pub(super) fn printed_names(
             let path = format!("names.{key}");
             if !known.contains(name) {
                 let help: Both = match nearest(name, known.iter().map(String::as_str)) {
-                    Some(near) => Common::DidYouMean {
-                        near: near.to_owned(),
-                    }
-                    .into(),
+                    Some(near) => Common::DidYouMean(near.to_owned()).into(),
                     None => WrongFile::NameAsFileDoes.into(),
                 };
                 let message = WrongFile::NamesNothing {
@@ -47,9 +44,7 @@ pub(super) fn printed_names(
                 };
                 reader.fault(Fault::new(printed.span.clone(), &path, message).help(help));
             } else if printed.value.trim().is_empty() {
-                let message = Common::IsEmpty {
-                    path: format!("{path}.\"{name}\""),
-                };
+                let message = Common::IsEmpty(format!("{path}.\"{name}\""));
                 let fault = Fault::new(printed.span.clone(), &path, message);
                 reader.fault(fault.allowed(WrongFile::NeedsText));
             } else {

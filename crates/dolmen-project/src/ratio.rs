@@ -34,12 +34,6 @@ pub(super) fn below(
     let span = raw.map_or(0..0, |raw| raw.span.clone());
     let message = format!("{} = {}", ratio.path, ratio.written);
     let fault = Fault::new(span, &ratio.path, message);
-    reader.fault(
-        fault
-            .allowed(WrongNumber::ZeroTo {
-                most: most.to_string(),
-            })
-            .help(help),
-    );
+    reader.fault(fault.allowed(WrongNumber::ZeroTo(most.to_string())).help(help));
     None
 }

@@ -386,13 +386,7 @@ fn name(reader: &mut Reader, raw: At<NamesRaw>, path: &str) -> Option<Names> {
     let names = names(raw.value);
     let is_empty = |name: &Option<String>| name.as_deref().is_none_or(|name| name.trim().is_empty());
     if is_empty(&names.en) && is_empty(&names.ko) {
-        let fault = Fault::new(
-            raw.span,
-            path,
-            Common::IsEmpty {
-                path: path.to_string(),
-            },
-        );
+        let fault = Fault::new(raw.span, path, Common::IsEmpty(path.to_string()));
         reader.fault(fault.allowed(WrongFile::NeedsText).help(WrongFile::NameEnKoOr));
         return None;
     }
@@ -438,13 +432,7 @@ fn variant<'i>(
 ) -> Option<Variant> {
     let path = format!("variant.{name}");
     let DeValue::Table(table) = patch.get_ref() else {
-        let fault = Fault::new(
-            patch.span(),
-            &path,
-            WrongFile::IsNotTable {
-                path: path.to_string(),
-            },
-        );
+        let fault = Fault::new(patch.span(), &path, WrongFile::IsNotTable(path.to_string()));
         faults.push(
             fault
                 .allowed(WrongFile::MustBeTable)
@@ -516,13 +504,7 @@ fn title<'i>(
         Ok(raw) => Some(names(raw)),
         Err(_) => {
             let path = format!("{path}.title");
-            let fault = Fault::new(
-                span,
-                &path,
-                WrongFile::IsNotName {
-                    path: path.to_string(),
-                },
-            );
+            let fault = Fault::new(span, &path, WrongFile::IsNotName(path.to_string()));
             faults.push(fault.allowed(WrongFile::MustBeTextOr));
             None
         }

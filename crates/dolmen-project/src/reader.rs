@@ -342,7 +342,7 @@ impl<'f> Reader<'f> {
                 given: given.to_string(),
             };
             let [one, other] = units.map(|unit| format!("\"{given} {unit}\""));
-            let fault = Fault::new(span.clone(), path, message).allowed(WrongNumber::MustBeWithIts { what });
+            let fault = Fault::new(span.clone(), path, message).allowed(WrongNumber::MustBeWithIts(what));
             self.fault(fault.help(WrongNumber::WriteOr { one, other }));
             return None;
         }
@@ -380,9 +380,7 @@ impl<'f> Reader<'f> {
         measure: Measure,
     ) -> Option<(f64, &'t str)> {
         let (path_named, given) = (path.to_owned(), text.to_owned());
-        let must_be = WrongNumber::MustBeNumberOr {
-            example: measure.example(),
-        };
+        let must_be = WrongNumber::MustBeNumberOr(measure.example());
         let fault = match split_number(text) {
             None => {
                 let message = WrongNumber::IsTextNotNumber {
@@ -475,9 +473,7 @@ impl<'f> Reader<'f> {
             }
             quantity.cov = match (&table.cov, &table.sd) {
                 (Some(_), Some(sd)) => {
-                    let message = WrongNumber::HasBothCovAnd {
-                        path: path.to_string(),
-                    };
+                    let message = WrongNumber::HasBothCovAnd(path.to_string());
                     self.fault(Fault::new(sd.span.clone(), path, message).help(WrongNumber::CovOrSd));
                     return None;
                 }

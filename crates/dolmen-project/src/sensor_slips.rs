@@ -83,7 +83,7 @@ fn judge(reader: &mut Reader, path: String, places: &[[f64; 3]], height_m: f64) 
     };
     let meant = if is_far { "mm" } else { "m" };
     let help = match unit == meant {
-        true => WrongRecords::PositionsFromFoot { unit },
+        true => WrongRecords::PositionsFromFoot(unit),
         false => WrongRecords::PositionsAreIn {
             meant: format!("\"{in_unit} {meant}\""),
             unit,

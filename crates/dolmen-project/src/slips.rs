@@ -46,9 +46,7 @@ pub(super) fn judge(
     if let Some(gravity) = gravity
         && !within(gravity.value, GRAVITY_M_S2)
     {
-        let message = Slip::GravityIsNotThat {
-            written: gravity.written.to_string(),
-        };
+        let message = Slip::GravityIsNotThat(gravity.written.to_string());
         reader.slip(&gravity.path, message, Slip::GalMS2And);
     }
     match structure {
@@ -97,9 +95,7 @@ fn judge_modes(reader: &mut Reader, survey: &Survey) {
                 path: damping.path.to_string(),
                 written: damping.written.to_string(),
             };
-            let help = Common::IsItPerCent {
-                percent: short(damping.value),
-            };
+            let help = Common::IsItPerCent(short(damping.value));
             reader.slip(&damping.path, message, help);
         }
     }

@@ -27,13 +27,7 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     let span = error.span().unwrap_or(0..0);
     let first = error.message().lines().next().unwrap_or_default();
     let rest: Vec<&str> = error.message().lines().skip(1).collect();
-    let mut fault = Fault::new(
-        span.clone(),
-        "",
-        WrongToml::ThisIsNotToml {
-            first: of_parser(first),
-        },
-    );
+    let mut fault = Fault::new(span.clone(), "", WrongToml::ThisIsNotToml(of_parser(first)));
     if !rest.is_empty() {
         fault = fault.allowed(rest.join(", "));
     }
@@ -59,23 +53,19 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     if first.contains("string values must be quoted")
         && let Some(written) = bare_ratio(text.get(span.start..).unwrap_or_default())
     {
-        fault = fault.help(WrongKey::PutItInQuotes {
-            written: written.to_owned(),
-        });
+        fault = fault.help(WrongKey::PutItInQuotes(written.to_owned()));
     }
     if first.contains("escaped value") || first.contains("unicode value digits") {
         let string = whole[..before.len()].rfind('"').map_or("", |at| &whole[at + 1..]);
         let path = string.split('"').next().unwrap_or_default().replace('\\', "/");
-        fault = fault.help(WrongToml::BackslashBeginsSign { path });
+        fault = fault.help(WrongToml::BackslashBeginsSign(path));
     }
     if first.contains("unquoted key") && span.start < span.end {
         fault = fault.help(of_key(&whole, text.get(span.clone()).unwrap_or_default()));
     }
     if first.contains("duplicate key") {
         let line = text.get(span).unwrap_or_default();
-        fault = fault.help(WrongToml::IsGivenTwiceIn {
-            line: line.to_string(),
-        });
+        fault = fault.help(WrongToml::IsGivenTwiceIn(line.to_string()));
     }
     fault
 }
@@ -112,9 +102,7 @@ fn of_key(line: &str, given: &str) -> WrongToml {
             };
         }
         let parts: Vec<String> = name.split('.').map(|part| quote(part.trim())).collect();
-        return WrongToml::QuoteKey {
-            quoted: format!("[{}]", parts.join(".")),
-        };
+        return WrongToml::QuoteKey(format!("[{}]", parts.join(".")));
     }
     let is_part = |sign: char| !sign.is_whitespace() && !"{}[],.=".contains(sign);
     let word = line.find(given).map_or(given, |at| {
@@ -128,9 +116,7 @@ fn of_key(line: &str, given: &str) -> WrongToml {
             given: word.to_owned(),
             key: key.to_owned(),
         },
-        None => WrongToml::QuoteKey {
-            quoted: format!("\"{word}\""),
-        },
+        None => WrongToml::QuoteKey(format!("\"{word}\"")),
     }
 }
 
@@ -203,8 +189,7 @@ fn of_comma(number: WithComma<'_>, line_at: usize) -> Fault {
     let WithComma { at, written } = number;
     let span = line_at + at..line_at + at + written.len();
     let number = written.to_owned();
-    let fault =
-        Fault::new(span, "", WrongToml::NumberHoldsComma { number }).allowed(WrongNumber::UnclearNumber);
+    let fault = Fault::new(span, "", WrongToml::NumberHoldsComma(number)).allowed(WrongNumber::UnclearNumber);
     let (point, none) = (written.replace(',', "."), written.replace(',', ""));
     let commas = written.matches(',').count();
     let is_thousands = written.split(',').skip(1).all(|group| {
@@ -217,8 +202,8 @@ fn of_comma(number: WithComma<'_>, line_at: usize) -> Fault {
             thousands: none,
             decimal: point,
         },
-        (true, false) => WrongToml::DecimalCommaWrite { number: point },
-        (false, _) => WrongToml::ThousandsWrite { number: none },
+        (true, false) => WrongToml::DecimalCommaWrite(point),
+        (false, _) => WrongToml::ThousandsWrite(none),
     })
 }
 
@@ -237,13 +222,9 @@ pub(super) fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
     let fault = Fault::new(
         span,
         "schema",
-        WrongToml::SchemaIsNotKnown {
-            given: given.as_str().to_string(),
-        },
+        WrongToml::SchemaIsNotKnown(given.as_str().to_string()),
     );
-    let fault = fault.allowed(WrongToml::MustBe {
-        version: SCHEMA_VERSION.to_string(),
-    });
+    let fault = fault.allowed(WrongToml::MustBe(SCHEMA_VERSION.to_string()));
     let dolmen = env!("CARGO_PKG_VERSION");
     let help = match number {
         Some(number) if number > SCHEMA_VERSION => WrongToml::FileIsOfNewer {

@@ -149,15 +149,11 @@ fn wide_signs(text: &str, tokens: &[Placed]) -> Option<Fault> {
     }
     let message = match has_blank {
         true => WrongToml::WideBlank,
-        false => WrongToml::WideSigns {
-            written: written.to_owned(),
-        },
+        false => WrongToml::WideSigns(written.to_owned()),
     };
     let help = match has_blank {
         true => WrongToml::WritePlainBlank,
-        false => WrongToml::WritePlain {
-            plain: turned.trim().to_owned(),
-        },
+        false => WrongToml::WritePlain(turned.trim().to_owned()),
     };
     Some(Fault::new(span, "", message).help(help))
 }
@@ -217,12 +213,8 @@ fn brackets(text: &str, tokens: &[Placed]) -> Option<Fault> {
                     Token::Open(sign) => sign.to_string(),
                     _ => said(of),
                 };
-                let fault = Fault::new(
-                    of.span.clone(),
-                    "",
-                    WrongToml::CommaMissing { next: next.clone() },
-                );
-                return Some(fault.help(WrongToml::WriteComma { next }));
+                let fault = Fault::new(of.span.clone(), "", WrongToml::CommaMissing(next.clone()));
+                return Some(fault.help(WrongToml::WriteComma(next)));
             }
             // no key begins with a bracket
             Token::Open(_) if !is_list && top.next == Next::Key => {
@@ -269,12 +261,12 @@ fn unclosed(text: &str, open: &Open, before: usize) -> Fault {
     let sign = if open.sign == '[' { "]" } else { "}" }.to_owned();
     let key = open.key.clone();
     let message = match open.sign {
-        '[' => WrongToml::ListNotClosed { key },
-        _ => WrongToml::TableNotClosed { key },
+        '[' => WrongToml::ListNotClosed(key),
+        _ => WrongToml::TableNotClosed(key),
     };
     let fault = Fault::new(open.at..open.at + 1, "", message);
     fault.help(match what.is_empty() {
-        true => WrongToml::CloseAtEnd { sign },
+        true => WrongToml::CloseAtEnd(sign),
         false => WrongToml::CloseBefore {
             sign,
             line: line.to_string(),

@@ -471,13 +471,7 @@ pub(super) fn checked_unit(
             needed: needed.said(),
             unit: unit.to_string(),
         };
-        return Err((
-            said.into(),
-            Common::UseUnitSuchAs {
-                example: measure.example(),
-            }
-            .into(),
-        ));
+        return Err((said.into(), Common::UseUnitSuchAs(measure.example()).into()));
     };
     if let Some((key, of_file)) = unit_of_file(root, *measure)
         && parse_unit(of_file).is_ok_and(|own| own.factor != read.factor)

@@ -240,16 +240,11 @@ fn metres(keys: &Keys<'_>, read: &UffModes) -> Result<Option<f64>, Wrong> {
                 Common::TakeItOut.into(),
             ))
         }
-        (None, None) => Err((
-            WrongModes::NoLength { file }.into(),
-            WrongModes::GiveLength.into(),
-        )),
+        (None, None) => Err((WrongModes::NoLength(file).into(), WrongModes::GiveLength.into())),
         (None, Some(length)) => {
             let dimension = Measure::Length.dimension();
             let unit = parse_unit(length).ok().and_then(|read| read.measuring(dimension));
-            let wrong = WrongModes::IsNoLength {
-                length: length.to_owned(),
-            };
+            let wrong = WrongModes::IsNoLength(length.to_owned());
             let unit = unit.ok_or_else(|| (wrong.into(), WrongModes::GiveLength.into()))?;
             Ok(Some(unit.factor))
         }
@@ -279,10 +274,7 @@ fn of_table(file: &str, rows: &[Vec<SheetCell>], root: &DeTable<'_>) -> Result<B
     };
     let [Some(direction_at), Some(frequency_at)] = ["direction", "frequency"].map(at) else {
         let file = file.to_owned();
-        return Err((
-            WrongModes::NoColumns { file }.into(),
-            WrongModes::GiveColumns.into(),
-        ));
+        return Err((WrongModes::NoColumns(file).into(), WrongModes::GiveColumns.into()));
     };
     let mut all = ByDirection::new();
     for row in body {

@@ -244,7 +244,7 @@ fn head(file: &str, cell: &SheetCell, head: &str) -> Result<Head, Wrong> {
             let example = measure.example();
             Err((
                 WrongTable::Cell { file, place, said }.into(),
-                Common::UseUnitSuchAs { example }.into(),
+                Common::UseUnitSuchAs(example).into(),
             ))
         }
         _ => Ok(Head {

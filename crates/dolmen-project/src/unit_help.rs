@@ -10,14 +10,14 @@ pub(super) fn help_of_unit((of, text): (&str, &str), found: Dimension, measure: 
     let (part, key) = of.rsplit_once('.').unwrap_or(("", of));
     let part = part.to_owned();
     match (key, found) {
-        ("weight", Dimension::MASS) => WrongNumber::WriteMassInsteadOf { part }.into(),
-        ("mass", Dimension::FORCE) => WrongNumber::WriteWeightInsteadOf { part }.into(),
+        ("weight", Dimension::MASS) => WrongNumber::WriteMassInsteadOf(part).into(),
+        ("mass", Dimension::FORCE) => WrongNumber::WriteWeightInsteadOf(part).into(),
         _ if measure == Measure::Density && text.trim_start().starts_with("g/") => {
             WrongNumber::GramsAreNone.into()
         }
         _ => {
             let example = measure.example();
-            Common::UseUnitSuchAs { example }.into()
+            Common::UseUnitSuchAs(example).into()
         }
     }
 }

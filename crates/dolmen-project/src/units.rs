@@ -165,9 +165,9 @@ impl UnitError {
     pub(super) fn said(&self) -> Both {
         Both::from(match self {
             UnitError::Empty => WrongUnit::ThereIsNoUnit,
-            UnitError::Unknown { symbol, .. } | UnitError::Ton { symbol } => WrongUnit::IsNotKnownUnit {
-                symbol: symbol.clone(),
-            },
+            UnitError::Unknown { symbol, .. } | UnitError::Ton { symbol } => {
+                WrongUnit::IsNotKnownUnit(symbol.clone())
+            }
             UnitError::ProductAfterSlash => WrongUnit::WhatStandsBelowIs,
             UnitError::Power { symbol } => WrongUnit::PowerIsNot {
                 symbol: symbol.clone(),
@@ -181,21 +181,15 @@ impl UnitError {
             UnitError::Unknown {
                 nearest: Some(nearest),
                 ..
-            } => WrongUnit::DidYouMean {
-                nearest: (*nearest).to_owned(),
-            },
+            } => WrongUnit::DidYouMean((*nearest).to_owned()),
             UnitError::Unknown { symbol, .. } if symbol.contains(['.', '・', '･']) => {
-                WrongUnit::DidYouMean {
-                    nearest: symbol.replace(['.', '・', '･'], "*"),
-                }
+                WrongUnit::DidYouMean(symbol.replace(['.', '・', '･'], "*"))
             }
             UnitError::Ton { .. } => WrongUnit::TonOrTf,
             UnitError::ProductAfterSlash => WrongUnit::WriteProductsBeforeOne,
             _ => {
                 let symbols: Vec<&str> = SYMBOLS.iter().map(|(symbol, ..)| *symbol).collect();
-                WrongUnit::UnitsAreProductsAnd {
-                    symbols: symbols.join(" "),
-                }
+                WrongUnit::UnitsAreProductsAnd(symbols.join(" "))
             }
         })
     }

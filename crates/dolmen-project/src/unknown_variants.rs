@@ -17,30 +17,14 @@ pub(super) fn unknown_variants(project: &Project, variants: &[Variant]) -> Vec<F
             }
             let path = format!("study.{}.variants[{}]", study.name, i + 1);
             let span = project.spans.get(&path).cloned().unwrap_or(0..0);
-            let fault = Fault::new(
-                span,
-                &path,
-                WrongFile::ThereIsNoVariant {
-                    name: name.to_string(),
-                },
-            );
+            let fault = Fault::new(span, &path, WrongFile::ThereIsNoVariant(name.to_string()));
             let help: Both = match nearest(name, known.iter().copied()) {
-                Some(near) => Common::DidYouMean {
-                    near: near.to_string(),
-                }
-                .into(),
-                None => WrongFile::WriteVariantOrTake {
-                    name: name.to_string(),
-                }
-                .into(),
+                Some(near) => Common::DidYouMean(near.to_string()).into(),
+                None => WrongFile::WriteVariantOrTake(name.to_string()).into(),
             };
             faults.push(match known.is_empty() {
                 true => fault.help(help),
-                false => fault
-                    .allowed(WrongFile::MustBeOneOf {
-                        known: known.join(", "),
-                    })
-                    .help(help),
+                false => fault.allowed(WrongFile::MustBeOneOf(known.join(", "))).help(help),
             });
         }
     }

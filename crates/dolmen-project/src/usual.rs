@@ -32,14 +32,10 @@ pub(super) fn guess(ratio: f64, unit: &str) -> Slip {
         if let Some((name, factor)) = best
             && off(*factor) <= NEAR.ln()
         {
-            return Slip::DidYouMean {
-                name: name.to_string(),
-            };
+            return Slip::DidYouMean(name.to_string());
         }
     }
-    Slip::ItIsAboutWhat {
-        ratio: rounded(ratio),
-    }
+    Slip::ItIsAboutWhat(rounded(ratio))
 }
 
 /// A ratio for a message: three significant digits, below 1 as a fraction.

@@ -16,7 +16,7 @@ use serde_json::Value;
 messages! {
     /// Two motions.
     pub(crate) enum TwoMotions in "simulated.after" {
-        Head { first: String } => { en: "After {first}", ko: "{first} 이후" },
+        Head(first: String) => { en: "After {first}", ko: "{first} 이후" },
         First { first: String, said: Both } => { en: "{first} alone: {said}.", ko: "{first}만 작용할 때: {said}." },
         Rested { second: String, still: Quantity, speed: Quantity, bound: Quantity, from: Quantity } => {
             en: "The ground then stood still for {still}, at whose end no part moved faster than {speed} (at rest: {bound}); {second} began at {from}.",
@@ -26,7 +26,7 @@ messages! {
             en: "NOT AT REST between the motions: after {still} of still ground a part still moved at {speed} (at rest: {bound}), and {second} began at {from} on what was moving. Give the structure its damping.",
             ko: "두 지반운동 사이에 멈추지 않았다: 지반이 {still} 동안 정지한 뒤에도 {speed}(으)로 움직이는 부분이 있으며(정지 기준 {bound}), {second}은(는) 움직이는 중에 {from}부터 작용하였다. 구조물의 감쇠를 준다.",
         },
-        Both { first: String } => {
+        Both(first: String) => {
             en: "All that follows is of both motions together: peaks, slips and what is left count from the structure as it stood before {first}, times from the beginning of {first}.",
             ko: "이하의 값은 두 지반운동을 합한 것이다. 최댓값, 미끄러짐, 잔류값은 {first} 이전의 상태를, 시각은 {first}의 시작을 기준으로 한다.",
         },
@@ -42,7 +42,7 @@ messages! {
         Motion => { en: "after", ko: "이후" },
         Direction => { en: "direction", ko: "방향" },
         State => { en: "state", ko: "손상상태" },
-        Damage { state: usize } => { en: "DS{state}", ko: "DS{state}" },
+        Damage(state: usize) => { en: "DS{state}", ko: "DS{state}" },
         Undamaged => { en: "none", ko: "없음" },
         Fallen => { en: "fell", ko: "붕괴" },
         Stands => { en: "stands", ko: "안정" },
@@ -71,9 +71,7 @@ pub fn after_first_text(answer: &SimulateAnswer, style: TextStyle) -> String {
     let mut document = Document::default();
     document.put(Block::Table(table(answer, after)));
     let found = findings(after);
-    let head = Sentence::from(TwoMotions::Head {
-        first: after.first_motion.clone(),
-    });
+    let head = Sentence::from(TwoMotions::Head(after.first_motion.clone()));
     let head = head.text(style.language);
     format!("\n{head}\n") + &findings_text(&found, style) + &document_text(&document, style)
 }
@@ -123,7 +121,7 @@ fn findings(after: &AfterFirst) -> Vec<Finding> {
                     },
                 ),
             });
-            all.push(Finding::key(Tone::Plain, TwoMotions::Both { first }));
+            all.push(Finding::key(Tone::Plain, TwoMotions::Both(first)));
         }
         Second::FellBefore => all.push(Finding::key(Tone::Bad, TwoMotions::FellBefore { first, second })),
         Second::NoVerdictBefore => {
@@ -273,9 +271,7 @@ impl StateLeft {
         match self {
             StateLeft::Stack { state: 0, .. } => TwoMotions::Undamaged,
             StateLeft::Stack { state: 4, .. } => TwoMotions::Fallen,
-            StateLeft::Stack { state, .. } => TwoMotions::Damage {
-                state: usize::from(*state),
-            },
+            StateLeft::Stack { state, .. } => TwoMotions::Damage(usize::from(*state)),
             StateLeft::Chain { fell: true, .. } | StateLeft::Frame { fell: true, .. } => TwoMotions::Fallen,
             StateLeft::Chain { moved: true, .. } => TwoMotions::Opened,
             StateLeft::Frame { slipped_m, .. } if *slipped_m > 0.0 => TwoMotions::Slipped,

@@ -58,7 +58,7 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
 
 fn said<T: Into<String>>(words: impl Fn(Language) -> T) -> Sentence {
     let text = Both::of(words);
-    Workbook::Verbatim { text }.into()
+    Workbook::Verbatim(text).into()
 }
 
 /// A list with one text in both languages for each point; both have the same number of points.
@@ -67,5 +67,5 @@ fn list(points: impl Fn(Language) -> Vec<String>) -> Block<'static> {
         .into_iter()
         .zip(points(Language::Korean));
     let each = both.map(|(english, korean)| Both { english, korean });
-    Block::List(each.map(|text| Workbook::Verbatim { text }.into()).collect())
+    Block::List(each.map(|text| Workbook::Verbatim(text).into()).collect())
 }

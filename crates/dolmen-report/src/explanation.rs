@@ -1,4 +1,4 @@
-//! One code with its explanation.
+//! One code with its explanation, and a list of them: code, title and text of each.
 
 /// One code with its explanation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,3 +10,12 @@ pub struct Explanation {
     /// A few plain paragraphs: meaning, reason, and remedy.
     pub text: &'static str,
 }
+
+/// Explanations, each written as `"code" "title" => "text"`.
+macro_rules! explanations {
+    ($($code:literal $title:literal => $text:literal),* $(,)?) => {
+        &[$($crate::explanation::Explanation { code: $code, title: $title, text: $text }),*]
+    };
+}
+
+pub(crate) use explanations;

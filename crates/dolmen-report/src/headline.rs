@@ -17,13 +17,13 @@ const DIGITS: usize = 3;
 messages! {
     /// The parts of a headline.
     pub(crate) enum Headline in "headline" {
-        Verdict { words: Both } => { en: "VERDICT {words}", ko: "판정: {words}" },
-        OwnWeight { word: Both } => { en: "Own weight: {word}", ko: "자중: {word}" },
-        OwnWeightCrushes { word: Both } => {
+        Verdict(words: Both) => { en: "VERDICT {words}", ko: "판정: {words}" },
+        OwnWeight(word: Both) => { en: "Own weight: {word}", ko: "자중: {word}" },
+        OwnWeightCrushes(word: Both) => {
             en: "Own weight: {word} (edges of stones crush)",
             ko: "자중: {word}(석재 모서리 압괴)",
         },
-        WeightAndLoads { word: Both } => { en: "Weight and loads: {word}", ko: "자중·작용하중: {word}" },
+        WeightAndLoads(word: Both) => { en: "Weight and loads: {word}", ko: "자중·작용하중: {word}" },
         OwnWeightSamples { word: Both, share: Quantity } => {
             en: "Own weight: {word} (falls in {share} of samples)",
             ko: "자중: {word}(표본의 {share}에서 전도)",
@@ -44,8 +44,8 @@ messages! {
             en: "survey {survey} contradicts it: {measured} measured, {computed} modelled",
             ko: "{survey} 조사와 불일치: 실측 {measured}, 모델 {computed}",
         },
-        Model { evidence: Sentence } => { en: "Model: {evidence}", ko: "모델: {evidence}" },
-        Calibrated { survey: String } => {
+        Model(evidence: Sentence) => { en: "Model: {evidence}", ko: "모델: {evidence}" },
+        Calibrated(survey: String) => {
             en: "Model: not measured (calibrated to {survey})",
             ko: "모델: 독립 계측 없음({survey} 조사로 추정한 강성)",
         },
@@ -59,23 +59,23 @@ messages! {
             en: "Earthquake {motion} after {first}: {said}",
             ko: "지진 {first} 이후 {motion}: {said}",
         },
-        AtOther { said: Sentence } => { en: "Earthquake: {said}", ko: "지진: {said}" },
-        Wind { said: Sentence } => { en: "Wind: {said}", ko: "풍응답: {said}" },
-        StaticLoads { said: Sentence } => { en: "Static loads: {said}", ko: "정하중: {said}" },
-        WithEarthquake { said: Sentence } => {
+        AtOther(said: Sentence) => { en: "Earthquake: {said}", ko: "지진: {said}" },
+        Wind(said: Sentence) => { en: "Wind: {said}", ko: "풍응답: {said}" },
+        StaticLoads(said: Sentence) => { en: "Static loads: {said}", ko: "정하중: {said}" },
+        WithEarthquake(said: Sentence) => {
             en: "Combinations with the earthquake: {said}",
             ko: "지진을 포함한 하중조합: {said}",
         },
-        WindAndLoads { said: Sentence } => { en: "Wind and static loads: {said}", ko: "풍하중·정하중: {said}" },
+        WindAndLoads(said: Sentence) => { en: "Wind and static loads: {said}", ko: "풍하중·정하중: {said}" },
         WordAcceleration { word: Both, ratio: Quantity } => {
             en: "{word} (limit/acceleration {ratio})",
             ko: "{word}(한계/가속도 {ratio})",
         },
         WordDrift { word: Both, ratio: Quantity } => { en: "{word} (limit/drift {ratio})", ko: "{word}(한계/층간변위 {ratio})" },
         Falls => { en: "it falls", ko: "전도" },
-        Word { word: Both } => { en: "{word}", ko: "{word}" },
+        Word(word: Both) => { en: "{word}", ko: "{word}" },
         WordRatio { word: Both, ratio: Quantity } => { en: "{word} (capacity/demand {ratio})", ko: "{word}(저항/요구 {ratio})" },
-        WordFalls { word: Both } => { en: "{word} (it falls)", ko: "{word}(붕괴)" },
+        WordFalls(word: Both) => { en: "{word} (it falls)", ko: "{word}(붕괴)" },
         WordDamage { word: Both, state: Sentence } => { en: "{word} ({state})", ko: "{word}({state})" },
         WordRuns { word: Both, state: Sentence, runs: usize, all: usize } => {
             en: "{word} ({state} in {runs} of {all} runs)",
@@ -85,9 +85,9 @@ messages! {
             en: "{word} (room/stroke of {part} {ratio})",
             ko: "{word}({part} 여유 공간/행정 {ratio})",
         },
-        WordTie { word: Both } => { en: "{word} (a tie broke)", ko: "{word}(결속재 파단)" },
-        WordNoLimit { word: Both } => { en: "{word} (no limit is known)", ko: "{word}(판정 기준 없음)" },
-        WordNoResponse { word: Both } => {
+        WordTie(word: Both) => { en: "{word} (a tie broke)", ko: "{word}(결속재 파단)" },
+        WordNoLimit(word: Both) => { en: "{word} (no limit is known)", ko: "{word}(판정 기준 없음)" },
+        WordNoResponse(word: Both) => {
             en: "{word} (the response to this spectrum is not computed)",
             ko: "{word}(이 스펙트럼에 대한 응답을 계산하지 못함)",
         },
@@ -103,10 +103,10 @@ messages! {
             en: "{word} (capacity/demand {ratio} before its supports moved)",
             ko: "{word}(지점 이동 전 저항/요구 {ratio})",
         },
-        WordMoved { word: Both } => { en: "{word} (its supports moved)", ko: "{word}(지점 이동)" },
-        WordHeldByLoads { word: Both } => { en: "{word} (static loads without mass hold it)", ko: "{word}(질량 없는 정하중이 누름)" },
-        WordLoosePost { word: Both } => { en: "{word} (a side post with a gap may close)", ko: "{word}(틈이 있는 지주가 맞닿을 수 있음)" },
-        WordNoStiffness { word: Both } => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
+        WordMoved(word: Both) => { en: "{word} (its supports moved)", ko: "{word}(지점 이동)" },
+        WordHeldByLoads(word: Both) => { en: "{word} (static loads without mass hold it)", ko: "{word}(질량 없는 정하중이 누름)" },
+        WordLoosePost(word: Both) => { en: "{word} (a side post with a gap may close)", ko: "{word}(틈이 있는 지주가 맞닿을 수 있음)" },
+        WordNoStiffness(word: Both) => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
         WordNoStiffnessIn { word: Both, direction: String } => {
             en: "{word} (the stiffness of direction {direction} is not known)",
             ko: "{word}({direction} 방향 강성 미상)",
@@ -115,19 +115,19 @@ messages! {
             en: "{word} (capacity/demand {ratio} if this model were right)",
             ko: "{word}(이 모델이 옳다면 저항/요구 {ratio})",
         },
-        WordContradicted { word: Both } => {
+        WordContradicted(word: Both) => {
             en: "{word} (a survey contradicts the model)",
             ko: "{word}(모델이 계측과 불일치)",
         },
-        WordDoesNotStand { word: Both } => {
+        WordDoesNotStand(word: Both) => {
             en: "{word} (it does not stand without shaking)",
             ko: "{word}(지진 없이도 서 있지 못함)",
         },
-        WordOpen { word: Both } => { en: "{word} (the run is not whole)", ko: "{word}(해석 미완료)" },
-        OverYears { each: Vec<Sentence> } => { en: "Over the years: {each}", ko: "경년 변화: {each}" },
-        OpenAlarms { count: usize } => { en: "open alarms ({count})", ko: "조치되지 않은 경보 {count}건" },
+        WordOpen(word: Both) => { en: "{word} (the run is not whole)", ko: "{word}(해석 미완료)" },
+        OverYears(each: Vec<Sentence>) => { en: "Over the years: {each}", ko: "경년 변화: {each}" },
+        OpenAlarms(count: usize) => { en: "open alarms ({count})", ko: "조치되지 않은 경보 {count}건" },
         YearsTilt => { en: "the tilt is beyond its limit", ko: "기울기가 한계를 넘음" },
-        YearsCracks { count: usize } => {
+        YearsCracks(count: usize) => {
             en: "cracks or other damage beyond their limits ({count})",
             ko: "한계를 넘은 균열·손상 {count}건",
         },
@@ -138,7 +138,7 @@ messages! {
         },
         TiltBeyondLimit => { en: "Tilt: beyond its limit", ko: "기울기: 한계 초과" },
         OfSolution { number: usize, words: Both } => { en: "Solution {number}: {words}", ko: "해 {number}: {words}" },
-        WorstUnderMotion { number: usize } => {
+        WorstUnderMotion(number: usize) => {
             en: "Under this motion solution {number} is the worst: the verdict, and all that follows, is of it.",
             ko: "이 지반운동에서는 해 {number}이 가장 불리하다. 판정과 아래 결과는 해 {number}의 것이다.",
         },
@@ -150,7 +150,7 @@ messages! {
             en: "leaning as surveyed ({survey}: {tilt})",
             ko: "실측 기울기 반영({survey} 조사: {tilt})",
         },
-        AsInspected { each: Vec<Sentence> } => {
+        AsInspected(each: Vec<Sentence>) => {
             en: "with the damage of inspections: {each}",
             ko: "점검에서 확인된 손상 반영: {each}",
         },
@@ -182,7 +182,7 @@ pub fn solution_headlines_text(
     worst: Option<usize>,
     style: TextStyle,
 ) -> String {
-    let worst = worst.map(|number| Headline::WorstUnderMotion { number });
+    let worst = worst.map(|number| Headline::WorstUnderMotion(number));
     let each = judged.iter().filter_map(|(number, judgement)| {
         let version = judgement.headline()?;
         Some(Headline::OfSolution {
@@ -198,7 +198,7 @@ pub fn solution_headlines_text(
 /// The headline of one version as a line of a terminal.
 pub(crate) fn verdict_line(judged: &VersionJudgement, style: TextStyle) -> String {
     let words = Both::of(|language| headline(judged, language));
-    let said = Sentence::from(Headline::Verdict { words }).text(style.language);
+    let said = Sentence::from(Headline::Verdict(words)).text(style.language);
     wrapped(&said, "", "  ", style.columns())
 }
 
@@ -216,10 +216,10 @@ pub(crate) fn worse(variant: Both, judged: &VersionJudgement) -> Sentence {
 pub(crate) fn over_the_years(alarming: Alarming) -> Option<Sentence> {
     let mut each: Vec<Sentence> = Vec::new();
     let (alarms, cracks) = (alarming.open_alarms, alarming.cracks_beyond);
-    each.extend((alarms > 0).then(|| Headline::OpenAlarms { count: alarms }.into()));
+    each.extend((alarms > 0).then(|| Headline::OpenAlarms(alarms).into()));
     each.extend(alarming.is_tilt_beyond.then(|| Headline::YearsTilt.into()));
-    each.extend((cracks > 0).then(|| Headline::YearsCracks { count: cracks }.into()));
-    (!each.is_empty()).then(|| Headline::OverYears { each }.into())
+    each.extend((cracks > 0).then(|| Headline::YearsCracks(cracks).into()));
+    (!each.is_empty()).then(|| Headline::OverYears(each).into())
 }
 
 fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
@@ -241,22 +241,17 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     match (contradicted, &judged.evidence) {
         // stated in addition to the weight
         (Some(_), _) if is_unknown && judged.governed_by.is_none() => {}
-        (Some(evidence), _) => all.push(Headline::Model { evidence }.into()),
+        (Some(evidence), _) => all.push(Headline::Model(evidence).into()),
         (
             None,
             Evidence::NotMeasured {
                 calibrated_to: Some(survey),
             },
-        ) => all.push(
-            Headline::Calibrated {
-                survey: survey.clone(),
-            }
-            .into(),
-        ),
+        ) => all.push(Headline::Calibrated(survey.clone()).into()),
         (None, Evidence::InDoubt(_)) => {
             let word = Both::of(|language| judged.evidence.words(language));
-            let evidence = Headline::Word { word }.into();
-            all.push(Headline::Model { evidence }.into());
+            let evidence = Headline::Word(word).into();
+            all.push(Headline::Model(evidence).into());
         }
         (None, _) => {}
     }
@@ -271,7 +266,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     }));
     if !judged.damage.is_empty() {
         let each = judged.damage.iter().map(damaged).collect();
-        all.push(Headline::AsInspected { each }.into());
+        all.push(Headline::AsInspected(each).into());
     }
     all.extend(judged.solution.map(|of| {
         let (number, of) = (of.number, of.of);
@@ -296,8 +291,8 @@ fn own_weight(judged: &VersionJudgement, weight: Weight, contradicted: Option<Se
     if let Some(by) = &judged.governed_by {
         let word = Both::of(|language| judged.weight_words(weight, language));
         return match by.is_weight() && !judged.with_loads {
-            true => Headline::OwnWeight { word }.into(),
-            false => Headline::WeightAndLoads { word }.into(),
+            true => Headline::OwnWeight(word).into(),
+            false => Headline::WeightAndLoads(word).into(),
         };
     }
     match (weight, contradicted) {
@@ -319,9 +314,9 @@ fn own_weight(judged: &VersionJudgement, weight: Weight, contradicted: Option<Se
                 false => Headline::OwnWeightSamples { word, share },
             }
         }
-        _ if judged.crushes => Headline::OwnWeightCrushes { word },
-        _ if judged.with_loads => Headline::WeightAndLoads { word },
-        _ => Headline::OwnWeight { word },
+        _ if judged.crushes => Headline::OwnWeightCrushes(word),
+        _ if judged.with_loads => Headline::WeightAndLoads(word),
+        _ => Headline::OwnWeight(word),
     }
     .into()
 }
@@ -362,7 +357,7 @@ fn earthquake(judged: &VersionJudgement) -> Option<Sentence> {
             },
             // pushed: no earthquake
             (None, None) if of.decided_by == DecidedBy::Fall => Headline::Falls,
-            (None, None) => Headline::AtOther { said },
+            (None, None) => Headline::AtOther(said),
         }
         .into(),
     )
@@ -378,23 +373,23 @@ fn wind(judged: &VersionJudgement) -> Option<Sentence> {
     ) {
         (Some(WindLimit::Acceleration), Some(ratio)) => Headline::WordAcceleration { word, ratio },
         // it does not bear the wind, or its drift at rest is beyond the limit: there is no ratio
-        (Some(WindLimit::Drift), Some(_)) if of.ratio == Some(0.0) => Headline::Word { word },
+        (Some(WindLimit::Drift), Some(_)) if of.ratio == Some(0.0) => Headline::Word(word),
         (Some(WindLimit::Drift), Some(ratio)) => Headline::WordDrift { word, ratio },
         (Some(WindLimit::Room), Some(ratio)) => Headline::WordRoom {
             word,
             part: of.part.clone().unwrap_or_default(),
             ratio,
         },
-        (Some(WindLimit::NotGiven), _) => Headline::WordNoLimit { word },
-        (_, None) | (None, _) => Headline::Word { word },
+        (Some(WindLimit::NotGiven), _) => Headline::WordNoLimit(word),
+        (_, None) | (None, _) => Headline::Word(word),
     };
     let said = said.into();
     Some(
         match of.by {
-            MovedBy::Wind => Headline::Wind { said },
-            MovedBy::Loads => Headline::StaticLoads { said },
-            MovedBy::Both => Headline::WindAndLoads { said },
-            MovedBy::WithEarthquake => Headline::WithEarthquake { said },
+            MovedBy::Wind => Headline::Wind(said),
+            MovedBy::Loads => Headline::StaticLoads(said),
+            MovedBy::Both => Headline::WindAndLoads(said),
+            MovedBy::WithEarthquake => Headline::WithEarthquake(said),
         }
         .into(),
     )
@@ -404,8 +399,8 @@ fn word(of: &EarthquakeFinding) -> Headline {
     let word = Both::of(|language| of.word.word(language));
     let ratio = |ratio: f64| Quantity::beside_one(ratio, DIGITS);
     match (&of.decided_by, of.ratio) {
-        (DecidedBy::Fall, _) if of.word == Earthquake::BelowDemand => Headline::WordFalls { word },
-        (DecidedBy::Drift, None) if of.word == Earthquake::BelowDemand => Headline::WordFalls { word },
+        (DecidedBy::Fall, _) if of.word == Earthquake::BelowDemand => Headline::WordFalls(word),
+        (DecidedBy::Drift, None) if of.word == Earthquake::BelowDemand => Headline::WordFalls(word),
         (DecidedBy::DamageState(state), _) => {
             let state = damage_state(*state);
             Headline::WordDamage { word, state }
@@ -416,16 +411,16 @@ fn word(of: &EarthquakeFinding) -> Headline {
             runs: *runs,
             all: *all,
         },
-        (DecidedBy::Strength, _) => Headline::WordTie { word },
-        (DecidedBy::NoLimit, _) => Headline::WordNoLimit { word },
-        (DecidedBy::NoResponse, _) => Headline::WordNoResponse { word },
+        (DecidedBy::Strength, _) => Headline::WordTie(word),
+        (DecidedBy::NoLimit, _) => Headline::WordNoLimit(word),
+        (DecidedBy::NoResponse, _) => Headline::WordNoResponse(word),
         (DecidedBy::BedUnknown, _) => Headline::WordNoBed {
             word,
             part: of.part.clone().unwrap_or_default(),
         },
-        (DecidedBy::LoosePost, _) => Headline::WordLoosePost { word },
+        (DecidedBy::LoosePost, _) => Headline::WordLoosePost(word),
         (DecidedBy::StiffnessUnknown, _) => match &of.part {
-            None => Headline::WordNoStiffness { word },
+            None => Headline::WordNoStiffness(word),
             Some(direction) => Headline::WordNoStiffnessIn {
                 word,
                 direction: direction.clone(),
@@ -435,7 +430,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
             word,
             ratio: ratio(known),
         },
-        (DecidedBy::Contradicted, _) => Headline::WordContradicted { word },
+        (DecidedBy::Contradicted, _) => Headline::WordContradicted(word),
         (DecidedBy::StoodOnEdge, _) => Headline::WordStoodOnEdge {
             word,
             part: of.part.clone().unwrap_or_default(),
@@ -444,10 +439,10 @@ fn word(of: &EarthquakeFinding) -> Headline {
             word,
             ratio: ratio(known),
         },
-        (DecidedBy::SupportsMoved, _) => Headline::WordMoved { word },
-        (DecidedBy::HeldByLoads, _) => Headline::WordHeldByLoads { word },
-        (DecidedBy::DoesNotStand, _) => Headline::WordDoesNotStand { word },
-        (DecidedBy::Unfinished, _) => Headline::WordOpen { word },
+        (DecidedBy::SupportsMoved, _) => Headline::WordMoved(word),
+        (DecidedBy::HeldByLoads, _) => Headline::WordHeldByLoads(word),
+        (DecidedBy::DoesNotStand, _) => Headline::WordDoesNotStand(word),
+        (DecidedBy::Unfinished, _) => Headline::WordOpen(word),
         (DecidedBy::Room, Some(of_room)) => Headline::WordRoom {
             word,
             part: of.part.clone().unwrap_or_default(),
@@ -457,7 +452,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
             word,
             ratio: ratio(known),
         },
-        _ => Headline::Word { word },
+        _ => Headline::Word(word),
     }
 }
 

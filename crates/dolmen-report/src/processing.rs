@@ -9,16 +9,16 @@ const DIGITS: usize = 6;
 messages! {
     /// A step; no full stop.
     pub(crate) enum Step in "processing" {
-        ReadWithoutUnit { format: String } => {
+        ReadWithoutUnit(format: String) => {
             en: "read from {format}, unit not given",
             ko: "{format} 파일, 단위 없음",
         },
         Read { format: String, unit: String } => { en: "read from {format}, unit {unit}", ko: "{format} 파일, 단위 {unit}" },
-        LeftOut { channels: Vec<String> } => { en: "left out {channels}", ko: "제외한 채널 {channels}" },
+        LeftOut(channels: Vec<String>) => { en: "left out {channels}", ko: "제외한 채널 {channels}" },
         Cut { from: Quantity, to: Quantity } => { en: "cut to {from} … {to}", ko: "{from}–{to} 구간" },
         Mean => { en: "mean removed", ko: "평균 제거" },
         Line => { en: "straight line removed", ko: "선형 추세 제거" },
-        Polynomial { degree: usize } => {
+        Polynomial(degree: usize) => {
             en: "polynomial of degree {degree} removed",
             ko: "{degree}차 다항식 추세 제거",
         },
@@ -38,17 +38,17 @@ messages! {
             en: "{component} matched to a spectrum by wavelets, {least} to {most}, damping {damping}",
             ko: "{component} 성분을 웨이블릿으로 응답스펙트럼에 부합, 주기 {least}–{most}, 감쇠비 {damping}",
         },
-        Scaled { factor: Quantity } => { en: "scaled by {factor}", ko: "{factor}배" },
-        Tapered { each_end: Quantity } => {
+        Scaled(factor: Quantity) => { en: "scaled by {factor}", ko: "{factor}배" },
+        Tapered(each_end: Quantity) => {
             en: "tapered by half a cosine, {each_end} at each end",
             ko: "양 끝 {each_end} 반코사인 테이퍼",
         },
-        Rotated { angle: Quantity } => { en: "turned by {angle}° from x towards y", ko: "x에서 y로 {angle}° 회전" },
-        Oriented { azimuth: Quantity } => {
+        Rotated(angle: Quantity) => { en: "turned by {angle}° from x towards y", ko: "x에서 y로 {angle}° 회전" },
+        Oriented(azimuth: Quantity) => {
             en: "turned so that x points {azimuth}° from north",
             ko: "x가 북에서 {azimuth}° 방향을 향하도록 회전",
         },
-        Decimated { factor: usize } => { en: "decimated by {factor}", ko: "1/{factor} 재표본화" },
+        Decimated(factor: usize) => { en: "decimated by {factor}", ko: "1/{factor} 재표본화" },
         ChannelScaled { channel: String, factor: Quantity } => {
             en: "{channel} scaled by {factor}",
             ko: "채널 {channel} {factor}배",
@@ -61,7 +61,7 @@ messages! {
             en: "{channel} resampled from {from} to {to}, anti-alias filtered",
             ko: "채널 {channel} 재표본화 {from}에서 {to}(앨리어싱 방지 필터 적용)",
         },
-        OffsetsLeft { most: Quantity } => {
+        OffsetsLeft(most: Quantity) => {
             en: "times of the channels differ by up to {most} of a step, left so",
             ko: "채널 간 시각 차이 최대 표본 간격의 {most}, 그대로 둠",
         },
@@ -69,7 +69,7 @@ messages! {
             en: "samples are lost: {gaps}; only the longest whole span is used, {from} to {to}: {kept} of {whole}",
             ko: "표본 누락 {gaps}; 누락이 없는 가장 긴 구간 {from}–{to}만 사용({whole} 중 {kept})",
         },
-        Bridged { gaps: Sentence } => {
+        Bridged(gaps: Sentence) => {
             en: "samples are lost: {gaps}; what lies on either side is used, each by itself",
             ko: "표본 누락 {gaps}; 누락 앞뒤의 구간을 각각 사용",
         },
@@ -77,7 +77,7 @@ messages! {
             en: "lost samples filled in by linear prediction: {samples} ({share}), {gaps}",
             ko: "누락 표본 {samples}개({share})를 선형예측으로 보간: {gaps}",
         },
-        Gaps { gaps: Vec<Sentence> } => { en: "{gaps}", ko: "{gaps}" },
+        Gaps(gaps: Vec<Sentence>) => { en: "{gaps}", ko: "{gaps}" },
         GapsAndMore { gaps: Vec<Sentence>, more: usize } => { en: "{gaps} and {more} more", ko: "{gaps} 외 {more}곳" },
         Gap { lost: Quantity, at: Quantity } => { en: "{lost} after {at}", ko: "{at} 이후 {lost}" },
         GapOf { lost: Quantity, at: Quantity, channel: String } => {
@@ -98,23 +98,19 @@ fn trimmed(value: f64, unit: &str) -> Quantity {
 /// One processing step of a motion or record.
 pub(crate) fn step(of: &Processing) -> Sentence {
     let said = match of {
-        Processing::Read { format, unit } if unit.is_empty() => Step::ReadWithoutUnit {
-            format: format.clone(),
-        },
+        Processing::Read { format, unit } if unit.is_empty() => Step::ReadWithoutUnit(format.clone()),
         Processing::Read { format, unit } => Step::Read {
             format: format.clone(),
             unit: unit.clone(),
         },
-        Processing::LeftOut { channels } => Step::LeftOut {
-            channels: channels.clone(),
-        },
+        Processing::LeftOut { channels } => Step::LeftOut(channels.clone()),
         Processing::Cut { from_s, to_s } => Step::Cut {
             from: trimmed(*from_s, "s"),
             to: trimmed(*to_s, "s"),
         },
         Processing::Detrend { degree: 0 } => Step::Mean,
         Processing::Detrend { degree: 1 } => Step::Line,
-        Processing::Detrend { degree } => Step::Polynomial { degree: *degree },
+        Processing::Detrend { degree } => Step::Polynomial(*degree),
         Processing::LowPass { corner_hz, order } => Step::LowPass {
             corner: trimmed(*corner_hz, "Hz"),
             order: *order,
@@ -143,19 +139,11 @@ pub(crate) fn step(of: &Processing) -> Sentence {
             most: trimmed(*period_most_s, "s"),
             damping: Quantity::new(*damping_ratio, Unit::percent(), Digits::Trimmed(DIGITS)),
         },
-        Processing::Scaled { factor } => Step::Scaled {
-            factor: trimmed(*factor, ""),
-        },
-        Processing::Tapered { each_end_s } => Step::Tapered {
-            each_end: trimmed(*each_end_s, "s"),
-        },
-        Processing::Rotated { angle_rad } => Step::Rotated {
-            angle: trimmed(angle_rad.to_degrees(), ""),
-        },
-        Processing::Oriented { x_azimuth_deg } => Step::Oriented {
-            azimuth: trimmed(*x_azimuth_deg, ""),
-        },
-        Processing::Decimate { factor } => Step::Decimated { factor: *factor },
+        Processing::Scaled { factor } => Step::Scaled(trimmed(*factor, "")),
+        Processing::Tapered { each_end_s } => Step::Tapered(trimmed(*each_end_s, "s")),
+        Processing::Rotated { angle_rad } => Step::Rotated(trimmed(angle_rad.to_degrees(), "")),
+        Processing::Oriented { x_azimuth_deg } => Step::Oriented(trimmed(*x_azimuth_deg, "")),
+        Processing::Decimate { factor } => Step::Decimated(*factor),
         Processing::ChannelScaled { channel, factor } => Step::ChannelScaled {
             channel: channel.clone(),
             factor: trimmed(*factor, ""),
@@ -176,9 +164,7 @@ pub(crate) fn step(of: &Processing) -> Sentence {
             from: trimmed(*from_hz, "Hz"),
             to: trimmed(*to_hz, "Hz"),
         },
-        Processing::OffsetsLeft { most_steps } => Step::OffsetsLeft {
-            most: trimmed(*most_steps, ""),
-        },
+        Processing::OffsetsLeft { most_steps } => Step::OffsetsLeft(trimmed(*most_steps, "")),
         Processing::LongestSpan {
             from_s,
             to_s,
@@ -191,9 +177,7 @@ pub(crate) fn step(of: &Processing) -> Sentence {
             kept: trimmed(to_s - from_s, "s"),
             whole: trimmed(*whole_s, "s"),
         },
-        Processing::Bridged { gaps } => Step::Bridged {
-            gaps: lost(gaps).into(),
-        },
+        Processing::Bridged { gaps } => Step::Bridged(lost(gaps).into()),
         Processing::FilledGaps { gaps, samples, share } => Step::FilledGaps {
             gaps: lost(gaps).into(),
             samples: *samples,
@@ -215,7 +199,7 @@ fn lost(all: &[LostSpan]) -> Step {
         .map(|gap| gap_words(gap).into());
     let gaps = gaps.collect();
     match all.len().saturating_sub(LostSpan::NAMED_MOST) {
-        0 => Step::Gaps { gaps },
+        0 => Step::Gaps(gaps),
         more => Step::GapsAndMore { gaps, more },
     }
 }

@@ -14,11 +14,11 @@ const TABLE_FROM: usize = 4;
 messages! {
     /// The table of surveys.
     pub(crate) enum Given in "given.surveys" {
-        Caption { surveys: usize } => {
+        Caption(surveys: usize) => {
             en: "Surveys: {surveys}. Tilts as written, horizontal over vertical; frequencies that the file states, ± standard deviation; a dash stands for what was not recorded.",
             ko: "조사 {surveys}회. 기울기는 입력한 그대로(수평/연직), 진동수는 파일에 기재된 값 ± 표준편차이며, 기록되지 않은 항목은 –로 표시하였다.",
         },
-        Further { surveys: usize } => {
+        Further(surveys: usize) => {
             en: "Surveys: {surveys}, what else the file states of them; a dash stands for what was not recorded.",
             ko: "조사 {surveys}회. 그 밖에 입력된 사항이며, 기록되지 않은 항목은 –로 표시하였다.",
         },
@@ -28,11 +28,11 @@ messages! {
         Datum => { en: "Datum", ko: "기준점" },
         Tilt => { en: "Tilt", ko: "기울기" },
         Records => { en: "Records", ko: "진동 기록" },
-        Frequencies { direction: String } => { en: "{direction}, Hz", ko: "{direction}, Hz" },
+        Frequencies(direction: String) => { en: "{direction}, Hz", ko: "{direction}, Hz" },
         Evidence => { en: "Frequencies from", ko: "진동수 출처" },
-        Said { text: Both } => { en: "{text}", ko: "{text}" },
+        Said(text: Both) => { en: "{text}", ko: "{text}" },
         Remarks => { en: "Note, source", ko: "비고, 출처" },
-        Text { text: String } => { en: "{text}", ko: "{text}" },
+        Text(text: String) => { en: "{text}", ko: "{text}" },
     }
 }
 
@@ -90,8 +90,8 @@ pub(crate) fn surveys_table(project: &Project, answers: &[SurveyAnswer]) -> Opti
 
 fn caption(surveys: usize, is_tabled_before: bool) -> Sentence {
     match is_tabled_before {
-        true => Given::Further { surveys }.into(),
-        false => Given::Caption { surveys }.into(),
+        true => Given::Further(surveys).into(),
+        false => Given::Caption(surveys).into(),
     }
 }
 
@@ -105,7 +105,7 @@ fn is_stated_alone(survey: &Survey) -> bool {
 fn columns(directions: &[&str]) -> Vec<Column> {
     let along = directions.iter().map(|direction| {
         let direction = (*direction).to_owned();
-        Column::words(Given::Frequencies { direction })
+        Column::words(Given::Frequencies(direction))
     });
     let mut columns = vec![Column::words(Given::Survey), Column::words(Given::Tilt)];
     columns.extend(along);
@@ -117,7 +117,7 @@ fn columns(directions: &[&str]) -> Vec<Column> {
 fn row(survey: &Survey, directions: &[&str]) -> Vec<Cell> {
     let text = |text: String| {
         let text = if text.is_empty() { "–".to_owned() } else { text };
-        Cell::Words(Given::Text { text }.into())
+        Cell::Words(Given::Text(text).into())
     };
     let tilts = survey
         .tilt
@@ -171,18 +171,13 @@ fn evidence(survey: &Survey) -> Cell {
     let mut sources: Vec<Option<Evidence>> = modes.map(|mode| mode.frequency.source).collect();
     sources.dedup();
     match sources.is_empty() {
-        true => Cell::Words(
-            Given::Text {
-                text: "–".to_owned()
-            }
-            .into(),
-        ),
+        true => Cell::Words(Given::Text("–".to_owned()).into()),
         false => {
             let text = Both::of(|language| {
                 let words: Vec<&str> = sources.iter().map(|of| evidence_word(*of, language)).collect();
                 words.join(", ")
             });
-            Cell::Words(Given::Said { text }.into())
+            Cell::Words(Given::Said(text).into())
         }
     }
 }

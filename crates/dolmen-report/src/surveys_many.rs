@@ -13,7 +13,7 @@ messages! {
     /// Many surveys.
     pub(crate) enum Many in "surveys.many" {
         Head => { en: "Surveys", ko: "조사" },
-        Caption { surveys: usize } => {
+        Caption(surveys: usize) => {
             en: "All {surveys} surveys: temperature, tilt, and frequencies in Hz, ± standard deviation, of the records or as stated.",
             ko: "전체 조사 {surveys}회: 기온, 기울기, 고유진동수(Hz, ± 표준편차. 기록에서 구하였거나 입력한 값).",
         },
@@ -21,7 +21,7 @@ messages! {
             en: "Common factor: what multiplies all springs of the joints so that the stack has these frequencies.",
             ko: "공통 배율은 적층 모델의 고유진동수가 이 값이 되도록 모든 접합부 강성에 곱하는 수이다.",
         },
-        Detailed { surveys: Vec<String> } => {
+        Detailed(surveys: Vec<String>) => {
             en: "What follows details {surveys}: the latest survey, those on which the model rests, and those with findings of their own. `dolmen identify --full` details all.",
             ko: "아래에는 최근 조사, 모델의 근거가 된 조사, 따로 지적할 것이 있는 조사만 자세히 적었다: {surveys}. 전체는 `dolmen identify --full`로 본다.",
         },
@@ -30,7 +30,7 @@ messages! {
         Tilt => { en: "Tilt", ko: "기울기" },
         Modes => { en: "Frequencies", ko: "고유진동수" },
         CommonFactor => { en: "common factor", ko: "공통 배율" },
-        Text { text: String } => { en: "{text}", ko: "{text}" },
+        Text(text: String) => { en: "{text}", ko: "{text}" },
     }
 }
 
@@ -82,15 +82,15 @@ pub(crate) fn sections<'a>(project: &Project, all: &'a [SurveyAnswer]) -> Docume
     let shown = detailed(project, all);
     document.heading(Many::Head);
     document.put(Block::Table(table(project, all)));
-    document.note(Many::Detailed {
-        surveys: shown.iter().map(|survey| survey.name.clone()).collect(),
-    });
+    document.note(Many::Detailed(
+        shown.iter().map(|survey| survey.name.clone()).collect(),
+    ));
     document
 }
 
 fn table(project: &Project, all: &[SurveyAnswer]) -> Table {
     let has_factors = all.iter().any(|survey| survey.factors.is_some());
-    let mut caption = vec![Many::Caption { surveys: all.len() }.into()];
+    let mut caption = vec![Many::Caption(all.len()).into()];
     let mut columns = vec![
         Column::words(Many::Survey),
         Column::numbers(Many::Temperature, Unit::si("°C")),
@@ -122,7 +122,7 @@ fn table(project: &Project, all: &[SurveyAnswer]) -> Table {
 fn cells(project: &Project, survey: &SurveyAnswer) -> Vec<Cell> {
     let text = |text: String| {
         let text = if text.is_empty() { "–".to_owned() } else { text };
-        Cell::Words(Many::Text { text }.into())
+        Cell::Words(Many::Text(text).into())
     };
     let hertz = |hz: f64, sd_hz: Option<f64>| {
         let hz = Quantity {

@@ -8,25 +8,19 @@ use dolmen_words::{Sentence, messages};
 messages! {
     /// A note on the file in a document.
     pub(crate) enum Noted in "warned" {
-        Said { words: Both } => { en: "{words}", ko: "{words}" },
-        Slip { words: Both } => { en: "! PROBABLY A SLIP: {words}", ko: "! 입력 오류 의심: {words}" },
+        Said(words: Both) => { en: "{words}", ko: "{words}" },
+        Slip(words: Both) => { en: "! PROBABLY A SLIP: {words}", ko: "! 입력 오류 의심: {words}" },
     }
 }
 
 /// A note with names of the inputs instead of their paths.
 pub(crate) fn warned(project: &Project, warning: &Warning) -> Sentence {
-    Noted::Said {
-        words: in_words(project, warning),
-    }
-    .into()
+    Noted::Said(in_words(project, warning)).into()
 }
 
 /// The same for a probable slip.
 pub(crate) fn slip(project: &Project, warning: &Warning) -> Sentence {
-    Noted::Slip {
-        words: in_words(project, warning),
-    }
-    .into()
+    Noted::Slip(in_words(project, warning)).into()
 }
 
 fn in_words(project: &Project, warning: &Warning) -> Both {

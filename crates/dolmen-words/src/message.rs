@@ -345,8 +345,8 @@ const fn is_one_of(sentence: &[u8], start: usize, end: usize, names: &[&str]) ->
     false
 }
 
-/// Defines an enum of messages; `Sentence::from(message)` gives the sentence in both languages. At most 60 variants per enum, because
-/// compile time grows faster than their number.
+/// Defines an enum of messages; `Sentence::from(message)` gives the sentence in both languages. A message with one argument may take it in
+/// parentheses. At most 60 variants per enum, because compile time grows faster than their number.
 ///
 /// ```
 /// use dolmen_words::{Language, Quantity, Sentence, messages};
@@ -357,11 +357,14 @@ const fn is_one_of(sentence: &[u8], start: usize, end: usize, names: &[&str]) ->
 ///             en: "{link} falls at {factor} times its weight.",
 ///             ko: "{link}이(가) 자중의 {factor}배에서 전도된다.",
 ///         },
+///         Leans(link: String) => { en: "{link} leans.", ko: "{link}이(가) 기울었다." },
 ///     }
 /// }
 /// let said = Sentence::from(Pole::Falls { link: "노반".into(), factor: Quantity::beside_one(1.2, 3) });
 /// assert_eq!(said.text(Language::Korean), "노반이 자중의 1.20배에서 전도된다.");
 /// assert_eq!(said.id, "pole/falls");
+/// let said = Sentence::from(Pole::Leans("노반".into()));
+/// assert_eq!(said.text(Language::Korean), "노반이 기울었다.");
 /// ```
 ///
 /// An argument that one language leaves out does not compile:
@@ -378,12 +381,12 @@ const fn is_one_of(sentence: &[u8], start: usize, end: usize, names: &[&str]) ->
 #[macro_export]
 macro_rules! messages {
     ($(#[$about:meta])* $visible:vis enum $name:ident in $group:literal {
-        $($(#[$note:meta])* $message:ident $({ $($argument:ident: $kind:ty),* $(,)? })? => { en: $english:literal, ko: $korean:literal $(,)? }),* $(,)?
+        $($(#[$note:meta])* $message:ident $({ $($argument:ident: $kind:ty),* $(,)? })? $(($only:ident: $only_kind:ty))? => { en: $english:literal, ko: $korean:literal $(,)? }),* $(,)?
     }) => {
         $(#[$about])*
         #[derive(Clone, Debug, PartialEq)]
         #[allow(missing_docs, reason = "the sentence says what it is")]
-        $visible enum $name { $($(#[$note])* $message $({ $($argument: $kind),* })?),* }
+        $visible enum $name { $($(#[$note])* $message $({ $($argument: $kind),* })? $(($only_kind))?),* }
 
         impl $name {
             /// Templates of the sentences.
@@ -397,36 +400,19 @@ macro_rules! messages {
             ];
         }
 
-        $($($(const _: () = {
-            assert!(
-                $crate::message::holds($english, stringify!($argument)),
-                concat!("the English of ", stringify!($message), " leaves out ", stringify!($argument))
-            );
-            assert!(
-                $crate::message::holds($korean, stringify!($argument)),
-                concat!("the Korean of ", stringify!($message), " leaves out ", stringify!($argument))
-            );
-        };)*)?)*
-
-        $(const _: () = {
-            const NAMES: &[&str] = &[$($(stringify!($argument)),*)?];
-            assert!(
-                $crate::message::knows($english, NAMES) && $crate::message::knows($korean, NAMES),
-                concat!(stringify!($message), " has a place for an argument that it does not have")
-            );
-        };)*
+        $($crate::argument_names!(@ $message, $english, $korean, [$($($argument),*)? $($only)?]);)*
 
         impl From<$name> for $crate::Sentence {
             fn from(message: $name) -> Self {
                 match message {
-                    $($name::$message $({ $($argument),* })? => $crate::Sentence::of_template(
+                    $($name::$message $({ $($argument),* })? $(($only))? => $crate::Sentence::of_template(
                         &$crate::Template {
                             group: $group,
                             message: stringify!($message),
                             english: $english,
                             korean: $korean,
                         },
-                        vec![$($($crate::message::Given::of(stringify!($argument), &$argument)),*)?],
+                        $crate::arguments!([] [$($($argument),*)? $($only)?]),
                     )),*
                 }
             }
@@ -448,7 +434,16 @@ mod tests {
             },
             Many { all: Values } => { en: "All: {all}.", ko: "모두 {all}을(를) 쓴다." },
             Among { all: Vec<Quantity> } => { en: "Among {all}.", ko: "{all}와(과) 비교." },
+            Leans(stone: String) => { en: "{stone} leans.", ko: "{stone}이(가) 기울었다." },
         }
+    }
+
+    #[test]
+    fn exact_a_message_may_take_its_only_argument_without_its_name() {
+        let said = Sentence::from(Said::Leans("노반".into()));
+        assert_eq!(said.text(Language::English), "노반 leans.");
+        assert_eq!(said.text(Language::Korean), "노반이 기울었다.");
+        assert_eq!(said.arguments[0].0, "stone");
     }
 
     #[test]

@@ -312,9 +312,7 @@ pub fn refuse_foreign<'a>(
 fn reason(flag: &Flag, kind: Kind) -> Both {
     let is_for = match flag.is_for {
         Some(words) => words(),
-        None => FlagWords::IsFor {
-            kinds: listed(flag.kinds),
-        },
+        None => FlagWords::IsFor(listed(flag.kinds)),
     };
     let (is_for, kind_word) = (Both::from(is_for), kind.word().to_owned());
     match flag.instead.iter().find(|(of, _)| *of == kind) {

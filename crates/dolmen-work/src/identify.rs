@@ -140,9 +140,7 @@ pub(crate) fn found_in(
     files: &dyn Files,
     progress: &dyn Progress,
 ) -> Result<SurveyAnswer, WorkError> {
-    let context = || Place::OfSurvey {
-        name: survey.name.clone(),
-    };
+    let context = || Place::OfSurvey(survey.name.clone());
     let records = match &survey.records {
         Some(source) => Some(of_record(source, files, progress).within(context)?.0),
         None => None,
@@ -208,9 +206,7 @@ fn of_survey(
     files: &dyn Files,
     progress: &dyn Progress,
 ) -> Result<SurveyAnswer, WorkError> {
-    let context = || Place::OfSurvey {
-        name: survey.name.clone(),
-    };
+    let context = || Place::OfSurvey(survey.name.clone());
     let mut answer = found_in(survey, files, progress)?;
     let mut stiffness = Vec::new();
     let alone = |direction: &str| match &project.structure {

@@ -55,9 +55,7 @@ impl LeftOutOfRuns {
             self.wind.then_some(OfRuns::WindLeftOut),
             self.forces.then_some(OfRuns::ForcesLeftOut),
             self.crushing.then_some(OfRuns::CrushingLeftOut),
-            (is_rigid && !self.loosened.is_empty()).then(|| OfRuns::LoosenedLeftOut {
-                stones: self.loosened.clone(),
-            }),
+            (is_rigid && !self.loosened.is_empty()).then(|| OfRuns::LoosenedLeftOut(self.loosened.clone())),
             tilt,
         ];
         all.into_iter().flatten().map(Both::from).collect()
@@ -87,7 +85,7 @@ pub(crate) fn held_in_runs(project: &Project) -> Vec<Both> {
         }
         _ => None,
     };
-    let posts = (posts > 0).then_some(OfRuns::SidePosts { posts });
+    let posts = (posts > 0).then_some(OfRuns::SidePosts(posts));
     let all = [lean, loads, posts];
     all.into_iter().flatten().map(Both::from).collect()
 }

@@ -74,7 +74,7 @@ pub fn used_record(
             known: known.join("; "),
         });
     };
-    let opened = record::record(source, files).within(|| Place::OfSurvey { name: name.clone() })?;
+    let opened = record::record(source, files).within(|| Place::OfSurvey(name.clone()))?;
     Ok(UsedRecord {
         name: name.clone(),
         record: opened.record,

@@ -81,11 +81,6 @@ fn order(reader: &mut Reader, part: &BuildingPart) {
         && grows
         && last / first > STIFFER_MOST
     {
-        reader.doubt(
-            "floors",
-            Doubted::FloorOrder {
-                ratio: ratio(last / first),
-            },
-        );
+        reader.doubt("floors", Doubted::FloorOrder(ratio(last / first)));
     }
 }

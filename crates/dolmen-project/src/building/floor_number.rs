@@ -23,9 +23,7 @@ pub(super) fn floor_number(
             floors: floors.to_string(),
         };
         let fault = Fault::new(given.span.clone(), path, message);
-        reader.fault(fault.allowed(WrongBuilding::MustBeLowestTo {
-            floors: floors.to_string(),
-        }));
+        reader.fault(fault.allowed(WrongBuilding::MustBeLowestTo(floors.to_string())));
     }
     found
 }

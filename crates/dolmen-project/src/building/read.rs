@@ -46,13 +46,9 @@ pub(crate) fn building(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) ->
         let fault = Fault::new(
             list.span.clone(),
             "floors",
-            WrongBuilding::FloorsHasFloorsIn {
-                count: count.to_string(),
-            },
+            WrongBuilding::FloorsHasFloorsIn(count.to_string()),
         );
-        reader.fault(fault.allowed(WrongBuilding::MustBeAtMost {
-            most: FLOORS_MOST.to_string(),
-        }));
+        reader.fault(fault.allowed(WrongBuilding::MustBeAtMost(FLOORS_MOST.to_string())));
         return None;
     }
     names_apart(reader, &floors, list);
@@ -146,9 +142,7 @@ fn floor(reader: &mut Reader, raw: &At<FloorRaw>, path: &str) -> Option<FloorPar
             let fault = Fault::new(
                 reader.place(&radius.path),
                 path,
-                WrongBuilding::HasBothGyrationAnd {
-                    path: path.to_string(),
-                },
+                WrongBuilding::HasBothGyrationAnd(path.to_string()),
             );
             reader.fault(fault.help(WrongBuilding::KeepOneOfThem));
             return None;
@@ -169,7 +163,7 @@ fn floor(reader: &mut Reader, raw: &At<FloorRaw>, path: &str) -> Option<FloorPar
                     what: what.into(),
                 };
                 let fault = Fault::new(raw.span.clone(), &format!("{path}.{key}"), message);
-                reader.fault(fault.help(WrongBuilding::GiveSidesXY { key: key.to_string() }));
+                reader.fault(fault.help(WrongBuilding::GiveSidesXY(key.to_string())));
             }
         }
     }
@@ -211,9 +205,7 @@ fn outline(reader: &mut Reader, floor: &FloorRaw, path: &str) -> Option<Option<O
             let fault = Fault::new(
                 corners.span.clone(),
                 path,
-                WrongBuilding::HasBothSidesAnd {
-                    path: path.to_string(),
-                },
+                WrongBuilding::HasBothSidesAnd(path.to_string()),
             );
             reader.fault(fault.help(WrongBuilding::KeepOneOfThemSides));
             return None;
@@ -251,9 +243,7 @@ fn stiffness(reader: &mut Reader, raw: &At<FloorRaw>, path: &str) -> Option<Stor
             let fault = Fault::new(
                 whole.span.clone(),
                 path,
-                WrongBuilding::HasBothWallsAnd {
-                    path: path.to_string(),
-                },
+                WrongBuilding::HasBothWallsAnd(path.to_string()),
             );
             reader.fault(fault.help(WrongBuilding::KeepOneOfThemStiffness));
             None
@@ -261,9 +251,7 @@ fn stiffness(reader: &mut Reader, raw: &At<FloorRaw>, path: &str) -> Option<Stor
         (None, None) => {
             let walls = format!("{path}.walls");
             if !reader.is_reported(&walls) && !reader.is_reported(&format!("{path}.stiffness")) {
-                let message = WrongBuilding::HasNeitherWallsNor {
-                    path: path.to_string(),
-                };
+                let message = WrongBuilding::HasNeitherWallsNor(path.to_string());
                 let fault = Fault::new(raw.span.clone(), &walls, message);
                 reader.fault(fault.help(WrongBuilding::GiveWallsXY));
             }
@@ -305,9 +293,7 @@ fn wall(reader: &mut Reader, raw: &At<WallRaw>, path: &str) -> Option<WallPart> 
     let angle = of(&wall.angle, "angle", Measure::Angle, Bound::Any);
     if stiffness_x.is_none() && stiffness_y.is_none() && reader.faults.len() == before {
         let key = format!("{path}.stiffness_x");
-        let message = WrongBuilding::HasNeitherStiffnessX {
-            path: path.to_string(),
-        };
+        let message = WrongBuilding::HasNeitherStiffnessX(path.to_string());
         let fault = Fault::new(raw.span.clone(), &key, message);
         reader.fault(fault.help(WrongBuilding::GiveLateralStiffnessOf));
     }
@@ -364,9 +350,7 @@ fn whole_storey(
             let fault = Fault::new(
                 matrix.span.clone(),
                 &format!("{path}.matrix"),
-                WrongBuilding::MatrixIsNot {
-                    path: path.to_string(),
-                },
+                WrongBuilding::MatrixIsNot(path.to_string()),
             );
             reader.fault(fault.allowed(WrongBuilding::MustBeThreeRows));
             return None;
@@ -383,7 +367,7 @@ fn whole_storey(
     {
         if found.is_none() && written.is_none() {
             let key = format!("{path}.{key}");
-            let message = WrongBuilding::IsMissing { key: key.to_string() };
+            let message = WrongBuilding::IsMissing(key.to_string());
             let fault = Fault::new(raw.span.clone(), &key, message);
             reader.fault(fault.help(WrongBuilding::StoreyResistsAlongX));
         }
@@ -410,9 +394,7 @@ fn points(reader: &mut Reader, raw: Option<&At<Vec<At<WatchedRaw>>>>, floors: us
             .and_then(|raw| lengths(reader, raw, &format!("{path}.place"), "[x, y]"));
         let Some(name) = &raw.value.name else { continue };
         if all.iter().any(|other| other.name == name.value) {
-            let message = WrongBuilding::TwoPointsAreNamed {
-                name: name.value.to_string(),
-            };
+            let message = WrongBuilding::TwoPointsAreNamed(name.value.to_string());
             let fault = Fault::new(name.span.clone(), &format!("{path}.name"), message);
             reader.fault(fault.help(WrongBuilding::GiveEachItsOwn));
         }
@@ -484,7 +466,7 @@ pub(crate) fn buildable(reader: &mut Reader, part: &mut BuildingPart) {
             return;
         }
         Err(why) => {
-            let message = WrongBuilding::Damping { why: said(&why) };
+            let message = WrongBuilding::Damping(said(&why));
             reader.fault(Fault::new(reader.place("damping"), "damping", message));
             return; // dampers are tuned to damped modes
         }

@@ -65,13 +65,7 @@ pub(super) fn damping(reader: &mut Reader, raw: Option<&At<DampingRaw>>) -> Opti
 
 fn ratios(reader: &mut Reader, list: &At<Vec<At<QuantityRaw>>>, path: &str) -> Option<Vec<Quantity>> {
     if list.value.is_empty() {
-        let fault = Fault::new(
-            list.span.clone(),
-            path,
-            Common::IsEmpty {
-                path: path.to_string(),
-            },
-        );
+        let fault = Fault::new(list.span.clone(), path, Common::IsEmpty(path.to_string()));
         reader.fault(fault.allowed(WrongDamper::NeedsDampingRatio));
         return None;
     }

@@ -69,12 +69,7 @@ fn order(reader: &mut Reader, chain: &Chain<'_>) {
         && grows
         && last / first > UPWARDS
     {
-        reader.doubt(
-            "links",
-            Doubted::ChainOrder {
-                ratio: ratio(last / first),
-            },
-        );
+        reader.doubt("links", Doubted::ChainOrder(ratio(last / first)));
     }
 }
 
@@ -83,7 +78,7 @@ fn centroids(reader: &mut Reader, chain: &Chain<'_>) {
     let links = &chain.part.links;
     let mean = links.iter().map(share).sum::<f64>() / links.len() as f64;
     if links.iter().all(|link| share(link) > 0.5) && mean > CENTROID_MEAN {
-        reader.doubt("links", Doubted::CentroidsFromTop { share: ratio(mean) });
+        reader.doubt("links", Doubted::CentroidsFromTop(ratio(mean)));
     }
 }
 
@@ -131,7 +126,7 @@ fn beds(reader: &mut Reader, chain: &Chain<'_>) {
     }
     let mean = (ratios.iter().map(|of| of.ln()).sum::<f64>() / ratios.len() as f64).exp();
     if !(BED_TO_SIDE[0]..=BED_TO_SIDE[1]).contains(&mean) {
-        reader.doubt("links", Doubted::Beds { ratio: ratio(mean) });
+        reader.doubt("links", Doubted::Beds(ratio(mean)));
     }
 }
 
@@ -150,8 +145,8 @@ fn joints(reader: &mut Reader, chain: &Chain<'_>) {
             (least.min(of), most.max(of))
         });
     if count > 0 && most < SHARE[0] {
-        reader.doubt("joints", Doubted::WeakJoints { share: ratio(most) });
+        reader.doubt("joints", Doubted::WeakJoints(ratio(most)));
     } else if count > 0 && least > SHARE[1] {
-        reader.doubt("joints", Doubted::StiffJoints { share: ratio(least) });
+        reader.doubt("joints", Doubted::StiffJoints(ratio(least)));
     }
 }

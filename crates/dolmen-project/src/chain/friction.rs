@@ -22,9 +22,7 @@ pub(super) fn chain_damping(
         .flatten()
         .find_map(|joint| joint.damping.as_ref())
     {
-        let message = WrongChain::DampingRatioAndBoth {
-            path: own.path.to_string(),
-        };
+        let message = WrongChain::DampingRatioAndBoth(own.path.to_string());
         let fault = Fault::new(reader.place("damping_ratio"), "damping_ratio", message);
         reader.fault(fault.help(WrongChain::KeepOneOfThem));
         return None;
@@ -49,9 +47,7 @@ pub(super) fn joint_friction(reader: &mut Reader, raw: &JointRaw, path: &str) ->
     let (kinetic, fixed) = match (kinetic, fixed) {
         (Some(kinetic), fixed) => (kinetic, fixed),
         (None, Some(fixed)) if raw.friction_moment.is_none() => {
-            let message = WrongChain::StandsWithoutFrictionMoment {
-                path: fixed.path.to_string(),
-            };
+            let message = WrongChain::StandsWithoutFrictionMoment(fixed.path.to_string());
             let fault = Fault::new(reader.place(&fixed.path), &fixed.path, message);
             reader.fault(fault.help(WrongChain::GiveFrictionMomentToo));
             return None;

@@ -41,23 +41,17 @@ fn link(reader: &mut Reader, raw: &At<LinkRaw>, path: &str) -> Option<LinkPart> 
         let fault = Fault::new(
             reader.place(&breadth.path),
             path,
-            WrongChain::HasBothInertiaAnd {
-                path: path.to_string(),
-            },
+            WrongChain::HasBothInertiaAnd(path.to_string()),
         );
         reader.fault(fault.help(WrongChain::KeepOneOfThemBreadth));
     }
     if let (Some(_), Some(depth)) = (&inertia_across, &depth) {
-        let message = WrongChain::HasBothInertiaAcrossAnd {
-            path: path.to_string(),
-        };
+        let message = WrongChain::HasBothInertiaAcrossAnd(path.to_string());
         let fault = Fault::new(reader.place(&depth.path), path, message);
         reader.fault(fault.help(WrongChain::KeepOneOfThemDepth));
     }
     if let (Some(across), None, None) = (depth.as_ref().or(inertia_across.as_ref()), &inertia, &breadth) {
-        let message = WrongChain::AcrossWithoutAlong {
-            path: across.path.clone(),
-        };
+        let message = WrongChain::AcrossWithoutAlong(across.path.clone());
         let fault = Fault::new(reader.place(&across.path), &across.path, message);
         reader.fault(fault.help(WrongChain::GiveBreadthToo));
     }
@@ -237,9 +231,7 @@ fn edges_known(reader: &mut Reader, links: &[LinkPart], joints: Option<&[JointPa
     for (i, (link, joint)) in links.iter().zip(joints.unwrap_or_default()).enumerate() {
         if joint.opening == Some(JointOpening::AtBedEdge) && link.bed_width.is_none() {
             let path = format!("joints[{}].opening", i + 1);
-            let message = WrongChain::EdgeButWidthOf {
-                path: path.to_string(),
-            };
+            let message = WrongChain::EdgeButWidthOf(path.to_string());
             let fault = Fault::new(reader.place(&joint.stiffness.path), &path, message);
             reader.fault(fault.help(WrongChain::GiveBedWidthThere));
         }

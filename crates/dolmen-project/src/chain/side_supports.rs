@@ -77,11 +77,7 @@ fn side_support(
     ];
     if let Some((key, _)) = of_stacks.into_iter().find(|(_, is_given)| *is_given) {
         let key = format!("{path}.{key}");
-        let fault = Fault::new(
-            reader.place(path),
-            &key,
-            WrongChain::SupportOfStack { path: key.clone() },
-        );
+        let fault = Fault::new(reader.place(path), &key, WrongChain::SupportOfStack(key.clone()));
         reader.fault(fault.help(WrongChain::SupportKeys));
         return None;
     }
@@ -105,11 +101,7 @@ fn side_support(
     ] {
         if !is_given {
             let key = format!("{path}.{key}");
-            let fault = Fault::new(
-                reader.place(path),
-                &key,
-                WrongChain::SupportNeeds { path: key.clone() },
-            );
+            let fault = Fault::new(reader.place(path), &key, WrongChain::SupportNeeds(key.clone()));
             reader.fault(fault.help(WrongChain::SupportKeys));
         }
     }
@@ -141,9 +133,7 @@ fn axis(reader: &mut Reader, raw: &At<WayRaw>, path: &str) -> Option<ChainAxis> 
         WayRaw::Axis(name) if name == ChainAxis::Along.name() => Some(ChainAxis::Along),
         WayRaw::Axis(name) if name == ChainAxis::Across.name() => Some(ChainAxis::Across),
         WayRaw::Axis(_) | WayRaw::Vector(_) => {
-            let message = WrongChain::SupportDirection {
-                path: path.to_owned(),
-            };
+            let message = WrongChain::SupportDirection(path.to_owned());
             let fault = Fault::new(raw.span.clone(), path, message);
             reader.fault(fault.help(WrongChain::SupportDirections));
             None

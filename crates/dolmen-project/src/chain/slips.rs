@@ -205,8 +205,8 @@ fn judge_link(reader: &mut Reader, link: &LinkPart, bed_depth: Option<&Quantity>
                 radius_m: rounded_length(radius_m),
                 length_m: short(length_m),
             };
-            let help = WrongChain::ThinRodOfThis {
-                factor: ({
+            let help = WrongChain::ThinRodOfThis(
+                ({
                     let (unit, factor) = reader.bare_unit(Measure::Inertia);
                     format!(
                         "{} {unit}",
@@ -214,7 +214,7 @@ fn judge_link(reader: &mut Reader, link: &LinkPart, bed_depth: Option<&Quantity>
                     )
                 })
                 .to_string(),
-            };
+            );
             reader.slip(&inertia.path, message, help);
         }
     }

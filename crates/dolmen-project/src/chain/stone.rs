@@ -28,7 +28,7 @@ pub(super) fn stone(reader: &mut Reader, raw: Option<&At<StoneRaw>>) -> Option<S
         let path = format!("stone.{key}");
         let found = reader.quantity(raw.as_ref(), &path, measure, bound);
         if raw.is_none() {
-            let message = WrongChain::StoneNeeds { path: path.clone() };
+            let message = WrongChain::StoneNeeds(path.clone());
             let fault = Fault::new(reader.place("stone"), &path, message);
             reader.fault(fault.help(WrongChain::StoneKeys));
         }
@@ -72,13 +72,11 @@ pub(super) fn shafts_are_shafts(reader: &mut Reader, part: &ChainPart) {
         return;
     }
     if part.links.len() > SHAFTS_MOST {
-        let message = WrongChain::StoneOfTooMany {
-            links: part.links.len(),
-        };
+        let message = WrongChain::StoneOfTooMany(part.links.len());
         let fault = Fault::new(reader.place("stone"), "stone", message);
         reader.fault(
             fault
-                .allowed(WrongChain::StoneOfAtMost { most: SHAFTS_MOST })
+                .allowed(WrongChain::StoneOfAtMost(SHAFTS_MOST))
                 .help(WrongChain::LeaveStoneOut),
         );
     }

@@ -18,9 +18,7 @@ pub(super) fn beds_bear(reader: &mut Reader, part: &ChainPart) {
         let given = joint.strength.as_ref().or(joint.bed_depth.as_ref());
         let (Some(given), Some(bed)) = (given, part.bed(i, &mut Quantity::nominal)) else {
             if let Some(given) = given {
-                let message = WrongChain::IsGivenButWidth {
-                    path: given.path.to_string(),
-                };
+                let message = WrongChain::IsGivenButWidth(given.path.to_string());
                 let fault = Fault::new(reader.place(&given.path), &given.path, message);
                 reader.fault(fault.help(WrongChain::GiveBedWidthThereToo));
             }

@@ -52,9 +52,7 @@ pub(crate) fn damaged(
             if let Some(earlier) = now.get(&key)
                 && (earlier.survey == of.survey || !effect.may_follow(earlier.effect))
             {
-                let why = WrongDamage::Twice {
-                    earlier: earlier.survey.clone(),
-                };
+                let why = WrongDamage::Twice(earlier.survey.clone());
                 refused(reader, &of, why, WrongDamage::NameEach);
             }
             now.insert(key, of);
@@ -107,13 +105,11 @@ fn chosen_day(
                 let names = inspected().filter(|survey| date_of(&survey.name).is_some());
                 let names = names.map(|survey| format!("\"{}\"", survey.name));
                 let allowed = ["\"latest\"".to_owned(), "\"none\"".to_owned()].into_iter();
-                let message = WrongDamage::AsInspectedButNo {
-                    name: name.to_owned(),
-                };
+                let message = WrongDamage::AsInspectedButNo(name.to_owned());
                 let fault = Fault::new(given.span.clone(), "as_inspected", message);
-                reader.fault(fault.allowed(WrongDamage::MustBeOneOf {
-                    allowed: allowed.chain(names).collect::<Vec<_>>().join(", "),
-                }));
+                reader.fault(fault.allowed(WrongDamage::MustBeOneOf(
+                    allowed.chain(names).collect::<Vec<_>>().join(", "),
+                )));
             }
             day.map(Some)
         }

@@ -55,7 +55,7 @@ fn loosen(reader: &mut Reader, (of, part): (&ModelDamage, usize), chain: &mut Ch
         .clone()
         .filter(|own| has_it(Some(own), &of.survey))
     {
-        let why = WrongDamage::AlreadyIn { survey };
+        let why = WrongDamage::AlreadyIn(survey);
         return refused(reader, of, why, WrongDamage::LeaveStiffnessOut);
     }
     scale(&mut joint.stiffness, factor);

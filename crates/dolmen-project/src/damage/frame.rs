@@ -27,7 +27,7 @@ pub(super) fn damage_frame(reader: &mut Reader, (of, part): (&ModelDamage, usize
             .clone()
             .filter(|survey| has_it(Some(survey), &of.survey))
         {
-            let why = WrongDamage::AlreadyIn { survey };
+            let why = WrongDamage::AlreadyIn(survey);
             return refused(reader, of, why, WrongDamage::LeaveStiffnessOut);
         }
         scale(own, factor);

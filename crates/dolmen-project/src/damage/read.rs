@@ -35,7 +35,7 @@ pub(crate) fn in_model(reader: &mut Reader, raw: Option<&At<InModelRaw>>, path: 
     }
     if let Some(side) = of.side.as_ref().filter(|_| of.bed_lost.is_none()) {
         let path = format!("{path}.side");
-        let message = WrongDamage::SideOfNothing { path: path.clone() };
+        let message = WrongDamage::SideOfNothing(path.clone());
         reader.fault(Fault::new(side.span.clone(), &path, message).help(WrongDamage::LeaveSideOut));
         return None;
     }

@@ -41,9 +41,7 @@ pub(super) fn damage_stack(reader: &mut Reader, (of, part): (&ModelDamage, usize
 fn loosen(reader: &mut Reader, of: &ModelDamage, stack: &mut StackPart, factor: f64) {
     let identified = stack.bed_identified_from(&of.part);
     if let Some(survey) = identified.filter(|own| has_it(Some(own), &of.survey)) {
-        let why = WrongDamage::AlreadyIn {
-            survey: survey.to_owned(),
-        };
+        let why = WrongDamage::AlreadyIn(survey.to_owned());
         return refused(reader, of, why, WrongDamage::LeaveStiffnessOut);
     }
     stack.loosened_beds.push(LoosenedBedPart {
@@ -80,9 +78,7 @@ fn lose(reader: &mut Reader, of: &ModelDamage, stack: &mut StackPart) {
     let itself = Body::Block(gone);
     let alone = stack.blocks.iter().find(|block| block.on == [itself]);
     if let Some(upper) = alone {
-        let why = WrongDamage::StoodOn {
-            upper: upper.name.clone(),
-        };
+        let why = WrongDamage::StoodOn(upper.name.clone());
         return refused(reader, of, why, WrongDamage::WriteItYourself);
     }
     if stack.blocks.len() == 1 || stack.static_loads.iter().any(|load| load.part == gone) {

@@ -43,7 +43,7 @@ pub(crate) fn doubt_frame(reader: &mut Reader, part: &FramePart) {
     };
     if near(STANDARD_GRAVITY_M_S2) || near(1.0 / STANDARD_GRAVITY_M_S2) {
         let mean = shares.iter().sum::<f64>() / shares.len() as f64;
-        reader.doubt("storeys", Doubted::AxialFactor { ratio: ratio(mean) });
+        reader.doubt("storeys", Doubted::AxialFactor(ratio(mean)));
     }
 }
 

@@ -43,9 +43,7 @@ pub(super) fn friction(
             let fault = Fault::new(
                 raw.span.clone(),
                 &slipping_path,
-                WrongFrame::HasLawJenkinsBut {
-                    path: path.to_string(),
-                },
+                WrongFrame::HasLawJenkinsBut(path.to_string()),
             );
             reader.fault(fault.help(WrongFrame::GiveWhatIsLeft));
             return None;
@@ -54,9 +52,7 @@ pub(super) fn friction(
             let fault = Fault::new(
                 list.span.clone(),
                 &slipping_path,
-                WrongFrame::IsGivenButLaw {
-                    slipping_path: slipping_path.to_string(),
-                },
+                WrongFrame::IsGivenButLaw(slipping_path.to_string()),
             );
             reader.fault(fault.help(WrongFrame::WriteLawJenkinsOr));
             return None;
@@ -149,9 +145,7 @@ fn slip(reader: &mut Reader, raw: &At<FrictionRaw>, path: &str, storeys: usize) 
                 let fault = Fault::new(
                     fixed.span.clone(),
                     &format!("{path}.static_coefficient"),
-                    WrongFrame::HasBothForceAnd {
-                        path: path.to_string(),
-                    },
+                    WrongFrame::HasBothForceAnd(path.to_string()),
                 );
                 reader.fault(fault.help(WrongFrame::GiveCoefficientAndStatic));
                 return None;
@@ -170,9 +164,7 @@ fn slip(reader: &mut Reader, raw: &At<FrictionRaw>, path: &str, storeys: usize) 
             let fault = Fault::new(
                 force.span.clone(),
                 path,
-                WrongFrame::HasBothCoefficientAnd {
-                    path: path.to_string(),
-                },
+                WrongFrame::HasBothCoefficientAnd(path.to_string()),
             );
             reader.fault(fault.help(WrongFrame::KeepOneOfThem));
             None
@@ -182,9 +174,7 @@ fn slip(reader: &mut Reader, raw: &At<FrictionRaw>, path: &str, storeys: usize) 
                 let fault = Fault::new(
                     raw.span.clone(),
                     path,
-                    WrongFrame::HasNeitherCoefficientNor {
-                        path: path.to_string(),
-                    },
+                    WrongFrame::HasNeitherCoefficientNor(path.to_string()),
                 );
                 reader.fault(fault.help(WrongFrame::WriteFrictionCoefficientOr));
             }

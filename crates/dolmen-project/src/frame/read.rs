@@ -112,21 +112,16 @@ fn alone_agree(reader: &mut Reader, frame: &FramePart) -> bool {
         };
         let path = none.path.clone();
         let problem = match (frame.convention, &direction.friction) {
-            (Convention::Grounded, _) => Some((
-                WrongFrame::AloneGrounded { path: path.clone() },
-                WrongFrame::WriteDrift,
-            )),
+            (Convention::Grounded, _) => {
+                Some((WrongFrame::AloneGrounded(path.clone()), WrongFrame::WriteDrift))
+            }
             (Convention::Drift, Some(_)) => Some((
-                WrongFrame::AloneRubs { path: path.clone() },
-                WrongFrame::TakeFrictionOut {
-                    direction: direction.name.clone(),
-                },
+                WrongFrame::AloneRubs(path.clone()),
+                WrongFrame::TakeFrictionOut(direction.name.clone()),
             )),
             (Convention::Drift, None) if direction.tenons.is_some() => Some((
-                WrongFrame::AloneHasTenons { path: path.clone() },
-                WrongFrame::TakeTenonsOut {
-                    direction: direction.name.clone(),
-                },
+                WrongFrame::AloneHasTenons(path.clone()),
+                WrongFrame::TakeTenonsOut(direction.name.clone()),
             )),
             (Convention::Drift, None) => None,
         };
@@ -188,9 +183,7 @@ fn axial(reader: &mut Reader, raw: &FileRaw, storeys: &At<Vec<At<StoreyRaw>>>) -
                 .value
                 .get(first)
                 .map_or(0..0, |storey| storey.span.clone());
-            let message = WrongFrame::StoreysHasNoAxial {
-                first: (first + 1).to_string(),
-            };
+            let message = WrongFrame::StoreysHasNoAxial((first + 1).to_string());
             let fault = Fault::new(span, &path, message);
             reader.fault(fault.help(WrongFrame::GiveAllOfThem));
             None
@@ -283,10 +276,10 @@ fn directions(
                     match reader.quantity(Some(raw), &path, Measure::StoreyStiffness, bound) {
                         Some(quantity) => {
                             if quantity.value == 0.0 && free.get(i) == Some(&Free::OnRigidStones) {
-                                let message = WrongFrame::NothingAtSmallDrift { path: path.clone() };
+                                let message = WrongFrame::NothingAtSmallDrift(path.clone());
                                 let fault = Fault::new(reader.place(&path), &path, message);
                                 let place = format!("storeys[{}].columns", i + 1);
-                                reader.fault(fault.help(WrongFrame::GiveBedStiffness { place }));
+                                reader.fault(fault.help(WrongFrame::GiveBedStiffness(place)));
                                 sound = false;
                             }
                             each.push(quantity);

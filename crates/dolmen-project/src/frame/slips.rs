@@ -122,9 +122,7 @@ fn judge_axial(reader: &mut Reader, frame: &FramePart, masses: &[f64]) {
         reader.slip(
             "axial",
             message,
-            WrongFrame::DidYouMeanAxial {
-                other_word: other_word.to_string(),
-            },
+            WrongFrame::DidYouMeanAxial(other_word.to_string()),
         );
         return;
     }

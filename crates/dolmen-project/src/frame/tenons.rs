@@ -62,9 +62,7 @@ pub(super) fn tenons(
             let fault = Fault::new(
                 half.span.clone(),
                 &half_path,
-                WrongFrame::HalfWithoutCrushing {
-                    half_path: half_path.clone(),
-                },
+                WrongFrame::HalfWithoutCrushing(half_path.clone()),
             );
             reader.fault(fault.help(WrongFrame::GiveCrushingForce));
             return None;

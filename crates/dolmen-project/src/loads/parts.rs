@@ -158,15 +158,9 @@ pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: 
                 },
             };
             let help: Both = match nearest(written, parts.names.iter().flatten().map(String::as_str)) {
-                Some(near) if several.is_empty() => Common::DidYouMean {
-                    near: near.to_string(),
-                }
-                .into(),
+                Some(near) if several.is_empty() => Common::DidYouMean(near.to_string()).into(),
                 _ if parts.are_stones => WrongLoads::WriteNameOfStone.into(),
-                _ if parts.are_floors => WrongLoads::WriteFloor {
-                    count: parts.names.len().to_string(),
-                }
-                .into(),
+                _ if parts.are_floors => WrongLoads::WriteFloor(parts.names.len().to_string()).into(),
                 _ => WrongLoads::WriteForLowestTo {
                     list: parts.list.to_string(),
                     count: parts.names.len().to_string(),

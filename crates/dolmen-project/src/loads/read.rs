@@ -42,13 +42,7 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
         .filter(|_| parts.is_none())
         .filter_map(|(key, span)| Some((key, span.clone()?)));
     for (key, span) in foreign {
-        let fault = Fault::new(
-            span,
-            key,
-            WrongLoads::IsNotReadFor {
-                key: (*key).to_owned(),
-            },
-        );
+        let fault = Fault::new(span, key, WrongLoads::IsNotReadFor((*key).to_owned()));
         reader.fault(
             fault
                 .allowed(Common::NoMeaningHere)
@@ -121,9 +115,8 @@ fn judge_factors(reader: &mut Reader, raw: &FileRaw) {
                     key: key.to_string(),
                 };
                 reader.fault(
-                    Fault::new(factor.span.clone(), &path, message).help(WrongLoads::OrTakeItOut {
-                        help: help.clone().into(),
-                    }),
+                    Fault::new(factor.span.clone(), &path, message)
+                        .help(WrongLoads::OrTakeItOut(help.clone().into())),
                 );
             }
         }
@@ -150,12 +143,8 @@ fn load(reader: &mut Reader, raw: &At<LoadRaw>, path: &str, parts: &Parts) -> Op
     (reader.faults.len() == before).then_some(())?;
     if of.force.is_none() && of.weight.is_none() && of.moment.is_none() {
         let message = match parts.are_stones {
-            true => WrongLoads::HasNoForce {
-                path: path.to_string(),
-            },
-            false => WrongLoads::HasNoForceWeight {
-                path: path.to_string(),
-            },
+            true => WrongLoads::HasNoForce(path.to_string()),
+            false => WrongLoads::HasNoForceWeight(path.to_string()),
         };
         let help = match parts.are_stones {
             true => WrongLoads::GiveForceOfThree,
@@ -200,7 +189,7 @@ fn forces(
     };
     match (&raw.value, parts.are_stones) {
         (ForceRaw::Along(_), false) if parts.directions.is_some() && parts.have_two_axes => {
-            let message = WrongLoads::ForceOnFrameNeedsDirection { path: path.clone() };
+            let message = WrongLoads::ForceOnFrameNeedsDirection(path.clone());
             refuse(reader, message, WrongLoads::GiveForceOfTwo)
         }
         (ForceRaw::Along(value), false) => {
@@ -221,11 +210,11 @@ fn forces(
             numbers(reader, (list, &raw.span), (&path, Measure::Force), "[x, y, z]"),
         ),
         (ForceRaw::Along(_), true) => {
-            let message = WrongLoads::ForceOnStoneNeedsDirection { path: path.clone() };
+            let message = WrongLoads::ForceOnStoneNeedsDirection(path.clone());
             refuse(reader, message, WrongLoads::GiveForceOfThree)
         }
         (ForceRaw::Components(_), false) if parts.directions.is_some() => {
-            let message = WrongLoads::ForceOnFrame { path: path.clone() };
+            let message = WrongLoads::ForceOnFrame(path.clone());
             let help = match parts.have_two_axes {
                 true => WrongLoads::GiveForceOfTwo,
                 false => WrongLoads::GiveForceAlongOne,
@@ -233,7 +222,7 @@ fn forces(
             refuse(reader, message, help)
         }
         (ForceRaw::Components(_), false) => {
-            let message = WrongLoads::ForceIsFromSide { path: path.clone() };
+            let message = WrongLoads::ForceIsFromSide(path.clone());
             refuse(reader, message, WrongLoads::GiveForceFromSide)
         }
     }
@@ -256,9 +245,7 @@ fn directed(reader: &mut Reader, both: &[Option<Quantity>; 2], parts: &Parts) {
             path: force.path.clone(),
             component: component.name().to_owned(),
         };
-        let help = WrongLoads::WriteAlong {
-            component: component.name().to_owned(),
-        };
+        let help = WrongLoads::WriteAlong(component.name().to_owned());
         reader.fault(Fault::new(reader.place(&force.path), &force.path, message).help(help));
     }
 }
@@ -285,7 +272,7 @@ fn foreign(reader: &mut Reader, of: &LoadRaw, path: &str, parts: &Parts) {
     for (key, span, help) in keys {
         if let Some(span) = span {
             let path = format!("{path}.{key}");
-            let message = WrongLoads::IsNotReadHere { path: path.clone() };
+            let message = WrongLoads::IsNotReadHere(path.clone());
             reader.fault(Fault::new(span, &path, message).help(help));
         }
     }
@@ -301,7 +288,7 @@ fn combination(
     let of = &raw.value;
     if let Some(factor) = of.earthquake.as_ref().filter(|_| !parts.are_floors) {
         let path = format!("{path}.earthquake");
-        let message = WrongLoads::IsNotReadHere { path: path.clone() };
+        let message = WrongLoads::IsNotReadHere(path.clone());
         let fault = Fault::new(factor.span.clone(), &path, message);
         reader.fault(fault.help(WrongLoads::EarthquakeOfBuilding));
         return None;
@@ -323,9 +310,7 @@ fn combination(
     let fault = Fault::new(
         raw.span.clone(),
         &path,
-        WrongLoads::WeightLeavesNoWeight {
-            path: path.to_string(),
-        },
+        WrongLoads::WeightLeavesNoWeight(path.to_string()),
     );
     reader.fault(fault.help(WrongLoads::StonesWithoutWeightHold));
     None

@@ -59,8 +59,8 @@ pub(super) fn in_time(
         refuse(
             span.clone(),
             "wind",
-            WrongLoads::BreadthUnknown { floor: floor.clone() },
-            WrongLoads::GiveSidesOf { floor },
+            WrongLoads::BreadthUnknown(floor.clone()),
+            WrongLoads::GiveSidesOf(floor),
         );
     }
     let eccentricity = match &of.eccentricity {

@@ -31,7 +31,7 @@ pub(super) fn floor_load(
                 numbers(reader, (list, &raw.span), (&path, Measure::Force), "[x, y]")
             }
             ForceRaw::Along(_) => {
-                let message = WrongLoads::ForceOnFloorNeedsDirection { path: path.clone() };
+                let message = WrongLoads::ForceOnFloorNeedsDirection(path.clone());
                 let fault = Fault::new(raw.span.clone(), &path, message);
                 reader.fault(fault.help(WrongLoads::GiveForceOfFloor));
                 None
@@ -50,9 +50,7 @@ pub(super) fn floor_load(
     );
     (reader.faults.len() == before).then_some(())?;
     if of.force.is_none() && of.torque.is_none() {
-        let message = WrongLoads::HasNoForceTorque {
-            path: path.to_owned(),
-        };
+        let message = WrongLoads::HasNoForceTorque(path.to_owned());
         let fault = Fault::new(raw.span.clone(), path, message);
         reader.fault(fault.help(WrongLoads::GiveForceOfFloor));
         return None;
@@ -110,7 +108,7 @@ fn not_on_floors(reader: &mut Reader, of: &LoadRaw, path: &str) {
     for (key, given, help) in keys {
         if let Some(given) = given {
             let path = format!("{path}.{key}");
-            let message = WrongLoads::IsNotReadHere { path: path.clone() };
+            let message = WrongLoads::IsNotReadHere(path.clone());
             reader.fault(Fault::new(given.span.clone(), &path, message).help(help));
         }
     }

@@ -77,12 +77,12 @@ fn widths_known(reader: &mut Reader, areas: &[WindArea], parts: &Parts) {
         let first = first.clone();
         let (message, help) = match parts.directions {
             None => (
-                WrongLoads::WindWidthOfIs { unknown },
-                WrongLoads::GiveBreadthOrBed { first },
+                WrongLoads::WindWidthOfIs(unknown),
+                WrongLoads::GiveBreadthOrBed(first),
             ),
             Some(_) => (
-                WrongLoads::WindAreaOfIs { unknown },
-                WrongLoads::GiveAreaOfStorey { first },
+                WrongLoads::WindAreaOfIs(unknown),
+                WrongLoads::GiveAreaOfStorey(first),
             ),
         };
         reader.fault(Fault::new(reader.place("wind"), "wind", message).help(help));
@@ -332,9 +332,7 @@ fn direction(reader: &mut Reader, raw: &At<String>, path: &str, parts: &Parts) -
             path: path.to_owned(),
             written: raw.value.clone(),
         };
-        let help = WrongLoads::DirectionsAre {
-            names: names.join(", "),
-        };
+        let help = WrongLoads::DirectionsAre(names.join(", "));
         reader.fault(Fault::new(raw.span.clone(), path, message).help(help));
     }
     found

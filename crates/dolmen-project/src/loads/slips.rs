@@ -50,9 +50,7 @@ pub(crate) fn judge_loads(reader: &mut Reader, loads: &LoadsPart) {
         }
     }
     if outside(wind.air_density_kg_m3, DENSITY_KG_M3) {
-        let message = WrongLoads::WindDensityIsKg {
-            density: wind.air_density_kg_m3.to_string(),
-        };
+        let message = WrongLoads::WindDensityIsKg(wind.air_density_kg_m3.to_string());
         reader.slip("wind.density", message, WrongLoads::AirHasKgM3);
     }
 }

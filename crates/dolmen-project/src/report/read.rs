@@ -71,13 +71,7 @@ pub(crate) fn words(reader: &mut Reader, raw: Option<&At<NamesRaw>>, path: &str)
     let read = names(raw.value.clone());
     let given: Vec<&String> = [&read.en, &read.ko].into_iter().flatten().collect();
     if given.is_empty() || given.iter().any(|text| text.trim().is_empty()) {
-        let fault = Fault::new(
-            raw.span.clone(),
-            path,
-            Common::IsEmpty {
-                path: path.to_string(),
-            },
-        );
+        let fault = Fault::new(raw.span.clone(), path, Common::IsEmpty(path.to_string()));
         reader.fault(
             fault
                 .allowed(WrongReport::NeedsTextOrEn)
@@ -162,17 +156,12 @@ pub(crate) fn a_part(
         },
     );
     let help: Both = match nearest(name, parts.0.iter().map(String::as_str)) {
-        Some(near) => Common::DidYouMean {
-            near: near.to_string(),
-        }
-        .into(),
+        Some(near) => Common::DidYouMean(near.to_string()).into(),
         None => WrongReport::NamePartAsFile.into(),
     };
     reader.fault(
         fault
-            .allowed(WrongReport::MustBeOneOf {
-                parts: listed(&parts.0),
-            })
+            .allowed(WrongReport::MustBeOneOf(listed(&parts.0)))
             .help(help),
     );
     None
@@ -212,9 +201,7 @@ fn location(reader: &mut Reader, raw: Option<&At<LocationRaw>>) -> Option<Locati
         180.0,
     );
     if raw.latitude.is_some() != raw.longitude.is_some() {
-        let message = WrongReport::HasOneOfLatitude {
-            path: path.to_string(),
-        };
+        let message = WrongReport::HasOneOfLatitude(path.to_string());
         let fault = Fault::new(span.clone(), path, message);
         reader.fault(
             fault
@@ -241,9 +228,7 @@ fn photo(reader: &mut Reader, raw: &At<PhotoRaw>, path: &str, parts: &PartNames)
         let fault = Fault::new(
             file.span.clone(),
             &file_path,
-            WrongReport::IsEmpty {
-                file_path: file_path.to_string(),
-            },
+            WrongReport::IsEmpty(file_path.to_string()),
         );
         reader.fault(fault.allowed(WrongReport::NeedsNameOfJpeg));
         return None;
@@ -304,24 +289,16 @@ fn material_test(
         let fault = Fault::new(
             foreign.span.clone(),
             path,
-            WrongReport::HasReadingOfOther {
-                path: path.to_string(),
-            },
+            WrongReport::HasReadingOfOther(path.to_string()),
         );
         reader.fault(
             fault
-                .allowed(WrongReport::MustBe { own: own.into() })
+                .allowed(WrongReport::MustBe(own.into()))
                 .help(WrongReport::ListEachTestBy),
         );
     } else if !other && raw.strength.is_none() {
-        let fault = Fault::new(
-            span.clone(),
-            path,
-            WrongReport::HasNoResult {
-                path: path.to_string(),
-            },
-        );
-        reader.fault(fault.allowed(WrongReport::NeedsStrengthOrBoth { own: own.into() }));
+        let fault = Fault::new(span.clone(), path, WrongReport::HasNoResult(path.to_string()));
+        reader.fault(fault.allowed(WrongReport::NeedsStrengthOrBoth(own.into())));
     }
     Some(MaterialTest {
         method: match method {

@@ -120,9 +120,7 @@ fn source(reader: &mut Reader, raw: &At<MotionRaw>, path: &str) -> Option<Motion
                 .iter()
                 .any(|(key, _)| reader.is_reported(&format!("{path}.{key}")));
             if !is_reported {
-                let problem = WrongSite::HasNeitherFilesNor {
-                    path: path.to_string(),
-                };
+                let problem = WrongSite::HasNeitherFilesNor(path.to_string());
                 let fault = Fault::new(raw.span.clone(), &format!("{path}.files"), problem);
                 reader.fault(fault.help(WrongSite::WriteFilesXRecord));
             }
@@ -182,14 +180,11 @@ fn columns(reader: &mut Reader, given: &MotionRaw, path: &str) -> Vec<(Component
     };
     if given.x_azimuth_deg.is_some() {
         refuse(
-            WrongSite::ColumnsAndAzimuth { path: path.clone() },
+            WrongSite::ColumnsAndAzimuth(path.clone()),
             WrongSite::KeepColumnsOrAzimuth,
         );
     } else if named.is_empty() {
-        refuse(
-            WrongSite::ColumnsEmpty { path: path.clone() },
-            WrongSite::WriteColumns,
-        );
+        refuse(WrongSite::ColumnsEmpty(path.clone()), WrongSite::WriteColumns);
     } else if let Some(files) = &given.files {
         let has = |component: &Component| match component {
             Component::X => files.value.x.is_some(),
@@ -266,13 +261,7 @@ fn files_of(reader: &mut Reader, raw: &At<MotionFilesRaw>, path: &str) -> Option
         .collect();
     if named.is_empty() {
         if !reader.is_reported(path) {
-            let fault = Fault::new(
-                raw.span.clone(),
-                path,
-                Common::IsEmpty {
-                    path: path.to_string(),
-                },
-            );
+            let fault = Fault::new(raw.span.clone(), path, Common::IsEmpty(path.to_string()));
             reader.fault(
                 fault
                     .allowed(WrongSite::NeedsXYOr)
@@ -312,9 +301,7 @@ fn size(reader: &mut Reader, given: &MotionRaw, path: &str) -> Option<MotionSize
             let fault = Fault::new(
                 scale.span.clone(),
                 path,
-                Common::HasBothScaleAnd {
-                    path: path.to_string(),
-                },
+                Common::HasBothScaleAnd(path.to_string()),
             );
             reader.fault(fault.help(Common::KeepOneOfThem));
             None

@@ -17,16 +17,8 @@ pub(crate) fn place(reader: &mut Reader, raw: Option<&At<SiteRaw>>, has_korean_n
             Some(_) => ("site.latitude_deg", "longitude_deg"),
             None => ("site.longitude_deg", "latitude_deg"),
         };
-        let fault = Fault::new(
-            one.span.clone(),
-            path,
-            WrongSite::StandsAlone {
-                path: path.to_string(),
-            },
-        );
-        reader.fault(fault.help(WrongSite::GiveAsWell {
-            other: other.to_string(),
-        }));
+        let fault = Fault::new(one.span.clone(), path, WrongSite::StandsAlone(path.to_string()));
+        reader.fault(fault.help(WrongSite::GiveAsWell(other.to_string())));
         return None;
     }
     let latitude_deg = reader.within(latitude, "site.latitude_deg", -90.0, 90.0)?;

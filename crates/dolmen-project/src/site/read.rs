@@ -63,9 +63,7 @@ pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
                 .iter()
                 .map(|c| format!("code = \"{}\"", code_word(*c)))
                 .collect();
-            reader.fault(Fault::new(span, &path, message).help(Common::TakeItOutOr {
-                others: either(&others),
-            }));
+            reader.fault(Fault::new(span, &path, message).help(Common::TakeItOutOr(either(&others))));
         }
     }
     let before = reader.faults.len();
@@ -154,7 +152,7 @@ fn hazard(reader: &mut Reader, raw: &At<HazardRaw>) -> Option<HazardPart> {
         peaks_m_s2.push(reader.plain(Some(peak), &path, Measure::GroundAcceleration, Bound::Positive)?);
     }
     let mut refuse = |message: Both, help: WrongSite| {
-        reader.fault(Fault::new(raw.span.clone(), PATH, WrongSite::Hazard { message }).help(help));
+        reader.fault(Fault::new(raw.span.clone(), PATH, WrongSite::Hazard(message)).help(help));
     };
     if peaks_m_s2.len() != periods.value.len() {
         refuse(
@@ -383,9 +381,7 @@ fn acceleration_unit(reader: &mut Reader, unit: &At<String>) -> Option<f64> {
     match Unit::parse(&unit.value) {
         Ok(unit) if unit.quantity() == Quantity::Acceleration => Some(unit.si()),
         _ => {
-            let message = WrongSite::SiteUnitIsNo {
-                unit: unit.value.to_string(),
-            };
+            let message = WrongSite::SiteUnitIsNo(unit.value.to_string());
             let fault = Fault::new(unit.span.clone(), "site.unit", message);
             reader.fault(fault.allowed(WrongSite::MustBeGM));
             None
@@ -423,9 +419,7 @@ fn rows_of_file(reader: &mut Reader, file: &At<String>) -> Option<Vec<[f64; 2]>>
             [Some(period_s), Some(acceleration)] => rows.push([period_s, acceleration]),
             _ if rows.is_empty() && !has_names => has_names = true,
             _ => {
-                let why = WrongSite::LineIsNotPeriod {
-                    i: (i + 1).to_string(),
-                };
+                let why = WrongSite::LineIsNotPeriod((i + 1).to_string());
                 refuse(reader, why.into());
                 return None;
             }

@@ -87,24 +87,18 @@ pub(super) fn judge_site(reader: &mut Reader, part: &SitePart) {
             ..
         } => {
             if outside(*ground_acceleration_g, GROUND_G) {
-                let message = WrongSite::GroundUnlikely {
-                    given: ratio(*ground_acceleration_g),
-                };
+                let message = WrongSite::GroundUnlikely(ratio(*ground_acceleration_g));
                 reader.slip("site.ground_acceleration", message, WrongSite::GroundOfMaps);
             }
             if outside(*importance_factor, IMPORTANCE) {
-                let message = WrongSite::ImportanceUnlikely {
-                    given: ratio(*importance_factor),
-                };
+                let message = WrongSite::ImportanceUnlikely(ratio(*importance_factor));
                 reader.slip("site.importance_factor", message, WrongSite::ImportanceOfCode);
             }
         }
         Site::Table { points, .. } => {
             let plateau = points.iter().map(|[_, a]| *a).fold(0.0, f64::max) / STANDARD_GRAVITY_M_S2;
             if outside(plateau, PLATEAU_G) {
-                let message = WrongSite::PlateauUnlikely {
-                    given: ratio(plateau),
-                };
+                let message = WrongSite::PlateauUnlikely(ratio(plateau));
                 reader.slip("site.unit", message, WrongSite::UnitOfSpectrum);
             }
             judge_periods(reader, points);

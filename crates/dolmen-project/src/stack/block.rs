@@ -128,13 +128,7 @@ fn on(
         OnRaw::Several(names) => names.iter().map(String::as_str).collect(),
     };
     if given.is_empty() {
-        let fault = Fault::new(
-            on.span.clone(),
-            &path,
-            Common::IsEmpty {
-                path: path.to_string(),
-            },
-        );
+        let fault = Fault::new(on.span.clone(), &path, Common::IsEmpty(path.to_string()));
         reader.fault(fault.allowed(WrongStack::NeedsNameOfBlock));
         return None;
     }

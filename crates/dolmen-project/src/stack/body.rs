@@ -78,10 +78,7 @@ pub(super) fn body(
         },
     );
     let help: Both = match nearest(name, known.iter().map(String::as_str)) {
-        Some(near) => Common::DidYouMean {
-            near: near.to_string(),
-        }
-        .into(),
+        Some(near) => Common::DidYouMean(near.to_string()).into(),
         None => match ground {
             MayBeGround::Yes => WrongStack::WriteNameOfBlock {
                 ground: GROUND.to_string(),

@@ -85,12 +85,7 @@ fn order(reader: &mut Reader, part: &StackPart) {
     let (sum, count) = signs.fold((0, 0), |(sum, count), sign| (sum + sign, count + 1));
     let tau = f64::from(sum) / f64::from(count.max(1));
     if tau > WIDER_PAIRS {
-        reader.doubt(
-            "blocks",
-            Doubted::StackOrder {
-                share: ratio(100.0 * tau),
-            },
-        );
+        reader.doubt("blocks", Doubted::StackOrder(ratio(100.0 * tau)));
     }
 }
 

@@ -197,9 +197,7 @@ fn refuse_foreign(reader: &mut Reader, block: &BlockRaw, path: &str, shape: Shap
                 .map(|shape| format!("shape = \"{}\"", shape_word(*shape)))
                 .collect();
             let fault = Fault::new(quantity.span.clone(), &key_path, message);
-            reader.fault(fault.help(Common::TakeItOutOr {
-                others: either(&others),
-            }));
+            reader.fault(fault.help(Common::TakeItOutOr(either(&others))));
         }
     }
     for (key, span, shapes) in other_keys(block) {
@@ -211,9 +209,7 @@ fn refuse_foreign(reader: &mut Reader, block: &BlockRaw, path: &str, shape: Shap
             };
             let others: Vec<&str> = shapes.iter().map(|shape| word_of(*shape)).collect();
             let fault = Fault::new(span, &key_path, message);
-            reader.fault(fault.help(Common::TakeItOutOr {
-                others: either(&others),
-            }));
+            reader.fault(fault.help(Common::TakeItOutOr(either(&others))));
         }
     }
 }

@@ -429,6 +429,6 @@ fn judge_bed(reader: &mut Reader, bed: &BedPart) {
             written: share.written.to_string(),
         };
         let percent = short(share.value);
-        reader.slip(&share.path, message, Common::IsItPerCent { percent });
+        reader.slip(&share.path, message, Common::IsItPerCent(percent));
     }
 }

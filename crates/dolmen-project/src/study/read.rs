@@ -169,10 +169,7 @@ fn all_once(
     );
     once(
         reader,
-        WrongStudy::SetAndVary {
-            path: path.to_string(),
-        }
-        .into(),
+        WrongStudy::SetAndVary(path.to_string()).into(),
         named.map(|(path, span)| (path.as_str(), span)),
     );
     for (key, list) in [("motions", &given.motions), ("variants", &given.variants)] {
@@ -257,9 +254,7 @@ fn periods(reader: &mut Reader, raw: Option<&At<Vec<At<f64>>>>, path: &str) -> V
             count: raw.value.len().to_string(),
         };
         let fault = Fault::new(raw.span.clone(), path, message);
-        reader.fault(fault.allowed(WrongStudy::MustHaveAtMost {
-            most: PERIODS_MOST.to_string(),
-        }));
+        reader.fault(fault.allowed(WrongStudy::MustHaveAtMost(PERIODS_MOST.to_string())));
         return Vec::new();
     }
     let [least, most] = PERIOD_RANGE_S;
@@ -421,9 +416,7 @@ fn expected(
                 input: input.value.to_string(),
             };
             let fault = Fault::new(input.span.clone(), &path, message);
-            reader.fault(fault.help(WrongStudy::VariedAre {
-                known: known.join(", "),
-            }));
+            reader.fault(fault.help(WrongStudy::VariedAre(known.join(", "))));
             continue;
         }
         found.push(ExpectedTrend {

@@ -102,13 +102,7 @@ pub(super) fn axis(reader: &mut Reader, text: &str, place: &str, leaf: &Leaf<'_>
             range.iter().map(|text| at(text, &leaf.span)).collect()
         }
         TreeRaw::Leaf => {
-            let fault = Fault::new(
-                leaf.span.clone(),
-                &path,
-                WrongStudy::IsOneValue {
-                    path: path.to_string(),
-                },
-            );
+            let fault = Fault::new(leaf.span.clone(), &path, WrongStudy::IsOneValue(path.to_string()));
             let fault = fault.allowed(WrongStudy::MustBeListOr);
             reader.fault(fault.help(WrongStudy::WriteOrFromTo));
             return None;
@@ -120,9 +114,7 @@ pub(super) fn axis(reader: &mut Reader, text: &str, place: &str, leaf: &Leaf<'_>
             count: values.len().to_string(),
         };
         let fault = Fault::new(leaf.span.clone(), &path, message);
-        reader.fault(fault.allowed(WrongStudy::MustHaveTo {
-            most: VALUES_MOST.to_string(),
-        }));
+        reader.fault(fault.allowed(WrongStudy::MustHaveTo(VALUES_MOST.to_string())));
         return None;
     }
     Some(Axis {
@@ -176,9 +168,7 @@ fn written_range(
     let (Some(from), Some(to), Some(steps), Some(spacing)) = (number("from"), number("to"), steps, spacing)
     else {
         refuse(
-            WrongStudy::IsNoRange {
-                path: path.to_string(),
-            },
+            WrongStudy::IsNoRange(path.to_string()),
             WrongStudy::WriteFromToStepsWith,
         );
         return None;
@@ -306,9 +296,7 @@ pub(super) fn series(
         let fault = Fault::new(
             raw.span.clone(),
             path,
-            WrongStudy::DoesNotRiseFrom {
-                path: path.to_string(),
-            },
+            WrongStudy::DoesNotRiseFrom(path.to_string()),
         );
         let fault = fault.allowed(WrongStudy::MustBeRising);
         reader.fault(fault.help(WrongStudy::GiveEachValueOnce));
@@ -328,13 +316,7 @@ pub(super) fn scan(
     path: &str,
 ) -> Option<Scan> {
     if let (Some(_), Some(peak)) = (scale, peak) {
-        let fault = Fault::new(
-            peak.span.clone(),
-            path,
-            Common::HasBothScaleAnd {
-                path: path.to_string(),
-            },
-        );
+        let fault = Fault::new(peak.span.clone(), path, Common::HasBothScaleAnd(path.to_string()));
         reader.fault(fault.help(Common::KeepOneOfThem));
         return None;
     }

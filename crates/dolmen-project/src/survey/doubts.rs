@@ -94,10 +94,8 @@ fn date(reader: &mut Reader, name: &str) {
     let bare = name.trim_start_matches(['\'', '’', '‘', '`', '´']);
     let readings = of_six_digits(bare);
     if !readings.is_empty() {
-        let message = WrongSurvey::SixDigits {
-            name: name.to_owned(),
-        };
-        return reader.slip(&path, message, WrongSurvey::WriteTheDay { readings });
+        let message = WrongSurvey::SixDigits(name.to_owned());
+        return reader.slip(&path, message, WrongSurvey::WriteTheDay(readings));
     }
     let parts: Vec<&str> = bare.splitn(3, ['-', '.', '/']).map(str::trim).collect();
     let is_number = |text: &str, most: usize| {
@@ -127,9 +125,7 @@ fn date(reader: &mut Reader, name: &str) {
         (1900..=2100).contains(&year) && has_all && is_day(&format!("{year:04}-{month:02}-{first:02}"))
     });
     if looks_like && !is_read {
-        let message = WrongSurvey::LooksLikeADate {
-            name: name.to_owned(),
-        };
+        let message = WrongSurvey::LooksLikeADate(name.to_owned());
         reader.slip(&path, message, WrongSurvey::WriteTheYearFirst);
     }
 }

@@ -185,9 +185,7 @@ fn merge(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Merge {
         let fault = Fault::new(
             given.span.clone(),
             &path,
-            WrongSurvey::HasNoSetupsTo {
-                path: path.to_string(),
-            },
+            WrongSurvey::HasNoSetupsTo(path.to_string()),
         );
         reader.fault(fault.help(WrongSurvey::LeaveMergeOutOr));
     }
@@ -202,9 +200,7 @@ fn setups(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Vec<RecordSource>
     let path = format!("{path}.setups");
     let listed = raw.setups.as_deref().unwrap_or_default();
     if let (Some(records), Some(_)) = (&raw.records, listed.first()) {
-        let message = WrongSurvey::AndRecordsAreBoth {
-            path: path.to_string(),
-        };
+        let message = WrongSurvey::AndRecordsAreBoth(path.to_string());
         let fault = Fault::new(records.span.clone(), &path, message);
         reader.fault(fault.help(WrongSurvey::KeepSetupsForSeveral));
     }
@@ -212,9 +208,7 @@ fn setups(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Vec<RecordSource>
         let fault = Fault::new(
             one.span.clone(),
             &path,
-            WrongSurvey::HoldsOneRecord {
-                path: path.to_string(),
-            },
+            WrongSurvey::HoldsOneRecord(path.to_string()),
         );
         reader.fault(
             fault
@@ -230,9 +224,7 @@ fn setups(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Vec<RecordSource>
         let known = |c: &ChannelRaw| c.name.is_some() || (c.position.is_some() && c.direction.is_some());
         if channels.is_empty() || !channels.iter().all(|c| known(&c.value)) {
             let path = format!("{path}[{}].channels", i + 1);
-            let message = WrongSurvey::DoNotTellWhich {
-                path: path.to_string(),
-            };
+            let message = WrongSurvey::DoNotTellWhich(path.to_string());
             let fault = Fault::new(setup.span.clone(), &path, message);
             reader.fault(
                 fault
@@ -315,9 +307,7 @@ fn ascending(reader: &mut Reader, listed: &[SurveyMode]) {
             let fault = Fault::new(reader.place(path), path, message);
             reader.fault(
                 fault
-                    .allowed(WrongSurvey::MustBeAbove {
-                        written: before.frequency.written.to_string(),
-                    })
+                    .allowed(WrongSurvey::MustBeAbove(before.frequency.written.to_string()))
                     .help(WrongSurvey::ListModesOfDirection),
             );
         }
@@ -352,13 +342,7 @@ fn mode(reader: &mut Reader, raw: &At<ModeRaw>, path: &str) -> Option<SurveyMode
             .next()
             .map_or(0..0, |point| point.span.clone());
         let path = format!("{path}.shape");
-        let fault = Fault::new(
-            span,
-            &path,
-            WrongSurvey::DoesNotMoveAt {
-                path: path.to_string(),
-            },
-        );
+        let fault = Fault::new(span, &path, WrongSurvey::DoesNotMoveAt(path.to_string()));
         reader.fault(fault.allowed(WrongSurvey::AtLeastOneDisplacement));
     }
     let twist = twist(reader, raw, path);
@@ -470,9 +454,7 @@ fn tilt(reader: &mut Reader, raw: &At<NumberRaw>, path: &str) -> Option<Tilt> {
             });
             reader.fault(
                 fault
-                    .allowed(WrongSurvey::MustBeWithin {
-                        most: TILT_MOST.to_string(),
-                    })
+                    .allowed(WrongSurvey::MustBeWithin(TILT_MOST.to_string()))
                     .help(WrongSurvey::TiltIsHorizontalVertical),
             );
             None

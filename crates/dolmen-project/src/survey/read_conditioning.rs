@@ -118,9 +118,7 @@ fn damping_range(reader: &mut Reader, raw: &ModalRaw, path: &str) -> [Option<f64
     if let (Some(MethodRaw::Fdd | MethodRaw::Efdd | MethodRaw::Fsdd | MethodRaw::Era), Some(given)) =
         (raw.method, least.or(most))
     {
-        let message = WrongRecords::DampingLeastAndDamping {
-            path: path.to_string(),
-        };
+        let message = WrongRecords::DampingLeastAndDamping(path.to_string());
         let fault = Fault::new(given.span.clone(), path, message);
         reader.fault(fault.allowed(WrongRecords::LeaveThemOutOr));
     }
@@ -163,7 +161,7 @@ fn inputs_and_method(reader: &mut Reader, raw: &ModalRaw, path: &str) {
         && method != MethodRaw::Okid
     {
         let path = format!("{path}.inputs");
-        let message = WrongRecords::InputsOfAnotherMethod { path: path.clone() };
+        let message = WrongRecords::InputsOfAnotherMethod(path.clone());
         reader.fault(Fault::new(first.span.clone(), &path, message).allowed(WrongRecords::LeaveOutTheMethod));
     }
 }

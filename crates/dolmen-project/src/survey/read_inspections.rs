@@ -92,7 +92,7 @@ fn name(reader: &mut Reader, raw: Option<&At<String>>, path: &str) -> Option<Str
         count,
     };
     let fault = Fault::new(raw.span.clone(), path, message);
-    reader.fault(fault.allowed(WrongSurvey::NameOfEntryMustBe { most: NAME_MOST }));
+    reader.fault(fault.allowed(WrongSurvey::NameOfEntryMustBe(NAME_MOST)));
     None
 }
 

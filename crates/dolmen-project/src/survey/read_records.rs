@@ -164,13 +164,7 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
 /// A record of one file names the file, and has one start.
 fn judge_one_file(reader: &mut Reader, raw: &RecordsRaw, span: &Range<usize>, path: &str) {
     if raw.file.is_none() {
-        let fault = Fault::new(
-            span.clone(),
-            path,
-            WrongRecords::NamesNoFile {
-                path: path.to_string(),
-            },
-        );
+        let fault = Fault::new(span.clone(), path, WrongRecords::NamesNoFile(path.to_string()));
         reader.fault(
             fault
                 .allowed(WrongRecords::FileIsMissing)
@@ -182,9 +176,7 @@ fn judge_one_file(reader: &mut Reader, raw: &RecordsRaw, span: &Range<usize>, pa
         let fault = Fault::new(
             starts.span.clone(),
             &path,
-            WrongRecords::StandsWithoutStations {
-                path: path.to_string(),
-            },
+            WrongRecords::StandsWithoutStations(path.to_string()),
         );
         reader.fault(fault.help(WrongRecords::OneFileHasOne));
     }
@@ -305,9 +297,7 @@ fn one_file(reader: &mut Reader, raw: &FileKeys<'_>, path: &str) -> Option<Recor
         let fault = Fault::new(
             file.span.clone(),
             &rate_path,
-            WrongRecords::HoldsNoTimeStamps {
-                file: file.value.to_string(),
-            },
+            WrongRecords::HoldsNoTimeStamps(file.value.to_string()),
         );
         reader.fault(
             fault
@@ -352,9 +342,7 @@ fn format(
         Some(format) => Some(Some(format)),
         None => {
             let path = format!("{path}.file");
-            let message = WrongRecords::FormatOfIsNot {
-                file: file.value.to_string(),
-            };
+            let message = WrongRecords::FormatOfIsNot(file.value.to_string());
             let names: Vec<String> = RecordFormat::ALL
                 .iter()
                 .map(|format| format!("\"{}\"", format.name()))
@@ -363,12 +351,8 @@ fn format(
             let is_workbook = WORKBOOKS.iter().any(|of| ending.eq_ignore_ascii_case(of));
             reader.fault(fault.help(match is_workbook {
                 true => WrongRecords::SaveAsXlsx,
-                false if may_lie_outside(&file.value) => WrongRecords::CopyItAndWriteFormat {
-                    names: names.join(", "),
-                },
-                false => WrongRecords::WriteFormatOneOf {
-                    names: names.join(", "),
-                },
+                false if may_lie_outside(&file.value) => WrongRecords::CopyItAndWriteFormat(names.join(", ")),
+                false => WrongRecords::WriteFormatOneOf(names.join(", ")),
             }));
             None
         }

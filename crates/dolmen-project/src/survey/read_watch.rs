@@ -54,9 +54,7 @@ fn tilt_limit(reader: &mut Reader, given: &At<NumberRaw>) -> Option<f64> {
     let fault = Fault::new(
         given.span.clone(),
         PATH,
-        WrongSurvey::IsNotTiltThat {
-            path: PATH.to_string(),
-        },
+        WrongSurvey::IsNotTiltThat(PATH.to_string()),
     );
     reader.fault(fault.allowed(WrongSurvey::MustBeRatioOf));
     None
@@ -80,9 +78,7 @@ fn work(reader: &mut Reader, given: &At<WorkRaw>, path: &str) -> Option<WorkPart
             let fault = Fault::new(
                 given.span.clone(),
                 &path,
-                WrongSurvey::IsMissing {
-                    path: path.to_string(),
-                },
+                WrongSurvey::IsMissing(path.to_string()),
             );
             reader.fault(fault.allowed(allowed));
         }

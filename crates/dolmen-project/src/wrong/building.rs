@@ -10,7 +10,7 @@ messages! {
             en: "{path} = {given}, but the building has {floors} floors",
             ko: "{path} = {given}인데 건물은 {floors}개 층이다",
         },
-        MustBeLowestTo { floors: String } => {
+        MustBeLowestTo(floors: String) => {
             en: "must be 1 (the lowest) to {floors}",
             ko: "1(최하층)~{floors}이어야 한다",
         },
@@ -19,18 +19,18 @@ messages! {
             en: "floors = [ {{ mass = …, sides = [10, 8], height = …, walls = [ … ] }}, … ], lowest first",
             ko: "floors = [ {{ mass = …, sides = [10, 8], height = …, walls = [ … ] }}, … ]를 아래에서부터 쓴다",
         },
-        FloorsHasFloorsIn { count: String } => {
+        FloorsHasFloorsIn(count: String) => {
             en: "floors has {count} floors in all",
             ko: "floors가 모두 {count}개 층이다",
         },
-        MustBeAtMost { most: String } => { en: "must be at most {most}", ko: "{most} 이하이어야 한다" },
+        MustBeAtMost(most: String) => { en: "must be at most {most}", ko: "{most} 이하이어야 한다" },
         TwoAreNamed { what: Both, name: String } => {
             en: "two {what} are named \"{name}\"",
             ko: "이름이 \"{name}\"인 {what}이(가) 둘이다",
         },
         GiveEachItsOwn => { en: "give each its own name", ko: "서로 다른 이름을 붙인다" },
         WallsOfOneStorey => { en: "walls of one storey", ko: "같은 층의 벽체" },
-        HasBothGyrationAnd { path: String } => {
+        HasBothGyrationAnd(path: String) => {
             en: "{path} has both gyration and inertia",
             ko: "{path}에 gyration과 inertia가 모두 있다",
         },
@@ -44,12 +44,12 @@ messages! {
             en: "{path} has neither sides nor outline, so that {what} is not known",
             ko: "{path}에 sides도 outline도 없어 {what}을(를) 알 수 없다",
         },
-        GiveSidesXY { key: String } => {
+        GiveSidesXY(key: String) => {
             en: "give sides = [x, y], outline = [[x, y], …], or {key} = …",
             ko: "sides = [x, y], outline = [[x, y], …] 또는 {key} = …을(를) 입력한다",
         },
         AlongXAlongY => { en: "[along x, along y]", ko: "[x 방향, y 방향]" },
-        HasBothSidesAnd { path: String } => {
+        HasBothSidesAnd(path: String) => {
             en: "{path} has both sides and outline",
             ko: "{path}에 sides와 outline이 모두 있다",
         },
@@ -57,7 +57,7 @@ messages! {
             en: "keep one of them: sides are those of a rectangle about the origin",
             ko: "둘 중 하나만 남긴다. sides는 원점을 중심으로 하는 직사각형의 변이다",
         },
-        HasBothWallsAnd { path: String } => {
+        HasBothWallsAnd(path: String) => {
             en: "{path} has both walls and stiffness",
             ko: "{path}에 walls와 stiffness가 모두 있다",
         },
@@ -65,7 +65,7 @@ messages! {
             en: "keep one of them: the stiffness of a storey is the sum of its walls",
             ko: "둘 중 하나만 남긴다. 층의 강성은 벽체 강성의 합이다",
         },
-        HasNeitherWallsNor { path: String } => {
+        HasNeitherWallsNor(path: String) => {
             en: "{path} has neither walls nor stiffness",
             ko: "{path}에 walls도 stiffness도 없다",
         },
@@ -73,7 +73,7 @@ messages! {
             en: "give walls = [ {{ x = …, y = …, stiffness_x = …, stiffness_y = … }}, … ], or stiffness = {{ x = …, y = …, rotation = …, centre = [x, y] }}",
             ko: "walls = [ {{ x = …, y = …, stiffness_x = …, stiffness_y = … }}, … ] 또는 stiffness = {{ x = …, y = …, rotation = …, centre = [x, y] }}를 입력한다",
         },
-        HasNeitherStiffnessX { path: String } => {
+        HasNeitherStiffnessX(path: String) => {
             en: "{path} has neither stiffness_x nor stiffness_y",
             ko: "{path}에 stiffness_x도 stiffness_y도 없다",
         },
@@ -89,7 +89,7 @@ messages! {
             en: "keep one of them: the matrix holds x, y and rotation",
             ko: "둘 중 하나만 남긴다. matrix에 x, y, rotation이 들어 있다",
         },
-        MatrixIsNot { path: String } => {
+        MatrixIsNot(path: String) => {
             en: "{path}.matrix is not 3 × 3",
             ko: "{path}.matrix가 3 × 3이 아니다",
         },
@@ -97,12 +97,12 @@ messages! {
             en: "must be three rows of three numbers, against u, v, θ, in SI",
             ko: "u, v, θ에 대한 세 수씩 세 행(SI)이어야 한다",
         },
-        IsMissing { key: String } => { en: "{key} is missing", ko: "{key}이(가) 없다" },
+        IsMissing(key: String) => { en: "{key} is missing", ko: "{key}이(가) 없다" },
         StoreyResistsAlongX => {
             en: "a storey resists along x, along y, and against turning: rotation = \"… kN*m/rad\"",
             ko: "층은 x 방향, y 방향, 회전에 저항한다: rotation = \"… kN*m/rad\"",
         },
-        TwoPointsAreNamed { name: String } => {
+        TwoPointsAreNamed(name: String) => {
             en: "two points are named \"{name}\"",
             ko: "이름이 \"{name}\"인 점이 둘이다",
         },
@@ -111,7 +111,7 @@ messages! {
             ko: "점 \"{name}\"의 위치가 점 \"{other}\"와(과) 같다",
         },
         IsItsPlaceRight => { en: "is its place right?", ko: "위치가 맞는가?" },
-        Damping { why: Both } => { en: "damping: {why}", ko: "damping(감쇠): {why}" },
+        Damping(why: Both) => { en: "damping: {why}", ko: "damping(감쇠): {why}" },
         ButFloorsHaveT { path: String, written: String } => {
             en: "{path} = {written}, but floors have 1 t to 20 000 t",
             ko: "{path} = {written}인데, 층의 질량은 1~20 000 t이다",

@@ -5,7 +5,7 @@ use dolmen_words::messages;
 messages! {
     /// Errors of a chain.
     pub(crate) enum WrongChain in "project.error.chain" {
-        DampingRatioAndBoth { path: String } => {
+        DampingRatioAndBoth(path: String) => {
             en: "damping_ratio and {path} both damp the joints",
             ko: "damping_ratio와 {path}이(가) 모두 접합부의 감쇠를 정한다",
         },
@@ -13,7 +13,7 @@ messages! {
             en: "keep one of them: damping_ratio makes a dashpot of every joint",
             ko: "둘 중 하나만 남긴다. damping_ratio는 모든 접합부에 감쇠를 준다",
         },
-        StandsWithoutFrictionMoment { path: String } => {
+        StandsWithoutFrictionMoment(path: String) => {
             en: "{path} stands without friction_moment",
             ko: "{path}이(가) friction_moment 없이 주어졌다",
         },
@@ -29,7 +29,7 @@ messages! {
             en: "a joint that stands holds at least what one that turns does",
             ko: "멈춰 있는 접합부의 저항은 회전하는 접합부 이상이다",
         },
-        HasBothInertiaAnd { path: String } => {
+        HasBothInertiaAnd(path: String) => {
             en: "{path} has both inertia and breadth",
             ko: "{path}에 inertia와 breadth가 모두 있다",
         },
@@ -37,7 +37,7 @@ messages! {
             en: "keep one of them: breadth makes the inertia that of a box",
             ko: "둘 중 하나만 남긴다. breadth를 주면 직육면체의 관성모멘트로 계산한다",
         },
-        HasBothInertiaAcrossAnd { path: String } => {
+        HasBothInertiaAcrossAnd(path: String) => {
             en: "{path} has both inertia_across and depth",
             ko: "{path}에 inertia_across와 depth가 모두 있다",
         },
@@ -45,7 +45,7 @@ messages! {
             en: "keep one of them: depth makes the inertia across that of a box",
             ko: "둘 중 하나만 남긴다. depth를 주면 직각 방향의 관성모멘트를 직육면체로 계산한다",
         },
-        AcrossWithoutAlong { path: String } => {
+        AcrossWithoutAlong(path: String) => {
             en: "{path} is given, but nothing in the direction of motion",
             ko: "{path}이(가) 있는데 운동 방향의 값이 없다",
         },
@@ -62,16 +62,16 @@ messages! {
             en: "centroid is measured from the link's lower joint, not from the ground",
             ko: "centroid는 지면이 아니라 부재 하단 접합부에서 잰다",
         },
-        SupportNeeds { path: String } => { en: "a side support needs {path}", ko: "측면 지지에는 {path}이(가) 필요하다" },
+        SupportNeeds(path: String) => { en: "a side support needs {path}", ko: "측면 지지에는 {path}이(가) 필요하다" },
         SupportKeys => {
             en: "side_supports = [ {{ height = \"1.2 m\", stiffness = \"20 kN/mm\", gap = \"5 mm\" }} ], the height above the lowest joint",
             ko: "side_supports = [ {{ height = \"1.2 m\", stiffness = \"20 kN/mm\", gap = \"5 mm\" }} ]를 쓴다. height는 최하단 접합면에서 잰다",
         },
-        SupportOfStack { path: String } => {
+        SupportOfStack(path: String) => {
             en: "{path} is for blocks: a chain is held at a height",
             ko: "{path}은(는) 블록에 쓴다. chain은 높이로 지지 위치를 정한다",
         },
-        SupportDirection { path: String } => {
+        SupportDirection(path: String) => {
             en: "{path} of a chain is neither \"x\" nor \"y\"",
             ko: "chain의 {path}은(는) \"x\"나 \"y\"이어야 한다",
         },
@@ -97,7 +97,7 @@ messages! {
             en: "write joints = \"unknown\" if nobody has measured them, or [ {{ stiffness = … }}, … ]",
             ko: "측정한 적이 없으면 joints = \"unknown\", 아니면 [ {{ stiffness = … }}, … ]를 쓴다",
         },
-        EdgeButWidthOf { path: String } => {
+        EdgeButWidthOf(path: String) => {
             en: "{path} = \"edge\", but the width of its bed is not given",
             ko: "{path} = \"edge\"인데 접합면 폭이 주어지지 않았다",
         },
@@ -134,7 +134,7 @@ messages! {
             en: "{path} = {written}: the link's radius of gyration would be {radius_m} m, and the link is {length_m} m long",
             ko: "{path} = {written}: 부재의 회전반경이 {radius_m} m가 되는데 부재 길이는 {length_m} m이다",
         },
-        ThinRodOfThis { factor: String } => {
+        ThinRodOfThis(factor: String) => {
             en: "a thin rod of this mass and length has {factor}",
             ko: "같은 질량과 길이의 가는 봉은 {factor}이다",
         },
@@ -158,7 +158,7 @@ messages! {
             en: "friction holds a small part of that; is it in N m or kN m? A bare number is in units.moment, N m without it",
             ko: "마찰은 그 일부만 저항한다. 단위가 N m, kN m 중 어느 것인가? 단위 없는 수는 units.moment, 그것도 없으면 N m이다",
         },
-        IsGivenButWidth { path: String } => {
+        IsGivenButWidth(path: String) => {
             en: "{path} is given, but the width of its bed is not",
             ko: "{path}이(가) 있는데 접합면 폭이 없다",
         },
@@ -172,7 +172,7 @@ messages! {
             en: "is it in Pa, kPa or MPa? Mortar has 1 to 10 MPa, granite 100 MPa and more",
             ko: "단위가 Pa, kPa, MPa 중 어느 것인가? 모르타르는 1~10 MPa, 화강암은 100 MPa 이상이다",
         },
-        StoneNeeds { path: String } => { en: "stone has no {path}", ko: "stone에 {path}이(가) 없다" },
+        StoneNeeds(path: String) => { en: "stone has no {path}", ko: "stone에 {path}이(가) 없다" },
         StoneKeys => {
             en: "stone = {{ elastic_modulus = \"40 GPa\", poisson_ratio = 0.2, density = \"2600 kg/m3\" }}; granite has 20 to 60 GPa, 0.15 to 0.3 and 2600 kg/m3",
             ko: "stone = {{ elastic_modulus = \"40 GPa\", poisson_ratio = 0.2, density = \"2600 kg/m3\" }}를 쓴다. 화강암은 20~60 GPa, 0.15~0.3, 2600 kg/m3이다",
@@ -226,11 +226,11 @@ messages! {
             en: "is it in Pa, kPa or MPa? A shear wave of 150 m/s in 1800 kg/m3 has 40 MPa. A bare number is in units.stress, Pa without it",
             ko: "단위가 Pa, kPa, MPa 중 어느 것인가? 전단파속도 150 m/s, 밀도 1800 kg/m3이면 40 MPa이다. 단위 없는 수는 units.stress, 그것도 없으면 Pa이다",
         },
-        StoneOfTooMany { links: usize } => {
+        StoneOfTooMany(links: usize) => {
             en: "stone is given for {links} links",
             ko: "부재 {links}개에 stone이 주어졌다",
         },
-        StoneOfAtMost { most: usize } => {
+        StoneOfAtMost(most: usize) => {
             en: "the pole without joints is computed for at most {most} links",
             ko: "접합면이 없는 기둥은 부재 {most}개까지 계산한다",
         },

@@ -14,13 +14,13 @@ messages! {
             en: "must give one: bed_lost (with side), stiffness_left, ties_broken = true, lost = true or mended = true",
             ko: "다음 중 하나만 주어야 한다: bed_lost(side와 함께), stiffness_left, ties_broken = true, lost = true, mended = true",
         },
-        SideOfNothing { path: String } => { en: "{path} stands without bed_lost", ko: "{path}가 bed_lost 없이 있다" },
+        SideOfNothing(path: String) => { en: "{path} stands without bed_lost", ko: "{path}가 bed_lost 없이 있다" },
         LeaveSideOut => { en: "leave side out, or give bed_lost", ko: "side를 삭제하거나 bed_lost를 준다" },
         NotCarried { part: String, survey: String, why: Both } => {
             en: "the damage of \"{part}\" in survey {survey} cannot be carried into the model: {why}",
             ko: "{survey} 조사의 \"{part}\" 손상을 모델에 반영할 수 없다: {why}",
         },
-        Twice { earlier: String } => {
+        Twice(earlier: String) => {
             en: "survey {earlier} has another damage of this kind on this part, with the same name or none, and the model would have only the later one",
             ko: "{earlier} 조사에 같은 부재, 같은 종류의 손상이 이름 없이 또는 같은 이름으로 또 있어 나중 것만 모델에 반영된다",
         },
@@ -51,7 +51,7 @@ messages! {
             en: "its stiffness is sought in the modes of a survey",
             ko: "강성을 조사의 모드에서 구하게 되어 있다",
         },
-        AlreadyIn { survey: String } => {
+        AlreadyIn(survey: String) => {
             en: "its stiffness was identified from survey {survey}, which is not before the inspection: the damage is in it already",
             ko: "강성을 점검보다 앞서지 않은 {survey} 조사에서 구하여 손상이 이미 반영되어 있다",
         },
@@ -81,7 +81,7 @@ messages! {
         NoTies => { en: "no dowel or clamp joins it to what it stands on", ko: "아래 부재와 잇는 은장이나 촉이 없다" },
         NoList => { en: "the file does not list its stones", ko: "파일에 석재의 목록이 없다" },
         ListBlocks => { en: "list the stones as blocks", ko: "석재를 blocks로 나열한다" },
-        StoodOn { upper: String } => { en: "\"{upper}\" stands on it alone", ko: "\"{upper}\"이(가) 이 부재 위에만 놓여 있다" },
+        StoodOn(upper: String) => { en: "\"{upper}\" stands on it alone", ko: "\"{upper}\"이(가) 이 부재 위에만 놓여 있다" },
         LoadedOrAlone => {
             en: "it is the only stone, or a static load acts on it",
             ko: "하나뿐인 석재이거나 정적 하중이 작용한다",
@@ -91,11 +91,11 @@ messages! {
             ko: "손상을 모델의 값에 직접 반영하고 이 항목의 model은 삭제한다",
         },
         LeaveModelOut => { en: "leave model out of this entry", ko: "이 항목의 model을 삭제한다" },
-        AsInspectedButNo { name: String } => {
+        AsInspectedButNo(name: String) => {
             en: "as_inspected = \"{name}\", but no inspection has this name and a date",
             ko: "as_inspected = \"{name}\"인데 날짜가 있는 점검 중에 이 이름이 없다",
         },
-        MustBeOneOf { allowed: String } => {
+        MustBeOneOf(allowed: String) => {
             en: "must be one of {allowed}",
             ko: "다음 중 하나이어야 한다: {allowed}",
         },

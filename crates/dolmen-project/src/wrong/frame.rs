@@ -5,7 +5,7 @@ use dolmen_words::messages;
 messages! {
     /// Errors of a frame.
     pub(crate) enum WrongFrame in "project.error.frame" {
-        HasLawJenkinsBut { path: String } => {
+        HasLawJenkinsBut(path: String) => {
             en: "{path} has law = \"jenkins\", but no slipping_stiffness",
             ko: "{path}에 law = \"jenkins\"가 있는데 slipping_stiffness가 없다",
         },
@@ -13,7 +13,7 @@ messages! {
             en: "give what is left of each storey's stiffness while its joints slip; 0 for nothing",
             ko: "접합부가 미끄러지는 동안 각 층에 남는 강성을 입력한다. 남지 않으면 0이다",
         },
-        IsGivenButLaw { slipping_path: String } => {
+        IsGivenButLaw(slipping_path: String) => {
             en: "{slipping_path} is given, but the law is \"coulomb\": its slider stands beside the whole spring",
             ko: "{slipping_path}이(가) 있는데 law가 \"coulomb\"이다. 이 모델의 마찰 요소는 스프링 전체와 나란히 놓인다",
         },
@@ -41,7 +41,7 @@ messages! {
             en: "must be at least the coefficient while slipping",
             ko: "미끄러지는 동안의 계수 이상이어야 한다",
         },
-        HasBothForceAnd { path: String } => {
+        HasBothForceAnd(path: String) => {
             en: "{path} has both force and static_coefficient",
             ko: "{path}에 force와 static_coefficient가 모두 있다",
         },
@@ -49,7 +49,7 @@ messages! {
             en: "give coefficient and static_coefficient, or force alone",
             ko: "coefficient와 static_coefficient를 주거나 force만 준다",
         },
-        HasBothCoefficientAnd { path: String } => {
+        HasBothCoefficientAnd(path: String) => {
             en: "{path} has both coefficient and force",
             ko: "{path}에 coefficient와 force가 모두 있다",
         },
@@ -57,7 +57,7 @@ messages! {
             en: "keep one of them: force = coefficient × axial force",
             ko: "둘 중 하나만 남긴다. force = coefficient × 축력",
         },
-        HasNeitherCoefficientNor { path: String } => {
+        HasNeitherCoefficientNor(path: String) => {
             en: "{path} has neither coefficient nor force",
             ko: "{path}에 coefficient도 force도 없다",
         },
@@ -78,7 +78,7 @@ messages! {
             en: "give each storey its axial_force, or take axial out: it then follows the masses",
             ko: "층마다 axial_force를 입력하거나 axial을 삭제한다. 삭제하면 축력은 질량으로 계산한다",
         },
-        StoreysHasNoAxial { first: String } => {
+        StoreysHasNoAxial(first: String) => {
             en: "storeys[{first}] has no axial_force, but another storey has",
             ko: "storeys[{first}]에 axial_force가 없는데 다른 층에는 있다",
         },
@@ -94,15 +94,15 @@ messages! {
             en: "write axial = \"storey\" if it is the force in the storey's columns (its own level and all above), axial = \"level\" if it is the load added at its top",
             ko: "그 층 기둥의 축력(그 층과 위층 전체)이면 axial = \"storey\", 그 층 상단에 더해지는 하중이면 axial = \"level\"로 쓴다",
         },
-        NothingAtSmallDrift { path: String } => {
+        NothingAtSmallDrift(path: String) => {
             en: "{path} = 0: columns alone on rigid stones have no stiffness at small drift, and no frequency",
             ko: "{path} = 0: 강체 초석 위의 기둥만으로는 미소변형에서 강성과 고유진동수가 정해지지 않는다",
         },
-        GiveBedStiffness { place: String } => {
+        GiveBedStiffness(place: String) => {
             en: "give {place}.bed_stiffness, or \"unknown\": `dolmen check` then says what the columns hold",
             ko: "{place}.bed_stiffness를 입력하거나 \"unknown\"으로 쓴다. 기둥의 복원력은 `dolmen check`로 본다",
         },
-        AloneGrounded { path: String } => {
+        AloneGrounded(path: String) => {
             en: "{path} = 0: columns resist drift, but with convention = \"grounded\" a storey is held from the ground",
             ko: "{path} = 0: 기둥은 층간변위에 저항하나 convention = \"grounded\"에서는 층이 지반에서 지지된다",
         },
@@ -110,15 +110,15 @@ messages! {
             en: "write convention = \"drift\"",
             ko: "convention = \"drift\"로 쓴다",
         },
-        AloneRubs { path: String } => {
+        AloneRubs(path: String) => {
             en: "{path} = 0: nothing but columns holds the storey, so that no joint rubs there",
             ko: "{path} = 0: 기둥만으로 지지되는 층에는 마찰하는 접합부가 없다",
         },
-        AloneHasTenons { path: String } => {
+        AloneHasTenons(path: String) => {
             en: "{path} = 0: nothing but columns holds the storey, so that it has no tenons",
             ko: "{path} = 0: 기둥만으로 지지되는 층에는 장부가 없다",
         },
-        TakeTenonsOut { direction: String } => {
+        TakeTenonsOut(direction: String) => {
             en: "take direction.{direction}.tenons out, or give the stiffness within their slack",
             ko: "direction.{direction}.tenons를 삭제하거나 유격 안의 강성을 입력한다",
         },
@@ -126,7 +126,7 @@ messages! {
             en: "slack is a rotation, drift over height of the storey: 0.004 or \"4 mm/m\"; a storey that leans by 0.1 has fallen",
             ko: "slack은 층고에 대한 층간변위, 곧 회전각이다. 0.004 또는 \"4 mm/m\"로 쓰며 0.1이면 전도로 본다",
         },
-        HalfWithoutCrushing { half_path: String } => {
+        HalfWithoutCrushing(half_path: String) => {
             en: "{half_path} is given, but no crushing_force: nothing is ever crushed",
             ko: "{half_path}이(가) 있는데 crushing_force가 없어 압괴가 일어나지 않는다",
         },
@@ -134,7 +134,7 @@ messages! {
             en: "give crushing_force of each storey, or take half_stiffness_depth out",
             ko: "층마다 crushing_force를 입력하거나 half_stiffness_depth를 삭제한다",
         },
-        TakeFrictionOut { direction: String } => {
+        TakeFrictionOut(direction: String) => {
             en: "take direction.{direction}.friction out, or give the stiffness of its joints",
             ko: "direction.{direction}.friction을 삭제하거나 접합부의 강성을 입력한다",
         },
@@ -158,7 +158,7 @@ messages! {
             en: "axial = \"{word}\", but the axial forces are the weights of the masses only if they are read as \"{other_word}\"",
             ko: "axial = \"{word}\"인데, 축력은 \"{other_word}\"(으)로 읽을 때에만 질량의 무게와 맞는다",
         },
-        DidYouMeanAxial { other_word: String } => {
+        DidYouMeanAxial(other_word: String) => {
             en: "did you mean axial = \"{other_word}\"?",
             ko: "axial = \"{other_word}\"인가?",
         },

@@ -34,7 +34,7 @@ messages! {
             en: "heights count from the feet of the lowest columns; name the storey that carries it, and only an area of wind may lie above its storey, as a roof does",
             ko: "높이는 최하층 기둥의 바닥에서 잰다. 이를 지지하는 층의 이름을 쓴다. 지붕처럼 층 위에 놓일 수 있는 것은 바람을 받는 면적뿐이다",
         },
-        ForceOnFrameNeedsDirection { path: String } => {
+        ForceOnFrameNeedsDirection(path: String) => {
             en: "{path} is one number, but the frame has several directions",
             ko: "{path}이(가) 수 하나이나 골조에 방향이 여럿이다",
         },
@@ -42,7 +42,7 @@ messages! {
             en: "give force = [x, y]: [2, 0] pushes the direction along x alone",
             ko: "force = [x, y]로 입력한다. [2, 0]은 x를 따르는 방향만 민다",
         },
-        ForceOnFrame { path: String } => {
+        ForceOnFrame(path: String) => {
             en: "{path} has the wrong number of components: a storey is pushed along its directions",
             ko: "{path}의 성분 수가 맞지 않는다. 층에는 골조의 방향을 따라 힘이 작용한다",
         },
@@ -54,7 +54,7 @@ messages! {
             en: "{path} pushes along {component}, but no direction of the frame lies along {component}",
             ko: "{path}은(는) {component} 방향의 힘인데 {component}를 따르는 골조의 방향이 없다",
         },
-        WriteAlong { component: String } => {
+        WriteAlong(component: String) => {
             en: "write direction.NAME.along = \"{component}\" where a direction has another name, or 0 if nothing pushes there",
             ko: "방향의 이름이 다르면 direction.이름.along = \"{component}\"를 쓰고, 힘이 없으면 0을 쓴다",
         },
@@ -66,11 +66,11 @@ messages! {
             en: "take it out: a storey sways on hinged columns, which a moment does not push. Give the force that makes the moment, at the level where it acts",
             ko: "삭제한다. 층은 양단 핀 기둥 위에서 수평으로 움직이므로 모멘트는 층을 밀지 않는다. 모멘트를 만드는 힘을 그 힘이 작용하는 층에 입력한다",
         },
-        WindAreaOfIs { unknown: String } => {
+        WindAreaOfIs(unknown: String) => {
             en: "wind: the area of {unknown} that the wind meets is not known, in every direction",
             ko: "wind: {unknown}이(가) 바람을 받는 면적을 방향마다 알 수 없다",
         },
-        GiveAreaOfStorey { first: String } => {
+        GiveAreaOfStorey(first: String) => {
             en: "give wind.areas = [{{ part = \"{first}\", area = … }}] for its columns and walls, 0 where the wind meets none, with direction = \"…\" where the directions differ; and a roof as an area with a height",
             ko: "기둥과 벽체의 면적을 wind.areas = [{{ part = \"{first}\", area = … }}]로 입력하고 바람을 받지 않으면 0을 쓴다. 방향마다 다르면 direction = \"…\"을 쓰고, 지붕은 height가 있는 면적으로 쓴다",
         },
@@ -78,11 +78,11 @@ messages! {
             en: "{path}: the frame has no direction \"{written}\"",
             ko: "{path}: 골조에 \"{written}\" 방향이 없다",
         },
-        DirectionsAre { names: String } => {
+        DirectionsAre(names: String) => {
             en: "its directions are {names}",
             ko: "골조의 방향은 {names}이다",
         },
-        IsNotReadFor { key: String } => {
+        IsNotReadFor(key: String) => {
             en: "{key} is not read for this kind of structure",
             ko: "이 종류의 구조물에는 {key}을(를) 쓰지 않는다",
         },
@@ -90,11 +90,11 @@ messages! {
             en: "take it out: wind and static loads are for kind = \"chain\", \"stack\", \"frame\" and \"building\"",
             ko: "삭제한다. 풍하중과 정하중은 kind = \"chain\", \"stack\", \"frame\", \"building\"에만 쓴다",
         },
-        WriteFloor { count: String } => {
+        WriteFloor(count: String) => {
             en: "write the name of a floor as it is in the file, or its number from the ground, \"1\" to \"{count}\"",
             ko: "파일에 있는 바닥의 이름이나 지반에서 센 번호 \"1\"~\"{count}\"을(를) 쓴다",
         },
-        ForceOnFloorNeedsDirection { path: String } => {
+        ForceOnFloorNeedsDirection(path: String) => {
             en: "{path} is one number, but a floor is pushed in two directions",
             ko: "{path}이(가) 수 하나이나 바닥에 작용하는 힘은 두 방향 성분이 필요하다",
         },
@@ -102,7 +102,7 @@ messages! {
             en: "give force = [x, y], as [20, 0] along x, with position = [x, y] where it does not act at the centre of mass, or torque = …",
             ko: "force = [x, y]로 입력한다. [20, 0]은 x 방향이다. 작용점이 질량중심이 아니면 position = [x, y]을 함께 쓰거나 torque = …을 입력한다",
         },
-        HasNoForceTorque { path: String } => {
+        HasNoForceTorque(path: String) => {
             en: "{path} has no force or torque",
             ko: "{path}에 force도 torque도 없다",
         },
@@ -150,8 +150,8 @@ messages! {
             en: "{path} = {factor}, but the file has no {key}",
             ko: "{path} = {factor}인데 파일에 {key}이(가) 없다",
         },
-        OrTakeItOut { help: Both } => { en: "{help}; or take it out", ko: "{help}. 또는 삭제한다" },
-        HasNoForceWeight { path: String } => {
+        OrTakeItOut(help: Both) => { en: "{help}; or take it out", ko: "{help}. 또는 삭제한다" },
+        HasNoForceWeight(path: String) => {
             en: "{path} has no force, weight or moment",
             ko: "{path}에 force, weight, moment 중 아무것도 없다",
         },
@@ -159,7 +159,7 @@ messages! {
             en: "give force = … (from the side), weight = … or moment = …",
             ko: "force = …(수평), weight = … 또는 moment = …을 입력한다",
         },
-        WeightLeavesNoWeight { path: String } => {
+        WeightLeavesNoWeight(path: String) => {
             en: "{path}.weight = 0 leaves no weight",
             ko: "{path}.weight = 0이면 무게가 없다",
         },
@@ -171,20 +171,20 @@ messages! {
             en: "write the name of a stone as it is in the file",
             ko: "파일에 있는 석재의 이름을 쓴다",
         },
-        HasNoForce { path: String } => { en: "{path} has no force", ko: "{path}에 force가 없다" },
+        HasNoForce(path: String) => { en: "{path} has no force", ko: "{path}에 force가 없다" },
         GiveForceOfThree => {
             en: "give force = [x, y, z], z upwards: [0.4, 0, 0] pushes along x, [0, 0, -2] presses down",
             ko: "force = [x, y, z]로 입력한다. z는 위쪽이며 [0.4, 0, 0]은 x 방향, [0, 0, -2]는 아래로 작용한다",
         },
-        ForceOnStoneNeedsDirection { path: String } => {
+        ForceOnStoneNeedsDirection(path: String) => {
             en: "{path} is one number, but a stone is pushed in three dimensions",
             ko: "{path}이(가) 수 하나이나 석재에 작용하는 힘은 세 방향 성분이 필요하다",
         },
-        ForceIsFromSide { path: String } => {
+        ForceIsFromSide(path: String) => {
             en: "{path} has components, but links are pushed along one direction; two, [x, y], where the chain has something of its own across (bed_depth)",
             ko: "{path}에 성분이 여러 개이나 이 구조물의 힘은 한 방향이다. 직각 방향의 값(bed_depth)이 있으면 [x, y] 두 성분을 쓴다",
         },
-        IsNotReadHere { path: String } => {
+        IsNotReadHere(path: String) => {
             en: "{path} is not read here",
             ko: "{path}은(는) 여기에 쓰지 않는다",
         },
@@ -208,11 +208,11 @@ messages! {
             en: "write means = \"gust\" for a gust of some 3 s, or means = \"10 min\" with code = \"EN 1991-1-4\" or \"KDS 41 12 00\" for the mean that weather stations and maps of codes give: the force differs by a factor of 2 to 3",
             ko: "약 3초 가스트이면 means = \"gust\", 기상관측소나 기준의 풍속 지도와 같은 10분 평균이면 means = \"10 min\"과 code = \"EN 1991-1-4\" 또는 \"KDS 41 12 00\"을 쓴다. 둘의 풍력은 2~3배 차이가 난다",
         },
-        WindWidthOfIs { unknown: String } => {
+        WindWidthOfIs(unknown: String) => {
             en: "wind: the width of {unknown} is not known",
             ko: "wind: {unknown}의 폭을 알 수 없다",
         },
-        GiveBreadthOrBed { first: String } => {
+        GiveBreadthOrBed(first: String) => {
             en: "give {first}.breadth or bed_width, or wind.areas = [{{ part = \"{first}\", area = … }}]",
             ko: "{first}.breadth나 bed_width 또는 wind.areas = [{{ part = \"{first}\", area = … }}]를 입력한다",
         },
@@ -309,7 +309,7 @@ messages! {
             en: "a square prism has 2.0, an octagon 1.3 to 1.45, a circle 0.7 to 1.2",
             ko: "정사각기둥 2.0, 팔각기둥 1.3~1.45, 원기둥 0.7~1.2이다",
         },
-        WindDensityIsKg { density: String } => {
+        WindDensityIsKg(density: String) => {
             en: "wind.density is {density} kg/m3",
             ko: "wind.density가 {density} kg/m3이다",
         },
@@ -333,11 +333,11 @@ messages! {
             en: "take it out: the wind meets the breadth of the floors over their storeys",
             ko: "삭제한다. 건물은 바닥의 폭과 층고로 바람을 받는 면적을 정한다",
         },
-        BreadthUnknown { floor: String } => {
+        BreadthUnknown(floor: String) => {
             en: "wind: the breadth of floors[{floor}] is not known",
             ko: "wind: floors[{floor}]의 폭을 알 수 없다",
         },
-        GiveSidesOf { floor: String } => {
+        GiveSidesOf(floor: String) => {
             en: "give floors[{floor}].sides or outline",
             ko: "floors[{floor}].sides나 outline을 입력한다",
         },

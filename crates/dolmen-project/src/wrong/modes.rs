@@ -17,7 +17,7 @@ messages! {
             en: "{file} tells the unit of its lengths itself (dataset 164), but length = \"{length}\" stands beside it",
             ko: "{file}에 길이의 단위가 있는데(데이터셋 164) length = \"{length}\"도 있다",
         },
-        NoLength { file: String } => {
+        NoLength(file: String) => {
             en: "{file} gives places of nodes (dataset 15), but not the unit of its lengths (dataset 164)",
             ko: "{file}에 절점의 좌표(데이터셋 15)는 있으나 길이의 단위(데이터셋 164)가 없다",
         },
@@ -25,7 +25,7 @@ messages! {
             en: "write length = \"m\", \"mm\" or another unit of length beside file",
             ko: "file과 함께 length = \"m\", \"mm\" 등 길이의 단위를 쓴다",
         },
-        IsNoLength { length: String } => {
+        IsNoLength(length: String) => {
             en: "length = \"{length}\" is no unit of length",
             ko: "length = \"{length}\"은(는) 길이의 단위가 아니다",
         },
@@ -37,7 +37,7 @@ messages! {
             en: "give every node a place, or none: then only frequencies and damping ratios are read",
             ko: "모든 절점에 좌표를 주거나 모두 뺀다. 모두 빼면 고유진동수와 감쇠비만 읽는다",
         },
-        NoColumns { file: String } => {
+        NoColumns(file: String) => {
             en: "{file} lacks the column direction or frequency_hz",
             ko: "{file}에 direction 열이나 frequency_hz 열이 없다",
         },

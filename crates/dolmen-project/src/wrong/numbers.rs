@@ -7,17 +7,17 @@ messages! {
     /// Errors of a number.
     pub(crate) enum WrongNumber in "project.error.numbers" {
         WriteAsOr => { en: "write 2 % as 0.02 or \"2 %\"", ko: "2 %는 0.02 또는 \"2 %\"로 쓴다" },
-        ZeroTo { most: String } => { en: "must be 0 to {most}", ko: "0~{most}이어야 한다" },
+        ZeroTo(most: String) => { en: "must be 0 to {most}", ko: "0~{most}이어야 한다" },
         ProbablySlip => { en: "probably a slip", ko: "입력 오류로 의심된다" },
         NeedsButIs { of: String, needed: Both, text: String, dimension: Both } => {
             en: "{of} needs {needed}, but \"{text}\" is {dimension}",
             ko: "{of}에는 {needed}의 단위가 필요한데 \"{text}\"은(는) {dimension}의 단위이다",
         },
-        WriteMassInsteadOf { part: String } => {
+        WriteMassInsteadOf(part: String) => {
             en: "write mass instead of weight in {part}",
             ko: "{part}에 weight 대신 mass를 쓴다",
         },
-        WriteWeightInsteadOf { part: String } => {
+        WriteWeightInsteadOf(part: String) => {
             en: "write weight instead of mass in {part}",
             ko: "{part}에 mass 대신 weight를 쓴다",
         },
@@ -38,7 +38,7 @@ messages! {
             en: "{path} = {given} has no unit",
             ko: "{path} = {given}에 단위가 없다",
         },
-        MustBeWithIts { what: Both } => { en: "must be {what} with its unit", ko: "{what}을(를) 단위와 함께 입력한다" },
+        MustBeWithIts(what: Both) => { en: "must be {what} with its unit", ko: "{what}을(를) 단위와 함께 입력한다" },
         WriteOr { one: String, other: String } => {
             en: "write {one} or {other}",
             ko: "{one} 또는 {other}(으)로 쓴다",
@@ -47,7 +47,7 @@ messages! {
             en: "{path} = \"{text}\" is not a tilt",
             ko: "{path} = \"{text}\"은(는) 기울기가 아니다",
         },
-        MustBeNumberOr { example: Both } => {
+        MustBeNumberOr(example: Both) => {
             en: "must be a number, or text with a unit such as {example}",
             ko: "수 또는 {example}와(과) 같은 단위를 붙인 문자열이어야 한다",
         },
@@ -76,8 +76,8 @@ messages! {
             en: "{path} has its unit twice: in \"{text}\" and unit = \"{unit}\"",
             ko: "{path}의 단위가 두 번 있다. \"{text}\"와 unit = \"{unit}\"",
         },
-        HasBothCovAnd { path: String } => { en: "{path} has both cov and sd", ko: "{path}에 cov와 sd가 모두 있다" },
-        IdentifiedFromWhat { path: String } => {
+        HasBothCovAnd(path: String) => { en: "{path} has both cov and sd", ko: "{path}에 cov와 sd가 모두 있다" },
+        IdentifiedFromWhat(path: String) => {
             en: "{path} is identified, but from which survey is not said",
             ko: "{path}의 출처가 identified인데 어느 조사에서 추정했는지 없다",
         },
@@ -85,7 +85,7 @@ messages! {
             en: "write survey = \"NAME\" beside it; `dolmen identify --write` does",
             ko: "survey = \"이름\"을 함께 쓴다. `dolmen identify --write`가 써 준다",
         },
-        SurveyWithoutSource { path: String } => {
+        SurveyWithoutSource(path: String) => {
             en: "{path} names a survey, but is not said to be identified from it",
             ko: "{path}에 survey가 있는데 출처가 identified가 아니다",
         },
@@ -102,7 +102,7 @@ messages! {
             en: "write \"identified\" above the variants, and numbers in the variant",
             ko: "\"identified\"는 대안 밖에 쓰고, 대안에는 수를 쓴다",
         },
-        SurveysOfFile { known: String } => { en: "it has: {known}", ko: "파일에 있는 조사: {known}" },
+        SurveysOfFile(known: String) => { en: "it has: {known}", ko: "파일에 있는 조사: {known}" },
         CovOrSd => { en: "keep one of them: cov = sd / value", ko: "둘 중 하나만 남긴다. cov = sd / value" },
         HasScatter { path: String, written: String } => {
             en: "{path} = {written} has a scatter",
@@ -125,7 +125,7 @@ messages! {
         },
         AboveZero => { en: "must be above 0", ko: "0보다 커야 한다" },
         Finite => { en: "must be a finite number", ko: "유한한 수이어야 한다" },
-        IsNotNumber { path: String } => { en: "{path} is not a number", ko: "{path}이(가) 수가 아니다(NaN)" },
+        IsNotNumber(path: String) => { en: "{path} is not a number", ko: "{path}이(가) 수가 아니다(NaN)" },
         CannotBe { path: String, written: String } => {
             en: "{path} = {written} cannot be",
             ko: "{path} = {written}은(는) 있을 수 없는 값이다",
@@ -139,7 +139,7 @@ messages! {
             ko: "{least}~{most}이어야 한다",
         },
         Angle => { en: "an angle", ko: "각도" },
-        IsNotDirection { path: String } => { en: "{path} is not a direction", ko: "{path}이(가) 방향이 아니다" },
+        IsNotDirection(path: String) => { en: "{path} is not a direction", ko: "{path}이(가) 방향이 아니다" },
         MustBeXX => {
             en: "must be \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\", or three numbers not all 0",
             ko: "\"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\" 또는 모두 0은 아닌 세 수이어야 한다",

@@ -17,7 +17,7 @@ messages! {
             en: "positions without a unit are in {unit}, as units.length: is it {meant}?",
             ko: "단위 없는 위치는 units.length의 {unit} 단위이다. {meant}인가?",
         },
-        PositionsFromFoot { unit: String } => {
+        PositionsFromFoot(unit: String) => {
             en: "positions are measured from the foot of the structure, without a unit in {unit}",
             ko: "위치는 구조물 바닥의 원점에서 재며 단위가 없으면 {unit} 단위이다",
         },
@@ -35,11 +35,11 @@ messages! {
             ko: "{path}: {lower} = {low}이(가) {upper} = {high}보다 작지 않다",
         },
         NothingWouldBeLeft => { en: "nothing would be left", ko: "남는 대역이 없다" },
-        DampingLeastAndDamping { path: String } => {
+        DampingLeastAndDamping(path: String) => {
             en: "{path}: damping_least and damping_most are not used by this method",
             ko: "{path}: 이 방법에서는 damping_least와 damping_most를 쓰지 않는다",
         },
-        InputsOfAnotherMethod { path: String } => {
+        InputsOfAnotherMethod(path: String) => {
             en: "{path}: this method does not take measured inputs",
             ko: "{path}: 이 방법에서는 입력 채널을 쓰지 않는다",
         },
@@ -52,13 +52,13 @@ messages! {
             ko: "삭제하거나 ssi-cov, ssi-data, plscf, bayoma 중 하나를 고른다",
         },
         MustBeXRight => { en: "must be 3: x right, y away, z up", ko: "3개이어야 한다. x 오른쪽, y 안쪽, z 위쪽" },
-        NamesNoFile { path: String } => { en: "{path} names no file", ko: "{path}에 파일 이름이 없다" },
+        NamesNoFile(path: String) => { en: "{path} names no file", ko: "{path}에 파일 이름이 없다" },
         FileIsMissing => { en: "file is missing", ko: "file이 없다" },
         WriteFileRecordCsv => {
             en: "write file = \"record.csv\", or stations for several files",
             ko: "file = \"record.csv\"를 쓴다. 파일이 여럿이면 stations를 쓴다",
         },
-        StandsWithoutStations { path: String } => {
+        StandsWithoutStations(path: String) => {
             en: "{path} stands without stations",
             ko: "{path}이(가) stations 없이 주어졌다",
         },
@@ -84,7 +84,7 @@ messages! {
             ko: "{path} = {given}은(는) 배율로 쓸 수 없다",
         },
         MustBeFiniteNumber => { en: "must be a finite number other than 0", ko: "0이 아닌 유한한 수이어야 한다" },
-        HoldsNoTimeStamps { file: String } => {
+        HoldsNoTimeStamps(file: String) => {
             en: "{file} holds no time stamps",
             ko: "{file}에 시각이 기록되어 있지 않다",
         },
@@ -93,15 +93,15 @@ messages! {
             en: "write sampling_rate = \"200 Hz\" beside it",
             ko: "그 옆에 sampling_rate = \"200 Hz\"를 쓴다",
         },
-        FormatOfIsNot { file: String } => {
+        FormatOfIsNot(file: String) => {
             en: "the format of {file} is not clear",
             ko: "{file}의 형식을 알 수 없다",
         },
-        WriteFormatOneOf { names: String } => {
+        WriteFormatOneOf(names: String) => {
             en: "write format = one of {names} beside it",
             ko: "그 옆에 format을 {names} 중 하나로 쓴다",
         },
-        CopyItAndWriteFormat { names: String } => {
+        CopyItAndWriteFormat(names: String) => {
             en: "copy it into the folder of the project, outside which no file is read without --allow-outside, and write format = one of {names} beside it",
             ko: "프로젝트 폴더로 복사하고(폴더 밖의 파일은 --allow-outside 없이 읽지 않는다) 그 옆에 format을 {names} 중 하나로 쓴다",
         },

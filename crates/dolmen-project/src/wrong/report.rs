@@ -28,13 +28,13 @@ messages! {
             en: "name a part as the file does; one without a name by its number from below, \"3\"",
             ko: "파일에 있는 부재 이름을 쓴다. 이름이 없는 부재는 아래에서부터 센 번호(\"3\")로 쓴다",
         },
-        MustBeOneOf { parts: Both } => { en: "must be one of {parts}", ko: "다음 중 하나이어야 한다: {parts}" },
+        MustBeOneOf(parts: Both) => { en: "must be one of {parts}", ko: "다음 중 하나이어야 한다: {parts}" },
         PartsOfStructure => { en: "the parts of the structure", ko: "구조물의 부재" },
         AndMore { some: String, count: String } => {
             en: "{some} and {count} more",
             ko: "{some} 외 {count}개",
         },
-        HasOneOfLatitude { path: String } => {
+        HasOneOfLatitude(path: String) => {
             en: "{path} has one of latitude and longitude",
             ko: "{path}에 latitude와 longitude 중 하나만 있다",
         },
@@ -43,16 +43,16 @@ messages! {
             en: "give both in degrees, north and east positive",
             ko: "둘 다 도(°)로 입력한다. 북위와 동경이 양수이다",
         },
-        IsEmpty { file_path: String } => { en: "{file_path} is empty", ko: "{file_path}이(가) 비어 있다" },
+        IsEmpty(file_path: String) => { en: "{file_path} is empty", ko: "{file_path}이(가) 비어 있다" },
         NeedsNameOfJpeg => { en: "needs the name of a JPEG or PNG file", ko: "JPEG 또는 PNG 파일 이름이 필요하다" },
-        HasReadingOfOther { path: String } => {
+        HasReadingOfOther(path: String) => {
             en: "{path} has a reading of the other method",
             ko: "{path}에 다른 방법의 측정값이 있다",
         },
-        MustBe { own: Both } => { en: "must be {own}", ko: "{own}이어야 한다" },
+        MustBe(own: Both) => { en: "must be {own}", ko: "{own}이어야 한다" },
         ListEachTestBy => { en: "list each test by itself", ko: "시험마다 따로 쓴다" },
-        HasNoResult { path: String } => { en: "{path} has no result", ko: "{path}에 결과가 없다" },
-        NeedsStrengthOrBoth { own: Both } => {
+        HasNoResult(path: String) => { en: "{path} has no result", ko: "{path}에 결과가 없다" },
+        NeedsStrengthOrBoth(own: Both) => {
             en: "needs {own}, strength or both",
             ko: "{own}, strength 중 하나 이상이 필요하다",
         },

@@ -10,7 +10,7 @@ messages! {
             en: "{path} has both {first} and {second}",
             ko: "{path}에 {first}와(과) {second}이(가) 모두 있다",
         },
-        HasNeitherFilesNor { path: String } => {
+        HasNeitherFilesNor(path: String) => {
             en: "{path} has neither files, nor file, nor built_in",
             ko: "{path}에 files도 file도 built_in도 없다",
         },
@@ -18,7 +18,7 @@ messages! {
             en: "write files = {{ x = \"record.at2\" }}, file = \"station.csv\" with columns = {{ x = \"EW\", y = \"NS\", z = \"UD\" }}, or built_in = \"el-centro-1940-ns\"",
             ko: "files = {{ x = \"record.at2\" }}, file = \"station.csv\"와 columns = {{ x = \"EW\", y = \"NS\", z = \"UD\" }}, 또는 built_in = \"el-centro-1940-ns\"를 쓴다",
         },
-        ColumnsAndAzimuth { path: String } => {
+        ColumnsAndAzimuth(path: String) => {
             en: "{path} stands beside x_azimuth_deg: both say which channel is x",
             ko: "{path}이(가) x_azimuth_deg와 함께 있다. 둘 다 어느 채널이 x인지를 정한다",
         },
@@ -26,7 +26,7 @@ messages! {
             en: "keep columns to take channels as x, y and z as they are, or x_azimuth_deg to turn channels that say which way they point",
             ko: "채널을 그대로 x, y, z로 쓰려면 columns만, 방향이 적힌 채널을 돌려서 쓰려면 x_azimuth_deg만 남긴다",
         },
-        ColumnsEmpty { path: String } => { en: "{path} names no column", ko: "{path}에 열이 없다" },
+        ColumnsEmpty(path: String) => { en: "{path} names no column", ko: "{path}에 열이 없다" },
         WriteColumns => {
             en: "write the names or numbers of the columns, {{ x = \"EW\", y = \"NS\", z = \"UD\" }}; at least one",
             ko: "{{ x = \"EW\", y = \"NS\", z = \"UD\" }}와 같이 열의 이름이나 번호를 하나 이상 쓴다",
@@ -51,17 +51,17 @@ messages! {
             en: "{path} = {factor} cannot be",
             ko: "{path} = {factor}은(는) 쓸 수 없는 값이다",
         },
-        GroundUnlikely { given: Quantity } => {
+        GroundUnlikely(given: Quantity) => {
             en: "site.ground_acceleration is {given} g, which no map of a code has",
             ko: "site.ground_acceleration이 {given} g이다. 기준의 지진구역 지도에 없는 값이다",
         },
         GroundOfMaps => { en: "maps have 0.02 to 0.5 g: is it in g?", ko: "지도의 값은 0.02~0.5 g이다. g 단위인가?" },
-        ImportanceUnlikely { given: Quantity } => {
+        ImportanceUnlikely(given: Quantity) => {
             en: "site.importance_factor = {given} is none of a code",
             ko: "site.importance_factor = {given}은(는) 기준에 없는 값이다",
         },
         ImportanceOfCode => { en: "EN 1998-1 has 0.8 to 1.4", ko: "EN 1998-1의 값은 0.8~1.4이다" },
-        PlateauUnlikely { given: Quantity } => {
+        PlateauUnlikely(given: Quantity) => {
             en: "the spectrum of the site is largest at {given} g, which no code asks for",
             ko: "부지 스펙트럼의 최댓값이 {given} g이다. 이런 값을 요구하는 기준은 없다",
         },
@@ -108,8 +108,8 @@ messages! {
             ko: "{path}.scale = {scale}은(는) 쓸 수 없는 값이다",
         },
         MustBeNumberOther => { en: "must be a number other than 0", ko: "0이 아닌 수이어야 한다" },
-        StandsAlone { path: String } => { en: "{path} stands alone", ko: "{path}만 있다" },
-        GiveAsWell { other: String } => { en: "give {other} as well", ko: "{other}도 입력한다" },
+        StandsAlone(path: String) => { en: "{path} stands alone", ko: "{path}만 있다" },
+        GiveAsWell(other: String) => { en: "give {other} as well", ko: "{other}도 입력한다" },
         SiteLacksCode => { en: "site lacks code", ko: "site에 code가 없다" },
         GiveCodeKdsKds => {
             en: "give code = \"KDS 17 10 00\", \"KDS 41 17 00\", \"EN 1998-1\" or \"table\"",
@@ -191,7 +191,7 @@ messages! {
             en: "write accelerations = [ … ], one a period, in unit",
             ko: "accelerations = [ … ]를 unit의 단위로 주기마다 하나씩 쓴다",
         },
-        SiteUnitIsNo { unit: String } => {
+        SiteUnitIsNo(unit: String) => {
             en: "site.unit = \"{unit}\" is no unit of acceleration",
             ko: "site.unit = \"{unit}\"은(는) 가속도의 단위가 아니다",
         },
@@ -200,10 +200,10 @@ messages! {
             en: "site.file = \"{file}\": {why}",
             ko: "site.file = \"{file}\"을(를) 읽을 수 없다: {why}",
         },
-        LineIsNotPeriod { i: String } => {
+        LineIsNotPeriod(i: String) => {
             en: "line {i} is not a period, s, and an acceleration",
             ko: "{i}행이 주기(s)와 가속도가 아니다",
         },
-        Hazard { message: Both } => { en: "site.hazard: {message}", ko: "site.hazard(재해도): {message}" },
+        Hazard(message: Both) => { en: "site.hazard: {message}", ko: "site.hazard(재해도): {message}" },
     }
 }

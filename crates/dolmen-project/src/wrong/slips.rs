@@ -22,7 +22,7 @@ messages! {
             en: "frequencies are measured to 0.1 to 5 %: is it in per cent, or a decimal place off?",
             ko: "고유진동수의 측정 오차는 0.1~5 %이다. % 단위로 썼거나 소수점 위치가 잘못되었는가?",
         },
-        GravityIsNotThat { written: String } => {
+        GravityIsNotThat(written: String) => {
             en: "gravity = {written} is not that of the Earth, 9.78 to 9.83 m/s2",
             ko: "gravity = {written}은(는) 지구의 중력가속도(9.78~9.83 m/s2)가 아니다",
         },
@@ -38,7 +38,7 @@ messages! {
             en: "units.length is \"{unit}\", and {count} lengths of the file are then not those of a structure",
             ko: "units.length가 \"{unit}\"인데, 그러면 파일의 길이 {count}개가 구조물의 크기가 아니다",
         },
-        MeantUnitOfLength { meant: String } => {
+        MeantUnitOfLength(meant: String) => {
             en: "did you mean units = {{ length = \"{meant}\" }}? A length that is right as it is takes its own unit: \"1.2 m\"",
             ko: "units = {{ length = \"{meant}\" }}를 쓰려던 것인가? 지금 단위가 맞는 길이는 \"1.2 m\"처럼 단위를 따로 붙인다",
         },
@@ -48,8 +48,8 @@ messages! {
             en: "{path} = {written}, but structures have 0.005 to 0.1",
             ko: "{path} = {written}인데, 구조물의 감쇠비는 0.005~0.1이다",
         },
-        DidYouMean { name: String } => { en: "did you mean {name}?", ko: "단위가 {name}인가?" },
-        ItIsAboutWhat { ratio: String } => {
+        DidYouMean(name: String) => { en: "did you mean {name}?", ko: "단위가 {name}인가?" },
+        ItIsAboutWhat(ratio: String) => {
             en: "it is about {ratio} × what is usual: check its unit",
             ko: "보통 값의 약 {ratio}배이다. 단위를 확인한다",
         },

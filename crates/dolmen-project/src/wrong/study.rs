@@ -6,12 +6,12 @@ use dolmen_words::messages;
 messages! {
     /// Errors of a study.
     pub(crate) enum WrongStudy in "project.error.study" {
-        SetAndVary { path: String } => { en: "{path}: set and vary", ko: "{path}: set과 vary" },
+        SetAndVary(path: String) => { en: "{path}: set and vary", ko: "{path}: set과 vary" },
         HasPeriods { path: String, count: String } => {
             en: "{path} has {count} periods",
             ko: "{path}의 주기가 {count}개이다",
         },
-        MustHaveAtMost { most: String } => { en: "must have at most {most}", ko: "{most}개 이하이어야 한다" },
+        MustHaveAtMost(most: String) => { en: "must have at most {most}", ko: "{most}개 이하이어야 한다" },
         SevereOffsetRatioIs { path: String, severe_offset_ratio: String, offset_ratio: String } => {
             en: "{path}: severe_offset_ratio is {severe_offset_ratio}, below offset_ratio, {offset_ratio}",
             ko: "{path}: severe_offset_ratio = {severe_offset_ratio}이(가) offset_ratio = {offset_ratio}보다 작다",
@@ -71,7 +71,7 @@ messages! {
             en: "{path} = \"{input}\" is not varied",
             ko: "{path} = \"{input}\"은(는) 변화시키는 입력이 아니다",
         },
-        VariedAre { known: String } => { en: "varied are {known}", ko: "변화시키는 입력: {known}" },
+        VariedAre(known: String) => { en: "varied are {known}", ko: "변화시키는 입력: {known}" },
         IsNoPath { place: String, path: String } => {
             en: "{place}: \"{path}\" is no path",
             ko: "{place}: \"{path}\"은(는) 값의 경로가 아니다",
@@ -80,7 +80,7 @@ messages! {
             en: "write it as \"joint.friction\" or \"links[2].weight\"",
             ko: "\"joint.friction\" 또는 \"links[2].weight\"와 같이 쓴다",
         },
-        IsOneValue { path: String } => { en: "{path} is one value", ko: "{path}이(가) 값 하나이다" },
+        IsOneValue(path: String) => { en: "{path} is one value", ko: "{path}이(가) 값 하나이다" },
         MustBeListOr => { en: "must be a list or a range", ko: "목록 또는 범위이어야 한다" },
         WriteOrFromTo => {
             en: "write [ … ] or {{ from = …, to = …, steps = … }}; what all runs share stands in set",
@@ -90,7 +90,7 @@ messages! {
             en: "{path} has {count} values",
             ko: "{path}의 값이 {count}개이다",
         },
-        MustHaveTo { most: String } => { en: "must have 1 to {most}", ko: "1~{most}개이어야 한다" },
+        MustHaveTo(most: String) => { en: "must have 1 to {most}", ko: "1~{most}개이어야 한다" },
         HasNoKey { path: String, other: String } => {
             en: "{path} has no key \"{other}\"",
             ko: "{path}에 \"{other}\" 키는 없다",
@@ -99,7 +99,7 @@ messages! {
             en: "write {{ from = …, to = …, steps = … }} and, if wanted, spacing = \"logarithmic\"",
             ko: "{{ from = …, to = …, steps = … }}를 쓰고 필요하면 spacing = \"logarithmic\"을 더한다",
         },
-        IsNoRange { path: String } => { en: "{path} is no range", ko: "{path}이(가) 범위가 아니다" },
+        IsNoRange(path: String) => { en: "{path} is no range", ko: "{path}이(가) 범위가 아니다" },
         WriteFromToStepsWith => {
             en: "write {{ from = 3, to = 9, steps = 8 }}, with units in quotes: from = \"0.1 g\"; spacing is \"linear\" or \"logarithmic\"",
             ko: "{{ from = 3, to = 9, steps = 8 }}과 같이 쓴다. 단위는 따옴표로 묶는다(from = \"0.1 g\"). spacing은 \"linear\" 또는 \"logarithmic\"이다",
@@ -117,7 +117,7 @@ messages! {
             en: "take 2 to 10 000 steps between two different numbers, both above 0 if the spacing is logarithmic",
             ko: "서로 다른 두 수 사이를 2~10 000단계로 나눈다. spacing이 logarithmic이면 두 수 모두 0보다 커야 한다",
         },
-        DoesNotRiseFrom { path: String } => {
+        DoesNotRiseFrom(path: String) => {
             en: "{path} does not rise from value to value",
             ko: "{path}의 값이 차례로 커지지 않는다",
         },

@@ -34,7 +34,7 @@ messages! {
         },
         ThereIsNoUnit => { en: "there is no unit", ko: "단위가 없다" },
         WhatStandsBelowIs => { en: "what stands below the / is not clear", ko: "/ 아래의 단위를 알 수 없다" },
-        DidYouMean { nearest: String } => { en: "did you mean \"{nearest}\"?", ko: "\"{nearest}\"인가?" },
+        DidYouMean(nearest: String) => { en: "did you mean \"{nearest}\"?", ko: "\"{nearest}\"인가?" },
         TonOrTf => {
             en: "is it \"t\", a mass of 1000 kg, or \"tf\", its weight of 9.81 kN?",
             ko: "질량 1000 kg이면 \"t\", 그 무게 9.81 kN이면 \"tf\"로 쓴다",
@@ -43,7 +43,7 @@ messages! {
             en: "write products before one / at the end: \"kN*m/rad\"",
             ko: "곱을 먼저 쓰고 /는 끝에 한 번만 쓴다: \"kN*m/rad\"",
         },
-        UnitsAreProductsAnd { symbols: String } => {
+        UnitsAreProductsAnd(symbols: String) => {
             en: "units are products and one quotient of {symbols}",
             ko: "단위는 다음 기호의 곱과 한 번의 나눗셈으로 쓴다: {symbols}",
         },
@@ -55,7 +55,7 @@ messages! {
         ItHasNoUnit => { en: "it has no unit", ko: "단위가 없다" },
         ItsUnitIsNot => { en: "its unit is not one of an angle", ko: "각도의 단위가 아니다" },
         ItIsNoNumber => { en: "it is no number", ko: "수가 아니다" },
-        IsNotKnownUnit { symbol: String } => {
+        IsNotKnownUnit(symbol: String) => {
             en: "\"{symbol}\" is not a known unit",
             ko: "\"{symbol}\"은(는) 알 수 없는 단위이다",
         },

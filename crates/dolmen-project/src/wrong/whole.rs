@@ -6,7 +6,7 @@ use dolmen_words::messages;
 messages! {
     /// Errors of the parts of a file as a whole.
     pub(crate) enum WrongFile in "project.error.whole" {
-        ThereIsNoVariant { name: String } => {
+        ThereIsNoVariant(name: String) => {
             en: "there is no variant \"{name}\"",
             ko: "대안 \"{name}\"이(가) 없다",
         },
@@ -34,7 +34,7 @@ messages! {
             en: "the damping of a building is damping = {{ ratio = 0.02 }}",
             ko: "building의 감쇠비는 damping = {{ ratio = 0.02 }}와 같이 쓴다",
         },
-        TakeItOutOrWrite { owner: String } => {
+        TakeItOutOrWrite(owner: String) => {
             en: "take it out, or write kind = \"{owner}\"",
             ko: "삭제하거나 kind를 바꾼다: kind = \"{owner}\"",
         },
@@ -51,15 +51,15 @@ messages! {
             en: "{path} has no element \"{key}\"",
             ko: "{path}에 \"{key}\"번째 항목이 없다",
         },
-        MustBeNumberFrom { count: String } => {
+        MustBeNumberFrom(count: String) => {
             en: "must be a number from 1 to {count}",
             ko: "1~{count}의 번호이어야 한다",
         },
-        ListIsChangedBy { path: String } => {
+        ListIsChangedBy(path: String) => {
             en: "a list is changed by number, {path} = {{ 2 = {{ … }} }}, or replaced: {path} = [ … ]",
             ko: "목록은 번호로 일부를 바꾸거나({path} = {{ 2 = {{ … }} }}) 전체를 바꾼다({path} = [ … ])",
         },
-        HasBothWeightAnd { path: String } => {
+        HasBothWeightAnd(path: String) => {
             en: "{path} has both weight and mass",
             ko: "{path}에 weight와 mass가 모두 있다",
         },
@@ -68,7 +68,7 @@ messages! {
             en: "take one out: weight = mass × gravity",
             ko: "하나를 삭제한다. weight = mass × 중력가속도",
         },
-        HasNeitherWeightNor { path: String } => {
+        HasNeitherWeightNor(path: String) => {
             en: "{path} has neither weight nor mass",
             ko: "{path}에 weight도 mass도 없다",
         },
@@ -80,7 +80,7 @@ messages! {
             en: "{path} has {count} elements",
             ko: "{path}의 항목이 {count}개이다",
         },
-        MustBeTo { most: String } => { en: "must be 1 to {most}", ko: "1~{most}개이어야 한다" },
+        MustBeTo(most: String) => { en: "must be 1 to {most}", ko: "1~{most}개이어야 한다" },
         HasElementsFor { path: String, count: String, needed: String, part: String } => {
             en: "{path} has {count} elements for {needed} {part}",
             ko: "{path}의 항목은 {count}개인데 {part}은(는) {needed}개이다",
@@ -99,11 +99,11 @@ messages! {
             en: "write [variant.NAME] above what it changes",
             ko: "바꿀 내용 위에 [variant.이름]을 쓴다",
         },
-        WriteVariantOrTake { name: String } => {
+        WriteVariantOrTake(name: String) => {
             en: "write [variant.{name}], or take it out",
             ko: "[variant.{name}]을(를) 쓰거나 삭제한다",
         },
-        MustBeOneOf { known: String } => { en: "must be one of {known}", ko: "다음 중 하나이어야 한다: {known}" },
+        MustBeOneOf(known: String) => { en: "must be one of {known}", ko: "다음 중 하나이어야 한다: {known}" },
         NeedsText => { en: "needs text", ko: "문자열이 필요하다" },
         NamesNothing { path: String, name: String } => {
             en: "{path} has \"{name}\", which is no part, survey or motion of this file",
@@ -117,7 +117,7 @@ messages! {
             en: "name = {{ en = \"…\", ko = \"…\" }}, or one of them",
             ko: "name = {{ en = \"…\", ko = \"…\" }} 또는 둘 중 하나를 쓴다",
         },
-        IsNotTable { path: String } => { en: "{path} is not a table", ko: "{path}이(가) 표가 아니다" },
+        IsNotTable(path: String) => { en: "{path} is not a table", ko: "{path}이(가) 표가 아니다" },
         GiveVariantNameVariant => {
             en: "give the variant a name: [variant.NAME] above what it changes",
             ko: "대안에 이름을 붙인다. 바꿀 내용 위에 [variant.이름]을 쓴다",
@@ -128,7 +128,7 @@ messages! {
         },
         HoldsForWholeFile => { en: "holds for the whole file", ko: "파일 전체에 적용되는 값이다" },
         TakeItOutOrMake => { en: "take it out, or make another file", ko: "삭제하거나 파일을 따로 만든다" },
-        IsNotName { path: String } => { en: "{path} is not a name", ko: "{path}이(가) 이름이 아니다" },
+        IsNotName(path: String) => { en: "{path} is not a name", ko: "{path}이(가) 이름이 아니다" },
         MustBeTextOr => {
             en: "must be text, or {{ en = \"…\", ko = \"…\" }}",
             ko: "문자열 또는 {{ en = \"…\", ko = \"…\" }}이어야 한다",

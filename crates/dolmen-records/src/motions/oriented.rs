@@ -45,10 +45,7 @@ pub fn read_oriented(
 ) -> Result<GroundMotion, MotionError> {
     if !x_azimuth_deg.is_finite() {
         return Err(MotionError::Orientation {
-            why: Turned::Azimuth {
-                azimuth_deg: x_azimuth_deg,
-            }
-            .into(),
+            why: Turned::Azimuth(x_azimuth_deg).into(),
         });
     }
     let mut horizontal: Vec<(f64, ComponentReading)> = Vec::new();
@@ -63,9 +60,7 @@ pub fn read_oriented(
                     vertical.push(channel);
                 }
                 None => {
-                    let why = Turned::NoDirection {
-                        channel: channel.name,
-                    };
+                    let why = Turned::NoDirection(channel.name);
                     return Err(MotionError::Orientation { why: why.into() });
                 }
             }

@@ -249,7 +249,7 @@ impl Chunked<'_> {
                 Filter::Deflate => Cow::Owned(
                     unpacker
                         .whole(&data, whole + 4)
-                        .map_err(|why| cursor.damaged(Damage::ChunkDoesNotUnpack { why: why.into() }))?,
+                        .map_err(|why| cursor.damaged(Damage::ChunkDoesNotUnpack(why.into())))?,
                 ),
                 Filter::Shuffle => Cow::Owned(unshuffled(&data, size)),
                 Filter::Unknown(_) => data,

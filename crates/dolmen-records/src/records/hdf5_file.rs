@@ -26,9 +26,7 @@ impl<'a> File<'a> {
         match place {
             Some(place) if address != NOWHERE => cursor.go(place)?,
             _ => {
-                return Err(cursor.damaged(Damage::Address {
-                    address: format!("{address:#x}"),
-                }));
+                return Err(cursor.damaged(Damage::Address(format!("{address:#x}"))));
             }
         }
         Ok(cursor)
@@ -78,7 +76,7 @@ impl Unvisited {
 fn visit(left: &mut usize, count: usize, here: &Cursor, what: Damage) -> Result<(), RecordError> {
     *left = left
         .checked_sub(count)
-        .ok_or_else(|| here.damaged(Damage::Circle { what: what.into() }))?;
+        .ok_or_else(|| here.damaged(Damage::Circle(what.into())))?;
     Ok(())
 }
 
@@ -108,7 +106,7 @@ pub(super) fn superblock(bytes: &[u8]) -> Result<(File<'_>, u64), RecordError> {
             cursor.take(1)?;
             sizes
         }
-        _ => return Err(cursor.damaged(Damage::FirstBlock { version })),
+        _ => return Err(cursor.damaged(Damage::FirstBlock(version))),
     };
     if sizes != [8, 8] {
         return Err(cursor.damaged(Damage::AddressSizes));

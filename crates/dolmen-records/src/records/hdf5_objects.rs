@@ -186,11 +186,7 @@ fn sides(cursor: &mut Cursor) -> Result<Vec<usize>, RecordError> {
     let mut sides = Vec::new();
     for _ in 0..rank {
         let side = cursor.u64()?;
-        sides.push(usize::try_from(side).map_err(|_| {
-            cursor.damaged(Damage::Side {
-                side: side.to_string(),
-            })
-        })?);
+        sides.push(usize::try_from(side).map_err(|_| cursor.damaged(Damage::Side(side.to_string())))?);
     }
     Ok(sides)
 }

@@ -48,10 +48,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
     if length < 2 {
         return Err(RecordError::NotReadHere {
             format: FORMAT,
-            what: Unread::NoMatrix {
-                held: names(&all, &passed),
-            }
-            .into(),
+            what: Unread::NoMatrix(names(&all, &passed)).into(),
             instead: Unread::SaveMatrix.into(),
         });
     }
@@ -115,7 +112,7 @@ fn agreed(known: &mut Option<f64>, rate: f64, name: &str) -> Result<(), RecordEr
     if !(rate > 0.0 && rate.is_finite()) {
         return Err(RecordError::Variable {
             name: name.to_owned(),
-            what: Unread::Rate { rate }.into(),
+            what: Unread::Rate(rate).into(),
         });
     }
     match known {

@@ -152,7 +152,7 @@ fn element<'a>(cursor: &mut Cursor<'a>, unpacker: &mut Unpacker) -> Result<(Elem
         COMPRESSED => {
             let first = unpacker
                 .head(data, HEAD_BYTES)
-                .map_err(|why: Damage| cursor.damaged(Damage::BeforeDoesNotUnpack { why: why.into() }))?;
+                .map_err(|why: Damage| cursor.damaged(Damage::BeforeDoesNotUnpack(why.into())))?;
             let mut within = Cursor::new(&first, FORMAT).ordered(big);
             let tag = Tag::read(&mut within)?;
             if tag.sort != MATRIX {
@@ -181,7 +181,7 @@ fn within_tag(length: usize) -> usize {
 
 /// to ignore a variable without a note would change the record
 fn no_variable(cursor: &Cursor, sort: u32) -> RecordError {
-    cursor.damaged(Damage::ElementType { sort })
+    cursor.damaged(Damage::ElementType(sort))
 }
 
 /// Type and length of an element.
@@ -256,11 +256,7 @@ fn head(cursor: &mut Cursor) -> Result<Head, RecordError> {
     let mut size = Vec::with_capacity(count);
     for _ in 0..count {
         let side = sides.i32()?;
-        size.push(usize::try_from(side).map_err(|_| {
-            cursor.damaged(Damage::Side {
-                side: side.to_string(),
-            })
-        })?);
+        size.push(usize::try_from(side).map_err(|_| cursor.damaged(Damage::Side(side.to_string())))?);
     }
     let (_, name) = part(cursor)?;
     let name = shown(&String::from_utf8_lossy(name));

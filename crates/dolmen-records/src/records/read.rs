@@ -38,10 +38,7 @@ pub fn read_record(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Rec
         return match options.format {
             Some(format) if format != found.format => Err(not_of(
                 format,
-                Unread::FileOf {
-                    format: found.format.name().to_owned(),
-                }
-                .into(),
+                Unread::FileOf(found.format.name().to_owned()).into(),
             )),
             _ => assembled(found, options),
         };

@@ -28,18 +28,16 @@ impl Reading {
             const YEAR_S: f64 = 3.2e7;
             let time = time_text(at);
             let begins = match zones(&self.layout) {
-                _ if at.abs() < YEAR_S => Remark::BeginsOfClock {
-                    seconds: format!("{at:.3}"),
-                },
-                [true, false] => Remark::BeginsUtc { time },
-                [true, true] => Remark::BeginsOfTwoZones { time },
-                _ => Remark::Begins { time },
+                _ if at.abs() < YEAR_S => Remark::BeginsOfClock(format!("{at:.3}")),
+                [true, false] => Remark::BeginsUtc(time),
+                [true, true] => Remark::BeginsOfTwoZones(time),
+                _ => Remark::Begins(time),
             };
             remarks.push(begins.into());
         }
         if let Layout::Stations(stations) = &self.layout {
             let files = stations.len();
-            remarks.push(Remark::Joined { files }.into());
+            remarks.push(Remark::Joined(files).into());
         }
         let unit_unknown = !self
             .record
@@ -102,7 +100,7 @@ fn of_columns(csv: &CsvLayout, unit_unknown: bool, remarks: &mut Vec<Both>) {
     }
     if let Some([first, last]) = csv.passed_over {
         remarks.push(match first == last {
-            true => Remark::LinePassedOver { line: first }.into(),
+            true => Remark::LinePassedOver(first).into(),
             false => Remark::PassedOver { first, last }.into(),
         });
     }
@@ -114,16 +112,16 @@ fn of_columns(csv: &CsvLayout, unit_unknown: bool, remarks: &mut Vec<Both>) {
         remarks.push(Remark::NoUnitGiven { column, unit }.into());
     }
     if let Some(column) = csv.unread_stamps.clone() {
-        remarks.push(Remark::UnreadStamps { column }.into());
+        remarks.push(Remark::UnreadStamps(column).into());
     }
     if let (Some(column), Some(unit_s)) = (csv.time_column.clone(), csv.time_unit_s) {
         let stamps = match unit_s {
-            1e-3 => Remark::Milliseconds { column },
-            1e-6 => Remark::Microseconds { column },
-            60.0 => Remark::Minutes { column },
-            3600.0 => Remark::Hours { column },
-            1.0 => Remark::Seconds { column },
-            _ => Remark::Days { column },
+            1e-3 => Remark::Milliseconds(column),
+            1e-6 => Remark::Microseconds(column),
+            60.0 => Remark::Minutes(column),
+            3600.0 => Remark::Hours(column),
+            1.0 => Remark::Seconds(column),
+            _ => Remark::Days(column),
         };
         remarks.push(stamps.into());
     }

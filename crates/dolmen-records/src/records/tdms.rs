@@ -220,7 +220,7 @@ fn objects(cursor: &mut Cursor, file: &mut File) -> Result<(), RecordError> {
     for _ in 0..cursor.u32()? {
         let path = text(cursor)?;
         if path.len() > PATH_BYTES_MOST {
-            return Err(cursor.damaged(Damage::PathBytes { bytes: path.len() }));
+            return Err(cursor.damaged(Damage::PathBytes(path.len())));
         }
         let place = file.place(path)?;
         let object = &mut file.objects[place];
@@ -268,7 +268,7 @@ fn raw(cursor: &mut Cursor, length: u32, path: &str) -> Result<Raw, RecordError>
     let dimension = cursor.u32()?;
     let values = usize::try_from(cursor.u64()?).ok();
     let (20, 1, Some(values)) = (length, dimension, values) else {
-        return Err(cursor.damaged(Damage::OneDimension { path: shown(path) }));
+        return Err(cursor.damaged(Damage::OneDimension(shown(path))));
     };
     Ok(Raw { number, values })
 }
@@ -294,9 +294,7 @@ fn value(cursor: &mut Cursor) -> Result<Option<Value>, RecordError> {
         0x21 => cursor.u8().map(|_| None),
         0x0008_000C => cursor.take(8).map(|_| None),
         0x0010_000D | 0xF | 0x1B => cursor.take(16).map(|_| None),
-        code => Err(cursor.damaged(Damage::PropertyType {
-            code: format!("{code:#x}"),
-        })),
+        code => Err(cursor.damaged(Damage::PropertyType(format!("{code:#x}")))),
     }
 }
 
@@ -312,7 +310,7 @@ fn samples(cursor: &mut Cursor, file: &mut File, bytes: usize, interleaved: bool
         .try_fold(0usize, |sum, size| sum.checked_add(size?));
     let chunk = chunk
         .filter(|chunk| *chunk > 0 && bytes.is_multiple_of(*chunk))
-        .ok_or_else(|| cursor.damaged(Damage::NoWholeChunks { bytes }))?;
+        .ok_or_else(|| cursor.damaged(Damage::NoWholeChunks(bytes)))?;
     for _ in 0..bytes / chunk {
         if interleaved {
             let values = listed.first().map_or(0, |(_, raw)| raw.values);

@@ -156,12 +156,10 @@ fn finished(functions: Vec<Function>, beside: OtherDatasets) -> Result<FileSerie
     if functions.is_empty() {
         return Err(RecordError::NotReadHere {
             format: FORMAT,
-            what: Unread::NoSeries {
-                held: match passed.is_empty() {
-                    true => Unread::WithoutAny.into(),
-                    false => listed(&passed),
-                },
-            }
+            what: Unread::NoSeries(match passed.is_empty() {
+                true => Unread::WithoutAny.into(),
+                false => listed(&passed),
+            })
             .into(),
             instead: Unread::Dataset58.into(),
         });
@@ -280,10 +278,7 @@ fn binary(lines: &Lines, kind: &str) -> Result<Option<Binary>, RecordError> {
     if floats != 2 {
         return Err(RecordError::NotReadHere {
             format: FORMAT,
-            what: Unread::BinaryNumbers {
-                floats: floats.to_string(),
-            }
-            .into(),
+            what: Unread::BinaryNumbers(floats.to_string()).into(),
             instead: Unread::Ieee754.into(),
         });
     }

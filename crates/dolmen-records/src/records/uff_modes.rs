@@ -100,7 +100,7 @@ fn refuse(beside: &OtherDatasets, is_empty: bool) -> Result<(), RecordError> {
             true => Unread::WithoutAny.into(),
             false => listed(&passed),
         };
-        (Unread::NoModes { held }, Unread::Dataset55)
+        (Unread::NoModes(held), Unread::Dataset55)
     } else if beside.turned {
         (Unread::TurnedAxes, Unread::GlobalAxes)
     } else {

@@ -43,19 +43,19 @@ messages! {
         HeadersOfObjects => { en: "headers of objects", ko: "객체의 머리글" },
         Trees => { en: "trees", ko: "트리" },
         NumbersOfVariables => { en: "numbers of variables", ko: "변수의 수" },
-        PathBytes { bytes: usize } => {
+        PathBytes(bytes: usize) => {
             en: "a path has {bytes} bytes",
             ko: "경로가 {bytes}바이트이다",
         },
-        OneDimension { path: String } => {
+        OneDimension(path: String) => {
             en: "the samples of {path} are not described as numbers of one dimension",
             ko: "{path}의 자료가 1차원의 수로 설명되어 있지 않다",
         },
-        PropertyType { code: String } => {
+        PropertyType(code: String) => {
             en: "a property has type {code}, which is none",
             ko: "속성의 종류가 {code}인데 그런 종류는 없다",
         },
-        NoWholeChunks { bytes: usize } => {
+        NoWholeChunks(bytes: usize) => {
             en: "{bytes} bytes of samples are no whole chunks of the objects described: was it cut short?",
             ko: "자료 {bytes}바이트가 설명된 채널의 청크 수에 맞지 않는다. 파일이 잘렸는가?",
         },
@@ -83,7 +83,7 @@ messages! {
             en: "a chunk of {whole} bytes is packed into {packed}",
             ko: "{whole}바이트의 청크가 {packed}바이트로 압축되어 있다",
         },
-        ChunkDoesNotUnpack { why: Both } => {
+        ChunkDoesNotUnpack(why: Both) => {
             en: "a chunk does not unpack: {why}",
             ko: "청크의 압축을 풀 수 없다: {why}",
         },
@@ -95,15 +95,15 @@ messages! {
             en: "the packed variable {name} does not unpack: {why}",
             ko: "압축된 변수 {name}을(를) 풀 수 없다: {why}",
         },
-        BeforeDoesNotUnpack { why: Both } => {
+        BeforeDoesNotUnpack(why: Both) => {
             en: "the packed variable before this place does not unpack: {why}",
             ko: "이 자리 앞의 압축된 변수를 풀 수 없다: {why}",
         },
-        ElementType { sort: u32 } => {
+        ElementType(sort: u32) => {
             en: "the element before this place has type {sort}, which is no variable",
             ko: "이 자리 앞의 요소는 종류가 {sort}이어서 변수가 아니다",
         },
-        Side { side: String } => {
+        Side(side: String) => {
             en: "a side of a matrix is {side}",
             ko: "행렬의 한 변이 {side}이다",
         },
@@ -115,15 +115,15 @@ messages! {
             en: "{name} is {rows} × {columns}, but holds {bytes} bytes of values",
             ko: "{name}은(는) {rows} × {columns}인데 값이 {bytes}바이트이다",
         },
-        Address { address: String } => {
+        Address(address: String) => {
             en: "an address is {address}",
             ko: "주소가 {address}이다",
         },
-        Circle { what: Both } => {
+        Circle(what: Both) => {
             en: "{what} run in a circle, or lie on one another",
             ko: "{what}이(가) 서로 맞물려 끝나지 않거나 겹쳐 있다",
         },
-        FirstBlock { version: u8 } => {
+        FirstBlock(version: u8) => {
             en: "version {version} of HDF5's first block is not known",
             ko: "알 수 없는 HDF5 첫 블록의 버전 {version}이다",
         },

@@ -7,9 +7,9 @@ use dolmen_words::messages;
 messages! {
     /// Parts of several messages.
     pub(crate) enum Piece in "records.piece" {
-        DidYouMean { near: String } => { en: " (did you mean \"{near}\"?)", ko: "(\"{near}\"을(를) 쓰려던 것인가?)" },
+        DidYouMean(near: String) => { en: " (did you mean \"{near}\"?)", ko: "(\"{near}\"을(를) 쓰려던 것인가?)" },
         LastLine => { en: "; it is the last line: the file was cut short", ko: ". 마지막 행이므로 파일이 잘린 것이다" },
-        CheckUnit { unit: String } => {
+        CheckUnit(unit: String) => {
             en: "check the unit {unit} and the numbers",
             ko: "단위 {unit}와(과) 수를 확인한다",
         },
@@ -18,8 +18,8 @@ messages! {
             ko: "단위가 {unit}이(가) 아니라 {meant}인가?",
         },
         Either { first: String, second: Both } => { en: "{first} or {second}", ko: "{first} 또는 {second}" },
-        NoChannel { name: String } => { en: "there is no channel \"{name}\": ", ko: "채널 \"{name}\"이(가) 없다. " },
-        GiveScale { scale: f64 } => {
+        NoChannel(name: String) => { en: "there is no channel \"{name}\": ", ko: "채널 \"{name}\"이(가) 없다. " },
+        GiveScale(scale: f64) => {
             en: "give its channel scale = {scale}",
             ko: "그 채널에 scale = {scale}을(를) 입력한다",
         },
@@ -27,7 +27,7 @@ messages! {
             en: "leave it out: it measures something else",
             ko: "다른 물리량이므로 뺀다",
         },
-        AtLine { line: usize } => { en: "line {line}: ", ko: "{line}행: " },
+        AtLine(line: usize) => { en: "line {line}: ", ko: "{line}행: " },
     }
 }
 
@@ -47,7 +47,7 @@ fn nothing() -> Both {
 
 /// Suggests the nearest known name.
 pub(super) fn did_you_mean(nearest: Option<&str>) -> Both {
-    nearest.map_or_else(nothing, |near| Piece::DidYouMean { near: shown(near) }.into())
+    nearest.map_or_else(nothing, |near| Piece::DidYouMean(shown(near)).into())
 }
 
 /// Possible causes of a last line whose length differs.
@@ -62,7 +62,7 @@ pub(super) fn last_line(is_last: bool) -> Both {
 pub(super) fn unit_meant(unit: &str, suggested: &[&str]) -> Both {
     let unit = unit.to_owned();
     let Some((last, others)) = suggested.split_last() else {
-        return Piece::CheckUnit { unit }.into();
+        return Piece::CheckUnit(unit).into();
     };
     let meant = others.iter().rev().fold(Both::from(*last), |second, first| {
         let first = (*first).to_owned();
@@ -73,7 +73,7 @@ pub(super) fn unit_meant(unit: &str, suggested: &[&str]) -> Both {
 
 /// A requested channel does not exist.
 pub(super) fn no_channel(given: Option<&str>) -> Both {
-    given.map_or_else(nothing, |name| Piece::NoChannel { name: shown(name) }.into())
+    given.map_or_else(nothing, |name| Piece::NoChannel(shown(name)).into())
 }
 
 /// The remedy for a column in another unit: the scale to the unit of the record, with ten digits.
@@ -81,12 +81,7 @@ pub(super) fn scale_or_leave_out(scale: Option<f64>) -> Both {
     let rounded = |scale: f64| format!("{scale:.9e}").parse().unwrap_or(scale);
     scale.map_or_else(
         || Piece::LeaveOut.into(),
-        |scale| {
-            Piece::GiveScale {
-                scale: rounded(scale),
-            }
-            .into()
-        },
+        |scale| Piece::GiveScale(rounded(scale)).into(),
     )
 }
 
@@ -94,6 +89,6 @@ pub(super) fn scale_or_leave_out(scale: Option<f64>) -> Both {
 pub(super) fn at_line(line: usize) -> Both {
     match line {
         0 => nothing(),
-        line => Piece::AtLine { line }.into(),
+        line => Piece::AtLine(line).into(),
     }
 }

@@ -60,11 +60,11 @@ messages! {
 messages! {
     /// Why channels cannot be rotated to x, y and z.
     pub(crate) enum Turned in "motions.turned" {
-        Azimuth { azimuth_deg: f64 } => {
+        Azimuth(azimuth_deg: f64) => {
             en: "the azimuth of x is {azimuth_deg}, but must be a number of degrees",
             ko: "x의 방위각이 {azimuth_deg}인데 도 단위의 수이어야 한다",
         },
-        NoDirection { channel: String } => {
+        NoDirection(channel: String) => {
             en: "channel \"{channel}\" does not say which way it points",
             ko: "채널 \"{channel}\"의 방향을 알 수 없다",
         },

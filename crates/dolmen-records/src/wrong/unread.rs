@@ -35,7 +35,7 @@ messages! {
         UnevenSteps => { en: "uneven steps", ko: "일정하지 않은 간격" },
         WithoutAny => { en: "without any", ko: "없음" },
         Nothing => { en: "nothing", ko: "없음" },
-        FileOf { format: String } => { en: "a {format} file", ko: "{format} 파일" },
+        FileOf(format: String) => { en: "a {format} file", ko: "{format} 파일" },
         NpyFile => { en: "an npy file", ko: "npy 파일" },
         WorkbookFile => { en: "a workbook or a ZIP", ko: "통합 문서나 ZIP 파일" },
         Text => { en: "text", ko: "텍스트" },
@@ -52,11 +52,11 @@ messages! {
             en: "samples of {bits} bits coded as {sort}",
             ko: "부호화 {sort}인 {bits}비트 자료",
         },
-        NoMatrix { held: Both } => {
+        NoMatrix(held: Both) => {
             en: "no numeric matrix of samples (it holds {held})",
             ko: "자료의 수 행렬이 없다(들어 있는 것: {held})",
         },
-        Rate { rate: f64 } => {
+        Rate(rate: f64) => {
             en: "gives a sampling rate of {rate} Hz",
             ko: "샘플링 주파수가 {rate} Hz이다",
         },
@@ -64,11 +64,11 @@ messages! {
             en: "gives a sampling rate of {rate} Hz, but another {other} Hz",
             ko: "샘플링 주파수가 {rate} Hz인데 다른 곳에서는 {other} Hz이다",
         },
-        NoSeries { held: Both } => {
+        NoSeries(held: Both) => {
             en: "no time series (it holds datasets {held})",
             ko: "시계열이 없다(들어 있는 데이터셋: {held})",
         },
-        NoModes { held: Both } => {
+        NoModes(held: Both) => {
             en: "no modes (it holds datasets {held})",
             ko: "모드가 없다(들어 있는 데이터셋: {held})",
         },
@@ -84,7 +84,7 @@ messages! {
             en: "export the modes in global axes, without dataset 18 and 2420",
             ko: "데이터셋 18과 2420 없이 전체 좌표계로 모드를 내보낸다",
         },
-        BinaryNumbers { floats: String } => {
+        BinaryNumbers(floats: String) => {
             en: "binary numbers of kind {floats} (VAX, IBM)",
             ko: "종류 {floats}의 이진수(VAX, IBM)",
         },

@@ -32,7 +32,7 @@ messages! {
             en: "{damper}: frequency and damping by {rule}.",
             ko: "{damper}: 진동수와 감쇠비는 동조식 {rule}에 따른 값.",
         },
-        LengthRatio { ratio: Quantity } => {
+        LengthRatio(ratio: Quantity) => {
             en: "length ratio {ratio}",
             ko: "길이비(수평 길이/전체 길이) {ratio}",
         },
@@ -40,7 +40,7 @@ messages! {
             en: "liquid {share} of the mass at {frequency}, damping {damping}, length ratio {ratio}",
             ko: "액체 질량비 {share}, 진동수 {frequency}, 감쇠비 {damping}, 길이비(수평 길이/전체 길이) {ratio}",
         },
-        ToGround { coefficient: Quantity } => {
+        ToGround(coefficient: Quantity) => {
             en: "{coefficient} to the ground",
             ko: "지반에 연결, 감쇠계수 {coefficient}",
         },
@@ -126,9 +126,7 @@ pub(crate) fn rest(damper: &BuiltDamper) -> Option<Sentence> {
     let as_given = |value: f64| Quantity::new(value, Unit::ratio(), Digits::Trimmed(6));
     let said = match damper.kind {
         DamperKind::TunedMass { .. } => return None,
-        DamperKind::LiquidColumn { length_ratio, .. } => Dampers::LengthRatio {
-            ratio: as_given(length_ratio),
-        },
+        DamperKind::LiquidColumn { length_ratio, .. } => Dampers::LengthRatio(as_given(length_ratio)),
         DamperKind::LiquidColumnMass {
             liquid_mass_kg,
             length_ratio,
@@ -145,7 +143,7 @@ pub(crate) fn rest(damper: &BuiltDamper) -> Option<Sentence> {
             let unit = super::words::scaled("kN·s/m", 1e-3);
             let coefficient = fixed(coefficient_n_s_m, unit, 4);
             match damper.to {
-                None | Some((0, _)) => Dampers::ToGround { coefficient },
+                None | Some((0, _)) => Dampers::ToGround(coefficient),
                 Some((floor, [x, y])) => Dampers::ToFloor {
                     coefficient,
                     floor,

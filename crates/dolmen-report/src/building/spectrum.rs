@@ -23,7 +23,7 @@ messages! {
         LeastFavourable => { en: "CQC3, least favourable direction", ko: "CQC3, 가장 불리한 방향" },
         AlongX => { en: "along x", ko: "x 방향" },
         AlongY => { en: "along y", ko: "y 방향" },
-        Torque { torque: Quantity } => {
+        Torque(torque: Quantity) => {
             en: "The torque about the vertical through the centre of all mass is {torque} (CQC, as all below).",
             ko: "전체 질량중심을 지나는 연직축에 대한 비틀림모멘트는 {torque}이다(이하 모두 CQC).",
         },
@@ -61,7 +61,7 @@ messages! {
         Damper => { en: "Damper", ko: "감쇠기" },
         Stroke => { en: "stroke", ko: "행정" },
         Room => { en: "room", ko: "여유 공간" },
-        RoomUnknown { damper: Sentence } => {
+        RoomUnknown(damper: Sentence) => {
             en: "Whether damper {damper} has room enough is not known.",
             ko: "감쇠기 {damper}의 여유 공간이 충분한지는 알 수 없다.",
         },
@@ -109,9 +109,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &BuildingAnswer, stan
     if standing.damped_refused.is_some() {
         let strokes = strokes_of(&standing.dampers).into_iter();
         for stroke in strokes.filter(|stroke| stroke.room_m.is_some()) {
-            document.note(Spectrum::RoomUnknown {
-                damper: stroke_words(&stroke.name),
-            });
+            document.note(Spectrum::RoomUnknown(stroke_words(&stroke.name)));
         }
     }
 }
@@ -123,7 +121,7 @@ fn without_dampers(document: &mut Document<'_>, answer: &BuildingAnswer, spectra
     let [x, y] = spectral.least_favourable.map(|of| degrees(of.direction_degrees));
     let torque = beside(spectral.base_torque_n_m, largest_n, scaled("kN·m", 1e-3));
     document.put(Block::Paragraph(vec![
-        Spectrum::Torque { torque }.into(),
+        Spectrum::Torque(torque).into(),
         Spectrum::Directions {
             minor: Quantity::ratio(MINOR_RATIO, 2),
             x,

@@ -13,7 +13,7 @@ messages! {
     /// The motion of a building in the wind.
     pub(crate) enum InWind in "building.wind" {
         Head => { en: "In the wind", ko: "풍응답" },
-        Source { source: String } => { en: "Source of the wind: {source}.", ko: "풍하중의 출처: {source}." },
+        Source(source: String) => { en: "Source of the wind: {source}.", ko: "풍하중의 출처: {source}." },
         Kaimal => {
             en: "Gusts along the wind with the spectrum of EN 1991-1-4, Annex B (Kaimal).",
             ko: "풍방향 난류의 스펙트럼은 EN 1991-1-4 부속서 B(Kaimal)이다.",
@@ -26,7 +26,7 @@ messages! {
             en: "A peak is the mean and g σ in ten minutes (Davenport); gusts hang together by exp(−10 n (|Δy| + |Δz|)/V).",
             ko: "최댓값은 평균에 10분간의 g σ를 더한 값이며(Davenport), 난류의 공간 상관은 exp(−10 n (|Δy| + |Δz|)/V)로 고려하였다.",
         },
-        OffTheMiddle { eccentricity: Quantity } => {
+        OffTheMiddle(eccentricity: Quantity) => {
             en: "Edges, corners, torque and strokes are the worst of the wind at the middle of the breadth and all of it {eccentricity} of the breadth off either side; the rest is with the wind at the middle.",
             ko: "단부, 모서리, 비틀림모멘트, 행정은 풍력 전체가 폭의 중앙 또는 폭의 {eccentricity}만큼 양쪽으로 편심하여 작용할 때의 최댓값이고, 나머지는 중앙에 작용할 때의 값이다.",
         },
@@ -38,12 +38,12 @@ messages! {
             en: "Not in it: gusts and vortices across the wind, their torque, galloping, aerodynamic damping.",
             ko: "풍직각방향 난류·와류, 그 비틀림, 갤로핑, 공력감쇠는 포함하지 않았다.",
         },
-        AlongAxis { axis: Sentence } => { en: "Wind along {axis}.", ko: "{axis} 방향 바람." },
-        AlongWithout { axis: Sentence } => {
+        AlongAxis(axis: Sentence) => { en: "Wind along {axis}.", ko: "{axis} 방향 바람." },
+        AlongWithout(axis: Sentence) => {
             en: "Wind along {axis}, without dampers.",
             ko: "{axis} 방향 바람(감쇠기 제외).",
         },
-        AlongWith { axis: Sentence } => {
+        AlongWith(axis: Sentence) => {
             en: "Wind along {axis}, with the dampers.",
             ko: "{axis} 방향 바람(감쇠기 포함).",
         },
@@ -96,7 +96,7 @@ pub(super) fn section<'a>(
     document.heading(InWind::Head);
     document.paragraph(as_given(given));
     if let Some(source) = given.source.clone() {
-        document.paragraph(InWind::Source { source });
+        document.paragraph(InWind::Source(source));
     }
     if let Some(why) = super::wind_findings::wind_refused(standing) {
         document.put(Block::Warning(why.into()));
@@ -110,9 +110,7 @@ pub(super) fn section<'a>(
         .into(),
         InWind::Method.into(),
         match wind.eccentricity > 0.0 {
-            true => InWind::OffTheMiddle {
-                eccentricity: Quantity::ratio(wind.eccentricity, 3),
-            },
+            true => InWind::OffTheMiddle(Quantity::ratio(wind.eccentricity, 3)),
             false => InWind::AtTheMiddle,
         }
         .into(),
@@ -141,8 +139,8 @@ pub(super) fn section<'a>(
 fn tables(document: &mut Document<'_>, answer: &BuildingAnswer, (axis, along): (usize, &WindAlong)) {
     let name = || axis_words(axis);
     let caption = match along.with {
-        Some(_) => InWind::AlongWithout { axis: name() },
-        None => InWind::AlongAxis { axis: name() },
+        Some(_) => InWind::AlongWithout(name()),
+        None => InWind::AlongAxis(name()),
     };
     document.put(Block::Table(table(answer, along, &along.without, caption)));
     document.paragraph(base(axis, &along.without));
@@ -151,7 +149,7 @@ fn tables(document: &mut Document<'_>, answer: &BuildingAnswer, (axis, along): (
             answer,
             along,
             with,
-            InWind::AlongWith { axis: name() },
+            InWind::AlongWith(name()),
         )));
         document.paragraph(base(axis, with));
     }

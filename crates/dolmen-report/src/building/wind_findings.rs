@@ -46,11 +46,11 @@ messages! {
             en: "With the dampers the peak acceleration of the top floor is {acceleration} of that without, the largest drift {drift}.",
             ko: "감쇠기를 설치하면 최상층 최대가속도는 설치하지 않을 때의 {acceleration}, 최대 층간변위는 {drift}이다.",
         },
-        Slender { slenderness: Quantity } => {
+        Slender(slenderness: Quantity) => {
             en: "It is slender (height over √(breadth × depth) is {slenderness}): gusts and vortices across the wind may move it more than those along it, and are not in these numbers.",
             ko: "세장한 건물이다(높이/√(폭×깊이) = {slenderness}). 여기에 포함되지 않은 풍직각방향 진동이 풍방향보다 클 수 있다.",
         },
-        NotComputed { why: Both } => {
+        NotComputed(why: Both) => {
             en: "The motion in the wind is not computed: {why}.",
             ko: "풍응답을 계산하지 않았다: {why}.",
         },
@@ -60,7 +60,7 @@ messages! {
 /// Results that could not be computed, and why.
 pub(super) fn wind_refused(standing: &StandingBuilding) -> Option<Blown> {
     let why = standing.wind_refused.clone()?;
-    Some(Blown::NotComputed { why })
+    Some(Blown::NotComputed(why))
 }
 
 /// The findings of the wind, the worst first.
@@ -159,7 +159,5 @@ fn with_dampers(standing: &StandingBuilding, wind: &BuildingWind) -> Option<Blow
 pub(crate) fn slender(building: &Building, [across_x, across_y]: [f64; 2]) -> Option<Blown> {
     let height_m = building.floor_heights_m().last().copied()?;
     let slenderness = height_m / (across_x * across_y).sqrt();
-    (slenderness >= SLENDER).then(|| Blown::Slender {
-        slenderness: Quantity::ratio(slenderness, 3),
-    })
+    (slenderness >= SLENDER).then(|| Blown::Slender(Quantity::ratio(slenderness, 3)))
 }

@@ -9,44 +9,38 @@ const ROUNDING: f64 = 1e-9;
 messages! {
     /// Names, floors, directions.
     pub(crate) enum Words in "building.words" {
-        Name { name: String } => { en: "{name}", ko: "{name}" },
-        Number { number: usize } => { en: "{number}", ko: "{number}" },
-        Numbered { floor: String } => { en: "{floor}", ko: "{floor}번" },
-        Named { floor: String } => { en: "‘{floor}’", ko: "‘{floor}’" },
-        Liquid { damper: String } => { en: "{damper} liquid", ko: "{damper} 액체" },
-        Turned { degrees: Quantity } => { en: "{degrees}° from x", ko: "x축에서 {degrees}°" },
+        Name(name: String) => { en: "{name}", ko: "{name}" },
+        Number(number: usize) => { en: "{number}", ko: "{number}" },
+        Numbered(floor: String) => { en: "{floor}", ko: "{floor}번" },
+        Named(floor: String) => { en: "‘{floor}’", ko: "‘{floor}’" },
+        Liquid(damper: String) => { en: "{damper} liquid", ko: "{damper} 액체" },
+        Turned(degrees: Quantity) => { en: "{degrees}° from x", ko: "x축에서 {degrees}°" },
     }
 }
 
 /// A name from the user.
 pub(crate) fn name(name: &str) -> Sentence {
-    Words::Name {
-        name: name.to_owned(),
-    }
-    .into()
+    Words::Name(name.to_owned()).into()
 }
 
 /// A number that names something: a mode, a floor.
 pub(crate) fn number(number: usize) -> Sentence {
-    Words::Number { number }.into()
+    Words::Number(number).into()
 }
 
 /// A floor in a sentence: "3", "3번", or its name in quotes.
 pub(crate) fn floor_words(name: &str) -> Sentence {
     let floor = name.to_owned();
     match name.bytes().all(|b| b.is_ascii_digit()) {
-        true => Words::Numbered { floor }.into(),
-        false => Words::Named { floor }.into(),
+        true => Words::Numbered(floor).into(),
+        false => Words::Named(floor).into(),
     }
 }
 
 /// The moving part of a damper, from the name of its stroke: "tmd", or "tmd liquid".
 pub(crate) fn stroke_words(of: &str) -> Sentence {
     match of.strip_suffix(" liquid") {
-        Some(damper) => Words::Liquid {
-            damper: damper.to_owned(),
-        }
-        .into(),
+        Some(damper) => Words::Liquid(damper.to_owned()).into(),
         None => name(of),
     }
 }
@@ -56,10 +50,7 @@ pub(crate) fn direction_words(degrees: f64) -> Sentence {
     match degrees.rem_euclid(180.0) {
         0.0 => Sentence::of_symbol("x"),
         90.0 => Sentence::of_symbol("y"),
-        turned => Words::Turned {
-            degrees: Quantity::new(turned, Unit::ratio(), Digits::Trimmed(6)),
-        }
-        .into(),
+        turned => Words::Turned(Quantity::new(turned, Unit::ratio(), Digits::Trimmed(6))).into(),
     }
 }
 

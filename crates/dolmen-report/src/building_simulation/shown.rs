@@ -86,7 +86,7 @@ pub(crate) fn sections<'a>(simulations: &[&'a BuildingSimulation]) -> Document<'
 
 fn moved(document: &mut Document<'_>, simulation: &BuildingSimulation) {
     match variant(simulation) {
-        Some(of) => document.heading(Simulated::Earthquake { of }),
+        Some(of) => document.heading(Simulated::Earthquake(of)),
         None => document.heading(Shown::Head),
     }
     for (_, said) in alarms(simulation) {

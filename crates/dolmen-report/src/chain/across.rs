@@ -15,13 +15,13 @@ const ALIKE: f64 = 5e-4;
 messages! {
     /// A chain in its direction of motion and across.
     pub(crate) enum Across in "chain.across" {
-        TowardsX { said: Sentence } => { en: "Direction x, along: {said}", ko: "x 방향(운동 방향): {said}" },
-        TowardsY { said: Sentence } => { en: "Direction y, across: {said}", ko: "y 방향(직각 방향): {said}" },
+        TowardsX(said: Sentence) => { en: "Direction x, along: {said}", ko: "x 방향(운동 방향): {said}" },
+        TowardsY(said: Sentence) => { en: "Direction y, across: {said}", ko: "y 방향(직각 방향): {said}" },
         Unknown => {
             en: "whether it stands is unknown: the stiffness of the joints is not given.",
             ko: "접합부 강성이 주어지지 않아 안정 여부를 판정할 수 없다.",
         },
-        LowestMode { frequency: Quantity } => {
+        LowestMode(frequency: Quantity) => {
             en: "the lowest natural frequency is {frequency}.",
             ko: "최저 고유진동수는 {frequency}이다.",
         },
@@ -37,8 +37,8 @@ messages! {
             en: "How stiff joints {joints} are across is not given, and was assumed: that of the direction of motion times (bed_depth / bed_width)², as of a bed of equal springs, at most 1; {share} of it. Give stiffness_across, or measure frequencies in y.",
             ko: "접합면 {joints}의 직각 방향 강성이 주어지지 않아 가정하였다. 균일한 스프링 위의 접합면처럼 운동 방향 강성에 (bed_depth / bed_width)²을 곱하고 1을 넘지 않게 하였으며, 그 비는 {share}이다. stiffness_across를 입력하거나 y 방향 고유진동수를 계측해야 한다.",
         },
-        Joint { number: usize } => { en: "{number}", ko: "{number}" },
-        Soil { soil: Quantity } => {
+        Joint(number: usize) => { en: "{number}", ko: "{number}" },
+        Soil(soil: Quantity) => {
             en: "the soil under the footing has a rocking stiffness of {soil}.",
             ko: "기초 아래 지반의 회전강성은 {soil}이다.",
         },
@@ -68,7 +68,7 @@ pub(super) fn findings(check: &ChainCheck) -> Vec<Finding> {
     all.extend(lowest_mode(across).map(of_across));
     all.extend(across.soil_n_m_rad.map(|soil| {
         let soil = Quantity::engineering(soil, "N·m/rad", DIGITS);
-        of_across(Finding::new(Tone::Plain, Across::Soil { soil }))
+        of_across(Finding::new(Tone::Plain, Across::Soil(soil)))
     }));
     all.extend(supported(across).map(of_across));
     all.push(Finding::new(Tone::Plain, Across::NoOneStone));
@@ -78,10 +78,7 @@ pub(super) fn findings(check: &ChainCheck) -> Vec<Finding> {
 /// Marks a finding as across.
 pub(super) fn of_across(finding: Finding) -> Finding {
     Finding {
-        sentence: Across::TowardsY {
-            said: finding.sentence,
-        }
-        .into(),
+        sentence: Across::TowardsY(finding.sentence).into(),
         ..finding
     }
 }
@@ -91,10 +88,7 @@ pub(super) fn of_along(check: &ChainCheck, finding: Finding) -> Finding {
     match check.across {
         None => finding,
         Some(_) => Finding {
-            sentence: Across::TowardsX {
-                said: finding.sentence,
-            }
-            .into(),
+            sentence: Across::TowardsX(finding.sentence).into(),
             ..finding
         },
     }
@@ -123,7 +117,7 @@ fn taken(all: &[StiffnessTaken]) -> Option<Finding> {
         shares().fold(f64::INFINITY, f64::min),
         shares().fold(0.0, f64::max),
     ];
-    let numbers = all.iter().map(|of| Across::Joint { number: of.joint }.into());
+    let numbers = all.iter().map(|of| Across::Joint(of.joint).into());
     let joints = numbers.collect();
     let said = match most - least < ALIKE * most {
         true => Across::TakenAlike {
@@ -145,7 +139,7 @@ fn lowest_mode(across: &ChainAcross) -> Option<Finding> {
         true => Finding::new(Tone::Bad, Across::LowestFalls),
         false => {
             let frequency = Quantity::new(mode.frequency_hz, Unit::si("Hz"), Digits::Significant(DIGITS));
-            Finding::new(Tone::Plain, Across::LowestMode { frequency })
+            Finding::new(Tone::Plain, Across::LowestMode(frequency))
         }
     })
 }

@@ -14,11 +14,11 @@ pub(super) const RISE_LEAST: f64 = 1e-6;
 messages! {
     /// Findings on a chain.
     pub(crate) enum Found in "chain.findings" {
-        StiffnessUnknown { equal: Quantity } => {
+        StiffnessUnknown(equal: Quantity) => {
             en: "Whether it stands is unknown: the stiffness of the joints is not given. If all joints are equal, each needs more than {equal}.",
             ko: "접합부 강성이 주어지지 않아 안정 여부를 판정할 수 없다. 모든 접합면의 강성이 같다면 각각 {equal}보다 커야 한다.",
         },
-        FailingJoint { joint: usize } => {
+        FailingJoint(joint: usize) => {
             en: "Seen from the top, joint {joint} is the first that cannot hold what stands on it. No single joint need be at fault: the stiffnesses count together.",
             ko: "위에서부터 볼 때 접합면 {joint}이(가) 상부를 지탱하지 못하는 첫 접합면이다. 한 접합면만의 문제라고 할 수는 없으며 강성은 함께 작용한다.",
         },
@@ -26,17 +26,17 @@ messages! {
             en: "Joint {joint}{below} has the least margin: {margin} times the stiffness at which the chain would just stand, the others as they are. It may lose {may_lose} of its stiffness before the chain falls.",
             ko: "지배 접합면은 접합면 {joint}{below}이다. 다른 접합면을 그대로 둘 때 안정 한계 강성의 {margin}배이며, 강성이 {may_lose} 저하되면 전도된다.",
         },
-        Below { part: String } => { en: " (below ‘{part}’)", ko: "(‘{part}’ 하부)" },
+        Below(part: String) => { en: " (below ‘{part}’)", ko: "(‘{part}’ 하부)" },
         Unnamed => { en: "", ko: "" },
         SingleJoint => {
             en: "With a single joint the published critical stiffness and the exact limit are the same.",
             ko: "접합면이 하나이므로 발표된 임계강성과 정확한 한계가 같다.",
         },
-        Unsafe { need: Sentence } => {
+        Unsafe(need: Sentence) => {
             en: "The published critical stiffness k_cr is unsafe: it sets each diagonal term of the stiffness matrix to zero; a symmetric matrix with zero diagonal and non-zero off-diagonals is indefinite, so a pole with those stiffnesses falls; {need}.",
             ko: "발표된 임계강성 k_cr은 안전측이 아니다. 강성행렬의 대각항을 모두 0으로 두는데, 대각항이 0이고 비대각항이 0이 아닌 대칭행렬은 음의 강성을 가지므로 그 강성을 가진 당간은 전도된다. {need}.",
         },
-        NeedTimes { factor: Quantity } => {
+        NeedTimes(factor: Quantity) => {
             en: "the joints need {factor} times as much",
             ko: "접합부에는 그 {factor}배의 강성이 필요하다",
         },
@@ -44,11 +44,11 @@ messages! {
             en: "no common factor makes them enough, since one of them is not positive",
             ko: "그중 하나가 양수가 아니므로 어떤 배수로도 충분해지지 않는다",
         },
-        BucklingTooLow { factor: Quantity } => {
+        BucklingTooLow(factor: Quantity) => {
             en: "The published P·H (buckling of a post on one spring) is not enough either: taken in every joint at once, it must be multiplied by {factor}.",
             ko: "발표된 좌굴 임계강성 P·H도 충분하지 않다. 모든 접합면에 동시에 적용하면 {factor}배가 필요하다.",
         },
-        BucklingEnough { factor: Quantity } => {
+        BucklingEnough(factor: Quantity) => {
             en: "The published P·H (buckling of a post on one spring) would be enough here: taken in every joint at once, {factor} of it suffices.",
             ko: "발표된 좌굴 임계강성 P·H는 이 경우 충분하다. 모든 접합면에 동시에 적용하면 그 {factor}배로 충분하다.",
         },
@@ -64,7 +64,7 @@ messages! {
             en: "It does not vibrate in its lowest shape, it falls in it.",
             ko: "최저차 형상에서는 진동하지 않고 전도된다.",
         },
-        LowestMode { frequency: Quantity } => {
+        LowestMode(frequency: Quantity) => {
             en: "Its lowest natural frequency is {frequency} (undamped, on the stiffness above).",
             ko: "최저 고유진동수는 {frequency}이다(비감쇠, 위의 강성 기준).",
         },
@@ -106,9 +106,11 @@ fn stands(check: &ChainCheck) -> Finding {
     match &check.stability {
         None => Finding::key(
             Tone::Unknown,
-            Found::StiffnessUnknown {
-                equal: Quantity::engineering(check.limits.equal_joints_n_m_rad, "N·m/rad", 4),
-            },
+            Found::StiffnessUnknown(Quantity::engineering(
+                check.limits.equal_joints_n_m_rad,
+                "N·m/rad",
+                4,
+            )),
         )
         .with_code("joints-unknown"),
         Some(stability) => load_factor_finding(stability.load_factor, stability.verdict, Falls::Over),
@@ -117,7 +119,7 @@ fn stands(check: &ChainCheck) -> Finding {
 
 fn weakest(part: &ChainPart, stability: &ChainStability) -> Option<Finding> {
     if let Some(joint) = stability.failing_joint {
-        return Some(Finding::key(Tone::Bad, Found::FailingJoint { joint }));
+        return Some(Finding::key(Tone::Bad, Found::FailingJoint(joint)));
     }
     let joints = stability.joints.iter().enumerate();
     let margins = joints.filter_map(|(i, joint)| Some((i + 1, joint.margin?)));
@@ -125,7 +127,7 @@ fn weakest(part: &ChainPart, stability: &ChainStability) -> Option<Finding> {
     let name = part.links.get(joint - 1).and_then(|link| link.name.clone());
     let found = Found::Weakest {
         joint,
-        below: name.map_or(Found::Unnamed, |part| Found::Below { part }).into(),
+        below: name.map_or(Found::Unnamed, |part| Found::Below(part)).into(),
         margin: Quantity::beside_one(margin, 3),
         may_lose: Quantity::percent(1.0 - 1.0 / margin, 2),
     };
@@ -144,19 +146,17 @@ fn published(limits: &ChainLimits) -> Finding {
 /// The sentence on why the published criterion and the exact one differ.
 pub(super) fn why_unsafe(limits: &ChainLimits) -> Sentence {
     let need = match limits.published_critical_factor {
-        Some(factor) => Found::NeedTimes {
-            factor: Quantity::ratio(factor, 3),
-        },
+        Some(factor) => Found::NeedTimes(Quantity::ratio(factor, 3)),
         None => Found::NeedNone,
     };
-    Found::Unsafe { need: need.into() }.into()
+    Found::Unsafe(need.into()).into()
 }
 
 fn buckling(limits: &ChainLimits) -> Finding {
     let factor = Quantity::beside_one(limits.published_buckling_factor, 4);
     match limits.published_buckling_factor > 1.0 {
-        true => Finding::new(Tone::Plain, Found::BucklingTooLow { factor }),
-        false => Finding::new(Tone::Plain, Found::BucklingEnough { factor }),
+        true => Finding::new(Tone::Plain, Found::BucklingTooLow(factor)),
+        false => Finding::new(Tone::Plain, Found::BucklingEnough(factor)),
     }
 }
 
@@ -176,9 +176,11 @@ fn lowest_mode(check: &ChainCheck) -> Finding {
         Some(mode) if mode.omega_squared <= 0.0 => Finding::new(Tone::Bad, Found::LowestFalls),
         Some(mode) => Finding::new(
             Tone::Plain,
-            Found::LowestMode {
-                frequency: Quantity::new(mode.frequency_hz, Unit::si("Hz"), Digits::Significant(3)),
-            },
+            Found::LowestMode(Quantity::new(
+                mode.frequency_hz,
+                Unit::si("Hz"),
+                Digits::Significant(3),
+            )),
         ),
     }
 }

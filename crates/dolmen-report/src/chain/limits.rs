@@ -9,7 +9,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 messages! {
     /// Limits of the joints.
     pub(crate) enum Limits in "chain.limits" {
-        Caption { unit: Sentence } => {
+        Caption(unit: Sentence) => {
             en: "Limits of the joints, {unit}, lowest joint first.",
             ko: "접합면별 한계, {unit}, 아래에서부터.",
         },
@@ -18,7 +18,7 @@ messages! {
             ko: "무게와 길이만으로 정해지며, M은 다른 접합면이 모두 강체일 때 정확하다.",
         },
         Joint => { en: "Joint", ko: "접합면" },
-        Number { number: usize } => { en: "{number}", ko: "{number}" },
+        Number(number: usize) => { en: "{number}", ko: "{number}" },
         Critical => { en: "published k_cr", ko: "발표된 k_cr" },
         Buckling => { en: "published P·H", ko: "발표된 P·H" },
         BucklingRatio => { en: "P·H / k_cr", ko: "P·H / k_cr" },
@@ -108,7 +108,7 @@ fn table(limits: &ChainLimits) -> Table {
         let k_cr = limits.published_critical_n_m_rad[i];
         let ratio = limits.published_ratio.get(i);
         vec![
-            Cell::words(Limits::Number { number: i + 1 }),
+            Cell::words(Limits::Number(i + 1)),
             Cell::Bad(stiffness(k_cr)),
             Cell::number(stiffness(limits.published_buckling_n_m_rad[i])),
             Cell::Number(ratio.map(|ratio| Quantity::ratio(*ratio, 3))),
@@ -120,10 +120,7 @@ fn table(limits: &ChainLimits) -> Table {
     let numbers = |head: Limits| Column::numbers(head, Unit::ratio());
     Table {
         caption: vec![
-            Limits::Caption {
-                unit: Sentence::of_symbol(&unit.symbol),
-            }
-            .into(),
+            Limits::Caption(Sentence::of_symbol(&unit.symbol)).into(),
             Limits::CaptionMeaning.into(),
         ],
         columns: vec![

@@ -7,7 +7,7 @@ use dolmen_words::{Digits, Quantity, Unit, messages};
 messages! {
     /// Margins of the joints.
     pub(crate) enum Margins in "chain.margins" {
-        Caption { factor: Quantity } => {
+        Caption(factor: Quantity) => {
             en: "Margins of the joints, λ = {factor}.",
             ko: "접합면별 여유도, 하중배율 λ = {factor}.",
         },
@@ -16,7 +16,7 @@ messages! {
             ko: "최소 k는 다른 접합면을 그대로 둔 안정 한계 강성이고, 기울기 증폭은 초기 공통 기울기에 대한 중력 작용 후 회전의 비이다.",
         },
         Joint => { en: "Joint", ko: "접합면" },
-        Number { number: usize } => { en: "{number}", ko: "{number}" },
+        Number(number: usize) => { en: "{number}", ko: "{number}" },
         Stiffness => { en: "k", ko: "k" },
         Least => { en: "least k", ko: "최소 k" },
         Margin => { en: "margin", ko: "여유도" },
@@ -24,7 +24,7 @@ messages! {
         Uplift => { en: "uplift moment N·b/2", ko: "들림 모멘트 N·b/2" },
         UpliftTilt => { en: "tilt at which it is reached", ko: "도달 기울기" },
         Falls => { en: "falls", ko: "전도" },
-        Tilt { inverse: Quantity } => { en: "1/{inverse}", ko: "1/{inverse}" },
+        Tilt(inverse: Quantity) => { en: "1/{inverse}", ko: "1/{inverse}" },
         Dunkerley { needed: Quantity, least: Quantity, most: Quantity } => {
             en: "All stiffnesses could be multiplied by 1/λ = {needed} and the chain would just stand; by hand, this factor lies between max M/k = {least} and Σ M/k = {most} (Dunkerley).",
             ko: "모든 강성에 1/λ = {needed}을(를) 곱하면 안정 한계에 이른다. 손계산 확인: 던컬리(Dunkerley) 공식으로 이 값은 max M/k = {least}와(과) Σ M/k = {most} 사이이다.",
@@ -97,7 +97,7 @@ fn table(stability: &ChainStability, beds: bool) -> Table {
     }
     let row = |(i, joint): (usize, &JointStability)| {
         let mut row = vec![
-            Cell::words(Margins::Number { number: i + 1 }),
+            Cell::words(Margins::Number(i + 1)),
             Cell::number(significant(joint.stiffness_n_m_rad, &units[0], 4)),
         ];
         row.extend(margin(joint, &units[0]));
@@ -115,10 +115,7 @@ fn table(stability: &ChainStability, beds: bool) -> Table {
     };
     Table {
         caption: vec![
-            Margins::Caption {
-                factor: Quantity::beside_one(stability.load_factor, 4),
-            }
-            .into(),
+            Margins::Caption(Quantity::beside_one(stability.load_factor, 4)).into(),
             Margins::CaptionMeaning.into(),
         ],
         columns,
@@ -147,9 +144,7 @@ fn margin(joint: &JointStability, unit: &Unit) -> [Cell; 2] {
 /// A tilt in the form of surveys: 1/177.
 fn tilt(tilt_rad: f64) -> Cell {
     match tilt_rad > 0.0 && tilt_rad.is_finite() {
-        true => Cell::words(Margins::Tilt {
-            inverse: Quantity::ratio(1.0 / tilt_rad, 3),
-        }),
+        true => Cell::words(Margins::Tilt(Quantity::ratio(1.0 / tilt_rad, 3))),
         false => Cell::number(Quantity::ratio(f64::NAN, 3)),
     }
 }

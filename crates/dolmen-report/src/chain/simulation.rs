@@ -76,7 +76,7 @@ pub(crate) fn simulation_sections<'a>(simulations: &[&'a ChainSimulation]) -> Do
 fn ended(document: &mut Document<'_>, simulation: &ChainSimulation) {
     let of = title(simulation);
     match simulation.motion {
-        Some(_) => document.heading(Simulated::Earthquake { of }),
+        Some(_) => document.heading(Simulated::Earthquake(of)),
         None => document.heading(Shown::Pushed { of }),
     }
     let said = capitalised(ending(simulation));

@@ -56,7 +56,7 @@ messages! {
             en: "no verdict: when the run ended, at {at}, ‘{name}’ leaned further out than in the time before and went on; it has to be followed for longer.",
             ko: "판정 불가: 해석이 끝난 {at}에 ‘{name}’의 회전각이 계속 커지고 있었다. 더 오래 해석해야 한다.",
         },
-        LeaningWhenCut { name: String } => {
+        LeaningWhenCut(name: String) => {
             en: "‘{name}’ leaned further out than in the time before and went on.",
             ko: "‘{name}’의 회전각이 계속 커지고 있었다.",
         },
@@ -72,7 +72,7 @@ messages! {
             en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner. as_surveyed = \"{survey}\" takes it over.",
             ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다. 반영하려면 as_surveyed = \"{survey}\"(으)로 한다.",
         },
-        Carries { weight: Quantity } => {
+        Carries(weight: Quantity) => {
             en: "It carries the weight of its static loads, {weight}, which swings with it.",
             ko: "정하중의 중량 {weight}이(가) 함께 진동하는 것으로 해석하였다.",
         },
@@ -177,8 +177,12 @@ pub(super) fn leans(simulation: &ChainSimulation) -> Option<Finding> {
 
 /// Static loads and wind that are in the run, and those that are not.
 pub(super) fn loads(simulation: &ChainSimulation) -> Vec<Finding> {
-    let carries = (simulation.carried_n != 0.0).then(|| Ending::Carries {
-        weight: Quantity::new(simulation.carried_n, kilo("N"), Digits::Significant(3)),
+    let carries = (simulation.carried_n != 0.0).then(|| {
+        Ending::Carries(Quantity::new(
+            simulation.carried_n,
+            kilo("N"),
+            Digits::Significant(3),
+        ))
     });
     let left_out = simulation.loads_left_out.then_some(Ending::ForcesLeftOut);
     let carries = carries.map(|said| Finding::key(Tone::Plain, said));
@@ -287,13 +291,13 @@ fn until_the_end(simulation: &ChainSimulation) -> Sentence {
             at: seconds(at_s),
         },
         ChainOutcome::StillLeaning { link, .. } if simulation.ended_before_the_motion_s().is_some() => {
-            Ending::LeaningWhenCut { name: name(link) }
+            Ending::LeaningWhenCut(name(link))
         }
         ChainOutcome::StillLeaning { link, at_s } => Ending::StillLeaning {
             name: name(link),
             at: seconds(at_s),
         },
-        ChainOutcome::Stopped { at_s } => return Simulated::Stopped { at: seconds(at_s) }.into(),
+        ChainOutcome::Stopped { at_s } => return Simulated::Stopped(seconds(at_s)).into(),
     };
     said.into()
 }

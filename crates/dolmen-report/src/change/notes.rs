@@ -29,7 +29,7 @@ messages! {
             en: "At {frequency} temperature falls from survey to survey (correlation {correlation}): weather and ageing cannot be told apart, and ageing may have been taken for weather.",
             ko: "{frequency}에서 기온이 조사 순서에 따라 낮아진다(상관계수 {correlation}). 기온과 노후화의 영향을 구별할 수 없으며, 노후화를 기온의 영향으로 보았을 수 있다.",
         },
-        OtherShapes { frequencies: Values } => {
+        OtherShapes(frequencies: Values) => {
             en: "At {frequencies} both surveys have a mode, but with shapes unlike each other, so that it counts as lost and as new: were channels swapped, or sensors turned or moved?",
             ko: "{frequencies}에서는 두 조사에 모두 모드가 있으나 모드형상이 서로 달라, 사라진 모드와 새로운 모드로 처리하였다. 채널이 바뀌었거나 센서의 방향·위치가 달라지지 않았는지 확인이 필요하다.",
         },
@@ -53,7 +53,7 @@ messages! {
             en: "PROBABLY A SLIP: no mode has a partner, and all {modes} frequencies are {factor} times what they were. Check the sampling rate of a survey, and how its frequencies were counted and written, before believing a change.",
             ko: "입력 오류 의심: 짝을 이룬 모드가 없고, 진동수 {modes}개가 모두 이전의 {factor}배이다. 변화로 판단하기 전에 한 조사의 샘플링 주파수와 진동수를 센 방법·단위를 확인한다.",
         },
-        Angular { factor: Quantity } => {
+        Angular(factor: Quantity) => {
             en: "PROBABLY A SLIP: one survey has angular frequencies (rad/s) where the other has frequencies (Hz): no mode has a partner, and each is {factor} times what it was, which is 2π or its reciprocal. Write Hz, and compare again.",
             ko: "입력 오류 의심: 한 조사는 각진동수(rad/s), 다른 조사는 진동수(Hz)로 적은 것으로 보인다. 짝을 이룬 모드가 없고 모두 이전의 {factor}배이며, 이는 2π 또는 그 역수이다. Hz로 고치고 다시 비교해야 한다.",
         },
@@ -93,9 +93,9 @@ pub(super) fn note(note: &ChangeNote) -> Noted {
             frequency_hz,
             correlation,
         } => with_time(hertz(*frequency_hz), *correlation),
-        ChangeNote::OtherShapes { frequencies_hz } => Noted::OtherShapes {
-            frequencies: Values(frequencies_hz.iter().copied().map(hertz).collect()),
-        },
+        ChangeNote::OtherShapes { frequencies_hz } => {
+            Noted::OtherShapes(Values(frequencies_hz.iter().copied().map(hertz).collect()))
+        }
         ChangeNote::Swapped(swapped) => {
             let [first, second] = swapped.channels.clone();
             Noted::Swapped {
@@ -134,7 +134,7 @@ pub(super) fn note(note: &ChangeNote) -> Noted {
         ChangeNote::OneFactor { factor, modes } => {
             let shown = Quantity::new(*factor, Unit::ratio(), Digits::Fixed(3));
             match note.is_angular() {
-                true => Noted::Angular { factor: shown },
+                true => Noted::Angular(shown),
                 false => Noted::OneFactor {
                     factor: shown,
                     modes: *modes,

@@ -48,7 +48,7 @@ messages! {
             en: "Which part explains the changes of the frequencies, if the model is right and it alone changed.",
             ko: "모델이 옳고 한 부위만 변하였을 때 고유진동수의 변화를 설명하는 부위.",
         },
-        Compared { pairs: Vec<Sentence> } => {
+        Compared(pairs: Vec<Sentence>) => {
             en: "Measured frequencies before beside those of the model: {pairs}.",
             ko: "이전 조사의 고유진동수와 모델의 고유진동수: {pairs}.",
         },
@@ -57,9 +57,9 @@ messages! {
         FactorHead => { en: "stiffness left", ko: "남은 강성" },
         IntervalHead => { en: "95 %", ko: "95 %" },
         AllParts => { en: "all alike", ko: "전체 동일" },
-        Chance { value: Quantity } => { en: "p = {value}", ko: "{value}" },
-        Below { bound: Quantity } => { en: "< {bound}", ko: "{bound} 미만" },
-        NoChance { bound: Quantity } => { en: "p < {bound}", ko: "{bound} 미만" },
+        Chance(value: Quantity) => { en: "p = {value}", ko: "{value}" },
+        Below(bound: Quantity) => { en: "< {bound}", ko: "{bound} 미만" },
+        NoChance(bound: Quantity) => { en: "p < {bound}", ko: "{bound} 미만" },
         Interval { low: Quantity, high: Quantity } => { en: "{low} to {high}", ko: "{low}–{high}" },
     }
 }
@@ -76,12 +76,8 @@ const CHANCE_LEAST: f64 = 1e-3;
 
 fn chance(of: f64) -> Sentence {
     match of < CHANCE_LEAST {
-        true => Parted::NoChance {
-            bound: Quantity::ratio(CHANCE_LEAST, 1),
-        },
-        false => Parted::Chance {
-            value: Quantity::ratio(of, 2),
-        },
+        true => Parted::NoChance(Quantity::ratio(CHANCE_LEAST, 1)),
+        false => Parted::Chance(Quantity::ratio(of, 2)),
     }
     .into()
 }
@@ -194,9 +190,7 @@ pub(crate) fn section(document: &mut Document<'_>, parts: &[ChangedPart]) {
                 Cell::number(share(fit.factor)),
                 Cell::words(Parted::Interval { low, high }),
                 match fit.p_value < CHANCE_LEAST {
-                    true => Cell::words(Parted::Below {
-                        bound: Quantity::ratio(CHANCE_LEAST, 1),
-                    }),
+                    true => Cell::words(Parted::Below(Quantity::ratio(CHANCE_LEAST, 1))),
                     false => Cell::number(Quantity::ratio(fit.p_value, 2)),
                 },
             ]
@@ -204,10 +198,7 @@ pub(crate) fn section(document: &mut Document<'_>, parts: &[ChangedPart]) {
         document.put(Block::Table(Table {
             caption: vec![
                 along(of, Parted::Caption),
-                Parted::Compared {
-                    pairs: pairs.collect(),
-                }
-                .into(),
+                Parted::Compared(pairs.collect()).into(),
             ],
             columns: vec![
                 Column::words(Parted::PartHead),

@@ -16,24 +16,24 @@ messages! {
             en: "A mode that is not found again may have moved further than pairs may lie apart (frequency_within), or was not shaken.",
             ko: "다시 확인되지 않은 모드는 짝으로 볼 수 있는 범위(frequency_within)를 넘어 이동하였거나 가진되지 않았을 수 있다.",
         },
-        Lost { all: Values } => {
+        Lost(all: Values) => {
             en: "Not found again: {all}. Such a mode may have moved further than pairs may lie apart (frequency_within), or was not shaken.",
             ko: "다시 확인되지 않은 모드: {all}. 짝으로 볼 수 있는 범위(frequency_within)를 넘어 이동하였거나 가진되지 않았을 수 있다.",
         },
-        New { all: Values } => { en: "New: {all}.", ko: "새로 나타난 모드: {all}." },
-        ByFrequency { all: Values } => {
+        New(all: Values) => { en: "New: {all}.", ko: "새로 나타난 모드: {all}." },
+        ByFrequency(all: Values) => {
             en: "Paired by frequency alone, since fewer than two sensors are in both surveys: {all}.",
             ko: "두 조사에 공통인 센서가 두 개 미만이어서 진동수만으로 짝지은 모드: {all}.",
         },
-        AcceptedBefore { all: Values } => {
+        AcceptedBefore(all: Values) => {
             en: "Accepted by the user in the survey before, where no test found them: {all}.",
             ko: "이전 조사에서 판정 기준으로 찾지 못하여 사용자가 채택한 모드: {all}.",
         },
-        AcceptedAfter { all: Values } => {
+        AcceptedAfter(all: Values) => {
             en: "Accepted by the user in the survey after, where no test found them: {all}.",
             ko: "이후 조사에서 판정 기준으로 찾지 못하여 사용자가 채택한 모드: {all}.",
         },
-        Doubtful { all: Values } => {
+        Doubtful(all: Values) => {
             en: "Another pairing is nearly as good: {all} may not be the same mode in both surveys.",
             ko: "다른 짝도 거의 같은 정도로 가능하다: {all} 모드는 두 조사에서 같은 모드가 아닐 수 있다.",
         },
@@ -52,25 +52,21 @@ pub(super) fn remarks(change: &SurveyChange) -> Vec<Remarks> {
     let said_first = |mode: &ObservedMode| change.not_compared.iter().any(|lost| lost.from == *mode);
     let others: Vec<ObservedMode> = change.lost.iter().filter(|m| !said_first(m)).cloned().collect();
     match (others.is_empty(), change.lost.is_empty()) {
-        (false, _) => said.push(Remarks::Lost {
-            all: frequencies(&others),
-        }),
+        (false, _) => said.push(Remarks::Lost(frequencies(&others))),
         (true, false) => said.push(Remarks::LostFirst),
         (true, true) => {}
     }
     if !change.new.is_empty() {
-        said.push(Remarks::New {
-            all: frequencies(&change.new),
-        });
+        said.push(Remarks::New(frequencies(&change.new)));
     }
     let by_frequency = paired(change, |mode| mode.pair.assurance.is_none());
-    said.extend(by_frequency.map(|all| Remarks::ByFrequency { all }));
+    said.extend(by_frequency.map(|all| Remarks::ByFrequency(all)));
     let doubtful = paired(change, |mode| mode.pair.doubtful());
-    said.extend(doubtful.map(|all| Remarks::Doubtful { all }));
+    said.extend(doubtful.map(|all| Remarks::Doubtful(all)));
     let before = change.modes.iter().map(|mode| &mode.from).chain(&change.lost);
-    said.extend(accepted(before).map(|all| Remarks::AcceptedBefore { all }));
+    said.extend(accepted(before).map(|all| Remarks::AcceptedBefore(all)));
     let after = change.modes.iter().map(|mode| &mode.to).chain(&change.new);
-    said.extend(accepted(after).map(|all| Remarks::AcceptedAfter { all }));
+    said.extend(accepted(after).map(|all| Remarks::AcceptedAfter(all)));
     said
 }
 

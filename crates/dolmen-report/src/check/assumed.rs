@@ -20,45 +20,45 @@ messages! {
             en: "Assumed, not measured, {assumed} of {all} inputs: {parts}.",
             ko: "실측이 아닌 가정값(입력 {all}개 중 {assumed}개): {parts}.",
         },
-        Names { names: Both } => { en: "{names}", ko: "{names}" },
+        Names(names: Both) => { en: "{names}", ko: "{names}" },
         NamesAndMore { names: Both, more: usize } => { en: "{names} and {more} more", ko: "{names} 외 {more}개" },
-        StonesBody { inputs: Sentence } => {
+        StonesBody(inputs: Sentence) => {
             en: "{inputs} (every result that uses them)",
             ko: "{inputs}(이를 사용한 모든 결과)",
         },
-        Body { inputs: Sentence } => {
+        Body(inputs: Sentence) => {
             en: "{inputs} (every result that uses them)",
             ko: "{inputs}(이를 사용한 모든 결과)",
         },
-        StonesStiffness { inputs: Sentence } => {
+        StonesStiffness(inputs: Sentence) => {
             en: "{inputs} (natural frequencies, demand on elastic joints and with it the verdict on the earthquake, and simulated motion rest on them; whether it stands and the limits do not)",
             ko: "{inputs}(고유진동수, 탄성 접합면의 요구 수준과 그에 따른 지진 판정, 지진응답이 이에 의존하며 자중에 대한 판정과 한계 가속도는 무관하다)",
         },
-        ChainStiffness { inputs: Sentence } => {
+        ChainStiffness(inputs: Sentence) => {
             en: "{inputs} (the verdict, the load factor, the margins and the modes rest on them; limits from weights and lengths do not)",
             ko: "{inputs}(판정, 하중배율, 여유도, 모드가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)",
         },
-        Stiffness { inputs: Sentence } => {
+        Stiffness(inputs: Sentence) => {
             en: "{inputs} (the verdict, the load factor and the modes rest on them; limits from weights and lengths do not)",
             ko: "{inputs}(판정, 하중배율, 모드가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)",
         },
-        Surveyed { inputs: Sentence } => {
+        Surveyed(inputs: Sentence) => {
             en: "{inputs} (the stiffness found from them is an illustration, not a finding)",
             ko: "{inputs}(이로부터 추정한 강성은 예시일 뿐 결과가 아니다)",
         },
-        SurveysOnly { inputs: Sentence } => {
+        SurveysOnly(inputs: Sentence) => {
             en: "{inputs} (every change below rests on them: an illustration, not a finding)",
             ko: "{inputs}(아래의 변화는 모두 이에 의존하며 예시일 뿐이다)",
         },
-        BuildingDamping { inputs: Sentence } => {
+        BuildingDamping(inputs: Sentence) => {
             en: "{inputs} (the response to spectra and motions rests on them; verdict and modes do not)",
             ko: "{inputs}(스펙트럼과 지진에 대한 응답이 이에 의존하며 판정과 모드는 무관하다)",
         },
-        StonesDamping { inputs: Sentence } => {
+        StonesDamping(inputs: Sentence) => {
             en: "{inputs} (simulated motion alone rests on them)",
             ko: "{inputs}(지진응답만 이에 의존한다)",
         },
-        Damping { inputs: Sentence } => {
+        Damping(inputs: Sentence) => {
             en: "{inputs} (the response to the spectrum of a site and to motions, and changes from survey to survey, rest on them; stability and modes do not)",
             ko: "{inputs}(부지 스펙트럼과 지진동에 대한 응답, 조사 사이의 변화가 이에 의존하며 안정성과 모드는 무관하다)",
         },
@@ -67,14 +67,14 @@ messages! {
             ko: "대안 ‘{variant}’의 모든 결과는 실측이 아닌 가정값에 의존한다: {inputs}.",
         },
         Input { input: Both, written: String } => { en: "{input} {written}", ko: "{input} {written}" },
-        Defaults { values: Vec<Sentence> } => {
+        Defaults(values: Vec<Sentence>) => {
             en: "{values} (not given for the joints, taken by Dolmen)",
             ko: "{values}(접합면에 입력하지 않아 Dolmen의 기본값을 적용)",
         },
-        Friction { value: Quantity } => { en: "friction {value}", ko: "마찰계수 {value}" },
-        NormalStiffness { value: Quantity } => { en: "normal stiffness {value}", ko: "수직강성 {value}" },
-        ShearStiffness { value: Quantity } => { en: "shear stiffness {value}", ko: "전단강성 {value}" },
-        DampingRatio { value: Quantity } => { en: "damping ratio {value}", ko: "감쇠비 {value}" },
+        Friction(value: Quantity) => { en: "friction {value}", ko: "마찰계수 {value}" },
+        NormalStiffness(value: Quantity) => { en: "normal stiffness {value}", ko: "수직강성 {value}" },
+        ShearStiffness(value: Quantity) => { en: "shear stiffness {value}", ko: "전단강성 {value}" },
+        DampingRatio(value: Quantity) => { en: "damping ratio {value}", ko: "감쇠비 {value}" },
         CapLeftOut => {
             en: "The part at the very top (cap stone) is left out of the model: the true limits are higher and the true margins lower than stated.",
             ko: "최상부 부재(옥개석)가 모델에서 제외되었다. 실제 한계 강성은 여기 값보다 크고 실제 여유도는 작다.",
@@ -83,7 +83,7 @@ messages! {
             en: "The scatter of one input is itself assumed, and the probability rests on it.",
             ko: "입력 1개의 변동계수 자체가 가정값이며, 확률은 이에 의존한다.",
         },
-        Scatter { count: usize } => {
+        Scatter(count: usize) => {
             en: "The scatter of {count} inputs is itself assumed, and the probability rests on it.",
             ko: "입력 {count}개의 변동계수 자체가 가정값이며, 확률은 이에 의존한다.",
         },
@@ -106,7 +106,7 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     if sampled && scatters > 0 {
         let said = match scatters {
             1 => Assumed::OneScatter,
-            count => Assumed::Scatter { count },
+            count => Assumed::Scatter(count),
         };
         all.push(Finding::new(Tone::Warn, said));
     }
@@ -125,21 +125,19 @@ fn defaults(taken: &JointDefaults) -> Option<Sentence> {
     let bare = |value: f64| Quantity::new(value, Unit::ratio(), Digits::Trimmed(3));
     let stiffness = |value: f64| Quantity::new(value, Unit::si("Pa/m"), Digits::Significant(2));
     let each = [
+        taken.friction.map(|value| Assumed::Friction(bare(value))),
         taken
-            .friction
-            .map(|value| Assumed::Friction { value: bare(value) }),
-        taken.normal_stiffness_pa_m.map(|value| Assumed::NormalStiffness {
-            value: stiffness(value),
-        }),
-        taken.shear_stiffness_pa_m.map(|value| Assumed::ShearStiffness {
-            value: stiffness(value),
-        }),
+            .normal_stiffness_pa_m
+            .map(|value| Assumed::NormalStiffness(stiffness(value))),
+        taken
+            .shear_stiffness_pa_m
+            .map(|value| Assumed::ShearStiffness(stiffness(value))),
         taken
             .damping_ratio
-            .map(|value| Assumed::DampingRatio { value: bare(value) }),
+            .map(|value| Assumed::DampingRatio(bare(value))),
     ];
     let values: Vec<Sentence> = each.into_iter().flatten().map(Sentence::from).collect();
-    (!values.is_empty()).then(|| Assumed::Defaults { values }.into())
+    (!values.is_empty()).then(|| Assumed::Defaults(values).into())
 }
 
 /// Finding for the project as it is; `None` if nothing is assumed.
@@ -164,8 +162,8 @@ pub(crate) fn of_project(project: &Project) -> Option<Finding> {
         of(&is_body).map(|inputs| body_words(structure, inputs)),
         of(&is_stiffness).map(|inputs| stiffness_words(structure, inputs)),
         of(&|q| is_surveyed(q) || (is_without_model && is_damping(q))).map(|inputs| match is_without_model {
-            true => Assumed::SurveysOnly { inputs },
-            false => Assumed::Surveyed { inputs },
+            true => Assumed::SurveysOnly(inputs),
+            false => Assumed::Surveyed(inputs),
         }),
         of(&|q| !is_without_model && is_damping(q)).map(|inputs| damping_words(structure, inputs)),
     ];
@@ -192,33 +190,33 @@ fn named(structure: &Structure, inputs: &[&Input]) -> Option<Sentence> {
     });
     match (some.is_empty(), rest.len()) {
         (true, _) => None,
-        (false, 0) => Some(Assumed::Names { names }.into()),
+        (false, 0) => Some(Assumed::Names(names).into()),
         (false, more) => Some(Assumed::NamesAndMore { names, more }.into()),
     }
 }
 
 fn body_words(structure: &Structure, inputs: Sentence) -> Assumed {
     match structure {
-        Structure::Stack(_) => Assumed::StonesBody { inputs },
+        Structure::Stack(_) => Assumed::StonesBody(inputs),
         Structure::Chain(_) | Structure::Frame(_) | Structure::Building(_) | Structure::Survey => {
-            Assumed::Body { inputs }
+            Assumed::Body(inputs)
         }
     }
 }
 
 fn stiffness_words(structure: &Structure, inputs: Sentence) -> Assumed {
     match structure {
-        Structure::Stack(_) => Assumed::StonesStiffness { inputs },
-        Structure::Chain(_) => Assumed::ChainStiffness { inputs },
-        Structure::Frame(_) | Structure::Building(_) | Structure::Survey => Assumed::Stiffness { inputs },
+        Structure::Stack(_) => Assumed::StonesStiffness(inputs),
+        Structure::Chain(_) => Assumed::ChainStiffness(inputs),
+        Structure::Frame(_) | Structure::Building(_) | Structure::Survey => Assumed::Stiffness(inputs),
     }
 }
 
 fn damping_words(structure: &Structure, inputs: Sentence) -> Assumed {
     match structure {
-        Structure::Stack(_) => Assumed::StonesDamping { inputs },
-        Structure::Building(_) => Assumed::BuildingDamping { inputs },
-        Structure::Chain(_) | Structure::Frame(_) | Structure::Survey => Assumed::Damping { inputs },
+        Structure::Stack(_) => Assumed::StonesDamping(inputs),
+        Structure::Building(_) => Assumed::BuildingDamping(inputs),
+        Structure::Chain(_) | Structure::Frame(_) | Structure::Survey => Assumed::Damping(inputs),
     }
 }
 

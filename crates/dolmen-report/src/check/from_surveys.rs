@@ -24,7 +24,7 @@ messages! {
             ko: "{part}은 조사에서 구하게 되어 있으나 정해지지 않는다: {why}.",
         },
         Joints => { en: "The stiffness of the joints", ko: "접합부 강성" },
-        Direction { direction: String } => {
+        Direction(direction: String) => {
             en: "The stiffness in direction {direction}",
             ko: "{direction} 방향의 강성",
         },
@@ -32,31 +32,31 @@ messages! {
             en: "no survey of the file has records or frequencies; add [survey.DATE]",
             ko: "기록이나 고유진동수가 있는 조사가 파일에 없다. [survey.날짜]를 추가한다",
         },
-        NoModes { survey: String } => {
+        NoModes(survey: String) => {
             en: "survey {survey} shows no modes there; give its frequencies, or position and direction of its channels",
             ko: "{survey} 조사에 해당 모드가 없다. 고유진동수를 쓰거나 채널의 위치와 방향을 준다",
         },
-        Bounded { survey: String } => {
+        Bounded(survey: String) => {
             en: "survey {survey} tells it between wide bounds alone; `dolmen identify` prints them",
             ko: "{survey} 조사로는 넓은 한계만 알 수 있다. 한계는 `dolmen identify`가 출력한다",
         },
-        Underdetermined { survey: String } => {
+        Underdetermined(survey: String) => {
             en: "survey {survey} has fewer modes than there are unknowns",
             ko: "{survey} 조사의 모드 수가 미지수보다 적다",
         },
-        Meet { survey: String } => {
+        Meet(survey: String) => {
             en: "two solutions for survey {survey} meet, so that none has a standard deviation; measure mode shapes",
             ko: "{survey} 조사의 두 해가 만나므로 표준편차를 알 수 없다. 모드형상을 계측한다",
         },
-        Impossible { survey: String } => {
+        Impossible(survey: String) => {
             en: "no stiffness explains the modes of survey {survey}",
             ko: "{survey} 조사의 모드를 설명하는 강성이 없다",
         },
-        Doubted { survey: String } => {
+        Doubted(survey: String) => {
             en: "the modes of survey {survey} are in doubt; `dolmen identify` says why",
             ko: "{survey} 조사의 모드가 의심스럽다. 까닭은 `dolmen identify`가 보인다",
         },
-        TooMany { solutions: usize } => {
+        TooMany(solutions: usize) => {
             en: "{solutions} solutions explain the modes, too many to judge each; measure mode shapes",
             ko: "모드를 설명하는 해가 {solutions}개로 너무 많아 모두 검토할 수 없다. 모드형상을 계측한다",
         },
@@ -95,9 +95,7 @@ pub(crate) fn from_surveys_text(project: &Project, style: TextStyle) -> String {
 
 fn said(project: &Project, told: &FromSurveys, part: &FromSurvey) -> Identified {
     let name = Sentence::from(match part.path.strip_prefix("direction.") {
-        Some(rest) => Identified::Direction {
-            direction: rest.trim_end_matches(".stiffness").to_owned(),
-        },
+        Some(rest) => Identified::Direction(rest.trim_end_matches(".stiffness").to_owned()),
         None => Identified::Joints,
     });
     let survey = part.survey.clone().unwrap_or_default();
@@ -132,13 +130,13 @@ fn said(project: &Project, told: &FromSurveys, part: &FromSurvey) -> Identified 
 fn not_known(why: WhyNotIdentified, survey: String) -> Identified {
     match why {
         WhyNotIdentified::NoSurvey => Identified::NoSurvey,
-        WhyNotIdentified::NoModes => Identified::NoModes { survey },
-        WhyNotIdentified::Bounded => Identified::Bounded { survey },
-        WhyNotIdentified::Underdetermined => Identified::Underdetermined { survey },
-        WhyNotIdentified::Meet => Identified::Meet { survey },
-        WhyNotIdentified::Impossible => Identified::Impossible { survey },
-        WhyNotIdentified::Doubted => Identified::Doubted { survey },
-        WhyNotIdentified::TooMany { solutions } => Identified::TooMany { solutions },
+        WhyNotIdentified::NoModes => Identified::NoModes(survey),
+        WhyNotIdentified::Bounded => Identified::Bounded(survey),
+        WhyNotIdentified::Underdetermined => Identified::Underdetermined(survey),
+        WhyNotIdentified::Meet => Identified::Meet(survey),
+        WhyNotIdentified::Impossible => Identified::Impossible(survey),
+        WhyNotIdentified::Doubted => Identified::Doubted(survey),
+        WhyNotIdentified::TooMany { solutions } => Identified::TooMany(solutions),
     }
 }
 

@@ -25,9 +25,9 @@ messages! {
             en: "Survey {survey} states an earthquake{peak}, and no repair or inspection followed: this check is of the structure as the file has it. Look at it; then enter it into works of [watch].",
             ko: "{survey} 조사에 지진이 기재되어 있으나{peak} 이후 보수나 점검이 없다. 이 검토는 파일에 적힌 상태의 구조물에 대한 것이다. 구조물을 점검하고 [watch]의 works에 기록한다.",
         },
-        FeltPeak { peak: Quantity } => { en: " (peak acceleration {peak})", ko: "(최대가속도 {peak})" },
+        FeltPeak(peak: Quantity) => { en: " (peak acceleration {peak})", ko: "(최대가속도 {peak})" },
         FeltOnly => { en: "", ko: "" },
-        OneIn { inverse: Quantity } => { en: "1/{inverse}", ko: "1/{inverse}" },
+        OneIn(inverse: Quantity) => { en: "1/{inverse}", ko: "1/{inverse}" },
         TiltAlong { tilt: Sentence, direction: String } => {
             en: "{tilt} in direction {direction}",
             ko: "{direction} 방향 {tilt}",
@@ -96,7 +96,7 @@ messages! {
             en: "The tilt that survey {survey} measured, {tilt} by all directions together, is within the limit of {limit} that the file sets (tilt_limit).",
             ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit} 이내이다.",
         },
-        Undated { surveys: Vec<String> } => {
+        Undated(surveys: Vec<String>) => {
             en: "Surveys whose names say no date: {surveys}. Dates decide which survey is the last: beside one with a date these lean no model, their frequencies and damage give way, and compare and watch leave them out. Only their tilt counts, against tilt_limit. Begin the name with the date, 2025-04-02.",
             ko: "이름에 날짜가 없는 조사: {surveys}. 최근 조사는 날짜로 정하므로, 날짜가 있는 조사가 있으면 이 조사의 기울기는 모델에 반영되지 않고 고유진동수와 손상은 뒤로 밀리며 compare와 watch에서 빠진다. 기울기를 tilt_limit와 비교하는 데만 쓴다. 이름을 2025-04-02처럼 날짜로 시작한다.",
         },
@@ -125,11 +125,11 @@ messages! {
             en: "Survey {survey} measured {measured} in direction {direction}, which this model does not have: it is not compared. The directions of the model: {known}.",
             ko: "{survey} 조사의 실측 고유진동수 {measured}은(는) 모델에 없는 {direction} 방향의 값이어서 비교하지 않았다. 모델의 방향: {known}.",
         },
-        LogsUnread { logs: Vec<Both> } => {
+        LogsUnread(logs: Vec<Both>) => {
             en: "What loggers read of tilts and cracks is not in this answer ({logs}): `dolmen watch` holds it against its limits. If they show a lean, write it as the tilt of a survey.",
             ko: "기울기·균열 계측 기록({logs})은 이 검토에 반영하지 않았다. 한계와의 비교는 `dolmen watch`에 나온다. 기울기가 나타나면 조사의 tilt로 입력한다.",
         },
-        YearsNotAsked { surveys: usize } => {
+        YearsNotAsked(surveys: usize) => {
             en: "Whether an alarm is open over the years is not asked here; surveys with a date: {surveys}. `dolmen watch` and `dolmen report` say so.",
             ko: "여러 해의 조사에서 조치되지 않은 경보가 있는지는 이 검토에서 다루지 않는다(날짜가 있는 조사 {surveys}회). `dolmen watch`와 `dolmen report`에 나온다.",
         },
@@ -204,7 +204,7 @@ pub(super) fn undated(project: &Project) -> Option<Finding> {
         .map(|survey| survey.name.clone())
         .collect();
     let is_beside = !dated.is_empty() && !surveys.is_empty();
-    is_beside.then(|| Finding::key(Tone::Warn, Measured::Undated { surveys }))
+    is_beside.then(|| Finding::key(Tone::Warn, Measured::Undated(surveys)))
 }
 
 /// A measured tilt beyond the drift at which storeys are judged, or at which free-standing columns fall in a model that starts plumb.
@@ -277,14 +277,14 @@ pub(crate) fn over_the_years(project: &Project) -> Vec<Finding> {
     let logs: Vec<Both> = logs.map(|log| log.name.as_str().into()).collect();
     let mut all = Vec::new();
     if !logs.is_empty() {
-        all.push(Finding::key(Tone::Unknown, Measured::LogsUnread { logs }));
+        all.push(Finding::key(Tone::Unknown, Measured::LogsUnread(logs)));
     } else if can_watch(project) {
         let dated = project
             .surveys
             .iter()
             .filter(|survey| date_of(&survey.name).is_some());
         let surveys = dated.count();
-        all.push(Finding::key(Tone::Plain, Measured::YearsNotAsked { surveys }));
+        all.push(Finding::key(Tone::Plain, Measured::YearsNotAsked(surveys)));
     }
     all
 }
@@ -293,12 +293,9 @@ pub(crate) fn over_the_years(project: &Project) -> Vec<Finding> {
 pub(super) fn felt_since(project: &Project) -> Vec<Finding> {
     let open = felt(project, |_| None).into_iter().filter(|of| !of.is_answered);
     let said = open.map(|of| {
-        let peak = of
-            .part
-            .peak_m_s2
-            .map_or(Measured::FeltOnly, |peak| Measured::FeltPeak {
-                peak: Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(DIGITS)),
-            });
+        let peak = of.part.peak_m_s2.map_or(Measured::FeltOnly, |peak| {
+            Measured::FeltPeak(Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(DIGITS)))
+        });
         let (survey, peak) = (of.survey, peak.into());
         Finding::key(Tone::Warn, Measured::Felt { survey, peak }).with_code("earthquake")
     });
@@ -337,7 +334,7 @@ fn hertz(value: f64) -> Quantity {
 
 fn one_in(ratio: f64) -> Sentence {
     let inverse = Quantity::ratio(1.0 / ratio.abs(), DIGITS);
-    Measured::OneIn { inverse }.into()
+    Measured::OneIn(inverse).into()
 }
 
 fn tilt(of: &TiltCheck, check: &Check, leans: bool) -> Finding {

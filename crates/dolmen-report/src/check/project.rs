@@ -39,19 +39,19 @@ messages! {
             en: "stack, blocks: {blocks}, {height} high, {mass}, joints: {joints} ({feet} on the ground), g {gravity}",
             ko: "적층 모델, 부재 {blocks}개, 높이 {height}, 질량 {mass}, 접합면 {joints}개(지반 위 {feet}개), g {gravity}",
         },
-        StackFault { why: String } => { en: "stack that cannot be: {why}", ko: "성립할 수 없는 적층 모델: {why}" },
+        StackFault(why: String) => { en: "stack that cannot be: {why}", ko: "성립할 수 없는 적층 모델: {why}" },
         Building { floors: usize, height: Quantity, mass: Quantity, p_delta: Sentence } => {
             en: "building, floors: {floors}, {height} high, {mass}, {p_delta}",
             ko: "건물 모델, 바닥 {floors}개, 높이 {height}, 질량 {mass}, {p_delta}",
         },
         PDelta => { en: "P-delta from the masses", ko: "질량에 의한 P-델타 고려" },
         NoPDelta => { en: "P-delta left out", ko: "P-델타 제외" },
-        BuildingFault { why: String } => { en: "building that cannot be: {why}", ko: "성립할 수 없는 건물 모델: {why}" },
-        AsInspected { each: Vec<Sentence> } => {
+        BuildingFault(why: String) => { en: "building that cannot be: {why}", ko: "성립할 수 없는 건물 모델: {why}" },
+        AsInspected(each: Vec<Sentence>) => {
             en: "the model has the damage of inspections: {each}; as_inspected = \"none\" leaves that out",
             ko: "모델에 점검에서 확인된 손상을 반영하였다: {each}. 제외하려면 as_inspected = \"none\"으로 한다",
         },
-        MadeUp { surveys: Vec<String> } => {
+        MadeUp(surveys: Vec<String>) => {
             en: "made up, not measured: survey {surveys}; what follows from it is an illustration",
             ko: "실측이 아닌 가상 조사: {surveys}. 이에 따른 결과는 예시이다",
         },
@@ -61,7 +61,7 @@ messages! {
         },
         Survey => { en: "measured, not modelled", ko: "계측만 하고 모델링하지 않음" },
         File { file: String, size: Sentence } => { en: "{file}: {size}", ko: "{file}: {size}" },
-        Source { source: String } => { en: "source: {source}", ko: "출처: {source}" },
+        Source(source: String) => { en: "source: {source}", ko: "출처: {source}" },
     }
 }
 
@@ -90,9 +90,7 @@ pub(crate) fn project_text(project: &Project, file: &str, style: TextStyle) -> S
         size: size(project),
     });
     if let Some(source) = project.source.as_ref().filter(|_| style.is_full) {
-        out += &line(Size::Source {
-            source: source.clone(),
-        });
+        out += &line(Size::Source(source.clone()));
     }
     out += &damage_text(project, style);
     out + &doubtful_text(project, style)
@@ -104,7 +102,7 @@ fn damage_text(project: &Project, style: TextStyle) -> String {
         return String::new();
     }
     let each = project.damage.iter().map(damaged).collect();
-    let said = Sentence::from(Size::AsInspected { each }).text(style.language);
+    let said = Sentence::from(Size::AsInspected(each)).text(style.language);
     wrapped(&said, "  ", "    ", style.columns())
 }
 
@@ -120,7 +118,7 @@ pub(crate) fn made_up_text(project: &Project, style: TextStyle) -> String {
             let (count, first, last) = (surveys.len(), first.clone(), last.clone());
             Size::MadeUpMany { count, first, last }
         }
-        _ => Size::MadeUp { surveys },
+        _ => Size::MadeUp(surveys),
     };
     let said = Sentence::from(said).text(style.language);
     wrapped(&said, "  ", "    ", style.columns())
@@ -246,9 +244,7 @@ fn stack(part: &StackPart, gravity: f64) -> Size {
                 gravity: acceleration(gravity),
             }
         }
-        Err(fault) => Size::StackFault {
-            why: fault.to_string(),
-        },
+        Err(fault) => Size::StackFault(fault.to_string()),
     }
 }
 
@@ -266,8 +262,6 @@ fn building(part: &BuildingPart) -> Size {
                 p_delta: p_delta.into(),
             }
         }
-        Err(fault) => Size::BuildingFault {
-            why: fault.to_string(),
-        },
+        Err(fault) => Size::BuildingFault(fault.to_string()),
     }
 }

@@ -28,12 +28,12 @@ messages! {
             ko: "입력이 1 % 커질 때 {result}의 변화가 큰 순서: {inputs}.",
         },
         OfInput { input: Both, change: Sentence } => { en: "{input} {change} %", ko: "{input} {change} %" },
-        Hardly { result: Sentence } => {
+        Hardly(result: Sentence) => {
             en: "Hardly any input has an effect on {result}.",
             ko: "{result}은(는) 어떤 입력에도 거의 변하지 않는다.",
         },
         Head => { en: "Uncertain inputs", ko: "입력의 불확실성" },
-        Drawn { samples: usize } => {
+        Drawn(samples: usize) => {
             en: "Load factor over {samples} samples.",
             ko: "표본 {samples}개의 하중배율 분포.",
         },
@@ -45,7 +45,7 @@ messages! {
             en: "Load factor below which 5 %, 50 % and 95 % of the samples lie: {low}, {middle}, {high}. Seed {seed}.",
             ko: "표본의 5 %, 50 %, 95 %가 그 아래에 있는 하중배율: {low}, {middle}, {high}. 시드 {seed}.",
         },
-        Inputs { inputs: Vec<Both> } => { en: "Inputs drawn: {inputs}.", ko: "추출한 입력: {inputs}." },
+        Inputs(inputs: Vec<Both>) => { en: "Inputs drawn: {inputs}.", ko: "추출한 입력: {inputs}." },
         LoadFactor => { en: "λ", ko: "λ" },
         FirstMotion => { en: "acceleration of first motion", ko: "최초 거동 가속도" },
         EqualJoints => { en: "equal joint stiffness needed", ko: "균등 접합부 필요 강성" },
@@ -57,24 +57,24 @@ messages! {
             en: "Elasticity at the values given, by central difference; inputs that change it by less are left out.",
             ko: "주어진 값에서 중앙차분으로 구한 탄성도이며, 영향이 거의 없는 입력은 생략하였다.",
         },
-        OfZero { inputs: Vec<Both> } => {
+        OfZero(inputs: Vec<Both>) => {
             en: "Not computed for {inputs}: they are 0, of which no share can be taken.",
             ko: "민감도를 구하지 않은 입력: {inputs}. 값이 0이어서 비율로 바꿀 수 없다.",
         },
-        NotAlone { inputs: Vec<Both> } => {
+        NotAlone(inputs: Vec<Both>) => {
             en: "Not known for {inputs}: with one of them changed alone there is no such structure, or no such result. Their effect may be large.",
             ko: "민감도를 알 수 없는 입력: {inputs}. 하나만 바꾸면 구조물이 성립하지 않거나 결과가 없다. 영향이 클 수도 있다.",
         },
         Input => { en: "Input", ko: "입력" },
-        InputName { input: Both } => { en: "{input}", ko: "{input}" },
+        InputName(input: Both) => { en: "{input}", ko: "{input}" },
         Value => { en: "value, SI", ko: "값(SI)" },
-        Change { result: Sentence } => {
+        Change(result: Sentence) => {
             en: "change of {result} (%) for +1 % of the input",
             ko: "입력 +1 %에 대한 {result}의 변화 (%)",
         },
         Signed { sign: String, value: Quantity } => { en: "{sign}{value}", ko: "{sign}{value}" },
         Cov => { en: "coefficient of variation", ko: "변동계수" },
-        From { result: Sentence } => {
+        From(result: Sentence) => {
             en: "scatter of {result} from it",
             ko: "그로 인한 {result}의 변동",
         },
@@ -165,7 +165,7 @@ pub(super) fn sensitive(answer: &CheckAnswer) -> Option<Finding> {
         Scatter::OfInput { input, change }.into()
     });
     let said = match shown.is_empty() {
-        true => Scatter::Hardly { result },
+        true => Scatter::Hardly(result),
         false => Scatter::Most {
             result,
             inputs: inputs.collect(),
@@ -196,8 +196,8 @@ fn unknown(answer: &CheckAnswer) -> Vec<Scatter> {
     };
     let zero = of(NoElasticity::Zero);
     let alone = of(NoElasticity::NoResult);
-    let zero = (!zero.is_empty()).then_some(Scatter::OfZero { inputs: zero });
-    let alone = (!alone.is_empty()).then_some(Scatter::NotAlone { inputs: alone });
+    let zero = (!zero.is_empty()).then_some(Scatter::OfZero(zero));
+    let alone = (!alone.is_empty()).then_some(Scatter::NotAlone(alone));
     zero.into_iter().chain(alone).collect()
 }
 
@@ -249,9 +249,7 @@ pub(super) fn of_state(state: &State) -> Document<'_> {
 }
 
 fn samples<'a>(document: &mut Document<'a>, sampled: &'a Sampled, nominal: Option<f64>) {
-    let caption = Scatter::Drawn {
-        samples: sampled.unstable.samples,
-    };
+    let caption = Scatter::Drawn(sampled.unstable.samples);
     let drawn = Figure::drawn(
         vec![caption.into(), Scatter::DrawnMeaning.into()],
         move |language| load_factor_distribution(&sampled.load_factors, &sampled.unstable, nominal, language),
@@ -268,9 +266,7 @@ fn samples<'a>(document: &mut Document<'a>, sampled: &'a Sampled, nominal: Optio
         seed: usize::try_from(sampled.unstable.seed).unwrap_or(usize::MAX),
     });
     let input = |path: &String| Both::of(|language| path_words(path, language));
-    document.paragraph(Scatter::Inputs {
-        inputs: sampled.inputs.iter().map(input).collect(),
-    });
+    document.paragraph(Scatter::Inputs(sampled.inputs.iter().map(input).collect()));
 }
 
 fn table(answer: &CheckAnswer) -> Table {
@@ -281,9 +277,9 @@ fn table(answer: &CheckAnswer) -> Table {
             let signed = signed(elasticity, Digits::Fixed(4));
             let scatter = of.cov.map(|cov| share(cov * elasticity.abs()));
             vec![
-                Cell::words(Scatter::InputName {
-                    input: Both::of(|language| input_words(&answer.project.structure, &of.input, language)),
-                }),
+                Cell::words(Scatter::InputName(Both::of(|language| {
+                    input_words(&answer.project.structure, &of.input, language)
+                }))),
                 Cell::number(Quantity::new(of.value, Unit::ratio(), Digits::Trimmed(7))),
                 Cell::words(signed),
                 Cell::Number(of.cov.map(share)),
@@ -305,19 +301,9 @@ fn table(answer: &CheckAnswer) -> Table {
         columns: vec![
             Column::words(Scatter::Input),
             numbers(Scatter::Value, Unit::ratio()),
-            numbers(
-                Scatter::Change {
-                    result: result(answer),
-                },
-                Unit::ratio(),
-            ),
+            numbers(Scatter::Change(result(answer)), Unit::ratio()),
             numbers(Scatter::Cov, Unit::percent()),
-            numbers(
-                Scatter::From {
-                    result: result(answer),
-                },
-                Unit::percent(),
-            ),
+            numbers(Scatter::From(result(answer)), Unit::percent()),
         ],
         rows,
     }

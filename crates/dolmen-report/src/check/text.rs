@@ -27,7 +27,7 @@ messages! {
             en: "Nothing is modelled (kind = \"survey\"), so there is nothing to check: run `dolmen identify`.",
             ko: "모델이 없으므로(kind = \"survey\") 검토할 것이 없다. `dolmen identify`를 실행한다.",
         },
-        Variant { variant: Both } => { en: "Variant “{variant}”", ko: "대안 ‘{variant}’" },
+        Variant(variant: Both) => { en: "Variant “{variant}”", ko: "대안 ‘{variant}’" },
     }
 }
 
@@ -111,9 +111,7 @@ fn variant_text(
     judged: &VersionJudgement,
     style: TextStyle,
 ) -> String {
-    let head = Said::Variant {
-        variant: title(variant),
-    };
+    let head = Said::Variant(title(variant));
     let mut out = heading_text(&said(head, style.language));
     out += &verdict_line(judged, style);
     let own = answer

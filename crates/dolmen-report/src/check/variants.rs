@@ -67,7 +67,7 @@ messages! {
         },
         FallsShare => { en: "P(falls by its weight)", ko: "자중 전도 확률" },
         OverloadedShare => { en: "P(loads at a limit)", ko: "하중 한계 도달 확률" },
-        Named { name: Both } => { en: "{name}", ko: "{name}" },
+        Named(name: Both) => { en: "{name}", ko: "{name}" },
         Unknown => { en: "unknown", ko: "미상" },
         Falls => { en: "falls", ko: "전도" },
     }
@@ -361,12 +361,10 @@ fn table(all: &[Row]) -> Table {
         };
         let frequency = row.frequency_hz.map(|f| Quantity::ratio(f, 4));
         let mut cells = vec![
-            Cell::words(Variants::Named {
-                name: Both::of(|language| row.named(language)),
-            }),
-            Cell::words(Variants::Named {
-                name: Both::of(|language| verdict_word(row.verdict, language)),
-            }),
+            Cell::words(Variants::Named(Both::of(|language| row.named(language)))),
+            Cell::words(Variants::Named(Both::of(|language| {
+                verdict_word(row.verdict, language)
+            }))),
             row.load_factor
                 .map_or_else(unknown, |factor| Cell::number(Quantity::beside_one(factor, 4))),
             margin,
@@ -385,9 +383,7 @@ fn table(all: &[Row]) -> Table {
                 Some((Earthquake::BelowDemand, Some(ratio))) => Cell::Bad(number(ratio)),
                 Some((_, Some(ratio))) => Cell::number(number(ratio)),
                 Some((Earthquake::NotAsked, None)) | None => Cell::Number(None),
-                Some((word, None)) => Cell::words(Variants::Named {
-                    name: Both::of(|language| word.word(language)),
-                }),
+                Some((word, None)) => Cell::words(Variants::Named(Both::of(|language| word.word(language)))),
             });
         }
         if with_falls {

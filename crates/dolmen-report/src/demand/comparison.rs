@@ -14,7 +14,7 @@ const RATIO_DIGITS: usize = 3;
 messages! {
     /// Capacity against demand.
     pub(crate) enum Compared in "demand.comparison" {
-        Verdict { verdict: Sentence } => {
+        Verdict(verdict: Sentence) => {
             en: "In the worst direction: {verdict}.",
             ko: "가장 불리한 방향의 판정: {verdict}.",
         },
@@ -62,9 +62,7 @@ messages! {
 
 /// The table of all directions, and how to read it.
 pub(super) fn section(document: &mut Document<'_>, stack: &StackDemandCheck) {
-    document.paragraph(Compared::Verdict {
-        verdict: verdict_words(stack.verdict),
-    });
+    document.paragraph(Compared::Verdict(verdict_words(stack.verdict)));
     document.put(Block::Table(table(stack)));
     document.note(Compared::BelowMeans);
     if let Some(first) = first_of_worst(stack) {

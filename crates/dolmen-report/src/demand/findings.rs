@@ -27,7 +27,7 @@ messages! {
             en: "In its shape before the supports moved it is {verdict} against the earthquake of the site: {moves}; {ground}{joints}. After the movement it is weaker, and nothing is decided of that shape. Below demand means that something tips or slides, not that it falls.",
             ko: "지점이 움직이기 전의 모양에서 부지의 지진과 비교하면 ‘{verdict}’이다. {moves} {ground}{joints}. 지점이 움직인 뒤에는 이보다 약하며, 그 모양에 대하여는 판정하지 않았다. ‘기준 불만족’은 돌이 들리거나 미끄러지기 시작한다는 뜻이며 붕괴를 뜻하지 않는다.",
         },
-        Moves { left: Quantity } => {
+        Moves(left: Quantity) => {
             en: "it begins to move at {left} with the vertical acceleration of the site",
             ko: "부지의 수직 가속도를 고려한 거동 시작 가속도는 {left}이고",
         },
@@ -51,7 +51,7 @@ messages! {
             en: "The demand of the site is not compared: the stiffness is not known.",
             ko: "강성을 알 수 없어 부지의 요구 수준과 비교하지 않는다.",
         },
-        NoStiffnessIn { direction: String } => {
+        NoStiffnessIn(direction: String) => {
             en: "Direction {direction} is not compared with the demand of the site: its stiffness is not known.",
             ko: "{direction} 방향은 강성을 알 수 없어 부지의 요구 수준과 비교하지 않는다.",
         },
@@ -59,7 +59,7 @@ messages! {
             en: "The demand of the site is not compared: it falls under its own weight.",
             ko: "자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
         },
-        FallsIn { direction: String } => {
+        FallsIn(direction: String) => {
             en: "Direction {direction} is not compared with the demand of the site: it falls under its own weight.",
             ko: "{direction} 방향은 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
         },
@@ -67,7 +67,7 @@ messages! {
             en: "The demand of the site is not compared: it falls under its own weight while its joints slip.",
             ko: "접합부가 미끄러질 때 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
         },
-        FallsSlippingIn { direction: String } => {
+        FallsSlippingIn(direction: String) => {
             en: "Direction {direction} is not compared with the demand of the site: it falls under its own weight while its joints slip.",
             ko: "{direction} 방향은 접합부가 미끄러질 때 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
         },
@@ -80,7 +80,7 @@ messages! {
             ko: "마찰이 있는 접합부는 자유로운 경우와 고착되어 전체가 지반과 함께 움직이는 경우 중 큰 모멘트로 부지의 지진과 비교하였다. 일부만 고착된 경우는 검토하지 않았다.",
         },
         BySpectrum => { en: "by the spectrum of the site", ko: "부지 스펙트럼에 대하여" },
-        NotCompared { why: Both } => {
+        NotCompared(why: Both) => {
             en: "The demand of the site is not compared: {why}.",
             ko: "부지의 요구 수준과 비교하지 못하였다({why}).",
         },
@@ -100,7 +100,7 @@ pub(crate) fn findings(answer: Option<&DemandAnswer>, has_moved: bool) -> Vec<Fi
         .as_ref()
         .and_then(|stack| compared(stack, source, has_moved));
     let refused = answer.refused.clone();
-    let refused = refused.map(|why| Finding::key(Tone::Unknown, Found::NotCompared { why }));
+    let refused = refused.map(|why| Finding::key(Tone::Unknown, Found::NotCompared(why)));
     let parts = limits::findings(
         &answer.compared.parts,
         answer.drift_limit.as_ref(),
@@ -124,11 +124,11 @@ pub(super) fn not_compared(of: &NotCompared) -> Found {
     match (of.why, of.direction.clone()) {
         (WhyNotCompared::LoosePost, _) => Found::LoosePost,
         (WhyNotCompared::StiffnessUnknown, None) => Found::NoStiffness,
-        (WhyNotCompared::StiffnessUnknown, Some(direction)) => Found::NoStiffnessIn { direction },
+        (WhyNotCompared::StiffnessUnknown, Some(direction)) => Found::NoStiffnessIn(direction),
         (WhyNotCompared::Falls, None) => Found::Falls,
-        (WhyNotCompared::Falls, Some(direction)) => Found::FallsIn { direction },
+        (WhyNotCompared::Falls, Some(direction)) => Found::FallsIn(direction),
         (WhyNotCompared::FallsSlipping, None) => Found::FallsSlipping,
-        (WhyNotCompared::FallsSlipping, Some(direction)) => Found::FallsSlippingIn { direction },
+        (WhyNotCompared::FallsSlipping, Some(direction)) => Found::FallsSlippingIn(direction),
     }
 }
 
@@ -145,9 +145,7 @@ fn compared(stack: &StackDemandCheck, source: &str, has_moved: bool) -> Option<F
     let acceleration = |m_s2| in_g(m_s2, Digits::Significant(DIGITS));
     let moves = rigid
         .capacity_m_s2
-        .map_or(Found::MovesUnknown, |m_s2| Found::Moves {
-            left: acceleration(m_s2),
-        });
+        .map_or(Found::MovesUnknown, |m_s2| Found::Moves(acceleration(m_s2)));
     let ground = Found::Ground {
         source: source.to_owned(),
         ground: acceleration(rigid.demand_m_s2),

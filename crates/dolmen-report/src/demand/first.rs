@@ -7,11 +7,11 @@ use dolmen_words::{Sentence, messages};
 messages! {
     /// What gives way first.
     pub(crate) enum First in "demand.first" {
-        Tips { below: Sentence } => {
+        Tips(below: Sentence) => {
             en: "what stands on {below} tips first",
             ko: "{below} 위의 부분이 먼저 들린다",
         },
-        Slides { below: Sentence } => {
+        Slides(below: Sentence) => {
             en: "what stands on {below} slides first",
             ko: "{below} 위의 부분이 먼저 미끄러진다",
         },
@@ -20,7 +20,7 @@ messages! {
             ko: "모든 돌에 최대 하중이 동시에 작용할 때 하중을 나누어 받는 돌이 먼저 움직인다",
         },
         Ground => { en: "the ground", ko: "지반" },
-        Named { name: String } => { en: "{name}", ko: "{name}" },
+        Named(name: String) => { en: "{name}", ko: "{name}" },
     }
 }
 
@@ -31,14 +31,12 @@ pub(super) fn first(by_modes: &ModalRatio) -> Sentence {
     };
     let below = match above.as_str() {
         "the ground" => First::Ground,
-        name => First::Named {
-            name: name.to_owned(),
-        },
+        name => First::Named(name.to_owned()),
     }
     .into();
     match kind {
-        LimitKind::Uplift => First::Tips { below },
-        LimitKind::Sliding => First::Slides { below },
+        LimitKind::Uplift => First::Tips(below),
+        LimitKind::Sliding => First::Slides(below),
     }
     .into()
 }

@@ -24,12 +24,12 @@ messages! {
     /// The head and figure of the demand of a site.
     pub(crate) enum Demand in "demand" {
         Period => { en: "period", ko: "주기" },
-        Acceleration { damping: Quantity } => {
+        Acceleration(damping: Quantity) => {
             en: "spectral acceleration, damping ratio {damping}",
             ko: "응답 가속도, 감쇠비 {damping}",
         },
         Head => { en: "Earthquake demand at the site", ko: "부지의 지진 요구 수준" },
-        Source { source: String } => { en: "{source}", ko: "{source}" },
+        Source(source: String) => { en: "{source}", ko: "{source}" },
         Spectrum => { en: "Design spectrum.", ko: "설계 응답 스펙트럼." },
         SpectrumOfStack => {
             en: "Dots: the first periods, at the damping of the site; level line: the acceleration at which it begins to move, less the vertical acceleration.",
@@ -64,12 +64,10 @@ pub(crate) const TEMPLATES: [&[Template]; 10] = [
 pub(crate) fn sections(answer: &DemandAnswer) -> Document<'_> {
     let mut document = Document::default();
     document.heading(Demand::Head);
-    document.paragraph(Demand::Source {
-        source: answer.site.spectrum.source.clone(),
-    });
+    document.paragraph(Demand::Source(answer.site.spectrum.source.clone()));
     site::section(&mut document, &answer.site);
     if let Some(why) = &answer.refused {
-        document.note(findings::Found::NotCompared { why: why.clone() });
+        document.note(findings::Found::NotCompared(why.clone()));
     }
     match &answer.stack {
         Some(stack) => {
@@ -112,7 +110,7 @@ fn spectrum_series(answer: &DemandAnswer) -> Vec<Series> {
         [
             Series::numbers(Demand::Period, "s", points.iter().map(|point| point[0])),
             Series::numbers(
-                Demand::Acceleration { damping },
+                Demand::Acceleration(damping),
                 "g",
                 points.iter().map(|point| point[1]),
             ),

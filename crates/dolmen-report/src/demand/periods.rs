@@ -17,7 +17,7 @@ messages! {
             ko: "S_a는 해당 방향의 1차 주기 T1과 감쇠비에 대한 응답 가속도이다.",
         },
         Direction => { en: "Direction", ko: "방향" },
-        Named { name: String } => { en: "{name}", ko: "{name}" },
+        Named(name: String) => { en: "{name}", ko: "{name}" },
         Any => { en: "all", ko: "모든 방향" },
         Damping => { en: "damping", ko: "감쇠비" },
     }
@@ -44,9 +44,7 @@ fn row(at: &SpectralAt) -> Vec<Cell> {
     let digits = Digits::Significant(DIGITS);
     let direction = match at.direction.as_str() {
         "all" => Periods::Any,
-        name => Periods::Named {
-            name: name.to_owned(),
-        },
+        name => Periods::Named(name.to_owned()),
     };
     vec![
         Cell::words(direction),

@@ -21,7 +21,7 @@ messages! {
         },
         ZoneFactor => { en: "zone factor Z", ko: "지진구역계수 Z" },
         ReturnPeriod => { en: "return period", ko: "재현주기" },
-        Years { years: Quantity } => { en: "{years} years", ko: "{years}년" },
+        Years(years: Quantity) => { en: "{years} years", ko: "{years}년" },
         RiskFactor => { en: "risk factor I", ko: "위험도계수 I" },
         EffectiveAcceleration => {
             en: "effective acceleration S = Z I",
@@ -36,12 +36,12 @@ messages! {
             en: "amplification by the soil at 1 s Fv",
             ko: "장주기지반증폭계수 Fv",
         },
-        Rise { symbol: Sentence } => {
+        Rise(symbol: Sentence) => {
             en: "beginning of the plateau {symbol}",
             ko: "최대 응답 구간의 시작 주기 {symbol}",
         },
-        Plateau { symbol: Sentence } => { en: "end of the plateau {symbol}", ko: "최대 응답 구간의 끝 주기 {symbol}" },
-        LongPeriods { symbol: Sentence } => {
+        Plateau(symbol: Sentence) => { en: "end of the plateau {symbol}", ko: "최대 응답 구간의 끝 주기 {symbol}" },
+        LongPeriods(symbol: Sentence) => {
             en: "beginning of the 1/T² branch {symbol}",
             ko: "1/T² 구간의 시작 주기 {symbol}",
         },
@@ -71,7 +71,7 @@ messages! {
         Peak => { en: "peak of the ground", ko: "최대지반가속도(PGA)" },
         PeakUnknown => { en: "not given", ko: "주어지지 않음" },
         Vertical => { en: "vertical / horizontal", ko: "수직/수평 가속도비" },
-        VerticalUnverified { ratio: Quantity } => { en: "{ratio} (unverified)", ko: "{ratio}(미확인)" },
+        VerticalUnverified(ratio: Quantity) => { en: "{ratio} (unverified)", ko: "{ratio}(미확인)" },
         VerticalNone => {
             en: "not given: none counted",
             ko: "주어지지 않음(고려하지 않음)",
@@ -102,9 +102,7 @@ fn parameters(parameters: &SiteParameters) -> Vec<Row> {
             design,
             branches,
         } => {
-            let years = Numbers::Years {
-                years: number(f64::from(*return_period_years)),
-            };
+            let years = Numbers::Years(number(f64::from(*return_period_years)));
             let mut rows = vec![
                 (Numbers::ZoneFactor.into(), of_g(*zone_factor_g)),
                 (Numbers::ReturnPeriod.into(), Cell::words(years)),
@@ -171,16 +169,13 @@ fn soil_rows(soil: KoreanSite, amplification: &SoilAmplification) -> [Row; 3] {
 fn branch_rows(branches: &SpectrumBranches, symbols: [&str; 3]) -> [Row; 3] {
     let [rise, plateau, long] = symbols.map(Sentence::of_symbol);
     [
+        (Numbers::Rise(rise).into(), Cell::number(seconds(branches.rise_s))),
         (
-            Numbers::Rise { symbol: rise }.into(),
-            Cell::number(seconds(branches.rise_s)),
-        ),
-        (
-            Numbers::Plateau { symbol: plateau }.into(),
+            Numbers::Plateau(plateau).into(),
             Cell::number(seconds(branches.plateau_s)),
         ),
         (
-            Numbers::LongPeriods { symbol: long }.into(),
+            Numbers::LongPeriods(long).into(),
             Cell::number(seconds(branches.displacement_s)),
         ),
     ]
@@ -205,9 +200,7 @@ fn shaking(site: &SiteDemand) -> [Row; 3] {
     let peak = site.peak_ground_acceleration_m_s2;
     let vertical = match &site.vertical {
         Some(vertical) if vertical.verified => ratio(vertical.ratio),
-        Some(vertical) => Cell::words(Numbers::VerticalUnverified {
-            ratio: number(vertical.ratio),
-        }),
+        Some(vertical) => Cell::words(Numbers::VerticalUnverified(number(vertical.ratio))),
         None => Cell::words(Numbers::VerticalNone),
     };
     let damping = Quantity::new(site.damping_ratio, Unit::percent(), Digits::Trimmed(4));

@@ -268,6 +268,15 @@ impl Cell {
         }
     }
 
+    /// Its number.
+    pub(crate) fn quantity(&self) -> Option<&Quantity> {
+        match self {
+            Cell::Number(quantity) => quantity.as_ref(),
+            Cell::Bad(quantity) | Cell::Rises(quantity) => Some(quantity),
+            Cell::Words(_) | Cell::BadWords(_) => None,
+        }
+    }
+
     /// Whether it indicates a fall, or a value that must not be used.
     pub(crate) fn is_bad(&self) -> bool {
         matches!(self, Cell::Bad(_) | Cell::Rises(_) | Cell::BadWords(_))

@@ -25,6 +25,17 @@ impl Tone {
         }
     }
 
+    /// Its name in the style sheet of a page and in the prelude of a print.
+    pub(crate) fn class(self) -> &'static str {
+        match self {
+            Tone::Good => "good",
+            Tone::Warn => "warn",
+            Tone::Bad => "bad",
+            Tone::Plain => "plain",
+            Tone::Unknown => "unknown",
+        }
+    }
+
     /// The tone of a verdict.
     pub(crate) fn of(verdict: Verdict) -> Self {
         match verdict {

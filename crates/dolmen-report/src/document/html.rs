@@ -1,10 +1,11 @@
 //! A document as a part of a page.
 
 use super::blocks::{Block, Cell, Document, Figure, Table};
-use super::finding::{Finding, Tone};
+use super::finding::Finding;
 use super::formula::{Equation, Math};
 use super::numbers::{Numbers, figure_label, table_label};
 use super::photos::{Photo, Signatory};
+use super::text::joined;
 use super::words::Framed;
 use base64::Engine as _;
 use dolmen_words::{Language, Sentence};
@@ -27,18 +28,8 @@ pub(crate) fn numbered(number: &str, head: &str) -> Markup {
 pub(crate) fn findings_html(findings: &[Finding], language: Language) -> Markup {
     html! {
         ul.findings { @for finding in findings {
-            li class=(class(finding.tone)) { (finding.sentence.text(language)) }
+            li class=(finding.tone.class()) { (finding.sentence.text(language)) }
         } }
-    }
-}
-
-fn class(tone: Tone) -> &'static str {
-    match tone {
-        Tone::Good => "good",
-        Tone::Warn => "warn",
-        Tone::Bad => "bad",
-        Tone::Plain => "plain",
-        Tone::Unknown => "unknown",
     }
 }
 
@@ -70,7 +61,7 @@ pub(crate) fn block_html(block: &Block<'_>, language: Language, numbers: &mut Nu
         }
         Block::Signatures(rows) => signatures_html(rows, language),
         Block::Answers(answers) => html! { div.answers { @for answer in answers {
-            div class=(class(answer.tone)) {
+            div class=(answer.tone.class()) {
                 p.question { (answer.question.text(language)) }
                 p.word { (answer.tone.sign()) " " (answer.word.text(language)) }
             }
@@ -128,11 +119,6 @@ fn signatures_html(rows: &[Signatory], language: Language) -> Markup {
             td {}
         } } }
     } } }
-}
-
-fn joined(sentences: &[Sentence], language: Language) -> String {
-    let each: Vec<String> = sentences.iter().map(|sentence| sentence.text(language)).collect();
-    each.join(" ")
 }
 
 /// Emphasises the first sentence, which gives the main point.

@@ -2,7 +2,7 @@
 
 use super::blocks::{Cell, Column, Table};
 use super::series::{Entries, Series};
-use dolmen_words::{Language, Quantity, Sentence};
+use dolmen_words::{Language, Sentence};
 
 /// The columns of a table, with numbers at full precision in the displayed units.
 pub(crate) fn table_series(table: &Table) -> Vec<Series> {
@@ -11,7 +11,7 @@ pub(crate) fn table_series(table: &Table) -> Vec<Series> {
         let cells = || table.rows.iter().filter_map(move |row| row.get(at));
         let units = || {
             cells()
-                .filter_map(quantity)
+                .filter_map(Cell::quantity)
                 .map(|quantity| quantity.unit.symbol.as_str())
         };
         let entries = match column.is_words {
@@ -32,16 +32,9 @@ pub(crate) fn table_series(table: &Table) -> Vec<Series> {
     columns.map(of_column).collect()
 }
 
-fn quantity(cell: &Cell) -> Option<&Quantity> {
-    match cell {
-        Cell::Number(quantity) => quantity.as_ref(),
-        Cell::Bad(quantity) | Cell::Rises(quantity) => Some(quantity),
-        Cell::Words(_) | Cell::BadWords(_) => None,
-    }
-}
-
 fn number(cell: &Cell) -> Option<f64> {
-    quantity(cell).map(|quantity| quantity.value_si * quantity.unit.factor)
+    cell.quantity()
+        .map(|quantity| quantity.value_si * quantity.unit.factor)
 }
 
 fn word(cell: &Cell) -> Sentence {

@@ -144,7 +144,8 @@ pub(crate) fn findings_text<'a>(findings: impl IntoIterator<Item = &'a Finding>,
     findings.into_iter().map(said).collect()
 }
 
-fn joined(sentences: &[Sentence], language: Language) -> String {
+/// Sentences one after the other.
+pub(crate) fn joined(sentences: &[Sentence], language: Language) -> String {
     let each: Vec<String> = sentences.iter().map(|sentence| sentence.text(language)).collect();
     each.join(" ")
 }

@@ -59,182 +59,42 @@ const fn heading(id: &'static str, name: &'static str, level: &'static str) -> S
     }
 }
 
-const STYLES: [Style; 22] = [
-    BODY,
-    Style {
-        half_points: "30",
-        before: "480",
-        after: "200",
-        ..heading("Heading1", "heading 1", "0")
-    },
-    Style {
-        half_points: "24",
-        before: "320",
-        after: "140",
-        ..heading("Heading2", "heading 2", "1")
-    },
-    Style {
-        half_points: "21",
-        before: "260",
-        after: "120",
-        ..heading("Heading3", "heading 3", "2")
-    },
+const fn named(id: &'static str, name: &'static str) -> Style {
+    Style { id, name, ..BODY }
+}
+
+/// Styles, each with what it changes of another.
+macro_rules! styles {
+    ($($style:expr => { $($field:ident: $value:expr),* }),* $(,)?) => {
+        [$(Style { $($field: $value,)* ..$style }),*]
+    };
+}
+
+const STYLES: [Style; 22] = styles! {
+    BODY => {},
+    heading("Heading1", "heading 1", "0") => { half_points: "30", before: "480", after: "200" },
+    heading("Heading2", "heading 2", "1") => { half_points: "24", before: "320", after: "140" },
+    heading("Heading3", "heading 3", "2") => { half_points: "21", before: "260", after: "120" },
     // headings without numbers, left out of the contents
-    Style {
-        id: "FrontHeading",
-        name: "Front Heading",
-        half_points: "26",
-        bold: true,
-        before: "360",
-        after: "160",
-        keep_next: true,
-        ..BODY
-    },
-    Style {
-        id: "TOCHeading",
-        name: "TOC Heading",
-        half_points: "26",
-        bold: true,
-        before: "480",
-        after: "160",
-        keep_next: true,
-        ..BODY
-    },
-    Style {
-        id: "Title",
-        name: "Title",
-        half_points: "52",
-        bold: true,
-        after: "80",
-        next: "Subtitle",
-        ..BODY
-    },
-    Style {
-        id: "Subtitle",
-        name: "Subtitle",
-        half_points: "22",
-        colour: QUIET,
-        after: "120",
-        ..BODY
-    },
-    Style {
-        id: "Caption",
-        name: "caption",
-        half_points: "18",
-        after: "120",
-        before: "120",
-        next: "BodyText",
-        ..BODY
-    },
-    Style {
-        id: "Figure",
-        name: "Figure",
-        keep_next: true,
-        before: "200",
-        after: "0",
-        centred: true,
-        next: "Caption",
-        ..BODY
-    },
-    Style {
-        id: "Equation",
-        name: "Equation",
-        keep_next: true,
-        before: "160",
-        after: "80",
-        centred: true,
-        ..BODY
-    },
-    Style {
-        id: "Judgement",
-        name: "Judgement",
-        after: "60",
-        indent: Some(["170", "0"]),
-        ..BODY
-    },
-    Style {
-        id: "Finding",
-        name: "Finding",
-        after: "100",
-        indent: Some(["340", "340"]),
-        ..BODY
-    },
-    Style {
-        id: "Warning",
-        name: "Warning",
-        before: "80",
-        indent: Some(["170", "0"]),
-        ..BODY
-    },
-    Style {
-        id: "Remark",
-        name: "Remark",
-        half_points: "17",
-        colour: QUIET,
-        ..BODY
-    },
-    Style {
-        id: "ListBullet",
-        name: "List Bullet",
-        after: "80",
-        ..BODY
-    },
-    Style {
-        id: "TableText",
-        name: "Table Text",
-        half_points: "17",
-        before: "40",
-        after: "40",
-        next: "TableText",
-        ..BODY
-    },
-    Style {
-        id: "TableTextSmall",
-        name: "Table Text Small",
-        half_points: "15",
-        based_on: "TableText",
-        before: "30",
-        after: "30",
-        next: "TableTextSmall",
-        ..BODY
-    },
-    Style {
-        id: "TableTextFine",
-        name: "Table Text Fine",
-        half_points: "13",
-        based_on: "TableText",
-        before: "30",
-        after: "30",
-        next: "TableTextFine",
-        ..BODY
-    },
-    Style {
-        id: "Header",
-        name: "header",
-        half_points: "16",
-        colour: QUIET,
-        after: "0",
-        next: "Header",
-        ..BODY
-    },
-    Style {
-        id: "Footer",
-        name: "footer",
-        half_points: "16",
-        colour: QUIET,
-        after: "0",
-        next: "Footer",
-        ..BODY
-    },
-    Style {
-        id: "AfterTable",
-        name: "After Table",
-        half_points: "12",
-        after: "120",
-        next: "BodyText",
-        ..BODY
-    },
-];
+    named("FrontHeading", "Front Heading") => { half_points: "26", bold: true, before: "360", after: "160", keep_next: true },
+    named("TOCHeading", "TOC Heading") => { half_points: "26", bold: true, before: "480", after: "160", keep_next: true },
+    named("Title", "Title") => { half_points: "52", bold: true, after: "80", next: "Subtitle" },
+    named("Subtitle", "Subtitle") => { half_points: "22", colour: QUIET, after: "120" },
+    named("Caption", "caption") => { half_points: "18", after: "120", before: "120", next: "BodyText" },
+    named("Figure", "Figure") => { keep_next: true, before: "200", after: "0", centred: true, next: "Caption" },
+    named("Equation", "Equation") => { keep_next: true, before: "160", after: "80", centred: true },
+    named("Judgement", "Judgement") => { after: "60", indent: Some(["170", "0"]) },
+    named("Finding", "Finding") => { after: "100", indent: Some(["340", "340"]) },
+    named("Warning", "Warning") => { before: "80", indent: Some(["170", "0"]) },
+    named("Remark", "Remark") => { half_points: "17", colour: QUIET },
+    named("ListBullet", "List Bullet") => { after: "80" },
+    named("TableText", "Table Text") => { half_points: "17", before: "40", after: "40", next: "TableText" },
+    named("TableTextSmall", "Table Text Small") => { half_points: "15", based_on: "TableText", before: "30", after: "30", next: "TableTextSmall" },
+    named("TableTextFine", "Table Text Fine") => { half_points: "13", based_on: "TableText", before: "30", after: "30", next: "TableTextFine" },
+    named("Header", "header") => { half_points: "16", colour: QUIET, after: "0", next: "Header" },
+    named("Footer", "footer") => { half_points: "16", colour: QUIET, after: "0", next: "Footer" },
+    named("AfterTable", "After Table") => { half_points: "12", after: "120", next: "BodyText" },
+};
 
 /// The styles: Normal, the headings, Caption, Body Text, those of tables and contents.
 pub(super) fn styles(language: Language) -> String {

@@ -12,13 +12,13 @@ use std::collections::BTreeMap;
 messages! {
     /// Results of inspections.
     pub(crate) enum Damage in "engineer.damage" {
-        Head { survey: String } => { en: "Inspection {survey}", ko: "{survey} 점검" },
+        Head(survey: String) => { en: "Inspection {survey}", ko: "{survey} 점검" },
         Map => { en: "Damage map.", ko: "외관조사망도." },
         MapMeaning => {
             en: "Numbers as in the list; a full mark is severe, a half-dark one moderate, a light one slight or not rated.",
             ko: "번호는 아래 표와 같다. 표지의 색이 짙을수록 손상이 심하며, 옅은 것은 경미하거나 등급이 없는 것이다.",
         },
-        List { survey: String } => { en: "What the inspection of {survey} found.", ko: "{survey} 점검 결과." },
+        List(survey: String) => { en: "What the inspection of {survey} found.", ko: "{survey} 점검 결과." },
         EarlierHead => { en: "Earlier inspections", ko: "이전 점검" },
         Earlier { inspections: usize, first: String, last: String } => {
             en: "What {inspections} inspections from {first} to {last} found.",
@@ -42,7 +42,7 @@ messages! {
         Loss => { en: "loss", ko: "결손" },
         Growth => { en: "growth of plants", ko: "생물 피복" },
         Named { what: Sentence, name: String } => { en: "{what} {name}", ko: "{what} {name}" },
-        Other { what: Both } => { en: "{what}", ko: "{what}" },
+        Other(what: Both) => { en: "{what}", ko: "{what}" },
         Slight => { en: "slight", ko: "경미" },
         Moderate => { en: "moderate", ko: "보통" },
         Severe => { en: "severe", ko: "심함" },
@@ -95,9 +95,7 @@ fn of_survey<'a>(
     survey: &'a Survey,
     pictures: Pictures<'a>,
 ) {
-    document.heading(Damage::Head {
-        survey: survey.name.clone(),
-    });
+    document.heading(Damage::Head(survey.name.clone()));
     let marks: Vec<DamageMark> = survey.inspections.iter().map(mark).collect();
     if damage_map(&project.structure, &marks, dolmen_words::Language::English).is_some() {
         let map = Figure::drawn(
@@ -115,9 +113,7 @@ fn of_survey<'a>(
 }
 
 fn list_of(survey: &Survey) -> Table {
-    let caption = Damage::List {
-        survey: survey.name.clone(),
-    };
+    let caption = Damage::List(survey.name.clone());
     list(caption, &[survey])
 }
 
@@ -158,12 +154,10 @@ pub(crate) fn what(kind: &DamageKind) -> Sentence {
         DamageKind::Settlement => Damage::Settlement,
         DamageKind::Loss => Damage::Loss,
         DamageKind::Growth => Damage::Growth,
-        DamageKind::Other(other) => Damage::Other {
-            what: Both {
-                english: other.english.clone(),
-                korean: other.korean.clone(),
-            },
-        },
+        DamageKind::Other(other) => Damage::Other(Both {
+            english: other.english.clone(),
+            korean: other.korean.clone(),
+        }),
     }
     .into()
 }

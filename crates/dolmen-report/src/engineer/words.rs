@@ -8,8 +8,8 @@ use dolmen_words::{Sentence, messages};
 messages! {
     /// Texts of the project file.
     pub(crate) enum Given in "engineer" {
-        Text { text: Both } => { en: "{text}", ko: "{text}" },
-        Fingerprint { print: String } => {
+        Text(text: Both) => { en: "{text}", ko: "{text}" },
+        Fingerprint(print: String) => {
             en: "Fingerprint of the project file (FNV-1a, 128 bits): {print}",
             ko: "입력 파일의 식별값(FNV-1a, 128비트): {print}",
         },
@@ -23,15 +23,12 @@ pub(super) fn both(names: &Names) -> Both {
 
 /// A text of the file.
 pub(super) fn said(names: &Names) -> Sentence {
-    Given::Text { text: both(names) }.into()
+    Given::Text(both(names)).into()
 }
 
 /// Words that are the same in both languages.
 pub(super) fn verbatim(text: &str) -> Sentence {
-    Given::Text {
-        text: Both::of(|_| text),
-    }
-    .into()
+    Given::Text(Both::of(|_| text)).into()
 }
 
 /// Text of the file, or an empty cell.

@@ -147,7 +147,7 @@ fn mode_centres(
     let mass = view.px(floor.centre_m);
     for (j, mode) in standing.modes.modes.iter().take(MODES_DRAWN).enumerate() {
         let colour = MODE_COLOURS[j];
-        let name = say(Signs::ModeOfNumber { number: j + 1 }, language);
+        let name = say(Signs::ModeOfNumber(j + 1), language);
         let hertz = significant(mode.frequency_hz, 3);
         let Some(centre) = mode.centres.last().copied().flatten() else {
             let none = say(Signs::NoCentre, language);
@@ -206,7 +206,7 @@ fn dampers(
         }
         scene.marker(at, Shape::Square, 5.0, ORANGE);
         let word = say(Signs::Damper, language);
-        let floor = say(Signs::Floor { floor: damper.floor }, language);
+        let floor = say(Signs::Floor(damper.floor), language);
         words.line(
             scene,
             Some((Shape::Square, ORANGE)),

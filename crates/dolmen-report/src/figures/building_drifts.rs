@@ -34,7 +34,7 @@ pub(crate) fn building_drifts(of: &BuildingCombination, language: Language) -> S
         }
         plot.line(points, line);
         let axis = ["x", "y"][axis].to_owned();
-        plot.key(Key::Line(line), say(Signs::DriftAlong { axis }, language));
+        plot.key(Key::Line(line), say(Signs::DriftAlong(axis), language));
     }
     if let Some(limit) = limit {
         let line = Line::new(BLACK, 1.6);

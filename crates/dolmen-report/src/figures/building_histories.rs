@@ -1,8 +1,8 @@
 //! Motion of a building over time.
 
-use super::Figure;
 use super::frame_histories::ground;
 use super::history_series::history_series;
+use super::identification::{Figure, drawn};
 use super::lines::{Lines, Series};
 use super::words::{Axes, Signs, Titles, say};
 use dolmen::dynamics::BuildingHistory;
@@ -82,23 +82,18 @@ impl BuildingPlot {
         let displacement = Axes::Displacement;
         match self {
             Self::Ground => (acceleration, Titles::AccelerationOfTheGround),
-            Self::Top(axis) => (
-                displacement,
-                Titles::TopFloorAlong {
-                    axis: AXES[axis].to_owned(),
-                },
-            ),
+            Self::Top(axis) => (displacement, Titles::TopFloorAlong(AXES[axis].to_owned())),
             Self::Rotation => (Axes::Rotation, Titles::RotationOfTheTopFloor),
             Self::BaseShear => (Axes::BaseShear, Titles::BaseShear),
             Self::Strokes => (Axes::Stroke, Titles::TravelOfTheDampers),
             Self::Point(i) => {
                 let name = &simulation.points[i].name;
-                let title = Titles::DisplacementOfPoint { name: name.clone() };
+                let title = Titles::DisplacementOfPoint(name.clone());
                 (displacement, title)
             }
             Self::Acceleration(i) => {
                 let name = &simulation.points[i].name;
-                let title = Titles::AccelerationOfPoint { name: name.clone() };
+                let title = Titles::AccelerationOfPoint(name.clone());
                 (acceleration, title)
             }
         }
@@ -195,12 +190,5 @@ fn still(series: &[Series]) -> bool {
 /// The figures of a simulation: ground, top, rotation, base shear, damper strokes, points.
 pub fn building_histories(simulation: &BuildingSimulation, language: Language) -> Vec<Figure> {
     let all = BuildingPlot::all(simulation).into_iter();
-    all.filter_map(|plot| {
-        let svg = plot.draw(simulation, language)?;
-        Some(Figure {
-            name: plot.name(),
-            svg,
-        })
-    })
-    .collect()
+    drawn(all.map(|plot| (plot.name(), plot.draw(simulation, language))))
 }

@@ -1,8 +1,8 @@
 //! A simulated motion of a chain: ground motion, rotations of links, loops of moment and rotation, openings, slips, energy.
 
-use super::Figure;
 use super::frame_histories::{ground, loops, rows_of_bands};
 use super::history_series::{band_series, history_series, loop_series};
+use super::identification::{Figure, drawn};
 use super::lines::{Lines, Series};
 use super::words::{Axes, Signs, Titles, say};
 use dolmen::dynamics::ChainEnergy;
@@ -98,14 +98,7 @@ impl ChainPlot {
 /// The figures of a simulation: ground, rotations, one loop per joint, bands of opening and slipping, energy.
 pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<Figure> {
     let all = ChainPlot::all(simulation).into_iter();
-    all.filter_map(|plot| {
-        let svg = plot.draw(simulation, language)?;
-        Some(Figure {
-            name: plot.name(),
-            svg,
-        })
-    })
-    .collect()
+    drawn(all.map(|plot| (plot.name(), plot.draw(simulation, language))))
 }
 
 fn rotations(simulation: &ChainSimulation) -> Lines {

@@ -96,7 +96,7 @@ pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
         plot.key(
             Key::Line(line),
             match several {
-                true => say(Signs::DemandAtDamping { percent }, language),
+                true => say(Signs::DemandAtDamping(percent), language),
                 false => say(Signs::Demand, language),
             },
         );

@@ -22,12 +22,12 @@ const FOOT_PX: f64 = 16.0;
 messages! {
     /// Words of the drawing.
     pub(crate) enum Drawn in "figure.drawing" {
-        Title { name: Both } => { en: "{name} as entered", ko: "{name}: 입력한 구조" },
+        Title(name: Both) => { en: "{name} as entered", ko: "{name}: 입력한 구조" },
         Heights => { en: "Heights in m, to scale.", ko: "높이 단위 m, 축척에 따름." },
         NoWidths => { en: "Widths are not in the file and not to scale.", ko: "폭은 입력값이 없어 축척에 따르지 않는다." },
         Columns => { en: "Columns and beams are schematic.", ko: "기둥과 보는 개략도이다." },
-        Offsets { times: String } => { en: "Offsets of stones drawn {times} times as large.", ko: "부재의 어긋남은 {times}배로 과장하였다." },
-        Tilts { times: String } => { en: "Tilts of stones drawn {times} times as large.", ko: "부재의 기울기는 {times}배로 과장하였다." },
+        Offsets(times: String) => { en: "Offsets of stones drawn {times} times as large.", ko: "부재의 어긋남은 {times}배로 과장하였다." },
+        Tilts(times: String) => { en: "Tilts of stones drawn {times} times as large.", ko: "부재의 기울기는 {times}배로 과장하였다." },
         Posts => {
             en: "Grey: side posts, schematic; a gap is drawn open.",
             ko: "회색: 지주(개략도). 간격은 벌려 그렸다.",
@@ -93,9 +93,9 @@ fn drawn(
                 .coloured(GREY),
         );
     }
-    let title = Drawn::Title {
-        name: Both::of(|language| language.pick(project.name.english(), project.name.korean())),
-    };
+    let title = Drawn::Title(Both::of(|language| {
+        language.pick(project.name.english(), project.name.korean())
+    }));
     Some(scene.svg(say(title, language)))
 }
 
@@ -113,12 +113,12 @@ fn notes(sheet: &Sheet, leaning: Option<&Survey>, has_sensors: bool) -> Vec<Sent
     let offsets = most(|view| view.elevation.offsets_times);
     if offsets > 1.0 {
         let times = trimmed(offsets, 3);
-        all.push(Drawn::Offsets { times }.into());
+        all.push(Drawn::Offsets(times).into());
     }
     let tilts = most(|view| view.elevation.tilts_times);
     if tilts > 1.0 {
         let times = trimmed(tilts, 3);
-        all.push(Drawn::Tilts { times }.into());
+        all.push(Drawn::Tilts(times).into());
     }
     if let Some(survey) = leaning {
         let times = trimmed(lean_times(survey), 3);

@@ -44,7 +44,7 @@ pub(crate) fn spectra_of_channels(channels: &[StrongChannel], language: Language
         plot.key(Key::Line(line), name);
     }
     let percent = "5".to_owned();
-    plot.svg(say(Titles::ResponseSpectrum { percent }, language))
+    plot.svg(say(Titles::ResponseSpectrum(percent), language))
 }
 
 /// The lowest frequency of each part of a record, and its deviation: for one earthquake that of the lowest mode found both before and after

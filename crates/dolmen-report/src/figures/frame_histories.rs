@@ -1,8 +1,8 @@
 //! A simulated motion of a frame: ground motion, displacements of levels, loops of force and drift, sticking and slipping.
 
-use super::Figure;
 use super::axis::Axis;
 use super::history_series::{band_series, history_series, loop_series};
+use super::identification::{Figure, drawn};
 use super::ink::{GREY, Line, SERIES};
 use super::lines::{Lines, Series};
 use super::plot::{Key, Plot};
@@ -126,14 +126,7 @@ impl FramePlot {
 /// The figures of a simulation: ground, levels, one loop per storey, bands of slipping, energy.
 pub fn frame_histories(simulation: &FrameSimulation, language: Language) -> Vec<Figure> {
     let all = FramePlot::all(simulation).into_iter();
-    all.filter_map(|plot| {
-        let svg = plot.draw(simulation, language)?;
-        Some(Figure {
-            name: plot.name(),
-            svg,
-        })
-    })
-    .collect()
+    drawn(all.map(|plot| (plot.name(), plot.draw(simulation, language))))
 }
 
 fn over_time(simulation: &FrameSimulation, values: &[f64], factor: f64) -> Vec<[f64; 2]> {

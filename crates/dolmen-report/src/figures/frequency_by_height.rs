@@ -38,12 +38,7 @@ pub(crate) fn frequency_by_height(
     for (number, of) in grid.iter().enumerate() {
         let line = Line::new(SERIES[number % SERIES.len()], 1.6);
         plot.line(points(of), line);
-        let name = say(
-            Signs::StoreysOf {
-                count: of.storeys as usize,
-            },
-            language,
-        );
+        let name = say(Signs::StoreysOf(of.storeys as usize), language);
         plot.key(Key::Line(Line { width: 2.2, ..line }), name);
     }
     let line = Line::new(GREY, 1.2);

@@ -42,28 +42,16 @@ pub(crate) fn gust_profile(
                 let corner = |floor: &FloorInWind| floor.corner_m_s2.peak();
                 if along.with.is_some() {
                     let dashed = (line(&along.without, &corner), thin.dashed());
-                    lines.push((
-                        dashed.0,
-                        dashed.1,
-                        Signs::WindWithoutDampers { axis: name.clone() },
-                    ));
+                    lines.push((dashed.0, dashed.1, Signs::WindWithoutDampers(name.clone())));
                 }
-                lines.push((
-                    line(along.as_it_is(), &corner),
-                    solid,
-                    Signs::WindAlong { axis: name },
-                ));
+                lines.push((line(along.as_it_is(), &corner), solid, Signs::WindAlong(name)));
             }
             GustPlot::Displacement => {
                 let mean = |floor: &FloorInWind| MILLIMETRES * floor.displacement_m.mean;
                 let peak = |floor: &FloorInWind| MILLIMETRES * floor.displacement_m.peak();
                 let motion = along.as_it_is();
-                lines.push((
-                    line(motion, &mean),
-                    thin.dashed(),
-                    Signs::WindMean { axis: name.clone() },
-                ));
-                lines.push((line(motion, &peak), solid, Signs::WindPeak { axis: name }));
+                lines.push((line(motion, &mean), thin.dashed(), Signs::WindMean(name.clone())));
+                lines.push((line(motion, &peak), solid, Signs::WindPeak(name)));
             }
         }
     }

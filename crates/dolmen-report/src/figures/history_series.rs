@@ -26,9 +26,7 @@ fn unit(axis: &Axes) -> String {
 pub(super) fn column(axis: &Axes, of: Option<[&str; 2]>, values: Vec<f64>) -> Series {
     let axis_name = |language| name_and_unit(axis, language).0;
     let name = match of {
-        None => Sentence::from(Columns::Axis {
-            axis: Both::of(axis_name),
-        }),
+        None => Sentence::from(Columns::Axis(Both::of(axis_name))),
         Some([english, korean]) => Sentence::from(Columns::Of {
             axis: Both::of(axis_name),
             line: Both {

@@ -24,6 +24,12 @@ pub struct Figure {
     pub svg: String,
 }
 
+/// Figures by their names, without those that have nothing to draw.
+pub(super) fn drawn(each: impl Iterator<Item = (String, Option<String>)>) -> Vec<Figure> {
+    each.filter_map(|(name, svg)| Some(Figure { name, svg: svg? }))
+        .collect()
+}
+
 /// Every figure of an identification, survey by survey: spectrum, stabilisation and shapes of each record, and the mode
 /// shapes of each solution. Empty if nothing was identified.
 pub fn identification(answer: &IdentifyAnswer, language: Language) -> Vec<Figure> {

@@ -34,8 +34,8 @@ fn position_series(answer: &TuneAnswer) -> Vec<Series> {
     };
     for (at, point) in answer.points.iter().enumerate() {
         let name = || point.name.clone();
-        let given = Columns::AsGiven { point: name() };
-        let best = Columns::TunedBest { point: name() };
+        let given = Columns::AsGiven(name());
+        let best = Columns::TunedBest(name());
         all.push(Series::numbers(given, "", over(&comparison.line_given, at)));
         all.push(Series::numbers(best, "", over(&comparison.line_best, at)));
     }
@@ -97,18 +97,18 @@ pub(crate) fn gust_series(plot: GustPlot, wind: &BuildingWind, heights_m: &[f64]
         match plot {
             GustPlot::Acceleration => {
                 let corner = |floor: &FloorInWind| floor.corner_m_s2.peak();
-                let head = Columns::AccelerationAlong { axis: axis() };
+                let head = Columns::AccelerationAlong(axis());
                 all.push(Series::numbers(head, "m/s²", of_floors(motion, &corner)));
                 if along.with.is_some() {
-                    let head = Columns::WithoutDampers { axis: axis() };
+                    let head = Columns::WithoutDampers(axis());
                     all.push(Series::numbers(head, "m/s²", of_floors(&along.without, &corner)));
                 }
             }
             GustPlot::Displacement => {
                 let mean = of_floors(motion, &|floor| floor.displacement_m.mean);
                 let peak = of_floors(motion, &|floor| floor.displacement_m.peak());
-                all.push(Series::numbers(Columns::MeanAlong { axis: axis() }, "m", mean));
-                all.push(Series::numbers(Columns::PeakAlong { axis: axis() }, "m", peak));
+                all.push(Series::numbers(Columns::MeanAlong(axis()), "m", mean));
+                all.push(Series::numbers(Columns::PeakAlong(axis()), "m", peak));
             }
         }
     }
@@ -170,8 +170,8 @@ pub(crate) fn years_series(answer: &WatchAnswer) -> Vec<Series> {
         });
         let explained = mode.explained_hz.iter().map(|hz| hz.unwrap_or(f64::NAN));
         let number = i + 1;
-        all.push(Series::numbers(Columns::Nth { number }, "Hz", measured));
-        all.push(Series::numbers(Columns::Explained { number }, "Hz", explained));
+        all.push(Series::numbers(Columns::Nth(number), "Hz", measured));
+        all.push(Series::numbers(Columns::Explained(number), "Hz", explained));
     }
     all
 }

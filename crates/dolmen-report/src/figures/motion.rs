@@ -109,7 +109,7 @@ fn spectrum(report: &MotionReport, language: Language) -> Option<Figure> {
         plot.key(Key::Line(Line { width: 2.2, ..line }), name);
     }
     let percent = dolmen_words::number::trimmed(100.0 * damping, 2);
-    let title = say(Titles::ResponseSpectrum { percent }, language);
+    let title = say(Titles::ResponseSpectrum(percent), language);
     Some(Figure {
         name: "spectrum".to_owned(),
         svg: plot.svg(&title),

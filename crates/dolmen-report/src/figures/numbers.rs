@@ -78,7 +78,7 @@ pub(crate) fn moved_series(stack: &Stack, moved: &[Solid]) -> Vec<Series> {
     all.extend(heads.into_iter().enumerate().map(|(axis, head)| {
         let axis_words = head.into();
         let at = moved.iter().map(|solid| solid.centroid_m()[axis]);
-        Series::numbers(Columns::MovedTo { axis: axis_words }, "m", at)
+        Series::numbers(Columns::MovedTo(axis_words), "m", at)
     }));
     all
 }
@@ -174,7 +174,7 @@ pub(crate) fn likeness_series(modes: &Modes) -> Vec<Series> {
     let first = Series::numbers(Columns::Frequency, "Hz", all.iter().map(|mode| mode.frequency_hz));
     let beside = all.iter().enumerate().map(|(at, mode)| {
         let values = all.iter().map(|other| assurance(&mode.shape, &other.shape));
-        Series::numbers(Columns::Nth { number: at + 1 }, "", values)
+        Series::numbers(Columns::Nth(at + 1), "", values)
     });
     once(first).chain(beside).collect()
 }

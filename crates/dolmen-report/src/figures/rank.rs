@@ -51,18 +51,8 @@ pub fn ranking(answer: &PortfolioAnswer, language: Language) -> String {
         plot.sized_dot([middle, row], shape(known.known), 4.5, colour);
     }
     let state = state_words(answer.state, language);
-    let study = say(
-        Studied::OwnStudy {
-            state: state.to_owned(),
-        },
-        language,
-    );
-    let score = say(
-        Studied::OfScore {
-            state: state.to_owned(),
-        },
-        language,
-    );
+    let study = say(Studied::OwnStudy(state.to_owned()), language);
+    let score = say(Studied::OfScore(state.to_owned()), language);
     for (colour, words, of) in [(BLUE, study, true), (ORANGE, score, false)] {
         if drawn
             .iter()

@@ -39,7 +39,7 @@ pub(crate) fn response_magnitudes(
         &all,
         language,
     );
-    plotted(analysis, responses, (lines, y), language).svg(say(Titles::ResponseTo { input: name }, language))
+    plotted(analysis, responses, (lines, y), language).svg(say(Titles::ResponseTo(name), language))
 }
 
 /// Coherence of each channel with the inputs over frequency.

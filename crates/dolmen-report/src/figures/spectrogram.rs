@@ -161,16 +161,11 @@ pub(crate) fn spectrogram(
     );
     let unit = match unit_of(channel.quantity) {
         "" => say(Modal::Density, language),
-        unit => say(
-            Modal::DensityOf {
-                unit: unit.to_owned(),
-            },
-            language,
-        ),
+        unit => say(Modal::DensityOf(unit.to_owned()), language),
     };
     scale(&mut scene, &range, unit);
     let channel = channel.name.clone();
-    scene.svg(say(Titles::SpectrogramOf { channel }, language))
+    scene.svg(say(Titles::SpectrogramOf(channel), language))
 }
 
 /// Cells of each level, with adjacent cells of one colour joined to bars: first segment, line, segments.

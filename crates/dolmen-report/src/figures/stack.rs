@@ -333,7 +333,7 @@ pub fn stack_after(simulation: &StackSimulation, language: Language) -> String {
         say(Signs::AtTheEndTrueScale, language),
         times.map_or(String::new(), |times| {
             let times = number::trimmed(times, 3);
-            say(Signs::DisplacementsEnlarged { times }, language)
+            say(Signs::DisplacementsEnlarged(times), language)
         }),
     ];
     let mut last = None;

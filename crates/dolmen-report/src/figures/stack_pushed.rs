@@ -28,8 +28,8 @@ messages! {
     /// Words of a stack under loads.
     pub(crate) enum Shown in "figure.pushed" {
         Title => { en: "The stack under its loads", ko: "하중을 받는 적층 구조" },
-        Wind { longest: String } => { en: "wind; the longest arrow is {longest}", ko: "풍하중(가장 긴 화살표 {longest})" },
-        Load { longest: String } => { en: "static load; the longest arrow is {longest}", ko: "정하중(가장 긴 화살표 {longest})" },
+        Wind(longest: String) => { en: "wind; the longest arrow is {longest}", ko: "풍하중(가장 긴 화살표 {longest})" },
+        Load(longest: String) => { en: "static load; the longest arrow is {longest}", ko: "정하중(가장 긴 화살표 {longest})" },
         Hinge => { en: "where an open joint stays closed", ko: "벌어진 접합면에서 닿아 있는 곳" },
     }
 }
@@ -139,12 +139,8 @@ fn legend(scene: &mut Scene, from: f64, arrows: &[Arrow], language: Language) {
     for (colour, force_n) in [(BLUE, longest(BLUE)), (VERMILLION, longest(VERMILLION))] {
         if force_n > 0.0 {
             let words = match colour == BLUE {
-                true => Shown::Wind {
-                    longest: said(force_n),
-                },
-                false => Shown::Load {
-                    longest: said(force_n),
-                },
+                true => Shown::Wind(said(force_n)),
+                false => Shown::Load(said(force_n)),
             };
             scene.line([MARGIN_PX, at], [MARGIN_PX + 20.0, at], Line::new(colour, 1.8));
             let words = say(words, language);

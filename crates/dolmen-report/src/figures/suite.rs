@@ -53,6 +53,6 @@ pub fn suite_figure(answer: &SuiteAnswer, language: Language) -> Figure {
     let percent = dolmen_words::number::trimmed(100.0 * answer.damping_ratio, 2);
     Figure {
         name: "suite".to_owned(),
-        svg: plot.svg(say(Titles::ResponseSpectrum { percent }, language)),
+        svg: plot.svg(say(Titles::ResponseSpectrum(percent), language)),
     }
 }

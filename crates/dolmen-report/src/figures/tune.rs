@@ -242,7 +242,7 @@ impl<'a> FloorView<'a> {
         let inside =
             (self.x[0]..=self.x[1]).contains(&centre[0]) && (self.y[0]..=self.y[1]).contains(&centre[1]);
         let words = match inside {
-            true => say(Studied::CentreOfMode { number }, language),
+            true => say(Studied::CentreOfMode(number), language),
             false => {
                 let x = number::fixed(centre[0], 2);
                 say(Studied::CentreOffTheFloor { number, x }, language)

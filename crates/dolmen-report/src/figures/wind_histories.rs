@@ -1,7 +1,7 @@
 //! A building in the first history of the wind.
 
-use super::Figure;
 use super::history_series::history_series;
+use super::identification::{Figure, drawn};
 use super::lines::{Lines, Series};
 use super::words::{Axes, Signs, Titles, say};
 use dolmen_project::strokes_of;
@@ -53,12 +53,12 @@ impl WindPlot {
         match self {
             Self::Top(of) => Lines {
                 axis: Axes::Displacement,
-                title: Titles::TopFloorInWindAlong { axis: axis(of) },
+                title: Titles::TopFloorInWindAlong(axis(of)),
                 lines: both(run, of, language, |motion| (&motion.top_displacement_m, 1e3)),
             },
             Self::Corner(of) => Lines {
                 axis: Axes::AccelerationSi,
-                title: Titles::CornerInWindAlong { axis: axis(of) },
+                title: Titles::CornerInWindAlong(axis(of)),
                 lines: both(run, of, language, |motion| (&motion.corner_m_s2, 1.0)),
             },
             Self::Strokes(of) => {
@@ -67,7 +67,7 @@ impl WindPlot {
                 let strokes = names.zip(&motion.strokes_m);
                 Lines {
                     axis: Axes::Stroke,
-                    title: Titles::TravelOfTheDampersInWindAlong { axis: axis(of) },
+                    title: Titles::TravelOfTheDampersInWindAlong(axis(of)),
                     lines: strokes
                         .map(|(name, stroke)| over_time(run, name, stroke, 1e3))
                         .collect(),
@@ -91,12 +91,7 @@ fn both<'a>(
     };
     match &along.with {
         None => vec![line(
-            say(
-                Signs::WindAlong {
-                    axis: AXES[axis].to_owned(),
-                },
-                language,
-            ),
+            say(Signs::WindAlong(AXES[axis].to_owned()), language),
             &along.without,
         )],
         Some(with) => vec![
@@ -119,12 +114,5 @@ fn over_time(run: &WindSimulation, name: String, of: &InTime, factor: f64) -> Se
 /// The figures of a simulation: top, corner and strokes of the first history, for each wind.
 pub fn wind_histories(run: &WindSimulation, language: Language) -> Vec<Figure> {
     let all = WindPlot::all(run).into_iter();
-    all.filter_map(|plot| {
-        let svg = plot.draw(run, language)?;
-        Some(Figure {
-            name: plot.name(),
-            svg,
-        })
-    })
-    .collect()
+    drawn(all.map(|plot| (plot.name(), plot.draw(run, language))))
 }

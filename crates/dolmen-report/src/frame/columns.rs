@@ -51,7 +51,7 @@ messages! {
         LiftOff => { en: "feet lift off", ko: "주각 들림 시작" },
         HoldMost => { en: "hold most", ko: "최대 복원력" },
         Fall => { en: "fall", ko: "전도" },
-        SwingCaption { storey: usize } => {
+        SwingCaption(storey: usize) => {
             en: "Free swings on the columns of storey {storey}: the larger, the slower.",
             ko: "{storey}층 기둥의 자유진동: 진폭이 클수록 느려진다.",
         },
@@ -61,7 +61,7 @@ messages! {
         },
         OnColumns => { en: "columns alone", ko: "기둥만" },
         WithSprings => { en: "with joints and walls", ko: "접합부·벽체 포함" },
-        Figure { storey: usize } => {
+        Figure(storey: usize) => {
             en: "What the columns of storey {storey} hold against drift.",
             ko: "{storey}층 기둥의 복원력-층간변위 곡선.",
         },
@@ -73,7 +73,7 @@ messages! {
             en: "Small drifts: the beds give the storey {beds} of its stiffness, {springs} is left for joints, walls and braces. A stiffness from measured frequencies contains the beds' part, and so does that of the file: frequencies and load factor do not count the columns again. At larger drift the joints are drawn linear; where they slip they hold less.",
             ko: "미소변형에서 층강성 가운데 {beds}은(는) 주각 지압면이, 나머지 {springs}은(는) 접합부·벽체·가새가 부담한다. 계측 진동수로 구한 강성에는 지압면의 몫이 포함되어 있으며 파일의 강성도 같은 뜻이다. 따라서 고유진동수와 하중배율에 기둥을 다시 더하지 않는다. 큰 변위에서도 접합부를 선형으로 그렸으므로, 미끄러지면 이보다 작다.",
         },
-        Unknown { beds: Quantity } => {
+        Unknown(beds: Quantity) => {
             en: "Small drifts: the beds give the storey {beds}. A stiffness from measured frequencies contains it.",
             ko: "미소변형에서 주각 지압면이 층에 주는 강성은 {beds}이며, 계측 진동수로 구한 층강성에 포함된다.",
         },
@@ -161,7 +161,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, columns: &'a StoreyColumn
     document.put(Block::Table(swings(columns)));
     let storey = columns.storey;
     let caption = vec![
-        FreeColumns::Figure { storey }.into(),
+        FreeColumns::Figure(storey).into(),
         FreeColumns::FigureMeaning.into(),
     ];
     let drawn = Figure::drawn(caption, move |language| free_columns(columns, language));
@@ -174,9 +174,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, columns: &'a StoreyColumn
         }),
         (Springs::Grounded, _) => document.note(FreeColumns::Grounded),
         (_, None) => document.note(FreeColumns::Rigid),
-        (_, Some(beds)) => document.note(FreeColumns::Unknown {
-            beds: stiffness(beds),
-        }),
+        (_, Some(beds)) => document.note(FreeColumns::Unknown(stiffness(beds))),
     }
 }
 
@@ -278,10 +276,7 @@ fn swings(columns: &StoreyColumns) -> Table {
         row
     };
     let caption: Vec<Sentence> = vec![
-        FreeColumns::SwingCaption {
-            storey: columns.storey,
-        }
-        .into(),
+        FreeColumns::SwingCaption(columns.storey).into(),
         FreeColumns::SwingMeaning.into(),
     ];
     Table {

@@ -17,7 +17,7 @@ messages! {
             en: "Direction {direction}: {said}",
             ko: "{direction} 방향: {said}",
         },
-        StiffnessUnknown { needs: Values } => {
+        StiffnessUnknown(needs: Values) => {
             en: "whether it stands is unknown, the storey stiffness is not given. P-delta takes {needs} from the storeys, lowest first.",
             ko: "층강성이 주어지지 않아 안정 여부를 판정할 수 없다. P-델타 효과가 아래층부터 강성을 {needs}만큼 감소시킨다.",
         },
@@ -25,7 +25,7 @@ messages! {
             en: "storey {storey} has the least margin, {margin} times the stiffness at which the frame would just stand.",
             ko: "여유가 가장 작은 층은 {storey}층이며, 그 강성은 골조가 안정을 유지하는 한계 강성의 {margin}배이다.",
         },
-        Slipping { factor: Quantity } => {
+        Slipping(factor: Quantity) => {
             en: "once its joints slip it falls at {factor} times its weight, which decides: in an earthquake they may.",
             ko: "접합부가 미끄러지면 자중의 {factor}배에서 전도되며, 이 값으로 판정한다. 지진 시에는 미끄러질 수 있다.",
         },
@@ -33,7 +33,7 @@ messages! {
             en: "it does not vibrate in its lowest shape, it falls in it.",
             ko: "최저차 형상에서는 진동하지 않고 전도된다.",
         },
-        LowestMode { frequency: Quantity } => {
+        LowestMode(frequency: Quantity) => {
             en: "the lowest natural frequency on this stiffness is {frequency}.",
             ko: "이 강성에서 최저 고유진동수는 {frequency}이다.",
         },
@@ -73,9 +73,7 @@ fn of_direction(check: &FrameCheck) -> Vec<Finding> {
     let mut all = vec![match &check.stability {
         None => Finding::key(
             Tone::Unknown,
-            Found::StiffnessUnknown {
-                needs: needs(&check.geometric_n_m),
-            },
+            Found::StiffnessUnknown(needs(&check.geometric_n_m)),
         ),
         Some(stability) => load_factor_finding(stability.load_factor, stability.verdict, Falls::BySway),
     }];
@@ -90,7 +88,7 @@ fn slipping(direction: &DirectionCheck) -> Option<Finding> {
     let slipping = direction.slipping.as_ref()?.stability.as_ref()?;
     let factor = Quantity::beside_one(slipping.load_factor, 4);
     let decides = slipping.load_factor < stuck.load_factor && slipping.verdict != Verdict::Stable;
-    decides.then(|| Finding::key(Tone::of(slipping.verdict), Found::Slipping { factor }))
+    decides.then(|| Finding::key(Tone::of(slipping.verdict), Found::Slipping(factor)))
 }
 
 /// Finding that it depends on the stiffness within the slack of its tenons.
@@ -127,9 +125,11 @@ fn lowest_mode(check: &FrameCheck) -> Option<Finding> {
     if mode.omega_squared <= 0.0 {
         return Some(Finding::new(Tone::Bad, Found::LowestFalls));
     }
-    let found = Found::LowestMode {
-        frequency: Quantity::new(mode.frequency_hz, Unit::si("Hz"), Digits::Significant(3)),
-    };
+    let found = Found::LowestMode(Quantity::new(
+        mode.frequency_hz,
+        Unit::si("Hz"),
+        Digits::Significant(3),
+    ));
     Some(Finding::new(Tone::Plain, found))
 }
 

@@ -22,7 +22,7 @@ messages! {
     pub(crate) enum Stability in "frame.stability" {
         Head => { en: "Stability", ko: "안정성" },
         Sketch => { en: "The frame as modelled.", ko: "해석 모델." },
-        SketchMeaning { springs: Sentence } => {
+        SketchMeaning(springs: Sentence) => {
             en: "Rigid storeys with P-delta; {springs}.",
             ko: "P-델타를 고려한 강체 층 모델; {springs}.",
         },
@@ -35,7 +35,7 @@ messages! {
             en: "The columns of storey {storey} hold the same as in direction {direction}.",
             ko: "{storey}층 기둥의 복원력은 {direction} 방향과 같다.",
         },
-        Direction { direction: String } => { en: "Direction {direction}", ko: "{direction} 방향" },
+        Direction(direction: String) => { en: "Direction {direction}", ko: "{direction} 방향" },
     }
 }
 
@@ -66,9 +66,7 @@ pub(crate) fn sections<'a>(part: &FramePart, directions: &'a [DirectionCheck]) -
         sketch(&mut document, frame, (names, columns.collect()), directions);
     }
     for (at, direction) in directions.iter().enumerate() {
-        document.subheading(Stability::Direction {
-            direction: direction.direction.clone(),
-        });
+        document.subheading(Stability::Direction(direction.direction.clone()));
         storeys::section(&mut document, &direction.check);
         modes::section(&mut document, frame.clone(), &direction.check);
         if let Some(slipping) = &direction.slipping {
@@ -103,10 +101,7 @@ fn sketch<'a>(
         Convention::Grounded => Stability::Grounded,
     }
     .into();
-    let caption = vec![
-        Stability::Sketch.into(),
-        Stability::SketchMeaning { springs }.into(),
-    ];
+    let caption = vec![Stability::Sketch.into(), Stability::SketchMeaning(springs).into()];
     // one sketch cannot show margins of several directions
     let known = match directions {
         [one] => one.check.stability.as_ref(),

@@ -12,11 +12,11 @@ messages! {
             en: "While every joint slips, the load factor is {factor}: {verdict}.",
             ko: "모든 접합부가 미끄러지는 동안 하중배율은 {factor}이다({verdict}).",
         },
-        Frequencies { frequencies: Values } => {
+        Frequencies(frequencies: Values) => {
             en: "Its natural frequencies are then {frequencies}.",
             ko: "이때 고유진동수는 {frequencies}이다.",
         },
-        Frequency { frequencies: Values } => {
+        Frequency(frequencies: Values) => {
             en: "Its natural frequency is then {frequencies}.",
             ko: "이때 고유진동수는 {frequencies}이다.",
         },
@@ -57,11 +57,7 @@ fn frequencies(check: &FrameCheck) -> Slipping {
     let all: Vec<Quantity> = swaying.map(|mode| frequency(mode.frequency_hz)).collect();
     match all.len() {
         0 => Slipping::NoFrequency,
-        1 => Slipping::Frequency {
-            frequencies: Values(all),
-        },
-        _ => Slipping::Frequencies {
-            frequencies: Values(all),
-        },
+        1 => Slipping::Frequency(Values(all)),
+        _ => Slipping::Frequencies(Values(all)),
     }
 }

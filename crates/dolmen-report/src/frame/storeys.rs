@@ -8,7 +8,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 messages! {
     /// Storeys.
     pub(crate) enum Storeys in "frame.storeys" {
-        Caption { factor: Quantity } => { en: "Storeys, λ = {factor}.", ko: "층별 결과, λ = {factor}." },
+        Caption(factor: Quantity) => { en: "Storeys, λ = {factor}.", ko: "층별 결과, λ = {factor}." },
         CaptionUnknown => { en: "Storeys, stiffness unknown.", ko: "층별 결과, 층강성 미상." },
         LeastMeaning => {
             en: "Least k is where the frame just stands, the other storeys as they are; the margin is k over it.",
@@ -20,7 +20,7 @@ messages! {
             ko: "N/l은 층 축력을 층고로 나눈 값이며, 1층이 최하층이다.",
         },
         Storey => { en: "Storey", ko: "층" },
-        Number { number: usize } => { en: "{number}", ko: "{number}" },
+        Number(number: usize) => { en: "{number}", ko: "{number}" },
         Taken => { en: "P-delta takes N/l", ko: "P-델타 감소량 N/l" },
         LoadRatio => {
             en: "load on the level / weight of its mass",
@@ -64,7 +64,7 @@ fn table(check: &FrameCheck) -> Table {
     let row = |(i, geometric): (usize, &f64)| {
         let ratio = check.level_load_ratios.get(i);
         let mut row = vec![
-            Cell::words(Storeys::Number { number: i + 1 }),
+            Cell::words(Storeys::Number(i + 1)),
             Cell::number(significant(*geometric, &unit, 4)),
             Cell::Number(ratio.map(|ratio| Quantity::ratio(*ratio, 3))),
         ];
@@ -86,9 +86,7 @@ fn table(check: &FrameCheck) -> Table {
 fn caption(stability: Option<&FrameStability>) -> Vec<Sentence> {
     let [first, meaning] = match stability {
         Some(stability) => [
-            Storeys::Caption {
-                factor: Quantity::beside_one(stability.load_factor, 4),
-            },
+            Storeys::Caption(Quantity::beside_one(stability.load_factor, 4)),
             Storeys::LeastMeaning,
         ],
         None => [Storeys::CaptionUnknown, Storeys::LoadsAlone],

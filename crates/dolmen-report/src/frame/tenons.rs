@@ -18,19 +18,19 @@ messages! {
             ko: "장부는 유격({storey}층에서 층고의 {slack})이 닫힌 뒤에야 힘을 받으며, 유격 안에서는 골조가 스스로 서지 못하여 장부가 닿을 때까지 기운다.",
         },
         Caption => { en: "Storeys whose tenons have slack.", ko: "장부에 유격이 있는 층." },
-        Meaning { share: Quantity } => {
+        Meaning(share: Quantity) => {
             en: "k within the slack is the stiffness of the file, on which load factor, frequencies and loads rest; the tangent is that with the tenons bearing; the secant is force over drift at {share} of the height, nothing crushed before.",
             ko: "유격 안의 k는 파일의 강성이며 하중배율·진동수·하중 검토가 이에 따른다. 접선 강성은 장부가 닿은 뒤의 값이고, 할선 강성은 압괴가 없던 상태에서 층고의 {share}만큼 변위한 때의 힘을 변위로 나눈 값이다.",
         },
         Storey => { en: "Storey", ko: "층" },
-        Number { number: usize } => { en: "{number}", ko: "{number}" },
+        Number(number: usize) => { en: "{number}", ko: "{number}" },
         Slack => { en: "slack", ko: "유격" },
         Within => { en: "k within the slack", ko: "유격 안의 k" },
         Tangent => { en: "tangent, bearing", ko: "닿은 뒤 접선 강성" },
         Secant => { en: "secant", ko: "할선 강성" },
         Crushing => { en: "crushes at", ko: "압괴 힘" },
         CrushingDrift => { en: "at a drift of", ko: "압괴 층간변위" },
-        Frequencies { frequencies: Values } => {
+        Frequencies(frequencies: Values) => {
             en: "Natural frequencies with all tenons bearing: {frequencies}.",
             ko: "모든 장부가 닿은 상태의 고유진동수: {frequencies}.",
         },
@@ -77,9 +77,7 @@ pub(super) fn section(document: &mut Document<'_>, check: &TenonsCheck) {
     let row = |of: &StoreyTenons| {
         let crushing_n = of.tenon.crushing_force_n;
         vec![
-            Cell::words(Tenons::Number {
-                number: of.storey + 1,
-            }),
+            Cell::words(Tenons::Number(of.storey + 1)),
             Cell::number(millimetres(of.tenon.slack_m)),
             Cell::number(significant(of.within_slack_n_m, &unit, 4)),
             Cell::number(significant(of.bearing_n_m(), &unit, 4)),
@@ -90,7 +88,7 @@ pub(super) fn section(document: &mut Document<'_>, check: &TenonsCheck) {
     };
     let share = Quantity::new(SECANT_DRIFT_RATIO, Unit::percent(), Digits::Trimmed(2));
     document.put(Block::Table(Table {
-        caption: vec![Tenons::Caption.into(), Tenons::Meaning { share }.into()],
+        caption: vec![Tenons::Caption.into(), Tenons::Meaning(share).into()],
         columns: vec![
             Column::words(Tenons::Storey),
             Column::numbers(Tenons::Slack, milli("m")),
@@ -104,7 +102,7 @@ pub(super) fn section(document: &mut Document<'_>, check: &TenonsCheck) {
     }));
     let swaying = check.bearing.modes.iter().filter(|mode| mode.omega_squared > 0.0);
     let frequencies = Values(swaying.map(|mode| hertz(mode.frequency_hz)).collect());
-    document.put(Block::Paragraph(vec![Sentence::from(Tenons::Frequencies {
+    document.put(Block::Paragraph(vec![Sentence::from(Tenons::Frequencies(
         frequencies,
-    })]));
+    ))]));
 }

@@ -21,11 +21,11 @@ messages! {
             ko: "; 지반에 가장 크게 응답하는 진동수는 계측 {measured}, 모델 {simulated}",
         },
         NoAnswer => { en: "", ko: "" },
-        NoSensor { survey: String } => {
+        NoSensor(survey: String) => {
             en: "No sensor of survey {survey} can be set beside the model: each needs `position`, a `direction` along x or y, a unit of acceleration, and a place within the height of the frame.",
             ko: "{survey} 조사의 센서 가운데 모델과 비교할 것이 없다. `position`, x 또는 y 방향의 `direction`, 가속도 단위가 있고 골조 높이 안에 있어야 한다.",
         },
-        Caption { survey: String } => {
+        Caption(survey: String) => {
             en: "Measured (survey {survey}) beside simulated, absolute acceleration.",
             ko: "계측({survey} 조사)과 해석의 절대가속도 비교.",
         },
@@ -33,11 +33,11 @@ messages! {
             en: "The difference is its root mean square over that measured. A model is taken to move as the structure did where the correlation is at least {correlation} and the peak within {peak} at every sensor. In strong shaking a structure is softer than at rest: a model of the stiffness at rest then answers at too high a frequency.",
             ko: "차이는 계측값에 대한 제곱평균제곱근의 비이다. 모든 센서에서 상관계수가 {correlation} 이상이고 최댓값 차이가 {peak} 이내이면 모델이 실제처럼 움직인 것으로 본다. 강한 진동에서는 구조물이 평상시보다 유연하므로 평상시 강성의 모델은 더 높은 진동수로 응답한다.",
         },
-        LeftOut { channels: Vec<String> } => {
+        LeftOut(channels: Vec<String>) => {
             en: "Not compared, for want of a place within the height, a direction along the run or a unit of acceleration: {channels}.",
             ko: "골조 높이 안의 위치, 해석 방향의 성분 또는 가속도 단위가 없어 비교하지 않은 채널: {channels}.",
         },
-        Turned { channels: Vec<String> } => {
+        Turned(channels: Vec<String>) => {
             en: "The model moves opposite to {channels} and else alike: is the sensor turned by 180°? Then change the sign of its `direction`.",
             ko: "모델이 {channels}과(와) 반대로, 그 밖에는 같게 움직인다. 센서가 180° 돌아가 있는지 확인하고, 그렇다면 `direction`의 부호를 바꾼다.",
         },
@@ -50,7 +50,7 @@ messages! {
             ko: "{of}: 이 방향의 지반 기록이 없어 {survey} 조사의 {along} 방향 지반운동으로 흔들었다. 구조물이 이 방향으로 겪은 지진이 아니므로 가상 지진의 결과로 본다.",
         },
         Sensor => { en: "Sensor", ko: "센서" },
-        Name { name: String } => { en: "{name}", ko: "{name}" },
+        Name(name: String) => { en: "{name}", ko: "{name}" },
         Height => { en: "height", ko: "높이" },
         PeakMeasured => { en: "peak measured", ko: "최대 계측" },
         PeakSimulated => { en: "simulated", ko: "해석" },
@@ -60,11 +60,11 @@ messages! {
         Difference => { en: "difference", ko: "차이" },
         FrequencyMeasured => { en: "answers most at, measured", ko: "최대 응답 진동수 계측" },
         FrequencySimulated => { en: "simulated", ko: "해석" },
-        Figure { channel: String } => {
+        Figure(channel: String) => {
             en: "Absolute acceleration at {channel}, measured and simulated.",
             ko: "{channel}의 절대가속도, 계측과 해석.",
         },
-        FigureMeaning { from: Quantity } => {
+        FigureMeaning(from: Quantity) => {
             en: "Time 0 is {from} after the first sample of the record.",
             ko: "시각 0은 기록의 첫 표본에서 {from} 뒤이다.",
         },
@@ -100,7 +100,7 @@ pub(super) fn findings(simulation: &FrameSimulation, title: Sentence) -> Vec<Fin
     }];
     let turned: Vec<String> = of.turned().map(|sensor| sensor.channel.clone()).collect();
     if !turned.is_empty() {
-        all.push(Finding::key(Tone::Warn, Beside::Turned { channels: turned }));
+        all.push(Finding::key(Tone::Warn, Beside::Turned(turned)));
     }
     if !of.left_out.is_empty() && !of.sensors.is_empty() {
         all.push(Finding::key(Tone::Warn, left_out(of)));
@@ -120,16 +120,14 @@ fn ground_of_another(simulation: &FrameSimulation, of: Sentence) -> Option<Findi
 }
 
 fn left_out(of: &FrameBeside) -> Beside {
-    Beside::LeftOut {
-        channels: of.left_out.clone(),
-    }
+    Beside::LeftOut(of.left_out.clone())
 }
 
 /// Whether the model moved as the structure did, at its highest sensor.
 fn moves(of: &FrameBeside, title: Sentence) -> Finding {
     let survey = of.survey.clone();
     let Some(sensor) = worst(of) else {
-        return Finding::new(Tone::Unknown, Beside::NoSensor { survey });
+        return Finding::new(Tone::Unknown, Beside::NoSensor(survey));
     };
     let beside = &sensor.beside;
     let hz = match (beside.frequency_measured_hz, beside.frequency_simulated_hz) {
@@ -186,9 +184,7 @@ pub(super) fn table(of: &FrameBeside) -> Table {
     let row = |sensor: &SensorBeside| {
         let beside = &sensor.beside;
         vec![
-            Cell::words(Beside::Name {
-                name: sensor.channel.clone(),
-            }),
+            Cell::words(Beside::Name(sensor.channel.clone())),
             Cell::number(Quantity::new(sensor.height_m, Unit::si("m"), Digits::Trimmed(4))),
             Cell::number(acceleration(beside.peak_measured)),
             Cell::number(acceleration(beside.peak_simulated)),
@@ -208,7 +204,7 @@ pub(super) fn table(of: &FrameBeside) -> Table {
     let left_out = (!of.left_out.is_empty()).then(|| left_out(of));
     let survey = of.survey.clone();
     Table {
-        caption: std::iter::once(Beside::Caption { survey })
+        caption: std::iter::once(Beside::Caption(survey))
             .chain([meaning])
             .chain(left_out)
             .map(Sentence::from)
@@ -235,8 +231,5 @@ pub(super) fn caption(simulation: &FrameSimulation, sensor: usize) -> Vec<Senten
     let channel = of.map(|of| of.channel.clone()).unwrap_or_default();
     let from_s = simulation.motion.measured.as_ref().map_or(0.0, |of| of.from_s);
     let from = Quantity::new(from_s, Unit::si("s"), Digits::Fixed(2));
-    vec![
-        Beside::Figure { channel }.into(),
-        Beside::FigureMeaning { from }.into(),
-    ]
+    vec![Beside::Figure(channel).into(), Beside::FigureMeaning(from).into()]
 }

@@ -30,7 +30,7 @@ messages! {
             en: "the drift of ‘{name}’ and its lean as surveyed came to more than {most} of its height at {at}, beyond what small drifts can tell of: count it as fallen.",
             ko: "‘{name}’의 층간변위와 조사한 기울기의 합이 {at}에 층고의 {most}을(를) 넘었다. 미소변형 모델의 범위를 벗어났으므로 붕괴로 본다.",
         },
-        Within { most: Quantity } => {
+        Within(most: Quantity) => {
             en: "No storey leaned by more than {most} of its height.",
             ko: "모든 층의 층간변위가 층고의 {most} 이내이다.",
         },
@@ -63,7 +63,7 @@ messages! {
             en: "It leans as survey {survey} found it, tilt {tilt}: {lean} in direction {direction}, which its weight pushes on and which counts against the allowable drift; as_surveyed = \"none\" leaves that out.",
             ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. {direction} 방향 {lean}이며, 자중이 그쪽으로 밀고 허용 층간변위에서 그만큼을 뺀다. 제외하려면 as_surveyed = \"none\"으로 한다.",
         },
-        OneIn { inverse: Quantity } => { en: "1/{inverse}", ko: "1/{inverse}" },
+        OneIn(inverse: Quantity) => { en: "1/{inverse}", ko: "1/{inverse}" },
         Plumb => { en: "none", ko: "없음" },
         AloneStood { of: Sentence, count: usize, peak: Quantity, uplift: Quantity } => {
             en: "{of}, on its {count} columns alone, without joints and walls: no foot lifts off; the ground peaks at {peak}, they lift off at {uplift}.",
@@ -81,7 +81,7 @@ messages! {
             en: "The frame starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans drifts further to that side.",
             ko: "골조는 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 골조는 그 방향으로 더 변위한다.",
         },
-        Carries { weight: Quantity } => {
+        Carries(weight: Quantity) => {
             en: "It carries the weight of its static loads, {weight}, which swings with it.",
             ko: "정하중의 중량 {weight}이(가) 함께 진동하는 것으로 해석하였다.",
         },
@@ -226,10 +226,7 @@ pub(super) fn leans(simulation: &FrameSimulation) -> Option<Finding> {
         direction: simulation.direction.clone(),
         lean: match tilt == 0.0 {
             true => Ending::Plumb.into(),
-            false => Ending::OneIn {
-                inverse: Quantity::ratio(1.0 / tilt.abs(), 3),
-            }
-            .into(),
+            false => Ending::OneIn(Quantity::ratio(1.0 / tilt.abs(), 3)).into(),
         },
     };
     Some(Finding::key(Tone::Plain, said))
@@ -247,8 +244,12 @@ pub(super) fn tilt_left_out(simulation: &FrameSimulation) -> Option<Finding> {
 
 /// Static loads and wind that are in the run, and those that are not.
 pub(super) fn loads(simulation: &FrameSimulation) -> Vec<Finding> {
-    let carries = (simulation.carried_n != 0.0).then(|| Ending::Carries {
-        weight: Quantity::new(simulation.carried_n, kilo("N"), Digits::Significant(3)),
+    let carries = (simulation.carried_n != 0.0).then(|| {
+        Ending::Carries(Quantity::new(
+            simulation.carried_n,
+            kilo("N"),
+            Digits::Significant(3),
+        ))
     });
     let carries = carries.map(|said| Finding::key(Tone::Plain, said));
     let left_out = simulation.loads_left_out.then_some(Ending::ForcesLeftOut);
@@ -317,7 +318,7 @@ fn until_the_end(simulation: &FrameSimulation) -> Sentence {
             at: seconds(at_s),
         }
         .into(),
-        FrameOutcome::Stopped { at_s } => Simulated::Stopped { at: seconds(at_s) }.into(),
+        FrameOutcome::Stopped { at_s } => Simulated::Stopped(seconds(at_s)).into(),
     }
 }
 
@@ -340,6 +341,6 @@ pub(super) fn state(simulation: &FrameSimulation) -> Vec<Sentence> {
         true => Ending::AtRest,
         false => Ending::Moving,
     };
-    let said = [Ending::Within { most }].into_iter().chain(stuck).chain([moves]);
+    let said = [Ending::Within(most)].into_iter().chain(stuck).chain([moves]);
     said.map(Sentence::from).collect()
 }

@@ -12,17 +12,17 @@ messages! {
     /// Friction of a storey, and its dashpots.
     pub(crate) enum Friction in "frame.simulation.friction" {
         None => { en: "none", ko: "없음" },
-        Coulomb { force: Sentence } => { en: "Coulomb, {force}", ko: "쿨롱, {force}" },
+        Coulomb(force: Sentence) => { en: "Coulomb, {force}", ko: "쿨롱, {force}" },
         Jenkins { force: Sentence, stiffness: Quantity } => {
             en: "Jenkins, {force} on {stiffness}",
             ko: "젠킨스, {force}, 고착 강성 {stiffness}",
         },
-        Force { slips: Quantity } => { en: "{slips}", ko: "{slips}" },
+        Force(slips: Quantity) => { en: "{slips}", ko: "{slips}" },
         TwoForces { holds: Quantity, slips: Quantity } => {
             en: "{holds} then {slips}",
             ko: "정지 {holds}, 운동 {slips}",
         },
-        Dashpots { ratio: Quantity } => {
+        Dashpots(ratio: Quantity) => {
             en: "Dashpots: {ratio} of critical in the first mode.",
             ko: "점성감쇠: 1차 모드 {ratio}.",
         },
@@ -52,9 +52,7 @@ pub(super) fn friction(of: &StoreyFriction) -> Friction {
         StoreyFriction::Coulomb {
             static_force_n,
             kinetic_force_n,
-        } => Friction::Coulomb {
-            force: force(static_force_n, kinetic_force_n),
-        },
+        } => Friction::Coulomb(force(static_force_n, kinetic_force_n)),
         StoreyFriction::Jenkins {
             stuck_stiffness_n_m,
             static_force_n,
@@ -74,7 +72,7 @@ fn force(static_n: f64, kinetic_n: f64) -> Sentence {
     let kilonewtons = |force_n: f64| Quantity::new(force_n, kilo("N"), Digits::Significant(4));
     let slips = kilonewtons(kinetic_n);
     match static_n == kinetic_n {
-        true => Friction::Force { slips }.into(),
+        true => Friction::Force(slips).into(),
         false => Friction::TwoForces {
             holds: kilonewtons(static_n),
             slips,
@@ -90,7 +88,7 @@ fn dashpots(frame: &FrictionFrame) -> Option<Friction> {
     let differs = |slipping: &f64| (slipping / stuck - 1.0).abs() >= SAME_RATIO;
     let ratio = Quantity::percent(stuck, 3);
     Some(match first(Sliders::Slipping).filter(differs) {
-        None => Friction::Dashpots { ratio },
+        None => Friction::Dashpots(ratio),
         Some(slipping) => Friction::TwoDashpots {
             stuck: ratio,
             slipping: Quantity::percent(slipping, 3),

@@ -31,14 +31,14 @@ messages! {
             en: "Rigid columns that rock on rigid stones, without joints and walls; it falls beyond atan(b/h).",
             ko: "접합부와 벽체 없이 강체 초석 위에서 흔들리는 강체 기둥이며, atan(b/h)를 넘으면 전도된다.",
         },
-        Path { name: String } => { en: "Drift of ‘{name}’ in plan.", ko: "‘{name}’의 평면상 층간변위." },
+        Path(name: String) => { en: "Drift of ‘{name}’ in plan.", ko: "‘{name}’의 평면상 층간변위." },
         PathMeaning => {
             en: "Both directions together, at the samples; the circle is the largest resultant.",
             ko: "두 방향을 합한 표본별 값이며 원은 최대 합성값이다.",
         },
         Slips => { en: "When the joints of each storey slipped.", ko: "층별 미끄러짐 시각." },
         SlipsMeaning => { en: "Between the bands they stick.", ko: "띠 사이에서는 고착 상태이다." },
-        Loop { name: String } => {
+        Loop(name: String) => {
             en: "Force of ‘{name}’ against its drift.",
             ko: "‘{name}’의 층 전단력-층간변위 이력곡선.",
         },
@@ -85,9 +85,7 @@ pub(crate) fn sections<'a>(simulations: &[&'a FrameSimulation]) -> Document<'a> 
 }
 
 fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
-    document.heading(Simulated::Earthquake {
-        of: title::title(simulation),
-    });
+    document.heading(Simulated::Earthquake(title::title(simulation)));
     let said = capitalised(ending::ending(simulation));
     document.put(match simulation.falls() {
         true => Block::Warning(said),
@@ -147,16 +145,10 @@ fn caption(plot: FramePlot, simulation: &FrameSimulation) -> Vec<Sentence> {
         FramePlot::Columns => vec![Shown::Columns.into(), Shown::ColumnsMeaning.into()],
         FramePlot::Loop(storey) => {
             let name = simulation.storeys.get(storey).cloned().unwrap_or_default();
-            vec![Shown::Loop { name }.into(), Shown::LoopMeaning.into()]
+            vec![Shown::Loop(name).into(), Shown::LoopMeaning.into()]
         }
         FramePlot::Measured(sensor) => beside::caption(simulation, sensor),
-        FramePlot::Path => vec![
-            Shown::Path {
-                name: worst(simulation),
-            }
-            .into(),
-            Shown::PathMeaning.into(),
-        ],
+        FramePlot::Path => vec![Shown::Path(worst(simulation)).into(), Shown::PathMeaning.into()],
         FramePlot::Slips => vec![Shown::Slips.into(), Shown::SlipsMeaning.into()],
         FramePlot::Energy => vec![Simulated::Energy.into(), Simulated::EnergyMeaning.into()],
     }

@@ -22,7 +22,7 @@ messages! {
             ko: "표본 사이까지 포함한 최댓값이며, 변위는 층 상단의 지반에 대한 값이고, 잔류 층간변위는 더 미끄러지지 않을 때의 값이다.",
         },
         Storey => { en: "Storey", ko: "층" },
-        Name { name: String } => { en: "{name}", ko: "{name}" },
+        Name(name: String) => { en: "{name}", ko: "{name}" },
         Friction => { en: "friction", ko: "마찰" },
         Spring => { en: "spring", ko: "스프링" },
         Drift => { en: "drift", ko: "층간변위" },
@@ -36,16 +36,14 @@ messages! {
             en: "The largest resultant drift of each storey, and its parts at that moment.",
             ko: "층별 최대 합성 층간변위와 그때의 방향별 값.",
         },
-        Along { direction: String } => { en: "along {direction}", ko: "{direction} 방향" },
+        Along(direction: String) => { en: "along {direction}", ko: "{direction} 방향" },
         Resultant => { en: "resultant", ko: "합성" },
         DriftLeft => { en: "drift left", ko: "잔류 층간변위" },
     }
 }
 
 fn name(name: &str) -> Cell {
-    Cell::words(Storeys::Name {
-        name: name.to_owned(),
-    })
+    Cell::words(Storeys::Name(name.to_owned()))
 }
 
 /// Friction and springs.
@@ -92,7 +90,7 @@ pub(super) fn together(simulation: &FrameSimulation) -> Option<Table> {
     };
     let along = |place: usize| {
         let direction = together.directions[place].clone();
-        Column::numbers(Storeys::Along { direction }, milli("m"))
+        Column::numbers(Storeys::Along(direction), milli("m"))
     };
     Some(Table {
         caption: vec![Storeys::Together.into(), Storeys::TogetherMeaning.into()],

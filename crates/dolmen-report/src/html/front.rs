@@ -95,13 +95,13 @@ fn reason(of: &EarthquakeFinding, structure: &Structure, language: Language) -> 
         (DecidedBy::Fall, Some(motion)) => {
             let motion = Both::from(motion);
             match structure {
-                Structure::Stack(_) => text(Fronted::StoneFalls { motion }, language),
-                _ => text(Fronted::Falls { motion }, language),
+                Structure::Stack(_) => text(Fronted::StoneFalls(motion), language),
+                _ => text(Fronted::Falls(motion), language),
             }
         }
         (DecidedBy::Drift, Some(motion)) if of.word == Earthquake::BelowDemand => {
             let motion = Both::from(motion);
-            text(Fronted::LeansTooFar { motion }, language)
+            text(Fronted::LeansTooFar(motion), language)
         }
         (DecidedBy::Room, motion) => {
             let word = match of.word {
@@ -160,7 +160,7 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
     first.extend(worse.map(|line| format!("{line}.")));
     if !shaken.is_empty() {
         let reasons = Both::from(shaken.join("; "));
-        first.push(text(Fronted::Shaken { reasons }, language));
+        first.push(text(Fronted::Shaken(reasons), language));
     }
     let deciding = state
         .contradictions
@@ -193,18 +193,18 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
 /// The program, the seed, the input and the papers behind a report.
 pub(crate) fn sources(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Vec<String> {
     let program = Both::from(imprint.program.as_str());
-    let mut all = vec![text(Fronted::ComputedBy { program }, language)];
+    let mut all = vec![text(Fronted::ComputedBy(program), language)];
     if let Some(sampled) = answer.state().and_then(|state| state.sampled.as_ref()) {
         let seed = sampled.unstable.seed;
-        all.push(text(Fronted::SamplesFrom { seed }, language));
+        all.push(text(Fronted::SamplesFrom(seed), language));
     }
     if !answer.fingerprint.is_empty() {
         let print = answer.fingerprint.clone();
-        all.push(Sentence::from(Given::Fingerprint { print }).text(language));
+        all.push(Sentence::from(Given::Fingerprint(print)).text(language));
     }
     if let Some(source) = &answer.project.source {
         let source = Both::from(source.as_str());
-        all.push(text(Fronted::InputFrom { source }, language));
+        all.push(text(Fronted::InputFrom(source), language));
     }
     all.extend(papers(&answer.project.structure, language));
     all
@@ -220,28 +220,11 @@ const RANDOM_VIBRATION_WORK: &str = "Der Kiureghian, A. (1981) A response spectr
 
 fn papers(structure: &Structure, language: Language) -> Vec<String> {
     let (said, further) = match structure {
-        Structure::Chain(_) => (
-            Fronted::ChainPaper {
-                work: CHAIN_WORK.into(),
-            },
-            None,
-        ),
-        Structure::Frame(_) => (
-            Fronted::FramePaper {
-                work: FRAME_WORK.into(),
-            },
-            None,
-        ),
-        Structure::Stack(_) => (
-            Fronted::StackPaper {
-                work: STACK_WORK.into(),
-            },
-            Some(ROCKING_WORK),
-        ),
+        Structure::Chain(_) => (Fronted::ChainPaper(CHAIN_WORK.into()), None),
+        Structure::Frame(_) => (Fronted::FramePaper(FRAME_WORK.into()), None),
+        Structure::Stack(_) => (Fronted::StackPaper(STACK_WORK.into()), Some(ROCKING_WORK)),
         Structure::Building(_) => (
-            Fronted::BuildingPaper {
-                work: BUILDING_WORK.into(),
-            },
+            Fronted::BuildingPaper(BUILDING_WORK.into()),
             Some(RANDOM_VIBRATION_WORK),
         ),
         Structure::Survey => return Vec::new(),

@@ -10,13 +10,13 @@ messages! {
         Findings => { en: "Findings", ko: "검토 결과 요약" },
         Sources => { en: "Evidence and sources", ko: "근거와 출처" },
         NotReported => { en: "Not reported on", ko: "보고서에서 제외됨" },
-        StoneFalls { motion: Both } => { en: "a stone falls under {motion}", ko: "{motion} 작용 시 낙하" },
-        Falls { motion: Both } => { en: "it falls under {motion}", ko: "{motion} 작용 시 전도" },
-        LeansTooFar { motion: Both } => { en: "it leans too far under {motion}", ko: "{motion} 작용 시 과대 변위" },
+        StoneFalls(motion: Both) => { en: "a stone falls under {motion}", ko: "{motion} 작용 시 낙하" },
+        Falls(motion: Both) => { en: "it falls under {motion}", ko: "{motion} 작용 시 전도" },
+        LeansTooFar(motion: Both) => { en: "it leans too far under {motion}", ko: "{motion} 작용 시 과대 변위" },
         BeyondRoom => { en: "beyond its room", ko: "여유 공간 초과" },
         NoGravityLoad => { en: "No gravity load is given.", ko: "축력이 주어지지 않음." },
         NoStiffness => { en: "Stiffness is not given.", ko: "강성이 주어지지 않음." },
-        Shaken { reasons: Both } => {
+        Shaken(reasons: Both) => {
             en: "The verdict on its own weight is without shaking. With shaking: {reasons}.",
             ko: "자중에 대한 판정은 지진이 없을 때의 것이다. 지진을 고려한 판정: {reasons}.",
         },
@@ -28,26 +28,26 @@ messages! {
             en: "This rests on assumed inputs, {assumed} of {all}; see the findings.",
             ko: "입력 {all}개 중 가정값 {assumed}개에 의존한다(결과 요약 참조).",
         },
-        Thresholds { limit: Quantity } => {
+        Thresholds(limit: Quantity) => {
             en: "stable: λ ≥ {limit} · marginal: 1 < λ < {limit} · unstable: λ ≤ 1 · unknown: not enough is given. λ is the factor on gravity at which the structure falls.",
             ko: "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 전도되는 중력의 배수(하중배율)이다.",
         },
-        ComputedBy { program: Both } => { en: "Computed by {program}", ko: "계산 프로그램: {program}" },
-        SamplesFrom { seed: u64 } => { en: "Seed of the samples: {seed}", ko: "표본 추출 시드: {seed}" },
-        InputFrom { source: Both } => { en: "Input: {source}", ko: "입력 자료: {source}" },
-        ChainPaper { work: Both } => {
+        ComputedBy(program: Both) => { en: "Computed by {program}", ko: "계산 프로그램: {program}" },
+        SamplesFrom(seed: u64) => { en: "Seed of the samples: {seed}", ko: "표본 추출 시드: {seed}" },
+        InputFrom(source: Both) => { en: "Input: {source}", ko: "입력 자료: {source}" },
+        ChainPaper(work: Both) => {
             en: "{work} The published criterion: eqs 38–43, Tables 1–3.",
             ko: "{work} 발표된 기준: 식 38–43, 표 1–3.",
         },
-        FramePaper { work: Both } => {
+        FramePaper(work: Both) => {
             en: "{work} The printed stiffness: eq. 7.",
             ko: "{work} 논문의 강성: 식 7.",
         },
-        StackPaper { work: Both } => {
+        StackPaper(work: Both) => {
             en: "{work} Rocking and sliding of joints: sec. 3, Figs 10 and 12; joint stiffness: Fig. 17.",
             ko: "{work} 접합면의 로킹과 미끄러짐: 3절, 그림 10, 12; 접합면 강성: 그림 17.",
         },
-        BuildingPaper { work: Both } => {
+        BuildingPaper(work: Both) => {
             en: "{work} Mode centre: eq. 12.",
             ko: "{work} 모드 중심: 식 12.",
         },

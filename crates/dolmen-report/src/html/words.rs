@@ -39,7 +39,7 @@ pub(crate) fn judgement_sign(judgement: &Judgement) -> &'static str {
 /// The meaning of the words, with their thresholds.
 pub(crate) fn thresholds(language: Language) -> String {
     let limit = Quantity::ratio(Verdict::MARGINAL_BELOW, 2);
-    text(Fronted::Thresholds { limit }, language)
+    text(Fronted::Thresholds(limit), language)
 }
 
 /// Source of a number.

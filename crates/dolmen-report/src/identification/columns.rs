@@ -16,16 +16,16 @@ messages! {
             en: "{channel} moves by itself: {times} times as far as the others, its phase {behind} off",
             ko: "{channel}이(가) 따로 움직이며 진폭은 나머지의 {times}배, 위상차는 {behind}이다",
         },
-        OneOf { channels: Vec<String> } => {
+        OneOf(channels: Vec<String>) => {
             en: "one of these moves by itself, and the sensors do not tell which: {channels}",
             ko: "다음 중 하나가 따로 움직이며 이 센서들로는 구별되지 않는다: {channels}",
         },
-        Several { channels: Vec<String> } => {
+        Several(channels: Vec<String>) => {
             en: "several of these move each by itself: {channels}",
             ko: "다음 중 여럿이 따로 움직인다: {channels}",
         },
         Head => { en: "Do the columns move as one", ko: "기둥의 일체 거동" },
-        Caption { survey: String } => {
+        Caption(survey: String) => {
             en: "Sensors side by side on one level, survey {survey}: amplitude over, and phase from, the mean of the others.",
             ko: "{survey} 조사에서 같은 높이에 나란히 놓인 센서의 나머지 평균에 대한 진폭비와 위상차.",
         },
@@ -40,7 +40,7 @@ messages! {
         Amplitude => { en: "amplitude", ko: "진폭비" },
         Phase => { en: "phase", ko: "위상차" },
         Moves => { en: "it moves", ko: "거동" },
-        Plain { text: String } => { en: "{text}", ko: "{text}" },
+        Plain(text: String) => { en: "{text}", ko: "{text}" },
         AsOne => { en: "moves as one", ko: "일체 거동" },
         Turning => { en: "sways and turns as a floor", ko: "바닥으로서 병진·비틀림" },
         TwoDiffer => { en: "two differ: turns, or one apart", ko: "두 점이 다름: 비틀림 또는 개별 거동" },
@@ -93,11 +93,7 @@ pub(super) fn section(document: &mut Document<'_>, survey: &SurveyAnswer) {
     document.subheading(Columns::Head);
     let row = |direction: &'static str, level: &ColumnsOfLevel, at: usize| {
         let column = &level.columns[at];
-        let plain = |text: &str| {
-            Cell::words(Columns::Plain {
-                text: text.to_owned(),
-            })
-        };
+        let plain = |text: &str| Cell::words(Columns::Plain(text.to_owned()));
         vec![
             plain(direction),
             Cell::number(height(level)),
@@ -126,10 +122,7 @@ pub(super) fn section(document: &mut Document<'_>, survey: &SurveyAnswer) {
         .flat_map(|(direction, level)| (0..level.columns.len()).map(move |at| row(direction, level, at)));
     document.put(crate::document::Block::Table(Table {
         caption: vec![
-            Columns::Caption {
-                survey: survey.name.clone(),
-            }
-            .into(),
+            Columns::Caption(survey.name.clone()).into(),
             Columns::Meaning.into(),
         ],
         rows: rows.collect(),
@@ -161,7 +154,7 @@ fn which(level: &ColumnsOfLevel) -> Columns {
     let all = || level.columns.iter().map(|of| of.channel.clone()).collect();
     match &level.moves {
         ColumnsMove::Apart { any_of } => match any_of.as_slice() {
-            [] => Columns::Several { channels: all() },
+            [] => Columns::Several(all()),
             [one] => {
                 let column = &level.columns[*one];
                 Columns::ByItself {
@@ -170,14 +163,14 @@ fn which(level: &ColumnsOfLevel) -> Columns {
                     behind: phase(column),
                 }
             }
-            several => Columns::OneOf {
-                channels: several
+            several => Columns::OneOf(
+                several
                     .iter()
                     .map(|at| level.columns[*at].channel.clone())
                     .collect(),
-            },
+            ),
         },
-        _ => Columns::Several { channels: all() },
+        _ => Columns::Several(all()),
     }
 }
 

@@ -20,7 +20,7 @@ messages! {
             en: "Survey {survey}: {unexplained} of the mode shapes of its record is not of the model, whatever its stiffness, and no one change of the sensors explains it. Check the directions of the sensors against the axes of the model, which modes are which, and the masses.",
             ko: "{survey} 조사: 강성을 어떻게 정하여도 기록의 모드형상 중 {unexplained}이(가) 모델과 맞지 않으며, 센서 하나를 바꾸어서는 설명되지 않는다. 센서의 방향과 모델의 축, 모드의 구분, 질량을 확인해야 한다.",
         },
-        Turned { channel: String } => { en: "the sign of {channel} changed", ko: "{channel}의 부호를 바꾸면" },
+        Turned(channel: String) => { en: "the sign of {channel} changed", ko: "{channel}의 부호를 바꾸면" },
         Exchanged { first: String, second: String } => {
             en: "{first} and {second} exchanged",
             ko: "{first}와(과) {second}을(를) 맞바꾸면",
@@ -29,7 +29,7 @@ messages! {
             en: "{channel} times about {factor}",
             ko: "{channel}에 약 {factor}을(를) 곱하면",
         },
-        NotChosen { said: Sentence } => {
+        NotChosen(said: Sentence) => {
             en: "not chosen, for the sensors of the record are doubted. {said}",
             ko: "판정하지 않는다. 기록의 센서가 의심스럽다. {said}",
         },
@@ -37,7 +37,7 @@ messages! {
             en: "not chosen, for {unexplained} of the shapes of these modes is not of the model. {said}",
             ko: "판정하지 않는다. 이 모드들의 형상 중 {unexplained}이(가) 모델과 맞지 않는다. {said}",
         },
-        Would { values: Values } => {
+        Would(values: Values) => {
             en: "Taken as they are, they would give k, the lowest first: {values}.",
             ko: "그대로 쓰면 강성 k는 아래부터 {values}이다.",
         },
@@ -74,11 +74,11 @@ pub(super) fn finding(survey: &SurveyAnswer) -> Option<Finding> {
 /// Why a solution is not chosen; `said` is its text.
 pub(super) fn not_chosen(doubt: StiffnessDoubt, values: Option<Values>) -> Doubted {
     let said: Sentence = match values {
-        Some(values) => Doubted::Would { values }.into(),
+        Some(values) => Doubted::Would(values).into(),
         None => Doubted::Nothing.into(),
     };
     match doubt {
-        StiffnessDoubt::Sensors => Doubted::NotChosen { said },
+        StiffnessDoubt::Sensors => Doubted::NotChosen(said),
         StiffnessDoubt::Shapes { unexplained } => Doubted::NotChosenShapes {
             unexplained: share(unexplained),
             said,
@@ -88,9 +88,7 @@ pub(super) fn not_chosen(doubt: StiffnessDoubt, values: Option<Values>) -> Doubt
 
 fn change(of: &ChannelChange) -> Sentence {
     match of {
-        ChannelChange::Turned { channel } => Doubted::Turned {
-            channel: channel.clone(),
-        },
+        ChannelChange::Turned { channel } => Doubted::Turned(channel.clone()),
         ChannelChange::Exchanged {
             channels: [first, second],
         } => Doubted::Exchanged {

@@ -20,7 +20,7 @@ use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 messages! {
     /// Findings on stiffness from vibration.
     pub(crate) enum Found in "identification.findings" {
-        WithLoads { weight: Quantity } => {
+        WithLoads(weight: Quantity) => {
             en: "What hangs there, {weight} of static loads, was taken to hang there in every survey, and swings along.",
             ko: "모든 조사에서 정하중 {weight}이(가) 매달려 함께 진동한 것으로 보았다.",
         },
@@ -28,15 +28,15 @@ messages! {
             en: "No stiffness is sought: no channel has both a position and a direction; give both to those that stand on the structure.",
             ko: "위치와 방향이 모두 주어진 채널이 없어 강성을 추정하지 않았다. 구조물 위의 채널에 둘 다 주어야 한다.",
         },
-        AllTwist { direction: String } => {
+        AllTwist(direction: String) => {
             en: "No stiffness is sought in direction {direction}: every mode measured there twists. Check their kind; the lowest mode of translation gives the stiffness.",
             ko: "{direction} 방향에서 계측된 모드가 모두 비틀림 모드여서 강성을 추정하지 않았다. 모드의 kind를 확인해야 하며, 강성은 최저 병진 모드에서 구한다.",
         },
-        OnColumnsAlone { direction: String } => {
+        OnColumnsAlone(direction: String) => {
             en: "No stiffness is sought in direction {direction}: the file gives 0, so that nothing but the beds of its columns holds it, and they give its frequency. Write stiffness = \"unknown\" where joints may hold it.",
             ko: "{direction} 방향은 파일의 stiffness가 0으로, 기둥의 지압면만으로 지지되어 고유진동수가 정해지므로 강성을 추정하지 않았다. 접합부가 지지할 수 있으면 stiffness = \"unknown\"으로 쓴다.",
         },
-        OffTheAxes { channels: Vec<String> } => {
+        OffTheAxes(channels: Vec<String>) => {
             en: "No stiffness is sought: no sensor points within 15° of x or y ({channels} do not); turn the axes of the project with the sensors, or give the direction in which each measures.",
             ko: "x 또는 y축에서 15° 이내를 향하는 센서가 없어({channels}) 강성을 추정하지 않았다. 프로젝트의 축을 센서에 맞추어 돌리거나 각 센서의 계측 방향을 주어야 한다.",
         },
@@ -44,7 +44,7 @@ messages! {
             en: "Stiffness from vibration (survey {survey}, {place}): {said}",
             ko: "진동으로 추정한 강성({survey} 조사, {place}): {said}",
         },
-        PeaksBelow { peaks: Values } => {
+        PeaksBelow(peaks: Values) => {
             en: "not chosen: the record has a peak at {peaks} below the modes used that is none of them. If it is a mode of this direction, every stiffness is wrong.",
             ko: "판정하지 않는다. 사용한 모드 아래 {peaks}에 모드로 찾지 않은 피크가 있으며, 이것이 이 방향의 모드이면 모든 강성이 틀리게 된다.",
         },
@@ -52,7 +52,7 @@ messages! {
             en: "one solution explains {measured}; k, the lowest first: {values}.",
             ko: "{measured}을(를) 설명하는 해는 하나이다. 강성 k는 아래부터 {values}이다.",
         },
-        Bounded { measured: Sentence } => {
+        Bounded(measured: Sentence) => {
             en: "one solution explains {measured}, but some of its stiffness is known only between bounds or from one side: no single answer.",
             ko: "{measured}을(를) 설명하는 해는 하나이나, 일부 강성은 한쪽 한계나 넓은 범위로만 정해지므로 단일한 답이 아니다.",
         },
@@ -68,7 +68,7 @@ messages! {
             en: "not determined. Measured modes: {modes}; combinations of the stiffness that stay free: {free}; any solution shown is one of the many possible. Measure higher modes, or mode shapes.",
             ko: "계측 모드 {modes}개로는 강성을 모두 정할 수 없다(정해지지 않는 강성 조합 {free}개). 제시한 해는 가능한 수많은 해 가운데 하나일 뿐이다. 더 높은 모드나 모드형상을 계측한다.",
         },
-        UnderdeterminedSomehow { modes: usize } => {
+        UnderdeterminedSomehow(modes: usize) => {
             en: "not determined. Measured modes: {modes}; some combinations of the stiffness stay free; any solution shown is one of the many possible. Measure higher modes, or mode shapes.",
             ko: "계측 모드 {modes}개로는 강성을 모두 정할 수 없다. 제시한 해는 가능한 수많은 해 가운데 하나일 뿐이다. 더 높은 모드나 모드형상을 계측한다.",
         },
@@ -76,7 +76,7 @@ messages! {
             en: "no real stiffness explains the measured modes ({modes}). {why}",
             ko: "계측 모드 {modes}개를 설명하는 실수 강성이 없다. {why}",
         },
-        ImpossibleSomehow { modes: usize } => {
+        ImpossibleSomehow(modes: usize) => {
             en: "no real stiffness explains the measured modes ({modes}).",
             ko: "계측 모드 {modes}개를 설명하는 실수 강성이 없다.",
         },
@@ -155,7 +155,7 @@ fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Ve
     };
     let hangs = (hangs != 0.0 && each().next().is_some()).then(|| {
         let weight = Quantity::new(hangs, kilo("N"), Digits::Significant(3));
-        Finding::key(Tone::Plain, Found::WithLoads { weight })
+        Finding::key(Tone::Plain, Found::WithLoads(weight))
     });
     // faults of the sensors come before the resulting stiffness
     let sensors = all.iter().filter_map(doubted::finding);
@@ -216,23 +216,11 @@ fn unsought(all: &[SurveyAnswer]) -> Vec<Finding> {
 fn without(why: &WithoutStiffness) -> Finding {
     let said: Sentence = match why {
         WithoutStiffness::NoPlace => Found::NoPlace.into(),
-        WithoutStiffness::AllTwist { direction } => Found::AllTwist {
-            direction: direction.clone(),
-        }
-        .into(),
-        WithoutStiffness::OnColumnsAlone { direction } => Found::OnColumnsAlone {
-            direction: direction.clone(),
-        }
-        .into(),
-        WithoutStiffness::OffTheAxes { channels } => Found::OffTheAxes {
-            channels: channels.clone(),
-        }
-        .into(),
-        WithoutStiffness::Floors { floors } => plan::Plan::WhatFloors { floors: *floors }.into(),
-        WithoutStiffness::Dampers { dampers } => plan::Plan::WhatDampers {
-            dampers: dampers.clone(),
-        }
-        .into(),
+        WithoutStiffness::AllTwist { direction } => Found::AllTwist(direction.clone()).into(),
+        WithoutStiffness::OnColumnsAlone { direction } => Found::OnColumnsAlone(direction.clone()).into(),
+        WithoutStiffness::OffTheAxes { channels } => Found::OffTheAxes(channels.clone()).into(),
+        WithoutStiffness::Floors { floors } => plan::Plan::WhatFloors(*floors).into(),
+        WithoutStiffness::Dampers { dampers } => plan::Plan::WhatDampers(dampers.clone()).into(),
         WithoutStiffness::SideSupportOneWay { number, stone } => joints::Joints::WhatOneWay {
             number: *number,
             stone: stone.clone(),
@@ -247,10 +235,9 @@ fn without(why: &WithoutStiffness) -> Finding {
         WithoutStiffness::Plan(why) => plan::refused(why).into(),
         WithoutStiffness::NoStackModes { has_record: false } => joints::Joints::NoModes.into(),
         WithoutStiffness::NoStackModes { has_record: true } => joints::Joints::NoModesInRecord.into(),
-        WithoutStiffness::OtherDirections { directions } => joints::Joints::OtherDirections {
-            directions: directions.clone(),
+        WithoutStiffness::OtherDirections { directions } => {
+            joints::Joints::OtherDirections(directions.clone()).into()
         }
-        .into(),
         WithoutStiffness::Stack(why) => joints::refused(why).into(),
     };
     Finding::key(Tone::Warn, said)
@@ -275,11 +262,7 @@ fn choice(survey: &str, answer: &StiffnessAnswer) -> Finding {
         peaks => {
             let hertz = |hz: &f64| Quantity::new(*hz, Unit::si("Hz"), Digits::Fixed(3));
             let peaks = Values(peaks.iter().map(hertz).collect());
-            (
-                Tone::Warn,
-                Found::PeaksBelow { peaks }.into(),
-                Some("mode-missing"),
-            )
+            (Tone::Warn, Found::PeaksBelow(peaks).into(), Some("mode-missing"))
         }
     };
     let found = Found::Of {
@@ -324,7 +307,7 @@ fn chosen(answer: &StiffnessAnswer) -> Found {
                 values: Values(values),
             }
         }
-        Choice::Bounded => Found::Bounded { measured },
+        Choice::Bounded => Found::Bounded(measured),
         Choice::Indistinguishable => match found.solutions.len() {
             1 => Found::Meet,
             solutions => Found::Indistinguishable { solutions, measured },
@@ -334,11 +317,11 @@ fn chosen(answer: &StiffnessAnswer) -> Found {
                 modes,
                 free: visibility.free_directions,
             },
-            None => Found::UnderdeterminedSomehow { modes },
+            None => Found::UnderdeterminedSomehow(modes),
         },
         Choice::Impossible => match all_notes(&found.notes) {
             Some(why) => Found::Impossible { modes, why },
-            None => Found::ImpossibleSomehow { modes },
+            None => Found::ImpossibleSomehow(modes),
         },
     }
 }
@@ -350,9 +333,9 @@ fn measured_words(answer: &StiffnessAnswer) -> Sentence {
         true => counted(
             count,
             Words::OneMeasuredWithShapes,
-            Words::MeasuredWithShapes { count },
+            Words::MeasuredWithShapes(count),
         ),
-        false => counted(count, Words::OneMeasured, Words::Measured { count }),
+        false => counted(count, Words::OneMeasured, Words::Measured(count)),
     }
 }
 

@@ -9,10 +9,10 @@ messages! {
     /// Modes of a stack, measured and computed.
     pub(crate) enum Modes in "identification.joint-modes" {
         One => { en: "the 1 measured mode", ko: "계측 모드 1개" },
-        Several { count: usize } => { en: "the {count} measured modes", ko: "계측 모드 {count}개" },
-        AlongX { number: usize } => { en: "x {number}", ko: "x 방향 {number}차" },
-        AlongY { number: usize } => { en: "y {number}", ko: "y 방향 {number}차" },
-        Torsion { number: usize } => { en: "torsion {number}", ko: "비틀림 {number}차" },
+        Several(count: usize) => { en: "the {count} measured modes", ko: "계측 모드 {count}개" },
+        AlongX(number: usize) => { en: "x {number}", ko: "x 방향 {number}차" },
+        AlongY(number: usize) => { en: "y {number}", ko: "y 방향 {number}차" },
+        Torsion(number: usize) => { en: "torsion {number}", ko: "비틀림 {number}차" },
         X => { en: "along x", ko: "x 방향" },
         Y => { en: "along y", ko: "y 방향" },
         Twist => { en: "of torsion", ko: "비틀림" },
@@ -46,7 +46,7 @@ messages! {
             en: "Survey {survey}: the mode at {frequency} {motion} is not used. {why}",
             ko: "{survey} 조사: {frequency} {motion} 모드는 쓰지 않았다. {why}",
         },
-        TooMany { computed: usize } => {
+        TooMany(computed: usize) => {
             en: "The stack has only {computed} such modes.",
             ko: "적층 구조의 해당 모드는 {computed}개뿐이다.",
         },
@@ -58,11 +58,11 @@ messages! {
             en: "Its shape is as like one computed mode as another (MAC {one} and {other}). Measure more points.",
             ko: "모드형상이 두 계산 모드와 비슷하게 닮았다(MAC {one}, {other}). 측점을 늘려야 한다.",
         },
-        Unlike { assurance: Quantity } => {
+        Unlike(assurance: Quantity) => {
             en: "Its shape is like no computed mode (largest MAC {assurance}). Check heights and signs of its points.",
             ko: "모드형상이 어느 계산 모드와도 닮지 않았다(최대 MAC {assurance}). 측점의 높이와 부호를 확인해야 한다.",
         },
-        Taken { assurance: Quantity } => {
+        Taken(assurance: Quantity) => {
             en: "Its shape is like the computed mode that a lower one is taken for (MAC {assurance}).",
             ko: "모드형상이 더 낮은 계측 모드와 짝지은 계산 모드와 닮았다(MAC {assurance}).",
         },
@@ -78,7 +78,7 @@ impl Modes {
     pub(super) fn counted(count: usize) -> Sentence {
         match count {
             1 => Modes::One,
-            count => Modes::Several { count },
+            count => Modes::Several(count),
         }
         .into()
     }
@@ -87,9 +87,9 @@ impl Modes {
     pub(super) fn short(mode: &PairedMode) -> Sentence {
         let number = mode.number;
         match mode.motion {
-            StackMotion::X => Modes::AlongX { number },
-            StackMotion::Y => Modes::AlongY { number },
-            StackMotion::Torsion => Modes::Torsion { number },
+            StackMotion::X => Modes::AlongX(number),
+            StackMotion::Y => Modes::AlongY(number),
+            StackMotion::Torsion => Modes::Torsion(number),
         }
         .into()
     }
@@ -161,7 +161,7 @@ pub(super) fn notes(answer: &FactorsAnswer) -> Vec<Modes> {
 pub(super) fn unused(survey: &str, one: &UnusedMode) -> Modes {
     let mac = |value: f64| Quantity::new(value, Unit::ratio(), Digits::Fixed(2));
     let why = match one.why {
-        WhyUnused::TooMany { computed } => Modes::TooMany { computed },
+        WhyUnused::TooMany { computed } => Modes::TooMany(computed),
         WhyUnused::BetweenModes {
             counted_hz,
             nearest_hz,
@@ -175,12 +175,8 @@ pub(super) fn unused(survey: &str, one: &UnusedMode) -> Modes {
             one: mac(best),
             other: mac(second),
         },
-        WhyUnused::ShapeUnlike { assurance } => Modes::Unlike {
-            assurance: mac(assurance),
-        },
-        WhyUnused::ShapeTaken { assurance } => Modes::Taken {
-            assurance: mac(assurance),
-        },
+        WhyUnused::ShapeUnlike { assurance } => Modes::Unlike(mac(assurance)),
+        WhyUnused::ShapeTaken { assurance } => Modes::Taken(mac(assurance)),
         WhyUnused::AfterUnused => Modes::After,
     };
     let motion = match one.motion {

@@ -37,16 +37,16 @@ messages! {
             ko: "{upper} 외 {above}개 / {lower} 외 {more}개",
         },
         Ground => { en: "the ground", ko: "지반" },
-        Named { name: String } => { en: "{name}", ko: "{name}" },
+        Named(name: String) => { en: "{name}", ko: "{name}" },
         Range => { en: "range", ko: "범위" },
         NotSeen => { en: "not seen", ko: "알 수 없음" },
-        AtLeast { low: Quantity } => { en: "over {low}", ko: "{low} 이상" },
-        AtMost { high: Quantity } => { en: "below {high}", ko: "{high} 이하" },
+        AtLeast(low: Quantity) => { en: "over {low}", ko: "{low} 이상" },
+        AtMost(high: Quantity) => { en: "below {high}", ko: "{high} 이하" },
         From { low: Quantity, high: Quantity } => { en: "{low} to {high}", ko: "{low}~{high}" },
-        Value { value: Quantity } => { en: "{value}", ko: "{value}" },
+        Value(value: Quantity) => { en: "{value}", ko: "{value}" },
         NotSought => { en: "–", ko: "–" },
-        Normal { unit: String } => { en: "K_n ({unit})", ko: "수직강성 K_n ({unit})" },
-        Shear { unit: String } => { en: "K_s ({unit})", ko: "전단강성 K_s ({unit})" },
+        Normal(unit: String) => { en: "K_n ({unit})", ko: "수직강성 K_n ({unit})" },
+        Shear(unit: String) => { en: "K_s ({unit})", ko: "전단강성 K_s ({unit})" },
         Least => { en: "least", ko: "최소" },
         Best => { en: "best", ko: "최적" },
     }
@@ -66,10 +66,7 @@ pub(super) fn name(answer: &FactorsAnswer, at: usize) -> Sentence {
     let first = |names: &[&str]| names.first().map_or_else(String::new, |name| (*name).to_owned());
     let one = |name: &str| match name {
         "ground" => Tables::Ground.into(),
-        name => Tables::Named {
-            name: name.to_owned(),
-        }
-        .into(),
+        name => Tables::Named(name.to_owned()).into(),
     };
     let (above, below) = (upper.len().saturating_sub(1), lower.len().saturating_sub(1));
     match (above, below) {
@@ -110,12 +107,8 @@ fn range_words(one: &JointFactor, times: f64, unit: &Unit) -> Tables {
         None => Tables::NotSought,
         Some(range) => match (range.is_lower_of_band, range.is_upper_of_band) {
             (true, true) => Tables::NotSeen,
-            (false, true) => Tables::AtLeast {
-                low: value(range.lower),
-            },
-            (true, false) => Tables::AtMost {
-                high: value(range.upper),
-            },
+            (false, true) => Tables::AtLeast(value(range.lower)),
+            (true, false) => Tables::AtMost(value(range.upper)),
             (false, false) => Tables::From {
                 low: value(range.lower),
                 high: value(range.upper),
@@ -137,19 +130,17 @@ pub(super) fn factors(answer: &FactorsAnswer) -> Table {
     let unit = Unit::of(&[largest * answer.found.common.factor], "Pa/m");
     let row = |(at, one): (usize, &JointFactor)| {
         let springs = |which: usize| match (drawn[at], one.best) {
-            (Some(drawn), Some(best)) => Cell::words(Tables::Value {
-                value: Quantity {
-                    sd_si: one.relative_sd.map(|sd| sd * best * drawn[which]),
-                    ..Quantity::new(
-                        best * drawn[which],
-                        Unit {
-                            symbol: String::new(),
-                            factor: unit.factor,
-                        },
-                        Digits::Significant(3),
-                    )
-                },
-            }),
+            (Some(drawn), Some(best)) => Cell::words(Tables::Value(Quantity {
+                sd_si: one.relative_sd.map(|sd| sd * best * drawn[which]),
+                ..Quantity::new(
+                    best * drawn[which],
+                    Unit {
+                        symbol: String::new(),
+                        factor: unit.factor,
+                    },
+                    Digits::Significant(3),
+                )
+            })),
             (Some(drawn), None) => Cell::words(range_words(one, drawn[which], &unit)),
             (None, _) => Cell::words(Tables::NotSought),
         };
@@ -168,8 +159,8 @@ pub(super) fn factors(answer: &FactorsAnswer) -> Table {
         columns: vec![
             Column::words(Tables::Joint),
             Column::words(Tables::Range),
-            Column::words(Tables::Normal { unit: symbol() }),
-            Column::words(Tables::Shear { unit: symbol() }),
+            Column::words(Tables::Normal(symbol())),
+            Column::words(Tables::Shear(symbol())),
             Column::numbers(Tables::Least, Unit::ratio()),
             Column::numbers(Tables::Best, Unit::ratio()),
         ],

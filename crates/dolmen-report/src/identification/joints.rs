@@ -63,7 +63,7 @@ messages! {
             en: "Survey {survey}: on these springs the stack finds no rest: {why}",
             ko: "{survey} 조사: 이 강성에서는 적층 구조가 평형을 찾지 못한다: {why}",
         },
-        Head { survey: String } => { en: "Survey {survey}, springs of the joints", ko: "{survey} 조사, 접합부 강성" },
+        Head(survey: String) => { en: "Survey {survey}, springs of the joints", ko: "{survey} 조사, 접합부 강성" },
         Band { low: Quantity, high: Quantity } => {
             en: "Least factor: were all other joints rigid, a softer one would put a mode two deviations below its measured frequency; it needs no assumption. Range: 95 %, if every factor lies between {low} and {high}, ten times the common factor each way; it is exact for one frequency of a stack whose sway and twist do not couple, else searched from several starts. Best: where the modes determine it, ± standard deviation.",
             ko: "최소 배율은 다른 접합면이 모두 강체라 해도 이보다 무르면 어떤 모드가 계측 진동수보다 표준편차의 2배 이상 낮아지는 값으로, 가정이 필요 없다. 범위는 모든 배율이 공통 배율의 1/10과 10배인 {low}에서 {high} 사이에 있다고 볼 때의 95 % 범위이다(병진과 비틀림이 연성되지 않고 고유진동수가 하나이면 정확한 값, 그 밖에는 여러 시작점에서 탐색한 값). 최적값은 모드로 정해지는 경우에만 표준편차와 함께 나타냈다.",
@@ -72,7 +72,7 @@ messages! {
             en: "The stack has many joints: those of one plane share a factor.",
             ko: "접합면이 많아 한 평면에 있는 접합면은 배율을 함께 쓴다.",
         },
-        Open { joints: usize } => {
+        Open(joints: usize) => {
             en: "Joints that are open at rest and have no springs in these modes: {joints}.",
             ko: "정지 상태에서 벌어져 있어 이 모드에 강성이 없는 접합면: {joints}개.",
         },
@@ -95,11 +95,11 @@ messages! {
             en: "No factors on the springs of the joints are sought: the records show no mode along x or y. Give position and direction of the channels, or write the modes into the survey.",
             ko: "기록에서 x 또는 y 방향의 모드를 찾지 못해 접합부 강성을 추정하지 않았다. 채널의 위치와 방향을 주거나 조사에 모드를 적어야 한다.",
         },
-        OtherDirections { directions: Vec<String> } => {
+        OtherDirections(directions: Vec<String>) => {
             en: "No factors on the springs of the joints are sought: the survey states modes in direction {directions}, but a stack sways along x and y and twists (torsion).",
             ko: "조사의 모드 방향이 {directions}뿐이어서 접합부 강성을 추정하지 않았다. 적층 구조의 모드는 x, y, torsion 방향으로 적어야 한다.",
         },
-        AlsoOther { directions: Vec<String> } => {
+        AlsoOther(directions: Vec<String>) => {
             en: "Modes in direction {directions} are not used: a stack sways along x and y and twists (torsion).",
             ko: "{directions} 방향의 모드는 쓰지 않았다. 적층 구조의 모드는 x, y, torsion 방향으로 적어야 한다.",
         },
@@ -115,7 +115,7 @@ messages! {
             en: "No factors on the springs of the joints are found: the mode at {frequency} has {quantity} = {given}, which cannot be. Points lie between the ground and the top of the stack, and deviations are 0 or more.",
             ko: "{frequency} 모드의 {quantity} 값 {given}이(가) 잘못되어 접합부 강성을 추정하지 않았다. 측점은 지반과 적층 구조의 꼭대기 사이에 있고 표준편차는 0 이상이어야 한다.",
         },
-        WhatElse { why: Both } => {
+        WhatElse(why: Both) => {
             en: "No factors on the springs of the joints are found: {why}",
             ko: "접합부 강성을 추정하지 못하였다: {why}",
         },
@@ -137,10 +137,8 @@ pub(super) fn refused(why: &JointFactorsError) -> Joints {
             quantity: (*quantity).to_owned(),
             given: Quantity::ratio(*given, 4),
         },
-        JointFactorsError::Blocks(why) => Joints::WhatElse { why: told_both(why) },
-        JointFactorsError::Linalg(_) | JointFactorsError::Option { .. } => {
-            Joints::WhatElse { why: told_both(why) }
-        }
+        JointFactorsError::Blocks(why) => Joints::WhatElse(told_both(why)),
+        JointFactorsError::Linalg(_) | JointFactorsError::Option { .. } => Joints::WhatElse(told_both(why)),
     }
 }
 
@@ -283,9 +281,7 @@ fn band(answer: &FactorsAnswer) -> [Quantity; 2] {
 /// The input modes, every joint, and the basis of the numbers.
 pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a FactorsAnswer) {
     let found = &answer.found;
-    document.subheading(Joints::Head {
-        survey: survey.to_owned(),
-    });
+    document.subheading(Joints::Head(survey.to_owned()));
     document.put(Block::Table(joint_modes::table(answer)));
     document.put(Block::Table(joint_tables::factors(answer)));
     let [low, high] = band(answer);
@@ -300,9 +296,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a
         document.note(Joints::Beds);
     }
     if !found.open_joints.is_empty() {
-        document.note(Joints::Open {
-            joints: found.open_joints.len(),
-        });
+        document.note(Joints::Open(found.open_joints.len()));
     }
     for said in joint_modes::notes(answer) {
         document.note(said);
@@ -311,9 +305,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a
         document.note(left_out(why));
     }
     if !answer.other_directions.is_empty() {
-        document.note(Joints::AlsoOther {
-            directions: answer.other_directions.clone(),
-        });
+        document.note(Joints::AlsoOther(answer.other_directions.clone()));
     }
     document.note(Joints::Exact);
 }

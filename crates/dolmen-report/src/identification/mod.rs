@@ -38,10 +38,10 @@ messages! {
             ko: "스프링의 작용 방식을 달리 본 경우의 강성",
         },
         Survey { survey: String, place: Sentence } => { en: "Survey {survey}, {place}", ko: "{survey} 조사, {place}" },
-        Measured { modes: Vec<Sentence> } => { en: "Measured: {modes}.", ko: "계측값: {modes}." },
-        Mode { frequency: Quantity } => { en: "{frequency}", ko: "{frequency}" },
-        NoShape { frequency: Quantity } => { en: "{frequency} (no shape)", ko: "{frequency} (모드형상 없음)" },
-        OnePoint { frequency: Quantity } => {
+        Measured(modes: Vec<Sentence>) => { en: "Measured: {modes}.", ko: "계측값: {modes}." },
+        Mode(frequency: Quantity) => { en: "{frequency}", ko: "{frequency}" },
+        NoShape(frequency: Quantity) => { en: "{frequency} (no shape)", ko: "{frequency} (모드형상 없음)" },
+        OnePoint(frequency: Quantity) => {
             en: "{frequency} (1 point of its shape)",
             ko: "{frequency} (측점 1개의 모드형상)",
         },
@@ -135,9 +135,7 @@ fn of_answer<'a>(
     });
     let measured = measured_modes(project, &survey.name, answer);
     let modes = measured.iter().map(|mode| mode_words(mode, answer.with_shapes));
-    document.paragraph(Stiffness::Measured {
-        modes: modes.collect(),
-    });
+    document.paragraph(Stiffness::Measured(modes.collect()));
     solutions::section(document, project, answer, measured);
     if let Some(visibility) = &answer.solutions.visibility {
         document.put(Block::Paragraph(seen::seen(visibility)));
@@ -154,9 +152,9 @@ fn mode_words(mode: &MeasuredMode, with_shapes: bool) -> Sentence {
         ..Quantity::new(mode.frequency_hz, Unit::si("Hz"), Digits::Trimmed(5))
     };
     match mode.shape.len() {
-        0 if with_shapes => Stiffness::Mode { frequency },
-        0 => Stiffness::NoShape { frequency },
-        1 => Stiffness::OnePoint { frequency },
+        0 if with_shapes => Stiffness::Mode(frequency),
+        0 => Stiffness::NoShape(frequency),
+        1 => Stiffness::OnePoint(frequency),
         points => Stiffness::Points { frequency, points },
     }
     .into()

@@ -27,15 +27,15 @@ messages! {
             en: "one solution explains the 3 frequencies and the twists: k_x {k_x}, k_y {k_y}, k_θ {k_theta} about the centre of rigidity, which lies {e_x} along x and {e_y} along y from the centre of mass.",
             ko: "고유진동수 3개와 비틀림비를 설명하는 해는 하나이다. k_x {k_x}, k_y {k_y}, 강성 중심에 대한 k_θ {k_theta}이고, 편심(질량 중심에서 강성 중심까지)은 x {e_x}, y {e_y}이다.",
         },
-        Several { solutions: usize } => {
+        Several(solutions: usize) => {
             en: "{solutions} different solutions explain the measured modes equally well; none is preferred here. How each mode moves (x, y or torsion), and the twists of the modes along x and y, tell them apart.",
             ko: "서로 다른 해 {solutions}개가 계측 모드를 똑같이 잘 설명하므로 어느 것도 택하지 않는다. 각 모드의 거동(x, y 또는 비틀림)과 x, y 방향 모드의 비틀림비를 계측하면 구별할 수 있다.",
         },
-        SeveralMove { solutions: usize } => {
+        SeveralMove(solutions: usize) => {
             en: "{solutions} different solutions explain the measured modes equally well; none is preferred here. The twists of the modes along x and y tell them apart, and give the centre of rigidity.",
             ko: "서로 다른 해 {solutions}개가 계측 모드를 똑같이 잘 설명하므로 어느 것도 택하지 않는다. x, y 방향 모드의 비틀림비를 계측하면 구별할 수 있고 강성 중심도 구해진다.",
         },
-        Refused { solutions: usize } => {
+        Refused(solutions: usize) => {
             en: "none is accepted. Solutions with the 3 frequencies: {solutions}; in each a mode moves otherwise than it was measured. Check how the modes were told apart, and the masses and centres of the floor.",
             ko: "받아들일 수 있는 해가 없다. 고유진동수 3개를 갖는 해 {solutions}개 모두에서 어떤 모드가 계측과 다르게 움직인다. 모드의 구분과 바닥의 질량, 중심을 확인해야 한다.",
         },
@@ -60,13 +60,13 @@ messages! {
             en: "Survey {survey}: a frequency 1 % off moves a stiffness in plan by up to {per_cent}. Sway and twist lie too close for these frequencies to settle it.",
             ko: "{survey} 조사: 고유진동수가 1 % 어긋나면 평면 강성은 최대 {per_cent} 달라진다. 병진과 비틀림이 너무 가까워 이 고유진동수로는 잘 정해지지 않는다.",
         },
-        TwistUnused { survey: String } => {
+        TwistUnused(survey: String) => {
             en: "Survey {survey}: twist is given of one mode only and is not used. With those of both modes along x and y, and all 3 frequencies, the centre of rigidity is found as well.",
             ko: "{survey} 조사: 비틀림비가 한 모드에만 있어 쓰지 않았다. 고유진동수 3개와 x, y 방향 두 모드의 비틀림비가 있으면 강성 중심도 추정한다.",
         },
-        Head { survey: String } => { en: "Survey {survey}, in plan", ko: "{survey} 조사, 평면" },
-        Measured { modes: Vec<Sentence> } => { en: "Measured: {modes}.", ko: "계측값: {modes}." },
-        Mode { frequency: Quantity } => { en: "{frequency} (motion not known)", ko: "{frequency}(거동 미상)" },
+        Head(survey: String) => { en: "Survey {survey}, in plan", ko: "{survey} 조사, 평면" },
+        Measured(modes: Vec<Sentence>) => { en: "Measured: {modes}.", ko: "계측값: {modes}." },
+        Mode(frequency: Quantity) => { en: "{frequency} (motion not known)", ko: "{frequency}(거동 미상)" },
         ModeOf { frequency: Quantity, motion: Sentence } => { en: "{frequency} ({motion})", ko: "{frequency}({motion})" },
         ModeTwist { frequency: Quantity, motion: Sentence, twist: Quantity } => {
             en: "{frequency} ({motion}, twist ρθ/u {twist})",
@@ -75,7 +75,7 @@ messages! {
         AlongX => { en: "along x", ko: "x 방향 병진" },
         AlongY => { en: "along y", ko: "y 방향 병진" },
         Torsion => { en: "torsion", ko: "비틀림" },
-        Caption { total: usize } => { en: "Solutions in plan: {total}.", ko: "평면 강성의 해: {total}개." },
+        Caption(total: usize) => { en: "Solutions in plan: {total}.", ko: "평면 강성의 해: {total}개." },
         Meaning => {
             en: "k θ is about the centre of rigidity; e is from the centre of mass to it; ± standard deviation. Per 1 %: how much a stiffness moves, most, where each frequency moves by 1 %.",
             ko: "k θ는 강성 중심에 대한 값, e는 질량 중심에서 강성 중심까지의 거리이며 ±는 표준편차이다. 1 %당은 각 고유진동수가 1 % 달라질 때 강성이 달라지는 최대량이다.",
@@ -87,7 +87,7 @@ messages! {
         Solution => { en: "Solution", ko: "해" },
         InTheFile => { en: "file", ko: "파일" },
         Verdict => { en: "verdict", ko: "판정" },
-        VerdictWord { word: Both } => { en: "{word}", ko: "{word}" },
+        VerdictWord(word: Both) => { en: "{word}", ko: "{word}" },
         NotAccepted => { en: "not accepted", ko: "제외" },
         PerOne => { en: "per 1 %", ko: "1 %당" },
         Why { solution: Sentence, frequency: Quantity, would_be: Sentence, share: Quantity, measured: Sentence } => {
@@ -112,11 +112,11 @@ messages! {
             en: "The deviations are of what was measured, linearised, with masses and plan taken as exact; 1 % more mass is 1 % more of every k.",
             ko: "표준편차는 계측값에서만 비롯한 선형화한 값이며 질량과 평면 치수는 정확하다고 보았다. 질량이 1 % 크면 모든 k가 1 % 크다.",
         },
-        WhatFloors { floors: usize } => {
+        WhatFloors(floors: usize) => {
             en: "No stiffness is sought from vibration: the building has {floors} floors, and it is found for one floor on one storey only. The check compares the measured frequencies with those of the model.",
             ko: "건물의 층이 {floors}개여서 진동으로 강성을 추정하지 않았다. 추정은 바닥 하나와 그 아래 층 하나인 건물에만 한다. 검토에서 계측 고유진동수와 모델의 값을 비교한다.",
         },
-        WhatDampers { dampers: Vec<String> } => {
+        WhatDampers(dampers: Vec<String>) => {
             en: "No stiffness is sought from vibration: the file puts dampers on the floor ({dampers}), and modes measured with them are not those of the floor alone. Survey with the dampers blocked, and move them into a [variant]; the check compares what was measured with the modes of the whole, dampers included.",
             ko: "파일에 감쇠기({dampers})가 있어, 그대로 계측한 모드는 바닥만의 모드가 아니므로 진동으로 강성을 추정하지 않았다. 감쇠기를 고정하고 계측한 뒤 감쇠기를 [variant]로 옮겨야 한다. 검토에서는 계측값을 감쇠기를 포함한 전체의 모드와 비교한다.",
         },
@@ -124,15 +124,15 @@ messages! {
             en: "No stiffness is sought from vibration: the walls of the storey are turned from x and y, which makes more unknowns than k_x, k_y and k_θ. Turn the axes of the plan with the walls.",
             ko: "층의 벽이 x, y축에서 돌아가 있어 미지수가 k_x, k_y, k_θ보다 많으므로 진동으로 강성을 추정하지 않았다. 평면의 축을 벽에 맞추어 돌려야 한다.",
         },
-        WhatModes { given: usize } => {
+        WhatModes(given: usize) => {
             en: "No stiffness is sought: {given} modes are given, but one floor has 3, along x, along y and torsion. Keep the lowest of each in the survey.",
             ko: "모드가 {given}개 주어졌으나 바닥 하나의 모드는 x, y, 비틀림의 3개이므로 강성을 추정하지 않았다. 조사에 각각의 최저 모드만 남겨야 한다.",
         },
-        WhatTwice { motion: Sentence } => {
+        WhatTwice(motion: Sentence) => {
             en: "No stiffness is sought: two modes are {motion}, but one floor has one of each. Keep the lowest in the survey.",
             ko: "{motion} 모드가 둘 주어졌으나 바닥 하나에는 하나뿐이므로 강성을 추정하지 않았다. 조사에 최저 모드만 남겨야 한다.",
         },
-        WhatRepeated { frequency: Quantity } => {
+        WhatRepeated(frequency: Quantity) => {
             en: "No stiffness is sought: {frequency} stands twice. Where sway and twist couple, two modes never have one frequency: give more digits.",
             ko: "{frequency}이(가) 두 번 주어져 강성을 추정하지 않았다. 병진과 비틀림이 연성되면 두 모드의 고유진동수가 같을 수 없으므로 자릿수를 더 주어야 한다.",
         },
@@ -146,13 +146,9 @@ messages! {
 /// Why the modes of a building are refused.
 pub(super) fn refused(why: &PlanStiffnessError) -> Plan {
     match why {
-        PlanStiffnessError::Modes { given } => Plan::WhatModes { given: *given },
-        PlanStiffnessError::Twice { motion } => Plan::WhatTwice {
-            motion: motion_word(*motion),
-        },
-        PlanStiffnessError::Repeated { frequency_hz } => Plan::WhatRepeated {
-            frequency: hertz(*frequency_hz, 0.0),
-        },
+        PlanStiffnessError::Modes { given } => Plan::WhatModes(*given),
+        PlanStiffnessError::Twice { motion } => Plan::WhatTwice(motion_word(*motion)),
+        PlanStiffnessError::Repeated { frequency_hz } => Plan::WhatRepeated(hertz(*frequency_hz, 0.0)),
         PlanStiffnessError::Argument { .. }
         | PlanStiffnessError::Structure(_)
         | PlanStiffnessError::Linalg(_) => Plan::WhatElse,
@@ -185,7 +181,7 @@ pub(super) fn findings(survey: &str, answer: &PlanAnswer) -> Vec<Finding> {
     }
     if answer.twist_unused {
         let survey = survey.to_owned();
-        all.push(Finding::new(Tone::Unknown, Plan::TwistUnused { survey }));
+        all.push(Finding::new(Tone::Unknown, Plan::TwistUnused(survey)));
     }
     all
 }
@@ -225,18 +221,14 @@ fn chosen(answer: &PlanAnswer) -> (Tone, Sentence, Option<&'static str>) {
     let solutions = found.solutions.len();
     match found.accepted().count() {
         0 if solutions == 0 => (Tone::Bad, Plan::Impossible.into(), Some("no-real-root")),
-        0 => (
-            Tone::Bad,
-            Plan::Refused { solutions }.into(),
-            Some("no-real-root"),
-        ),
+        0 => (Tone::Bad, Plan::Refused(solutions).into(), Some("no-real-root")),
         solutions => {
             let all_move = answer.modes.iter().all(|mode| mode.motion.is_some());
             let said: Sentence = match (is_stated, all_move) {
                 (false, _) if has_shapes(answer) => plan_centre::Centre::SeveralShapes { solutions }.into(),
                 (false, _) => plan_centre::Centre::SeveralTwists { solutions }.into(),
-                (true, true) => Plan::SeveralMove { solutions }.into(),
-                (true, false) => Plan::Several { solutions }.into(),
+                (true, true) => Plan::SeveralMove(solutions).into(),
+                (true, false) => Plan::Several(solutions).into(),
             };
             (Tone::Warn, said, Some("indistinguishable"))
         }
@@ -274,12 +266,8 @@ fn free(answer: &PlanAnswer) -> Plan {
 
 /// Every solution, why some are not accepted, and the modes of accepted ones.
 pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a PlanAnswer) {
-    document.subheading(Plan::Head {
-        survey: survey.to_owned(),
-    });
-    document.paragraph(Plan::Measured {
-        modes: answer.modes.iter().map(mode_words).collect(),
-    });
+    document.subheading(Plan::Head(survey.to_owned()));
+    document.paragraph(Plan::Measured(answer.modes.iter().map(mode_words).collect()));
     let found = &answer.found;
     if found.solutions.is_empty() {
         document.paragraph(chosen(answer).1);
@@ -319,9 +307,7 @@ fn table(answer: &PlanAnswer) -> Table {
             false => Plan::NotAccepted,
             true => {
                 let verdict = Verdict::of_load_factor(*factor);
-                Plan::VerdictWord {
-                    word: Both::of(|language| verdict_word(verdict, language)),
-                }
+                Plan::VerdictWord(Both::of(|language| verdict_word(verdict, language)))
             }
         }));
         let quantity = Quantity::beside_one(*factor, 4);
@@ -350,7 +336,7 @@ fn table(answer: &PlanAnswer) -> Table {
     );
     row.push(Cell::Number(None));
     rows.push(row);
-    let mut caption = vec![Plan::Caption { total: all.len() }.into(), Plan::Meaning.into()];
+    let mut caption = vec![Plan::Caption(all.len()).into(), Plan::Meaning.into()];
     if answer.found.eccentricity_from == EccentricityFrom::Stated {
         caption.push(Plan::Stated.into());
     }
@@ -418,7 +404,7 @@ fn why_not(at: usize, why: &MovesOtherwise) -> Plan {
 fn mode_words(mode: &PlanMode) -> Sentence {
     let frequency = hertz(mode.frequency_hz, mode.frequency_sd_hz);
     match (mode.motion, mode.twist) {
-        (None, _) => Plan::Mode { frequency },
+        (None, _) => Plan::Mode(frequency),
         (Some(motion), None) => Plan::ModeOf {
             frequency,
             motion: motion_word(motion),

@@ -31,7 +31,7 @@ messages! {
             en: "k₁ is of the lowest {spring}, ± standard deviation. Starting points tried: {starts}; misfit is the root mean square deviation in units of the standard deviation, relative where none is given.",
             ko: "k₁은 맨 아래 {spring}의 강성이며 ±는 표준편차이다. 시작점 {starts}개. 오차는 표준편차 단위의 제곱평균제곱근이며, 표준편차가 없으면 상대값이다.",
         },
-        RangeMeaning { widths: Values } => {
+        RangeMeaning(widths: Values) => {
             en: "Least, most: the range while every frequency moves by √3 of its standard deviation, {widths}.",
             ko: "최소, 최대는 각 진동수가 표준편차의 √3배({widths})만큼 변할 때의 범위이다.",
         },
@@ -41,14 +41,14 @@ messages! {
         },
         Solution => { en: "Solution", ko: "해" },
         Verdict => { en: "verdict", ko: "판정" },
-        VerdictWord { word: Both } => { en: "{word}", ko: "{word}" },
+        VerdictWord(word: Both) => { en: "{word}", ko: "{word}" },
         LoadFactor => { en: "λ", ko: "λ" },
         Misfit => { en: "misfit", ko: "오차" },
-        Least { solution: Sentence } => { en: "{solution}, least", ko: "{solution} 최소" },
-        Most { solution: Sentence } => { en: "{solution}, most", ko: "{solution} 최대" },
+        Least(solution: Sentence) => { en: "{solution}, least", ko: "{solution} 최소" },
+        Most(solution: Sentence) => { en: "{solution}, most", ko: "{solution} 최대" },
         Between { lower: Quantity, upper: Quantity } => { en: "{lower} to {upper}", ko: "{lower} ~ {upper}" },
-        Above { lower: Quantity } => { en: "above {lower}", ko: "{lower} 이상" },
-        Below { upper: Quantity } => { en: "below {upper}", ko: "{upper} 이하" },
+        Above(lower: Quantity) => { en: "above {lower}", ko: "{lower} 이상" },
+        Below(upper: Quantity) => { en: "below {upper}", ko: "{upper} 이하" },
         Any => { en: "any", ko: "임의" },
         Shapes => { en: "Mode shapes of the solutions.", ko: "해별 모드형상." },
         SameFrequencies => {
@@ -62,7 +62,7 @@ messages! {
             ko: "u는 횡변위이며 아래부터이고 최댓값을 1로 하였다.",
         },
         Mode => { en: "mode", ko: "모드" },
-        Nth { number: usize } => { en: "{number}", ko: "{number}" },
+        Nth(number: usize) => { en: "{number}", ko: "{number}" },
         Frequency => { en: "f", ko: "f" },
     }
 }
@@ -174,7 +174,7 @@ fn caption(answer: &StiffnessAnswer) -> Vec<Sentence> {
     if let Some(range) = shown.iter().find_map(|one| one.stiffness_range.as_ref()) {
         let width = |hz: &f64| Quantity::new(*hz, Unit::si("Hz"), Digits::Fixed(3));
         let widths = Values(range.half_width_hz.iter().map(width).collect());
-        caption.push(Solutions::RangeMeaning { widths }.into());
+        caption.push(Solutions::RangeMeaning(widths).into());
     }
     if shown.iter().any(|one| one.stiffness_bounds.is_some()) {
         caption.push(Solutions::BoundsMeaning.into());
@@ -192,9 +192,9 @@ fn rows_of(at: usize, solution: &StiffnessSolution, answer: &StiffnessAnswer, un
     };
     let mut row = vec![
         Cell::words(name.clone()),
-        Cell::words(Solutions::VerdictWord {
-            word: Both::of(|language| verdict_word(verdict, language)),
-        }),
+        Cell::words(Solutions::VerdictWord(Both::of(|language| {
+            verdict_word(verdict, language)
+        }))),
         load_factor(solution, factor),
     ];
     row.extend((0..solution.stiffness.len()).map(|spring| stiffness(answer, solution, spring, unit)));
@@ -207,11 +207,9 @@ fn rows_of(at: usize, solution: &StiffnessSolution, answer: &StiffnessAnswer, un
     ));
     let mut rows = vec![row];
     if let Some(StiffnessRange { lower, upper, .. }) = &solution.stiffness_range {
-        let least = Solutions::Least {
-            solution: name.clone(),
-        };
+        let least = Solutions::Least(name.clone());
         rows.push(range_row(least, lower, unit));
-        rows.push(range_row(Solutions::Most { solution: name }, upper, unit));
+        rows.push(range_row(Solutions::Most(name), upper, unit));
     }
     rows
 }
@@ -268,8 +266,8 @@ fn bounds_words(bound: &StiffnessBounds, unit: &Unit) -> Solutions {
             lower: number(lower),
             upper: number(upper),
         },
-        (Some(lower), None) => Solutions::Above { lower: number(lower) },
-        (None, Some(upper)) => Solutions::Below { upper: number(upper) },
+        (Some(lower), None) => Solutions::Above(number(lower)),
+        (None, Some(upper)) => Solutions::Below(number(upper)),
         (None, None) => Solutions::Any,
     }
 }
@@ -323,7 +321,7 @@ fn modes_table(answer: &StiffnessAnswer) -> Table {
         for (number, mode) in modes_shown(solution, measured).iter().enumerate() {
             let mut row = vec![
                 Cell::words(Sentence::of_symbol(&letter(at))),
-                Cell::words(Solutions::Nth { number: number + 1 }),
+                Cell::words(Solutions::Nth(number + 1)),
                 Cell::number(Quantity::ratio(mode.frequency_hz, 5)),
             ];
             let shape = mode.displacement.iter();

@@ -10,8 +10,8 @@ messages! {
         Storey => { en: "storey", ko: "층" },
         JointStiffness => { en: "joint stiffness", ko: "접합부 강성" },
         StoreyStiffness => { en: "storey stiffness", ko: "층강성" },
-        JointNumber { number: usize } => { en: "joint {number}", ko: "접합면 {number}" },
-        StoreyNumber { number: usize } => { en: "storey {number}", ko: "{number}층" },
+        JointNumber(number: usize) => { en: "joint {number}", ko: "접합면 {number}" },
+        StoreyNumber(number: usize) => { en: "storey {number}", ko: "{number}층" },
         Of { spring: Sentence, value: Quantity } => { en: "{spring}: {value}", ko: "{spring}: {value}" },
         Chain => { en: "chain", ko: "체인 모델" },
         Frame => { en: "frame", ko: "골조 모델" },
@@ -21,34 +21,34 @@ messages! {
             ko: "각 층 상부의 질량 모멘트를 층고로 나눈 값(거의 직선인 1차 모드형상)",
         },
         MassAbove => { en: "the mass above each storey", ko: "각 층 상부의 질량" },
-        Relative { misfit: Quantity } => { en: "{misfit} (root mean square)", ko: "{misfit}(제곱평균제곱근)" },
-        Deviations { misfit: Quantity } => {
+        Relative(misfit: Quantity) => { en: "{misfit} (root mean square)", ko: "{misfit}(제곱평균제곱근)" },
+        Deviations(misfit: Quantity) => {
             en: "{misfit} standard deviations (root mean square)",
             ko: "표준편차의 {misfit}배(제곱평균제곱근)",
         },
         OneFrequency => { en: "1 frequency gives", ko: "고유진동수 1개에서 얻는" },
-        Frequencies { count: usize } => { en: "{count} frequencies give", ko: "고유진동수 {count}개에서 얻는" },
+        Frequencies(count: usize) => { en: "{count} frequencies give", ko: "고유진동수 {count}개에서 얻는" },
         OneFrequencyWithShapes => {
             en: "1 frequency with shape points gives",
             ko: "고유진동수 1개와 모드형상 측점에서 얻는",
         },
-        FrequenciesWithShapes { count: usize } => {
+        FrequenciesWithShapes(count: usize) => {
             en: "{count} frequencies with shape points give",
             ko: "고유진동수 {count}개와 모드형상 측점에서 얻는",
         },
         OneDatum => { en: "1 independent datum", ko: "독립된 자료는 1개" },
-        Data { count: usize } => { en: "{count} independent data", ko: "독립된 자료는 {count}개" },
+        Data(count: usize) => { en: "{count} independent data", ko: "독립된 자료는 {count}개" },
         OneStart => { en: "1 start", ko: "시작점 1개" },
-        Starts { count: usize } => { en: "{count} starts", ko: "시작점 {count}개" },
+        Starts(count: usize) => { en: "{count} starts", ko: "시작점 {count}개" },
         OneMode => { en: "1 mode", ko: "모드 1개" },
-        Modes { count: usize } => { en: "{count} modes", ko: "모드 {count}개" },
+        Modes(count: usize) => { en: "{count} modes", ko: "모드 {count}개" },
         OneMeasured => { en: "the 1 frequency", ko: "고유진동수 1개" },
-        Measured { count: usize } => { en: "the {count} frequencies", ko: "고유진동수 {count}개" },
+        Measured(count: usize) => { en: "the {count} frequencies", ko: "고유진동수 {count}개" },
         OneMeasuredWithShapes => {
             en: "the 1 frequency and the measured shapes",
             ko: "고유진동수 1개와 계측 모드형상",
         },
-        MeasuredWithShapes { count: usize } => {
+        MeasuredWithShapes(count: usize) => {
             en: "the {count} frequencies and the measured shapes",
             ko: "고유진동수 {count}개와 계측 모드형상",
         },
@@ -94,8 +94,8 @@ pub(super) fn model_word(spring: Spring) -> Sentence {
 /// "joint 3".
 pub(super) fn numbered(spring: Spring, number: usize) -> Sentence {
     match spring {
-        Spring::Joint => Words::JointNumber { number },
-        Spring::Storey => Words::StoreyNumber { number },
+        Spring::Joint => Words::JointNumber(number),
+        Spring::Storey => Words::StoreyNumber(number),
     }
     .into()
 }
@@ -125,22 +125,18 @@ pub(super) fn proportion_words(proportion: Proportion) -> Sentence {
 /// The misfit between a solution and the data.
 pub(super) fn misfit_words(misfit: Misfit) -> Sentence {
     match misfit {
-        Misfit::Relative(share) => Words::Relative {
-            misfit: Quantity::new(share, Unit::percent(), Digits::Fixed(2)),
-        },
-        Misfit::Deviations(count) => Words::Deviations {
-            misfit: Quantity::new(count, Unit::ratio(), Digits::Fixed(1)),
-        },
+        Misfit::Relative(share) => Words::Relative(Quantity::new(share, Unit::percent(), Digits::Fixed(2))),
+        Misfit::Deviations(count) => Words::Deviations(Quantity::new(count, Unit::ratio(), Digits::Fixed(1))),
     }
     .into()
 }
 
 /// "3 starts".
 pub(super) fn starts_words(count: usize) -> Sentence {
-    counted(count, Words::OneStart, Words::Starts { count })
+    counted(count, Words::OneStart, Words::Starts(count))
 }
 
 /// "2 modes".
 pub(super) fn modes_words(count: usize) -> Sentence {
-    counted(count, Words::OneMode, Words::Modes { count })
+    counted(count, Words::OneMode, Words::Modes(count))
 }

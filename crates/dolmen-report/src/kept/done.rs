@@ -25,7 +25,7 @@ messages! {
             en: "{count} surveys that {structure} had are not in this file, and are watched no more: {names}. Is it the same structure? What was there stays in the store; to take it back, add the file that has them.",
             ko: "{structure}에 있던 계측 조사 {count}건이 이 파일에 없어 더 이상 검토되지 않는다: {names}. 같은 구조물인가? 이전 내용은 저장소에 남으며, 해당 조사가 있는 파일을 다시 저장하면 되돌아온다.",
         },
-        Analyses { count: usize } => {
+        Analyses(count: usize) => {
             en: "Modes were identified from the records: {count} new analyses.",
             ko: "기록에서 모드를 식별하였다: 신규 식별 {count}건.",
         },
@@ -37,9 +37,9 @@ messages! {
             en: "EARTHQUAKE: the record of survey {survey} holds one, or the file states it{peak}{changed}, and no repair or inspection followed. It is an open alarm. Look at the structure; then enter it into works of [watch].",
             ko: "지진: {survey} 조사의 기록 또는 기재 내용에 지진이 있다{peak}{changed}. 이후 보수나 점검이 없어 조치되지 않은 경보로 남는다. 구조물을 점검하고 [watch]의 works에 기록한다.",
         },
-        PeakOf { peak: Quantity } => { en: ", peak acceleration {peak}", ko: ", 최대가속도 {peak}" },
-        Lasting { by: Quantity } => { en: ", LASTING CHANGE of a frequency by {by}", ko: ", 고유진동수 잔류 변화 {by}" },
-        NotBeyond { by: Quantity } => {
+        PeakOf(peak: Quantity) => { en: ", peak acceleration {peak}", ko: ", 최대가속도 {peak}" },
+        Lasting(by: Quantity) => { en: ", LASTING CHANGE of a frequency by {by}", ko: ", 고유진동수 잔류 변화 {by}" },
+        NotBeyond(by: Quantity) => {
             en: ", no lasting change beyond chance ({by})",
             ko: ", 유의한 잔류 변화 없음({by})",
         },
@@ -52,11 +52,11 @@ messages! {
             en: "{structures} structures were read: {rows} rows and {files} raw files are new.",
             ko: "구조물 {structures}기를 읽었다: 신규 행 {rows}개, 신규 원본 파일 {files}개.",
         },
-        Removed { structure: String } => {
+        Removed(structure: String) => {
             en: "{structure} is out of use; nothing was deleted, and --undo takes it back.",
             ko: "{structure}의 사용을 중지하였다. 삭제된 자료는 없으며 --undo로 되돌린다.",
         },
-        Restored { structure: String } => {
+        Restored(structure: String) => {
             en: "{structure} is in use again.",
             ko: "{structure}을(를) 다시 사용한다.",
         },
@@ -64,22 +64,22 @@ messages! {
             en: "Everything is as it was stored: {structures} structures, {surveys} surveys, {analyses} analyses, {files} raw files of {size}, each compared with its hash.",
             ko: "모든 자료가 저장 당시와 같다: 구조물 {structures}기, 계측 조사 {surveys}건, 식별 {analyses}건, 원본 파일 {files}개({size})를 해시와 대조하였다.",
         },
-        Unsound { count: usize } => {
+        Unsound(count: usize) => {
             en: "{count} things are not as they were stored:",
             ko: "저장 당시와 다른 곳이 {count}건 있다:",
         },
-        Missing { hash: String } => { en: "raw file {hash} is missing", ko: "원본 파일 {hash}이(가) 없음" },
-        Changed { hash: String } => { en: "raw file {hash} was changed", ko: "원본 파일 {hash}이(가) 변경됨" },
+        Missing(hash: String) => { en: "raw file {hash} is missing", ko: "원본 파일 {hash}이(가) 없음" },
+        Changed(hash: String) => { en: "raw file {hash} was changed", ko: "원본 파일 {hash}이(가) 변경됨" },
         Row { table: String, name: String } => {
             en: "the row {name} of {table} does not say what its name stands for",
             ko: "{table} 테이블의 행 {name}의 내용이 이름과 다름",
         },
-        Database { why: String } => { en: "the database: {why}", ko: "데이터베이스: {why}" },
-        Unnamed { count: usize } => {
+        Database(why: String) => { en: "the database: {why}", ko: "데이터베이스: {why}" },
+        Unnamed(count: usize) => {
             en: "{count} raw files belong to nothing: a process was stopped before it could store what they belong to. They do no harm.",
             ko: "어디에도 속하지 않는 원본 파일이 {count}개 있다. 저장이 끝나기 전에 프로세스가 중단된 흔적이며 해가 없다.",
         },
-        Content { hash: String } => {
+        Content(hash: String) => {
             en: "Sum over the content: {hash}. Stores with the same sum hold the same.",
             ko: "내용 합계: {hash}. 합계가 같은 저장소는 내용이 같다.",
         },
@@ -113,9 +113,7 @@ pub fn added_text(added: &Added, style: TextStyle) -> String {
     let mut document = Document::default();
     document.paragraph(head);
     if added.new_analyses > 0 {
-        document.paragraph(Done::Analyses {
-            count: added.new_analyses,
-        });
+        document.paragraph(Done::Analyses(added.new_analyses));
     }
     if !added.changed_surveys.is_empty() {
         let said = Done::ChangedSurveys {
@@ -152,12 +150,12 @@ pub fn added_text(added: &Added, style: TextStyle) -> String {
 fn shaken(one: &AddedEarthquake) -> Done {
     let of = &one.of;
     let percent = |by: f64| Quantity::new(by, Unit::percent(), Digits::Significant(2));
-    let peak = of.peak_m_s2.map_or(Done::Unsaid, |peak| Done::PeakOf {
-        peak: Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3)),
+    let peak = of.peak_m_s2.map_or(Done::Unsaid, |peak| {
+        Done::PeakOf(Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3)))
     });
     let changed = match (of.changed, of.changed_sd) {
-        (Some(by), Some(sd)) if by.abs() > LastingChange::BEYOND * sd => Done::Lasting { by: percent(by) },
-        (Some(by), Some(_)) => Done::NotBeyond { by: percent(by) },
+        (Some(by), Some(sd)) if by.abs() > LastingChange::BEYOND * sd => Done::Lasting(percent(by)),
+        (Some(by), Some(_)) => Done::NotBeyond(percent(by)),
         _ => Done::Unsaid,
     };
     Done::Shaken {
@@ -198,8 +196,8 @@ pub fn imported_text(imported: &Imported, style: TextStyle) -> String {
 pub fn marked_text(structure: &str, is_removed: bool, style: TextStyle) -> String {
     let structure = structure.to_owned();
     let done = match is_removed {
-        true => Done::Removed { structure },
-        false => Done::Restored { structure },
+        true => Done::Removed(structure),
+        false => Done::Restored(structure),
     };
     sentences([done.into()], style)
 }
@@ -216,32 +214,23 @@ pub fn verified_text(verified: &Verified, style: TextStyle) -> String {
             size: Quantity::engineering(verified.raw_bytes as f64, "B", 3),
         });
     } else {
-        document.put(Block::Warning(
-            Done::Unsound {
-                count: verified.faults.len(),
-            }
-            .into(),
-        ));
+        document.put(Block::Warning(Done::Unsound(verified.faults.len()).into()));
         let said = verified.faults.iter().map(|fault| {
             match fault.clone() {
-                Fault::Missing { hash } => Done::Missing { hash },
-                Fault::Changed { hash } => Done::Changed { hash },
+                Fault::Missing { hash } => Done::Missing(hash),
+                Fault::Changed { hash } => Done::Changed(hash),
                 Fault::Row { table, name } => Done::Row { table, name },
-                Fault::Database { why } => Done::Database { why },
+                Fault::Database { why } => Done::Database(why),
             }
             .into()
         });
         document.put(Block::List(said.collect()));
     }
     if verified.unnamed_files > 0 {
-        document.note(Done::Unnamed {
-            count: count(verified.unnamed_files),
-        });
+        document.note(Done::Unnamed(count(verified.unnamed_files)));
     }
     if style.is_full {
-        document.paragraph(Done::Content {
-            hash: verified.content.clone(),
-        });
+        document.paragraph(Done::Content(verified.content.clone()));
     }
     document_text(&document, style)
 }

@@ -18,15 +18,15 @@ messages! {
             en: "{survey} ({source}), {file}: {frequencies}; {verdict}{open}.",
             ko: "{survey}({source}), {file}: 고유진동수 {frequencies}. {verdict}{open}.",
         },
-        OpenAlarms { count: usize } => { en: "; open alarms: {count}", ko: ". 조치되지 않은 경보 {count}건" },
+        OpenAlarms(count: usize) => { en: "; open alarms: {count}", ko: ". 조치되지 않은 경보 {count}건" },
         NoOpenAlarm => { en: "", ko: "" },
         Shaken { survey: String, source: Sentence, file: String, peak: Sentence, change: Sentence, open: Sentence } => {
             en: "EARTHQUAKE: {survey} ({source}), {file}: {peak}; {change}; stored apart from the ambient surveys{open}.",
             ko: "지진: {survey}({source}), {file}: {peak}, {change}. 상시진동 조사와 구분하여 저장하였다{open}.",
         },
-        PeakOf { peak: Quantity } => { en: "peak {peak}", ko: "최대가속도 {peak}" },
-        PeakAtLeast { peak: Quantity } => { en: "peak at least {peak}", ko: "최대가속도 {peak} 이상" },
-        NoPeak { over: Quantity } => { en: "{over} times the noise", ko: "잡음의 {over}배" },
+        PeakOf(peak: Quantity) => { en: "peak {peak}", ko: "최대가속도 {peak}" },
+        PeakAtLeast(peak: Quantity) => { en: "peak at least {peak}", ko: "최대가속도 {peak} 이상" },
+        NoPeak(over: Quantity) => { en: "{over} times the noise", ko: "잡음의 {over}배" },
         Lasting { frequency: Quantity, by: Quantity } => {
             en: "LASTING CHANGE of {frequency} by {by}",
             ko: "{frequency} 모드에 {by}의 잔류 변화",
@@ -47,8 +47,8 @@ messages! {
         OfRecord => { en: "as the record says", ko: "기록에 적힌 시각" },
         OfFileName => { en: "as its name says", ko: "파일 이름의 날짜" },
         OfFileTime => { en: "as the file's time says", ko: "파일의 수정 시각" },
-        Sensor { fault: Sentence } => { en: "  sensor: {fault}", ko: "  센서: {fault}" },
-        ShapesJumped { assurance: Quantity } => {
+        Sensor(fault: Sentence) => { en: "  sensor: {fault}", ko: "  센서: {fault}" },
+        ShapesJumped(assurance: Quantity) => {
             en: "  sensor: its shapes are not those of the surveys before it (MAC {assurance}) though its frequencies are: a sensor was turned, moved, exchanged, or its polarity is reversed",
             ko: "  센서: 고유진동수는 이전 조사와 같으나 모드형상이 다르다(MAC {assurance}). 센서의 방향·위치가 바뀌었거나 교체되었거나 극성이 반대이다",
         },
@@ -60,11 +60,11 @@ messages! {
             en: "  strong shaking, {from} to {to} ({peak}): an earthquake, traffic close by or a gust; the modes are those of the rest of the record",
             ko: "  강한 진동 {from}–{to}({peak}): 지진, 가까운 교통 또는 돌풍. 모드는 나머지 구간의 것이다",
         },
-        LeftOut { channels: Vec<String> } => {
+        LeftOut(channels: Vec<String>) => {
             en: "  left out of the identification: {channels}",
             ko: "  식별에서 제외함: {channels}",
         },
-        WrongClock { said: String } => {
+        WrongClock(said: String) => {
             en: "  its clock says {said}, which is not believed: set the clock of the logger",
             ko: "  기록의 시계가 {said}을(를) 가리키므로 따르지 않았다. 기록계의 시계를 맞춘다",
         },
@@ -72,7 +72,7 @@ messages! {
             en: "{file} cannot be read and was moved to {place}: {why}.",
             ko: "{file}을(를) 읽을 수 없어 {place}(으)로 옮겼다: {why}.",
         },
-        Alarm { frequencies: Values } => {
+        Alarm(frequencies: Values) => {
             en: "ALARM: {frequencies} left what earlier surveys predict, confirmed with this one",
             ko: "경보: {frequencies} 모드가 이전 조사의 예측을 벗어났으며 이 조사로 확정되었다",
         },
@@ -80,7 +80,7 @@ messages! {
             en: "outside of what earlier surveys predict, no alarm yet ({frequency}: score {score})",
             ko: "이전 조사의 예측을 벗어났으나 아직 경보는 아니다({frequency}: 점수 {score})",
         },
-        AsPredicted { score: Quantity } => {
+        AsPredicted(score: Quantity) => {
             en: "as earlier surveys predict (score farthest out {score})",
             ko: "이전 조사의 예측과 같다(가장 먼 점수 {score})",
         },
@@ -116,9 +116,7 @@ fn hertz(frequencies_hz: &[f64]) -> Values {
 fn verdict_words(verdict: &Verdict) -> Sentence {
     let score = |score: f64| Quantity::new(score, Unit::ratio(), Digits::Fixed(1));
     match verdict {
-        Verdict::Alarm { frequencies_hz } => Followed::Alarm {
-            frequencies: hertz(frequencies_hz),
-        },
+        Verdict::Alarm { frequencies_hz } => Followed::Alarm(hertz(frequencies_hz)),
         Verdict::Outside {
             frequency_hz,
             score: out,
@@ -126,9 +124,7 @@ fn verdict_words(verdict: &Verdict) -> Sentence {
             frequency: Quantity::new(*frequency_hz, Unit::si("Hz"), Digits::Significant(4)),
             score: score(*out),
         },
-        Verdict::AsPredicted { score: farthest, .. } => Followed::AsPredicted {
-            score: score(*farthest),
-        },
+        Verdict::AsPredicted { score: farthest, .. } => Followed::AsPredicted(score(*farthest)),
         Verdict::NotJudged(NotJudged::Training) => Followed::Training,
         Verdict::NotJudged(NotJudged::NewLevel) => Followed::NewLevel,
         Verdict::NotJudged(NotJudged::Temperature) => Followed::Temperature,
@@ -148,13 +144,11 @@ fn peak_of(of: &Earthquake) -> Sentence {
         Some(peak) => {
             let peak = Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3));
             match of.found.largest().is_at_least() {
-                true => Followed::PeakAtLeast { peak },
-                false => Followed::PeakOf { peak },
+                true => Followed::PeakAtLeast(peak),
+                false => Followed::PeakOf(peak),
             }
         }
-        None => Followed::NoPeak {
-            over: Quantity::ratio(of.found.strongest().shaking.over_noise, 2),
-        },
+        None => Followed::NoPeak(Quantity::ratio(of.found.strongest().shaking.over_noise, 2)),
     }
     .into()
 }
@@ -189,7 +183,7 @@ pub struct JudgedRecord<'a> {
 fn jumped(of: &SensorChange) -> Followed {
     let assurance = Quantity::ratio(of.assurance, 2);
     match &of.channel {
-        None => Followed::ShapesJumped { assurance },
+        None => Followed::ShapesJumped(assurance),
         Some(channel) => Followed::ShapesJumpedAt {
             assurance,
             channel: channel.clone(),
@@ -222,7 +216,7 @@ pub fn followed_text(
     .into();
     let open = match open_alarms {
         0 => Followed::NoOpenAlarm.into(),
-        count => Followed::OpenAlarms { count }.into(),
+        count => Followed::OpenAlarms(count).into(),
     };
     let head: Sentence = match (&taken.modes, taken.without_modes()) {
         _ if let Some(of) = &taken.earthquake => Followed::Shaken {
@@ -254,18 +248,13 @@ pub fn followed_text(
     }
     .into();
     let mut lines = vec![head];
-    lines.extend(not_believed_s.map(|at_s| {
-        Followed::WrongClock {
-            said: super::moment::moment(at_s),
-        }
-        .into()
-    }));
-    lines.extend(taken.faults.iter().map(|fault| {
-        Followed::Sensor {
-            fault: fault_words(fault),
-        }
-        .into()
-    }));
+    lines.extend(not_believed_s.map(|at_s| Followed::WrongClock(super::moment::moment(at_s)).into()));
+    lines.extend(
+        taken
+            .faults
+            .iter()
+            .map(|fault| Followed::Sensor(fault_words(fault)).into()),
+    );
     lines.extend(judged.sensors.map(|of| jumped(of).into()));
     lines.extend(taken.shaking.as_ref().map(|of| {
         let shaking = &of.found.largest().shaking;
@@ -280,7 +269,7 @@ pub fn followed_text(
     }));
     if !taken.left_out.is_empty() {
         let channels = taken.left_out.clone();
-        lines.push(Followed::LeftOut { channels }.into());
+        lines.push(Followed::LeftOut(channels).into());
     }
     lines.iter().map(|line| line.text(language) + "\n").collect()
 }

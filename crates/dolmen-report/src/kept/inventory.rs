@@ -20,7 +20,7 @@ messages! {
             ko: "조치되지 않은 경보가 있거나 기울기 또는 균열 폭이 한계를 넘은 구조물: {structures}기 중 {alarming}기, 나쁜 것부터. 경보는 아니나 변화하였거나 마지막 조사가 예측을 벗어났고 이후 보수나 점검이 없는 구조물: {to_watch}기, 곧 다시 계측한다. 변화는 모든 모드 중 가장 뚜렷한 지속적 변화이고, 이탈은 마지막 조사가 이전 조사의 예측에서 벗어난 정도이다.",
         },
         Structure => { en: "structure", ko: "구조물" },
-        Text { text: String } => { en: "{text}", ko: "{text}" },
+        Text(text: String) => { en: "{text}", ko: "{text}" },
         Alarms => { en: "alarms", ko: "경보" },
         Change => { en: "change", ko: "변화" },
         Off => { en: "off", ko: "이탈" },
@@ -40,14 +40,14 @@ messages! {
             en: "{structure}: if the model is right and one part alone changed, it cannot be told which of these: {parts}{more}.",
             ko: "{structure}: 모델이 옳고 한 부위만 변하였다면 다음 중 어느 부위인지 구별되지 않는다: {parts}{more}.",
         },
-        AndMore { count: usize } => { en: ", and {count} more", ko: " 외 {count}곳" },
+        AndMore(count: usize) => { en: ", and {count} more", ko: " 외 {count}곳" },
         NoMore => { en: "", ko: "" },
         Along { part: Sentence, direction: String } => { en: "{part} (direction {direction})", ko: "{part}({direction} 방향)" },
-        MoreLeftOut { count: usize } => {
+        MoreLeftOut(count: usize) => {
             en: "{count} more were not watched: --full, --csv and --json say why.",
             ko: "그 밖에 {count}기를 검토하지 못하였다. 이유는 --full, --csv, --json으로 본다.",
         },
-        More { count: usize } => {
+        More(count: usize) => {
             en: "{count} more below: --full, --csv and --json give all.",
             ko: "나머지 {count}기는 --full, --csv, --json으로 본다.",
         },
@@ -56,9 +56,7 @@ messages! {
 }
 
 fn words(text: &str) -> Cell {
-    Cell::words(Watched::Text {
-        text: text.to_owned(),
-    })
+    Cell::words(Watched::Text(text.to_owned()))
 }
 
 fn row(structure: &str, history: &History, is_full: bool) -> Vec<Cell> {
@@ -147,7 +145,7 @@ fn explained(structure: &str, parts: &[ExplainingPart]) -> Watched {
             parts: several.iter().take(PARTS_LISTED).map(named).collect(),
             more: match several.len().saturating_sub(PARTS_LISTED) {
                 0 => Watched::NoMore,
-                count => Watched::AndMore { count },
+                count => Watched::AndMore(count),
             }
             .into(),
         },
@@ -185,7 +183,7 @@ pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
     document.put(Block::Table(table));
     let left = watched.len().saturating_sub(most);
     if left > 0 {
-        document.note(Watched::More { count: left });
+        document.note(Watched::More(left));
     }
     for (line, history) in watched.iter().take(most) {
         let parts = history
@@ -208,9 +206,7 @@ pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
         });
     }
     if not.len() > told {
-        document.note(Watched::MoreLeftOut {
-            count: not.len() - told,
-        });
+        document.note(Watched::MoreLeftOut(not.len() - told));
     }
     document_text(&document, style)
 }

@@ -11,12 +11,12 @@ const ROWS_MOST: usize = 500;
 messages! {
     /// The list of a store.
     pub(crate) enum Listed in "store.list" {
-        Structures { count: usize } => { en: "{count} structures.", ko: "구조물 {count}기." },
-        Surveys { count: usize } => { en: "{count} surveys.", ko: "계측 조사 {count}건." },
+        Structures(count: usize) => { en: "{count} structures.", ko: "구조물 {count}기." },
+        Surveys(count: usize) => { en: "{count} surveys.", ko: "계측 조사 {count}건." },
         Nothing => { en: "Nothing was found.", ko: "해당하는 자료가 없다." },
         Structure => { en: "structure", ko: "구조물" },
-        Text { text: String } => { en: "{text}", ko: "{text}" },
-        Removed { text: String } => { en: "{text} (out of use)", ko: "{text}(사용 중지)" },
+        Text(text: String) => { en: "{text}", ko: "{text}" },
+        Removed(text: String) => { en: "{text} (out of use)", ko: "{text}(사용 중지)" },
         Kind => { en: "kind", ko: "종류" },
         SurveyCount => { en: "surveys", ko: "조사 수" },
         First => { en: "first", ko: "최초" },
@@ -25,10 +25,10 @@ messages! {
         Records => { en: "records", ko: "기록" },
         Temperature => { en: "air", ko: "기온" },
         Earthquake => { en: "earthquake", ko: "지진" },
-        PeakOf { peak: Quantity } => { en: "{peak}", ko: "{peak}" },
+        PeakOf(peak: Quantity) => { en: "{peak}", ko: "{peak}" },
         OfUnknownPeak => { en: "yes", ko: "있음" },
         Lowest => { en: "lowest frequency", ko: "최저 고유진동수" },
-        More { count: usize } => {
+        More(count: usize) => {
             en: "{count} more: --csv and --json give all.",
             ko: "나머지 {count}건은 --csv 또는 --json으로 본다.",
         },
@@ -36,9 +36,7 @@ messages! {
 }
 
 fn text(text: &str) -> Cell {
-    Cell::words(Listed::Text {
-        text: text.to_owned(),
-    })
+    Cell::words(Listed::Text(text.to_owned()))
 }
 
 fn date(text: Option<&str>) -> Cell {
@@ -54,9 +52,11 @@ pub(super) fn earthquake(is_there: bool, peak_m_s2: Option<f64>) -> Cell {
     match (is_there, peak_m_s2) {
         (false, _) => text("–"),
         (true, None) => Cell::words(Listed::OfUnknownPeak),
-        (true, Some(peak)) => Cell::words(Listed::PeakOf {
-            peak: Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3)),
-        }),
+        (true, Some(peak)) => Cell::words(Listed::PeakOf(Quantity::new(
+            peak,
+            Unit::si("m/s²"),
+            Digits::Significant(3),
+        ))),
     }
 }
 
@@ -74,7 +74,7 @@ fn shown(table: Table, left_out: usize, style: TextStyle) -> String {
     let mut document = Document::default();
     document.put(Block::Table(table));
     if left_out > 0 {
-        document.note(Listed::More { count: left_out });
+        document.note(Listed::More(left_out));
     }
     document_text(&document, style)
 }
@@ -99,9 +99,7 @@ impl StructureList {
     pub fn text(&self, style: TextStyle) -> String {
         let rows = self.rows.iter().map(|row| {
             let name = match row.is_removed {
-                true => Cell::words(Listed::Removed {
-                    text: row.name.clone(),
-                }),
+                true => Cell::words(Listed::Removed(row.name.clone())),
                 false => text(&row.name),
             };
             vec![
@@ -113,7 +111,7 @@ impl StructureList {
             ]
         });
         let table = Table {
-            caption: vec![Listed::Structures { count: self.count }.into()],
+            caption: vec![Listed::Structures(self.count).into()],
             columns: vec![
                 Column::words(Listed::Structure),
                 Column::words(Listed::Kind),
@@ -173,7 +171,7 @@ impl SurveyList {
             columns.push(Column::words(Listed::Earthquake));
         }
         let table = Table {
-            caption: vec![Listed::Surveys { count: self.count }.into()],
+            caption: vec![Listed::Surveys(self.count).into()],
             columns,
             rows: rows.collect(),
         };

@@ -17,9 +17,9 @@ messages! {
     /// One structure of a store.
     pub(crate) enum Shown in "store.show" {
         Name => { en: "name", ko: "이름" },
-        Both { name: Both } => { en: "{name}", ko: "{name}" },
+        Both(name: Both) => { en: "{name}", ko: "{name}" },
         Kind => { en: "kind", ko: "종류" },
-        Text { text: String } => { en: "{text}", ko: "{text}" },
+        Text(text: String) => { en: "{text}", ko: "{text}" },
         Place => { en: "place", ko: "위치" },
         At { latitude: Quantity, longitude: Quantity } => {
             en: "{latitude} N, {longitude} E",
@@ -31,7 +31,7 @@ messages! {
             en: "It is out of use: `dolmen survey remove --undo` takes it back.",
             ko: "사용이 중지된 구조물이다. `dolmen survey remove --undo`로 되돌린다.",
         },
-        Surveys { count: usize } => {
+        Surveys(count: usize) => {
             en: "{count} surveys; frequencies ± standard deviation, of the latest analysis or else as stated.",
             ko: "계측 조사 {count}건. 고유진동수 ± 표준편차는 최근 식별 결과, 없으면 기재값이다.",
         },
@@ -46,7 +46,7 @@ messages! {
             ko: "{method}, Dolmen {version} 식별. 사용자 채택: {accepted}",
         },
         Stated => { en: "stated", ko: "기재값" },
-        MadeUp { of: Sentence } => { en: "{of}; made up, not measured", ko: "{of}(가상, 실측 아님)" },
+        MadeUp(of: Sentence) => { en: "{of}; made up, not measured", ko: "{of}(가상, 실측 아님)" },
         Inspection => { en: "inspection", ko: "점검" },
         Entries { all: usize, severe: usize } => { en: "{all} entries, {severe} severe", ko: "{all}건(심함 {severe}건)" },
         Nothing => { en: "–", ko: "–" },
@@ -55,8 +55,8 @@ messages! {
         Records => { en: "records", ko: "기록" },
         Analyses => { en: "analyses", ko: "식별" },
         Air => { en: "air", ko: "기온" },
-        Frequency { number: usize } => { en: "f{number}", ko: "f{number}" },
-        States { count: usize } => { en: "{count} states of the project, the latest first.", ko: "프로젝트 판본 {count}개, 최신순." },
+        Frequency(number: usize) => { en: "f{number}", ko: "f{number}" },
+        States(count: usize) => { en: "{count} states of the project, the latest first.", ko: "프로젝트 판본 {count}개, 최신순." },
         State => { en: "state", ko: "판본" },
         When => { en: "stored (UTC)", ko: "저장 시각(UTC)" },
         Who => { en: "by", ko: "담당" },
@@ -71,9 +71,7 @@ messages! {
 }
 
 fn words(text: &str) -> Cell {
-    Cell::words(Shown::Text {
-        text: text.to_owned(),
-    })
+    Cell::words(Shown::Text(text.to_owned()))
 }
 
 fn whole(value: f64) -> Cell {
@@ -122,7 +120,7 @@ fn facts(kept: &KeptStructure) -> Block<'static> {
         korean: structure.korean.clone(),
     };
     let mut rows = vec![
-        (Shown::Name.into(), Cell::words(Shown::Both { name })),
+        (Shown::Name.into(), Cell::words(Shown::Both(name))),
         (Shown::Kind.into(), words(&structure.kind)),
     ];
     if let (Some(latitude), Some(longitude)) = (structure.latitude_deg, structure.longitude_deg) {
@@ -183,7 +181,7 @@ fn surveys(kept: &[KeptSurvey]) -> Table {
         let mut row = vec![
             words(&survey.name),
             Cell::words(match survey.is_made_up {
-                true => Shown::MadeUp { of: from.into() },
+                true => Shown::MadeUp(from.into()),
                 false => from,
             }),
             match tilts.is_empty() {
@@ -223,9 +221,9 @@ fn surveys(kept: &[KeptSurvey]) -> Table {
     if are_inspected {
         columns.push(Column::words(Shown::Inspection));
     }
-    columns.extend((1..=shown).map(|number| Column::numbers(Shown::Frequency { number }, Unit::si("Hz"))));
+    columns.extend((1..=shown).map(|number| Column::numbers(Shown::Frequency(number), Unit::si("Hz"))));
     Table {
-        caption: vec![Shown::Surveys { count: kept.len() }.into()],
+        caption: vec![Shown::Surveys(kept.len()).into()],
         columns,
         rows: kept.iter().map(row).collect(),
     }
@@ -257,12 +255,7 @@ fn states(kept: &KeptStructure) -> Table {
         ]
     };
     Table {
-        caption: vec![
-            Shown::States {
-                count: kept.states.len(),
-            }
-            .into(),
-        ],
+        caption: vec![Shown::States(kept.states.len()).into()],
         columns: vec![
             Column::words(Shown::State),
             Column::words(Shown::When),

@@ -16,7 +16,7 @@ messages! {
     /// Tables of limits.
     pub(crate) enum Limits in "limits.table" {
         Drifts => { en: "Drift of each storey against what is allowed.", ko: "층별 층간변위와 허용 층간변위." },
-        DriftsBy { source: String } => {
+        DriftsBy(source: String) => {
             en: "Drift of each storey against what is allowed by {source}.",
             ko: "층별 층간변위와 허용 층간변위({source}).",
         },
@@ -46,7 +46,7 @@ messages! {
         },
         PartHead => { en: "Part", ko: "부위" },
         Along => { en: "Along", ko: "방향" },
-        Direction { direction: String } => { en: "{direction}", ko: "{direction}" },
+        Direction(direction: String) => { en: "{direction}", ko: "{direction}" },
         Any => { en: "any", ko: "모든 방향" },
         Drift => { en: "drift / height", ko: "층간변위비" },
         Allowed => { en: "allowed", ko: "허용값" },
@@ -66,7 +66,7 @@ pub(crate) fn section(document: &mut Document<'_>, parts: &[PartLimit], limit: O
     if !drifts.is_empty() {
         let head = match (limit.map(DriftLimit::source), limit) {
             (_, Some(_)) if drifts.iter().any(|of| of.taken > 0.0) => Limits::DriftsLeft,
-            (Some(Some(source)), _) => Limits::DriftsBy { source },
+            (Some(Some(source)), _) => Limits::DriftsBy(source),
             (_, Some(_)) => Limits::Drifts,
             (_, None) => Limits::DriftsWithout,
         };
@@ -98,9 +98,7 @@ fn table((head, demand, capacity): (Limits, Limits, Limits), parts: &[&PartLimit
         let over_demand = of.ratio().filter(|ratio| ratio.is_finite());
         let ratio = over_demand.map(|ratio| Quantity::ratio(ratio, DIGITS));
         let direction = match &of.direction {
-            Some(direction) => Limits::Direction {
-                direction: direction.clone(),
-            },
+            Some(direction) => Limits::Direction(direction.clone()),
             None => Limits::Any,
         };
         vec![

@@ -22,11 +22,11 @@ messages! {
             en: "its code asks for the lowest natural frequency, which needs the stiffness of the joints",
             ko: "기준에 1차 고유진동수가 필요하나 접합부 강성이 주어지지 않았다",
         },
-        Damping { frequency: Quantity } => {
+        Damping(frequency: Quantity) => {
             en: "at {frequency} resonance counts, which needs damping_ratio",
             ko: "고유진동수 {frequency}에서는 공진을 고려해야 하며 damping_ratio가 필요하다",
         },
-        StackSways { frequency: Quantity } => {
+        StackSways(frequency: Quantity) => {
             en: "on the springs of its joints it sways at {frequency}, where gusts near that frequency add to the pressure of the code. Give the gust of a wind study, or joints with a stiffness that was measured",
             ko: "접합부 스프링에 의한 고유진동수가 {frequency}이며, 이때 기준의 풍압에 공진 효과가 더해진다. 풍하중 평가의 돌풍 값이나 계측된 접합부 강성을 입력한다",
         },
@@ -66,13 +66,9 @@ fn hertz(frequency_hz: f64) -> Quantity {
 pub(super) fn why_not(error: &WindError, is_stack: bool) -> Sentence {
     match error {
         WindError::FrequencyUnknown if is_stack => WhyNot::StackFrequency,
-        WindError::DampingUnknown { frequency_hz } if is_stack => WhyNot::StackSways {
-            frequency: hertz(*frequency_hz),
-        },
+        WindError::DampingUnknown { frequency_hz } if is_stack => WhyNot::StackSways(hertz(*frequency_hz)),
         WindError::FrequencyUnknown => WhyNot::Frequency,
-        WindError::DampingUnknown { frequency_hz } => WhyNot::Damping {
-            frequency: hertz(*frequency_hz),
-        },
+        WindError::DampingUnknown { frequency_hz } => WhyNot::Damping(hertz(*frequency_hz)),
         WindError::TooSoft {
             frequency_hz,
             least_hz,
@@ -112,7 +108,7 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     let mut all = Vec::new();
     if let Some(Err(why)) = &answer.wind {
         let why = why_not(why, matches!(state.check, Check::Stack(_)));
-        all.push(Finding::key(Tone::Unknown, Found::NotKnown { why }));
+        all.push(Finding::key(Tone::Unknown, Found::NotKnown(why)));
     }
     if let Some(of) = &answer.carried {
         let (weight, factor) = (
@@ -145,7 +141,7 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     let hangs_n = project.loads.weight_n(&mut Input::nominal);
     if matches!(project.structure, Structure::Frame(_)) && hangs_n != 0.0 {
         let weight = Quantity::new(hangs_n, kilo("N"), Digits::Significant(DIGITS));
-        all.push(Finding::key(Tone::Plain, Found::FrameCarries { weight }));
+        all.push(Finding::key(Tone::Plain, Found::FrameCarries(weight)));
     }
     let stack = match &state.check {
         Check::Stack(answer) => Some(&answer.stack),
@@ -169,9 +165,7 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
         all.push(Finding::key(
             Tone::Warn,
             match uncrushed.is_finite() {
-                true => Found::EdgesCrush {
-                    uncrushed: Quantity::beside_one(uncrushed, DIGITS),
-                },
+                true => Found::EdgesCrush(Quantity::beside_one(uncrushed, DIGITS)),
                 false => Found::EdgesCrushAlone,
             },
         ));
@@ -179,7 +173,7 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     match under.and_then(|under| under.dilating_factor) {
         Some(dilating) => {
             let dilating = Quantity::beside_one(dilating, DIGITS);
-            all.push(Finding::key(Tone::Warn, Found::SlidesSmooth { dilating }));
+            all.push(Finding::key(Tone::Warn, Found::SlidesSmooth(dilating)));
         }
         None if under.is_some_and(|under| under.found.slides())
             && stack.is_some_and(|stack| !is_pile(stack)) =>
@@ -190,7 +184,7 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     }
     if let Some(frequency_hz) = answer.lacks_resonance_at_hz() {
         let frequency = hertz(frequency_hz);
-        all.push(Finding::key(Tone::Warn, Found::NoResonance { frequency }));
+        all.push(Finding::key(Tone::Warn, Found::NoResonance(frequency)));
     }
     if !answer.has_wind {
         all.extend(no_wind(project, state));
@@ -223,16 +217,14 @@ fn of_stack(what: Sentence, under: &StackUnderLoads, stack: &Stack) -> Finding {
             joints,
             direction: direction(to),
         },
-        (Some(joints), None) => Found::Moves { joints },
-        (None, Some(to)) => Found::Towards {
-            direction: direction(to),
-        },
+        (Some(joints), None) => Found::Moves(joints),
+        (None, Some(to)) => Found::Towards(direction(to)),
         (None, None) => Found::NoMechanism,
     };
     let moves: Sentence = moves.into();
     let said = match (factor == 0.0, factor.is_finite(), verdict) {
-        (true, ..) => Found::Falls { what },
-        (_, false, _) => Found::NothingMoves { what },
+        (true, ..) => Found::Falls(what),
+        (_, false, _) => Found::NothingMoves(what),
         (_, _, Verdict::Unstable) => Found::StackFalls {
             what,
             factor: Quantity::beside_one(factor, DIGITS),
@@ -253,7 +245,7 @@ fn of_chain(what: Sentence, chain: &ChainCombination) -> Option<Finding> {
     let verdict = chain.verdict();
     let tone = Tone::of(verdict);
     if under.factor == Some(0.0) && under.joints.iter().all(|joint| joint.moment_n_m.is_none()) {
-        return Some(Finding::key(tone, Found::Falls { what }));
+        return Some(Finding::key(tone, Found::Falls(what)));
     }
     let weighs_too_much = matches!(chain.weight_verdict(), Verdict::Marginal | Verdict::Unstable);
     let by_loads = under.factor.map_or(Verdict::Unknown, Verdict::of_load_factor);
@@ -263,7 +255,7 @@ fn of_chain(what: Sentence, chain: &ChainCombination) -> Option<Finding> {
         return Some(Finding::key(tone, Found::Heavy { what, factor, stable }));
     }
     if under.factor == Some(f64::INFINITY) {
-        return Some(Finding::key(Tone::Plain, Found::NothingPushes { what }));
+        return Some(Finding::key(Tone::Plain, Found::NothingPushes(what)));
     }
     let joint = under.governing_joint.unwrap_or(1);
     let of = under.joints.get(joint - 1)?;

@@ -96,7 +96,7 @@ pub(super) fn findings(answer: &LoadsAnswer, is_contradicted: bool) -> Vec<Findi
 
 fn of_combination(what: Sentence, of: &BuildingCombination, is_contradicted: bool) -> Finding {
     let Some(largest) = of.largest() else {
-        return Finding::key(Tone::Bad, Found::Falls { what });
+        return Finding::key(Tone::Bad, Found::Falls(what));
     };
     if of.verdict() == Verdict::Marginal {
         let factor = Quantity::beside_one(of.weight_factor, DIGITS);
@@ -104,7 +104,7 @@ fn of_combination(what: Sentence, of: &BuildingCombination, is_contradicted: boo
         return Finding::key(Tone::Warn, Found::Heavy { what, factor, stable });
     }
     if largest.ratio == 0.0 {
-        return Finding::key(Tone::Plain, Found::NothingPushes { what });
+        return Finding::key(Tone::Plain, Found::NothingPushes(what));
     }
     let (floor, axis) = (floor_words(&largest.storey.floor), axis_words(largest.axis));
     let ratio = Quantity::percent(largest.ratio, DIGITS);

@@ -67,8 +67,8 @@ fn names_of(project: &Project) -> Vec<Option<String>> {
 /// A storey by its name or number, from 0.
 fn storey_words(names: &[Option<String>], storey: usize) -> Sentence {
     match names.get(storey).cloned().flatten() {
-        Some(name) => Found::StoreyName { name },
-        None => Found::StoreyNumber { number: storey + 1 },
+        Some(name) => Found::StoreyName(name),
+        None => Found::StoreyNumber(storey + 1),
     }
     .into()
 }
@@ -89,7 +89,7 @@ pub(super) fn borne(project: &Project, what: Sentence, frame: &FrameCombination)
         return Some(unknown(what, frame));
     }
     if of.under.factor == 0.0 {
-        return Some(Finding::key(tone, Found::Falls { what }));
+        return Some(Finding::key(tone, Found::Falls(what)));
     }
     let weighs_too_much = matches!(frame.weight_verdict(), Verdict::Marginal | Verdict::Unstable);
     if let (true, Verdict::Stable, Some(factor)) = (weighs_too_much, by_loads, frame.weight_factor) {
@@ -97,7 +97,7 @@ pub(super) fn borne(project: &Project, what: Sentence, frame: &FrameCombination)
         return Some(Finding::key(tone, Found::Heavy { what, factor, stable }));
     }
     if of.under.factor == f64::INFINITY {
-        return Some(Finding::key(Tone::Plain, Found::NothingPushes { what }));
+        return Some(Finding::key(Tone::Plain, Found::NothingPushes(what)));
     }
     let (direction, storey) = (
         direction.direction.clone(),

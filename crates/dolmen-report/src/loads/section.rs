@@ -17,7 +17,7 @@ messages! {
     /// Tables and figures of wind and static loads.
     pub(crate) enum Shown in "loads" {
         Head => { en: "Wind and static loads", ko: "풍하중과 정하중" },
-        NotKnown { why: Sentence } => {
+        NotKnown(why: Sentence) => {
             en: "The wind is not compared: {why}.",
             ko: "풍하중을 검토하지 못하였다. {why}.",
         },
@@ -37,16 +37,16 @@ messages! {
             en: "The wind: {speed} as the mean of 10 minutes, KDS 41 12 00 (its text was not at hand), exposure {exposure}, K_zt {topography}, I_w {importance}; force coefficient {coefficient}.",
             ko: "입력 풍하중: 10분 평균 풍속 {speed}, KDS 41 12 00(기준 원문 미확인), 지표면조도 {exposure}, K_zt {topography}, I_w {importance}, 풍력계수 {coefficient}.",
         },
-        Source { source: String } => { en: "Source of the wind: {source}.", ko: "풍하중의 출처: {source}." },
+        Source(source: String) => { en: "Source of the wind: {source}.", ko: "풍하중의 출처: {source}." },
         Listed { name: String, part: usize, what: String } => {
             en: "Static load ‘{name}’ on part {part}: {what}.",
             ko: "정하중 ‘{name}’(부재 {part}): {what}.",
         },
-        SizeAndResonance { factor: Quantity } => {
+        SizeAndResonance(factor: Quantity) => {
             en: "c_s c_d {factor}, for size and resonance, multiplies the peak pressure.",
             ko: "최대 풍압에 규모·공진을 고려한 c_s c_d {factor}을(를) 곱하였다.",
         },
-        GustFactor { factor: Quantity } => {
+        GustFactor(factor: Quantity) => {
             en: "The gust factor G_D of {factor} multiplies the pressure of the mean.",
             ko: "평균 풍압에 가스트영향계수 G_D {factor}을(를) 곱하였다.",
         },
@@ -62,12 +62,12 @@ messages! {
             en: "The worst of eight directions is towards {direction}: it pushes with {force} and a moment of {moment} about the ground; its pressure at the top is {pressure}. The faces and corners of stones that stand along x and y are met so.",
             ko: "여덟 풍향 중 가장 불리한 것은 {direction} 방향이다. 풍하중의 합력은 {force}, 지반에 대한 모멘트는 {moment}, 최상단 풍압은 {pressure}이다. x·y축을 따라 놓인 석재의 면과 모서리에 부는 바람을 검토하였다.",
         },
-        WindAtTop { pressure: Quantity } => {
+        WindAtTop(pressure: Quantity) => {
             en: "The pressure of the wind at the top is {pressure}; the worst combination has no wind.",
             ko: "최상단 풍압은 {pressure}이며 가장 불리한 하중조합에는 풍하중이 없다.",
         },
         WindTowards => { en: "wind towards", ko: "풍향" },
-        Tilt { tilt: Quantity } => {
+        Tilt(tilt: Quantity) => {
             en: "The tilt as surveyed, 1/{tilt}, leans the same way in every combination.",
             ko: "실측 기울기 1/{tilt}을(를) 모든 하중조합에서 같은 방향으로 고려하였다.",
         },
@@ -91,16 +91,16 @@ messages! {
         Marginal => { en: "marginal", ko: "여유 부족" },
         Unstable => { en: "unstable", ko: "불안정" },
         Unknown => { en: "unknown", ko: "판정 불가" },
-        Joints { what: Sentence } => { en: "{what}: joints.", ko: "{what}: 접합면별 결과." },
+        Joints(what: Sentence) => { en: "{what}: joints.", ko: "{what}: 접합면별 결과." },
         JointsMeaning => {
             en: "The moment upright is that of the loads alone; in the leaning shape the weight adds to it. The limit is N·b/2, less with a strength of the bed.",
             ko: "연직 상태의 모멘트는 하중만에 의한 값이고, 기울어진 상태에서는 자중에 의한 모멘트가 더해진다. 한계는 N·b/2이며 접합면 강도가 주어지면 그보다 작다.",
         },
-        JointsAlong { what: Sentence } => {
+        JointsAlong(what: Sentence) => {
             en: "{what}: joints along, direction x.",
             ko: "{what}: 접합면별 결과, 운동 방향(x).",
         },
-        JointsAcross { what: Sentence } => {
+        JointsAcross(what: Sentence) => {
             en: "{what}: joints across, direction y.",
             ko: "{what}: 접합면별 결과, 직각 방향(y).",
         },
@@ -113,14 +113,14 @@ messages! {
             ko: "직각 방향의 바람은 합력 {force}, 최하단 접합면에 대한 모멘트 {moment}(으)로 민다. 그 사이의 풍향에서는 각각 cos φ배와 sin φ배로 작용한다.",
         },
         Joint => { en: "Joint", ko: "접합면" },
-        Number { number: usize } => { en: "{number}", ko: "{number}" },
+        Number(number: usize) => { en: "{number}", ko: "{number}" },
         Axial => { en: "N", ko: "N" },
         Shear => { en: "shear", ko: "전단력" },
         Upright => { en: "moment upright", ko: "모멘트(연직)" },
         Leaning => { en: "leaning", ko: "모멘트(변형 후)" },
         OfTilt => { en: "of the tilt", ko: "기울기 모멘트" },
         Limit => { en: "limit", ko: "한계" },
-        Top { top: Quantity } => {
+        Top(top: Quantity) => {
             en: "The top moves by {top} under these loads.",
             ko: "이 하중에서 최상단의 변위는 {top}이다.",
         },
@@ -189,13 +189,13 @@ pub(crate) fn sections<'a>(
         if let Some(Ok(met)) = &answer.wind {
             let factor = Quantity::ratio(met.response_factor, 3);
             match &wind.speed {
-                WindSpeed::Eurocode { .. } => document.paragraph(Shown::SizeAndResonance { factor }),
-                WindSpeed::Kds41 { .. } => document.paragraph(Shown::GustFactor { factor }),
+                WindSpeed::Eurocode { .. } => document.paragraph(Shown::SizeAndResonance(factor)),
+                WindSpeed::Kds41 { .. } => document.paragraph(Shown::GustFactor(factor)),
                 WindSpeed::Gust(_) | WindSpeed::Pressure(_) => {}
             }
         }
         if let Some(source) = wind.source.clone() {
-            document.paragraph(Shown::Source { source });
+            document.paragraph(Shown::Source(source));
         }
     }
     for load in &given.loads {
@@ -205,9 +205,7 @@ pub(crate) fn sections<'a>(
         }
     }
     match &answer.wind {
-        Some(Err(why)) => document.note(Shown::NotKnown {
-            why: why_not(why, of.stack().is_some()),
-        }),
+        Some(Err(why)) => document.note(Shown::NotKnown(why_not(why, of.stack().is_some()))),
         Some(Ok(_)) if !answer.frame_winds.is_empty() => {
             let each = answer.frame_winds.iter();
             each.for_each(|of| document.paragraph(on_frames::wind(of)));
@@ -222,9 +220,7 @@ pub(crate) fn sections<'a>(
         });
     }
     if answer.tilt_rad > 0.0 {
-        document.paragraph(Shown::Tilt {
-            tilt: Quantity::ratio(1.0 / answer.tilt_rad, 3),
-        });
+        document.paragraph(Shown::Tilt(Quantity::ratio(1.0 / answer.tilt_rad, 3)));
     }
     if let Some(worst) = answer.worst() {
         if answer.combinations.len() > 1 || worst.name.is_some() {
@@ -263,23 +259,21 @@ fn chain_section<'a>(
     let top = |under: &ChainUnderLoads| under.top_displacement_m;
     let top_m = match across {
         None => {
-            let caption = Shown::Joints { what }.into();
+            let caption = Shown::Joints(what).into();
             document.put(Block::Table(joints(caption, answer, &chain.under)));
             top(&chain.under)
         }
         Some(across) => {
-            let along = Shown::JointsAlong { what: what.clone() }.into();
+            let along = Shown::JointsAlong(what.clone()).into();
             document.put(Block::Table(joints(along, answer, &chain.under)));
-            let caption = Shown::JointsAcross { what }.into();
+            let caption = Shown::JointsAcross(what).into();
             document.put(Block::Table(joints(caption, answer, across)));
             document.note(Shown::BothTogether);
             top(&chain.under).zip(top(across)).map(|(x, y)| x.hypot(y))
         }
     };
     if let Some(top_m) = top_m {
-        document.paragraph(Shown::Top {
-            top: Quantity::engineering(top_m.abs(), "m", 3),
-        });
+        document.paragraph(Shown::Top(Quantity::engineering(top_m.abs(), "m", 3)));
     }
     document.note(Shown::Opens);
     let caption = vec![Shown::Figure.into(), Shown::FigureMeaning.into()];
@@ -386,7 +380,7 @@ fn wind(met: &WindMet, answer: &LoadsAnswer) -> Shown {
             moment,
             pressure,
         },
-        None if under.is_some() => Shown::WindAtTop { pressure },
+        None if under.is_some() => Shown::WindAtTop(pressure),
         None => Shown::Wind {
             force,
             moment,
@@ -483,7 +477,7 @@ fn joints(caption: Sentence, answer: &LoadsAnswer, under: &ChainUnderLoads) -> T
     let row = |(i, joint): (usize, &JointUnderLoads)| {
         let cell = |value: Option<f64>| Cell::Number(value.map(|value| number(value, &moment)));
         let mut row = vec![
-            Cell::words(Shown::Number { number: i + 1 }),
+            Cell::words(Shown::Number(i + 1)),
             Cell::number(number(joint.axial_n, &newton)),
             Cell::number(number(joint.shear_n, &newton)),
             cell(Some(joint.rigid_moment_n_m)),

@@ -20,7 +20,7 @@ messages! {
         Everything => { en: "Wind and static loads as they are", ko: "주어진 풍하중·정하중" },
         Wind => { en: "The wind of the file", ko: "입력한 풍하중" },
         Loads => { en: "The static loads of the file", ko: "입력한 정하중" },
-        Combination { name: String } => { en: "Combination {name}", ko: "하중조합 {name}" },
+        Combination(name: String) => { en: "Combination {name}", ko: "하중조합 {name}" },
         Overturns { what: Sentence, joint: usize, moment: Quantity, limit: Quantity, factor: Quantity } => {
             en: "{what}: the bed of joint {joint} does not bear it. The moment there is {moment}, and {limit} is the most that the bed passes; {factor} times the load is borne.",
             ko: "{what}: 접합면 {joint}이(가) 견디지 못한다. 작용 모멘트는 {moment}, 접합면이 전달할 수 있는 한계는 {limit}이며, 하중의 {factor}배에서 한계에 이른다.",
@@ -70,11 +70,11 @@ messages! {
             en: "The load factor and the frequencies above are without what the static loads weigh ({weight}); with it the load factor is {factor}.",
             ko: "위의 하중배율과 고유진동수에는 정하중의 중량({weight})이 포함되지 않았다. 포함하면 하중배율은 {factor}이다.",
         },
-        NothingPushes { what: Sentence } => {
+        NothingPushes(what: Sentence) => {
             en: "{what}: nothing pushes from the side, so that the weight alone was judged.",
             ko: "{what}: 수평으로 작용하는 하중이 없어 자중만을 판정하였다.",
         },
-        Falls { what: Sentence } => {
+        Falls(what: Sentence) => {
             en: "{what}: it falls under the weight of this combination alone.",
             ko: "{what}: 이 하중조합의 자중만으로도 전도된다.",
         },
@@ -94,13 +94,13 @@ messages! {
             en: "{what}: {factor} times the load is borne; “stable” needs {stable}. In direction {direction} {storey} governs: {force} makes it drift by {drift}, {share} of its height.",
             ko: "{what}: 하중의 {factor}배까지 견디며 ‘안정’ 판정에는 {stable}배가 필요하다. {direction} 방향의 {storey}이(가) 지배하며 전단력 {force}에 의한 층간변위는 {drift}(층고의 {share})이다.",
         },
-        StoreyNumber { number: usize } => { en: "storey {number}", ko: "{number}층" },
-        StoreyName { name: String } => { en: "‘{name}’", ko: "‘{name}’" },
+        StoreyNumber(number: usize) => { en: "storey {number}", ko: "{number}층" },
+        StoreyName(name: String) => { en: "‘{name}’", ko: "‘{name}’" },
         FrameUnknown { what: Sentence, directions: String } => {
             en: "{what}: whether it is borne is unknown, the storey stiffness is not given (direction {directions}).",
             ko: "{what}: 층강성이 주어지지 않아 저항 여부를 판정할 수 없다({directions} 방향).",
         },
-        FrameCarries { weight: Quantity } => {
+        FrameCarries(weight: Quantity) => {
             en: "Load factor, margins and frequencies hold what the static loads weigh, {weight}.",
             ko: "하중배율, 여유, 고유진동수에는 정하중의 중량 {weight}이(가) 포함되어 있다.",
         },
@@ -124,13 +124,13 @@ messages! {
             en: "Then {joints}, the wind blowing towards {direction}.",
             ko: "이때 {joints}이며 풍향은 {direction} 방향이다.",
         },
-        Moves { joints: Sentence } => { en: "Then {joints}.", ko: "이때 {joints}이다." },
-        Towards { direction: Sentence } => {
+        Moves(joints: Sentence) => { en: "Then {joints}.", ko: "이때 {joints}이다." },
+        Towards(direction: Sentence) => {
             en: "The worst wind blows towards {direction}.",
             ko: "가장 불리한 풍향은 {direction} 방향이다.",
         },
         NoMechanism => { en: "What moves then was not found.", ko: "이때의 거동은 찾지 못하였다." },
-        NothingMoves { what: Sentence } => {
+        NothingMoves(what: Sentence) => {
             en: "{what}: nothing that it asks moves a stone, at ten times the weight of the whole either.",
             ko: "{what}: 전체 자중의 10배에 이르도록 하중을 키워도 움직이는 석재가 없다.",
         },
@@ -138,7 +138,7 @@ messages! {
             en: "Stones slide there while others share their load. The limit analysis lets sliding joints rise, which real ones do not: the factor is an upper bound.",
             ko: "이때 하중을 나누어 지지하는 석재가 미끄러진다. 한계해석은 미끄러지는 접합면이 들리는 것으로 가정하나 실제는 그렇지 않으므로 저항 배수는 상한값이다.",
         },
-        EdgesCrush { uncrushed: Quantity } => {
+        EdgesCrush(uncrushed: Quantity) => {
             en: "Edges of stones crush on the way there; if none did, the factor would be {uncrushed}.",
             ko: "그 전에 석재 모서리가 압괴한다. 압괴하지 않는다면 저항 배수는 {uncrushed}이다.",
         },
@@ -146,15 +146,15 @@ messages! {
             en: "Edges of stones crush on the way there; if none did, nothing would move.",
             ko: "그 전에 석재 모서리가 압괴한다. 압괴하지 않는다면 움직이지 않는다.",
         },
-        SlidesSmooth { dilating: Quantity } => {
+        SlidesSmooth(dilating: Quantity) => {
             en: "Upright joints slide there, and count without friction. Friction that lets them rise, which real ones do not, would give {dilating}: an upper bound.",
             ko: "이때 연직 접합면이 미끄러지므로 그 마찰을 뺀 값이다. 미끄러지며 벌어지는 것으로 보면 저항 배수는 {dilating}(상한값)이다.",
         },
-        NotKnown { why: Sentence } => {
+        NotKnown(why: Sentence) => {
             en: "The wind is not compared: {why}.",
             ko: "풍하중을 검토하지 못하였다. {why}.",
         },
-        NoResonance { frequency: Quantity } => {
+        NoResonance(frequency: Quantity) => {
             en: "At {frequency} gusts make it swing, and a gust as given does not hold that: what it bears above is without resonance. Give the 10-minute mean with code = \"EN 1991-1-4\" and the damping ratio.",
             ko: "고유진동수가 {frequency}이므로 돌풍에 공진할 수 있으나, 주어진 돌풍 값에는 공진 효과가 없다. 위의 저항 배수는 공진을 제외한 값이다. 10분 평균 풍속을 code = \"EN 1991-1-4\" 및 감쇠비와 함께 입력해야 한다.",
         },
@@ -164,7 +164,7 @@ messages! {
 /// A combination by its name, or the kinds of load.
 pub(super) fn what(answer: &LoadsAnswer, combination: &CombinationAnswer) -> Sentence {
     match (&combination.name, answer.has_wind, answer.has_loads) {
-        (Some(name), _, _) => Found::Combination { name: name.clone() },
+        (Some(name), _, _) => Found::Combination(name.clone()),
         (None, true, true) => Found::Everything,
         (None, true, false) => Found::Wind,
         (None, false, _) => Found::Loads,

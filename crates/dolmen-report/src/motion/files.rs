@@ -17,11 +17,11 @@ messages! {
             ko: "파일 {file}: {format} 형식, 채널 {count}개.",
         },
         Channel => { en: "channel", ko: "채널" },
-        Name { name: String } => { en: "{name}", ko: "{name}" },
+        Name(name: String) => { en: "{name}", ko: "{name}" },
         Title => { en: "title", ko: "제목" },
         Direction => { en: "direction", ko: "방향" },
         NotGiven => { en: "not given", ko: "미기재" },
-        Azimuth { azimuth: Quantity } => { en: "{azimuth}° from north", ko: "북에서 시계 방향 {azimuth}°" },
+        Azimuth(azimuth: Quantity) => { en: "{azimuth}° from north", ko: "북에서 시계 방향 {azimuth}°" },
         Up => { en: "up", ko: "연직 상향" },
         Down => { en: "down", ko: "연직 하향" },
         InFile => { en: "unit", ko: "단위" },
@@ -103,7 +103,7 @@ fn name(channel: &ComponentReading) -> String {
 }
 
 fn named(name: String) -> Cell {
-    Cell::words(Files::Name { name })
+    Cell::words(Files::Name(name))
 }
 
 fn direction(orientation: Option<Orientation>) -> Files {
@@ -111,8 +111,8 @@ fn direction(orientation: Option<Orientation>) -> Files {
         None => Files::NotGiven,
         Some(Orientation::Up) => Files::Up,
         Some(Orientation::Down) => Files::Down,
-        Some(Orientation::Horizontal { azimuth_deg }) => Files::Azimuth {
-            azimuth: Quantity::new(azimuth_deg, Unit::ratio(), DIGITS),
-        },
+        Some(Orientation::Horizontal { azimuth_deg }) => {
+            Files::Azimuth(Quantity::new(azimuth_deg, Unit::ratio(), DIGITS))
+        }
     }
 }

@@ -13,7 +13,7 @@ const ABOVE_SAID: f64 = 0.3;
 messages! {
     /// A suite.
     pub(crate) enum Suite in "motion.suite" {
-        Head { count: usize } => { en: "Suite of {count} motions", ko: "지반운동 세트({count}개)" },
+        Head(count: usize) => { en: "Suite of {count} motions", ko: "지반운동 세트({count}개)" },
         Follows { taken: usize, of: usize, demand: String, from: Quantity, to: Quantity, damping: Quantity } => {
             en: "{taken} of {of} records for {demand}, {from} to {to}, damping {damping}, chosen by Dolmen's own rule.",
             ko: "{demand}에 맞추어 Dolmen의 규칙으로 기록 {of}개 중 {taken}개를 골랐다. 주기 {from}~{to}, 감쇠비 {damping}.",
@@ -30,7 +30,7 @@ messages! {
             en: "The mean lies {highest} above the demand at {at}: give more records, a narrower --range, or --match, or the structure is shaken harder there than the demand asks.",
             ko: "주기 {at}에서 평균이 목표보다 {highest} 크다. 기록을 더 주거나 --range를 좁히거나 --match를 쓴다. 그대로 쓰면 그 주기에서 목표보다 강하게 흔든다.",
         },
-        Short { share: Quantity } => {
+        Short(share: Quantity) => {
             en: "NOT FOLLOWED: the mean of the matched motions falls below {share} of the demand; leave --match out, or give other records.",
             ko: "목표에 미치지 못함: 부합시킨 지반운동의 평균이 목표의 {share}보다 작다. --match를 빼거나 다른 기록을 준다.",
         },
@@ -39,21 +39,21 @@ messages! {
             ko: "배율을 적용한 각 지반운동의 목표에 대한 오차. 음의 값은 목표보다 작음을 뜻한다.",
         },
         Motion => { en: "motion", ko: "지반운동" },
-        Name { name: String } => { en: "{name}", ko: "{name}" },
+        Name(name: String) => { en: "{name}", ko: "{name}" },
         Factor => { en: "factor", ko: "배율" },
         Peak => { en: "PGA", ko: "최대지반가속도" },
         RootMeanSquare => { en: "rms", ko: "제곱평균제곱근" },
         Lowest => { en: "lowest", ko: "최소" },
         Highest => { en: "highest", ko: "최대" },
-        Matched { count: usize } => {
+        Matched(count: usize) => {
             en: "Each of the {count} was matched to the demand by wavelets after it was multiplied: its factor is in the file already.",
             ko: "{count}개 모두 배율을 곱한 뒤 웨이블릿으로 목표에 부합시켰다. 배율은 파일에 이미 들어 있다.",
         },
-        NoDirection { count: usize } => {
+        NoDirection(count: usize) => {
             en: "{count} of the records do not say which way they point and were taken as horizontal: keep vertical ones out of the folder.",
             ko: "기록 {count}개는 방향이 적혀 있지 않아 수평으로 보았다. 연직 성분은 폴더에서 뺀다.",
         },
-        Vertical { count: usize } => {
+        Vertical(count: usize) => {
             en: "Vertical channels, without a part: {count}.",
             ko: "연직 성분이라 뺀 채널: {count}개.",
         },
@@ -70,9 +70,7 @@ messages! {
 
 /// The suite on a terminal.
 pub fn suite_text(answer: &SuiteAnswer, style: TextStyle) -> String {
-    let head = Suite::Head {
-        count: answer.members.len(),
-    };
+    let head = Suite::Head(answer.members.len());
     let head = heading_text(&Sentence::from(head).text(style.language));
     let lead = Block::Paragraph(vec![lead(answer), nearness(answer)]);
     let warnings: Vec<Sentence> = short(answer).into_iter().chain(above(answer)).collect();
@@ -143,7 +141,7 @@ fn rule(answer: &SuiteAnswer) -> Sentence {
 
 fn short(answer: &SuiteAnswer) -> Option<Sentence> {
     let share = || Quantity::percent(answer.rule.least_share, 2);
-    (!answer.is_kept()).then(|| Suite::Short { share: share() }.into())
+    (!answer.is_kept()).then(|| Suite::Short(share()).into())
 }
 
 /// A note if the mean is far above the demand.
@@ -174,9 +172,7 @@ fn row(member: &SuiteMember) -> Vec<Cell> {
     let number = |value, digits| Cell::number(Quantity::new(value, Unit::ratio(), digits));
     let misfit = &member.misfit;
     let mut cells = vec![
-        Cell::words(Suite::Name {
-            name: member.name.clone(),
-        }),
+        Cell::words(Suite::Name(member.name.clone())),
         number(member.factor, Digits::Fixed(3)),
         number(member.peak_m_s2() / STANDARD_GRAVITY_M_S2, Digits::Fixed(3)),
     ];
@@ -193,7 +189,7 @@ fn remarks(answer: &SuiteAnswer) -> Vec<Sentence> {
         .filter(|member| member.matched.is_some())
         .count();
     if count > 0 {
-        said.push(Suite::Matched { count }.into());
+        said.push(Suite::Matched(count).into());
     }
     let refused = answer.not_taken.iter().filter_map(|(file, why)| match why {
         NotTaken::Refused { why } => Some(Sentence::from(Suite::Refused {
@@ -209,12 +205,12 @@ fn remarks(answer: &SuiteAnswer) -> Vec<Sentence> {
     said.extend(refused);
     let count = answer.without_direction;
     if count > 0 {
-        said.push(Suite::NoDirection { count }.into());
+        said.push(Suite::NoDirection(count).into());
     }
     let is_vertical = |(_, why): &&(String, NotTaken)| *why == NotTaken::Vertical;
     let count = answer.not_taken.iter().filter(is_vertical).count();
     if count > 0 {
-        said.push(Suite::Vertical { count }.into());
+        said.push(Suite::Vertical(count).into());
     }
     said
 }

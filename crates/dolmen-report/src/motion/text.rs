@@ -16,9 +16,9 @@ const MEASURES_BESIDE_SPECTRA: usize = 3;
 messages! {
     /// The head of a motion.
     pub(crate) enum Motion in "motion" {
-        Head { name: String } => { en: "Motion {name}", ko: "지반운동 {name}" },
-        Duration { duration: Quantity } => { en: "Duration {duration}.", ko: "지속시간 {duration}." },
-        Done { steps: Sentence } => { en: "Done to it: {steps}.", ko: "처리: {steps}." },
+        Head(name: String) => { en: "Motion {name}", ko: "지반운동 {name}" },
+        Duration(duration: Quantity) => { en: "Duration {duration}.", ko: "지속시간 {duration}." },
+        Done(steps: Sentence) => { en: "Done to it: {steps}.", ko: "처리: {steps}." },
     }
 }
 
@@ -27,9 +27,7 @@ pub fn motion_report_text(report: &MotionReport, style: TextStyle) -> String {
     let Some(first) = report.series.first() else {
         return document_text(&sections(report), style);
     };
-    let head = Motion::Head {
-        name: first.motion.name().to_owned(),
-    };
+    let head = Motion::Head(first.motion.name().to_owned());
     let head = heading_text(&Sentence::from(head).text(style.language));
     match style.is_full {
         true => head + &document_text(&sections(report), style),
@@ -39,8 +37,8 @@ pub fn motion_report_text(report: &MotionReport, style: TextStyle) -> String {
 
 fn lead(first: &MotionSeries) -> Block<'static> {
     let duration = Quantity::new(first.motion.duration_s(), Unit::si("s"), Digits::Fixed(2));
-    let mut said = vec![Motion::Duration { duration }.into()];
-    said.extend(steps_of(first.motion.history()).map(|steps| Motion::Done { steps }.into()));
+    let mut said = vec![Motion::Duration(duration).into()];
+    said.extend(steps_of(first.motion.history()).map(|steps| Motion::Done(steps).into()));
     Block::Paragraph(said)
 }
 

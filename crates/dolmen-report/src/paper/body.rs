@@ -6,7 +6,7 @@ use super::{
 };
 use crate::document::{
     Answered, Block, Cell, Document, Figure, Framed, Numbers, Photo, Signatory, Table, Tone, figure_label,
-    table_label,
+    joined, table_label,
 };
 use dolmen_words::{Language, Sentence};
 
@@ -267,9 +267,4 @@ fn caption(label: &str, number: &str, sentences: &[Sentence], language: Language
         rest: (!rest.is_empty()).then(|| joined(rest, language)),
         is_above,
     }
-}
-
-fn joined(sentences: &[Sentence], language: Language) -> String {
-    let each: Vec<String> = sentences.iter().map(|sentence| sentence.text(language)).collect();
-    each.join(" ")
 }

@@ -14,11 +14,11 @@ messages! {
             ko: "저항능력과 90 % 불확실 구간, 위쪽이 가장 취약.",
         },
         How => { en: "How", ko: "방법" },
-        Basis { designs: usize } => {
+        Basis(designs: usize) => {
             en: "A structure rests on its own study where it has one, else on the six-factor score, trained on {designs} simulated pagodas.",
             ko: "개별 해석이 있는 구조물은 그 결과를, 없는 구조물은 석탑 {designs}기의 해석으로 학습한 여섯 인자 점수를 근거로 한다.",
         },
-        Intervals { draws: usize } => {
+        Intervals(draws: usize) => {
             en: "Places have intervals from {draws} draws of what is not known of each capacity, independent from structure to structure.",
             ko: "순위 구간은 각 저항능력의 불확실성을 서로 독립으로 {draws}회 추출하여 구하였다.",
         },
@@ -44,10 +44,8 @@ pub(crate) fn sections(answer: &PortfolioAnswer) -> Document<'_> {
     table::section(&mut document, answer);
     remarks::left_out(&mut document, answer);
     document.heading(Rank::How);
-    let basis = Rank::Basis {
-        designs: answer.designs,
-    };
-    let intervals = Rank::Intervals { draws: answer.draws };
+    let basis = Rank::Basis(answer.designs);
+    let intervals = Rank::Intervals(answer.draws);
     let method = [basis, intervals, Rank::Bounds, Rank::NoProof];
     document.put(Block::Paragraph(method.map(Into::into).into()));
     document

@@ -17,18 +17,18 @@ messages! {
     pub(crate) enum Ranking in "rank.table" {
         Caption => { en: "Ranking, the worst first.", ko: "우선순위, 나쁜 순서." },
         Structure => { en: "structure", ko: "구조물" },
-        Name { name: String } => { en: "{name}", ko: "{name}" },
+        Name(name: String) => { en: "{name}", ko: "{name}" },
         RestsOn => { en: "rests on", ko: "근거" },
-        Words { words: Both } => { en: "{words}", ko: "{words}" },
+        Words(words: Both) => { en: "{words}", ko: "{words}" },
         Lowers => { en: "what lowers it", ko: "주된 저하 요인" },
         Place => { en: "place", ko: "순위" },
         Ninety => { en: "90 %", ko: "90 %" },
-        State { state: Both } => { en: "{state}", ko: "{state}" },
+        State(state: Both) => { en: "{state}", ko: "{state}" },
         AYear => { en: "a year", ko: "연간 초과율" },
         FiftyYears => { en: "in 50 years", ko: "50년 초과확률" },
         WorstTenth => { en: "worst tenth", ko: "하위 10 % 비율" },
         ByFalls => { en: "by falls alone", ko: "낙하·전도 순위" },
-        More { more: usize } => {
+        More(more: usize) => {
             en: "and {more} more, in ranking.csv (-o DIR).",
             ko: "나머지 {more}기는 ranking.csv 참조(-o DIR).",
         },
@@ -54,7 +54,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &PortfolioAnswer) {
     document.put(Block::Table(table(answer, false)));
     let more = answer.ranked.places.len().saturating_sub(ROWS_MOST);
     if more > 0 {
-        document.note(Ranking::More { more });
+        document.note(Ranking::More(more));
     }
     document.note(Ranking::WorstTenthMeaning);
 }
@@ -76,9 +76,7 @@ fn columns(answer: &PortfolioAnswer) -> Vec<Shown> {
     let has_rate = answer.ranked.by == RankedBy::AnnualRate;
     let ratio = |head: Ranking| Column::numbers(head, Unit::ratio());
     let shown = |column: Column, is_key: bool, cell| Shown { column, is_key, cell };
-    let state = Ranking::State {
-        state: state_name(answer.state),
-    };
+    let state = Ranking::State(state_name(answer.state));
     let mut all = vec![
         shown(Column::words(Ranking::Structure), true, name),
         shown(Column::words(Ranking::RestsOn), true, basis),
@@ -99,19 +97,17 @@ fn columns(answer: &PortfolioAnswer) -> Vec<Shown> {
 }
 
 fn name(_: &PortfolioAnswer, (_, entry, _): &Row<'_>) -> Cell {
-    Cell::words(Ranking::Name {
-        name: entry.name.clone(),
-    })
+    Cell::words(Ranking::Name(entry.name.clone()))
 }
 
 fn basis(_: &PortfolioAnswer, (_, entry, _): &Row<'_>) -> Cell {
     let words = Both::of(|language| basis_words(entry, language));
-    Cell::words(Ranking::Words { words })
+    Cell::words(Ranking::Words(words))
 }
 
 fn reason(_: &PortfolioAnswer, (_, entry, _): &Row<'_>) -> Cell {
     let words = Both::of(|language| reason_words(entry, language));
-    Cell::words(Ranking::Words { words })
+    Cell::words(Ranking::Words(words))
 }
 
 fn place(_: &PortfolioAnswer, (place, ..): &Row<'_>) -> Cell {

@@ -16,9 +16,7 @@ const ONE_HEIGHT_M: f64 = 1e-3;
 
 /// The beds and the stones.
 pub fn scan_text(answer: &ScanAnswer, style: TextStyle) -> String {
-    let head = Scanned::Head {
-        file: answer.file.clone(),
-    };
+    let head = Scanned::Head(answer.file.clone());
     let head = heading_text(&Sentence::from(head).text(style.language));
     let body = match style.is_full {
         true => {
@@ -67,17 +65,17 @@ fn findings(answer: &ScanAnswer) -> Vec<Block<'static>> {
         .filter(|bed| (bed.at_m - bed.named_m).abs() > ONE_HEIGHT_M);
     let beds = moved.count();
     if beds > 0 {
-        all.push(Block::Warning(Scanned::AtSteps { beds }.into()));
+        all.push(Block::Warning(Scanned::AtSteps(beds).into()));
     }
     if !sliced.steps_without_bed.is_empty() {
         let steps = listed_steps(&sliced.steps_without_bed);
-        all.push(Block::Warning(Scanned::StepsAllowed { steps }.into()));
+        all.push(Block::Warning(Scanned::StepsAllowed(steps).into()));
     }
     let plain = sliced.beds.iter().enumerate().filter(|(_, bed)| !bed.is_at_step);
     let plain: Vec<String> = plain.map(|(at, _)| (at + 1).to_string()).collect();
     if !plain.is_empty() {
         let beds = plain.join(", ");
-        all.push(Block::Warning(Scanned::NoStep { beds }.into()));
+        all.push(Block::Warning(Scanned::NoStep(beds).into()));
     }
     all.push(Block::Warning(Scanned::Assumed.into()));
     all
@@ -112,7 +110,7 @@ fn beds(answer: &ScanAnswer) -> Table {
 }
 
 fn stones(answer: &ScanAnswer) -> Table {
-    let name = |name: &String| Cell::words(Scanned::Name { name: name.clone() });
+    let name = |name: &String| Cell::words(Scanned::Name(name.clone()));
     let rows = answer.stones.iter().map(|stone| {
         vec![
             name(&stone.name),

@@ -5,7 +5,7 @@ use dolmen_words::{Quantity, messages};
 messages! {
     /// A scan, its beds and its stones.
     pub(crate) enum Scanned in "scanned" {
-        Head { file: String } => { en: "Stones cut from {file}", ko: "{file}에서 자른 석재" },
+        Head(file: String) => { en: "Stones cut from {file}", ko: "{file}에서 자른 석재" },
         Whole { stones: usize, beds: usize, share: Quantity, volume: Quantity } => {
             en: "{stones} stones at {beds} beds; together they hold {share} of the scan's {volume}.",
             ko: "접합면 {beds}곳에서 석재 {stones}개로 잘랐다. 부피의 합은 스캔 부피 {volume}의 {share}이다.",
@@ -18,15 +18,15 @@ messages! {
             en: "The stones were moved by x {x}, y {y}, z {z}, so that the ground is at 0. Beds are given and shown in the coordinates of the file.",
             ko: "지반이 0이 되도록 석재를 x {x}, y {y}, z {z} 옮겼다. 접합면의 높이는 파일의 좌표로 주고 나타낸다.",
         },
-        AtSteps { beds: usize } => {
+        AtSteps(beds: usize) => {
             en: "Beds put at the step of the section next to the height given: {beds}. Look at the table and at drawing.svg.",
             ko: "주어진 높이 옆의 단면이 바뀌는 곳으로 옮긴 접합면: {beds}곳. 표와 drawing.svg에서 확인한다.",
         },
-        StepsAllowed { steps: String } => {
+        StepsAllowed(steps: String) => {
             en: "The section steps within a stone, as --allow states: at {steps}. If a bed is there, the tower is weaker than computed.",
             ko: "--allow에 따라 한 석재 안에서 단면이 바뀌는 곳: {steps}. 그곳에 접합면이 있으면 탑은 계산보다 약하다.",
         },
-        NoStep { beds: String } => {
+        NoStep(beds: String) => {
             en: "Beds without a step of the section: {beds}. The scan does not show them; they are where you gave them.",
             ko: "단면이 바뀌지 않는 접합면: {beds}. 스캔에 나타나지 않으므로 주어진 높이에 두었다.",
         },
@@ -45,6 +45,6 @@ messages! {
         File => { en: "file", ko: "파일" },
         Volume => { en: "volume", ko: "부피" },
         Triangles => { en: "triangles", ko: "삼각형" },
-        Name { name: String } => { en: "{name}", ko: "{name}" },
+        Name(name: String) => { en: "{name}", ko: "{name}" },
     }
 }

@@ -37,10 +37,10 @@ messages! {
             en: "Probability that one motion with this peak of the ground brings the pagoda to the state, unknown → given.",
             ko: "이 최대지반가속도의 지반운동 하나가 석탑을 해당 상태에 이르게 할 확률: 강성 미지 → 진동수 반영.",
         },
-        At { peak: Quantity } => { en: "{peak}", ko: "{peak}" },
-        Percent { value: Quantity } => { en: "{value}", ko: "{value}" },
-        Below { bound: Quantity } => { en: "< {bound}", ko: "< {bound}" },
-        Above { bound: Quantity } => { en: "> {bound}", ko: "> {bound}" },
+        At(peak: Quantity) => { en: "{peak}", ko: "{peak}" },
+        Percent(value: Quantity) => { en: "{value}", ko: "{value}" },
+        Below(bound: Quantity) => { en: "< {bound}", ko: "< {bound}" },
+        Above(bound: Quantity) => { en: "> {bound}", ko: "> {bound}" },
         Change { without: Sentence, with: Sentence } => { en: "{without} → {with}", ko: "{without} → {with}" },
         Prior { lower: Quantity, upper: Quantity, draws: usize, effective: Quantity, model: Quantity } => {
             en: "Unknown: any stiffness from {lower} to {upper} times that of the designs, its logarithm evenly. Of {draws} draws, {effective} count after the frequency, which the model may miss by {model} beside the error of the measurement. One frequency cannot tell which joint is soft, nor joints from soft ground: all joints are taken to differ by the same factor.",
@@ -134,11 +134,9 @@ fn percent(share: f64, digits: Digits) -> Quantity {
 fn chance(probability: f64) -> Sentence {
     let whole = |share| percent(share, Digits::Fixed(0));
     let said = match probability {
-        p if p < FINEST => Given::Below { bound: whole(FINEST) },
-        p if p > 1.0 - FINEST => Given::Above {
-            bound: whole(1.0 - FINEST),
-        },
-        p => Given::Percent { value: whole(p) },
+        p if p < FINEST => Given::Below(whole(FINEST)),
+        p if p > 1.0 - FINEST => Given::Above(whole(1.0 - FINEST)),
+        p => Given::Percent(whole(p)),
     };
     said.into()
 }
@@ -174,7 +172,7 @@ fn capacities(answer: &GivenAnswer) -> Table {
 
 fn probabilities(answer: &GivenAnswer) -> Table {
     let mut columns = vec![Column::words(Words::StateHead)];
-    columns.extend(GIVEN_PEAKS_G.map(|of_g| Column::words(Given::At { peak: peak(of_g) })));
+    columns.extend(GIVEN_PEAKS_G.map(|of_g| Column::words(Given::At(peak(of_g)))));
     let row = |one: &GivenState| {
         let mut row = vec![state_cell(one.state)];
         let pairs = one.probability_unknown.iter().zip(&one.probability_given);

@@ -38,15 +38,15 @@ messages! {
             en: "It holds for friction {friction}, whole square stones without damage, and joints of K_n {stiffness} on springs: of one pagoda, rigid joints needed {damaged} times the shaking for DS3 and {falls} times to fall.",
             ko: "마찰계수 {friction}, 손상이 없고 통돌로 된 정사각형 평면의 석탑, 수직강성 K_n {stiffness}인 접합면을 전제한다. 한 석탑에서 강체 접합면은 DS3에 {damaged}배, 낙하·전도에 {falls}배의 지반운동이 필요하였다.",
         },
-        Extrapolated { how: Sentence } => {
+        Extrapolated(how: Sentence) => {
             en: "EXTRAPOLATED: {how}; the numbers are those of the designs.",
             ko: "학습 범위 밖: {how}. 위 값은 학습한 석탑의 조건에 대한 것이다.",
         },
-        ExtrapolatedAll { how: Vec<Sentence> } => {
+        ExtrapolatedAll(how: Vec<Sentence>) => {
             en: "EXTRAPOLATED: {how}; the numbers are those of the designs.",
             ko: "학습 범위 밖: {how}. 아래 값은 학습한 석탑의 조건에 대한 것이다.",
         },
-        Unlike { words: Both } => { en: "{words}", ko: "{words}" },
+        Unlike(words: Both) => { en: "{words}", ko: "{words}" },
         Outside { factor: Both, given: Quantity, lower: Quantity, upper: Quantity } => {
             en: "{factor} is {given}, trained {lower} – {upper}",
             ko: "{factor} {given}(학습 범위 {lower} – {upper})",
@@ -87,7 +87,7 @@ fn brief(answer: &ScoreAnswer, style: TextStyle) -> String {
     let mut brief = BriefText::new(style);
     let how = extrapolated(answer);
     if !how.is_empty() {
-        brief.block(Block::Warning(Pagoda::ExtrapolatedAll { how }.into()));
+        brief.block(Block::Warning(Pagoda::ExtrapolatedAll(how).into()));
     }
     let capacities = capacities(answer);
     brief.table(&capacities, capacities.rows.len());
@@ -171,14 +171,15 @@ fn capacities(answer: &ScoreAnswer) -> Table {
 /// The same as warnings.
 pub(super) fn extrapolated_sentences(answer: &ScoreAnswer) -> Vec<Sentence> {
     let each = extrapolated(answer).into_iter();
-    each.map(|how| Pagoda::Extrapolated { how }.into()).collect()
+    each.map(|how| Pagoda::Extrapolated(how).into()).collect()
 }
 
 /// Differences of the pagoda from the designs.
 fn extrapolated(answer: &ScoreAnswer) -> Vec<Sentence> {
-    let unlike = answer.unlike.iter().map(|one| Pagoda::Unlike {
-        words: Both::of(|language| unlike_words(one, language)),
-    });
+    let unlike = answer
+        .unlike
+        .iter()
+        .map(|one| Pagoda::Unlike(Both::of(|language| unlike_words(one, language))));
     let outside = answer.states.first().map(|one| one.score.outside.as_slice());
     let outside = outside.unwrap_or_default().iter().map(|one| Pagoda::Outside {
         factor: factor_name(one.factor),

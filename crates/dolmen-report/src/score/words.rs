@@ -10,9 +10,9 @@ use dolmen_work::portfolio::{factor_words, state_words};
 messages! {
     /// States, factors, ranges.
     pub(crate) enum Words in "score.words" {
-        Factor { factor: Both } => { en: "{factor}", ko: "{factor}" },
+        Factor(factor: Both) => { en: "{factor}", ko: "{factor}" },
         FactorHead => { en: "factor", ko: "인자" },
-        State { state: Both } => { en: "{state}", ko: "{state}" },
+        State(state: Both) => { en: "{state}", ko: "{state}" },
         StateHead => { en: "state", ko: "상태" },
         Range { lower: Quantity, upper: Quantity } => { en: "{lower} – {upper}", ko: "{lower} – {upper}" },
         Within { value: Quantity, lower: Quantity, upper: Quantity } => {
@@ -29,9 +29,7 @@ pub(super) fn factor_name(factor: Factor) -> Both {
 }
 
 pub(super) fn factor_cell(factor: Factor) -> Cell {
-    Cell::words(Words::Factor {
-        factor: factor_name(factor),
-    })
+    Cell::words(Words::Factor(factor_name(factor)))
 }
 
 /// Name of a damage state.
@@ -40,14 +38,12 @@ pub(crate) fn state_name(state: usize) -> Both {
 }
 
 pub(super) fn state_cell(state: usize) -> Cell {
-    Cell::words(Words::State {
-        state: state_name(state),
-    })
+    Cell::words(Words::State(state_name(state)))
 }
 
 pub(super) fn state_column(state: usize, unit: Unit) -> Column {
     let state = state_name(state);
-    Column::numbers(Words::State { state }, unit)
+    Column::numbers(Words::State(state), unit)
 }
 
 /// A value of a factor, in the unit of its name.

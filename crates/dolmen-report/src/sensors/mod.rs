@@ -27,9 +27,7 @@ pub fn sensors_text(answer: &SensorsAnswer, style: TextStyle) -> String {
 
 fn head(answer: &SensorsAnswer) -> Planned {
     let name = &answer.project.name;
-    Planned::Head {
-        name: Both::of(|language| language.pick(name.english(), name.korean())),
-    }
+    Planned::Head(Both::of(|language| language.pick(name.english(), name.korean())))
 }
 
 fn sections(answer: &SensorsAnswer) -> Document<'static> {
@@ -90,9 +88,7 @@ fn findings(answer: &SensorsAnswer) -> Vec<Block<'static>> {
             .map(|mode| mode.seen_ratio)
             .fold(1.0, f64::min);
         let found = match answer.modes.len() {
-            1 => Planned::SeesOne {
-                share: percent(least),
-            },
+            1 => Planned::SeesOne(percent(least)),
             modes if most > ALIKE => Planned::TellsApartByFrequency {
                 modes,
                 mac: Quantity::ratio(most, 2),
@@ -108,7 +104,7 @@ fn findings(answer: &SensorsAnswer) -> Vec<Block<'static>> {
     }
     if !answer.without_dampers.is_empty() {
         let dampers = answer.without_dampers.clone();
-        all.push(Block::Warning(Planned::WithoutDampers { dampers }.into()));
+        all.push(Block::Warning(Planned::WithoutDampers(dampers).into()));
     }
     all
 }
@@ -158,9 +154,7 @@ fn sensors(answer: &SensorsAnswer) -> Table {
         let place = |axis: usize| Quantity::new(sensor.site.position_m[axis], metres(), Digits::Fixed(2));
         let mut cells = vec![
             Cell::number(Quantity::new((at + 1) as f64, Unit::ratio(), Digits::Fixed(0))),
-            Cell::words(Planned::Name {
-                name: sensor.site.part.clone(),
-            }),
+            Cell::words(Planned::Name(sensor.site.part.clone())),
             Cell::words(side_words(sensor.site.side)),
             Cell::number(place(0)),
             Cell::number(place(1)),
@@ -170,13 +164,13 @@ fn sensors(answer: &SensorsAnswer) -> Table {
         if answer.setups > 1 {
             cells.push(Cell::words(match sensor.setup {
                 None => Planned::Stays,
-                Some(setup) => Planned::InSetup { setup: setup + 1 },
+                Some(setup) => Planned::InSetup(setup + 1),
             }));
         }
         cells
     });
     Table {
-        caption: vec![Planned::SensorsCaption { sites: answer.sites }.into()],
+        caption: vec![Planned::SensorsCaption(answer.sites).into()],
         columns,
         rows: rows.collect(),
     }

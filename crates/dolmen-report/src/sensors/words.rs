@@ -7,12 +7,12 @@ use dolmen_work::sensors::{Axis, PlannedMode, Side};
 messages! {
     /// Sensors, and the modes that they measure.
     pub(crate) enum Planned in "sensors" {
-        Head { name: Both } => { en: "Sensors for {name}", ko: "{name}: 센서 배치" },
+        Head(name: Both) => { en: "Sensors for {name}", ko: "{name}: 센서 배치" },
         TellsApart { modes: usize, mac: Quantity, share: Quantity } => {
             en: "These sensors tell all {modes} modes apart: MAC of two modes {mac} at most, and of each mode they read at least {share} of its largest motion.",
             ko: "이 센서로 모드 {modes}개를 모두 구별한다. 두 모드의 MAC은 {mac} 이하이고, 모드마다 최대 변위의 {share} 이상을 측정한다.",
         },
-        SeesOne { share: Quantity } => {
+        SeesOne(share: Quantity) => {
             en: "These sensors read {share} of the mode's largest motion.",
             ko: "이 센서는 모드 최대 변위의 {share}을(를) 측정한다.",
         },
@@ -40,7 +40,7 @@ messages! {
             en: "The shapes are the model's. Once a first record is identified, compare them, mend the model and plan anew.",
             ko: "모드형상은 모델의 것이다. 첫 기록을 분석하면 비교하여 모델을 고치고 다시 배치한다.",
         },
-        WithoutDampers { dampers: Vec<String> } => {
+        WithoutDampers(dampers: Vec<String>) => {
             en: "The shapes are those of the structure without its dampers ({dampers}): near the frequency of one that is tuned, two modes of like shape stand where the plan has one. Put a sensor on the damper, too, or block it.",
             ko: "모드형상은 감쇠기({dampers})를 뺀 구조물의 것이다. 동조한 감쇠기의 진동수 부근에서는 배치에 쓴 모드 하나가 형상이 비슷한 두 모드로 나뉜다. 감쇠기에도 센서를 두거나 감쇠기를 고정한다.",
         },
@@ -52,7 +52,7 @@ messages! {
             en: "`-o DIR` writes a drawing, the plan as JSON, and the lines for `channels` of a survey's records.",
             ko: "`-o DIR`로 도면, JSON, 조사 기록의 `channels`에 넣을 줄을 저장한다.",
         },
-        SensorsCaption { sites: usize } => {
+        SensorsCaption(sites: usize) => {
             en: "Sensors, of {sites} places that were looked at.",
             ko: "센서 위치(후보 {sites}곳 가운데).",
         },
@@ -75,19 +75,19 @@ messages! {
         MostAlike => { en: "most like", ko: "가장 비슷한 모드" },
         Like { mode: usize, mac: Quantity } => { en: "{mode} ({mac})", ko: "{mode}차 ({mac})" },
         Stays => { en: "stays", ko: "고정" },
-        InSetup { setup: usize } => { en: "{setup}", ko: "{setup}" },
+        InSetup(setup: usize) => { en: "{setup}", ko: "{setup}" },
         Unknown => { en: "unknown", ko: "미상" },
         None => { en: "–", ko: "–" },
-        Name { name: String } => { en: "{name}", ko: "{name}" },
+        Name(name: String) => { en: "{name}", ko: "{name}" },
         Top => { en: "top", ko: "윗면" },
         Right => { en: "side +x", ko: "+x 면" },
         Left => { en: "side −x", ko: "−x 면" },
         Back => { en: "side +y", ko: "+y 면" },
         Front => { en: "side −y", ko: "−y 면" },
-        Corner { number: usize } => { en: "corner {number}", ko: "모서리 {number}" },
+        Corner(number: usize) => { en: "corner {number}", ko: "모서리 {number}" },
         InPlane => { en: "in the plane of the model", ko: "모델의 평면 방향" },
-        Along { axis: String } => { en: "along {axis}", ko: "{axis} 방향" },
-        Sways { axis: String } => { en: "mostly along {axis}", ko: "주로 {axis} 방향" },
+        Along(axis: String) => { en: "along {axis}", ko: "{axis} 방향" },
+        Sways(axis: String) => { en: "mostly along {axis}", ko: "주로 {axis} 방향" },
         Turns => { en: "mostly turning", ko: "주로 회전" },
     }
 }
@@ -100,7 +100,7 @@ pub(super) fn side_words(side: Side) -> Planned {
         Side::Left => Planned::Left,
         Side::Back => Planned::Back,
         Side::Front => Planned::Front,
-        Side::Corner(at) => Planned::Corner { number: at + 1 },
+        Side::Corner(at) => Planned::Corner(at + 1),
     }
 }
 
@@ -109,9 +109,7 @@ pub(super) fn axes_words(axes: &[Axis]) -> Planned {
     let keys: Vec<&str> = axes.iter().filter_map(Axis::key).collect();
     match keys.is_empty() {
         true => Planned::InPlane,
-        false => Planned::Name {
-            name: keys.join(", "),
-        },
+        false => Planned::Name(keys.join(", ")),
     }
 }
 
@@ -119,17 +117,14 @@ pub(super) fn axes_words(axes: &[Axis]) -> Planned {
 pub(super) fn moves(mode: &PlannedMode) -> Sentence {
     if let Some(direction) = &mode.direction {
         let axis = direction.clone();
-        return Planned::Along { axis }.into();
+        return Planned::Along(axis).into();
     }
     let Some(along) = mode.along else {
         return Planned::InPlane.into();
     };
     let names = ["x", "y", "z"].into_iter().zip(along);
     match names.max_by(|a, b| a.1.total_cmp(&b.1)) {
-        Some((axis, share)) if share >= 0.5 => Planned::Sways {
-            axis: axis.to_owned(),
-        }
-        .into(),
+        Some((axis, share)) if share >= 0.5 => Planned::Sways(axis.to_owned()).into(),
         _ => Planned::Turns.into(),
     }
 }

@@ -11,15 +11,15 @@ use dolmen_work::motion::{MotionAnswer, MotionDoubt};
 messages! {
     /// The motion of the ground.
     pub(crate) enum Motion in "simulated.motion" {
-        Caption { name: String } => { en: "Motion {name}.", ko: "지진동 {name}." },
+        Caption(name: String) => { en: "Motion {name}.", ko: "지진동 {name}." },
         Sampled { samples: usize, step: Quantity, rate: Quantity, length: Quantity } => {
             en: "{samples} samples every {step} ({rate}), {length}.",
             ko: "표본 {samples}개, 표본 간격 {step}({rate}), 지속시간 {length}.",
         },
         Then { first: Sentence, next: Sentence } => { en: "{first}; {next}", ko: "{first}, {next}" },
-        Done { steps: Sentence } => { en: "Done to it: {steps}.", ko: "처리: {steps}." },
+        Done(steps: Sentence) => { en: "Done to it: {steps}.", ko: "처리: {steps}." },
         Component => { en: "Component", ko: "성분" },
-        Name { name: String } => { en: "{name}", ko: "{name}" },
+        Name(name: String) => { en: "{name}", ko: "{name}" },
         Together => { en: "x and y together", ko: "x·y 합성" },
         File => { en: "file", ko: "파일" },
         PeakRead => { en: "peak as read", ko: "원기록 최대" },
@@ -32,11 +32,11 @@ messages! {
             en: "PROBABLY A SLIP: {component} is read with a peak of {peak}, which nobody would feel. If the numbers read as gal are m/s², it is {by_metres}, if they are g, {by_gal}: give their unit with --unit.",
             ko: "입력 오류 의심: {component} 성분을 최대 {peak}(으)로 읽었으며 이는 느낄 수 없는 크기이다. gal로 읽은 값이 m/s²라면 {by_metres}, g라면 {by_gal}이다. --unit으로 단위를 준다.",
         },
-        ActsStrong { peak: Quantity } => {
+        ActsStrong(peak: Quantity) => {
             en: "PROBABLY A SLIP: a motion of {peak} acts, more than in nearly all records ever made. Is the factor or the unit of the peak right (1 g is 9.81 m/s² or 981 gal)?",
             ko: "입력 오류 의심: 최대 {peak}의 지진동이 작용하며 이는 거의 모든 계측 기록보다 크다. 배율 또는 최대값의 단위(1 g = 9.81 m/s² = 981 gal)가 맞는가?",
         },
-        ActsWeak { peak: Quantity } => {
+        ActsWeak(peak: Quantity) => {
             en: "PROBABLY A SLIP: a motion of only {peak} acts, which nobody would feel. Is the factor or the unit of the peak right (1 g is 9.81 m/s² or 981 gal)?",
             ko: "입력 오류 의심: 최대 {peak}의 지진동만 작용하며 이는 느낄 수 없는 크기이다. 배율 또는 최대값의 단위(1 g = 9.81 m/s² = 981 gal)가 맞는가?",
         },
@@ -97,8 +97,8 @@ pub(crate) fn doubted(doubt: &MotionDoubt) -> Motion {
             by_metres: in_g(peak_g * 100.0),
             by_gal: in_g(peak_g * 100.0 * STANDARD_GRAVITY_M_S2),
         },
-        MotionDoubt::ActsStrong { peak_g } => Motion::ActsStrong { peak: in_g(peak_g) },
-        MotionDoubt::ActsWeak { peak_g } => Motion::ActsWeak { peak: in_g(peak_g) },
+        MotionDoubt::ActsStrong { peak_g } => Motion::ActsStrong(in_g(peak_g)),
+        MotionDoubt::ActsWeak { peak_g } => Motion::ActsWeak(in_g(peak_g)),
         MotionDoubt::Step {
             component,
             step_s,
@@ -179,10 +179,7 @@ pub(crate) fn motion_table(answer: &MotionAnswer) -> Table {
 fn caption(motion: &GroundMotion) -> Vec<Sentence> {
     let short = |value: f64, unit| Quantity::new(value, Unit::si(unit), Digits::Trimmed(6));
     let mut caption = vec![
-        Motion::Caption {
-            name: motion.name().to_owned(),
-        }
-        .into(),
+        Motion::Caption(motion.name().to_owned()).into(),
         Motion::Sampled {
             samples: motion.length(),
             step: short(motion.time_step_s(), "s"),
@@ -192,7 +189,7 @@ fn caption(motion: &GroundMotion) -> Vec<Sentence> {
         .into(),
     ];
     if let Some(steps) = steps_of(motion.history()) {
-        caption.push(Motion::Done { steps }.into());
+        caption.push(Motion::Done(steps).into());
     }
     caption
 }
@@ -209,9 +206,7 @@ fn together_m_s2(motion: &GroundMotion) -> Option<f64> {
 }
 
 fn named(name: &str) -> Cell {
-    Cell::words(Motion::Name {
-        name: name.to_owned(),
-    })
+    Cell::words(Motion::Name(name.to_owned()))
 }
 
 /// The processing, step by step; `None` if there was none. Identical steps of the components appear once.

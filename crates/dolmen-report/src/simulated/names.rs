@@ -11,7 +11,7 @@ messages! {
     /// Sentences of every simulation.
     pub(crate) enum Simulated in "simulated" {
         AsItIs => { en: "structure as it is", ko: "현 상태" },
-        Earthquake { of: Sentence } => { en: "Simulated earthquake: {of}", ko: "지진응답 시뮬레이션: {of}" },
+        Earthquake(of: Sentence) => { en: "Simulated earthquake: {of}", ko: "지진응답 시뮬레이션: {of}" },
         Under { of: Sentence, motion: String, peak: Quantity, ending: Sentence } => {
             en: "{of}, under {motion} with a peak of {peak}: {ending}",
             ko: "{of}, {motion}(최대 {peak}) 작용 시: {ending}",
@@ -20,7 +20,7 @@ messages! {
             en: "the run ended before the motion: {end} of its {whole} were run; no verdict. Until then: {ending}",
             ko: "지진동이 끝나기 전에 해석을 마쳐 판정하지 않는다({whole} 중 {end}까지 해석). 그때까지: {ending}",
         },
-        Stopped { at: Quantity } => {
+        Stopped(at: Quantity) => {
             en: "the run was stopped at {at}, before its end: no verdict; all values are of the part that was done.",
             ko: "해석이 {at}에 중단되어 판정하지 않는다. 모든 값은 그때까지의 것이다.",
         },

@@ -184,7 +184,7 @@ fn until_the_end(simulation: &StackSimulation) -> Sentence {
             block: name(block),
             left: whole_percent(margin_ratio),
         },
-        Outcome::Stopped { at_s } => return Simulated::Stopped { at: seconds(at_s) }.into(),
+        Outcome::Stopped { at_s } => return Simulated::Stopped(seconds(at_s)).into(),
         Outcome::NotConverged { at_s, residual_m_s } => Ending::NotConverged {
             at: step_s(at_s),
             nearest: Quantity::new(residual_m_s, Unit::si("m/s"), Digits::Significant(2)),

@@ -10,7 +10,7 @@ use dolmen_work::study::{LevelRow, RunMeasures, RunOutcome, StateBefore, StudyAn
 messages! {
     /// The motion before the runs.
     pub(crate) enum Preceded in "study.before" {
-        After { motion: String } => {
+        After(motion: String) => {
             en: "AFTER {motion}: every run begins with it, and capacities are what is left of the structure, not those of the structure as it stands.",
             ko: "{motion} 이후: 모든 해석이 이 지반운동으로 시작하므로, 한계 지진동은 현 상태가 아니라 그 뒤에 남은 구조물의 값이다.",
         },
@@ -22,12 +22,12 @@ messages! {
             en: "{fell} of {all} cases fell in {motion}: their runs count as fallen at any size.",
             ko: "{all}개 경우 중 {fell}개가 {motion}에서 붕괴하였다. 그 해석은 모든 크기에서 붕괴한 것으로 센다.",
         },
-        Head { motion: String } => { en: "After {motion}", ko: "{motion} 이후" },
-        Caption { motion: String } => {
+        Head(motion: String) => { en: "After {motion}", ko: "{motion} 이후" },
+        Caption(motion: String) => {
             en: "The state in which {motion} leaves the structure, and the peak acceleration of the ground at which half of the scans reach each state after it.",
             ko: "{motion}이(가) 남긴 상태와, 그 뒤 증분해석의 절반이 각 손상상태에 이르는 최대지반가속도.",
         },
-        Meaning { bound: Quantity } => {
+        Meaning(bound: Quantity) => {
             en: "States, peaks and offsets count from the structure as it stood before both motions. Still: how long the ground stands still between them; speed: the largest of any part at its end, at most {bound} at rest. “already”: the motion before reached the state by itself.",
             ko: "손상상태, 최댓값, 잔류값은 두 지반운동 이전을 기준으로 한다. 정지: 두 지반운동 사이에 지반이 멈춘 시간, 속도: 그 끝에서 가장 빠른 부분의 속도(정지 기준 {bound} 이하). ‘도달’: 앞선 지반운동만으로 이미 이른 상태.",
         },
@@ -44,9 +44,9 @@ messages! {
         Unshaken => { en: "not shaken", ko: "작용 안 함" },
         Undamaged => { en: "undamaged", ko: "손상 없음" },
         Refused => { en: "no verdict", ko: "판정 불가" },
-        InSamples { each: Vec<Sentence> } => { en: "{each}", ko: "{each}" },
+        InSamples(each: Vec<Sentence>) => { en: "{each}", ko: "{each}" },
         Times { state: Sentence, cases: usize } => { en: "{state} {cases} ×", ko: "{state} {cases}회" },
-        More { more: usize } => { en: "And {more} more combinations.", ko: "그 밖의 조합 {more}개." },
+        More(more: usize) => { en: "And {more} more combinations.", ko: "그 밖의 조합 {more}개." },
     }
 }
 
@@ -59,12 +59,7 @@ pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
         return Vec::new();
     };
     let motion = after.motion.clone();
-    let mut all = vec![Finding::key(
-        Tone::Warn,
-        Preceded::After {
-            motion: motion.clone(),
-        },
-    )];
+    let mut all = vec![Finding::key(Tone::Warn, Preceded::After(motion.clone()))];
     let fell = answer
         .before
         .iter()
@@ -90,16 +85,14 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
         return;
     };
     let motion = after.motion.clone();
-    document.subheading(Preceded::Head {
-        motion: motion.clone(),
-    });
+    document.subheading(Preceded::Head(motion.clone()));
     for finding in findings(answer) {
         document.put(Block::Warning(finding.sentence));
     }
     let (table, more) = table(answer, motion);
     document.put(Block::Table(table));
     if more > 0 {
-        document.note(Preceded::More { more });
+        document.note(Preceded::More(more));
     }
     document.note(Preceded::NoRates);
 }
@@ -138,10 +131,7 @@ fn table(answer: &StudyAnswer, motion: String) -> (Table, usize) {
     });
     let bound = Quantity::new(SPEED_AT_REST_M_S, milli("m/s"), Digits::Significant(2));
     let table = Table {
-        caption: vec![
-            Preceded::Caption { motion }.into(),
-            Preceded::Meaning { bound }.into(),
-        ],
+        caption: vec![Preceded::Caption(motion).into(), Preceded::Meaning(bound).into()],
         rows: rows.collect(),
         columns,
     };
@@ -230,7 +220,7 @@ fn left(answer: &StudyAnswer, own: &[StateBefore]) -> Sentence {
             }
             let each = each.into_iter();
             let each = each.map(|(state, cases)| Preceded::Times { state, cases }.into());
-            Preceded::InSamples { each: each.collect() }.into()
+            Preceded::InSamples(each.collect()).into()
         }
     }
 }

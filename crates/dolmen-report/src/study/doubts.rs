@@ -22,14 +22,14 @@ messages! {
         },
         Refused => { en: "its inputs were refused", ko: "입력이 거부되었다" },
         Missing => { en: "not finished", ko: "완료되지 않았다" },
-        Unknown { above: Quantity } => { en: "survived up to {above}, unknown above", ko: "{above}까지 견뎠으며 그 위는 알 수 없다" },
+        Unknown(above: Quantity) => { en: "survived up to {above}, unknown above", ko: "{above}까지 견뎠으며 그 위는 알 수 없다" },
         Between { above: Quantity, fell: Quantity } => {
             en: "survived up to {above}, unknown above, fell at {fell}",
             ko: "{above}까지 견뎠고 {fell}에서 붕괴하였으며 그 사이는 알 수 없다",
         },
-        Below { fell: Quantity } => { en: "unknown below {fell}, where it fell", ko: "{fell}에서 붕괴하였으며 그 아래는 알 수 없다" },
+        Below(fell: Quantity) => { en: "unknown below {fell}, where it fell", ko: "{fell}에서 붕괴하였으며 그 아래는 알 수 없다" },
         Nothing => { en: "no run of it can be used", ko: "사용할 수 있는 해석이 없다" },
-        More { more: usize } => { en: "And {more} more: capacities.csv.", ko: "그 밖의 {more}건은 capacities.csv에 있다." },
+        More(more: usize) => { en: "And {more} more: capacities.csv.", ko: "그 밖의 {more}건은 capacities.csv에 있다." },
     }
 }
 
@@ -48,7 +48,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
         .collect();
     if unusable.len() > NAMED_MOST {
         let more = unusable.len() - NAMED_MOST;
-        named.push(LeftOut::More { more }.into());
+        named.push(LeftOut::More(more).into());
     }
     if !named.is_empty() {
         document.put(Block::List(named));
@@ -97,12 +97,8 @@ fn one(answer: &StudyAnswer, of: &CapacityOf) -> LeftOut {
             above: g(answer, survived),
             fell: g(answer, fell),
         },
-        (_, None) if survived > 0.0 => LeftOut::Unknown {
-            above: g(answer, survived),
-        },
-        (_, Some(fell)) => LeftOut::Below {
-            fell: g(answer, fell),
-        },
+        (_, None) if survived > 0.0 => LeftOut::Unknown(g(answer, survived)),
+        (_, Some(fell)) => LeftOut::Below(g(answer, fell)),
         (_, None) => LeftOut::Nothing,
     };
     LeftOut::One {

@@ -87,7 +87,7 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     all.extend(doubts.map(|doubt| Finding::key(Tone::Bad, doubt)));
     let left_out = answer.left_out_of_runs.iter().map(|said| {
         let said = said.clone();
-        Finding::key(Tone::Warn, run::Done::NotInRuns { said })
+        Finding::key(Tone::Warn, run::Done::NotInRuns(said))
     });
     all.extend(releases::findings(answer));
     if answer.study.scan.is_none() {

@@ -18,7 +18,7 @@ messages! {
     /// Fragility.
     pub(crate) enum Curves in "study.fragility" {
         Head => { en: "Fragility", ko: "취약도" },
-        TooFew { motions: Sentence } => {
+        TooFew(motions: Sentence) => {
             en: "No fragility curves: usable scans of {motions} a combination of inputs, 3 motions or more are needed.",
             ko: "취약도 곡선을 구할 수 없다. 입력 조합당 사용할 수 있는 증분해석이 {motions}뿐이며, 입력지진 3개 이상이 필요하다.",
         },
@@ -46,7 +46,7 @@ messages! {
             ko: "{rate} ({least} – {most})",
         },
         RateFrom { rate: Quantity, least: Quantity } => { en: "{rate} (from {least} on)", ko: "{rate} ({least} 이상)" },
-        More { more: usize } => { en: "And {more} more: fragility.csv.", ko: "그 밖의 {more}개 조합은 fragility.csv에 있다." },
+        More(more: usize) => { en: "And {more} more: fragility.csv.", ko: "그 밖의 {more}개 조합은 fragility.csv에 있다." },
         TwoMedians => {
             en: "θ is the median of the fitted curve. The median among the capacities is that of the scans themselves, to a step of the scan: the two differ where capacities are not lognormal, and where fewer than half of the scans reached the state.",
             ko: "θ는 적합한 곡선의 중앙값이다. 한계 지진동 표의 중앙값은 증분해석 결과 자체의 중앙값으로 증분 간격까지 구하였다. 한계 지진동이 대수정규분포를 따르지 않거나 도달한 증분해석이 절반 미만이면 둘은 다르다.",
@@ -75,16 +75,14 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     }
     document.subheading(Curves::Head);
     if found.iter().flat_map(|one| &one.states).all(is_too_few) {
-        document.paragraph(Curves::TooFew {
-            motions: motions(found),
-        });
+        document.paragraph(Curves::TooFew(motions(found)));
         return;
     }
     let shown = &found[..found.len().min(SHOWN_MOST)];
     document.put(Block::Table(table(answer, shown)));
     if found.len() > shown.len() {
         let more = found.len() - shown.len();
-        document.note(Curves::More { more });
+        document.note(Curves::More(more));
     }
     if let Some(records) = records(answer) {
         document.note(records);

@@ -19,8 +19,8 @@ messages! {
             en: "Inputs of each combination were drawn {samples} times, from seed {seed}.",
             ko: "조합마다 입력 표본 {samples}개를 추출하였다(난수 초깃값 {seed}).",
         },
-        OneScale { scale: Quantity } => { en: "Every motion at scale {scale}.", ko: "입력지진의 배율은 {scale}이다." },
-        OnePeak { peak: Quantity } => { en: "Peak of the ground: {peak}.", ko: "최대지반가속도는 {peak}이다." },
+        OneScale(scale: Quantity) => { en: "Every motion at scale {scale}.", ko: "입력지진의 배율은 {scale}이다." },
+        OnePeak(peak: Quantity) => { en: "Peak of the ground: {peak}.", ko: "최대지반가속도는 {peak}이다." },
         Scales { count: usize, first: Quantity, last: Quantity, part: Sentence } => {
             en: "{count} scales from {first} to {last}; the first fall is sought to {part} of a step.",
             ko: "배율 {count}개({first}–{last})로 해석하였으며, 최초 붕괴는 간격의 {part}까지 좁혀 구하였다.",
@@ -30,10 +30,10 @@ messages! {
             ko: "최대지반가속도 {count}개({first}–{last})로 해석하였으며, 최초 붕괴는 간격의 {part}까지 좁혀 구하였다.",
         },
         Whole => { en: "the whole", ko: "전체" },
-        Part { inverse: String } => { en: "1/{inverse}", ko: "1/{inverse}" },
-        Method { method: Sentence } => { en: "Method: {method}.", ko: "해석 조건: {method}." },
-        Cases { cases: Sentence } => { en: "Computed for {cases}.", ko: "{cases}에 대해 해석하였다." },
-        Ends { each: Vec<Sentence> } => { en: "How the runs ended: {each}.", ko: "해석 결과: {each}." },
+        Part(inverse: String) => { en: "1/{inverse}", ko: "1/{inverse}" },
+        Method(method: Sentence) => { en: "Method: {method}.", ko: "해석 조건: {method}." },
+        Cases(cases: Sentence) => { en: "Computed for {cases}.", ko: "{cases}에 대해 해석하였다." },
+        Ends(each: Vec<Sentence>) => { en: "How the runs ended: {each}.", ko: "해석 결과: {each}." },
         Ended { count: usize, outcome: Sentence } => { en: "{count} {outcome}", ko: "{outcome} {count}회" },
         Stood => { en: "stood", ko: "안정" },
         Uplifted => { en: "uplifted", ko: "들림" },
@@ -44,7 +44,7 @@ messages! {
         StillMoving => { en: "still moving", ko: "거동 지속" },
         Diverged => { en: "diverged", ko: "발산" },
         Refused => { en: "refused", ko: "입력 거부" },
-        RefusedScans { scans: Sentence } => {
+        RefusedScans(scans: Sentence) => {
             en: "The inputs of {scans} were refused.",
             ko: "{scans}은(는) 입력이 허용 범위를 벗어나 해석하지 않았다.",
         },
@@ -60,21 +60,21 @@ messages! {
             en: "Not finished: {missing} of {jobs} are missing; the same command goes on from here. What follows is of the part that is done.",
             ko: "미완료: {jobs} 중 {missing}건이 끝나지 않았다. 같은 명령으로 이어서 해석할 수 있으며, 아래 결과는 완료된 부분만의 것이다.",
         },
-        InModel { each: Vec<Sentence> } => {
+        InModel(each: Vec<Sentence>) => {
             en: "The model has the damage of inspections: {each}.",
             ko: "모델에 점검에서 확인된 손상을 반영하였다: {each}.",
         },
-        InModelAsItIs { each: Vec<Sentence> } => {
+        InModelAsItIs(each: Vec<Sentence>) => {
             en: "The model of the structure as it is has the damage of inspections: {each}. A variant may have other damage.",
             ko: "현 상태 모델에 점검에서 확인된 손상을 반영하였다: {each}. 대안의 손상은 다를 수 있다.",
         },
-        NotInRuns { said: Both } => { en: "Left out: {said}.", ko: "미반영: {said}." },
-        Copies { each: Vec<Sentence> } => {
+        NotInRuns(said: Both) => { en: "Left out: {said}.", ko: "미반영: {said}." },
+        Copies(each: Vec<Sentence>) => {
             en: "Motions that are one record count as one: {each}.",
             ko: "같은 기록인 지반운동은 하나로 센다: {each}.",
         },
         Copy { motion: String, of: String } => { en: "{motion} is {of} again", ko: "{motion}은(는) {of}의 사본" },
-        Note { note: Both } => { en: "{note}.", ko: "{note}." },
+        Note(note: Both) => { en: "{note}.", ko: "{note}." },
     }
 }
 
@@ -86,7 +86,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     document.put(Block::Paragraph(said));
     let method = both(|language| answer.method(language));
     document.put(Block::Paragraph(vec![
-        Done::Method { method }.into(),
+        Done::Method(method).into(),
         ends(answer).into(),
     ]));
     notes(document, answer);
@@ -99,9 +99,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
         .filter(|scan| scan.verdict == ScanVerdict::Refused);
     let refused = refused.count();
     if refused > 0 {
-        document.note(Done::RefusedScans {
-            scans: scans(refused),
-        });
+        document.note(Done::RefusedScans(scans(refused)));
     }
     for said in refused_for(answer) {
         document.note(said);
@@ -119,8 +117,8 @@ pub(super) fn unscanned(document: &mut Document<'_>, answer: &StudyAnswer) {
     };
     let method = both(|language| answer.method(language));
     document.put(Block::Paragraph(vec![
-        Done::Cases { cases }.into(),
-        Done::Method { method }.into(),
+        Done::Cases(cases).into(),
+        Done::Method(method).into(),
     ]));
     notes(document, answer);
 }
@@ -129,16 +127,16 @@ fn notes(document: &mut Document<'_>, answer: &StudyAnswer) {
     if !answer.model_damage.is_empty() {
         let each = answer.model_damage.iter().map(damaged).collect();
         document.put(Block::Warning(match answer.study.variants.is_empty() {
-            true => Done::InModel { each }.into(),
-            false => Done::InModelAsItIs { each }.into(),
+            true => Done::InModel(each).into(),
+            false => Done::InModelAsItIs(each).into(),
         }));
     }
     for said in &answer.left_out_of_runs {
         let said = said.clone();
-        document.put(Block::Warning(Done::NotInRuns { said }.into()));
+        document.put(Block::Warning(Done::NotInRuns(said).into()));
     }
     for note in &answer.notes {
-        document.note(Done::Note { note: note.clone() });
+        document.note(Done::Note(note.clone()));
     }
 }
 
@@ -159,7 +157,7 @@ pub(super) fn copies(answer: &StudyAnswer) -> Option<Done> {
         Done::Copy { motion, of }.into()
     });
     let each: Vec<Sentence> = each.collect();
-    (!each.is_empty()).then_some(Done::Copies { each })
+    (!each.is_empty()).then_some(Done::Copies(each))
 }
 
 /// Doubts from the runs themselves.
@@ -203,9 +201,7 @@ fn samples(answer: &StudyAnswer) -> Option<Done> {
 fn sizes(answer: &StudyAnswer) -> Option<Done> {
     let part = match answer.study.refine {
         0 => Done::Whole,
-        halvings => Done::Part {
-            inverse: (1_u64 << halvings.min(63)).to_string(),
-        },
+        halvings => Done::Part((1_u64 << halvings.min(63)).to_string()),
     };
     let part = part.into();
     let scale = |value: f64| Quantity::ratio(value, 3);
@@ -217,7 +213,7 @@ fn sizes(answer: &StudyAnswer) -> Option<Done> {
     match answer.study.scan.as_ref()? {
         Scan::Scales(values) => match values.as_slice() {
             [] => None,
-            [only] => Some(Done::OneScale { scale: scale(*only) }),
+            [only] => Some(Done::OneScale(scale(*only))),
             [first, .., last] => Some(Done::Scales {
                 count: values.len(),
                 first: scale(*first),
@@ -227,7 +223,7 @@ fn sizes(answer: &StudyAnswer) -> Option<Done> {
         },
         Scan::Peaks(values) => match values.as_slice() {
             [] => None,
-            [only] => Some(Done::OnePeak { peak: peak(*only) }),
+            [only] => Some(Done::OnePeak(peak(*only))),
             [first, .., last] => Some(Done::Peaks {
                 count: values.len(),
                 first: peak(*first),
@@ -245,10 +241,8 @@ fn ends(answer: &StudyAnswer) -> Done {
     };
     let each: Vec<Sentence> = answer.outcomes().into_iter().map(one).collect();
     match each.is_empty() {
-        true => Done::Ends {
-            each: vec![name("–")],
-        },
-        false => Done::Ends { each },
+        true => Done::Ends(vec![name("–")]),
+        false => Done::Ends(each),
     }
 }
 

@@ -29,8 +29,8 @@ messages! {
         Duration => { en: "ln of the duration", ko: "지속시간(로그값)" },
         Motions => { en: "motions", ko: "입력지진" },
         Slope { slope: Quantity, chance: Sentence } => { en: "{slope} ({chance})", ko: "{slope}({chance})" },
-        Chance { chance: Quantity } => { en: "p {chance}", ko: "p {chance}" },
-        LittleChance { chance: Quantity } => { en: "p < {chance}", ko: "p < {chance}" },
+        Chance(chance: Quantity) => { en: "p {chance}", ko: "p {chance}" },
+        LittleChance(chance: Quantity) => { en: "p < {chance}", ko: "p < {chance}" },
         NotTold { state: Sentence, predictor: Sentence, why: Both } => {
             en: "{state} against {predictor}, not told: {why}.",
             ko: "{state}, {predictor}: 제시하지 않음. {why}.",
@@ -92,12 +92,8 @@ fn row(answer: &StudyAnswer, own: &MeasureSufficiency) -> Option<Vec<Cell>> {
 fn slope(of: &Sufficiency) -> Sufficient {
     let number = |value, digits| Quantity::new(value, Unit::ratio(), Digits::Significant(digits));
     let chance = match of.p_value < CHANCE_LEAST {
-        true => Sufficient::LittleChance {
-            chance: number(CHANCE_LEAST, 1),
-        },
-        false => Sufficient::Chance {
-            chance: number(of.p_value, 2),
-        },
+        true => Sufficient::LittleChance(number(CHANCE_LEAST, 1)),
+        false => Sufficient::Chance(number(of.p_value, 2)),
     };
     Sufficient::Slope {
         slope: number(of.slope, 2),

@@ -9,15 +9,15 @@ use dolmen_work::judgement::judge;
 messages! {
     /// A project in one line.
     pub(crate) enum Line in "text.line" {
-        AsItIs { words: Both } => { en: "as it is: {words}", ko: "현재: {words}" },
+        AsItIs(words: Both) => { en: "as it is: {words}", ko: "현재: {words}" },
         Variant { variant: String, words: Both } => { en: "variant ‘{variant}’: {words}", ko: "대안 ‘{variant}’: {words}" },
-        Modes { frequencies: Vec<Sentence> } => { en: "modes at {frequencies} Hz", ko: "고유진동수 {frequencies} Hz" },
-        Frequency { of: Quantity } => { en: "{of}", ko: "{of}" },
-        One { direction: String } => {
+        Modes(frequencies: Vec<Sentence>) => { en: "modes at {frequencies} Hz", ko: "고유진동수 {frequencies} Hz" },
+        Frequency(of: Quantity) => { en: "{of}", ko: "{of}" },
+        One(direction: String) => {
             en: "one stiffness explains direction {direction}",
             ko: "{direction} 방향: 계측과 맞는 강성은 하나",
         },
-        Bounded { direction: String } => {
+        Bounded(direction: String) => {
             en: "one stiffness, known only between bounds, explains direction {direction}",
             ko: "{direction} 방향: 계측과 맞는 강성은 하나이며 상·하한만 정해짐",
         },
@@ -25,20 +25,20 @@ messages! {
             en: "{stiffnesses} stiffnesses explain direction {direction}",
             ko: "{direction} 방향: 계측과 맞는 강성이 {stiffnesses}개",
         },
-        TooFew { direction: String } => {
+        TooFew(direction: String) => {
             en: "too few data for the stiffness of direction {direction}",
             ko: "{direction} 방향: 강성을 정하기에 자료가 부족함",
         },
-        NotChosen { direction: String } => {
+        NotChosen(direction: String) => {
             en: "no stiffness chosen in direction {direction}, its record is doubted",
             ko: "{direction} 방향: 기록이 의심스러워 강성을 판정하지 않음",
         },
-        NoStiffness { direction: String } => {
+        NoStiffness(direction: String) => {
             en: "no stiffness explains direction {direction}",
             ko: "{direction} 방향: 계측과 맞는 강성이 없음",
         },
-        Drift { said: Sentence } => { en: "{said} (drift)", ko: "{said}(층간 강성 기준)" },
-        Grounded { said: Sentence } => { en: "{said} (grounded)", ko: "{said}(지면 기준 강성)" },
+        Drift(said: Sentence) => { en: "{said} (drift)", ko: "{said}(층간 강성 기준)" },
+        Grounded(said: Sentence) => { en: "{said} (grounded)", ko: "{said}(지면 기준 강성)" },
     }
 }
 
@@ -51,7 +51,7 @@ pub fn project_line(answer: &ProjectReport, language: Language) -> String {
     for version in judge(&answer.answers).versions {
         let words = Both::of(|language| version.words(language).join(", "));
         parts.push(match version.variant {
-            None => Line::AsItIs { words }.into(),
+            None => Line::AsItIs(words).into(),
             Some(variant) => Line::Variant { variant, words }.into(),
         });
     }
@@ -60,33 +60,28 @@ pub fn project_line(answer: &ProjectReport, language: Language) -> String {
             let modes = record.analysis.modes.modes.iter();
             let of = |hz| Quantity::new(hz, Unit::ratio(), Digits::Fixed(3));
             let frequencies = modes
-                .map(|mode| {
-                    Line::Frequency {
-                        of: of(mode.frequency_hz),
-                    }
-                    .into()
-                })
+                .map(|mode| Line::Frequency(of(mode.frequency_hz)).into())
                 .collect();
-            parts.push(Line::Modes { frequencies }.into());
+            parts.push(Line::Modes(frequencies).into());
         }
         for stiffness in &survey.stiffness {
             let direction = stiffness.direction.clone();
             let found = &stiffness.solutions;
             let said: Sentence = match found.choice {
-                Choice::One if !stiffness.is_undoubted() => Line::NotChosen { direction },
-                Choice::One => Line::One { direction },
-                Choice::Bounded => Line::Bounded { direction },
+                Choice::One if !stiffness.is_undoubted() => Line::NotChosen(direction),
+                Choice::One => Line::One(direction),
+                Choice::Bounded => Line::Bounded(direction),
                 Choice::Indistinguishable => Line::Several {
                     stiffnesses: found.solutions.len(),
                     direction,
                 },
-                Choice::Underdetermined => Line::TooFew { direction },
-                Choice::Impossible => Line::NoStiffness { direction },
+                Choice::Underdetermined => Line::TooFew(direction),
+                Choice::Impossible => Line::NoStiffness(direction),
             }
             .into();
             parts.push(match stiffness.convention {
-                Some(Convention::Drift) => Line::Drift { said }.into(),
-                Some(Convention::Grounded) => Line::Grounded { said }.into(),
+                Some(Convention::Drift) => Line::Drift(said).into(),
+                Some(Convention::Grounded) => Line::Grounded(said).into(),
                 None => said,
             });
         }

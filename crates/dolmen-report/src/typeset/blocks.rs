@@ -2,8 +2,8 @@
 
 use super::equation::equation;
 use super::literal::{array, literal};
-use super::parts::{Parts, tone};
-use crate::document::{Answered, Block, Cell, Document, Figure, Framed, Photo, Signatory, Table};
+use super::parts::Parts;
+use crate::document::{Answered, Block, Cell, Document, Figure, Framed, Photo, Signatory, Table, joined};
 use dolmen_words::{Language, Sentence};
 
 impl Parts {
@@ -62,7 +62,7 @@ impl Parts {
                 let one = |answer: &Answered| {
                     let [question, word] =
                         [&answer.question, &answer.word].map(|said| literal(&said.text(language)));
-                    format!("({question}, {}, {word})", literal(tone(answer.tone)))
+                    format!("({question}, {}, {word})", literal(answer.tone.class()))
                 };
                 let each: Vec<String> = answers.iter().map(one).collect();
                 self.line(&format!("#answers({})", each.join(", ")));
@@ -159,9 +159,4 @@ fn caption(sentences: &[Sentence], language: Language) -> String {
             literal(&joined(rest, language))
         ),
     }
-}
-
-fn joined(sentences: &[Sentence], language: Language) -> String {
-    let each: Vec<String> = sentences.iter().map(|sentence| sentence.text(language)).collect();
-    each.join(" ")
 }

@@ -2,7 +2,7 @@
 
 use super::literal::{array, literal};
 use crate::behind::behind_document;
-use crate::document::{Block, Finding, Tone};
+use crate::document::{Block, Finding};
 use crate::engineer::{cover_photo, cover_rows, front, report_title};
 use crate::html::front::{banner, kind_words};
 use crate::html::fronted::{Fronted, text};
@@ -196,7 +196,7 @@ impl Parts {
             let words = finding.sentence.text(self.language);
             self.line(&format!(
                 "#finding({}, {})",
-                literal(tone(finding.tone)),
+                literal(finding.tone.class()),
                 literal(&words)
             ));
         }
@@ -222,16 +222,5 @@ fn colour(colour: Colour) -> &'static str {
         Colour::Green => "good",
         Colour::Amber => "warn",
         Colour::Red => "bad",
-    }
-}
-
-/// The name of a tone in the prelude.
-pub(super) fn tone(tone: Tone) -> &'static str {
-    match tone {
-        Tone::Good => "good",
-        Tone::Warn => "warn",
-        Tone::Bad => "bad",
-        Tone::Plain => "plain",
-        Tone::Unknown => "unknown",
     }
 }

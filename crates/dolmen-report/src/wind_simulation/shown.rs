@@ -50,21 +50,21 @@ messages! {
         Scatter => { en: "scatter", ko: "산포" },
         Largest => { en: "largest", ko: "최대" },
         Top => { en: "displacement of the top, mm", ko: "최상층 변위, mm" },
-        Drift { floor: String } => { en: "edge drift below {floor}, mm", ko: "{floor} 아래 단부 층간변위, mm" },
+        Drift(floor: String) => { en: "edge drift below {floor}, mm", ko: "{floor} 아래 단부 층간변위, mm" },
         TopAcceleration => { en: "acceleration of the top, m/s²", ko: "최상층 가속도, m/s²" },
         Corner => { en: "of its worst corner, m/s²", ko: "최상층 모서리 가속도, m/s²" },
         BaseShear => { en: "base shear, kN", ko: "밑면전단력, kN" },
         BaseTorque => { en: "base torque, kN·m", ko: "밑면 비틀림모멘트, kN·m" },
-        Stroke { damper: Sentence } => { en: "stroke of {damper}, mm", ko: "{damper} 행정, mm" },
-        TopInTime { axis: Sentence } => {
+        Stroke(damper: Sentence) => { en: "stroke of {damper}, mm", ko: "{damper} 행정, mm" },
+        TopInTime(axis: Sentence) => {
             en: "Displacement of the top floor, the wind along {axis}.",
             ko: "최상층 변위({axis} 방향 바람).",
         },
-        CornerInTime { axis: Sentence } => {
+        CornerInTime(axis: Sentence) => {
             en: "Acceleration of the worst corner of the top floor, the wind along {axis}.",
             ko: "최상층의 가장 불리한 모서리 가속도({axis} 방향 바람).",
         },
-        StrokesInTime { axis: Sentence } => {
+        StrokesInTime(axis: Sentence) => {
             en: "Strokes of the dampers, the wind along {axis}.",
             ko: "감쇠기의 행정({axis} 방향 바람).",
         },
@@ -110,12 +110,12 @@ fn section(run: &WindSimulation) -> Document<'_> {
     for (axis, along) in run.along.iter().enumerate() {
         let name = || axis_words(axis);
         let caption = match along.with {
-            Some(_) => InWind::AlongWithout { axis: name() },
-            None => InWind::AlongAxis { axis: name() },
+            Some(_) => InWind::AlongWithout(name()),
+            None => InWind::AlongAxis(name()),
         };
         document.put(Block::Table(table(run, &along.without, caption)));
         if let Some(with) = &along.with {
-            document.put(Block::Table(table(run, with, InWind::AlongWith { axis: name() })));
+            document.put(Block::Table(table(run, with, InWind::AlongWith(name()))));
         }
     }
     document.note(Histories::LeftOut);
@@ -130,15 +130,9 @@ fn section(run: &WindSimulation) -> Document<'_> {
 
 fn caption(plot: WindPlot) -> Vec<Sentence> {
     let said = match plot {
-        WindPlot::Top(axis) => Histories::TopInTime {
-            axis: axis_words(axis),
-        },
-        WindPlot::Corner(axis) => Histories::CornerInTime {
-            axis: axis_words(axis),
-        },
-        WindPlot::Strokes(axis) => Histories::StrokesInTime {
-            axis: axis_words(axis),
-        },
+        WindPlot::Top(axis) => Histories::TopInTime(axis_words(axis)),
+        WindPlot::Corner(axis) => Histories::CornerInTime(axis_words(axis)),
+        WindPlot::Strokes(axis) => Histories::StrokesInTime(axis_words(axis)),
     };
     vec![said.into(), Histories::First.into()]
 }
@@ -148,7 +142,7 @@ fn table(run: &WindSimulation, motion: &MotionInTime, caption: InWind) -> Table 
     let drifts = run.floors.iter().zip(&motion.drifts_m).rev();
     rows.extend(drifts.map(|(floor, drift)| {
         let floor = floor.clone();
-        row(Histories::Drift { floor }, drift, millimetres())
+        row(Histories::Drift(floor), drift, millimetres())
     }));
     let acceleration = || Unit::si("m/s²");
     rows.push(row(
@@ -166,7 +160,7 @@ fn table(run: &WindSimulation, motion: &MotionInTime, caption: InWind) -> Table 
     let strokes = strokes_of(&run.dampers).into_iter().zip(&motion.strokes_m);
     rows.extend(strokes.map(|(of, stroke)| {
         let damper = stroke_words(&of.name);
-        row(Histories::Stroke { damper }, stroke, millimetres())
+        row(Histories::Stroke(damper), stroke, millimetres())
     }));
     let numbers = |head: Histories| Column::numbers(head, Unit::ratio());
     Table {

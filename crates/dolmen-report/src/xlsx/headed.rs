@@ -22,7 +22,5 @@ impl Headed {
 
 /// Words that are the same in both languages.
 pub(super) fn verbatim(text: &str) -> Cell {
-    Cell::words(Workbook::Verbatim {
-        text: Both::of(|_| text),
-    })
+    Cell::words(Workbook::Verbatim(Both::of(|_| text)))
 }

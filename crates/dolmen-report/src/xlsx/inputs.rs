@@ -26,7 +26,7 @@ pub(crate) fn inputs_tables(answer: &ProjectReport, own: &[&Input]) -> Vec<Heade
     for variant in answer.variants() {
         let inputs: Vec<&Input> = variant.own_inputs.iter().collect();
         let variant = title(variant);
-        let mut of = headed(Workbook::InputsOf { variant }.into(), &inputs);
+        let mut of = headed(Workbook::InputsOf(variant).into(), &inputs);
         beside_given(&mut of.table, &inputs, &answer.project.structure_inputs());
         all.push(of);
     }
@@ -71,7 +71,7 @@ fn inputs_table(caption: Sentence, structure: &Structure, inputs: &[&Input]) -> 
 }
 
 fn row(structure: &Structure, input: &Input) -> Vec<Cell> {
-    let both = |text: Both| Cell::words(Workbook::Verbatim { text });
+    let both = |text: Both| Cell::words(Workbook::Verbatim(text));
     vec![
         both(Both::of(|language| input_words(structure, &input.path, language))),
         both(Both::of(|language| evidence_word(input.source, language))),

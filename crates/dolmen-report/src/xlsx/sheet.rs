@@ -140,7 +140,7 @@ fn shown(headed: &Headed) -> Vec<Shown<'_>> {
     for (index, column) in table.columns.iter().enumerate() {
         all.push(Shown::Value(index, column));
         let mut cells = table.rows.iter().filter_map(|row| row.get(index));
-        if cells.any(|cell| quantity(cell).is_some_and(|q| q.sd_si.is_some())) {
+        if cells.any(|cell| cell.quantity().is_some_and(|q| q.sd_si.is_some())) {
             all.push(Shown::Deviation(index, column));
         }
     }
@@ -152,16 +152,8 @@ fn head(shown: &Shown<'_>, language: Language) -> String {
         Shown::Value(_, column) => column.text(language),
         Shown::Deviation(_, column) => {
             let head = Both::of(|language| column.text(language));
-            Sentence::from(Workbook::Deviation { head }).text(language)
+            Sentence::from(Workbook::Deviation(head)).text(language)
         }
-    }
-}
-
-fn quantity(cell: &Cell) -> Option<&Quantity> {
-    match cell {
-        Cell::Number(quantity) => quantity.as_ref(),
-        Cell::Bad(quantity) | Cell::Rises(quantity) => Some(quantity),
-        Cell::Words(_) | Cell::BadWords(_) => None,
     }
 }
 
@@ -209,7 +201,10 @@ fn write_cell(
     styles: &Styles,
 ) -> Result<(), XlsxError> {
     let Some(cell) = cell else { return Ok(()) };
-    match quantity(cell).filter(|quantity| shown_value(quantity).is_finite()) {
+    match cell
+        .quantity()
+        .filter(|quantity| shown_value(quantity).is_finite())
+    {
         Some(quantity) => {
             let mut format = styles
                 .number
@@ -255,7 +250,7 @@ fn write_deviation(
     cell: Option<&Cell>,
     styles: &Styles,
 ) -> Result<(), XlsxError> {
-    let Some((cell, quantity)) = cell.and_then(|cell| quantity(cell).map(|of| (cell, of))) else {
+    let Some((cell, quantity)) = cell.and_then(|cell| cell.quantity().map(|of| (cell, of))) else {
         return Ok(());
     };
     if let Some(sd) = quantity.sd_si.filter(|sd| sd.is_finite()) {

@@ -63,9 +63,7 @@ fn rows_table(head: &Sentence, block: Block<'_>) -> Option<Table> {
         Block::Table(table) => table,
         Block::KeyValues(rows) => key_values(head, rows),
         Block::Photos(photos) => {
-            let shows = |photo: &Photo<'_>| Workbook::Verbatim {
-                text: Both::of(|language| photo.text(language)),
-            };
+            let shows = |photo: &Photo<'_>| Workbook::Verbatim(Both::of(|language| photo.text(language)));
             let cells = |photo: &Photo<'_>| vec![Cell::words(shows(photo)), verbatim(photo.file)];
             of(
                 vec![Framed::Photo, Framed::File],

@@ -18,7 +18,7 @@ messages! {
             en: "What the project file gives. Values are in SI units.",
             ko: "프로젝트 파일의 입력값이다. 값은 SI 단위이다.",
         },
-        InputsOf { variant: Both } => {
+        InputsOf(variant: Both) => {
             en: "Inputs that the variant “{variant}” changes.",
             ko: "대안 ‘{variant}’에서 달라지는 입력값.",
         },
@@ -31,7 +31,7 @@ messages! {
         Scatter {} => { en: "Coefficient of variation", ko: "변동계수" },
         Note {} => { en: "Note", ko: "비고" },
         Quantity {} => { en: "Quantity", ko: "항목" },
-        Deviation { head: Both } => { en: "{head}: standard deviation", ko: "{head}: 표준편차" },
-        Verbatim { text: Both } => { en: "{text}", ko: "{text}" },
+        Deviation(head: Both) => { en: "{head}: standard deviation", ko: "{head}: 표준편차" },
+        Verbatim(text: Both) => { en: "{text}", ko: "{text}" },
     }
 }

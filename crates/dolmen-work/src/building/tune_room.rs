@@ -30,9 +30,7 @@ pub(crate) fn room_check(
     let mut motions: Vec<(String, GroundMotion)> = Vec::new();
     for part in &project.motions {
         let read = motion::prepared(&MotionRequest::named(&part.name), (project, files));
-        let read = read.within(|| Place::StrokesUnder {
-            motion: part.name.clone(),
-        })?;
+        let read = read.within(|| Place::StrokesUnder(part.name.clone()))?;
         motions.push((part.name.clone(), read.motion));
     }
     let mut strokes = Vec::new();

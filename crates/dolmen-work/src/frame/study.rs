@@ -53,20 +53,14 @@ pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Resu
         (None, None, [only]) => only,
         (None, None, []) => return Err(CaseRefused::NoDirectionKnown.into()),
         (None, None, several) => {
-            return Err(CaseRefused::ChooseDirection {
-                directions: several.join(", "),
-            }
-            .into());
+            return Err(CaseRefused::ChooseDirection(several.join(", ")).into());
         }
     };
     let mut leaning = |direction: &str| -> Result<Option<Leaning>, Both> {
         Leaning::of(part, direction, pick).map_err(|why| told_both(&why))
     };
     let Some(first) = leaning(direction)? else {
-        return Err(CaseRefused::DirectionUnknown {
-            direction: direction.to_owned(),
-        }
-        .into());
+        return Err(CaseRefused::DirectionUnknown(direction.to_owned()).into());
     };
     let across = match both {
         Some([_, y]) => leaning(y)?,

@@ -229,18 +229,10 @@ impl Evidence {
         match self {
             Evidence::Agrees { .. } => EvidenceSaid::Agrees,
             Evidence::Contradicted(_) => EvidenceSaid::Contradicted,
-            Evidence::TooRough(of) => EvidenceSaid::TooRough {
-                survey: of.survey.clone(),
-            },
-            Evidence::InDoubt(of) => EvidenceSaid::InDoubt {
-                why: Both::of(|language| of.words(language)),
-            },
-            Evidence::Unread { survey } => EvidenceSaid::Unread {
-                survey: survey.clone(),
-            },
-            Evidence::NotCompared { survey } => EvidenceSaid::NotCompared {
-                survey: survey.clone(),
-            },
+            Evidence::TooRough(of) => EvidenceSaid::TooRough(of.survey.clone()),
+            Evidence::InDoubt(of) => EvidenceSaid::InDoubt(Both::of(|language| of.words(language))),
+            Evidence::Unread { survey } => EvidenceSaid::Unread(survey.clone()),
+            Evidence::NotCompared { survey } => EvidenceSaid::NotCompared(survey.clone()),
             Evidence::MarkedAssumed { survey, farthest } => {
                 let survey = survey.clone();
                 match farthest {
@@ -250,14 +242,12 @@ impl Evidence {
                         given: significant(of.measured_hz, 3),
                         computed: significant(of.computed_hz, 3),
                     },
-                    None => EvidenceSaid::MarkedAssumed { survey },
+                    None => EvidenceSaid::MarkedAssumed(survey),
                 }
             }
             Evidence::NotMeasured {
                 calibrated_to: Some(survey),
-            } => EvidenceSaid::Calibrated {
-                survey: survey.clone(),
-            },
+            } => EvidenceSaid::Calibrated(survey.clone()),
             Evidence::NotMeasured { calibrated_to: None } => EvidenceSaid::NotMeasured,
         }
     }

@@ -144,12 +144,12 @@ impl PairedMode {
         let percent = 100.0 * (self.measured_hz / self.computed_hz - 1.0);
         let number = self.number;
         let mode = match &self.direction {
-            Some(direction) if direction == "torsion" => DoubtSaid::OfTorsion { number },
+            Some(direction) if direction == "torsion" => DoubtSaid::OfTorsion(number),
             Some(direction) => DoubtSaid::Along {
                 number,
                 direction: direction.clone(),
             },
-            None => DoubtSaid::OfModel { number },
+            None => DoubtSaid::OfModel(number),
         };
         let apart = DoubtSaid::Apart {
             mode: mode.into(),
@@ -173,9 +173,7 @@ impl PairedMode {
 impl Unexplained {
     fn words(&self, language: Language) -> String {
         let unexplained = match &self.direction {
-            Some(direction) => DoubtSaid::UnexplainedAlong {
-                direction: direction.clone(),
-            },
+            Some(direction) => DoubtSaid::UnexplainedAlong(direction.clone()),
             None => DoubtSaid::Unexplained,
         };
         match self.deviations {

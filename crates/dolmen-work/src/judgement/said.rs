@@ -9,20 +9,20 @@ messages! {
         // possibly only the lowest frequency of each direction was compared
         Agrees => { en: "agrees (lowest frequencies)", ko: "계측과 일치(최저 고유진동수)" },
         Contradicted => { en: "contradicted", ko: "계측과 불일치" },
-        TooRough { survey: String } => {
+        TooRough(survey: String) => {
             en: "not decided: survey {survey} measured too roughly to tell",
             ko: "판별 불가({survey} 조사의 계측 오차가 커서 판단할 수 없음)",
         },
-        InDoubt { why: Both } => { en: "in doubt: {why}", ko: "확인 필요({why})" },
-        Unread { survey: String } => {
+        InDoubt(why: Both) => { en: "in doubt: {why}", ko: "확인 필요({why})" },
+        Unread(survey: String) => {
             en: "not compared with the records of survey {survey}, whose modes were not sought",
             ko: "비교 불가({survey} 조사의 진동 기록에서 모드를 아직 구하지 않음)",
         },
-        NotCompared { survey: String } => {
+        NotCompared(survey: String) => {
             en: "not compared with survey {survey}: the model has no frequency, its stiffness is not given",
             ko: "비교 불가({survey} 조사의 고유진동수는 있으나 모델의 강성이 주어지지 않음)",
         },
-        MarkedAssumed { survey: String } => {
+        MarkedAssumed(survey: String) => {
             en: "the frequencies of survey {survey} are marked as assumed, not measured",
             ko: "{survey} 조사의 고유진동수가 계측값이 아니라 가정값으로 표시됨",
         },
@@ -30,7 +30,7 @@ messages! {
             en: "the frequencies of survey {survey} are marked as assumed, not measured; {direction}: {given} Hz there, {computed} Hz modelled",
             ko: "{survey} 조사의 고유진동수가 계측값이 아니라 가정값으로 표시됨; {direction} 방향 {given} Hz, 모델 {computed} Hz",
         },
-        Calibrated { survey: String } => {
+        Calibrated(survey: String) => {
             en: "not measured (calibrated to {survey})",
             ko: "계측 없음({survey} 조사로 추정한 강성)",
         },
@@ -46,12 +46,12 @@ messages! {
             en: "no measured mode is paired with mode {number} of the model in direction {direction}, {computed} Hz",
             ko: "모델의 {direction} 방향 {number}차 모드 {computed} Hz와 짝지은 계측 모드 없음",
         },
-        OfTorsion { number: usize } => { en: "mode {number} of torsion", ko: "비틀림 {number}차 모드" },
+        OfTorsion(number: usize) => { en: "mode {number} of torsion", ko: "비틀림 {number}차 모드" },
         Along { number: usize, direction: String } => {
             en: "mode {number} in direction {direction}",
             ko: "{direction} 방향 {number}차 모드",
         },
-        OfModel { number: usize } => { en: "mode {number} of the model", ko: "모델의 {number}차 모드" },
+        OfModel(number: usize) => { en: "mode {number} of the model", ko: "모델의 {number}차 모드" },
         Apart { mode: Both, measured: String, computed: String, change: String } => {
             en: "{mode} {measured} Hz measured, {computed} Hz modelled, {change}",
             ko: "{mode} 실측 {measured} Hz, 모델 {computed} Hz, {change}",
@@ -64,7 +64,7 @@ messages! {
             en: "no stiffness explains the measured modes",
             ko: "계측 모드를 설명하는 강성이 없음",
         },
-        UnexplainedAlong { direction: String } => {
+        UnexplainedAlong(direction: String) => {
             en: "no stiffness explains the measured modes in direction {direction}",
             ko: "{direction} 방향 계측 모드를 설명하는 강성이 없음",
         },

@@ -235,9 +235,7 @@ pub fn of_study(name: String, answer: &StudyAnswer, hazard: Option<Hazard>) -> R
     let found = answer.fragilities();
     let [only] = found else {
         let why = match found.len() {
-            0 => CaseRefused::NoScan {
-                study: answer.study.name.clone(),
-            },
+            0 => CaseRefused::NoScan(answer.study.name.clone()),
             combinations => CaseRefused::SeveralCombinations {
                 study: answer.study.name.clone(),
                 combinations,

@@ -361,9 +361,7 @@ impl Cells<'_> {
                 })
                 .collect();
             self.missing(match missing.len() < NEEDED.len() {
-                true => RowLacks::Columns {
-                    columns: Both::of(|language| joined(&missing, ", ", language)),
-                },
+                true => RowLacks::Columns(Both::of(|language| joined(&missing, ", ", language))),
                 false => RowLacks::Factors,
             })
         };
@@ -487,9 +485,9 @@ fn needed(text: &str) -> RowNeeds {
                 thousands: format!("{whole}{rest}"),
             }
         }
-        Some((whole, rest)) if is_number(&format!("{whole}.{rest}")) => RowNeeds::DecimalPoint {
-            number: format!("{whole}.{rest}"),
-        },
+        Some((whole, rest)) if is_number(&format!("{whole}.{rest}")) => {
+            RowNeeds::DecimalPoint(format!("{whole}.{rest}"))
+        }
         _ => RowNeeds::Number,
     }
 }

@@ -67,9 +67,7 @@ pub fn stones_of_scan(request: &ScanRequest<'_>) -> Result<ScanAnswer, WorkError
     let named = MemoryFiles {
         files: files.iter().cloned().collect(),
     };
-    let place = || Place::StonesOfScan {
-        file: request.file.clone(),
-    };
+    let place = || Place::StonesOfScan(request.file.clone());
     let opened = Opened::read(text.clone(), "project.toml".to_owned(), &named).within(place)?;
     if let Structure::Stack(part) = &opened.project.structure {
         part.build(&mut Quantity::nominal).within(place)?;

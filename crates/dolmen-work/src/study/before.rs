@@ -128,7 +128,7 @@ pub(super) fn shaken_before(
         let Some(AtRest { end_s, speed_m_s }) = rest.filter(|_| is_whole) else {
             let why = match run.why.english.is_empty() {
                 true => CaseRefused::NoVerdictBefore.into(),
-                false => CaseRefused::UndecidedBefore { why: run.why.clone() }.into(),
+                false => CaseRefused::UndecidedBefore(run.why.clone()).into(),
             };
             return refused(state, why);
         };

@@ -33,12 +33,7 @@ impl JournalHeader {
     /// The difference from another header, in words, without shards; `None` if both are of one study.
     pub fn difference(&self, other: &JournalHeader) -> Option<Both> {
         if self.study != other.study {
-            return Some(
-                JournalDiffers::OtherStudy {
-                    study: other.study.clone(),
-                }
-                .into(),
-            );
+            return Some(JournalDiffers::OtherStudy(other.study.clone()).into());
         }
         if self.version != other.version {
             return Some(
@@ -60,7 +55,7 @@ impl JournalHeader {
             each.join(", ")
         });
         if !changed.is_empty() || self.inputs.len() != other.inputs.len() || self.jobs != other.jobs {
-            return Some(JournalDiffers::Changed { inputs: said }.into());
+            return Some(JournalDiffers::Changed(said).into());
         }
         None
     }
@@ -384,12 +379,10 @@ mod tests {
         other.inputs[1].1 = fingerprint(b"z");
         assert_eq!(
             header().difference(&other).unwrap(),
-            JournalDiffers::Changed {
-                inputs: Both {
-                    english: "motion a=b".to_owned(),
-                    korean: "지반운동 a=b".to_owned(),
-                }
-            }
+            JournalDiffers::Changed(Both {
+                english: "motion a=b".to_owned(),
+                korean: "지반운동 a=b".to_owned(),
+            })
             .into()
         );
     }

@@ -53,7 +53,7 @@ impl StudyAnswer {
     pub fn after_words(&self, language: Language) -> Option<String> {
         let motion = &self.study.after.as_ref()?.motion;
         let motion = motion.clone();
-        Some(Sentence::from(Method::After { motion }).text(language))
+        Some(Sentence::from(Method::After(motion)).text(language))
     }
 
     /// The contact law of a stack; `None` for other structures.
@@ -81,43 +81,42 @@ impl StudyAnswer {
                 LawPart::Rigid => Method::RigidLaw,
             });
             let points = study.points;
-            said.push(Method::Points { points });
+            said.push(Method::Points(points));
             if points == 4 && study.law == LawPart::Springs {
                 said.push(Method::TooStiff);
             }
         }
         if self.kind == StudyKind::Building {
             let limits = study.drift_limits.map(|limit| trimmed(100.0 * limit, 4));
-            said.push(Method::DriftLimits {
-                limits: limits.join(", "),
-            });
+            said.push(Method::DriftLimits(limits.join(", ")));
         }
-        said.extend(study.after.as_ref().map(|after| Method::After {
-            motion: after.motion.clone(),
-        }));
+        said.extend(
+            study
+                .after
+                .as_ref()
+                .map(|after| Method::After(after.motion.clone())),
+        );
         if study.damage != DamageThresholds::default() {
             said.push(Method::OwnDamageStates);
         }
         if study.scan.is_some() {
             let rest = trimmed(self.rest_s(), 3);
             said.push(match (self.kind, study.rest_s) {
-                (StudyKind::Building, None) => Method::RestAndPeriods { rest },
-                _ => Method::Rest { rest },
+                (StudyKind::Building, None) => Method::RestAndPeriods(rest),
+                _ => Method::Rest(rest),
             });
             said.push(match study.refine {
                 0 => Method::FallToStep,
-                halvings => Method::FallToPart {
-                    part: part_of_step(halvings),
-                },
+                halvings => Method::FallToPart(part_of_step(halvings)),
             });
         }
         if study.samples.is_some() {
             let seed = study.seed;
-            said.push(Method::SamplesFrom { seed });
+            said.push(Method::SamplesFrom(seed));
         }
         if let Some(made) = &study.artificial {
             let seed = made.seed;
-            said.push(Method::NoiseFrom { seed });
+            said.push(Method::NoiseFrom(seed));
         }
         said
     }
@@ -128,26 +127,26 @@ messages! {
     pub enum Method in "study.method" {
         SpringsLaw => { en: "springs law", ko: "스프링 접촉 모델" },
         RigidLaw => { en: "rigid law", ko: "강체 접촉 모델" },
-        Points { points: u32 } => { en: "{points} contact points a joint", ko: "접합면당 접촉점 {points}개" },
+        Points(points: u32) => { en: "{points} contact points a joint", ko: "접합면당 접촉점 {points}개" },
         TooStiff => {
             en: "which make joints three times as stiff in rocking as faces are: capacities come out too large",
             ko: "접합면의 회전강성이 약 3배로 커져 내력이 크게 산정됨",
         },
-        DriftLimits { limits: String } => {
+        DriftLimits(limits: String) => {
             en: "drift limits {limits} % of the storey's height",
             ko: "층간변위 한계 층고의 {limits} %",
         },
-        After { motion: String } => { en: "after {motion}", ko: "{motion} 이후" },
+        After(motion: String) => { en: "after {motion}", ko: "{motion} 이후" },
         OwnDamageStates => { en: "damage states of its own", ko: "손상상태 기준 별도 지정" },
-        RestAndPeriods { rest: String } => {
+        RestAndPeriods(rest: String) => {
             en: "{rest} s and at least ten periods after the motion",
             ko: "지진동 종료 후 {rest}초, 최소 10주기",
         },
-        Rest { rest: String } => { en: "{rest} s after the motion", ko: "지진동 종료 후 {rest}초" },
+        Rest(rest: String) => { en: "{rest} s after the motion", ko: "지진동 종료 후 {rest}초" },
         FallToStep => { en: "first fall to the whole of a step", ko: "최초 붕괴는 한 단계까지" },
-        FallToPart { part: String } => { en: "first fall to {part} of a step", ko: "최초 붕괴는 단계의 {part}까지" },
-        SamplesFrom { seed: u64 } => { en: "samples from seed {seed}", ko: "표본 난수 초깃값 {seed}" },
-        NoiseFrom { seed: u64 } => { en: "noise from seed {seed}", ko: "인공 지진동 난수 초깃값 {seed}" },
+        FallToPart(part: String) => { en: "first fall to {part} of a step", ko: "최초 붕괴는 단계의 {part}까지" },
+        SamplesFrom(seed: u64) => { en: "samples from seed {seed}", ko: "표본 난수 초깃값 {seed}" },
+        NoiseFrom(seed: u64) => { en: "noise from seed {seed}", ko: "인공 지진동 난수 초깃값 {seed}" },
     }
 }
 

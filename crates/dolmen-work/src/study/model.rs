@@ -43,9 +43,7 @@ pub(super) fn model_of(study: &StudyPart, project: &Project, sample: &Drawn) -> 
     match falls_by_itself(project, pick) {
         Ok(Some(load_factor)) => {
             let load_factor = format!("{load_factor:.3}");
-            return Err(NoModel::FallsAlone(
-                CaseRefused::FallsAlone { load_factor }.into(),
-            ));
+            return Err(NoModel::FallsAlone(CaseRefused::FallsAlone(load_factor).into()));
         }
         Ok(None) => {}
         Err(why) => return Err(NoModel::Refused(told_both(&why))),
@@ -98,7 +96,7 @@ fn stack_model(stack: Stack) -> Result<Model, NoModel> {
     let limits = limits.map_err(|why| NoModel::Refused(told_both(&why)))?;
     if !limits.standing.stands() {
         let verdict = Both::from(limits.standing.to_string());
-        return Err(NoModel::FallsAlone(CaseRefused::Falls { verdict }.into()));
+        return Err(NoModel::FallsAlone(CaseRefused::Falls(verdict).into()));
     }
     Ok(Model::Stack(Box::new((stack, limits))))
 }

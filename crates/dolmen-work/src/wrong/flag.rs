@@ -7,7 +7,7 @@ messages! {
     /// The purpose of a flag, and the alternative in the file.
     pub(crate) enum FlagWords in "work.flag" {
         Refused { flag: String, reason: Both } => { en: "--{flag} {reason}", ko: "--{flag}: {reason}" },
-        IsFor { kinds: Both } => { en: "is for {kinds}", ko: "{kinds}에 쓴다" },
+        IsFor(kinds: Both) => { en: "is for {kinds}", ko: "{kinds}에 쓴다" },
         ThisFile { is_for: Both, kind: String } => {
             en: "{is_for}: this file has a {kind}",
             ko: "{is_for}. 이 파일은 {kind}이다",

@@ -19,8 +19,8 @@ messages! {
     pub(crate) enum Place in "work.place" {
         AllSetups => { en: "all setups as one", ko: "하나로 합친 측정 배치" },
         OfLog { name: String, file: String } => { en: "log {name}, {file}", ko: "기록 {name}, {file}" },
-        OfSurvey { name: String } => { en: "survey {name}", ko: "{name} 조사" },
-        StonesOfScan { file: String } => { en: "the stones cut from {file}", ko: "{file}에서 자른 석재" },
+        OfSurvey(name: String) => { en: "survey {name}", ko: "{name} 조사" },
+        StonesOfScan(file: String) => { en: "the stones cut from {file}", ko: "{file}에서 자른 석재" },
         SensorsPlaced => { en: "placing sensors", ko: "센서 배치" },
         SpringsMeasured => {
             en: "springs that would have the measured frequencies of the surveys",
@@ -30,7 +30,7 @@ messages! {
             en: "a sample of the inputs gives an impossible structure: lower the cov of the input that it names",
             ko: "입력의 표본이 있을 수 없는 구조물이 된다. 아래에 나온 입력의 cov를 낮춘다",
         },
-        StrokesUnder { motion: String } => {
+        StrokesUnder(motion: String) => {
             en: "motion.{motion}, under which strokes are judged",
             ko: "행정을 판정하는 motion.{motion}",
         },
@@ -78,16 +78,16 @@ messages! {
             en: "the stiffness of no direction is known: `dolmen identify` finds those that frequencies allow",
             ko: "강성을 아는 방향이 없다. `dolmen identify`로 진동수에 맞는 강성을 구한다",
         },
-        ChooseDirection { directions: String } => {
+        ChooseDirection(directions: String) => {
             en: "the file has the directions {directions}: choose one with direction",
             ko: "파일에 방향 {directions}이(가) 있다. direction으로 하나를 고른다",
         },
-        DirectionUnknown { direction: String } => {
+        DirectionUnknown(direction: String) => {
             en: "the stiffness of direction \"{direction}\" is unknown, or there is none of this name",
             ko: "방향 \"{direction}\"의 강성을 알 수 없거나 그런 방향이 없다",
         },
         SurveyAlone => { en: "a survey holds no structure", ko: "survey에는 구조물이 없다" },
-        FallsAlone { load_factor: String } => {
+        FallsAlone(load_factor: String) => {
             en: "it falls under its own weight, load factor {load_factor}",
             ko: "자중으로 쓰러진다(하중배율 {load_factor})",
         },
@@ -95,7 +95,7 @@ messages! {
             en: "under its own weight it leans, as surveyed, beyond what counts as fallen",
             ko: "조사한 기울기에서 자중으로 붕괴로 보는 한계를 넘어 기운다",
         },
-        Falls { verdict: Both } => {
+        Falls(verdict: Both) => {
             en: "it does not stand without shaking: {verdict}",
             ko: "흔들지 않아도 서 있지 못한다: {verdict}",
         },
@@ -111,7 +111,7 @@ messages! {
             en: "the run under the motion before came to no verdict",
             ko: "앞서 작용하는 지반운동의 해석이 판정에 이르지 못했다",
         },
-        UndecidedBefore { why: Both } => {
+        UndecidedBefore(why: Both) => {
             en: "the run under the motion before came to no verdict: {why}",
             ko: "앞서 작용하는 지반운동의 해석이 판정에 이르지 못했다: {why}",
         },
@@ -131,7 +131,7 @@ messages! {
             en: "study \"{study}\" varies its inputs in {combinations} combinations: name one that varies nothing",
             ko: "study \"{study}\"의 입력 조합이 {combinations}가지이다. 입력을 바꾸지 않는 study를 지정한다",
         },
-        NoScan { study: String } => {
+        NoScan(study: String) => {
             en: "study \"{study}\" has no scan that can be used",
             ko: "study \"{study}\"에 쓸 수 있는 조합이 없다",
         },
@@ -163,7 +163,7 @@ messages! {
             en: "edges do not crush in the runs, whatever strength the file gives, which is not on the safe side",
             ko: "해석에서는 입력한 압축강도와 관계없이 모서리가 압괴하지 않는 것으로 보았다(불안전측)",
         },
-        LoosenedLeftOut { stones: Vec<String> } => {
+        LoosenedLeftOut(stones: Vec<String>) => {
             en: "rigid joints have no stiffness, so that the loss of stiffness in the beds below {stones} changes nothing in the runs",
             ko: "강체 접촉 해석에는 접합면 강성이 없어 {stones} 하부 접합면의 강성 저하가 결과에 나타나지 않는다",
         },
@@ -199,7 +199,7 @@ messages! {
             en: "drifts and rotations of the map at points called steady are those of the steady state to 1e-4 of their value where viscous damping is 5 % or more, to 2 % at 2 %, and to 10 % at 1 %; with less, the free vibration from the start is still in them near a natural frequency, and they can be off by a third",
             ko: "조화 지반운동에서 정상상태로 표시된 계산점의 층간변위와 회전은 점성감쇠가 5 % 이상이면 상대오차 1e-4, 2 %이면 2 %, 1 %이면 10 % 이내이다. 감쇠가 그보다 작으면 고유진동수 부근에서 처음의 자유진동이 남아 3분의 1까지 다를 수 있다",
         },
-        SidePosts { posts: usize } => {
+        SidePosts(posts: usize) => {
             en: "side supports hold it in the runs: {posts}",
             ko: "해석에 측면 지지를 고려하였다: {posts}개",
         },
@@ -209,12 +209,12 @@ messages! {
 messages! {
     /// The difference between a journal and its study.
     pub(crate) enum JournalDiffers in "work.journal" {
-        OtherStudy { study: String } => { en: "it is of the study \"{study}\"", ko: "study \"{study}\"의 것이다" },
+        OtherStudy(study: String) => { en: "it is of the study \"{study}\"", ko: "study \"{study}\"의 것이다" },
         OtherVersion { other: String, own: String } => {
             en: "it was made by Dolmen {other}, this is {own}",
             ko: "Dolmen {other}에서 만들었는데 지금은 {own}이다",
         },
-        Changed { inputs: Both } => { en: "changed since then: {inputs}", ko: "그 뒤에 바뀐 입력: {inputs}" },
+        Changed(inputs: Both) => { en: "changed since then: {inputs}", ko: "그 뒤에 바뀐 입력: {inputs}" },
     }
 }
 
@@ -225,7 +225,7 @@ messages! {
             en: "it has neither a project nor its factors: fill storeys, body_height_m, taper_deg, body_base_height_ratio, and body_slenderness or slenderness_angle or both",
             ko: "프로젝트(project)도 여섯 인자도 없다. 층수(storeys), 탑신 높이(body_height_m), 체감각(taper_deg), 탑신/기단 높이비(body_base_height_ratio)와 몸돌 세장비(body_slenderness)나 세장각(slenderness_angle) 또는 둘 다를 채운다",
         },
-        Columns { columns: Both } => {
+        Columns(columns: Both) => {
             en: "it has neither a project nor all of its factors: fill {columns}",
             ko: "프로젝트(project)도 없고 여섯 인자도 모두 있지 않다. {columns}을(를) 채운다",
         },
@@ -248,7 +248,7 @@ messages! {
     /// Allowed values in a table of structures.
     pub(crate) enum RowNeeds in "portfolio.needs" {
         Number => { en: "a number, 0 or more, in the unit of the column", ko: "열의 단위로 0 이상인 수" },
-        DecimalPoint { number: String } => { en: "a number, with a decimal point: {number}", ko: "소수점(.)을 쓴 수({number})" },
+        DecimalPoint(number: String) => { en: "a number, with a decimal point: {number}", ko: "소수점(.)을 쓴 수({number})" },
         CommaOfEither { decimal: String, thousands: String } => {
             en: "a number without a comma: {decimal} if it is a decimal sign, {thousands} if it separates thousands",
             ko: "쉼표 없는 수(쉼표가 소수점이면 {decimal}, 천 단위 구분이면 {thousands})",
