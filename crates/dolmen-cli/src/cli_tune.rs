@@ -3,6 +3,7 @@
 use crate::cli_language::positive;
 use clap::builder::TypedValueParser as _;
 use clap::{Args, ValueEnum};
+use dolmen_work::building::TuneFloors;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
@@ -30,6 +31,9 @@ pub(crate) struct Tune {
     /// The quantity to minimise, over the points of the file or, if it has none, the corners of the damper's floor
     #[arg(long, value_enum, default_value_t = TuneGoal::LargestRms)]
     pub(crate) goal: TuneGoal,
+    /// Floors to compare for each damper: all, or from one to another; by default only its own is searched
+    #[arg(long, value_name = "all|FROM-TO", value_parser = floors)]
+    pub(crate) floors: Option<TuneFloors>,
     /// Number of positions on the map along each side of the floor
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u16).range(2..=400).map(usize::from))]
     pub(crate) map: usize,
@@ -52,6 +56,19 @@ fn below_half(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if (0.0..0.5).contains(&value) => Ok(value),
         _ => Err("must be 0 or more, below 0.5".to_owned()),
+    }
+}
+
+/// Parses all, FROM-TO or one floor.
+fn floors(text: &str) -> Result<TuneFloors, String> {
+    let trimmed = text.trim();
+    if trimmed == "all" {
+        return Ok(TuneFloors::All);
+    }
+    let (from, to) = trimmed.split_once('-').unwrap_or((trimmed, trimmed));
+    match (from.trim().parse(), to.trim().parse()) {
+        (Ok(from), Ok(to)) => Ok(TuneFloors::Range { from, to }),
+        _ => Err("must be all, or the numbers of two floors, such as 3-12".to_owned()),
     }
 }
 

@@ -43,6 +43,7 @@ fn options_of(options: &Options) -> TuneOptions {
         stroke_most: options.stroke_most,
         off_by: options.off,
         share_mass: options.share_mass,
+        floors: options.floors.unwrap_or_default(),
     }
 }
 

@@ -1,11 +1,14 @@
 //! The basis of a verdict as parts of the headline: what the model leaves out, made-up surveys, assumed inputs.
 
-use crate::engineer::damage_words;
-use dolmen_words::{Quantity, Sentence, Template, messages};
-use dolmen_work::judgement::{AssumedInputs, Basis};
+use crate::building::millimetres;
+use crate::engineer::{damage_words, severity_words};
+use dolmen_words::{Digits, Quantity, Sentence, Template, messages};
+use dolmen_work::judgement::{AssumedInputs, Basis, GrownDamage, Growth};
 
 /// Made-up surveys and severe damages that a headline names before it counts the rest.
 pub(crate) const NAMED_MOST: usize = 3;
+/// Significant digits of the size of a damage.
+const SIZE_DIGITS: usize = 4;
 
 messages! {
     /// The basis of a verdict.
@@ -13,6 +16,18 @@ messages! {
         SevereLeftOut { found: Vec<Sentence> } => {
             en: "not in it: severe damage found ({found})",
             ko: "점검된 심한 손상 미반영({found})",
+        },
+        GrownLeftOut { found: Vec<Sentence> } => {
+            en: "not in it: damage recorded as larger since ({found})",
+            ko: "이후 점검에서 커진 손상 미반영({found})",
+        },
+        Grown { part: String, what: Sentence, before: Quantity, after: Quantity, survey: String } => {
+            en: "“{part}”: {what} {before} → {after}, {survey}",
+            ko: "‘{part}’ {what} {before} → {after}, {survey}",
+        },
+        GrownWorse { part: String, what: Sentence, before: Sentence, after: Sentence, survey: String } => {
+            en: "“{part}”: {what} {before} → {after}, {survey}",
+            ko: "‘{part}’ {what} {before} → {after}, {survey}",
         },
         Damage { part: String, what: Sentence } => { en: "“{part}”: {what}", ko: "‘{part}’ {what}" },
         More { count: usize } => { en: "{count} more", ko: "그 외 {count}건" },
@@ -58,14 +73,16 @@ pub(crate) const TEMPLATES: &[Template] = HeadlineBasis::TEMPLATES;
 pub(crate) fn left_out(basis: &Basis) -> Vec<Sentence> {
     let mut all = Vec::new();
     if !basis.severe_damage.is_empty() {
-        let named = basis.severe_damage.iter().take(NAMED_MOST).map(|one| {
+        let each = basis.severe_damage.iter().map(|one| {
             let (part, what) = (one.part.clone(), damage_words(&one.what));
-            Sentence::from(HeadlineBasis::Damage { part, what })
+            HeadlineBasis::Damage { part, what }.into()
         });
-        let more = basis.severe_damage.len().saturating_sub(NAMED_MOST);
-        let more = (more > 0).then(|| HeadlineBasis::More { count: more }.into());
-        let found = named.chain(more).collect();
+        let found = some_named(each.collect());
         all.push(HeadlineBasis::SevereLeftOut { found }.into());
+    }
+    if !basis.grown_damage.is_empty() {
+        let found = some_named(basis.grown_damage.iter().map(grown).collect());
+        all.push(HeadlineBasis::GrownLeftOut { found }.into());
     }
     if !basis.inspections_left_out.is_empty() {
         let surveys = basis.inspections_left_out.clone();
@@ -83,6 +100,42 @@ pub(crate) fn left_out(basis: &Basis) -> Vec<Sentence> {
         .map(|factor| Quantity::beside_one(factor, 3));
     all.extend(held.map(|factor| HeadlineBasis::HeldBySupports { factor }.into()));
     all
+}
+
+/// The first few, and the number of the others.
+fn some_named(mut named: Vec<Sentence>) -> Vec<Sentence> {
+    let more = named.len().saturating_sub(NAMED_MOST);
+    named.truncate(NAMED_MOST);
+    named.extend((more > 0).then(|| HeadlineBasis::More { count: more }.into()));
+    named
+}
+
+fn grown(of: &GrownDamage) -> Sentence {
+    let (part, what, survey) = (of.part.clone(), damage_words(&of.what), of.survey.clone());
+    match of.growth {
+        Growth::Size { before_m, after_m } => {
+            let size = |value_m: f64| Quantity::new(value_m, millimetres(), Digits::Trimmed(SIZE_DIGITS));
+            let (before, after) = (size(before_m), size(after_m));
+            HeadlineBasis::Grown {
+                part,
+                what,
+                before,
+                after,
+                survey,
+            }
+        }
+        Growth::Severity { before, after } => {
+            let [before, after] = [before, after].map(|one| severity_words(Some(one)));
+            HeadlineBasis::GrownWorse {
+                part,
+                what,
+                before,
+                after,
+                survey,
+            }
+        }
+    }
+    .into()
 }
 
 /// Made-up surveys and assumed inputs.

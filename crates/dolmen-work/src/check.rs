@@ -154,7 +154,7 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
     let are_undated = tilted().all(|survey| date(&survey.name).is_none());
     let last = match are_undated {
         true => tilted().max_by(|a, b| a.tilt_together().total_cmp(&b.tilt_together())),
-        false => tilted().next_back(),
+        false => tilted().max_by_key(|survey| date(&survey.name)),
     };
     let Some(survey) = chosen.or(last) else {
         return Vec::new();

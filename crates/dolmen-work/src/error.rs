@@ -339,6 +339,15 @@ pub enum WorkError {
         /// The floor, from 1.
         floor: usize,
     },
+    /// Floors were requested that the building does not have.
+    NoSuchFloors {
+        /// The lowest one requested, from 1.
+        from: usize,
+        /// The highest one.
+        to: usize,
+        /// Number of floors of the building.
+        count: usize,
+    },
 
     /// The score does not apply to such a pagoda.
     PagodaUnlike {

@@ -169,7 +169,7 @@ fn survey_of<'a>(project: &'a Project, path: &str, sought: &'a Sought) -> Option
     let can_tell =
         |survey: &&Survey| has_modes(survey) || survey.records.is_some() || !survey.setups.is_empty();
     let surveys = project.surveys.iter().filter(can_tell);
-    let latest = surveys.max_by_key(|survey| date(&survey.name)); // of equal dates the last in the file
+    let latest = surveys.max_by_key(|survey| date(&survey.name)); // of equal dates the last by name
     latest.map(|survey| survey.name.as_str())
 }
 

@@ -37,10 +37,11 @@ impl TiltLeftOut {
             Structure::Frame(part) => part.lean.as_ref().map(|lean| &lean.survey),
             Structure::Building(_) | Structure::Survey => None,
         };
-        let mut tilted = project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
+        let tilted = project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
         if is_left_out {
             let undated = tilted.clone().filter(|survey| date(&survey.name).is_none());
-            let last = tilted.next_back();
+            let dated = tilted.filter(|survey| date(&survey.name).is_some());
+            let last = dated.max_by_key(|survey| date(&survey.name));
             let worst = undated.chain(last);
             let worst = worst.max_by(|a, b| a.tilt_together().total_cmp(&b.tilt_together()))?;
             return Self::of_directions(worst, |_| true);
@@ -83,9 +84,10 @@ impl TiltLeftOut {
         })
     }
 
-    /// The tilt of the latest survey with one.
+    /// The tilt of the latest survey with one; without any date, of the last one listed.
     pub(crate) fn of(surveys: &[Survey]) -> Option<Self> {
-        let survey = surveys.iter().rev().find(|survey| !survey.tilt.is_empty())?;
+        let tilted = surveys.iter().filter(|survey| !survey.tilt.is_empty());
+        let survey = tilted.max_by_key(|survey| date(&survey.name))?;
         let each = survey.tilt.iter();
         let written = each.map(|(direction, tilt)| format!("{direction} {}", tilt.written));
         Some(TiltLeftOut {

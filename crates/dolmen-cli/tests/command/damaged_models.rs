@@ -442,3 +442,57 @@ fn holds_damage_of_a_later_inspection_stands_in_the_headline() {
     let words = scratch.briefly("check pole.toml").words();
     assert!(!words.contains("not in it"), "{words}");
 }
+
+#[test]
+fn holds_damage_recorded_as_larger_after_the_model_took_it_over_is_in_the_headline() {
+    let scratch = Scratch::new("damaged-grown");
+    let entry = |date: &str, size: &str, more: &str| {
+        format!(
+            "[survey.{date}]\ninspections = [{{ part = \"top\", what = \"loss\", size = \"{size}\"{more} }}]\n"
+        )
+    };
+    let model = ", model = { stiffness_left = 0.75 }";
+    let found = chain("0.5", "900") + &entry("2024-05-12", "60 mm", model);
+    let words = |text: &str| {
+        write(&scratch, "pole.toml", text);
+        scratch.briefly("check pole.toml").words()
+    };
+    let said = "not in it: damage recorded as larger since (“top”: loss 60 mm → 110 mm, 2026-05-12)";
+    let grown = found.clone() + &entry("2026-05-12", "110 mm", "");
+    let headline = words(&grown);
+    assert!(headline.contains(said), "{headline}");
+    let judged = json(&scratch, "check pole.toml");
+    let of = judged
+        .pointer("/judgement/versions/0/grown_damage_left_out/0")
+        .unwrap();
+    assert_eq!(of["sizes_m"], serde_json::json!([0.06, 0.11]), "{of}");
+    assert_eq!(
+        (&of["since"], &of["survey"]),
+        (&"2024-05-12".into(), &"2026-05-12".into())
+    );
+    let korean = scratch.briefly("check pole.toml --language ko").words();
+    assert!(korean.contains("이후 점검에서 커진 손상 미반영"), "{korean}");
+    // not by listing an older one later in the file, nor with an effect of its own, nor repaired, nor as small as before
+    let part = "recorded as larger since";
+    for text in [
+        found.clone() + &entry("2022-05-12", "110 mm", ""),
+        found.clone() + &entry("2026-05-12", "110 mm", ", model = { stiffness_left = 0.5 }"),
+        found.clone() + &entry("2026-05-12", "110 mm", ", model = { mended = true }"),
+        found.clone() + &entry("2026-05-12", "60 mm", ""),
+        grown.clone() + &entry("2026-06-12", "60 mm", ""),
+    ] {
+        let headline = words(&text);
+        assert!(!headline.contains(part), "{headline}");
+    }
+    // a worse severity without a larger size; a severe one is named once, as severe
+    let rated = |first: &str, then: &str| {
+        chain("0.5", "900")
+            + &entry("2024-05-12", "60 mm", &format!(", severity = \"{first}\"{model}"))
+            + &entry("2026-05-12", "60 mm", &format!(", severity = \"{then}\""))
+    };
+    let worse = words(&rated("slight", "moderate"));
+    assert!(worse.contains("loss slight → moderate, 2026-05-12"), "{worse}");
+    let severe = words(&rated("slight", "severe"));
+    assert!(severe.contains("severe damage found"), "{severe}");
+    assert!(!severe.contains(part), "{severe}");
+}

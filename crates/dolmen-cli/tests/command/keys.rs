@@ -52,7 +52,7 @@ const COMMANDS: [&str; 62] = [
     "simulate examples/heunginjimun_gate/two_directions.toml --motion el-centro --keep-first 6 --variant leaning",
     "simulate examples/free_columns/rigid_stones.toml --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/several_dampers --motion el-centro-1940-ns --keep-first 2",
-    "tune examples/twisting_floor",
+    "tune examples/twisting_floor --floors all",
     "tune examples/several_dampers",
     "motion --motion el-centro-1940-ns --spectrum",
     "motion --motion el-centro-1940-ns --match --site S4 --zone 1 --years 2400",

@@ -55,6 +55,7 @@ mod layout;
 mod leaning_frames;
 mod limits;
 mod links;
+mod listed_surveys;
 mod logs;
 mod long_functions;
 mod looked_safe;

@@ -318,3 +318,76 @@ fn regress_a_search_that_fails_is_never_the_best_and_options_of_single_dampers_s
     let peaks = words("--load force --goal largest-peak");
     assert!(peaks.contains("These are standard deviations"), "{peaks}");
 }
+
+/// Three floors that twist, with a mass on the second; the points stand on the third.
+const THREE_FLOORS: &str = "schema = 1\nkind = \"building\"\nname = \"Three\"\nunits = { length = \"m\", mass = \"t\", stiffness = \"N/mm\" }\n\
+    p_delta = false\nfloors = [\n\
+    { mass = 100, sides = [12, 8], height = 3, stiffness = { x = 90000, y = 70000, rotation = \"2e9 N*m\", centre = [-1, 0] } },\n\
+    { mass = 100, sides = [12, 8], height = 3, stiffness = { x = 80000, y = 60000, rotation = \"1.8e9 N*m\", centre = [-1, 0] } },\n\
+    { mass = 80, sides = [12, 8], height = 3, stiffness = { x = 70000, y = 50000, rotation = \"1.5e9 N*m\", centre = [-1, 0] } },\n\
+    ]\ndamping = { ratio = 0.02 }\n\
+    points = [{ name = \"l\", floor = 3, place = [-6, 0] }, { name = \"r\", floor = 3, place = [6, 0] }]\n\
+    [damper.a]\nkind = \"tmd\"\nfloor = 2\nplace = [3, 0]\ndirection = \"y\"\nmass = 5\ntuning = \"den_hartog\"\n";
+
+#[test]
+fn agrees_another_floor_gives_what_the_damper_gives_when_the_file_puts_it_there() {
+    let scratch = Scratch::new("tune-floors");
+    fs::write(scratch.path().join("project.toml"), THREE_FLOORS).unwrap();
+    let read = |command: &str| -> serde_json::Value {
+        let answer = scratch.dolmen(command);
+        serde_json::from_str(&answer.stdout).unwrap_or_else(|_| panic!("{}", answer.stderr))
+    };
+    let found = read("--json tune project.toml --floors all --map 4");
+    let damper = &found["dampers"][0];
+    let designs = damper["floors"]["designs"].as_array().unwrap();
+    assert_eq!(designs.len(), 3);
+    assert_eq!(damper["floors"]["best"], 3);
+    assert_eq!(damper["other_floors"], 2);
+    let ratio = |floor: usize| designs[floor - 1]["cost_ratio"].as_f64().unwrap();
+    assert_eq!(damper["choices"][4]["cost_ratio"].as_f64().unwrap(), ratio(2));
+    assert!(ratio(3) < ratio(2) && ratio(2) < ratio(1) && ratio(1) < 1.0);
+    for floor in [1, 3] {
+        let moved = THREE_FLOORS.replace("floor = 2\n", &format!("floor = {floor}\n"));
+        fs::write(scratch.path().join("moved.toml"), moved).unwrap();
+        let moved = read("--json tune moved.toml --map 4");
+        let best = moved["dampers"][0]["choices"][4]["cost_ratio"].as_f64().unwrap();
+        assert!((ratio(floor) / best - 1.0).abs() < 1e-4, "{floor} {best}");
+        assert!(moved["dampers"][0]["floors"].is_null());
+    }
+}
+
+#[test]
+fn holds_other_floors_are_compared_when_asked_for_and_offered_when_not() {
+    let scratch = Scratch::new("tune-floors-said");
+    fs::write(scratch.path().join("project.toml"), THREE_FLOORS).unwrap();
+    let offered = unwrapped(&scratch.briefly("tune project.toml --map 3").stdout);
+    assert!(
+        offered.contains("searched only on its own floor, 2: `dolmen tune --floors all` compares the others"),
+        "{offered}"
+    );
+    let asked = scratch
+        .briefly("tune project.toml --floors all --map 3 -o out")
+        .stdout;
+    assert!(asked.lines().count() <= 15, "{asked}");
+    let said = unwrapped(&asked);
+    assert!(said.contains("the file's floor, 2, gives 0."), "{said}");
+    assert!(said.contains("floor 3 would give 0."), "{said}");
+    assert!(
+        said.contains("2, as in the file") && said.contains("3, the best"),
+        "{said}"
+    );
+    let figure = fs::read_to_string(scratch.path().join("out/a/floors.svg")).unwrap();
+    assert!(figure.starts_with("<svg"), "{figure}");
+    let korean = scratch
+        .briefly("tune project.toml --floors 1-2 --map 3 --language ko")
+        .stdout;
+    assert!(unwrapped(&korean).contains("2번 바닥"), "{korean}");
+    for (floors, why) in [
+        ("2-9", "the building has floors 1 to 3"),
+        ("few", "two floors, such as 3-12"),
+    ] {
+        let refused = scratch.dolmen(&format!("tune project.toml --floors {floors}"));
+        assert_eq!(refused.status, 2, "{}", refused.stdout);
+        assert!(refused.stderr.contains(why), "{}", refused.stderr);
+    }
+}

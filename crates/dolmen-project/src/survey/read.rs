@@ -7,6 +7,7 @@ use super::part::{ChangePart, EarthquakePart, Merge, ModeKind, Survey, SurveyMod
 use super::read_inspections::inspections;
 use super::read_records::records;
 use super::records::RecordSource;
+use super::watch::date_of;
 use crate::error::Fault;
 use crate::file_number::{At, NumberRaw};
 use crate::measure::{Bound, Measure};
@@ -31,14 +32,32 @@ const TILT_MOST: f64 = 0.25;
 /// Largest twist of a mode along x or y: a floor with more twist beside its sway is in torsion. Our choice.
 const TWIST_MOST: f64 = 2.0;
 
-/// All surveys, in the order of the file.
+/// All surveys: those with a date in its order, at whatever places the file lists them; one without a date keeps its place among them.
 pub(crate) fn surveys(reader: &mut Reader, raw: Option<&BTreeMap<String, At<SurveyRaw>>>) -> Vec<Survey> {
     let mut listed: Vec<(&String, &At<SurveyRaw>)> = raw.into_iter().flatten().collect();
     listed.sort_by_key(|(_, survey)| survey.span.start);
-    listed
+    let read = listed
         .into_iter()
-        .map(|(name, survey)| self::survey(reader, name, survey))
-        .collect()
+        .map(|(name, survey)| self::survey(reader, name, survey));
+    in_order_of_dates(read.collect())
+}
+
+/// Surveys whose names begin with a date, sorted by it and then by name; the others keep their places.
+fn in_order_of_dates(surveys: Vec<Survey>) -> Vec<Survey> {
+    let is_dated: Vec<bool> = surveys
+        .iter()
+        .map(|survey| date_of(&survey.name).is_some())
+        .collect();
+    let (mut dated, undated): (Vec<Survey>, Vec<Survey>) = surveys
+        .into_iter()
+        .partition(|survey| date_of(&survey.name).is_some());
+    dated.sort_by(|a, b| (date_of(&a.name), &a.name).cmp(&(date_of(&b.name), &b.name)));
+    let (mut dated, mut undated) = (dated.into_iter(), undated.into_iter());
+    let each = is_dated.into_iter().filter_map(|is_dated| match is_dated {
+        true => dated.next(),
+        false => undated.next(),
+    });
+    each.collect()
 }
 
 /// Adds the findings of inspections to surveys that were read: their parts are those of the structure.

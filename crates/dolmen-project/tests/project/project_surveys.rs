@@ -1,6 +1,39 @@
 //! Errors of surveys, records and setups.
 
 use super::project::{CHAIN, refused};
+use dolmen_project::{Survey, parse_project};
+
+fn listed(names: &[&str]) -> Vec<Survey> {
+    let table = |name: &&str| format!("[survey.\"{name}\"]\nfrequencies.x = [1.5]\nmade_up = true\n");
+    let tables: String = names.iter().map(table).collect();
+    parse_project(&format!("{CHAIN}\n{tables}"), "project.toml")
+        .unwrap()
+        .surveys
+}
+
+#[test]
+fn holds_surveys_with_a_date_are_read_in_its_order_wherever_the_file_lists_them() {
+    let sorted = [
+        "2018",
+        "2019-04-02",
+        "2019-04-02 (2)",
+        "2019.10.02",
+        "20200105",
+        "2021-03",
+    ];
+    let names = |surveys: &[Survey]| -> Vec<String> { surveys.iter().map(|of| of.name.clone()).collect() };
+    let expected = listed(&sorted);
+    assert_eq!(names(&expected), sorted);
+    for turned in 0..sorted.len() {
+        let mut other = sorted;
+        other.rotate_left(turned);
+        other.reverse();
+        assert_eq!(listed(&other), expected, "{other:?}");
+    }
+    // one without a date keeps its place
+    let mixed = listed(&["second", "2021-01-01", "first", "2019-01-01"]);
+    assert_eq!(names(&mixed), ["second", "2019-01-01", "first", "2021-01-01"]);
+}
 
 #[test]
 fn refuses_records_that_cannot_be_read() {

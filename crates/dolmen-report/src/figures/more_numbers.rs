@@ -76,11 +76,24 @@ fn robustness_series(answer: &TuneAnswer) -> Vec<Series> {
     all
 }
 
+/// The goal on each floor.
+fn floor_series(answer: &TuneAnswer) -> Vec<Series> {
+    let floors = || answer.floors.iter().flat_map(|of| &of.comparison.floors);
+    let goal = floors().map(|of| of.cost / answer.comparison.cost_without);
+    vec![
+        Series::numbers(Columns::Floor, "", floors().map(|of| of.floor as f64)),
+        Series::numbers(Columns::DamperX, "m", floors().map(|of| of.damper.place_m[0])),
+        Series::numbers(Columns::DamperY, "m", floors().map(|of| of.damper.place_m[1])),
+        Series::numbers(Columns::Goal, "", goal),
+    ]
+}
+
 /// The numbers of a figure of one damper.
 pub(crate) fn tune_series(answer: &TuneAnswer, figure: TuneFigure) -> Vec<Series> {
     match figure {
         TuneFigure::Position => position_series(answer),
         TuneFigure::Plan => plan_series(answer),
+        TuneFigure::Floors => floor_series(answer),
         TuneFigure::Robustness => robustness_series(answer),
     }
 }

@@ -6,7 +6,7 @@ use super::ink::{Anchor, BLACK, BLUE, GREEN, GREY, Label, Line, SERIES, Shape, V
 use super::plot::{Key, Plot};
 use super::scene::Scene;
 use super::words::{Axes, Studied, Titles, say};
-use dolmen::damper::{Choice, MapCell};
+use dolmen::damper::{Choice, FloorDesign, MapCell};
 use dolmen_words::{Language, number};
 use dolmen_work::building::TuneAnswer;
 
@@ -14,6 +14,10 @@ const SIZE_PX: [f64; 2] = [680.0, 400.0];
 /// Longer side of the floor in plan, px, and the space around it.
 const PLAN_PX: f64 = 460.0;
 const AROUND_PX: f64 = 84.0;
+/// Size of the markers of the best floor and of that of the file, px.
+const BEST_PX: f64 = 8.0;
+/// Largest number of ticks along the axis of floors.
+const TICKS_MOST: usize = 8;
 /// Shades of the plan, light (small) to dark (large), in one hue, so that grey print keeps the order.
 const SHADES: [&str; 8] = [
     "#f7fbff", "#deebf7", "#c6dbef", "#9ecae1", "#6baed6", "#4292c6", "#2171b5", "#084594",
@@ -21,10 +25,14 @@ const SHADES: [&str; 8] = [
 
 /// The figures of one damper.
 pub fn tune_figures(answer: &TuneAnswer, language: Language) -> Vec<Figure> {
-    let each = TuneFigure::of(answer).into_iter().map(|figure| Figure {
-        name: figure.name().to_owned(),
-        svg: figure.draw(answer, language),
-    });
+    let floors = answer.floors.as_ref().map(|_| TuneFigure::Floors);
+    let each = TuneFigure::of(answer)
+        .into_iter()
+        .chain(floors)
+        .map(|figure| Figure {
+            name: figure.name().to_owned(),
+            svg: figure.draw(answer, language),
+        });
     each.collect()
 }
 
@@ -35,12 +43,14 @@ pub(crate) enum TuneFigure {
     Position,
     /// The floor in plan.
     Plan,
+    /// The goal on each floor.
+    Floors,
     /// The loss by detuning.
     Robustness,
 }
 
 impl TuneFigure {
-    /// The figures available for this answer.
+    /// The figures of the comparison on the file's floor.
     pub(crate) fn of(answer: &TuneAnswer) -> Vec<Self> {
         let mut figures = Vec::new();
         if answer.comparison.line_given.len() > 1 {
@@ -57,6 +67,7 @@ impl TuneFigure {
         match self {
             TuneFigure::Position => "position",
             TuneFigure::Plan => "plan",
+            TuneFigure::Floors => "floors",
             TuneFigure::Robustness => "robustness",
         }
     }
@@ -65,6 +76,7 @@ impl TuneFigure {
         match self {
             TuneFigure::Position => position(answer, language),
             TuneFigure::Plan => plan(answer, language),
+            TuneFigure::Floors => floors(answer, language),
             TuneFigure::Robustness => robustness(answer, language),
         }
     }
@@ -351,6 +363,42 @@ fn plan(answer: &TuneAnswer, language: Language) -> String {
     view.legend(&mut scene, keys, language);
     view.ends(&mut scene);
     scene.svg(say(Titles::DamperByPlace, language))
+}
+
+/// The goal with the damper placed and tuned best on each floor.
+fn floors(answer: &TuneAnswer, language: Language) -> String {
+    let designs = answer.floors.as_ref().map_or(&[][..], |of| &of.comparison.floors);
+    let at = |of: &FloorDesign| [of.cost / answer.comparison.cost_without, of.floor as f64];
+    let points: Vec<[f64; 2]> = designs.iter().map(at).collect();
+    let [goals, numbers] = [0, 1].map(|i| points.iter().map(|point| point[i]).collect::<Vec<f64>>());
+    let x = Axis::around(say(Axes::GoalRatio, language), &goals, 6);
+    let y = Axis::around(
+        say(Axes::FloorOfTheDamper, language),
+        &numbers,
+        designs.len().min(TICKS_MOST),
+    );
+    let mut plot = Plot::new(SIZE_PX, x, y);
+    plot.line(points.clone(), Line::new(GREY, 1.0));
+    let best = answer.floors.as_ref().and_then(|of| of.comparison.best());
+    let is_best = |of: &FloorDesign| best.is_some_and(|best| best.floor == of.floor);
+    for (design, point) in designs.iter().zip(points) {
+        plot.dot(point, Shape::Circle, BLACK);
+        if is_best(design) {
+            plot.sized_dot(point, Shape::Ring, BEST_PX, VERMILLION);
+        }
+        if design.floor == answer.floor {
+            plot.sized_dot(point, Shape::Diamond, BEST_PX, BLUE);
+        }
+    }
+    plot.key(
+        Key::Dot(Shape::Diamond, BLUE),
+        say(Studied::FloorOfTheFile, language),
+    );
+    plot.key(
+        Key::Dot(Shape::Ring, VERMILLION),
+        say(Studied::BestFloor, language),
+    );
+    plot.svg(say(Titles::DamperByFloor, language))
 }
 
 /// The goal with detuned frequency and damping.

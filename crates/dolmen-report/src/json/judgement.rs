@@ -6,8 +6,8 @@ use crate::engineer::damage_words;
 use crate::headline::headline;
 use dolmen_words::Language;
 use dolmen_work::judgement::{
-    DecidedBy, EarthquakeFinding, Evidence, Judgement, MissedMode, MovedBy, SevereDamage, VersionJudgement,
-    Weight, WindFinding, WindLimit,
+    DecidedBy, EarthquakeFinding, Evidence, GrownDamage, Growth, Judgement, MissedMode, MovedBy,
+    SevereDamage, VersionJudgement, Weight, WindFinding, WindLimit,
 };
 use serde_json::Value;
 
@@ -61,6 +61,7 @@ fn version(version: &VersionJudgement) -> Value {
         "undamped": version.is_undamped,
         "damage": version.damage.iter().map(damage).collect::<Vec<_>>(),
         "severe_damage_left_out": version.basis.severe_damage.iter().map(severe).collect::<Vec<_>>(),
+        "grown_damage_left_out": version.basis.grown_damage.iter().map(grown).collect::<Vec<_>>(),
         "inspections_left_out": version.basis.inspections_left_out,
         "cap_left_out": version.basis.is_cap_left_out,
         "wind_left_out": version.basis.is_wind_left_out,
@@ -75,6 +76,22 @@ fn version(version: &VersionJudgement) -> Value {
 fn severe(of: &SevereDamage) -> Value {
     let what = damage_words(&of.what).text(Language::English);
     as_json!({ "survey": of.survey, "part": of.part, "what": what })
+}
+
+fn grown(of: &GrownDamage) -> Value {
+    let what = damage_words(&of.what).text(Language::English);
+    let sizes_m = match of.growth {
+        Growth::Size { before_m, after_m } => Some([before_m, after_m]),
+        Growth::Severity { .. } => None,
+    };
+    let severities = match of.growth {
+        Growth::Size { .. } => None,
+        Growth::Severity { before, after } => Some([before.word(), after.word()]),
+    };
+    as_json!({
+        "survey": of.survey, "since": of.since, "part": of.part, "what": what,
+        "sizes_m": sizes_m, "severities": severities,
+    })
 }
 
 fn weight(weight: Weight) -> Value {

@@ -2,7 +2,7 @@
 
 use crate::as_json;
 use dolmen::damper::{Compared, Goal, MapCell, RobustnessPoint};
-use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
+use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad, TunedFloors};
 use serde_json::Value;
 
 /// The whole result.
@@ -72,6 +72,8 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
         "strokes_under_motions": room_json(&answer.room), "room_is_unjudged": answer.room.is_unjudged(),
         "line": { "tuned_as_given": line(&comparison.line_given), "tuned_best": line(&comparison.line_best) },
         "map": { "x_m": comparison.map.x_m, "y_m": comparison.map.y_m, "cells": map },
+        "floors": answer.floors.as_ref().map(|floors| floors_json(answer, floors)),
+        "other_floors": answer.other_floors,
         "frequency_off": curves(&comparison.off_frequency),
         "damping_off": curves(&comparison.off_damping),
     })
@@ -88,6 +90,26 @@ fn row_json(answer: &TuneAnswer, row: &Compared) -> Value {
         "cost": row.cost,
         "cost_ratio": row.cost / answer.comparison.cost_without,
         "end": row.end,
+    })
+}
+
+/// The damper placed and tuned best on each floor.
+fn floors_json(answer: &TuneAnswer, floors: &TunedFloors) -> Value {
+    let each = floors.comparison.floors.iter().map(|of| {
+        as_json!({
+            "floor": of.floor, "damper": of.damper, "modal_mass_kg": of.modal_mass_kg,
+            "cost": of.cost, "cost_ratio": of.cost / answer.comparison.cost_without, "end": of.end,
+            "is_assembled": of.effect.is_some(),
+            "point_ratio": of.effect.as_ref().map(|effect| answer.ratios(effect)),
+            "stroke_rms_m": of.effect.as_ref().map(|effect| effect.judged.stroke_rms_m[0]),
+        })
+    });
+    as_json!({
+        "best": floors.comparison.best().map(|of| of.floor),
+        "designs": each.collect::<Vec<_>>(),
+        "prepared_frequencies_apart": floors.comparison.apart,
+        "without_outline": floors.without_outline,
+        "strokes_under_motions_on_best": room_json(&floors.room),
     })
 }
 

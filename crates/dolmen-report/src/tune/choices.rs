@@ -177,6 +177,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a TuneAnswer) {
             TuneFigure::Position => vec![Choices::Position.into(), Choices::PositionMeaning.into()],
             TuneFigure::Plan => vec![Choices::Plan.into(), Choices::PlanMeaning.into()],
             TuneFigure::Robustness => vec![Choices::Robustness.into(), Choices::RobustnessMeaning.into()],
+            TuneFigure::Floors => continue, // stands with its table
         };
         let drawn = Figure::drawn(caption, move |language| figure.draw(answer, language));
         document.charted(drawn.with_series(move || tune_series(answer, figure)));

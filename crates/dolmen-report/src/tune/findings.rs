@@ -1,5 +1,6 @@
 //! Main findings on dampers: those worse than none, those without enough room, and the gain of the optimum.
 
+use super::floors;
 use super::words::{of_none, part, point_ratio, under_words};
 use crate::building::{millimetres, name, significant};
 use crate::document::{Finding, Tone};
@@ -116,6 +117,7 @@ fn of_one(answer: &TuneAnswer) -> Vec<Finding> {
         };
         all.push(Finding::key(Tone::Plain, said));
     }
+    all.extend(floors::findings(answer));
     all
 }
 

@@ -2,6 +2,7 @@
 
 mod choices;
 mod findings;
+mod floors;
 mod remarks;
 mod together;
 mod tunings;
@@ -23,7 +24,7 @@ messages! {
 }
 
 /// Templates of the sentences on dampers.
-pub(crate) const TEMPLATES: [&[Template]; 7] = [
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
     words::Words::TEMPLATES,
     findings::Found::TEMPLATES,
     Heads::TEMPLATES,
@@ -31,6 +32,7 @@ pub(crate) const TEMPLATES: [&[Template]; 7] = [
     tunings::Tunings::TEMPLATES,
     together::Together::TEMPLATES,
     remarks::Remark::TEMPLATES,
+    floors::Floors::TEMPLATES,
 ];
 
 /// A section per damper, then all dampers of a version together.
@@ -63,6 +65,7 @@ fn head_together(answer: &TogetherAnswer) -> Heads {
 fn one<'a>(document: &mut Document<'a>, answer: &'a TuneAnswer) {
     choices::lead(document, answer);
     choices::section(document, answer);
+    floors::section(document, answer);
     tunings::section(document, answer);
     tunings::out_of_tune(document, answer);
     remarks::of_one(document, answer);
@@ -71,23 +74,25 @@ fn one<'a>(document: &mut Document<'a>, answer: &'a TuneAnswer) {
 /// A damper compared with the rule and the optimum, for a terminal.
 pub fn tune_text(answer: &TuneAnswer, style: TextStyle) -> String {
     let mut document = Document::default();
-    one(&mut document, answer);
+    match style.is_full {
+        true => one(&mut document, answer),
+        false => floors::short(&mut document, answer),
+    }
     text(head(answer), &findings(&[answer], &[]), &document, style)
 }
 
 /// All dampers of a building at once, for a terminal.
 pub fn together_text(answer: &TogetherAnswer, style: TextStyle) -> String {
     let mut document = Document::default();
-    together::section(&mut document, answer);
+    if style.is_full {
+        together::section(&mut document, answer);
+    }
     text(head_together(answer), &findings(&[], &[answer]), &document, style)
 }
 
-/// The decisive findings; everything if requested.
+/// The decisive findings, or all if requested, and the document.
 fn text(head: Heads, findings: &[Finding], document: &Document<'_>, style: TextStyle) -> String {
     let shown = findings.iter().filter(|of| of.is_key || style.is_full);
-    let mut out = heading_text(&Sentence::from(head).text(style.language)) + &findings_text(shown, style);
-    if style.is_full {
-        out += &document_text(document, style);
-    }
-    out
+    let head = heading_text(&Sentence::from(head).text(style.language));
+    head + &findings_text(shown, style) + &document_text(document, style)
 }

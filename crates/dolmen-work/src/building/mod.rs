@@ -11,6 +11,7 @@ pub(crate) mod stiffness;
 pub(crate) mod study;
 pub(crate) mod tune;
 mod tune_answer;
+mod tune_floors;
 mod tune_room;
 mod tune_together;
 mod tuned;
@@ -29,7 +30,8 @@ pub use simulation::{Against, BeyondRoom, BuildingSimulation, LargestDrift, Watc
 pub use tune::tune;
 pub use tune_answer::{
     RoomCheck, RowStroke, TogetherAnswer, TogetherChoice, TogetherRow, TuneAnswer, TuneLoad, TunePoint,
+    TunedFloors,
 };
-pub use tuned::TuneOptions;
+pub use tuned::{TuneFloors, TuneOptions};
 pub use wind_answer::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, WindAlong, WindMotion};
 pub use wind_history_answer::{DriftInTime, HistoriesAlong, InTime, MotionInTime, Struck, WindSimulation};

@@ -1,9 +1,12 @@
 //! `dolmen tune`: compares the dampers of a building with the rule and the optimum.
 
 use super::tune_answer::{RoomCheck, TuneAnswer};
+use super::tune_floors::{asked, floors_of, other_floors};
 use super::tune_room::room_check;
 use super::tune_together::of_all;
-use super::tuned::{TuneOptions, degrees, part_of, placed, points, random_loads, site, standing, structure};
+use super::tuned::{
+    TuneFloors, TuneOptions, degrees, part_of, placed, points, random_loads, site, standing, structure,
+};
 use crate::answer::TuneAnswers;
 use crate::error::{Within as _, WorkError};
 use crate::opened::Opened;
@@ -49,10 +52,13 @@ pub fn tune(opened: &Opened, options: &TuneOptions, files: &dyn Files) -> Result
 
 /// The dampers that a report shows; none if the structure is not a building.
 pub(crate) fn of_report(opened: &Opened, files: &dyn Files) -> Result<TuneAnswers, WorkError> {
-    let options = TuneOptions::default();
     let (mut tunings, mut together) = (Vec::new(), Vec::new());
     if matches!(opened.project.structure, Structure::Building(_)) {
         for (version, variant) in versions(&opened.project, None)? {
+            let options = TuneOptions {
+                floors: floors_in_report(part_of(version)?),
+                ..TuneOptions::default()
+            };
             tunings.extend(answers_of(
                 version,
                 variant.clone(),
@@ -63,6 +69,18 @@ pub(crate) fn of_report(opened: &Opened, files: &dyn Files) -> Result<TuneAnswer
         }
     }
     Ok(TuneAnswers { tunings, together })
+}
+
+/// Largest number of dampers times floors that a report compares; each takes some tenths of a second. Our choice.
+const REPORTED_MOST: usize = 24;
+
+/// All floors, if they are few.
+fn floors_in_report(part: &BuildingPart) -> TuneFloors {
+    let floors = part.as_written().map_or(0, |of| of.building().floors().len());
+    match floors * part.dampers.len() <= REPORTED_MOST {
+        true => TuneFloors::All,
+        false => TuneFloors::Own,
+    }
 }
 
 /// The requested variant; otherwise the file as it is if it has dampers; otherwise its variants that do.
@@ -132,6 +150,7 @@ struct TunedDamper<'a> {
 impl TunedDamper<'_> {
     fn answer(&self, damper: &BuiltDamper, given: PlacedDamper) -> Result<TuneAnswer, WorkError> {
         let (building, options) = (self.building.building(), self.options);
+        let asked = asked(options.floors, building)?;
         let site = site(building, damper.floor)?;
         let corners_m = site.corners_m.clone();
         let Some(aim) = damper.tuned_to else {
@@ -156,20 +175,21 @@ impl TunedDamper<'_> {
         let mode = &self.building.modes().modes[aim.mode - 1];
         let ratios = self.building.damping_ratios();
         let goal = options.goal;
-        let comparison = compare(
-            &plan,
-            &given,
-            &ComparisonOptions {
-                mode: aim.mode - 1,
-                structure_damping_ratio: ratios[aim.mode - 1],
-                base: load.is_base(),
-                goal,
-                map_places: [options.map; 2],
-                stroke_most: options.stroke_most,
-                off_by: options.off_by,
-                ..ComparisonOptions::default()
-            },
-        )?;
+        let how = ComparisonOptions {
+            mode: aim.mode - 1,
+            structure_damping_ratio: ratios[aim.mode - 1],
+            base: load.is_base(),
+            goal,
+            map_places: [options.map; 2],
+            stroke_most: options.stroke_most,
+            off_by: options.off_by,
+            ..ComparisonOptions::default()
+        };
+        let comparison = compare(&plan, &given, &how)?;
+        let floors = asked.map(|asked| {
+            let of = (self.project, self.part, building);
+            floors_of(of, self.files, damper, asked, (&plan, &comparison, &how))
+        });
         Ok(TuneAnswer {
             file: self.file.to_owned(),
             name: self.project.name.clone(),
@@ -187,10 +207,13 @@ impl TunedDamper<'_> {
             load,
             load_direction_degrees: degrees(load_direction),
             points,
+            points_are_corners: self.part.points.is_empty(),
             direction_degrees: degrees(damper.direction),
             goal,
             room: self.room(damper, &comparison)?,
             comparison,
+            floors: floors.transpose()?,
+            other_floors: other_floors(building, damper.floor),
         })
     }
 

@@ -1,6 +1,6 @@
 //! Results of `dolmen tune`, for text, JSON, figures and report.
 
-use dolmen::damper::{Choice, Compared, Comparison, DesignEnd, Goal};
+use dolmen::damper::{Choice, Compared, Comparison, DesignEnd, FloorComparison, FloorDesign, Goal};
 use dolmen_project::{BuiltDamper, Names};
 
 /// The load on the building with the damper.
@@ -130,6 +130,8 @@ pub struct TuneAnswer {
     pub load_direction_degrees: f64,
     /// The points.
     pub points: Vec<TunePoint>,
+    /// Whether the points are the corners of the damper's floor, because the file gives none.
+    pub points_are_corners: bool,
     /// Direction of their motion, degrees from x: that of the damper.
     pub direction_degrees: f64,
     /// The quantity to minimise.
@@ -137,6 +139,21 @@ pub struct TuneAnswer {
     /// The comparison.
     pub comparison: Comparison,
     /// Strokes under the motions of the file, in the order of the comparison's rows.
+    pub room: RoomCheck,
+    /// The damper on other floors, where they were asked for.
+    pub floors: Option<TunedFloors>,
+    /// Number of other floors with an outline; none of them was searched without `floors`.
+    pub other_floors: usize,
+}
+
+/// A damper placed and tuned best on each of several floors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TunedFloors {
+    /// The floors, from the lowest; that of the file is always one of them.
+    pub comparison: FloorComparison,
+    /// Floors that were asked for, but have no outline.
+    pub without_outline: Vec<usize>,
+    /// Strokes on the best floor under the motions of the file; row 0 is the damper there.
     pub room: RoomCheck,
 }
 
@@ -172,6 +189,18 @@ impl TuneAnswer {
             .zip(ratios)
             .filter(|(_, ratio)| *ratio > 1.0)
             .collect()
+    }
+
+    /// The floors with the smallest goals, best first, and that of the file, if floors were compared.
+    pub fn best_floors(&self, most: usize) -> Vec<&FloorDesign> {
+        let Some(floors) = &self.floors else {
+            return Vec::new();
+        };
+        let mut order: Vec<&FloorDesign> = floors.comparison.floors.iter().collect();
+        order.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let (first, rest) = order.split_at(most.min(order.len()));
+        let own = rest.iter().filter(|of| of.floor == self.floor);
+        first.iter().chain(own).copied().collect()
     }
 
     /// Relative excess of the goal of one choice over another: 0.02 for 2 % more.

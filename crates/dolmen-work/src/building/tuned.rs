@@ -15,6 +15,23 @@ const DENSITY: f64 = 1.0;
 const GROUND_DAMPING_RATIO: f64 = 0.6;
 const FILTER_PART: f64 = 0.1;
 
+/// The floors that `dolmen tune` compares for each damper. The designs stay on the floor of the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum TuneFloors {
+    /// None: only the floor of the file is searched.
+    #[default]
+    Own,
+    /// All floors.
+    All,
+    /// The floors from one to another, both included, from 1, and that of the file.
+    Range {
+        /// The lowest.
+        from: usize,
+        /// The highest.
+        to: usize,
+    },
+}
+
 /// Options of `dolmen tune`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TuneOptions {
@@ -36,6 +53,8 @@ pub struct TuneOptions {
     pub off_by: f64,
     /// With several dampers: whether to redistribute the sum of their masses.
     pub share_mass: bool,
+    /// The floors to compare for each damper.
+    pub floors: TuneFloors,
 }
 
 impl Default for TuneOptions {
@@ -51,6 +70,7 @@ impl Default for TuneOptions {
             stroke_most: None,
             off_by: 0.0,
             share_mass: false,
+            floors: TuneFloors::Own,
         }
     }
 }

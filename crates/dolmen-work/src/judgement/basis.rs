@@ -1,8 +1,10 @@
 //! The basis of a judgement: assumed inputs, surveys that nobody measured, and known things that the model leaves out on the unsafe side.
 
+use super::grown_damage::GrownDamage;
+use super::severe_damage::SevereDamage;
 use crate::state::{Check, State};
 use crate::survey_dates::date;
-use dolmen_project::{Cap, DamageKind, InModel, Inspection, Project, Severity, Structure, Survey};
+use dolmen_project::{Cap, InModel, Inspection, Project, Structure, Survey};
 
 /// The basis of the judgement of one version.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -13,6 +15,8 @@ pub struct Basis {
     pub made_up_surveys: Vec<String>,
     /// Severe damage of inspections that the model does not have.
     pub severe_damage: Vec<SevereDamage>,
+    /// Damage of the model that a later inspection recorded as grown.
+    pub grown_damage: Vec<GrownDamage>,
     /// Surveys whose damage the model does not have, because the file chooses an earlier inspection.
     pub inspections_left_out: Vec<String>,
     /// Whether the model of a flagpole leaves out its cap stone.
@@ -34,32 +38,22 @@ pub struct AssumedInputs {
     pub all: usize,
 }
 
-/// Severe damage of an inspection.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SevereDamage {
-    /// The survey.
-    pub survey: String,
-    /// The part.
-    pub part: String,
-    /// Its kind.
-    pub what: DamageKind,
-}
-
 impl Basis {
     /// The basis of a project; a variant has no inspections of its own.
     pub(crate) fn of(project: &Project, variant: Option<&str>) -> Self {
         let made_up = project.surveys.iter().filter(|survey| survey.is_made_up);
+        let (mut severe_damage, mut grown_damage, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
+        if variant.is_none() {
+            severe_damage = SevereDamage::left_out(project);
+            grown_damage = GrownDamage::of(project, &severe_damage);
+            left_out = inspections_left_out(project);
+        }
         Basis {
             inputs: AssumedInputs::of(project),
             made_up_surveys: made_up.map(|survey| survey.name.clone()).collect(),
-            severe_damage: match variant {
-                None => SevereDamage::left_out(project),
-                Some(_) => Vec::new(),
-            },
-            inspections_left_out: match variant {
-                None => inspections_left_out(project),
-                Some(_) => Vec::new(),
-            },
+            severe_damage,
+            grown_damage,
+            inspections_left_out: left_out,
             is_cap_left_out: matches!(&project.structure, Structure::Chain(part) if part.cap == Cap::LeftOut),
             ..Basis::default()
         }
@@ -88,6 +82,7 @@ impl Basis {
             || self.is_loads_left_out
             || !self.inspections_left_out.is_empty()
             || !self.severe_damage.is_empty()
+            || !self.grown_damage.is_empty()
     }
 }
 
@@ -129,34 +124,5 @@ impl AssumedInputs {
             assumed: all.iter().filter(|input| input.is_assumed()).count() + defaults,
             all: all.len() + defaults,
         }
-    }
-}
-
-impl SevereDamage {
-    /// Severe damage that the model of a project leaves out, by date. For each part, the entries of the last survey that lists it count.
-    pub fn left_out(project: &Project) -> Vec<Self> {
-        let mut surveys: Vec<&Survey> = project.surveys.iter().collect();
-        surveys.sort_by_key(|survey| date(&survey.name).unwrap_or_default());
-        let is_last = |place: usize, part: &str| {
-            let mut later = surveys.iter().skip(place + 1);
-            !later.any(|survey| survey.inspections.iter().any(|one| one.part == part))
-        };
-        let is_in_model = |survey: &Survey, one: &Inspection| {
-            let mut all = project.damage.iter();
-            all.any(|of| of.is_of(one) && date(&of.survey) >= date(&survey.name))
-        };
-        let each = surveys.iter().enumerate().flat_map(|(place, survey)| {
-            let severe = survey
-                .inspections
-                .iter()
-                .filter(move |one| one.severity == Some(Severity::Severe) && is_last(place, &one.part))
-                .filter(|one| !is_in_model(survey, one));
-            severe.map(|one| SevereDamage {
-                survey: survey.name.clone(),
-                part: one.part.clone(),
-                what: one.what.clone(),
-            })
-        });
-        each.collect()
     }
 }

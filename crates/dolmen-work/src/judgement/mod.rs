@@ -5,6 +5,7 @@ mod colour;
 mod earthquake;
 mod evidence;
 mod exit;
+mod grown_damage;
 mod in_doubt;
 mod judge;
 mod measured_frequency;
@@ -12,12 +13,13 @@ mod mode_pairs;
 mod modes_along;
 mod runs;
 mod said;
+mod severe_damage;
 mod tilt_limit;
 mod version;
 mod weight;
 mod wind;
 
-pub use basis::{AssumedInputs, Basis, SevereDamage};
+pub use basis::{AssumedInputs, Basis};
 pub use colour::Colour;
 pub use earthquake::{DecidedBy, Earthquake, EarthquakeFinding};
 pub(crate) use evidence::superseded_by;
@@ -25,12 +27,14 @@ pub use evidence::{
     Evidence, first_sway, latest_frequencies, lowest_measured, measured_frequencies, missed_modes,
 };
 pub use exit::{Verb, exit_status, first_status};
+pub use grown_damage::{GrownDamage, Growth};
 pub(crate) use in_doubt::SurveyDoubts;
 pub use in_doubt::{InDoubt, MissedMode, PairedMode, Unexplained};
 pub use judge::{Alarming, Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run};
 pub use measured_frequency::{MeasuredFrequency, RecordFrequency};
 pub(crate) use runs::is_worse_stack_run;
 pub use said::SAID;
+pub use severe_damage::SevereDamage;
 pub(crate) use tilt_limit::is_tilt_beyond;
 pub use tilt_limit::{TiltAgainstLimit, last_tilt, tilt_against_limit, tilt_beyond_limit};
 pub(crate) use version::governing;

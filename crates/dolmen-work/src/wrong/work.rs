@@ -254,6 +254,10 @@ sentences! {
             en: "floor {floor} has no outline, so that places on it are not known: give sides or outline in its table",
             ko: "바닥 {floor}의 외곽선이 없어 그 위의 위치를 알 수 없다. 그 표에 sides나 outline을 쓴다",
         },
+        NoSuchFloors { from, to, count } => {
+            en: "--floors is {from}-{to}, and the building has floors 1 to {count}: write all, or the lower and the upper one of these, such as 1-{count}",
+            ko: "--floors는 {from}-{to}인데 건물의 바닥은 1번부터 {count}번까지이다. all을 쓰거나 1-{count}처럼 이 가운데 낮은 바닥과 높은 바닥을 쓴다",
+        },
         PagodaUnlike { how } => {
             en: "the score does not know such a pagoda: {how}. Simulate it with dolmen study, or force the score with --extrapolate; a measured frequency alone is for dolmen score --given SURVEY",
             ko: "이런 석탑은 점수로 평가할 수 없다: {how}. dolmen study로 해석하거나 --extrapolate로 점수를 낸다. 실측 고유진동수만 다르면 dolmen score --given SURVEY를 쓴다",

@@ -1,11 +1,12 @@
 //! Compares a given damper with the rule of Hwang, Min & Hong and with the optimum: place, tuning, and the cost of each.
 
+use super::design::{Searched, searched};
 use super::position_map::along_line;
 use super::{Aim, DamperSite};
 use super::{
-    ColumnAsMass, DamperError, Design, DesignEnd, DesignOptions, Detuned, Freedom, Goal, Judged, MapCell,
-    MapTuning, Place, PlacedDamper, Plan, PositionMap, PositionMapOptions, RobustnessPoint, SingleMode,
-    Tuning, TuningRule, cost_of, design, goal_cost, optimal_tuning, point_values, position_map, robustness,
+    ColumnAsMass, DamperError, DesignEnd, DesignOptions, Detuned, Freedom, Goal, Judged, MapCell, MapTuning,
+    Place, PlacedDamper, Plan, PositionMap, PositionMapOptions, RobustnessPoint, SingleMode, Tuning,
+    TuningRule, cost_of, goal_cost, optimal_tuning, point_values, position_map, robustness,
 };
 use crate::structure::building::nearest_on_side;
 
@@ -236,7 +237,11 @@ pub fn compare(
 /// Largest error of the standard deviations at the prepared frequencies.
 fn apart(plan: &Plan, rows: &[Compared], map: &PositionMap) -> Result<f64, DamperError> {
     const CELLS: usize = 5;
-    let mut trials: Vec<PlacedDamper> = rows.iter().map(|row| row.damper).collect();
+    let mut most = 0.0_f64;
+    for row in rows {
+        most = most.max(row_apart(plan, row)?);
+    }
+    let mut trials: Vec<PlacedDamper> = Vec::new();
     for row in rows.iter().take(1).chain(rows.last()) {
         for factor in [0.8, 0.94, 1.06, 1.2] {
             trials.push(PlacedDamper {
@@ -248,14 +253,20 @@ fn apart(plan: &Plan, rows: &[Compared], map: &PositionMap) -> Result<f64, Dampe
     let cells: Vec<&MapCell> = map.cells.iter().flatten().collect();
     let step = (cells.len() / CELLS).max(1);
     trials.extend(cells.iter().skip(step / 2).step_by(step).map(|cell| cell.damper));
-    let mut most = 0.0_f64;
     for damper in trials {
-        let (exact, near) = (plan.exact(&[damper])?, plan.judge(&[damper])?);
-        for (a, b) in exact.point_rms.iter().zip(&near.point_rms) {
-            most = most.max((b / a - 1.0).abs());
-        }
+        most = most.max(rms_apart(&plan.exact(&[damper])?, &plan.judge(&[damper])?));
     }
     Ok(most)
+}
+
+/// Error of the standard deviations of a row at the prepared frequencies.
+pub(super) fn row_apart(plan: &Plan, row: &Compared) -> Result<f64, DamperError> {
+    Ok(rms_apart(&row.judged, &plan.judge(&[row.damper])?))
+}
+
+fn rms_apart(exact: &Judged, near: &Judged) -> f64 {
+    let pairs = exact.point_rms.iter().zip(&near.point_rms);
+    pairs.map(|(a, b)| (b / a - 1.0).abs()).fold(0.0, f64::max)
 }
 
 fn rows(
@@ -264,82 +275,95 @@ fn rows(
     options: &ComparisonOptions,
     ([kept, best], here): ([&PositionMap; 2], Option<&MapCell>),
 ) -> Result<Vec<Compared>, DamperError> {
-    let values = |damper: PlacedDamper| match options.goal {
-        Goal::LargestPeak => point_values(plan, &[damper], options.goal),
-        _ => Ok(plan.exact(&[damper])?.point_rms),
-    };
-    let cost = |damper: PlacedDamper| match options.goal {
-        Goal::LargestPeak => goal_cost(plan, &[damper], options.goal),
-        goal => Ok(cost_of(&plan.exact(&[damper])?, goal)),
-    };
-    let as_is = |choice, damper: PlacedDamper| -> Result<Compared, DamperError> {
-        Ok(Compared {
-            choice,
-            damper,
-            judged: plan.exact(&[damper])?,
-            point_values: values(damper)?,
-            cost: cost(damper)?,
-            end: None,
-        })
-    };
-    let stroke_most_m = match options.stroke_most {
-        Some(most) => plan
-            .exact(&[*given])?
-            .stroke_rms_m
-            .first()
-            .map(|stroke| most * stroke),
-        None => None,
-    };
-    let searched = |choice, starts: &[PlacedDamper], place, tuning| -> Result<Compared, DamperError> {
+    let as_given = compared(plan, Choice::Given, given, options.goal)?;
+    let stroke_most_m = stroke_most_m(&as_given, options);
+    let designed = |choice, starts: &[PlacedDamper], place, tuning| -> Result<Compared, DamperError> {
         let how = DesignOptions {
-            goal: options.goal,
             place,
             frequency: tuning,
             damping: tuning,
-            stroke_rms_most_m: stroke_most_m,
-            detuning_ratio: options.off_by,
-            ..DesignOptions::default()
+            ..design_options(options, stroke_most_m)
         };
-        let mut found: Option<Design> = None;
         // among equally good places the place on the line is preferred, so it is tried first
-        for start in starts
+        let starts = starts
             .iter()
-            .flat_map(|start| [on_line(plan, given, start), *start])
-        {
-            let next = design(plan, &[start], &how)?;
-            if found
-                .as_ref()
-                .is_none_or(|found| next.cost < found.cost * (1.0 - SAME))
-            {
-                found = Some(next);
-            }
-        }
-        let found = found.ok_or(DamperError::NoOptimum {
-            what: "the damper's place",
-            iterations: 0,
-        })?;
+            .flat_map(|start| [on_line(plan, given, start), *start]);
+        let found = best_from(plan, starts, &how)?;
         Ok(Compared {
-            choice,
-            damper: found.dampers[0],
-            judged: found.judged,
-            point_values: values(found.dampers[0])?,
-            cost: cost(found.dampers[0])?,
             end: Some(found.end),
+            ..compared(plan, choice, &found.dampers[0], options.goal)?
         })
     };
     let near = |map: &PositionMap| best_near(map, given).map_or(*given, |cell| cell.damper);
     let here = here.map_or(*given, |cell| cell.damper);
-    let tuned = searched(Choice::TunedBest, &[*given, here], Place::Kept, Freedom::Free)?;
-    let placed = searched(Choice::PlacedBest, &[near(kept)], Place::Anywhere, Freedom::Kept)?;
+    let tuned = designed(Choice::TunedBest, &[*given, here], Place::Kept, Freedom::Free)?;
+    let placed = designed(Choice::PlacedBest, &[near(kept)], Place::Anywhere, Freedom::Kept)?;
     let starts = [tuned.damper, near(best)];
-    let both = searched(Choice::Best, &starts, Place::Anywhere, Freedom::Free)?;
-    Ok(vec![
-        as_is(Choice::Given, *given)?,
-        as_is(Choice::Rule, rule_place(plan, given, options.mode))?,
-        tuned,
-        placed,
-        both,
-    ])
+    let both = designed(Choice::Best, &starts, Place::Anywhere, Freedom::Free)?;
+    let rule = rule_place(plan, given, options.mode);
+    let rule = compared(plan, Choice::Rule, &rule, options.goal)?;
+    Ok(vec![as_given, rule, tuned, placed, both])
+}
+
+/// A damper and its effect, from the assembled matrices; peaks are those of the prepared receptances.
+pub(super) fn compared(
+    plan: &Plan,
+    choice: Choice,
+    damper: &PlacedDamper,
+    goal: Goal,
+) -> Result<Compared, DamperError> {
+    let judged = plan.exact(&[*damper])?;
+    let (point_values, cost) = match goal {
+        Goal::LargestPeak => (
+            point_values(plan, &[*damper], goal)?,
+            goal_cost(plan, &[*damper], goal)?,
+        ),
+        goal => (judged.point_rms.clone(), cost_of(&judged, goal)),
+    };
+    Ok(Compared {
+        choice,
+        damper: *damper,
+        judged,
+        point_values,
+        cost,
+        end: None,
+    })
+}
+
+/// Upper bound on the standard deviation of the stroke of a designed damper, m.
+pub(super) fn stroke_most_m(given: &Compared, options: &ComparisonOptions) -> Option<f64> {
+    let stroke = given.judged.stroke_rms_m.first()?;
+    options.stroke_most.map(|most| most * stroke)
+}
+
+/// Options of a design with place and tuning free.
+pub(super) fn design_options(options: &ComparisonOptions, stroke_most_m: Option<f64>) -> DesignOptions {
+    DesignOptions {
+        goal: options.goal,
+        stroke_rms_most_m: stroke_most_m,
+        detuning_ratio: options.off_by,
+        ..DesignOptions::default()
+    }
+}
+
+/// The best design from several starts; of equally good ones the first.
+pub(super) fn best_from(
+    plan: &Plan,
+    starts: impl Iterator<Item = PlacedDamper>,
+    how: &DesignOptions,
+) -> Result<Searched, DamperError> {
+    let mut found: Option<Searched> = None;
+    for start in starts {
+        let next = searched(plan, &[start], how)?;
+        let is_better = |found: &Searched| next.cost < found.cost * (1.0 - SAME);
+        if found.as_ref().is_none_or(is_better) {
+            found = Some(next);
+        }
+    }
+    found.ok_or(DamperError::NoOptimum {
+        what: "the damper's place",
+        iterations: 0,
+    })
 }
 
 /// Moves the damper along its direction onto the line through the given place: its modal motion is the same there.

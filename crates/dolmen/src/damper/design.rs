@@ -125,6 +125,32 @@ pub struct Design {
 /// Finds a local optimum: if places are free, start from several designs, for example the best of a `position_map`. The tolerance of the
 /// prepared [`Plan`] bounds the accuracy of the cost; `judged` is computed from the assembled matrices.
 pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> Result<Design, DamperError> {
+    let found = searched(plan, start, options)?;
+    Ok(Design {
+        judged: plan.exact(&found.dampers)?,
+        dampers: found.dampers,
+        cost: found.cost,
+        end: found.end,
+        iterations: found.iterations,
+        last_step: found.last_step,
+    })
+}
+
+/// A design from the prepared frequencies alone.
+pub(super) struct Searched {
+    pub(super) dampers: Vec<PlacedDamper>,
+    pub(super) cost: f64,
+    pub(super) end: DesignEnd,
+    iterations: usize,
+    last_step: f64,
+}
+
+/// The search of [`design`], without the assembled matrices.
+pub(super) fn searched(
+    plan: &Plan,
+    start: &[PlacedDamper],
+    options: &DesignOptions,
+) -> Result<Searched, DamperError> {
     plan.judge(start)?;
     let points = plan.problem().points.len();
     if !options.weights.is_empty() && options.weights.len() != points {
@@ -200,9 +226,8 @@ pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> R
         (false, true) => DesignEnd::Optimum,
         (false, false) => DesignEnd::Stalled,
     };
-    Ok(Design {
+    Ok(Searched {
         end,
-        judged: plan.exact(&dampers)?,
         cost: search.cost(&dampers).ok_or(DamperError::NoOptimum {
             what: "the dampers' tuning and place",
             iterations: least.iterations,

@@ -89,6 +89,21 @@ impl ModalSynthesis {
         self.shapes.rows()
     }
 
+    /// Angular frequencies of the modes, rad/s.
+    pub(super) fn omega_rad_s(&self) -> &[f64] {
+        &self.omega_rad_s
+    }
+
+    /// Mode shapes with unit modal mass, n × k.
+    pub(super) fn shapes(&self) -> &Matrix {
+        &self.shapes
+    }
+
+    /// ΦᵀCΦ of the structure without dampers, 1/s.
+    pub(super) fn damping(&self) -> &Matrix {
+        &self.damping
+    }
+
     /// Whether damping does not couple the modes.
     pub(super) fn is_classical(&self) -> bool {
         self.classical
@@ -117,7 +132,17 @@ impl ModalSynthesis {
 
     /// Modal motion under a unit load, with the fixed dampers.
     pub(super) fn loaded(&self, w: f64, input: &RandomInput) -> Result<Vec<Complex64>, DamperError> {
-        let free = self.bare_receptance(w, &self.modal_load(input))?;
+        self.loaded_by(w, input, &self.modal_load(input))
+    }
+
+    /// The same for a load whose [`modal_load`](Self::modal_load) is known.
+    pub(super) fn loaded_by(
+        &self,
+        w: f64,
+        input: &RandomInput,
+        modal_load: &[f64],
+    ) -> Result<Vec<Complex64>, DamperError> {
+        let free = self.bare_receptance(w, modal_load)?;
         self.with_forces(w, free, |tied| match input {
             RandomInput::Force(_) => 0.0,
             RandomInput::Base(e) => tied.row.iter().zip(e).map(|(a, e)| a * e).sum(),

@@ -9,11 +9,10 @@
 //! | a_cl | `felt` | −(absolute acceleration) of the floors per unit load: ω² G_cl − e_c | c × l |
 //! | G_pl | `free` | motion of the points without dampers per unit load | p × l |
 
-use super::gust_rms::{are_gusts, gust_factor, gust_rms, in_parts};
-use super::{AttachedDamper, DampedSystem, DamperError, DamperSite, ModalSynthesis, PlacedDamper};
-use crate::dynamics::{
-    FrequencyIntegral, LinearSystem, RandomInput, RandomLoad, ResponseRow, rms_by_integral, rms_by_lyapunov,
-};
+use super::gust_rms::{are_gusts, gust_factor, in_parts};
+use super::judged::{Judged, judge};
+use super::{AttachedDamper, DamperError, DamperSite, ModalSynthesis, PlacedDamper};
+use crate::dynamics::{LinearSystem, RandomInput, RandomLoad};
 use crate::numeric::adaptive_nodes;
 use dolmen_linalg::Complex64;
 use std::f64::consts::{PI, TAU};
@@ -59,12 +58,40 @@ impl Default for PlanOptions {
 pub struct Plan {
     problem: DamperProblem,
     pub(super) synthesis: ModalSynthesis,
-    pub(super) omega_rad_s: Vec<f64>, // of the structure's modes
-    pub(super) shapes: dolmen_linalg::Matrix,
+    in_modes: InModes,
     pub(super) nodes: Vec<Table>,
     without: Vec<f64>,
     damping_least: f64,
     tuning_range_hz: [f64; 2],
+}
+
+/// Rows over the structure in modal coordinates.
+#[derive(Clone, Debug)]
+struct InModes {
+    /// u, v, θ of each site.
+    places: Vec<Vec<f64>>,
+    points: Vec<Vec<f64>>,
+    loads: Vec<Vec<f64>>,
+}
+
+impl InModes {
+    fn of(problem: &DamperProblem, synthesis: &ModalSynthesis) -> Self {
+        let unit = |at: usize| {
+            let mut row = vec![0.0; problem.structure.degrees_of_freedom()];
+            row[at] = 1.0;
+            synthesis.in_modes(&row)
+        };
+        let firsts = problem.sites.iter().map(|site| site.first_degree_of_freedom);
+        InModes {
+            places: firsts.flat_map(|at| at..at + 3).map(unit).collect(),
+            points: problem.points.iter().map(|row| synthesis.in_modes(row)).collect(),
+            loads: problem
+                .loads
+                .iter()
+                .map(|load| synthesis.modal_load(&load.input))
+                .collect(),
+        }
+    }
 }
 
 /// Receptances at one frequency, each matrix row by row.
@@ -108,16 +135,41 @@ impl Plan {
             return Err(DamperError::Still { point: point + 1 });
         }
         let synthesis = ModalSynthesis::new(&problem.structure, n)?.with_fixed(&problem.fixed)?;
-        let modes = problem.structure.modes()?;
         let mut plan = Plan {
+            in_modes: InModes::of(&problem, &synthesis),
             problem,
             synthesis,
-            omega_rad_s: modes.angular_frequency_rad_s,
-            shapes: modes.shapes,
             nodes: Vec::new(),
             without,
             damping_least: options.damping_least,
             tuning_range_hz: [0.0, f64::INFINITY],
+        };
+        plan.choose_frequencies(expected, options)?;
+        Ok(plan)
+    }
+
+    /// The same problem with another site only, prepared for dampers there. The modes are those of this plan.
+    ///
+    /// # Errors
+    /// As in [`Plan::new`].
+    pub(super) fn on_site(
+        &self,
+        site: DamperSite,
+        expected: &[PlacedDamper],
+        options: &PlanOptions,
+    ) -> Result<Self, DamperError> {
+        site.check(self.problem.structure.degrees_of_freedom())?;
+        let problem = DamperProblem {
+            sites: vec![site],
+            ..self.problem.clone()
+        };
+        let mut plan = Plan {
+            in_modes: InModes::of(&problem, &self.synthesis),
+            problem,
+            synthesis: self.synthesis.clone(),
+            nodes: Vec::new(),
+            without: self.without.clone(),
+            ..*self
         };
         plan.choose_frequencies(expected, options)?;
         Ok(plan)
@@ -153,7 +205,7 @@ impl Plan {
     /// # Errors
     /// [`DamperError::ModeStill`] if the mode does not move that place in that direction.
     pub fn modal_mass_kg(&self, mode: usize, damper: &PlacedDamper) -> Result<f64, DamperError> {
-        if mode >= self.omega_rad_s.len() {
+        if mode >= self.synthesis.omega_rad_s().len() {
             return Err(DamperError::Argument {
                 argument: "mode",
                 given: mode as f64 + 1.0,
@@ -163,14 +215,17 @@ impl Plan {
         let row = damper
             .attached(&self.problem.sites, self.problem.structure.degrees_of_freedom())?
             .row;
-        let shape = self.shapes.column(mode);
+        let shape = self.synthesis.shapes().column(mode);
         // modes with a common frequency all take part, in the combination that moves the place most
-        let near = |j: &usize| (self.omega_rad_s[*j] / self.omega_rad_s[mode] - 1.0).abs() < ONE_FREQUENCY;
-        let together = (0..self.omega_rad_s.len()).filter(near);
+        let near = |j: &usize| {
+            (self.synthesis.omega_rad_s()[*j] / self.synthesis.omega_rad_s()[mode] - 1.0).abs()
+                < ONE_FREQUENCY
+        };
+        let together = (0..self.synthesis.omega_rad_s().len()).filter(near);
         let moves = together
             .map(|j| {
                 row.iter()
-                    .zip(self.shapes.column(j))
+                    .zip(self.synthesis.shapes().column(j))
                     .map(|(a, p)| a * p)
                     .sum::<f64>()
             })
@@ -204,7 +259,7 @@ impl Plan {
 
     /// Frequency of a mode (index from 0), Hz.
     pub fn mode_frequency_hz(&self, mode: usize) -> Option<f64> {
-        self.omega_rad_s.get(mode).map(|omega| omega / TAU)
+        self.synthesis.omega_rad_s().get(mode).map(|omega| omega / TAU)
     }
 
     /// Standard deviations of the points with dampers, from the assembled matrices: by Lyapunov's equation, or by integration over frequency if
@@ -242,16 +297,13 @@ impl Plan {
     }
 
     pub(super) fn table(&self, omega: f64, weight: f64) -> Result<Table, DamperError> {
-        let (problem, n) = (&self.problem, self.problem.structure.degrees_of_freedom());
+        let problem = &self.problem;
         let c = self.coordinates();
-        let unit = |k: usize| {
-            let mut row = vec![0.0; n];
-            row[problem.sites[k / 3].first_degree_of_freedom + k % 3] = 1.0;
-            row
-        };
-        let in_modes = |row: &[f64]| self.synthesis.in_modes(row);
-        let places: Vec<Vec<f64>> = (0..c).map(|k| in_modes(&unit(k))).collect();
-        let points: Vec<Vec<f64>> = problem.points.iter().map(|row| in_modes(row)).collect();
+        let InModes {
+            places,
+            points,
+            loads: loaded,
+        } = &self.in_modes;
         let along =
             |row: &[f64], eta: &[Complex64]| -> Complex64 { row.iter().zip(eta).map(|(a, x)| x * *a).sum() };
         let mut own = vec![Complex64::ZERO; c * c];
@@ -269,12 +321,12 @@ impl Plan {
         let mut felt = vec![Complex64::ZERO; c * loads];
         let mut moved = felt.clone();
         let mut free = vec![Complex64::ZERO; points.len() * loads];
-        for (l, load) in problem.loads.iter().enumerate() {
-            let eta = self.synthesis.loaded(omega, &load.input)?;
+        for (l, (load, modal)) in problem.loads.iter().zip(loaded).enumerate() {
+            let eta = self.synthesis.loaded_by(omega, &load.input, modal)?;
             for (k, place) in places.iter().enumerate() {
                 let base = match &load.input {
                     RandomInput::Force(_) => 0.0,
-                    RandomInput::Base(e) => unit(k).iter().zip(e).map(|(a, e)| a * e).sum(),
+                    RandomInput::Base(e) => e[problem.sites[k / 3].first_degree_of_freedom + k % 3],
                 };
                 moved[k * loads + l] = along(place, &eta);
                 felt[k * loads + l] = omega * omega * moved[k * loads + l] - base;
@@ -311,15 +363,15 @@ impl Plan {
     }
 
     /// Whether each mode has more than this fraction of the variance of some point, so that the integral must resolve its peak.
-    fn modes_seen(&self, part: f64) -> Result<Vec<bool>, DamperError> {
-        let damping = self.problem.structure.modes()?.damping;
-        let mut seen = vec![false; self.omega_rad_s.len()];
+    fn modes_seen(&self, part: f64) -> Vec<bool> {
+        let damping = self.synthesis.damping();
+        let mut seen = vec![false; self.synthesis.omega_rad_s().len()];
         for load in &self.problem.loads {
             let pushed = self.synthesis.modal_load(&load.input);
             for (row, rms) in self.problem.points.iter().zip(&self.without) {
                 let moved = self.synthesis.in_modes(row);
                 for (j, seen) in seen.iter_mut().enumerate() {
-                    let omega = self.omega_rad_s[j];
+                    let omega = self.synthesis.omega_rad_s()[j];
                     // π S φ² q²/(ζ ω³) on both sides of 0, with c = 2 ζ ω
                     let variance = 2.0 * PI * load.spectrum.density(omega) * (moved[j] * pushed[j]).powi(2)
                         / (damping[(j, j)] * omega * omega);
@@ -327,7 +379,7 @@ impl Plan {
                 }
             }
         }
-        Ok(seen)
+        seen
     }
 
     fn choose_frequencies(
@@ -337,9 +389,9 @@ impl Plan {
     ) -> Result<(), DamperError> {
         const INTERVALS_MOST: usize = 4000;
         let excited: Vec<f64> = self
-            .modes_seen(EXCITED)?
+            .modes_seen(EXCITED)
             .into_iter()
-            .zip(&self.omega_rad_s)
+            .zip(self.synthesis.omega_rad_s())
             .filter(|(seen, _)| *seen)
             .map(|(_, omega)| omega / TAU)
             .collect();
@@ -354,8 +406,8 @@ impl Plan {
         let mut breaks = vec![0.0];
         let given = expected.iter().map(|damper| damper.frequency_hz);
         let highest_hz = given.chain(excited).fold(0.0, f64::max);
-        let seen = self.modes_seen(SEEN * options.relative_tolerance)?;
-        for (omega, seen) in self.omega_rad_s.iter().zip(seen) {
+        let seen = self.modes_seen(SEEN * options.relative_tolerance);
+        for (omega, seen) in self.synthesis.omega_rad_s().iter().zip(seen) {
             if seen || *omega < 3.0 * TAU * highest_hz {
                 breaks.push(*omega);
             }
@@ -458,64 +510,4 @@ const STILL: f64 = 1e-6;
 fn extent(site: &DamperSite) -> f64 {
     let [x, y] = site.extent_m();
     (x[1] - x[0]).max(y[1] - y[0])
-}
-
-/// The effect of dampers.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Judged {
-    /// Standard deviation of each point's displacement.
-    pub point_rms: Vec<f64>,
-    /// Standard deviation of each damper's stroke, the displacement of its mass relative to its place, m.
-    pub stroke_rms_m: Vec<f64>,
-}
-
-/// The effect of any dampers on a structure, from the assembled matrices.
-///
-/// # Errors
-/// [`DamperError`] if a damper or a load is out of its range.
-pub fn judge(
-    structure: &LinearSystem,
-    loads: &[RandomLoad],
-    points: &[Vec<f64>],
-    dampers: &[AttachedDamper],
-) -> Result<Judged, DamperError> {
-    let damped = DampedSystem::new(structure, dampers)?;
-    if are_gusts(loads) {
-        loads.iter().try_for_each(|load| load.spectrum.check())?;
-        let mut all = gust_rms(structure, loads, points, dampers)?;
-        let stroke_rms_m = all.split_off(points.len());
-        return Ok(Judged {
-            point_rms: all,
-            stroke_rms_m,
-        });
-    }
-    let loads: Vec<RandomLoad> = loads.iter().map(|load| damped.load(load)).collect();
-    let mut rows: Vec<ResponseRow> = points
-        .iter()
-        .map(|row| ResponseRow::displacement(damped.row(row)))
-        .collect();
-    rows.extend(
-        (0..dampers.len())
-            .filter_map(|k| damped.stroke_row(k))
-            .map(ResponseRow::displacement),
-    );
-    let mut all = rms(&damped.system, &loads, &rows)?;
-    let stroke_rms_m = all.split_off(points.len());
-    Ok(Judged {
-        point_rms: all,
-        stroke_rms_m,
-    })
-}
-
-fn rms(system: &LinearSystem, loads: &[RandomLoad], rows: &[ResponseRow]) -> Result<Vec<f64>, DamperError> {
-    match rms_by_lyapunov(system, loads, rows) {
-        Err(crate::dynamics::DynamicsError::NotRational) => {
-            let options = FrequencyIntegral {
-                relative_tolerance: 1e-7,
-                ..FrequencyIntegral::default()
-            };
-            Ok(rms_by_integral(system, loads, rows, &options)?)
-        }
-        other => Ok(other?),
-    }
 }

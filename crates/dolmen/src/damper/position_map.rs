@@ -71,6 +71,12 @@ impl PositionMap {
 }
 
 impl PositionMapOptions {
+    /// Position of a cell of the map.
+    fn place(&self, cell: usize) -> [f64; 2] {
+        let columns = self.x_m.len();
+        [self.x_m[cell % columns], self.y_m[cell / columns]]
+    }
+
     /// Positions at the centres of `columns` × `rows` equal cells of the bounding box of a site.
     pub fn over_site(plan: &Plan, site: usize, columns: usize, rows: usize) -> Option<Self> {
         let extent = plan.problem().sites.get(site)?.extent_m();
@@ -95,8 +101,12 @@ const ITERATIONS_MOST: usize = 60;
 const STEP_LEAST: f64 = 1e-5;
 /// If the tuning of a neighbour is better by this fraction, it is at another local minimum.
 const BETTER: f64 = 1e-5;
-/// Number of positions along each side at which the search covers all local minima.
-const COARSE: usize = 8;
+/// Number of positions at which the search covers all local minima.
+const COARSE: usize = 12;
+/// Number of positions that follow each other in one search.
+const PART: usize = 16;
+/// Two positions act alike if their lever arms differ by no more than this part of the floor's longer side.
+const SAME_ARM: f64 = 1e-12;
 /// Damping ratios of that search grid; its frequencies are equally spaced in ln f between the limits.
 const GRID_DAMPING: [f64; 6] = [0.011, 0.035, 0.08, 0.16, 0.35, 1.0];
 /// Spacing of the frequencies in ln f, less than the width of a local minimum.
@@ -116,9 +126,10 @@ const SWEEPS_MOST: usize = 4;
 /// [`DamperError`] if the damper is outside its range, or if the goal is a peak, which maps do not support.
 ///
 /// # Limits
-/// Finds the best tuning within [`Plan::tuning_range_hz`]. At 8 × 8 positions the search evaluates a grid of frequencies, 6 % apart, and 6
-/// damping ratios, and refines the lowest local minima. At every other position it starts from the minima of the nearest grid position and of
-/// the previous position, and again from the tuning of a neighbour if that is better. The tolerance of the tuning is 1e-4.
+/// Finds the best tuning within [`Plan::tuning_range_hz`]. Positions with the same lever arm, which differ only along the damper's direction, act
+/// alike and are searched once. At 12 lever arms the search evaluates a grid of frequencies, 6 % apart, and 6 damping ratios, and refines the
+/// lowest local minima. At every other one it starts from the minima of the nearest of these and of the previous one, and again from the tuning of
+/// a neighbour if that is better. The tolerance of the tuning is 1e-4.
 ///
 /// Tested by `damper_designs`.
 pub fn position_map(
@@ -142,55 +153,28 @@ pub fn position_map(
             allowed: "one a point",
         });
     }
-    let site = &plan.problem().sites[damper.site];
-    let (columns, rows) = (options.x_m.len(), options.y_m.len());
     let looked = SearchData {
         plan,
         given: *damper,
         options,
         weights,
     };
-    let mut cells: Vec<Option<MapCell>> = vec![None; columns * rows];
-    let coarse = match options.tuning {
-        MapTuning::Best => looked.coarse(),
-        _ => Vec::new(),
-    };
-    // each row is computed alone, so that the result does not depend on the number of threads
-    cells
-        .par_chunks_mut(columns.max(1))
-        .enumerate()
-        .for_each(|(j, row)| {
-            let mut before = None;
-            for (i, cell) in row.iter_mut().enumerate() {
-                let place_m = [options.x_m[i], options.y_m[j]];
-                if site.nearest_m(place_m).1 > 0.0 {
-                    continue;
-                }
-                let single = SingleDamper::new(plan, &PlacedDamper { place_m, ..*damper });
-                if options.tuning != MapTuning::Best {
-                    *cell = looked.tuned(&single, place_m, &mut None);
-                    continue;
-                }
-                let far =
-                    |(at, _): &&([f64; 2], Vec<PlacedDamper>)| (at[0] - place_m[0]).hypot(at[1] - place_m[1]);
-                let near = coarse
-                    .iter()
-                    .reduce(|best, next| if far(&next) < far(&best) { next } else { best });
-                let starts: Vec<PlacedDamper> = near.map_or(Vec::new(), |(_, valleys)| valleys.clone());
-                *cell = looked.followed(&single, place_m, &starts, &mut before);
-            }
-        });
-    if options.tuning == MapTuning::Best {
-        looked.spread(&mut cells);
-    }
+    let (places, arms) = looked.distinct_places();
+    let found = looked.along(&places);
+    let cells = arms.iter().enumerate().map(|(at, arm)| {
+        let mut cell = found[(*arm)?].clone()?;
+        cell.damper.place_m = options.place(at);
+        Some(cell)
+    });
     Ok(PositionMap {
         x_m: options.x_m.clone(),
         y_m: options.y_m.clone(),
-        cells,
+        cells: cells.collect(),
     })
 }
 
-/// Effect of a damper at positions along a line, tuned at each from several starts. Positions outside the floor are left out.
+/// Effect of a damper at positions in order along a line, with the tuning that the options require. Positions where the mode of the tuning does
+/// not move are left out.
 pub(super) fn along_line(
     plan: &Plan,
     damper: &PlacedDamper,
@@ -206,11 +190,7 @@ pub(super) fn along_line(
             false => options.weights.clone(),
         },
     };
-    let each = places_m.iter().filter_map(|&place_m| {
-        let single = SingleDamper::new(plan, &PlacedDamper { place_m, ..*damper });
-        looked.best_of_several(&single, place_m)
-    });
-    each.collect()
+    looked.along(places_m).into_iter().flatten().collect()
 }
 
 struct SearchData<'a> {
@@ -248,36 +228,79 @@ impl SearchData<'_> {
         self.options.goal == Goal::MeanSquare
     }
 
-    /// Tunings at a few distant positions, with all local minima.
-    fn coarse(&self) -> Vec<([f64; 2], Vec<PlacedDamper>)> {
-        let few = |all: &[f64]| -> Vec<f64> {
-            let step = all.len().div_ceil(COARSE).max(1);
-            all.iter().skip(step / 2).step_by(step).copied().collect()
-        };
-        let (x_m, y_m) = (few(&self.options.x_m), few(&self.options.y_m));
-        let places: Vec<[f64; 2]> = y_m
-            .iter()
-            .flat_map(|&y| x_m.iter().map(move |&x| [x, y]))
+    /// The positions of a map on the floor that differ in their effect, and for each cell the index of its position among them; `None` outside
+    /// the floor. The effect depends on a position only through its lever arm, the factor of θ in its motion, in whose order the positions stand.
+    fn distinct_places(&self) -> (Vec<[f64; 2]>, Vec<Option<usize>>) {
+        let site = &self.plan.problem().sites[self.given.site];
+        let arm = |place_m: [f64; 2]| site.coefficients(place_m, self.given.direction_degrees)[2];
+        let cells = self.options.x_m.len() * self.options.y_m.len();
+        let mut inside: Vec<(f64, usize)> = (0..cells)
+            .filter(|&cell| site.nearest_m(self.options.place(cell)).1 <= 0.0)
+            .map(|cell| (arm(self.options.place(cell)), cell))
             .collect();
-        let each = places.into_par_iter().map(|place_m| {
+        inside.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let [x, y] = site.extent_m();
+        let apart_m = SAME_ARM * (x[1] - x[0]).max(y[1] - y[0]);
+        let (mut places, mut arms) = (Vec::new(), vec![None; cells]);
+        let mut last = f64::NEG_INFINITY;
+        for (arm, cell) in inside {
+            if arm - last > apart_m {
+                places.push(self.options.place(cell));
+                last = arm;
+            }
+            arms[cell] = Some(places.len() - 1);
+        }
+        (places, arms)
+    }
+
+    /// The damper at positions that stand in the order of their lever arms; `None` where the mode of the tuning does not move.
+    fn along(&self, places: &[[f64; 2]]) -> Vec<Option<MapCell>> {
+        let single = |place_m: [f64; 2]| {
+            SingleDamper::new(
+                self.plan,
+                &PlacedDamper {
+                    place_m,
+                    ..self.given
+                },
+            )
+        };
+        if self.options.tuning != MapTuning::Best {
+            let each = places.par_iter();
+            return each
+                .map(|&place_m| self.tuned(&single(place_m), place_m, &mut None))
+                .collect();
+        }
+        let coarse = self.coarse(places);
+        let mut cells: Vec<Option<MapCell>> = vec![None; places.len()];
+        // each part is computed alone, so that the result does not depend on the number of threads
+        let parts = cells.par_chunks_mut(PART).enumerate();
+        parts.for_each(|(part, cells)| {
+            let mut before = None;
+            for (i, cell) in cells.iter_mut().enumerate() {
+                let at = PART * part + i;
+                let near = coarse.iter().min_by_key(|(other, _)| other.abs_diff(at));
+                let starts = near.map_or(&[][..], |(_, valleys)| valleys);
+                *cell = self.followed(&single(places[at]), places[at], starts, &mut before);
+            }
+        });
+        self.spread(&mut cells);
+        cells
+    }
+
+    /// Tunings at a few of the positions, with all local minima.
+    fn coarse(&self, places: &[[f64; 2]]) -> Vec<(usize, Vec<PlacedDamper>)> {
+        let step = places.len().div_ceil(COARSE).max(1);
+        let few: Vec<usize> = (step / 2..places.len()).step_by(step).collect();
+        let each = few.into_par_iter().map(|at| {
+            let place_m = places[at];
             let there = PlacedDamper {
                 place_m,
                 ..self.given
             };
-            let single = SingleDamper::new(self.plan, &there);
-            let valleys = self.valleys(&single, place_m);
-            (place_m, valleys.iter().map(|cell| cell.damper).collect())
+            let valleys = self.valleys(&SingleDamper::new(self.plan, &there), place_m);
+            (at, valleys.iter().map(|cell| cell.damper).collect())
         });
         each.collect()
-    }
-
-    /// The damper with the best tuning at a position, from all local minima of the grid.
-    fn best_of_several(&self, single: &SingleDamper, place_m: [f64; 2]) -> Option<MapCell> {
-        if self.options.tuning != MapTuning::Best {
-            return self.tuned(single, place_m, &mut None);
-        }
-        let valleys = self.valleys(single, place_m).into_iter();
-        valleys.reduce(|best, next| if next.cost < best.cost { next } else { best })
     }
 
     /// Local minima at a position: the lowest points of a grid of frequency and damping, each refined.
@@ -438,20 +461,14 @@ impl SearchData<'_> {
 
     /// Repeats the search where the tuning of a neighbour gives a lower cost: there the first search ended in another local minimum.
     fn spread(&self, cells: &mut [Option<MapCell>]) {
-        let (columns, rows) = (self.options.x_m.len(), self.options.y_m.len());
         for _ in 0..SWEEPS_MOST {
             let mut changed = false;
-            for at in (0..columns * rows).rev() {
+            for at in (0..cells.len()).rev() {
                 let Some(own) = cells[at].clone() else { continue };
-                let (i, j) = (at % columns, at / columns);
-                let neighbours = [
-                    (i > 0).then(|| at - 1),
-                    (i + 1 < columns).then(|| at + 1),
-                    (j > 0).then(|| at - columns),
-                    (j + 1 < rows).then(|| at + columns),
-                ];
+                let neighbours = [at.checked_sub(1), Some(at + 1)];
                 let single = SingleDamper::new(self.plan, &own.damper);
-                let others = neighbours.into_iter().flatten().filter_map(|k| cells[k].as_ref());
+                let others = neighbours.into_iter().flatten();
+                let others = others.filter_map(|k| cells.get(k).and_then(Option::as_ref));
                 let borrowed = others.map(|other| {
                     let damper = PlacedDamper {
                         place_m: own.damper.place_m,

@@ -25,6 +25,7 @@ mod columns;
 mod columns_together;
 mod damped_modes;
 mod damper_designs;
+mod damper_floors;
 mod dampers;
 mod draws;
 mod el_centro;
