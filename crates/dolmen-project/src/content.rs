@@ -2,7 +2,7 @@
 
 use super::building::BuildingPart;
 use super::chain::ChainPart;
-use super::damage::ModelDamage;
+use super::damage::{EarlierModel, ModelDamage};
 use super::frame::FramePart;
 use super::loads::LoadsPart;
 use super::names::Names;
@@ -12,10 +12,11 @@ use super::site::{MotionPart, Place, SitePart};
 use super::sought::{FromSurveys, Sought};
 use super::stack::StackPart;
 use super::study::StudyPart;
-use super::survey::{ChangePart, Survey, WatchPart};
+use super::survey::{ChangePart, Survey, WatchPart, date_of};
 use dolmen::assess::demand::DriftLimit;
 use dolmen_words::PrintedName;
 use dolmen_words::Sentence;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -134,6 +135,8 @@ pub struct Project {
     pub surveys: Vec<Survey>,
     /// Damage from inspections that is in the model.
     pub damage: Vec<ModelDamage>,
+    /// The model before each inspection that changed it, by date.
+    pub earlier: Vec<EarlierModel>,
     /// How to compare two surveys.
     pub change: ChangePart,
     /// The report's own contents; `None` if the file has none, and in variants.
@@ -203,6 +206,30 @@ impl Project {
         let all = self.structure.inputs().into_iter();
         let all = all.filter(|of| !of.path.contains("damping"));
         all.filter_map(|of| of.survey.as_deref()).collect()
+    }
+
+    /// The project as it was at a survey: without the damage that was found later; itself where the survey has no date.
+    pub fn as_of(&self, survey: &str) -> Cow<'_, Project> {
+        match self.before(survey) {
+            None => Cow::Borrowed(self),
+            Some(earlier) => Cow::Owned(Project {
+                structure: earlier.structure.clone(),
+                damage: earlier.damage.clone(),
+                earlier: Vec::new(),
+                ..self.clone()
+            }),
+        }
+    }
+
+    /// Whether damage in the model was found after a survey.
+    pub fn is_before_damage(&self, survey: &str) -> bool {
+        self.before(survey).is_some()
+    }
+
+    /// The model as it was at a survey, if damage was found later.
+    fn before(&self, survey: &str) -> Option<&EarlierModel> {
+        let day = date_of(survey)?;
+        self.earlier.iter().find(|of| day < of.until)
     }
 
     /// The input at a path, `links[1].weight`.

@@ -2,7 +2,7 @@
 
 use super::buildable::buildable;
 use super::content::Structure;
-use super::damage::{ModelDamage, damaged};
+use super::damage::{Damaged, damaged};
 use super::file::FileRaw;
 use super::reader::Reader;
 use super::report::PartNames;
@@ -13,7 +13,7 @@ pub(super) struct OfInspections {
     /// The parts that inspections and the report may name.
     pub(super) parts: PartNames,
     /// The damage in the model.
-    pub(super) damage: Vec<ModelDamage>,
+    pub(super) damage: Damaged,
 }
 
 /// Puts the findings of inspections into their surveys, and their damage into the structure.
@@ -40,7 +40,7 @@ pub(super) fn of_inspections(
         surveys,
         structure.as_deref_mut(),
     );
-    if !damage.is_empty() {
+    if !damage.damage.is_empty() {
         buildable(reader, structure);
     }
     OfInspections { parts, damage }

@@ -83,7 +83,7 @@ pub use chain::{
 };
 pub use combine::{canonical_text, parse_combination};
 pub use content::{Project, Structure, Variant, Warning, WarningKind};
-pub use damage::{InModel, ModelDamage, Side};
+pub use damage::{EarlierModel, InModel, ModelDamage, Side};
 pub use dolmen_records::{FileError, Files, MemoryFiles, NoFiles};
 pub use doubted::Doubted;
 pub use doubts::{likely, looks_like_radians};

@@ -93,7 +93,9 @@ pub(crate) fn compared_of(
     };
     let is_taken = |change: &SurveyChange| change.modes.iter().any(|mode| mode.history.is_some());
     let history = history.filter(|_| change.as_ref().is_some_and(is_taken));
-    let explained = change.as_ref().map(|change| changed_parts(project, change));
+    // the model of the earlier survey: damage found at the later one is the change itself
+    let before = project.as_of(&from.name);
+    let explained = change.as_ref().map(|change| changed_parts(&before, change));
     let (parts, model_off) = explained.unwrap_or_default();
     Ok(CompareAnswer {
         file: opened.file.clone(),

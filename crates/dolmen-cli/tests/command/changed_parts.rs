@@ -177,3 +177,48 @@ fn agrees_compare_names_the_joint_of_a_stack() {
     let said = scratch.briefly("compare .").words();
     assert!(said.contains("the joint below ‘drum’"), "{said}");
 }
+
+/// A survey measured the structure as it was: before a damage, without it.
+#[test]
+fn agrees_a_survey_is_held_against_the_model_of_its_day() {
+    let scratch = Scratch::new("model-of-its-day");
+    let before = frequencies_hz(&scratch, GIVEN);
+    let [low, middle, top] = GIVEN;
+    let after = frequencies_hz(&scratch, [low, 0.75 * middle, top]);
+    let found = "[[survey.2026-05-01.inspections]]\npart = \"middle\"\nwhat = \"open joint\"\n\
+                 model = { stiffness_left = 0.75 }\n";
+    let judged = |surveys: String| {
+        fs::write(
+            scratch.path().join("project.toml"),
+            pole(GIVEN, &(surveys + found)),
+        )
+        .unwrap();
+        json(&scratch, "check .")
+            .pointer("/judgement/versions/0/evidence/word")
+            .cloned()
+    };
+    let [agrees, contradicted] = ["agrees", "contradicted"].map(|word| Some(Value::from(word)));
+    assert_eq!(judged(survey("2024-05-01", &before)), agrees);
+    assert_eq!(
+        judged(survey("2024-05-01", &before) + &survey("2026-05-02", &after)),
+        agrees
+    );
+    assert_eq!(judged(survey("2026-05-02", &before)), contradicted);
+    let words = scratch.briefly("check .").stdout.replace("\n    ", " ");
+    assert!(!words.contains("Made before damage"), "{words}");
+    assert_eq!(judged(survey("2024-05-01", &before)), agrees);
+    let words = scratch.briefly("check .").stdout.replace("\n    ", " ");
+    assert!(
+        words.contains("Made before damage in the model was found: 2024-05-01"),
+        "{words}"
+    );
+    let surveys = survey("2024-05-01", &before) + &survey("2026-05-01", &after) + found;
+    fs::write(scratch.path().join("project.toml"), pole(GIVEN, &surveys)).unwrap();
+    let compared = json(&scratch, "compare .");
+    let best = compared.pointer("/parts/0/fits/0").unwrap();
+    assert_eq!(best["part"], "middle");
+    assert!(
+        (best["stiffness_left"].as_f64().unwrap() - 0.75).abs() < 0.01,
+        "{best}"
+    );
+}

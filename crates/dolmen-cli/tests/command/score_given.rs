@@ -59,3 +59,40 @@ fn refuses_a_survey_that_tells_no_frequency_or_an_impossible_one() {
     // nobody measured it
     assert!(told("made_up = true\nfrequencies.x = [2]", given).contains("no measured frequency of swaying"));
 }
+
+#[test]
+fn refuses_damage_and_crushing_edges_which_no_design_of_the_score_has() {
+    let scratch = Scratch::new("score_damaged");
+    let lost = "inspections = [{ part = \"storey 1 body\", what = \"loss\", model = { bed_lost = 0.3, side = \"x+\" } }]";
+    let measured = "frequencies.x = [{ value = 2.0, sd = 0.05 }]\n";
+    let said = |text: String, words: &str| {
+        fs::write(scratch.path().join("five.toml"), text).unwrap();
+        let answer = scratch.dolmen(words);
+        (answer.status, answer.stdout + &answer.stderr)
+    };
+    let damaged = pagoda(&format!("{measured}{lost}"));
+    for words in ["score five.toml", "score five.toml --given 2026-04-02"] {
+        let (status, words) = said(damaged.clone(), words);
+        assert_eq!(status, 2, "{words}");
+        assert!(words.contains("one damage found by inspection"), "{words}");
+    }
+    let crushed = pagoda("").replace(
+        "shear_stiffness = 4e8",
+        "shear_stiffness = 4e8, strength = \"1 MPa\"",
+    );
+    let (status, words) = said(crushed, "score five.toml");
+    assert!(
+        status == 2 && words.contains("crush at 1.000 MPa"),
+        "{status} {words}"
+    );
+    // forced: the joints are those of the undamaged pagoda with this frequency, so that damage makes nothing safer
+    let forced = |text: String| -> Value {
+        let (_, words) = said(
+            text,
+            "score five.toml --given 2026-04-02 --extrapolate --json --quiet",
+        );
+        serde_json::from_str(&words).unwrap()
+    };
+    let [sound, damaged] = [pagoda(measured), damaged].map(|text| forced(text)["given"].clone());
+    assert_eq!(sound["stiffness_ratio"], damaged["stiffness_ratio"]);
+}

@@ -14,6 +14,26 @@ use crate::survey::{DamageKind, Survey, date_of};
 use crate::wrong::WrongDamage;
 use std::collections::BTreeMap;
 
+/// The damage of inspections in a model, and the models of the days before.
+#[derive(Default)]
+pub(crate) struct Damaged {
+    /// The damage in the model.
+    pub(crate) damage: Vec<ModelDamage>,
+    /// The model before each inspection that changed it, by date.
+    pub(crate) earlier: Vec<EarlierModel>,
+}
+
+/// A model with the damage that was known before a day.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EarlierModel {
+    /// The day from which later damage counts: year, month, day.
+    pub until: [u32; 3],
+    /// The structure.
+    pub structure: Structure,
+    /// The damage in it.
+    pub damage: Vec<ModelDamage>,
+}
+
 /// Applies the effects of damage to the model, from the inspections up to the one that `as_inspected` chooses. Returns the damage in the
 /// model.
 ///
@@ -25,48 +45,86 @@ pub(crate) fn damaged(
     chosen: Option<&At<String>>,
     surveys: &[Survey],
     structure: Option<&mut Structure>,
-) -> Vec<ModelDamage> {
+) -> Damaged {
     let Some(last) = chosen_day(reader, chosen, surveys) else {
-        return Vec::new();
+        return Damaged::default();
     };
-    let mut dated: Vec<(_, &Survey)> = surveys
+    let mut dated: Vec<([u32; 3], &Survey)> = surveys
         .iter()
         .filter_map(|survey| Some((date_of(&survey.name)?, survey)))
         .filter(|(day, _)| last.is_none_or(|last| *day <= last))
         .collect();
     dated.sort_by_key(|(day, _)| *day);
     undated(reader, surveys);
-    let mut now: BTreeMap<(&str, &DamageKind, Option<&str>), ModelDamage> = BTreeMap::new();
-    for (_, survey) in dated {
-        for (number, item) in (1..).zip(&survey.inspections) {
-            let Some(effect) = item.model else { continue };
-            let of = ModelDamage {
-                survey: survey.name.clone(),
-                part: item.part.clone(),
-                what: item.what.clone(),
-                name: item.name.clone(),
-                effect,
-                path: format!("survey.{}.inspections[{number}].model", survey.name),
-            };
-            let key = (item.part.as_str(), &item.what, item.name.as_deref());
-            if let Some(earlier) = now.get(&key)
-                && (earlier.survey == of.survey || !effect.may_follow(earlier.effect))
-            {
-                let why = WrongDamage::Twice(earlier.survey.clone());
-                refused(reader, &of, why, WrongDamage::NameEach);
-            }
-            now.insert(key, of);
+    let mut now: Known<'_> = BTreeMap::new();
+    let mut before: Vec<([u32; 3], Vec<ModelDamage>)> = Vec::new();
+    for (day, survey) in dated {
+        let known = standing(&now);
+        find(reader, survey, &mut now);
+        if known != standing(&now) {
+            before.push((day, known));
         }
     }
-    let mut all: Vec<ModelDamage> = now.into_values().collect();
-    all.retain(|of| of.effect != InModel::Mended);
-    let Some(structure) = structure else {
-        return all;
-    };
-    let names = structure.part_names();
-    // last of all: removing a stone changes the places of later stones
+    let damage = standing(&now);
+    let mut earlier = Vec::new();
+    if let Some(structure) = structure {
+        let given = structure.clone();
+        let faults = reader.faults.len();
+        apply(reader, &damage, structure);
+        // what is refused here is refused once
+        if reader.faults.len() == faults {
+            earlier.extend(before.into_iter().map(|(until, damage)| {
+                let mut structure = given.clone();
+                apply(reader, &damage, &mut structure);
+                EarlierModel {
+                    until,
+                    structure,
+                    damage,
+                }
+            }));
+        }
+    }
+    Damaged { damage, earlier }
+}
+
+/// Damage by part, kind and name.
+type Known<'s> = BTreeMap<(&'s str, &'s DamageKind, Option<&'s str>), ModelDamage>;
+
+/// The damage that is not mended; a missing stone last, because its removal changes the places of later stones.
+fn standing(known: &Known<'_>) -> Vec<ModelDamage> {
+    let each = known.values().filter(|of| of.effect != InModel::Mended);
+    let mut all: Vec<ModelDamage> = each.cloned().collect();
     all.sort_by_key(|of| of.effect == InModel::Lost);
-    for of in &all {
+    all
+}
+
+/// Adds what the inspections of a survey found.
+fn find<'s>(reader: &mut Reader, survey: &'s Survey, now: &mut Known<'s>) {
+    for (number, item) in (1..).zip(&survey.inspections) {
+        let Some(effect) = item.model else { continue };
+        let of = ModelDamage {
+            survey: survey.name.clone(),
+            part: item.part.clone(),
+            what: item.what.clone(),
+            name: item.name.clone(),
+            effect,
+            path: format!("survey.{}.inspections[{number}].model", survey.name),
+        };
+        let key = (item.part.as_str(), &item.what, item.name.as_deref());
+        if let Some(earlier) = now.get(&key)
+            && (earlier.survey == of.survey || !effect.may_follow(earlier.effect))
+        {
+            let why = WrongDamage::Twice(earlier.survey.clone());
+            refused(reader, &of, why, WrongDamage::NameEach);
+        }
+        now.insert(key, of);
+    }
+}
+
+/// Puts damage into a structure.
+fn apply(reader: &mut Reader, damage: &[ModelDamage], structure: &mut Structure) {
+    let names = structure.part_names();
+    for of in damage {
         let Some(part) = names.iter().position(|name| *name == of.part) else {
             let help = WrongDamage::LeaveModelOut;
             refused(reader, of, WrongDamage::NoModel, help);
@@ -82,7 +140,6 @@ pub(crate) fn damaged(
             Structure::Survey => refused(reader, of, WrongDamage::NoModel, WrongDamage::LeaveModelOut),
         }
     }
-    all
 }
 
 /// The day up to which inspections count, `Some(None)` for all; `None` for no inspection.

@@ -25,6 +25,10 @@ messages! {
             en: "The lowest measured frequencies agree with this model: {each}.",
             ko: "최저 실측 고유진동수가 해석 모델과 일치한다: {each}.",
         },
+        BeforeDamage(surveys: String) => {
+            en: "Made before damage in the model was found: {surveys}. It is held against the model without that damage, and says nothing of the stiffness that is left.",
+            ko: "모델에 반영한 손상이 발견되기 전의 조사: {surveys}. 그 손상이 없는 모델과 비교하며, 남은 강성에 대해서는 알려 주지 않는다.",
+        },
         WithDampers { each: Vec<Sentence> } => {
             en: "Measured frequencies are held against those of the whole, with its dampers: {each}.",
             ko: "실측 고유진동수는 감쇠기를 포함한 전체의 값과 비교한다: {each}.",
@@ -62,7 +66,8 @@ fn held_against(project: &Project, state: &State) -> Vec<Finding> {
     if compared.is_empty() {
         return Vec::new();
     }
-    match &state.check {
+    let mut all: Vec<Finding> = before_damage(project, &compared).into_iter().collect();
+    all.extend(match &state.check {
         Check::Building(answer) if answer.stands.as_ref().is_some_and(|of| !of.dampers.is_empty()) => {
             let each = compared.iter().filter_map(|of| {
                 let (without, _) = first_sway(answer, &of.direction)?;
@@ -81,7 +86,17 @@ fn held_against(project: &Project, state: &State) -> Vec<Finding> {
             each.map(|said| Finding::key(Tone::Warn, said)).collect()
         }
         Check::Building(_) | Check::Chain(_) | Check::Frame(_) => Vec::new(),
-    }
+    });
+    all
+}
+
+/// The surveys compared that were made before damage in the model was found.
+fn before_damage(project: &Project, compared: &[MeasuredFrequency]) -> Option<Finding> {
+    let mut names: Vec<&str> = compared.iter().map(|of| of.survey.as_str()).collect();
+    names.retain(|name| project.is_before_damage(name));
+    names.dedup();
+    let surveys = names.join(", ");
+    (!names.is_empty()).then(|| Finding::key(Tone::Warn, Agreement::BeforeDamage(surveys)))
 }
 
 /// Difference in standard deviations, if it is reported.

@@ -1,5 +1,6 @@
 //! Evidence: does the model represent the structure? Frequencies of a survey compared with those of the model.
 
+use super::as_of::AsOf;
 use super::colour::Colour;
 use super::in_doubt::{FromRecords, InDoubt, MissedMode};
 use super::measured_frequency::{MeasuredFrequency, RecordFrequency, measured_sd};
@@ -57,7 +58,7 @@ impl Evidence {
     ///
     /// Surveys whose names begin with a date are later than those without; among equal dates the last in the file is the latest. A survey
     /// from which stiffness was identified does not confirm the model if it agrees, but contradicts it like any other survey if it does
-    /// not.
+    /// not. A survey is held against the model without the damage that was found after it.
     pub fn of(project: &Project, check: &Check) -> Evidence {
         Evidence::with_records(project, check, &FromRecords::default())
     }
@@ -94,13 +95,14 @@ impl Evidence {
             surveys.any(|survey| survey.name == name && survey.is_made_up)
         };
         let found = found.iter().filter(|of| !is_made_up(&of.survey));
+        let as_of = AsOf::new(project, check);
         measured.extend(found.clone().filter_map(|of| {
             Some(MeasuredFrequency {
                 survey: of.survey.clone(),
                 direction: of.direction.to_owned(),
                 measured_hz: of.frequency_hz,
                 sd_hz: Some(of.sd_hz).filter(|sd_hz| *sd_hz > 0.0),
-                computed_hz: first_frequency(check, of.direction)?,
+                computed_hz: first_frequency(as_of.of(&of.survey)?.1, of.direction)?,
             })
         }));
         if measured.is_empty() {
@@ -316,8 +318,10 @@ fn frequencies(
         let torsion = ("torsion", of_kind(modes, ModeKind::Torsion));
         [translation, torsion].map(move |of| (survey, of))
     });
+    let as_of = AsOf::new(project, check);
     let compared = compared.filter_map(|(survey, (direction, modes))| {
         let mode = modes.first()?;
+        let (project, check) = as_of.of(&survey.name)?;
         Some(MeasuredFrequency {
             survey: survey.name.clone(),
             direction: direction.to_owned(),

@@ -1,5 +1,6 @@
 //! One judgement: the fixed words and colours of every verdict, and the exit status, in one place.
 
+mod as_of;
 mod basis;
 mod colour;
 mod earthquake;

@@ -1,5 +1,6 @@
 //! Compares the measured modes of a chain or frame along a direction with those of the model.
 
+use super::as_of::AsOf;
 use super::in_doubt::{MissedMode, PairedMode};
 use super::measured_frequency::{MeasuredFrequency, measured_sd};
 use super::mode_pairs::{Measured, pair};
@@ -15,7 +16,11 @@ pub(super) fn higher_modes(
     latest: &[MeasuredFrequency],
 ) -> (Vec<PairedMode>, Vec<MissedMode>) {
     let (mut paired, mut missed) = (Vec::new(), Vec::new());
+    let as_of = AsOf::new(project, check);
     for lowest in latest {
+        let Some((project, check)) = as_of.of(&lowest.survey) else {
+            continue;
+        };
         let survey = project.surveys.iter().find(|survey| survey.name == lowest.survey);
         let modes = survey.and_then(|survey| survey.modes.get(&lowest.direction));
         let measured = modes.into_iter().flatten();

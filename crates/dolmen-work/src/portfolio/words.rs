@@ -128,6 +128,11 @@ pub fn unlike_words(unlike: &Unlike, language: Language) -> String {
         Unlike::SideSupports => "측면 지지가 있음(학습 조건: 없음)".to_owned(),
         Unlike::Loads => "정하중이 작용함(학습 조건: 없음)".to_owned(),
         Unlike::SupportsMove => "지점이 이동함(학습 조건: 지점 고정)".to_owned(),
+        Unlike::Crushes { strength_pa } => format!(
+            "모서리가 {:.3} MPa에서 압괴됨(학습 조건: 압괴 없음)",
+            strength_pa / 1e6
+        ),
+        Unlike::Damage { count } => format!("점검에서 손상 {count}건 발견(학습 조건: 손상 없음)"),
         Unlike::Leans { slope } => format!("기울기 1/{:.0}(학습 조건: 연직)", 1.0 / slope),
         Unlike::Frequency {
             measured_hz,

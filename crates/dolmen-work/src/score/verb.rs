@@ -35,6 +35,8 @@ pub(super) fn unlike_but_frequency(project: &Project) -> Result<Vec<Unlike>, Wor
         return Ok(Vec::new());
     };
     let mut unlike = unlike_trained(&part.build(&mut Quantity::nominal)?);
+    let count = project.damage.len();
+    unlike.extend((count > 0).then_some(Unlike::Damage { count }));
     if let Some(lean) = &part.lean {
         let slope = lean.slope[0].hypot(lean.slope[1]);
         unlike.extend((slope >= LEANS).then_some(Unlike::Leans { slope }));

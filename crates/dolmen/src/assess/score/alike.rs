@@ -28,6 +28,16 @@ pub enum Unlike {
     Loads,
     /// The supports of the stack move.
     SupportsMove,
+    /// Edges of joints crush.
+    Crushes {
+        /// The least compressive strength of a joint, Pa.
+        strength_pa: f64,
+    },
+    /// Inspections found damage that changes the model.
+    Damage {
+        /// Number of damages.
+        count: usize,
+    },
     /// It leans, by a survey.
     Leans {
         /// Horizontal / vertical, both directions combined.
@@ -85,6 +95,18 @@ impl fmt::Display for Unlike {
             Unlike::SideSupports => f.write_str("it has side supports, trained without"),
             Unlike::Loads => f.write_str("static loads act on it, trained without"),
             Unlike::SupportsMove => f.write_str("its supports move, trained on supports at rest"),
+            Unlike::Crushes { strength_pa } => write!(
+                f,
+                "its edges crush at {:.3} MPa, trained without crushing",
+                strength_pa / 1e6
+            ),
+            Unlike::Damage { count: 1 } => {
+                f.write_str("it has one damage found by inspection, trained undamaged")
+            }
+            Unlike::Damage { count } => write!(
+                f,
+                "it has {count} damages found by inspections, trained undamaged"
+            ),
             Unlike::Leans { slope } => write!(f, "it leans by 1/{:.0}, trained upright", 1.0 / slope),
             Unlike::Frequency {
                 measured_hz,
@@ -98,7 +120,7 @@ impl fmt::Display for Unlike {
 }
 
 /// All differences between a stack and the training pagodas, apart from the six factors: friction, stiffness, damping and density by more than 5 %,
-/// bonds, ties, side supports, static loads and moving supports; empty if there are none. Call this before [`super::ScoreModel::score`], which uses
+/// bonds, ties, side supports, static loads, moving supports and edges that crush; empty if there are none. Call this before [`super::ScoreModel::score`], which uses
 /// only the factors.
 pub fn unlike_trained(stack: &Stack) -> Vec<Unlike> {
     let mut unlike: Vec<Unlike> = Vec::new();
@@ -162,6 +184,15 @@ pub fn unlike_trained(stack: &Stack) -> Vec<Unlike> {
             unlike.push(found);
         }
     }
+    let strengths = stack
+        .joints()
+        .iter()
+        .filter_map(|joint| joint.material.compressive_strength_pa);
+    unlike.extend(
+        strengths
+            .reduce(f64::min)
+            .map(|strength_pa| Unlike::Crushes { strength_pa }),
+    );
     unlike
 }
 
@@ -200,6 +231,11 @@ mod tests {
             "kinetic friction is 0.5, trained 0.6",
         ];
         assert_eq!(words, wanted);
+        let crushed = JointMaterial {
+            compressive_strength_pa: Some(1e6),
+            ..usual
+        };
+        assert_eq!(of(crushed, 2600.0), [Unlike::Crushes { strength_pa: 1e6 }]);
         let bonded = JointMaterial {
             cohesion_pa: 1e4,
             normal_stiffness_pa_m: 2e9,
