@@ -6,13 +6,14 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
+use crate::simulate::settled;
 use crate::typed::Typed;
 use crate::wrong::{CommandError, Noted};
 use anyhow::Result;
 use dolmen_report::check_text;
 use dolmen_report::json::check_json;
 use dolmen_work::judgement::{Verb, judge_check};
-use dolmen_work::{CheckOptions, FlagVerb, Sampling, check, unreadable_motions};
+use dolmen_work::{CheckOptions, FlagVerb, Sampling, check, is_loose, unreadable_motions};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     if let Some(name) = options.variant.clone() {
@@ -20,6 +21,9 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     }
     let found = manner.open(&options.project)?;
     typed.refuse_foreign(FlagVerb::Check, &[&found.opened.project])?;
+    if is_loose(&found.opened.project) {
+        return settled(&found, manner);
+    }
     let found = found.with_stiffness_of_surveys(&Terminal::new(manner.quiet))?;
     let how = CheckOptions {
         sampling: options.samples.map(|samples| Sampling {

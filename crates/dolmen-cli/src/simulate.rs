@@ -15,13 +15,13 @@ use dolmen_folder::{Found, Outputs};
 use dolmen_project::Structure;
 use dolmen_report::files::{simulate_answer_value, simulation_files};
 use dolmen_report::text::{
-    TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text,
+    TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text, settled_text,
     simulation_inputs_text, simulation_text, supports_text, wind_simulation_text,
 };
 use dolmen_report::{after_first_text, simulation_headline_text, solution_headlines_text};
 use dolmen_work::judgement::{Judgement, Verb, first_status, judge_simulation};
 use dolmen_work::simulation::{SimulateAnswer, Simulation};
-use dolmen_work::{FlagVerb, SimulateOptions, WorkError, other_solutions, prepare};
+use dolmen_work::{FlagVerb, SimulateOptions, WorkError, other_solutions, prepare, settle};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     let found = manner.open(&options.project)?;
@@ -32,7 +32,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     let prepared = prepare(&found.opened, &how, &found.files)?;
     // pushed, or on moving supports: without a motion there is nothing to scale
     let motion = &how.motion;
-    let is_moved = how.push.is_some() || prepared.moves_supports();
+    let is_moved = how.push.is_some() || prepared.moves_supports() || prepared.settles();
     if is_moved && prepared.motion().is_none() && (motion.is_changed() || motion.of_files().is_some()) {
         return Err(CommandError::NoMotionToChange.into());
     }
@@ -82,7 +82,9 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         if !manner.quiet {
             let folder = folder.display().to_string();
             let written = match answer.simulations.first() {
-                Some(Simulation::Stack(_) | Simulation::Supports(_)) => Noted::HistoriesAndFilm(folder),
+                Some(Simulation::Stack(_) | Simulation::Supports(_) | Simulation::Settled(_)) => {
+                    Noted::HistoriesAndFilm(folder)
+                }
                 _ => Noted::Histories(folder),
             };
             note!("{}", written.text(manner));
@@ -91,6 +93,23 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     let all = [&answer].into_iter().chain(&solutions.others);
     let statuses = all.map(|answer| judge_simulation(answer).exit_status(Verb::Simulate));
     Ok(Outcome::Judged(first_status(statuses)))
+}
+
+/// The check of loose stones: where they come to rest under their own weight.
+pub(crate) fn settled(found: &Found, manner: &Manner) -> Result<Outcome> {
+    let answer = settle(&found.opened, &Terminal::new(manner.quiet))?;
+    let judged = judge_simulation(&answer);
+    if manner.json {
+        say_json(&simulate_answer_value(&answer))?;
+    } else {
+        let (project, file, style) = (&found.opened.project, &found.opened.file, manner.style());
+        say(&simulation_inputs_text(project, file, None, &[], style))?;
+        say(&simulation_headline_text(&judged, style))?;
+        for simulation in &answer.simulations {
+            say(&text_of(simulation, style))?;
+        }
+    }
+    Ok(Outcome::Judged(judged.exit_status(Verb::Check)))
 }
 
 /// The other solutions of a stiffness that surveys do not determine, under the same motion.
@@ -176,6 +195,7 @@ fn text_of(simulation: &Simulation, style: TextStyle) -> String {
         Simulation::Frame(run) => frame_simulation_text(run, style),
         Simulation::Stack(run) => simulation_text(run, style),
         Simulation::Supports(run) => supports_text(run, style),
+        Simulation::Settled(run) => settled_text(run, style),
         Simulation::Building(run) => building_simulation_text(run, style),
         Simulation::Wind(run) => wind_simulation_text(run, style),
     }

@@ -18,7 +18,11 @@ pub(super) fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) 
         Some(Structure::Chain(chain)) => (chain.build(&mut Quantity::nominal).map(|_| ()), "links"),
         Some(Structure::Frame(frame)) => (frame.build(&mut Quantity::nominal).map(|_| ()), "storeys"),
         Some(Structure::Stack(stack)) => {
-            if let Err(why) = stack.build(&mut Quantity::nominal) {
+            let built = match stack.is_loose {
+                true => stack.build_loose(&mut Quantity::nominal),
+                false => stack.build(&mut Quantity::nominal),
+            };
+            if let Err(why) = built {
                 let path = why.path();
                 let fault = Fault::new(reader.place(path), path, Both::from(why.sentence()));
                 reader.fault(match stack.tilt_that_overlaps(&why) {

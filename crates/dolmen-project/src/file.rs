@@ -89,6 +89,9 @@ pub(super) struct FileRaw {
     pub(super) tower: Option<At<TowerRaw>>,
     /// kind = "stack": two posts and a lintel, instead of blocks.
     pub(super) trilithon: Option<At<TrilithonRaw>>,
+    /// kind = "stack": whether the blocks are rubble that nobody placed on beds: `dolmen check` and `dolmen simulate` let them settle under their
+    /// own weight first; false if not given. Contact is between their convex hulls.
+    pub(super) loose: Option<At<bool>>,
     /// kind = "stack": density of the blocks that have none of their own.
     pub(super) density: Option<At<QuantityRaw>>,
     /// kind = "stack": what acts in every joint that does not say it itself.

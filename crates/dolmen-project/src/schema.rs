@@ -137,6 +137,7 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "wall",
             "tower",
             "trilithon",
+            "loose",
             "density",
             "joint",
             "contacts",

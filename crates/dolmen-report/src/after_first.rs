@@ -263,7 +263,10 @@ impl StateLeft {
                     slipped_m: most(&|i| history.slipped_way_m(i)),
                 }
             }
-            Simulation::Supports(_) | Simulation::Building(_) | Simulation::Wind(_) => StateLeft::Other,
+            Simulation::Supports(_)
+            | Simulation::Settled(_)
+            | Simulation::Building(_)
+            | Simulation::Wind(_) => StateLeft::Other,
         }
     }
 

@@ -4,9 +4,9 @@
 //! position of the centroid and the rotation of the block relative to the ground, so that the ground is at rest.
 
 use crate::gltf::{ARRAY_BUFFER, Buffer, dull, upright};
-use dolmen::blocks::StackHistory;
+use dolmen::blocks::{LooseStones, StackHistory};
 use dolmen::structure::stack::{Block, Solid, Stack};
-use dolmen_work::stack::{StackSimulation, SupportsRun, SupportsSimulation};
+use dolmen_work::stack::{SettledRun, SettledSimulation, StackSimulation, SupportsRun, SupportsSimulation};
 use serde_json::{Value, json};
 
 /// Time between keyframes, s: 50 per second; viewers interpolate linearly. Our choice.
@@ -14,6 +14,8 @@ pub const FILM_STEP_S: f64 = 0.02;
 
 /// Name of the scene of supports that move.
 const SUPPORTS: &str = "supports move";
+/// Name of the scene of loose stones that settle.
+const SETTLES: &str = "stones settle";
 
 /// Alternating colours of stones, linear light: similar, so that they separate stones without having a meaning.
 const STONES: [[f64; 4]; 3] = [
@@ -108,6 +110,20 @@ pub fn stack_film(simulation: &StackSimulation) -> Vec<u8> {
 pub(crate) fn supports_film(of: &SupportsSimulation, run: &SupportsRun) -> Vec<u8> {
     let scene = [of.name.english(), SUPPORTS];
     film_of(scene, &of.stack, &run.moved.history)
+}
+
+/// The animations of loose stones by one law: how they settle, and what the motion does to them.
+pub(crate) fn settled_films(of: &SettledSimulation, run: &SettledRun) -> Vec<(&'static str, Vec<u8>)> {
+    let film = |stones: &LooseStones, start: &Stack, scene: &str| {
+        film_of([of.name.english(), scene], start, &stones.history)
+    };
+    let settles = ("settles.glb", film(&run.settled, &of.drawn, SETTLES));
+    let shaken = run.shaken.as_ref().zip(of.motion.as_ref());
+    let film_of_motion = shaken.map(|(shaken, motion)| {
+        let start = &run.settled.stack;
+        ("film.glb", film(shaken, start, motion.motion.name()))
+    });
+    std::iter::once(settles).chain(film_of_motion).collect()
 }
 
 fn film_of([name, scene]: [&str; 2], stack: &Stack, history: &StackHistory) -> Vec<u8> {

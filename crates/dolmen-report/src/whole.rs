@@ -36,6 +36,9 @@ pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     for run in answer.moved_supports() {
         all.extend(stack_simulation::supports_findings(run));
     }
+    for run in answer.settled_stones() {
+        all.extend(stack_simulation::settled_findings(run));
+    }
     all.extend(frame_simulation::findings(&answer.frame_simulations()));
     all.extend(chain::simulation_findings(&answer.chain_simulations()));
     all.extend(tune::findings(&answer.tunings(), &answer.together()));
@@ -82,6 +85,9 @@ pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
     whole.append(stack_simulation::sections(answer));
     for run in answer.moved_supports() {
         whole.append(stack_simulation::supports_sections(run));
+    }
+    for run in answer.settled_stones() {
+        whole.append(stack_simulation::settled_sections(run));
     }
     whole.append(frame_simulation::sections(&answer.frame_simulations()));
     whole.append(chain::simulation_sections(&answer.chain_simulations()));

@@ -11,7 +11,7 @@ use crate::photos::Photos;
 use crate::portfolio::PortfolioAnswer;
 use crate::score::ScoreAnswer;
 use crate::simulation::{SimulateAnswer, Simulation};
-use crate::stack::{StackRuns, StackSimulation, SupportsSimulation};
+use crate::stack::{SettledSimulation, StackRuns, StackSimulation, SupportsSimulation};
 use crate::state::{SensitivityOf, State, VariantAnswer};
 use crate::study::{LeftOutStudy, StudyAnswer};
 use crate::surveyed::{ModesOf, SurveyAnswer};
@@ -218,6 +218,14 @@ impl ProjectReport {
     pub fn moved_supports(&self) -> impl Iterator<Item = &SupportsSimulation> {
         self.simulations().filter_map(|run| match run {
             Simulation::Supports(run) => Some(&**run),
+            _ => None,
+        })
+    }
+
+    /// The runs of loose stones.
+    pub fn settled_stones(&self) -> impl Iterator<Item = &SettledSimulation> {
+        self.simulations().filter_map(|run| match run {
+            Simulation::Settled(run) => Some(&**run),
             _ => None,
         })
     }

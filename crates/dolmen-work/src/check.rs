@@ -330,9 +330,10 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
 
 /// Elasticity of a result to each of the structure's inputs, strongest first; empty if there is no such result.
 fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity>, WorkError> {
-    if kinds::sensitive(project, of, &mut Quantity::nominal)?.is_none() {
+    let Some(nominal) = kinds::sensitive(project, of, &mut Quantity::nominal)? else {
         return Ok(Vec::new());
-    }
+    };
+    let at_rest = kinds::at_rest(project, &mut Quantity::nominal)?;
     // moving a single corner separates it from the bed that it shares with the next stone
     let is_corner = |input: &&Quantity| input.path.contains(".points[");
     // and a stone higher than its neighbours lifts the load off them
@@ -347,6 +348,12 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
     let of_input = |input: &Quantity| -> Result<Sensitivity, WorkError> {
         let elasticity = elasticity(input.value, |changed| -> Result<f64, WorkError> {
             let mut pick = |q: &Quantity| if q.path == input.path { changed } else { q.value };
+            // the stiffness of joints, for example, does not change when a stack begins to move
+            if let Some(at_rest) = &at_rest
+                && matches!(kinds::at_rest(project, &mut pick), Ok(Some(changed)) if changed == *at_rest)
+            {
+                return Ok(nominal);
+            }
             // if the structure cannot be built with this changed number, there is no sensitivity
             Ok(kinds::sensitive(project, of, &mut pick)
                 .ok()

@@ -244,6 +244,8 @@ pub enum WorkError {
     PushOfOther,
     /// The sliding model has no supports that move.
     SlidingOfSupports,
+    /// The sliding model has no loose stones.
+    SlidingOfLoose,
     /// A chain is pushed too far.
     PushTooLarge {
         /// The push, rad.

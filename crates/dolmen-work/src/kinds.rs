@@ -20,6 +20,7 @@ use dolmen::blocks::ContactRule;
 use dolmen::dynamics::ChainRotations;
 use dolmen::modal::Modes;
 use dolmen::structure::building::{StoreyFall, storey_falls};
+use dolmen::structure::stack::Stack;
 use dolmen::structure::{MeasuredMode, ShapeDoubt, StiffnessNote, chain_shape_doubt, frame_shape_doubt};
 use dolmen_project::{Pick, Project, Quantity, Structure, Survey};
 
@@ -104,6 +105,14 @@ pub(crate) fn sensitive(
         }
         (SensitivityOf::FirstMotion, Structure::Stack(part)) => stack::check::first_motion_m_s2(part, pick),
         (SensitivityOf::EqualJoints | SensitivityOf::FirstMotion, _) => Ok(None),
+    }
+}
+
+/// The stack without what matters only in motion, with the value of each input that `pick` chooses; `None` for other kinds.
+pub(crate) fn at_rest(project: &Project, pick: Pick<'_>) -> Result<Option<Stack>, WorkError> {
+    match &project.structure {
+        Structure::Stack(part) => Ok(Some(part.build(pick)?.with_usual_springs())),
+        Structure::Survey | Structure::Chain(_) | Structure::Frame(_) | Structure::Building(_) => Ok(None),
     }
 }
 

@@ -102,7 +102,7 @@ pub use opened::Opened;
 pub use photos::Photos;
 pub use progress::{Progress, Silent, Stage};
 pub use report::{ReportOptions, report};
-pub use simulate::{PreparedSimulation, SimulateOptions, WindAsked, evidence_of, prepare};
+pub use simulate::{PreparedSimulation, SimulateOptions, WindAsked, evidence_of, is_loose, prepare, settle};
 pub use survey_dates::{date as survey_date, date_text, day_of_a_record};
 pub use tilt_left_out::TiltLeftOut;
 pub use told::{Sayable, complaint, did_not_converge, told, told_both, told_by, told_in};

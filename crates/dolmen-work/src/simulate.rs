@@ -129,7 +129,7 @@ pub fn prepare<'a>(
             return Err(WorkError::NoWindGiven);
         }
     }
-    let needs_none = is_chain || moves_supports(version.project);
+    let needs_none = is_chain || moves_supports(version.project) || settles(version.project);
     let stays_still = options.wind.is_some() || needs_none && !options.motion.is_given();
     let motion = match stays_still {
         true => None,
@@ -163,6 +163,25 @@ pub(crate) fn moves_supports(project: &Project) -> bool {
     !part.support_movement.is_empty() && project.motions.is_empty()
 }
 
+/// Whether the stones of a stack are loose, so that they settle first.
+pub fn is_loose(project: &Project) -> bool {
+    matches!(&project.structure, Structure::Stack(part) if part.is_loose)
+}
+
+/// Whether loose stones settle without a motion.
+fn settles(project: &Project) -> bool {
+    is_loose(project) && project.motions.is_empty()
+}
+
+/// The loose stones of a project at rest, by both laws and without a motion: their check.
+///
+/// # Errors
+/// [`WorkError`] if the stones are not loose, or a run is refused.
+pub fn settle(opened: &Opened, progress: &dyn Progress) -> Result<SimulateAnswer, WorkError> {
+    let options = SimulateOptions::default();
+    run_one(&Version::named(opened, None)?, None, &options, progress)
+}
+
 /// Evidence of a project's surveys for its model as it is.
 ///
 /// # Errors
@@ -177,7 +196,7 @@ pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evide
     let is_measured = surveys
         .iter()
         .any(|survey| !survey.modes.is_empty() || survey.records.is_some() || !survey.setups.is_empty());
-    if variant.is_some() || !is_measured {
+    if variant.is_some() || !is_measured || is_loose(project) {
         return Ok(Evidence::none());
     }
     let check = kinds::check(project, &mut Quantity::nominal)?;
@@ -248,6 +267,11 @@ impl PreparedSimulation<'_> {
     /// Whether the supports of a stack move instead.
     pub fn moves_supports(&self) -> bool {
         self.motion.is_none() && moves_supports(self.version.project)
+    }
+
+    /// Whether loose stones settle without a motion.
+    pub fn settles(&self) -> bool {
+        self.motion.is_none() && settles(self.version.project)
     }
 
     /// Runs the simulation; with two motions the first alone, then both as one with the time to rest between them.
@@ -389,6 +413,11 @@ fn run_one(
             let run = simulate_wind(version, part, &how)?;
             let run = run.ok_or(WorkError::BuildingFalls)?;
             answer.simulations.push(Simulation::Wind(Box::new(run)));
+        }
+        (Structure::Stack(part), motion) if part.is_loose => {
+            let how = stack_options(options);
+            let run = stack::settled::settle(version, part, motion, &how, progress)?;
+            answer.simulations.push(Simulation::Settled(Box::new(run)));
         }
         (Structure::Stack(part), None) => {
             let how = stack_options(options);

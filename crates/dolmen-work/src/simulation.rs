@@ -6,7 +6,7 @@ use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
 use crate::judgement::{Basis, Evidence, Weight};
 use crate::loads::Governing;
-use crate::stack::{StackRuns, SupportsSimulation};
+use crate::stack::{SettledSimulation, StackRuns, SupportsSimulation};
 use dolmen::stability::stack::Standing;
 use dolmen_project::ModelDamage;
 
@@ -21,6 +21,8 @@ pub enum Simulation {
     Stack(Box<StackRuns>),
     /// A stack whose supports move slowly.
     Supports(Box<SupportsSimulation>),
+    /// Loose stones that settle.
+    Settled(Box<SettledSimulation>),
     /// A building.
     Building(Box<BuildingSimulation>),
     /// A building in the wind of its file.
@@ -35,6 +37,7 @@ impl Simulation {
             Simulation::Frame(of) => of.variant.as_deref(),
             Simulation::Stack(of) => of.deciding.variant.as_deref(),
             Simulation::Supports(of) => of.variant.as_deref(),
+            Simulation::Settled(of) => of.variant.as_deref(),
             Simulation::Building(of) => of.variant.as_deref(),
             Simulation::Wind(of) => of.variant.as_deref(),
         }
@@ -47,6 +50,7 @@ impl Simulation {
             Simulation::Frame(of) => of.undamped.is_some(),
             Simulation::Stack(_)
             | Simulation::Supports(_)
+            | Simulation::Settled(_)
             | Simulation::Building(_)
             | Simulation::Wind(_) => false,
         }
@@ -59,7 +63,7 @@ impl Simulation {
             Simulation::Frame(of) => of.falls(),
             Simulation::Stack(of) => of.each().any(|run| run.falls()),
             Simulation::Building(of) => of.falls(),
-            Simulation::Supports(_) | Simulation::Wind(_) => false,
+            Simulation::Supports(_) | Simulation::Settled(_) | Simulation::Wind(_) => false,
         }
     }
 }

@@ -9,10 +9,10 @@
 mod bumpy_rubble;
 
 use bumpy_rubble::{loose, rubble};
-use dolmen::blocks::{ContactLaw, LooseEnding, Rigid, SettledStones, Springs, settle_loose};
+use dolmen::blocks::{ContactLaw, LooseEnding, LooseStones, Rigid, Springs, settle_loose};
 use dolmen::structure::stack::JointMaterial;
 
-fn said(found: &SettledStones) -> String {
+fn said(found: &LooseStones) -> String {
     let far = found.farthest();
     let stone = &found.stones[far];
     format!(
@@ -23,7 +23,7 @@ fn said(found: &SettledStones) -> String {
         1e3 * stone.moved_m,
         stone.turned_rad.to_degrees(),
         found.left().len(),
-        found.history.energy_made_ratio(),
+        found.energy_made_ratio(),
     )
 }
 

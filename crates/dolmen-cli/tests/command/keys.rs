@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 62] = [
+const COMMANDS: [&str; 63] = [
     "check examples/naju_flagpole/two_directions.toml",
     "check examples/naju_flagpole/side_posts.toml",
     "simulate examples/naju_flagpole/side_posts.toml --motion el-centro --duration 3",
@@ -41,6 +41,7 @@ const COMMANDS: [&str; 62] = [
     "watch examples/pagoda_with_a_logger",
     "watch examples/frame_after_an_earthquake",
     "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --keep-first 2",
+    "simulate examples/rubble",
     "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law rigid",
     "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law sliding",
     "simulate examples/arch/spreading.toml --law rigid --step 0.005",

@@ -59,6 +59,7 @@ mod listed_surveys;
 mod logs;
 mod long_functions;
 mod looked_safe;
+mod loose_stones;
 mod loose_tenons;
 mod made_up_surveys;
 mod measured_beside;

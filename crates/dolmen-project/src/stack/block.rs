@@ -5,7 +5,7 @@ use super::bed::bed;
 use super::body::{MayBeGround, body};
 use super::file::{BlockRaw, OnRaw, OpeningRaw};
 use super::part::{BlockPart, OpeningPart, ShapePart};
-use super::shape::shape;
+use super::shape::{MeshContact, shape};
 use crate::error::Fault;
 use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
@@ -21,11 +21,12 @@ pub(super) fn block(
     raw: &At<BlockRaw>,
     index: usize,
     names: &[String],
+    contact: MeshContact,
 ) -> Option<BlockPart> {
     let path = format!("blocks[{}]", index + 1);
     reader.mark(&path, &raw.span);
     let block = &raw.value;
-    let shape = shape(reader, raw, &path, &names[index]);
+    let shape = shape(reader, raw, &path, &names[index], contact);
     let density_path = format!("{path}.density");
     let density = reader.quantity(
         block.density.as_ref(),

@@ -7,16 +7,13 @@ use super::part::{
     StackPart,
 };
 use super::surveyed_lean::Turn;
-use super::vectors::{centroid, unit_normal};
+use super::top::Top;
 use crate::loads::LoadPart;
 use crate::quantity::{Pick, Quantity};
 use dolmen::structure::stack::{
     BED_GAP_M, Block, Body, Joint, JointMaterial, LostBed, Pagoda, PagodaFactors, PagodaSlenderness,
     Placement, SideSupport, Solid, Stack, StackError, StaticLoad, SupportMovement, Tie, pagoda, without_bed,
 };
-
-/// Least upward component of the normal of a top face, the cosine of 45°. Our choice; a steeper face is a side.
-const TOP_RISE_LEAST: f64 = 0.7;
 
 impl PointsFrame {
     /// A stone in its own coordinates, or unchanged.
@@ -132,7 +129,7 @@ impl OpeningPart {
 
 impl BedPart {
     /// The material around it with what it says itself.
-    fn over(&self, around: JointMaterial, pick: Pick<'_>) -> JointMaterial {
+    pub(super) fn over(&self, around: JointMaterial, pick: Pick<'_>) -> JointMaterial {
         let mut material = around;
         let mut set = |slot: &mut f64, quantity: &Option<Quantity>| {
             if let Some(quantity) = quantity {
@@ -162,42 +159,10 @@ impl BedPart {
         material
     }
 
-    fn says_something(&self) -> bool {
+    pub(super) fn says_something(&self) -> bool {
         let mut all = Vec::new();
         self.inputs(&mut all);
         !all.is_empty()
-    }
-}
-
-/// The top of a solid: the centroid of its highest top face, and that face's upward normal.
-struct Top {
-    centroid_m: [f64; 3],
-    normal: [f64; 3],
-}
-
-impl Top {
-    const GROUND: Top = Top {
-        centroid_m: [0.0; 3],
-        normal: [0.0, 0.0, 1.0],
-    };
-
-    fn of(solid: &Solid) -> Option<Top> {
-        let tops = solid.faces().iter().filter_map(|face| {
-            let corners: Vec<[f64; 3]> = face.iter().map(|&vertex| solid.vertices_m()[vertex]).collect();
-            let normal = unit_normal(&corners);
-            (normal[2] >= TOP_RISE_LEAST).then(|| Top {
-                centroid_m: centroid(&corners),
-                normal,
-            })
-        });
-        tops.max_by(|a, b| a.centroid_m[2].total_cmp(&b.centroid_m[2]))
-    }
-
-    /// Height of its plane above a point of the plan, m.
-    fn height_m(&self, plan: [f64; 2]) -> f64 {
-        let [nx, ny, nz] = self.normal;
-        let [x, y, z] = self.centroid_m;
-        z - (nx * (plan[0] - x) + ny * (plan[1] - y)) / nz
     }
 }
 
@@ -209,29 +174,10 @@ impl StackPart {
     /// # Errors
     /// None with the file's own values, which are checked on reading; [`StackFault`] if picked ones are impossible.
     pub fn build(&self, pick: Pick<'_>) -> Result<Stack, StackFault> {
-        let mut placed: Vec<Option<Block>> = vec![None; self.blocks.len()];
-        for i in self.lowest_first() {
-            let part = &self.blocks[i];
-            let shape = part.shape.solid(pick).and_then(|of| part.on_cornice(of, pick));
-            let mut solid = shape.map_err(|why| at_block(i, why))?;
-            for (k, opening) in part.openings.iter().enumerate() {
-                let path = format!("blocks[{}].openings[{}]", i + 1, k + 1);
-                let cut = opening
-                    .solid(pick)
-                    .and_then(|opening| solid.with_opening(&opening));
-                solid = cut.map_err(|why| StackFault::part(path, why))?;
-            }
-            let placement = part.placement(&placed, pick);
-            let density = part.density.as_ref().or(self.density.as_ref());
-            let density = density.map_or(f64::NAN, &mut *pick); // refused by the stack
-            let block = part.under_mast(solid, density, pick);
-            let block = block.map_err(|why| at_block(i, why))?;
-            placed[i] = Some(Block {
-                solid: block.solid.placed(&placement),
-                ..block
-            });
+        if self.is_loose {
+            return Err(StackFault::Loose);
         }
-        let mut blocks: Vec<Block> = placed.into_iter().flatten().collect();
+        let mut blocks = self.placed_blocks(pick)?;
         if let Some(factors) = &self.pagoda {
             let density = self.density.as_ref().map_or(f64::NAN, &mut *pick);
             let made = factors.made(density, pick);
@@ -272,6 +218,33 @@ impl StackPart {
             stack = below.map_err(|why| StackFault::part("soil".to_owned(), why))?;
         }
         self.with_pieces(stack, turn, pick)
+    }
+
+    /// The blocks of the file, each at its place.
+    pub(super) fn placed_blocks(&self, pick: Pick<'_>) -> Result<Vec<Block>, StackFault> {
+        let mut placed: Vec<Option<Block>> = vec![None; self.blocks.len()];
+        for i in self.lowest_first() {
+            let part = &self.blocks[i];
+            let shape = part.shape.solid(pick).and_then(|of| part.on_cornice(of, pick));
+            let mut solid = shape.map_err(|why| at_block(i, why))?;
+            for (k, opening) in part.openings.iter().enumerate() {
+                let path = format!("blocks[{}].openings[{}]", i + 1, k + 1);
+                let cut = opening
+                    .solid(pick)
+                    .and_then(|opening| solid.with_opening(&opening));
+                solid = cut.map_err(|why| StackFault::part(path, why))?;
+            }
+            let placement = part.placement(&placed, pick);
+            let density = part.density.as_ref().or(self.density.as_ref());
+            let density = density.map_or(f64::NAN, &mut *pick); // refused by the stack
+            let block = part.under_mast(solid, density, pick);
+            let block = block.map_err(|why| at_block(i, why))?;
+            placed[i] = Some(Block {
+                solid: block.solid.placed(&placement),
+                ..block
+            });
+        }
+        Ok(placed.into_iter().flatten().collect())
     }
 
     /// The blocks in an order in which each comes after those that it stands on; blocks that stand on each other in a
@@ -450,7 +423,7 @@ impl StackPart {
     }
 
     /// Where in the file the science's complaint belongs.
-    fn locate(&self, why: StackError) -> StackFault {
+    pub(super) fn locate(&self, why: StackError) -> StackFault {
         let index = |name: &str| self.blocks.iter().position(|block| block.name == name);
         let path = match &why {
             StackError::Overlap { first, second, .. } => {

@@ -25,6 +25,8 @@ pub enum StackFault {
         /// The allowed distance, m.
         allowed_m: f64,
     },
+    /// The stones are loose: until they have settled, there are no joints.
+    Loose,
     /// One joint is given twice.
     Twice {
         /// Path in the file: `contacts[2]`.
@@ -50,6 +52,7 @@ impl StackFault {
             StackFault::Part { path, .. }
             | StackFault::Apart { path, .. }
             | StackFault::Twice { path, .. } => path,
+            StackFault::Loose => "loose",
         }
     }
 }

@@ -10,6 +10,7 @@ mod doubts;
 mod fault;
 mod file;
 mod lean;
+mod loose;
 mod loosened;
 mod made;
 mod made_part;
@@ -22,6 +23,7 @@ mod slips;
 mod slips_beside;
 mod slips_held;
 mod surveyed_lean;
+mod top;
 mod vectors;
 
 pub use attached_part::{CornicePart, MastPart};

@@ -309,6 +309,8 @@ pub struct StackPart {
     pub pagoda: Option<PagodaPart>,
     /// Another generator of the blocks, if there is neither a list nor a pagoda.
     pub made: Option<MadePart>,
+    /// Whether the blocks are loose stones, which settle first and have no joints of their own.
+    pub is_loose: bool,
     /// Density of the blocks that have none of their own, kg/m³.
     pub density: Option<Quantity>,
     /// The properties of every joint without its own.

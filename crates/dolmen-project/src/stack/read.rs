@@ -5,6 +5,7 @@ use super::bed::bed;
 use super::block::block;
 use super::body::{MayBeGround, block_index, body, names};
 use super::file::{BlockRaw, ContactRaw, SideSupportRaw, SupportMovementRaw, TieRaw};
+use super::loose::refuse_of_loose;
 use super::made::{arch_part, wall_part};
 use super::made_part::MadePart;
 use super::made_towers::{tower_part, trilithon_part};
@@ -12,6 +13,7 @@ use super::pagoda::pagoda;
 use super::part::{
     BedPart, BlockPart, ContactPart, SideSupportPart, StackPart, SupportMovementPart, TiePart,
 };
+use super::shape::MeshContact;
 use crate::content::WarningKind;
 use crate::direction_vector::direction_vector;
 use crate::error::Fault;
@@ -101,8 +103,14 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         Some(names) => names,
         None => names(reader, list),
     };
-    let numbered = list.iter().enumerate();
-    let blocks: Vec<Option<BlockPart>> = numbered.map(|(i, raw)| block(reader, raw, i, &names)).collect();
+    let is_loose = raw.loose.as_ref().is_some_and(|given| given.value);
+    let meshes = match is_loose {
+        true => MeshContact::Hull,
+        false => MeshContact::Beds,
+    };
+    let blocks: Vec<Option<BlockPart>> = (list.iter().enumerate())
+        .map(|(i, raw)| block(reader, raw, i, &names, meshes))
+        .collect();
     if density.is_none() && !reader.is_reported("density") {
         without_density(reader, list);
         if list.is_empty() {
@@ -139,6 +147,7 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         blocks: blocks.into_iter().collect::<Option<_>>()?,
         pagoda: pagoda_part,
         made,
+        is_loose,
         density,
         joint: joint?,
         contacts: contacts?,
@@ -152,6 +161,9 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         lean: None,
         gravity_m_s2,
     };
+    if is_loose && !refuse_of_loose(reader, raw, &stack) {
+        return None;
+    }
     if let Some(block) = stack.ring() {
         reader.fault(stands_on_itself(&stack, block, list[block].span.clone()));
         return None;
@@ -334,10 +346,14 @@ fn support_movement(
 /// Warns of the values of joints for which Dolmen's defaults are used.
 fn warn_of_defaults(reader: &mut Reader, stack: &StackPart) {
     let joint = &stack.joint;
+    let (normal, shear) = match stack.is_loose {
+        true => ("normal_stiffness 1e11 Pa/m", "shear_stiffness 4e10 Pa/m"),
+        false => ("normal_stiffness 1e9 Pa/m", "shear_stiffness 4e8 Pa/m"),
+    };
     let each = [
         (&joint.friction, "friction 0.6"),
-        (&joint.normal_stiffness, "normal_stiffness 1e9 Pa/m"),
-        (&joint.shear_stiffness, "shear_stiffness 4e8 Pa/m"),
+        (&joint.normal_stiffness, normal),
+        (&joint.shear_stiffness, shear),
         (&joint.damping_ratio, "damping_ratio 0.3"),
     ];
     let taken: Vec<&str> = each

@@ -93,14 +93,29 @@ fn shape_word(shape: ShapeRaw) -> &'static str {
     }
 }
 
+/// The body of a mesh that carries its contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum MeshContact {
+    /// Its convex hull, or for a mesh with noise the planes of its beds.
+    Beds,
+    /// Its convex hull: for loose stones, which have no beds.
+    Hull,
+}
+
 /// The shape of a block; `name` is that of the block.
-pub(super) fn shape(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Option<ShapePart> {
+pub(super) fn shape(
+    reader: &mut Reader,
+    raw: &At<BlockRaw>,
+    path: &str,
+    name: &str,
+    contact: MeshContact,
+) -> Option<ShapePart> {
     let block = &raw.value;
     let shape = block.shape.as_ref().map_or(ShapeRaw::Box, |shape| shape.value);
     refuse_foreign(reader, block, path, shape);
     match shape {
         ShapeRaw::Points => return points(reader, raw, path),
-        ShapeRaw::Mesh => return mesh(reader, raw, path, name),
+        ShapeRaw::Mesh => return mesh(reader, raw, path, name, contact),
         ShapeRaw::Box | ShapeRaw::Frustum | ShapeRaw::Prism | ShapeRaw::Drum => {}
     }
     let needs = |reader: &mut Reader, key: ShapeKey| {
@@ -308,7 +323,13 @@ fn points(reader: &mut Reader, raw: &At<BlockRaw>, path: &str) -> Option<ShapePa
     Some(part)
 }
 
-fn mesh(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Option<ShapePart> {
+fn mesh(
+    reader: &mut Reader,
+    raw: &At<BlockRaw>,
+    path: &str,
+    name: &str,
+    contact: MeshContact,
+) -> Option<ShapePart> {
     let frame = frame(reader, &raw.value, path);
     let file_path = format!("{path}.file");
     let Some(file) = &raw.value.file else {
@@ -351,7 +372,11 @@ fn mesh(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Opti
             return None;
         }
     };
-    match Solid::mesh(&mesh.vertices, &mesh.triangles) {
+    let solid = match contact {
+        MeshContact::Beds => Solid::mesh(&mesh.vertices, &mesh.triangles),
+        MeshContact::Hull => Solid::loose_mesh(&mesh.vertices, &mesh.triangles),
+    };
+    match solid {
         Ok(solid) => Some(ShapePart::Mesh(Box::new(MeshPart {
             file: file.value.clone(),
             triangles: mesh.triangles.len(),

@@ -204,6 +204,14 @@ messages! {
             en: "write density = 2600 at the top level for all blocks (granite, kg/m3), or density = … in the block",
             ko: "모든 부재에 적용하려면 최상위에 density = 2600(화강암, kg/m3)을, 아니면 해당 부재에 density = …을 쓴다",
         },
+        OfLooseStones { path: String } => {
+            en: "{path} has no meaning with loose = true: loose stones have neither joints nor fixed places",
+            ko: "{path}은(는) loose = true와 함께 쓰지 않는다. 놓인 자리가 정해지지 않은 돌에는 접합면도 정해진 위치도 없다",
+        },
+        TakeOutOrNotLoose { path: String } => {
+            en: "take {path} out, or loose",
+            ko: "{path} 또는 loose를 삭제한다",
+        },
         HasNoMeaningIn { key_path: String, shape: Both } => {
             en: "{key_path} has no meaning in a {shape}",
             ko: "{key_path}은(는) {shape}에 쓰지 않는다",

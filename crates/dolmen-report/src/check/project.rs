@@ -39,6 +39,10 @@ messages! {
             en: "stack, blocks: {blocks}, {height} high, {mass}, joints: {joints} ({feet} on the ground), g {gravity}",
             ko: "적층 모델, 부재 {blocks}개, 높이 {height}, 질량 {mass}, 접합면 {joints}개(지반 위 {feet}개), g {gravity}",
         },
+        Loose { blocks: usize, height: Quantity, mass: Quantity, gravity: Quantity } => {
+            en: "loose stones, blocks: {blocks}, {height} high as drawn, {mass}, no joints, g {gravity}",
+            ko: "돌무더기 모델, 부재 {blocks}개, 입력 높이 {height}, 질량 {mass}, 접합면 없음, g {gravity}",
+        },
         StackFault(why: String) => { en: "stack that cannot be: {why}", ko: "성립할 수 없는 적층 모델: {why}" },
         Building { floors: usize, height: Quantity, mass: Quantity, p_delta: Sentence } => {
             en: "building, floors: {floors}, {height} high, {mass}, {p_delta}",
@@ -232,7 +236,17 @@ fn frame(part: &FramePart, gravity: f64) -> Size {
 }
 
 fn stack(part: &StackPart, gravity: f64) -> Size {
-    match part.build(&mut Input::nominal) {
+    let built = match part.is_loose {
+        true => part.build_loose(&mut Input::nominal),
+        false => part.build(&mut Input::nominal),
+    };
+    match built {
+        Ok(stack) if part.is_loose => Size::Loose {
+            blocks: stack.blocks().len(),
+            height: metres(stack.height_m()),
+            mass: tonnes(stack.mass_kg()),
+            gravity: acceleration(gravity),
+        },
         Ok(stack) => {
             let joints = stack.joints();
             Size::Stack {

@@ -5,10 +5,10 @@ use super::paraview::paraview;
 use crate::after_first::after_first_json;
 use crate::as_json;
 use crate::figures::{self, building_histories, chain_histories, frame_histories, wind_histories};
-use crate::film::{stack_film, supports_film};
+use crate::film::{settled_films, stack_film, supports_film};
 use crate::json::{
-    building_simulation_json, chain_simulation_json, frame_simulation_json, judgement, simulation_json,
-    stack_runs_json, supports_json, wind_simulation_json,
+    building_simulation_json, chain_simulation_json, frame_simulation_json, judgement, settled_json,
+    simulation_json, stack_runs_json, supports_json, wind_simulation_json,
 };
 use crate::tables::{
     building_histories_csv, building_peaks_csv, chain_energy_csv, chain_histories_csv, chain_slips_csv,
@@ -19,7 +19,7 @@ use dolmen_records::meshes::{PoseError, stack_3dec, stack_json, stack_obj};
 use dolmen_words::{Language, keeping_names};
 use dolmen_work::judgement::{judge_run, judge_simulation};
 use dolmen_work::simulation::{SimulateAnswer, Simulation};
-use dolmen_work::stack::{StackRuns, StackSimulation, SupportsSimulation};
+use dolmen_work::stack::{SettledSimulation, StackRuns, StackSimulation, SupportsSimulation};
 use serde_json::Value;
 
 /// The result of `dolmen simulate` as JSON: each direction of a frame, and one judgement of all.
@@ -47,6 +47,7 @@ pub(crate) fn simulation_value(simulation: &Simulation, of: &SimulateAnswer) -> 
         Simulation::Frame(run) => frame_simulation_json(run),
         Simulation::Stack(runs) => stack_runs_json(runs),
         Simulation::Supports(run) => supports_json(run),
+        Simulation::Settled(run) => settled_json(run),
         Simulation::Building(run) => building_simulation_json(run),
         Simulation::Wind(run) => wind_simulation_json(run),
     };
@@ -90,6 +91,10 @@ pub fn simulation_files(
             files.extend(supports(of, language));
             Vec::new()
         }
+        Simulation::Settled(of) => {
+            files.extend(settled(of));
+            Vec::new()
+        }
         Simulation::Building(run) => {
             put("histories.csv", building_histories_csv(run));
             put("peaks.csv", building_peaks_csv(run));
@@ -111,9 +116,11 @@ pub fn simulation_files(
             None => files,
             Some(axis) => files.into_iter().map(|file| file.within(axis.name())).collect(),
         },
-        Simulation::Stack(_) | Simulation::Supports(_) | Simulation::Building(_) | Simulation::Wind(_) => {
-            files
-        }
+        Simulation::Stack(_)
+        | Simulation::Supports(_)
+        | Simulation::Settled(_)
+        | Simulation::Building(_)
+        | Simulation::Wind(_) => files,
     })
 }
 
@@ -129,6 +136,18 @@ fn supports(of: &SupportsSimulation, language: Language) -> Vec<NamedFile> {
             NamedFile::new("film.glb", supports_film(of, run)),
         ];
         files.extend(own.map(|file| file.within(run.law.name())));
+    }
+    files
+}
+
+/// Loose stones: for each law, in a folder of its name, the stones at rest and the film of how they settle and move.
+fn settled(of: &SettledSimulation) -> Vec<NamedFile> {
+    let mut files = Vec::new();
+    for run in &of.runs {
+        files.push(NamedFile::new("stack.obj", stack_obj(&run.settled.stack)).within(run.law.name()));
+        for (name, film) in settled_films(of, run) {
+            files.push(NamedFile::new(name, film).within(run.law.name()));
+        }
     }
     files
 }

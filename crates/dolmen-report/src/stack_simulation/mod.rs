@@ -5,12 +5,15 @@ mod findings;
 mod laws;
 mod repeats;
 mod run;
+mod settled;
 mod sliding;
 mod supports;
 mod tables;
 
 pub(crate) use findings::findings;
 pub(crate) use run::points_a_side;
+pub use settled::settled_text;
+pub(crate) use settled::{findings as settled_findings, sections as settled_sections};
 pub use supports::supports_text;
 pub(crate) use supports::{findings as supports_findings, sections as supports_sections};
 
@@ -51,12 +54,13 @@ messages! {
 }
 
 /// Templates of the sentences on simulated stacks.
-pub(crate) const TEMPLATES: [&[Template]; 8] = [
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
     ending::Ending::TEMPLATES,
     laws::Laws::TEMPLATES,
     repeats::Repeated::TEMPLATES,
     Shown::TEMPLATES,
     sliding::Slid::TEMPLATES,
+    settled::Settled::TEMPLATES,
     supports::InTime::TEMPLATES,
     tables::Tables::TEMPLATES,
     run::Run::TEMPLATES,

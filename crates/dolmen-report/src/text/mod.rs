@@ -14,7 +14,7 @@ pub use crate::building_simulation::building_simulation_text;
 pub use crate::chain::chain_simulation_text;
 pub use crate::document::TextStyle;
 pub use crate::frame_simulation::frame_simulation_text;
-pub use crate::stack_simulation::{simulation_text, supports_text};
+pub use crate::stack_simulation::{settled_text, simulation_text, supports_text};
 pub use crate::tune::{together_text, tune_text};
 pub use crate::wind_simulation::wind_simulation_text;
 pub use change::change_text;

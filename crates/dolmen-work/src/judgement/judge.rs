@@ -149,6 +149,7 @@ impl Judgement {
                     Some(Weight::Unstable)
                 }
                 Simulation::Supports(run) => Some(Weight::of_supports(run, version.weight)),
+                Simulation::Settled(run) => Some(Weight::of_settled(run)),
                 // evidence against a model never improves its judgement
                 _ if version.weight.is_none() => {
                     let found = of.without_shaking.as_ref();

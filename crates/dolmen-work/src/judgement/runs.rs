@@ -6,9 +6,9 @@ use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
 use crate::part_limit::PartLimit;
 use crate::simulation::Simulation;
-use crate::stack::{Repeats, StackRuns, StackSimulation};
+use crate::stack::{Repeats, SettledSimulation, StackRuns, StackSimulation};
 use dolmen::assess::{DamageState, JointDamage};
-use dolmen::blocks::Outcome;
+use dolmen::blocks::{LooseEnding, Outcome};
 
 /// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +42,7 @@ pub(super) fn of_simulation(run: &Simulation) -> RunFindings {
         Simulation::Stack(runs) => of_stack_runs(runs),
         // moving supports are not an earthquake
         Simulation::Supports(run) => RunFindings::new(Vec::new(), run.is_whole()),
+        Simulation::Settled(run) => RunFindings::new(of_settled(run), run.is_whole()),
         Simulation::Frame(run) => RunFindings::new(of_frame(run), run.falls() || run.is_whole()),
         Simulation::Chain(run) => RunFindings::new(of_chain(run), run.falls() || run.is_whole()),
         Simulation::Building(run) => {
@@ -71,6 +72,23 @@ pub(super) fn of_stack_runs(runs: &StackRuns) -> RunFindings {
         found = of_before.map(EarthquakeFinding::before_supports_moved).collect();
     }
     RunFindings::new(found, is_done)
+}
+
+/// Loose stones under a motion: whether one left its place of rest. Without a motion there is no earthquake.
+fn of_settled(run: &SettledSimulation) -> Vec<EarthquakeFinding> {
+    let Some(motion) = &run.motion else {
+        return Vec::new();
+    };
+    let each = run.runs.iter().filter_map(|run| run.shaken.as_ref());
+    let endings: Vec<LooseEnding> = each.map(|shaken| shaken.ending).collect();
+    let falls = endings.contains(&LooseEnding::Fell);
+    let stays = !endings.is_empty() && endings.iter().all(|ending| *ending == LooseEnding::Stood);
+    let found = match (falls, stays) {
+        (true, _) => (Earthquake::BelowDemand, DecidedBy::Fall),
+        (false, true) => (Earthquake::Above, DecidedBy::DamageState(0)),
+        (false, false) => (Earthquake::NotDecided, DecidedBy::Unfinished),
+    };
+    under(motion.motion.name(), vec![found])
 }
 
 /// The worst damage of runs with small differences.

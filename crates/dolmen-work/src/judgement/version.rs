@@ -287,7 +287,7 @@ pub(super) fn leaning(run: &Simulation) -> Option<Leaning> {
         Simulation::Chain(run) => run.lean.as_ref().map(of_chain_lean),
         Simulation::Supports(run) => run.lean.as_ref().map(of_stack_lean),
         Simulation::Frame(run) => run.lean.as_ref().map(of_frame_lean),
-        Simulation::Building(_) | Simulation::Wind(_) => None,
+        Simulation::Settled(_) | Simulation::Building(_) | Simulation::Wind(_) => None,
     }
 }
 

@@ -2,8 +2,9 @@
 
 use super::colour::Colour;
 use super::said::{WeightSaid, text};
-use crate::stack::SupportsSimulation;
+use crate::stack::{SettledSimulation, SupportsSimulation};
 use crate::state::{Check, State};
+use dolmen::blocks::LooseEnding;
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::MovedSupports;
 use dolmen_words::Language;
@@ -84,6 +85,18 @@ impl Weight {
         each.rev()
             .max_by_key(|weight| weight.colour())
             .unwrap_or(Weight::Stable)
+    }
+
+    /// The word for loose stones as they settle, without a motion: stable if all rest in their places by every law, unstable if some leave them.
+    pub(super) fn of_settled(run: &SettledSimulation) -> Weight {
+        let all = |ending: LooseEnding| run.runs.iter().all(|run| run.settled.ending == ending);
+        let verdict = match run.runs.is_empty() || run.laws_differ() {
+            true => Verdict::Unknown,
+            false if all(LooseEnding::Stood) => Verdict::Stable,
+            false if all(LooseEnding::Fell) => Verdict::Unstable,
+            false => Verdict::Unknown,
+        };
+        Weight::of_verdict(verdict, None, false)
     }
 
     /// The word for a verdict that depends on stiffness. A contradicted model is not certain to stand; one that falls stays unstable, because

@@ -158,6 +158,10 @@ sentences! {
             en: "--law sliding follows blocks that slide on each other under a motion, and has no supports that move: leave it out, or take --law springs or rigid",
             ko: "--law sliding은 지반운동에서 서로 미끄러지는 부재를 해석하는 것으로 지점 변위를 다루지 못한다. 빼거나 --law springs 또는 rigid를 쓴다",
         },
+        SlidingOfLoose => {
+            en: "--law sliding follows blocks that slide on their beds, and loose stones have none: leave it out, or take --law springs or rigid",
+            ko: "--law sliding은 접합면에서 미끄러지는 부재를 해석하는 것인데 돌무더기에는 접합면이 없다. 빼거나 --law springs 또는 rigid를 쓴다",
+        },
         PushTooLarge { push_rad, most_rad } => {
             en: "--push is {push_rad} rad, but must be at most {most_rad} rad in size",
             ko: "--push가 {push_rad} rad인데 크기가 {most_rad} rad 이하이어야 한다",

@@ -68,7 +68,7 @@ pub use factors::{
 };
 pub use frequencies::{StackMode, first_sway, lowest_stack_modes, stack_modes, sway_amplification};
 pub use history::{Energy, JointHistory, Outcome, Pose, RigidEvidence, StackHistory};
-pub use loose_stones::{LooseEnding, LooseStone, SettledStones, settle_loose};
+pub use loose_stones::{LooseEnding, LooseStone, LooseStones, settle_loose, shake_loose};
 pub use moved_supports::{GaveWay, MovedInTime, SlowGround, SlowMovement, move_supports};
 pub use moving_ground::MovingGround;
 pub use rigid::{Rigid, simulate_rigid};

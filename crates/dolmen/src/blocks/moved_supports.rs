@@ -5,7 +5,7 @@ use super::error::BlocksError;
 use super::frequencies::lowest_stack_modes;
 use super::history::{Outcome, StackHistory};
 use super::moving_ground::MovingGround;
-use super::rigid::simulate_rigid_on;
+use super::rigid::{RigidRunUnder, simulate_rigid_under};
 use super::springs::simulate_springs_on;
 use crate::structure::stack::Stack;
 use glam::DVec3;
@@ -136,7 +136,13 @@ pub fn move_supports(
     let ground = &slow.ground;
     let history = match law {
         ContactLaw::Springs(springs) => simulate_springs_on(stack, ground, springs, progress)?,
-        ContactLaw::Rigid(rigid) => simulate_rigid_on(stack, None, Some(ground), rigid, progress)?,
+        ContactLaw::Rigid(rigid) => {
+            let under = RigidRunUnder {
+                moving: Some(ground),
+                ..RigidRunUnder::default()
+            };
+            simulate_rigid_under(stack, under, rigid, progress)?
+        }
     };
     Ok(MovedInTime {
         gave_way: gave_way(ground, &history),

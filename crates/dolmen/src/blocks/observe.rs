@@ -333,6 +333,11 @@ impl Observer {
         self.swings.die_down() || self.moving(assembly).is_none()
     }
 
+    /// Whether the run is open, and all stones are at rest.
+    pub(super) fn is_at_rest(&self, assembly: &Assembly) -> bool {
+        matches!(self.outcome, None | Some(Outcome::Uplifted { .. })) && self.moving(assembly).is_none()
+    }
+
     /// Whether the run ends before its time.
     pub(super) fn ended(&self, after_fall: AfterFall) -> bool {
         match self.outcome {

@@ -155,14 +155,31 @@ pub fn simulate_rigid(
     options: &Rigid,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Result<StackHistory, BlocksError> {
-    simulate_rigid_on(stack, motion, None, options, progress)
+    let under = RigidRunUnder {
+        motion,
+        ..RigidRunUnder::default()
+    };
+    simulate_rigid_under(stack, under, options, progress)
 }
 
-/// As [`simulate_rigid`], for a stack whose supports may move.
-pub(super) fn simulate_rigid_on(
+/// What acts on a stack during a run besides its weight.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct RigidRunUnder<'a> {
+    pub(super) motion: Option<&'a GroundMotion>,
+    /// Moving supports.
+    pub(super) moving: Option<&'a MovingGround>,
+    /// Rate at which every velocity decays until the stones are at rest, 1/s.
+    pub(super) drag_per_s: f64,
+}
+
+/// As [`simulate_rigid`], for a stack whose supports may move, or whose velocities decay.
+pub(super) fn simulate_rigid_under(
     stack: &Stack,
-    motion: Option<&GroundMotion>,
-    moving: Option<&MovingGround>,
+    RigidRunUnder {
+        motion,
+        moving,
+        drag_per_s,
+    }: RigidRunUnder<'_>,
     options: &Rigid,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Result<StackHistory, BlocksError> {
@@ -201,13 +218,18 @@ pub(super) fn simulate_rigid_on(
     }
     let mut run = Run::of(assembly, h);
     run.ground = own.unwrap_or_default();
+    run.drag_per_s = drag_per_s;
     let ground = |time_s: f64| match motion {
         Some(motion) => DVec3::from(motion.acceleration_at_m_s2(time_s)),
         None => DVec3::ZERO,
     };
     for step in 0.. {
         if length.is_over(step, &mut observer, &run.assembly) {
-            break;
+            if run.drag_per_s == 0.0 || !observer.is_at_rest(&run.assembly) {
+                break;
+            }
+            run.drag_per_s = 0.0; // the stones are released
+            length = length.again_from(step);
         }
         let time_s = step as f64 * h;
         let begun = run.begin(time_s, &ground);

@@ -105,6 +105,8 @@ pub(super) struct Run {
     pub(super) forces: Forces,
     pub(super) counted: StepEnergy,
     pub(super) ground: OwnGround,
+    /// Rate at which every velocity decays, 1/s.
+    pub(super) drag_per_s: f64,
 }
 
 impl Run {
@@ -132,6 +134,7 @@ impl Run {
             forces: Forces::default(),
             counted: StepEnergy::default(),
             ground: OwnGround::default(),
+            drag_per_s: 0.0,
             assembly,
         }
     }
@@ -310,13 +313,15 @@ impl Run {
         self.shaking = ground(time_s - self.lag_s + 0.5 * kick_s);
         self.pull = DVec3::new(0.0, 0.0, -self.assembly.gravity) - self.shaking;
         self.inertia.clear();
+        let kept = 1.0 / (1.0 + self.drag_per_s * kick_s); // drag at the velocities of the end of the kick
         for (index, body) in self.assembly.bodies.iter().enumerate() {
             self.inertia.push(Inertia {
                 mass: body.mass,
                 turning: body.inertia_after(ahead_s),
                 radius: body.radius,
             });
-            self.momentum[index] = six((body.velocity + self.pull * kick_s) * body.mass, body.momentum);
+            let free = (body.velocity + self.pull * kick_s) * body.mass;
+            self.momentum[index] = six(free * kept, body.momentum * kept);
             let guess = body.velocity + self.acceleration[index] * kick_s;
             self.velocity[index] = six(guess, body.spin);
         }
@@ -500,9 +505,8 @@ impl Run {
                 self.counted.friction -= point.impulse[0] * u[0] + point.impulse[1] * u[1];
                 let slips = point.slips && u[0].hypot(u[1]) > SLIPS_FROM_M_S;
                 group.friction[lane] = if slips { moving } else { still };
-                if point.gap >= 0.0 {
-                    group.held[lane] = 0.0;
-                }
+                // a held overlap shrinks as the point opens; all at once it would be pushed out
+                group.held[lane] = (group.held[lane] - point.gap.max(0.0)).max(0.0);
             }
         }
     }

@@ -75,6 +75,16 @@ impl RunLength {
         })
     }
 
+    /// The same length again, from a step on.
+    pub(super) fn again_from(self, step: usize) -> Self {
+        RunLength {
+            due: step + self.least,
+            least: step + self.least,
+            most: step + self.most,
+            ..self
+        }
+    }
+
     pub(super) fn due(&self) -> usize {
         self.due
     }

@@ -164,6 +164,20 @@ pub(super) fn simulate_springs_on(
     run_settled(&settled, stack, None, options, progress)
 }
 
+/// As [`simulate_springs`] without a motion, with every velocity decaying at a rate, 1/s, until the stones are at rest; then they are released.
+pub(super) fn simulate_springs_dragged(
+    stack: &Stack,
+    drag_per_s: f64,
+    options: &Springs,
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Result<StackHistory, BlocksError> {
+    let settled = SettledStack {
+        drag_per_s,
+        ..SettledStack::of(stack, options)?
+    };
+    run_settled(&settled, stack, None, options, progress)
+}
+
 fn run_settled(
     settled: &SettledStack,
     stack: &Stack,
@@ -176,6 +190,9 @@ fn run_settled(
         let mut run = Run::new(stack, settled, motion, options, attempt.h)?;
         let mut forces = Forces::default();
         while run.advance(&mut forces, progress) {}
+        if run.release() {
+            while run.advance(&mut forces, progress) {}
+        }
         match attempt.judge(run.finish(), options) {
             Ok(history) => return Ok(history),
             Err(again) => attempt = again,
@@ -193,6 +210,8 @@ pub(super) struct SettledStack {
     /// Moving ground, and the duration of its movement, s.
     ground: OwnGround,
     moves_for_s: f64,
+    /// Rate at which every velocity decays, 1/s.
+    drag_per_s: f64,
 }
 
 impl SettledStack {
@@ -236,6 +255,7 @@ impl SettledStack {
             longest,
             ground: OwnGround::default(),
             moves_for_s: 0.0,
+            drag_per_s: 0.0,
         })
     }
 }
@@ -287,6 +307,7 @@ pub(super) struct Run<'a> {
     pub(super) length: RunLength,
     acceleration: Vec<DVec3>,
     ground: OwnGround,
+    drag_per_s: f64,
 }
 
 impl<'a> Run<'a> {
@@ -320,6 +341,7 @@ impl<'a> Run<'a> {
             h,
             longest: settled.longest,
             ground: settled.ground.clone(),
+            drag_per_s: settled.drag_per_s,
             step: 0,
             length,
         })
@@ -392,8 +414,9 @@ impl<'a> Run<'a> {
             .take(stones.end)
             .skip(1)
         {
-            let (force, torque) = (forces.force[index], forces.torque[index]);
             let (velocity, spin) = (body.velocity, body.spin);
+            let force = forces.force[index] - velocity * (self.drag_per_s * body.mass);
+            let torque = forces.torque[index] - body.momentum * self.drag_per_s;
             body.step(force * body.inverse_mass + inertia, torque, kick, h);
             let (velocity, spin) = (velocity + body.velocity, spin + body.spin);
             input -= body.mass * shaking.dot(velocity);
@@ -422,6 +445,16 @@ impl<'a> Run<'a> {
         self.observer.count(work);
         self.step += 1;
         !self.is_over()
+    }
+
+    /// Ends the decay of velocities if the stones are at rest; the run then lasts the same length again.
+    fn release(&mut self) -> bool {
+        let releases = self.drag_per_s > 0.0 && self.observer.is_at_rest(&self.assembly);
+        if releases {
+            self.drag_per_s = 0.0;
+            self.length = self.length.again_from(self.step);
+        }
+        releases
     }
 
     pub(super) fn is_over(&mut self) -> bool {

@@ -178,7 +178,10 @@ mod tests {
     use super::super::{StackLimits, StackLoads, SwayingForces, Wind, stack_limits};
     use super::*;
     use crate::numeric::Random;
-    use crate::structure::stack::{Block, Body, JointMaterial, Placement, Solid, Tie};
+    use crate::structure::stack::tower as tower_of_stones;
+    use crate::structure::stack::{
+        Block, Body, JointMaterial, Placement, Solid, Tie, TowerFactors, TowerPlan,
+    };
     use std::f64::consts::TAU;
 
     fn limit(stack: &Stack, options: &LimitAnalysis) -> f64 {
@@ -556,5 +559,59 @@ mod tests {
         };
         let fault = limit_analysis(&portal(0.6), &options).unwrap_err();
         assert!(fault.to_string().contains("direction of shaking"), "{fault}");
+    }
+
+    #[test]
+    fn exact_symmetries_of_rings_and_their_limit() {
+        // a pinwheel has the four quarter turns, a ring of n stones n turns and n mirrors; one stone 1e-7 denser leaves the ring the mirror through it
+        for (plan, whole, less) in [(TowerPlan::Square, 4, 1), (TowerPlan::Round { stones: 6 }, 12, 2)] {
+            let made = |denser: f64| {
+                let factors = TowerFactors {
+                    plan,
+                    width_m: 2.0,
+                    top_width_m: 1.8,
+                    courses: 2,
+                    course_height_m: 0.6,
+                    thickness_m: Some(0.4),
+                    density_kg_m3: 2600.0,
+                };
+                let mut blocks = tower_of_stones(&factors).unwrap();
+                blocks[0].density_kg_m3 *= denser;
+                Stack::new(blocks, JointMaterial::default(), 9.81).unwrap()
+            };
+            let symmetries = |stack: &Stack| {
+                let loads = StackLoads::default().on_blocks(stack).unwrap();
+                let problem = LimitProblem {
+                    stack,
+                    loads: &loads,
+                    towards: None,
+                    grows: false,
+                    is_coarse: false,
+                };
+                let acts = acts(&problem, Holding::FrictionOnly);
+                let pieces = pieces(stack, &loads, &acts, GrowingLoad::Shaking, false);
+                pieces
+                    .iter()
+                    .map(|piece| piece.symmetries().len())
+                    .collect::<Vec<_>>()
+            };
+            let (alike, broken) = (made(1.0), made(1.0 + 1e-7));
+            assert_eq!(
+                (symmetries(&alike), symmetries(&broken)),
+                (vec![whole], vec![less])
+            );
+            // both searches enclose the same limit
+            let [one, other] = [&alike, &broken].map(|stack| {
+                let result = limit_analysis(stack, &LimitAnalysis::default()).unwrap();
+                match result.status {
+                    LimitAnalysisStatus::Limited(threshold) => (result.at_least_g, threshold.acceleration_g),
+                    status => panic!("{status:?}"),
+                }
+            });
+            assert!(
+                one.0 <= other.1 + 1e-6 && other.0 <= one.1 + 1e-6,
+                "{one:?} {other:?}"
+            );
+        }
     }
 }

@@ -3,7 +3,7 @@
 use super::SwayingForces;
 use super::cuts::{SupportRelation, carries};
 use super::limit_programme::{AccelerationSet, Column, Programme, Push, ToePush, settings};
-use super::limit_region::{Symmetry, group, turned};
+use super::limit_region::{Symmetry, candidates, group, is_among, turned};
 use super::loads::{Load, together};
 use super::mechanism::BodyMotion;
 use crate::stability::StabilityError;
@@ -449,20 +449,13 @@ fn swayed(blocks: &[usize], axis: DVec3, loads: &[Load], swaying: &[SwayingForce
     sum
 }
 
-/// The mirrors and the quarter turn in plan that map a piece onto itself, and their products.
+/// The mirrors and turns in plan that map a piece onto itself.
 fn symmetries(
     blocks: &[usize],
     balances: &[&Balance],
     acts: &[(&PossibleForce, Incidence)],
     scale: &Scale,
 ) -> Vec<Symmetry> {
-    let generators = [
-        [[-1.0, 0.0], [0.0, 1.0]],
-        [[1.0, 0.0], [0.0, -1.0]],
-        [[0.0, 1.0], [1.0, 0.0]],
-        [[0.0, -1.0], [1.0, 0.0]],
-        [[-1.0, 0.0], [0.0, -1.0]],
-    ];
     let loads: Vec<Load> = balances.iter().map(|balance| balance.load).collect();
     let middle = together(&loads, &(0..loads.len()).collect::<Vec<_>>()).centroid();
     let holds = |symmetry: &Symmetry| {
@@ -492,21 +485,32 @@ fn symmetries(
             }
         }
         let image = |block: usize| blocks.binary_search(&block).ok().map(|at| image[at]);
-        acts.iter().all(|(from, from_ends)| {
-            acts.iter().any(|(to, to_ends)| {
-                let same_ends = from_ends.len() == to_ends.len()
-                    && from_ends
-                        .iter()
-                        .zip(to_ends)
-                        .all(|(a, b)| a.1 == b.1 && image(a.0) == Some(b.0));
-                same_ends
-                    && from.law.is_like(to.law)
-                    && near(place(from.at), to.at, scale.length)
-                    && near(way(from.axes[0]), to.axes[0], 1.0)
-            })
-        })
+        // a joint may list its two blocks in the other order: then its normal and the signs of its ends are reversed
+        let is_image = |from: &(&PossibleForce, Incidence), to: &(&PossibleForce, Incidence), order: f64| {
+            let same_ends = from.1.len() == to.1.len()
+                && from.1.iter().all(|&(block, sign)| {
+                    image(block).is_some_and(|block| to.1.contains(&(block, order * sign)))
+                });
+            same_ends
+                && from.0.law.is_like(to.0.law)
+                && near(place(from.0.at), to.0.at, scale.length)
+                && near(way(from.0.axes[0]) * order, to.0.axes[0], 1.0)
+        };
+        let has_image = |from| {
+            acts.iter()
+                .any(|to| is_image(from, to, 1.0) || is_image(from, to, -1.0))
+        };
+        acts.iter().all(has_image)
     };
-    group(&generators.into_iter().filter(holds).collect::<Vec<_>>())
+    let offsets: Vec<DVec3> = balances.iter().map(|balance| balance.about - middle).collect();
+    let (mut generators, mut all) = (Vec::new(), group(&[]));
+    for candidate in candidates(&offsets, SAME * scale.length) {
+        if !is_among(&all, &candidate) && holds(&candidate) {
+            generators.push(candidate);
+            all = group(&generators);
+        }
+    }
+    all
 }
 
 /// The joint below a block, if nothing else connects the blocks above to the rest.

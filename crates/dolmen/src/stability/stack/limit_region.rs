@@ -9,6 +9,7 @@
 use super::limit_programme::{ACCELERATION_MOST, ProgrammeOutcome, Support};
 use crate::stability::StabilityError;
 use crate::structure::stack::Polygon;
+use glam::DVec3;
 
 /// A rotation or mirror of the plane, by rows.
 pub(super) type Symmetry = [[f64; 2]; 2];
@@ -22,6 +23,8 @@ const ENOUGH: usize = 12;
 /// Distance below which points count as equal, over gravity: the direction of a line through them would be
 /// rounding. Our choice.
 const APART: f64 = 1e-5;
+/// Largest difference of the coefficients of equal symmetries. Our choice: products of a few turns round to 1e-15.
+const ALIKE: f64 = 1e-9;
 /// Largest number of directions; about 20 are usual. Our choice.
 const DIRECTIONS_MOST: usize = 200;
 
@@ -48,11 +51,50 @@ pub(super) fn group(generators: &[Symmetry]) -> Vec<Symmetry> {
     while next < all.len() {
         for generator in generators {
             let product = [0, 1].map(|row| turned(&transposed(&all[next]), generator[row]));
-            if !all.contains(&product) {
+            if !is_among(&all, &product) {
                 all.push(product);
             }
         }
         next += 1;
+    }
+    all
+}
+
+/// Whether one of the symmetries is this one, within rounding.
+pub(super) fn is_among(all: &[Symmetry], symmetry: &Symmetry) -> bool {
+    let pairs =
+        |of: &Symmetry| [0, 1].map(|row| [0, 1].map(|column| of[row][column] - symmetry[row][column]));
+    all.iter().any(|of| {
+        pairs(of)
+            .as_flattened()
+            .iter()
+            .all(|difference| difference.abs() < ALIKE)
+    })
+}
+
+/// Mirrors and turns in plan that may map these points onto themselves: those of the axes and diagonals, and those that map the point
+/// farthest from the vertical axis onto one at its height.
+pub(super) fn candidates(points: &[DVec3], same: f64) -> Vec<Symmetry> {
+    let mut all = vec![
+        [[-1.0, 0.0], [0.0, 1.0]],
+        [[1.0, 0.0], [0.0, -1.0]],
+        [[0.0, 1.0], [1.0, 0.0]],
+        [[0.0, -1.0], [1.0, 0.0]],
+        [[-1.0, 0.0], [0.0, -1.0]],
+    ];
+    let radius = |point: &DVec3| point.x.hypot(point.y);
+    let Some(farthest) = points.iter().max_by(|a, b| radius(a).total_cmp(&radius(b))) else {
+        return all;
+    };
+    let from = farthest.y.atan2(farthest.x);
+    let is_like = |point: &&DVec3| {
+        (radius(point) - radius(farthest)).abs() <= same && (point.z - farthest.z).abs() <= same
+    };
+    for point in points.iter().filter(is_like) {
+        let to = point.y.atan2(point.x);
+        let (turn, twice) = ((to - from).sin_cos(), (to + from).sin_cos());
+        all.push([[turn.1, -turn.0], [turn.0, turn.1]]);
+        all.push([[twice.1, twice.0], [twice.0, -twice.1]]);
     }
     all
 }
@@ -233,6 +275,28 @@ mod tests {
         let (all, few) = (least(&square, &[]), least(&square, &mirrors));
         assert!((all.bound - 0.4).abs() < 1e-12 && (few.bound - 0.4).abs() < 1e-12);
         assert!(few.solved <= 2 && all.solved >= 4, "{few:?} {all:?}");
+    }
+
+    #[test]
+    fn exact_candidates_of_a_ring_generate_its_group() {
+        // a ring of n stones with a joint on the x axis: n turns and n mirrors
+        for stones in [5, 8, 12] {
+            let ring: Vec<DVec3> = (0..stones)
+                .map(|stone| {
+                    let angle = std::f64::consts::TAU * (f64::from(stone) + 0.5) / f64::from(stones);
+                    DVec3::new(angle.cos(), angle.sin(), 1.0)
+                })
+                .collect();
+            let is_image = |symmetry: &Symmetry| {
+                ring.iter().all(|point| {
+                    let [x, y] = turned(symmetry, [point.x, point.y]);
+                    let image = DVec3::new(x, y, point.z);
+                    ring.iter().any(|other| (*other - image).length() < 1e-9)
+                })
+            };
+            let found: Vec<Symmetry> = candidates(&ring, 1e-9).into_iter().filter(is_image).collect();
+            assert_eq!(group(&found).len(), 2 * stones as usize);
+        }
     }
 
     #[test]

@@ -35,6 +35,7 @@ mod strength;
 mod support_movement;
 mod tower;
 mod trilithon;
+mod usual_springs;
 mod wall;
 mod wedge;
 

@@ -1,0 +1,97 @@
+// SOURCE     examples/rubble, made from a seed by its make_rubble.py; two cubes by hand
+// GOAL       Loose stones come to rest, the same under both laws; other verbs and keys that need joints refuse them by name.
+// TOLERANCE  none: words and exit statuses; 1e-3 mm on a drop of 1 mm
+
+use super::verbs::Scratch;
+use serde_json::Value;
+use std::fs;
+
+/// Cubes of 0.2 m with these lowest corners, the second named "upper".
+fn cubes(places_m: &[[f64; 3]], more: &str) -> String {
+    let blocks = places_m.iter().zip(["lower", "upper"]).map(|([x, y, z], name)| {
+        let corner = |i: usize| {
+            let part = |bit: usize| if i & bit == 0 { 0.0 } else { 0.2 };
+            format!("[{:.4}, {:.4}, {:.4}]", x + part(1), y + part(2), z + part(4))
+        };
+        let points: Vec<String> = (0..8).map(corner).collect();
+        format!(
+            "{{ name = \"{name}\", shape = \"points\", coordinates = \"site\", points = [{}] }}",
+            points.join(", ")
+        )
+    });
+    let blocks: Vec<String> = blocks.collect();
+    format!(
+        "schema = 1\nkind = \"stack\"\nname = \"Cubes\"\ndensity = 2600\nloose = true\n{more}blocks = [{}]\n",
+        blocks.join(", ")
+    )
+}
+
+fn answer(name: &str, text: &str, words: &str) -> (i32, String, String) {
+    let scratch = Scratch::new(name);
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let answer = scratch.dolmen(words);
+    (answer.status, answer.stdout.clone(), answer.stderr)
+}
+
+#[test]
+fn exact_two_cubes_drawn_1_mm_apart_close() {
+    let text = cubes(&[[0.0, 0.0, 0.001], [0.0, 0.0, 0.202]], "");
+    let (status, stdout, stderr) = answer("loose-cubes", &text, "check project.toml --json");
+    assert_eq!(status, 0, "{stdout}{stderr}");
+    let value: Value = serde_json::from_str(&stdout).unwrap();
+    assert_eq!(value["laws_differ"], false, "{stdout}");
+    for run in value["runs"].as_array().unwrap() {
+        let stones = run["settled"]["stones"].as_array().unwrap();
+        for (stone, exact_m) in stones.iter().zip([1e-3, 2e-3]) {
+            let dropped_m = stone["dropped_m"].as_f64().unwrap();
+            assert!((dropped_m - exact_m).abs() < 1e-6, "{run}");
+        }
+    }
+}
+
+#[test]
+fn holds_a_cube_that_nothing_carries_leaves_its_place() {
+    let text = cubes(&[[0.0, 0.0, 0.0], [0.15, 0.0, 0.201]], "");
+    for verb in ["check", "simulate"] {
+        let (status, stdout, stderr) = answer("loose-cube-falls", &text, &format!("{verb} project.toml"));
+        assert_eq!(status, 1, "{stdout}{stderr}");
+        assert!(
+            stdout.contains("leave") && stdout.contains("'upper'"),
+            "{stdout}{stderr}"
+        );
+    }
+}
+
+#[test]
+fn refuses_what_needs_joints() {
+    let placed = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.201]];
+    let tied = cubes(
+        &placed,
+        "soil = { shear_modulus = \"40 MPa\", poisson_ratio = 0.35 }\n",
+    );
+    let (status, _, stderr) = answer("loose-soil", &tied, "check project.toml");
+    assert_eq!(status, 2, "{stderr}");
+    assert!(
+        stderr.contains("soil has no meaning with loose = true"),
+        "{stderr}"
+    );
+    let overlapping = cubes(&[[0.0, 0.0, 0.0], [0.05, 0.0, 0.18]], "");
+    let (status, _, stderr) = answer("loose-overlap", &overlapping, "check project.toml");
+    assert_eq!(status, 2, "{stderr}");
+    assert!(stderr.contains("'upper' and 'lower' overlap"), "{stderr}");
+    let (status, _, stderr) = answer("loose-report", &cubes(&placed, ""), "report project.toml -o page");
+    assert_eq!(status, 2, "{stderr}");
+    assert!(stderr.contains("the stones are loose"), "{stderr}");
+}
+
+#[test]
+fn holds_the_rubble_of_the_example_stands_by_both_laws() {
+    let scratch = Scratch::new("rubble");
+    let answer = scratch.dolmen("simulate examples/rubble --json");
+    let value: Value = serde_json::from_str(&answer.stdout).unwrap();
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    assert_eq!(value["laws_differ"], false, "{value}");
+    for run in value["runs"].as_array().unwrap() {
+        assert_eq!(run["settled"]["outcome"]["kind"], "stood", "{run}");
+    }
+}

@@ -1,0 +1,217 @@
+//! Loose stones: where they come to rest, by each law, and what a motion then does to them.
+
+use crate::document::{
+    Block, Cell, Column, Document, Finding, Table, TextStyle, Tone, document_text, findings_text,
+};
+use crate::simulated::{milli, millimetres, seconds};
+use dolmen::blocks::{ContactLaw, LooseEnding, LooseStones};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::stack::{SettledRun, SettledSimulation};
+
+messages! {
+    /// Loose stones.
+    pub(crate) enum Settled in "stack-simulation.settled" {
+        Head => { en: "Loose stones come to rest", ko: "돌무더기의 안착" },
+        Springs { ending: Sentence } => { en: "With springs between the stones {ending}", ko: "접촉 스프링 해석: {ending}" },
+        Rigid { ending: Sentence } => { en: "With rigid stones {ending}", ko: "강체 접촉 해석: {ending}" },
+        Rests { count: usize, block: String, moved: Quantity, turned: Quantity } => {
+            en: "all {count} stones come to rest where they lie; '{block}' moves farthest, by {moved} and {turned}.",
+            ko: "돌 {count}개가 모두 제자리에 안착한다. 가장 많이 움직인 ‘{block}’의 이동은 {moved}, 회전은 {turned}이다.",
+        },
+        RestsAlone { block: String, moved: Quantity, turned: Quantity } => {
+            en: "'{block}' comes to rest where it lies, after {moved} and {turned}.",
+            ko: "‘{block}’이(가) 제자리에 안착한다. 이동은 {moved}, 회전은 {turned}이다.",
+        },
+        Left { count: usize, block: String, moved: Quantity, turned: Quantity } => {
+            en: "{count} of the stones leave their places before all are at rest, '{block}' farthest, by {moved} and {turned}.",
+            ko: "돌 {count}개가 자리를 벗어난 뒤에야 모두 멈춘다. 가장 많이 벗어난 ‘{block}’의 이동은 {moved}, 회전은 {turned}이다.",
+        },
+        Moving { block: String, length: Quantity } => {
+            en: "'{block}' still moves after {length}: there is no verdict.",
+            ko: "{length} 뒤에도 ‘{block}’이(가) 멈추지 않아 판정하지 않는다.",
+        },
+        Sank { block: String } => {
+            en: "'{block}' overlaps what it lies on by more than 5 mm at the end: there is no verdict. Draw the stones closer to where they lie; for springs, also leave normal_stiffness out.",
+            ko: "끝에서 ‘{block}’이(가) 받치는 것과 5 mm 넘게 겹쳐 판정하지 않는다. 돌을 실제 놓인 자리에 더 가깝게 입력한다. 접촉 스프링 해석에서는 normal_stiffness도 삭제한다.",
+        },
+        Lost { length: Quantity } => {
+            en: "the run could not be used from {length} on: take the other law, or half the step.",
+            ko: "{length} 이후의 해석 결과는 쓸 수 없다. 다른 접촉 법칙이나 절반의 시간 간격을 쓴다.",
+        },
+        UnderSprings { motion: String, ending: Sentence } => { en: "Under {motion}, with springs between the stones {ending}", ko: "{motion}에서 접촉 스프링 해석: {ending}" },
+        UnderRigid { motion: String, ending: Sentence } => { en: "Under {motion}, with rigid stones {ending}", ko: "{motion}에서 강체 접촉 해석: {ending}" },
+        Same { block: String, distance: Quantity } => {
+            en: "Both laws agree: the two places of rest of each stone are at most {distance} apart ('{block}').",
+            ko: "두 접촉 법칙의 결과가 같다. 돌마다 두 안착 위치의 차이는 최대 {distance}(‘{block}’)이다.",
+        },
+        Differ { block: String, distance: Quantity } => {
+            en: "The two laws differ: '{block}' ends {distance} apart. Where it comes to rest is not certain: draw it closer to where it lies.",
+            ko: "두 접촉 법칙의 결과가 다르다. ‘{block}’의 두 위치가 {distance} 떨어져 있어 안착 위치가 확실하지 않다. 실제 놓인 자리에 더 가깝게 입력한다.",
+        },
+        NoRun => { en: "No run was made.", ko: "해석하지 않았다." },
+        LeftOut { law: Sentence, why: String } => {
+            en: "No run could be made with {law}: {why}",
+            ko: "{law} 해석을 할 수 없었다: {why}",
+        },
+        SpringsLaw => { en: "springs", ko: "접촉 스프링" },
+        RigidLaw => { en: "rigid stones", ko: "강체 접촉" },
+        Hulls => {
+            en: "Stones touch with their convex hulls, and two stones on one face or edge: hollows are bridged. Stones go down slowly, without swinging, and are then released: a stone that moved by more than half its least thickness, or turned by more than 45°, has left its place.",
+            ko: "돌은 볼록 껍질로, 두 돌은 한 면이나 모서리로 맞닿는 것으로 보아 오목한 곳은 메워진다. 돌을 흔들림 없이 천천히 가라앉힌 다음 놓아준다. 최소 두께의 절반 넘게 움직이거나 45° 넘게 돌면 자리를 벗어난 것으로 본다.",
+        },
+        Caption => { en: "How far each stone goes to rest.", ko: "돌별 안착 이동량." },
+        Stone => { en: "stone", ko: "돌" },
+        Law => { en: "law", ko: "접촉 법칙" },
+        Moved => { en: "moved", ko: "이동" },
+        Dropped => { en: "downwards", ko: "아래로" },
+        Turned => { en: "turned", ko: "회전" },
+        Allowed => { en: "leaves its place from", ko: "자리를 벗어나는 이동" },
+    }
+}
+
+/// The outcome; in full with every stone.
+pub fn settled_text(of: &SettledSimulation, style: TextStyle) -> String {
+    let found = findings(of);
+    if !style.is_full {
+        return findings_text(found.iter().filter(|of| of.is_key), style);
+    }
+    findings_text(&found, style) + &document_text(&sections(of), style)
+}
+
+pub(crate) fn sections(of: &SettledSimulation) -> Document<'_> {
+    let mut document = Document::default();
+    document.heading(Settled::Head);
+    document.put(Block::Table(stones(of)));
+    document.note(Settled::Hulls);
+    document
+}
+
+pub(crate) fn findings(of: &SettledSimulation) -> Vec<Finding> {
+    let mut all: Vec<Finding> = Vec::new();
+    for run in &of.runs {
+        let ending = ending(of, &run.settled);
+        let said: Sentence = match run.law {
+            ContactLaw::Springs(_) => Settled::Springs { ending }.into(),
+            ContactLaw::Rigid(_) => Settled::Rigid { ending }.into(),
+        };
+        all.push(Finding::key(tone(&run.settled), said));
+        all.extend(under_motion(of, run));
+    }
+    if of.runs.is_empty() {
+        all.push(Finding::key(Tone::Unknown, Settled::NoRun));
+    }
+    if let Some(apart) = of.apart() {
+        let (block, distance) = (name(of, apart.block), millimetres(apart.distance_m));
+        all.push(match of.laws_differ() {
+            true => Finding::key(Tone::Unknown, Settled::Differ { block, distance }),
+            false => Finding::key(Tone::Plain, Settled::Same { block, distance }),
+        });
+    }
+    all.extend(of.left_out.iter().map(|refused| {
+        let (law, why) = (law_words(&refused.law), refused.why.clone());
+        Finding::key(Tone::Warn, Settled::LeftOut { law, why })
+    }));
+    all.push(Finding::new(Tone::Plain, Settled::Hulls));
+    all
+}
+
+/// What the motion does to the stones at rest.
+fn under_motion(of: &SettledSimulation, run: &SettledRun) -> Option<Finding> {
+    let shaken = run.shaken.as_ref()?;
+    let motion = of.motion.as_ref()?.motion.name().to_owned();
+    let ending = ending(of, shaken);
+    let said: Sentence = match run.law {
+        ContactLaw::Springs(_) => Settled::UnderSprings { motion, ending }.into(),
+        ContactLaw::Rigid(_) => Settled::UnderRigid { motion, ending }.into(),
+    };
+    Some(Finding::key(tone(shaken), said))
+}
+
+fn tone(stones: &LooseStones) -> Tone {
+    match stones.ending {
+        LooseEnding::Stood => Tone::Good,
+        LooseEnding::Fell => Tone::Bad,
+        LooseEnding::StillMoving { .. } | LooseEnding::Sank { .. } | LooseEnding::Unusable => Tone::Unknown,
+    }
+}
+
+fn name(of: &SettledSimulation, block: usize) -> String {
+    let block = of.drawn.blocks().get(block);
+    block.map_or_else(String::new, |block| block.name.clone())
+}
+
+fn law_words(law: &ContactLaw) -> Sentence {
+    match law {
+        ContactLaw::Springs(_) => Settled::SpringsLaw.into(),
+        ContactLaw::Rigid(_) => Settled::RigidLaw.into(),
+    }
+}
+
+fn turned(angle_rad: f64) -> Quantity {
+    Quantity::new(angle_rad.to_degrees(), Unit::si("°"), Digits::Significant(3))
+}
+
+/// How the stones ended, in a sentence that begins with a small letter.
+fn ending(of: &SettledSimulation, stones: &LooseStones) -> Sentence {
+    let farthest = stones.farthest();
+    let stone = &stones.stones[farthest];
+    let (block, moved, turned) = (
+        name(of, farthest),
+        millimetres(stone.moved_m),
+        turned(stone.turned_rad),
+    );
+    let length = seconds(stones.end_s());
+    let ending = match stones.ending {
+        LooseEnding::Stood if stones.stones.len() == 1 => Settled::RestsAlone { block, moved, turned },
+        LooseEnding::Stood => Settled::Rests {
+            count: stones.stones.len(),
+            block,
+            moved,
+            turned,
+        },
+        LooseEnding::Fell => Settled::Left {
+            count: stones.left().len(),
+            block,
+            moved,
+            turned,
+        },
+        LooseEnding::StillMoving { block } => Settled::Moving {
+            block: name(of, block),
+            length,
+        },
+        LooseEnding::Sank { block } => Settled::Sank {
+            block: name(of, block),
+        },
+        LooseEnding::Unusable => Settled::Lost { length },
+    };
+    ending.into()
+}
+
+/// Every stone by every law.
+fn stones(of: &SettledSimulation) -> Table {
+    let mut rows = Vec::new();
+    for run in &of.runs {
+        for (block, stone) in run.settled.stones.iter().enumerate() {
+            rows.push(vec![
+                Cell::words(Sentence::of_symbol(&name(of, block))),
+                Cell::words(law_words(&run.law)),
+                Cell::number(millimetres(stone.moved_m)),
+                Cell::number(Quantity::new(stone.dropped_m, milli("m"), Digits::Significant(4))),
+                Cell::number(turned(stone.turned_rad)),
+                Cell::number(millimetres(stone.allowed_m)),
+            ]);
+        }
+    }
+    Table {
+        caption: vec![Settled::Caption.into()],
+        columns: vec![
+            Column::words(Settled::Stone),
+            Column::words(Settled::Law),
+            Column::numbers(Settled::Moved, milli("m")),
+            Column::numbers(Settled::Dropped, milli("m")),
+            Column::numbers(Settled::Turned, Unit::si("°")),
+            Column::numbers(Settled::Allowed, milli("m")),
+        ],
+        rows,
+    }
+}
