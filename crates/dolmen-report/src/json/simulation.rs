@@ -129,6 +129,8 @@ pub fn simulation_json(simulation: &StackSimulation) -> Value {
             "impacts": rigid.impacts,
             "solutions": rigid.solutions,
             "newton_steps": rigid.newton_steps,
+            "interior_solutions": rigid.interior_solutions,
+            "softer_solutions": rigid.softer_solutions,
             "steps_at_rest": rigid.steps_at_rest,
             "loose_solutions": rigid.loose_solutions,
             "halvings": rigid.halvings,

@@ -168,8 +168,12 @@ pub struct RigidEvidence {
     pub impacts: usize,
     /// Number of solutions of the law: one per step that is not wholly at rest, and up to four per impact.
     pub solutions: usize,
-    /// Number of Newton steps in all solutions.
+    /// Number of Newton steps in all solutions, with those of the other two methods.
     pub newton_steps: usize,
+    /// Number of solutions by the interior-point method, because Newton's method on the law itself did not converge.
+    pub interior_solutions: usize,
+    /// Number of solutions by softer weights or convex problems, because the interior-point method did not converge either.
+    pub softer_solutions: usize,
     /// Number of steps in which all stones moved with the ground.
     pub steps_at_rest: usize,
     /// Number of solutions with a residual above 1e-6 m/s that further iterations did not improve; this is a nanometre in a step of 1 ms.

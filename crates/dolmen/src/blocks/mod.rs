@@ -35,6 +35,7 @@ mod rigid_cone;
 mod rigid_faces;
 mod rigid_ground;
 mod rigid_impact;
+mod rigid_interior;
 mod rigid_point;
 mod rigid_rest;
 mod rigid_run;

@@ -15,7 +15,7 @@ use super::patch::{LANES, Motion};
 use super::rigid_faces::{Face, MassAbove, velocity};
 use super::rigid_point::{ForceTorque, Part, Point};
 use super::rigid_rest::AtRest;
-use super::rigid_solve::{Inertia, LOOSE_FROM_M_S, Momentum, Solver};
+use super::rigid_solve::{Inertia, LOOSE_FROM_M_S, Momentum, SolvedBy, Solver};
 use glam::DVec3;
 
 /// Gap up to which a point counts as in contact, m. Our choice: far above rounding, far below visible gaps.
@@ -373,6 +373,8 @@ impl Run {
             .solve(of, &mut self.faces, &mut self.velocity, worst_m_s);
         self.evidence.solutions += 1;
         self.evidence.newton_steps += solved.newton_steps;
+        self.evidence.interior_solutions += usize::from(solved.method == SolvedBy::InteriorPoint);
+        self.evidence.softer_solutions += usize::from(solved.method == SolvedBy::SofterWeights);
         if !solved.converged {
             return Err(solved.residual_m_s);
         }

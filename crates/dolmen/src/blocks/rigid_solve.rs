@@ -6,8 +6,9 @@
 //!
 //! Newton's method solves the inner equation with 6 × 6 blocks of the bodies (LU within their skyline: block-tridiagonal for a chain). The
 //! outer iteration updates the multipliers λ. When λ = p, every point satisfies unilateral contact and Coulomb's law exactly. The weights ϱ
-//! are used unchanged (σ = 1) first. If Newton's method cycles, the weights go from soft to hard. If the residual of the points remains too
-//! large, convex problems follow ([`super::rigid_cone`]).
+//! are used unchanged (σ = 1) first. If Newton's method cycles, an interior-point method follows ([`super::rigid_interior`]). Only where this
+//! has no solution either, the weights go from soft to hard; if the residual of the points remains too large, convex problems follow
+//! ([`super::rigid_cone`]).
 
 use super::block_skyline::{Block, BlockSkyline, SIX};
 use super::rigid_faces::{Face, Stiffness};
@@ -52,10 +53,23 @@ pub(super) struct Momentum<'a> {
     pub(super) free: &'a [ForceTorque],
 }
 
+/// Method that found a solution.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum SolvedBy {
+    /// Newton's method on the law itself.
+    #[default]
+    Newton,
+    /// The interior-point method.
+    InteriorPoint,
+    /// Softer weights, or convex problems after them.
+    SofterWeights,
+}
+
 /// Statistics of a solution.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Solved {
     pub(super) converged: bool,
+    pub(super) method: SolvedBy,
     /// The larger of the residuals of momentum and contact law, m/s.
     pub(super) residual_m_s: f64,
     pub(super) newton_steps: usize,
@@ -146,6 +160,12 @@ impl Solver {
         };
         self.directly(of, faces, v, &mut solved);
         if !solved.converged {
+            start.take(faces, v);
+            solved.converged = self.by_interior(of, faces, v, &mut solved);
+            solved.method = SolvedBy::InteriorPoint;
+        }
+        if !solved.converged {
+            solved.method = SolvedBy::SofterWeights;
             start.take(faces, v);
             self.softly(of, faces, v, start, &mut solved);
             if solved.residual_m_s > LOOSE_FROM_M_S {
@@ -324,7 +344,7 @@ impl Solver {
     }
 
     /// Sets the right side to the residual without contact forces, and the matrix to the mass matrix.
-    fn momentum_left(&mut self, of: Momentum<'_>, v: &[ForceTorque], with_matrix: bool) {
+    pub(super) fn momentum_left(&mut self, of: Momentum<'_>, v: &[ForceTorque], with_matrix: bool) {
         if with_matrix {
             self.matrix.clear();
         }
@@ -356,7 +376,7 @@ impl Solver {
     }
 
     /// Adds the force of a contact on its two bodies to the right side.
-    fn push(&mut self, face: &Face, wrench: &ForceTorque) {
+    pub(super) fn push(&mut self, face: &Face, wrench: &ForceTorque) {
         let force = face.to_ground * DVec3::new(wrench[0], wrench[1], wrench[2]);
         let torque = face.to_ground * DVec3::new(wrench[3], wrench[4], wrench[5]);
         let sides = [
@@ -376,7 +396,7 @@ impl Solver {
     }
 
     /// Norm of the right side; infinite if it is not a number.
-    fn left(&self, of: Momentum<'_>) -> MomentumResidual {
+    pub(super) fn left(&self, of: Momentum<'_>) -> MomentumResidual {
         let mut left = MomentumResidual::default();
         for (body, of) in of.inertia.iter().enumerate().skip(1) {
             let right = &self.right[self.rows[body]];
@@ -397,7 +417,7 @@ impl Solver {
     /// ```text
     /// twist = Rᵀ (X_s v_s − X_p v_p),   X = [1, −[r]×; 0, 1]:   J_ab += ± X_aᵀ R K Rᵀ X_b
     /// ```
-    fn add(&mut self, face: &Face, k: &Stiffness) {
+    pub(super) fn add(&mut self, face: &Face, k: &Stiffness) {
         let part = |row: usize, column: usize| {
             let block = DMat3::from_cols(
                 DVec3::new(k[row][column], k[row + 1][column], k[row + 2][column]),
