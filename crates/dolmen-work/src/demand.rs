@@ -96,7 +96,12 @@ fn at_rest(project: &Project, tilts: &[TiltCheck]) -> Result<Vec<AtRest>, WorkEr
     let Structure::Chain(part) = &project.structure else {
         return Ok(Vec::new());
     };
-    chain::loads::at_rest(part, &project.loads, Leaning::of(tilts), &mut Quantity::nominal)
+    chain::loads::at_rest(
+        part,
+        &project.loads,
+        Leaning::of_chain(part, tilts),
+        &mut Quantity::nominal,
+    )
 }
 
 /// The damping ratio in the file for a direction, or of a building's mode.

@@ -153,7 +153,7 @@ pub(crate) fn loads(
 ) -> Result<Option<LoadsAnswer>, WorkError> {
     match (&project.structure, check) {
         (Structure::Chain(part), Check::Chain(check)) => {
-            chain::loads::loads(part, &project.loads, check, Leaning::of(tilts), pick)
+            chain::loads::loads(part, &project.loads, check, Leaning::of_chain(part, tilts), pick)
         }
         (Structure::Frame(part), Check::Frame(checks)) => {
             frame::loads::loads(part, &project.loads, checks, pick)

@@ -13,7 +13,7 @@ use dolmen::blocks::{BesideInSmallMotion, MatchedFrequency, StackMode};
 use dolmen::stability::stack::DemandVerdict;
 use dolmen::stability::{ChainStability, Verdict};
 use dolmen::structure::stack::Stack;
-use dolmen_project::{Names, Quantity, SurveyedLean};
+use dolmen_project::{ChainPart, Names, Quantity, SurveyedLean};
 use dolmen_words::message::Both;
 
 /// Load factors of chains and frames above this need confirmation. Our choice: measured timber frames and stone poles have 5 to 100, a low
@@ -115,7 +115,12 @@ pub(crate) struct Leaning {
 }
 
 impl Leaning {
-    pub(crate) fn of(tilts: &[TiltCheck]) -> Self {
+    /// The lean of a chain under its loads: none if the file leaves it out.
+    pub(crate) fn of_chain(part: &ChainPart, tilts: &[TiltCheck]) -> Self {
+        Self::of(if part.takes_no_tilt { &[] } else { tilts })
+    }
+
+    fn of(tilts: &[TiltCheck]) -> Self {
         let together_rad = TiltCheck::resultant(tilts);
         let each = tilts.iter().filter(|of| !of.is_of_both());
         let is_named = each.clone().all(|of| of.direction == "x" || of.direction == "y");

@@ -387,7 +387,7 @@ fn holds_combinations_strength_and_codes_have_their_words() {
             "{moment}"
         );
     }
-    // KDS is not compared at 0.32 Hz, and the word is not "stable"
+    // at 0.32 Hz the factor of KDS has no resonance, and the word is not "stable"
     let soft = flagpole_in(&scratch, "soft", &|text| {
         gale(text).replace(
             "means = \"gust\",",

@@ -13,6 +13,7 @@ pub(crate) fn lean_chain(
     surveys: &[Survey],
     chain: &mut ChainPart,
 ) {
+    chain.takes_no_tilt = given.is_some_and(|given| given.value == "none");
     let Some(survey) = as_surveyed(reader, given, surveys) else {
         return;
     };

@@ -116,6 +116,8 @@ pub struct ChainPart {
     pub gravity_m_s2: f64,
     /// Its measured lean; `None` if no survey gives one, or the file leaves it out.
     pub lean: Option<ChainLean>,
+    /// Whether the file leaves the measured lean out: `as_surveyed = "none"`.
+    pub takes_no_tilt: bool,
 }
 
 /// The measured lean of a whole chain, beds included.

@@ -220,6 +220,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         side_supports: side_supports?,
         gravity_m_s2,
         lean: None,
+        takes_no_tilt: false,
     };
     beds_bear(reader, &part);
     shafts_are_shafts(reader, &part);

@@ -9,6 +9,8 @@ mod measured;
 mod project;
 mod sampled;
 mod text;
+mod variant_responses;
+mod variant_rows;
 mod variants;
 
 pub(crate) use findings::findings;
@@ -23,7 +25,7 @@ pub(crate) use variants::{section as variants_section, title};
 use dolmen_words::Template;
 
 /// Templates of the sentences of every check.
-pub(crate) const TEMPLATES: [&[Template]; 10] = [
+pub(crate) const TEMPLATES: [&[Template]; 11] = [
     agreement::Agreement::TEMPLATES,
     assumed::Assumed::TEMPLATES,
     findings::Unusual::TEMPLATES,
@@ -33,5 +35,6 @@ pub(crate) const TEMPLATES: [&[Template]; 10] = [
     project::Size::TEMPLATES,
     sampled::Scatter::TEMPLATES,
     text::Said::TEMPLATES,
+    variant_responses::Responses::TEMPLATES,
     variants::Variants::TEMPLATES,
 ];

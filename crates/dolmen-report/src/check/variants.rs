@@ -1,18 +1,18 @@
 //! The project as given compared with its variants, before and after a repair.
 
+use super::variant_responses::{
+    Response, Responses, SAME_SHARE, asked, is_beyond, limited, red_word, responses,
+};
+use super::variant_rows::{Row, rows};
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone, table_series};
 use crate::figures::{VariantDot, variants_compared};
 use crate::html::words::verdict_word;
 use dolmen::stability::Verdict;
-use dolmen::structure::lowest_frequency_hz;
 use dolmen_words::message::Both;
-use dolmen_words::{Digits, Language, Quantity, Unit, messages};
+use dolmen_words::{Digits, Language, Quantity, Sentence, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
-use dolmen_work::judgement::{Earthquake, VersionJudgement, WindFinding, judge_check};
+use dolmen_work::judgement::{Earthquake, VersionJudgement, WindWord, judge_check};
 use dolmen_work::state::{Check, State, VariantAnswer};
-
-/// Relative difference below which values of λ are equal.
-const SAME_SHARE: f64 = 1e-6;
 
 messages! {
     /// Variants compared with the structure as it is.
@@ -24,14 +24,6 @@ messages! {
         SameIn { variant: Both, direction: String, factor: Quantity, verdict: Both } => {
             en: "Variant “{variant}” ({direction}) leaves the load factor at {factor}: {verdict}.",
             ko: "대안 ‘{variant}’({direction})에서 하중배율은 {factor}(으)로 같다: {verdict}.",
-        },
-        SameEarthquake { variant: Both, factor: Quantity, verdict: Both, before: Quantity, after: Quantity } => {
-            en: "Variant “{variant}”: under the earthquake of the site capacity/demand goes from {before} to {after}; the load factor stays {factor}: {verdict}.",
-            ko: "대안 ‘{variant}’: 부지의 지진에 대한 저항/요구가 {before}에서 {after}(으)로 바뀐다. 하중배율은 {factor}(으)로 같다: {verdict}.",
-        },
-        SameWind { variant: Both, factor: Quantity, verdict: Both, before: Quantity, after: Quantity } => {
-            en: "Variant “{variant}”: in the wind limit/response goes from {before} to {after}; the load factor stays {factor}: {verdict}.",
-            ko: "대안 ‘{variant}’: 바람에 대한 허용값/응답이 {before}에서 {after}(으)로 바뀐다. 하중배율은 {factor}(으)로 같다: {verdict}.",
         },
         Changes { variant: Both, from: Quantity, to: Quantity, verdict: Both } => {
             en: "Variant “{variant}” changes the load factor from {from} to {to}: {verdict}.",
@@ -60,6 +52,7 @@ messages! {
         LoadFactor => { en: "λ", ko: "λ" },
         LeastMargin => { en: "least margin", ko: "최소 여유도" },
         Lowest => { en: "lowest frequency", ko: "최저 고유진동수" },
+        OverResponse => { en: "limit/response", ko: "허용값/응답" },
         OverDemand => { en: "earthquake: capacity/demand", ko: "지진: 저항/요구" },
         Worse { variant: Both, from: Quantity, to: Quantity, before: Quantity, after: Quantity } => {
             en: "Variant “{variant}” is better under weight (λ {from} → {to}), worse under the earthquake of the site (capacity over demand {before} → {after}).",
@@ -73,27 +66,6 @@ messages! {
     }
 }
 
-/// One row: a variant, or one direction of it.
-struct Row {
-    name: Both,
-    direction: Option<String>,
-    load_factor: Option<f64>,
-    /// Factor on wind and static loads at which a joint reaches its limit.
-    borne: Option<f64>,
-    /// The same with wind and static loads.
-    verdict: Verdict,
-    /// Verdict under its weight alone.
-    own_verdict: Verdict,
-    margins: Vec<Option<f64>>,
-    frequency_hz: Option<f64>,
-    /// Share of samples that fall under their own weight.
-    falls: Option<f64>,
-    /// Share of samples that wind and static loads bring to a limit.
-    overloaded: Option<f64>,
-    /// The demand of the site on the version, as a word and as capacity over demand; `None` without a demand.
-    earthquake: Option<(Earthquake, Option<f64>)>,
-}
-
 /// The name of a variant: its title, otherwise that of its table.
 pub(crate) fn title(variant: &VariantAnswer) -> Both {
     match &variant.title {
@@ -102,104 +74,103 @@ pub(crate) fn title(variant: &VariantAnswer) -> Both {
     }
 }
 
-/// The effect of each variant on the load factor.
+/// The effect of each variant on the load factor and on its responses.
 pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     let Some(state) = &answer.state else {
         return Vec::new();
     };
     let basis = rows(state, &Both::of(|_| ""));
     let judged = judge_check(answer);
+    let worse = worse_in_earthquakes(answer);
     let mut all = Vec::new();
     for (at, variant) in answer.variants.iter().enumerate() {
-        let after = rows(&variant.state, &title(variant));
+        let name = title(variant);
+        let after = rows(&variant.state, &name);
         let versions = judged.versions.first().zip(judged.versions.get(at + 1));
-        let besides = versions.map_or_else(Vec::new, |(before, after)| besides(before, after));
-        if let ([row], false) = (after.as_slice(), besides.is_empty())
-            && let Some(said) = same_but(row, &basis, besides)
-        {
-            all.extend(said);
-            continue;
-        }
-        all.extend(
-            after
-                .into_iter()
-                .zip(&basis)
-                .flat_map(|(new, old)| [loaded(&new, old), changed(new, old)])
-                .flatten(),
-        );
+        let (Some((before, own)), false) = (versions, after.is_empty()) else {
+            continue; // stacks have their own comparison
+        };
+        let is_told = worse.iter().any(|(of, _)| *of == at);
+        let mut changed = responses(before, own);
+        changed.retain(|of| !(is_told && of.is_earthquake));
+        all.extend(of_variant((&name, own), (after, &basis), &changed));
     }
-    all.extend(worse_in_earthquakes(answer));
+    all.extend(worse.into_iter().map(|(_, finding)| finding));
     all
 }
 
-/// The demand of the site on a version, with the smallest capacity over demand of all parts.
-fn asked(version: &VersionJudgement) -> Option<(Earthquake, Option<f64>)> {
-    let found = &version.earthquake;
-    let ratios = found.iter().filter_map(|finding| finding.ratio);
-    (!found.is_empty()).then(|| (version.earthquake_word(), ratios.reduce(f64::min)))
-}
-
-/// A response that a variant changes.
-enum Beside {
-    Earthquake(f64, f64),
-    Wind(f64, f64),
-}
-
-/// Capacity over demand of the earthquake and limit over response in the wind, before and after, where a variant changes them.
-fn besides(before: &VersionJudgement, after: &VersionJudgement) -> Vec<Beside> {
-    let changes = |(old, new): &(f64, f64)| (new / old - 1.0).abs() >= SAME_SHARE;
-    let asked = |of: &VersionJudgement| asked(of).and_then(|(_, ratio)| ratio);
-    let earthquake = asked(before).zip(asked(after)).filter(changes);
-    let in_wind = |of: &VersionJudgement| WindFinding::deciding(&of.wind).and_then(|of| of.ratio);
-    let wind = in_wind(before).zip(in_wind(after)).filter(changes);
-    let earthquake = earthquake.map(|(old, new)| Beside::Earthquake(old, new));
-    earthquake
+/// The findings on one variant.
+fn of_variant(
+    (name, own): (&Both, &VersionJudgement),
+    (after, basis): (Vec<Row>, &[Row]),
+    responses: &[Response],
+) -> Vec<Finding> {
+    let is_beyond = is_beyond(own);
+    if let [row] = after.as_slice()
+        && let Some(said) = same_but(row, basis, responses, is_beyond)
+    {
+        return said;
+    }
+    let is_same = after.iter().zip(basis).all(|(new, old)| new.is_same(old));
+    let mut all: Vec<Finding> = after
         .into_iter()
-        .chain(wind.map(|(old, new)| Beside::Wind(old, new)))
-        .collect()
+        .zip(basis)
+        .flat_map(|(new, old)| [loaded(&new, old, is_beyond), changed(new, old, is_beyond)])
+        .flatten()
+        .collect();
+    let told = responses.iter().filter(|of| of.is_red || is_same);
+    all.extend(told.map(|of| {
+        let (variant, said) = (name.clone(), of.said());
+        Finding::key(tone(of), Responses::OfVariant { variant, said })
+    }));
+    all
+}
+
+fn tone(of: &Response) -> Tone {
+    match (of.is_red, of.is_worse()) {
+        (true, _) => Tone::Bad,
+        (false, true) => Tone::Warn,
+        (false, false) => Tone::Plain,
+    }
+}
+
+/// A message as words within another.
+fn spoken(said: Responses) -> Both {
+    let said = Sentence::from(said);
+    Both::of(|language| said.text(language))
+}
+
+/// The verdict on the weight of a row; not alone where the variant is beyond something else.
+fn own_verdict(row: &Row, is_beyond: bool) -> Both {
+    let word = Both::of(|language| verdict_word(row.own_verdict, language));
+    match is_beyond && row.own_verdict != Verdict::Unstable {
+        true => spoken(Responses::UnderWeight { word }),
+        false => word,
+    }
 }
 
 /// Changes due to a variant that does not change the load factor, such as a damper.
-fn same_but(row: &Row, basis: &[Row], besides: Vec<Beside>) -> Option<Vec<Finding>> {
-    let old = basis.first()?.load_factor?;
-    let is_same = (row.load_factor? / old - 1.0).abs() < SAME_SHARE && row.borne.is_none();
-    let each = besides.into_iter().map(|of| {
-        let (variant, factor) = (row.name.clone(), Quantity::beside_one(old, 4));
-        let verdict = Both::of(|language| verdict_word(row.own_verdict, language));
-        let number = |number: f64| Quantity::beside_one(number, 3);
-        let (said, is_worse) = match of {
-            Beside::Earthquake(from, to) => {
-                let (before, after) = (number(from), number(to));
-                let said = Variants::SameEarthquake {
-                    variant,
-                    factor,
-                    verdict,
-                    before,
-                    after,
-                };
-                (said, to < from)
-            }
-            Beside::Wind(from, to) => {
-                let (before, after) = (number(from), number(to));
-                (
-                    Variants::SameWind {
-                        variant,
-                        factor,
-                        verdict,
-                        before,
-                        after,
-                    },
-                    to < from,
-                )
-            }
+fn same_but(row: &Row, basis: &[Row], responses: &[Response], is_beyond: bool) -> Option<Vec<Finding>> {
+    let old = basis.first()?;
+    let factor = old.load_factor?;
+    let changing: Vec<&Response> = responses.iter().filter(|of| of.changes()).collect();
+    if changing.is_empty() || row.is_told_with_loads() || !row.is_same(old) {
+        return None;
+    }
+    let each = changing.into_iter().map(|of| {
+        let said = Responses::SameFactor {
+            variant: row.name.clone(),
+            said: of.said(),
+            factor: Quantity::beside_one(factor, 4),
+            verdict: own_verdict(row, is_beyond),
         };
-        Finding::key(if is_worse { Tone::Warn } else { Tone::Plain }, said)
+        Finding::key(tone(of), said)
     });
-    is_same.then(|| each.collect())
+    Some(each.collect())
 }
 
-/// Variants that improve the stability under weight but not the response to the earthquake of the site.
-fn worse_in_earthquakes(answer: &CheckAnswer) -> Vec<Finding> {
+/// Variants that improve the stability under weight but not the response to the earthquake of the site, by their index.
+fn worse_in_earthquakes(answer: &CheckAnswer) -> Vec<(usize, Finding)> {
     let judged = judge_check(answer);
     let ratio = |version: usize| judged.versions.get(version).and_then(asked)?.1;
     let factor = |state: &State| state.load_factor().filter(|factor| factor.is_finite());
@@ -218,16 +189,20 @@ fn worse_in_earthquakes(answer: &CheckAnswer) -> Vec<Finding> {
             after: of(after),
         };
         let is_told = to > from * (1.0 + SAME_SHARE) && after < before * (1.0 - SAME_SHARE);
-        is_told.then(|| Finding::key(Tone::Warn, said))
+        is_told.then(|| (at, Finding::key(Tone::Warn, said)))
     });
     each.collect()
 }
 
 /// The effect on wind and static loads.
-fn loaded(after: &Row, before: &Row) -> Option<Finding> {
-    let new = after.borne?;
+fn loaded(after: &Row, before: &Row, is_beyond: bool) -> Option<Finding> {
+    let new = after.borne.filter(|_| after.is_told_with_loads())?;
     let factor = |factor: f64| Quantity::beside_one(factor, 3);
-    let verdict = Both::of(|language| verdict_word(after.verdict, language));
+    let word = Both::of(|language| verdict_word(after.verdict, language));
+    let verdict = match is_beyond && after.verdict != Verdict::Unstable {
+        true => spoken(Responses::UnderWeightAndLoads { word }),
+        false => word,
+    };
     let variant = after.name.clone();
     let said = match before.borne {
         Some(old) => Variants::Loaded {
@@ -250,10 +225,11 @@ fn loaded(after: &Row, before: &Row) -> Option<Finding> {
     Some(Finding::key(tone, said))
 }
 
-fn changed(after: Row, before: &Row) -> Option<Finding> {
+fn changed(after: Row, before: &Row, is_beyond: bool) -> Option<Finding> {
     let (new, old) = (after.load_factor?, before.load_factor?);
     let [from, to] = [old, new].map(|factor| Quantity::beside_one(factor, 4));
-    let verdict = Both::of(|language| verdict_word(after.own_verdict, language));
+    let verdict = own_verdict(&after, is_beyond);
+    let is_told_with_loads = after.is_told_with_loads();
     let variant = after.name;
     let tone = match new < old {
         true => Tone::Warn,
@@ -261,7 +237,7 @@ fn changed(after: Row, before: &Row) -> Option<Finding> {
     };
     // a separate finding gives the wind factor, so this word is about weight
     let is_same = (new / old - 1.0).abs() < SAME_SHARE;
-    if is_same && after.borne.is_some() {
+    if is_same && is_told_with_loads {
         return None; // reported with its loads
     }
     let said = match (is_same, after.direction) {
@@ -308,10 +284,15 @@ pub(crate) fn section(answer: &CheckAnswer) -> Document<'_> {
     let versions = versions.map(|variant| (title(variant), &variant.state));
     let judged = judge_check(answer);
     let mut basis = rows(state, &given);
-    let asked: Vec<_> = judged.versions.iter().map(asked).collect();
     let put = |rows: &mut Vec<Row>, version: usize| {
-        let own = asked.get(version).copied().flatten();
-        rows.iter_mut().for_each(|row| row.earthquake = own);
+        let Some(own) = judged.versions.get(version) else {
+            return;
+        };
+        for row in rows.iter_mut() {
+            row.earthquake = asked(own);
+            row.limited = limited(own);
+            row.red_word = red_word(own, row.verdict);
+        }
     };
     put(&mut basis, 0);
     // a version contradicted by a survey is not stable
@@ -349,6 +330,9 @@ fn dot(row: &Row, language: Language) -> VariantDot {
 fn table(all: &[Row]) -> Table {
     let with_falls = all.iter().any(|row| row.falls.is_some());
     let with_loads = all.iter().any(|row| row.borne.is_some());
+    let with_limits = all
+        .iter()
+        .any(|row| row.limited.is_some_and(|(_, ratio)| ratio.is_some()));
     let with_earthquake = all.iter().any(|row| row.earthquake.is_some());
     let with_overloaded = all.iter().any(|row| row.overloaded.is_some());
     let share = |share: f64| Quantity::new(share, Unit::percent(), Digits::Significant(3));
@@ -362,9 +346,12 @@ fn table(all: &[Row]) -> Table {
         let frequency = row.frequency_hz.map(|f| Quantity::ratio(f, 4));
         let mut cells = vec![
             Cell::words(Variants::Named(Both::of(|language| row.named(language)))),
-            Cell::words(Variants::Named(Both::of(|language| {
-                verdict_word(row.verdict, language)
-            }))),
+            match &row.red_word {
+                Some(name) => Cell::BadWords(Variants::Named(name.clone()).into()),
+                None => Cell::words(Variants::Named(Both::of(|language| {
+                    verdict_word(row.verdict, language)
+                }))),
+            },
             row.load_factor
                 .map_or_else(unknown, |factor| Cell::number(Quantity::beside_one(factor, 4))),
             margin,
@@ -375,6 +362,14 @@ fn table(all: &[Row]) -> Table {
             cells.push(match row.borne.is_some_and(|factor| factor <= 1.0) {
                 true => factor.map_or(Cell::Number(None), Cell::Bad),
                 false => Cell::Number(factor),
+            });
+        }
+        if with_limits {
+            let number = |ratio: f64| Quantity::beside_one(ratio, 3);
+            cells.push(match row.limited {
+                Some((WindWord::Beyond, Some(ratio))) => Cell::Bad(number(ratio)),
+                Some((_, ratio)) => Cell::Number(ratio.map(number)),
+                None => Cell::Number(None),
             });
         }
         if with_earthquake {
@@ -404,6 +399,9 @@ fn table(all: &[Row]) -> Table {
     if with_loads {
         columns.push(Column::numbers(Variants::Borne, Unit::ratio()));
     }
+    if with_limits {
+        columns.push(Column::numbers(Variants::OverResponse, Unit::ratio()));
+    }
     if with_earthquake {
         columns.push(Column::numbers(Variants::OverDemand, Unit::ratio()));
     }
@@ -417,99 +415,5 @@ fn table(all: &[Row]) -> Table {
         caption: vec![Variants::Caption.into(), Variants::CaptionMeaning.into()],
         columns,
         rows: all.iter().map(row).collect(),
-    }
-}
-
-impl Row {
-    fn named(&self, language: Language) -> String {
-        let name = language.pick(&self.name.english, &self.name.korean);
-        match &self.direction {
-            Some(direction) => format!("{name} · {direction}"),
-            None => name.clone(),
-        }
-    }
-
-    /// `None` if no margin is known, `Some(None)` if a part falls for any stiffness.
-    fn least_margin(&self) -> Option<Option<f64>> {
-        match self.margins.is_empty() {
-            true => None,
-            false if self.margins.iter().any(Option::is_none) => Some(None),
-            false => Some(self.margins.iter().flatten().copied().min_by(f64::total_cmp)),
-        }
-    }
-}
-
-fn rows(state: &State, name: &Both) -> Vec<Row> {
-    let falls = state.sampled.as_ref().map(|sampled| sampled.unstable.estimate);
-    let sampled = state.sampled.as_ref();
-    let overloaded = sampled.and_then(|sampled| sampled.under_loads.as_ref().map(|of| of.estimate));
-    match &state.check {
-        Check::Chain(check) => {
-            let across = check.across.as_ref();
-            let stabilities = [
-                check.stability.as_ref(),
-                across.and_then(|of| of.stability.as_ref()),
-            ];
-            let joints = stabilities.iter().flatten().flat_map(|of| &of.joints);
-            let modes = [Some(&check.modes), across.map(|of| &of.modes)];
-            let lowest = modes
-                .into_iter()
-                .flatten()
-                .filter_map(|of| lowest_frequency_hz(of));
-            vec![Row {
-                name: name.clone(),
-                direction: None,
-                load_factor: check.load_factor(),
-                borne: state.loads.as_ref().and_then(|loads| loads.factor()),
-                verdict: match &state.loads {
-                    Some(_) => state.verdict(),
-                    None => state.stability_verdict(),
-                },
-                own_verdict: state.stability_verdict(),
-                margins: joints.map(|joint| joint.margin).collect(),
-                frequency_hz: lowest.min_by(f64::total_cmp),
-                falls,
-                overloaded,
-                earthquake: None,
-            }]
-        }
-        Check::Frame(directions) => directions
-            .iter()
-            .map(|of| {
-                let stability = of.check.stability.as_ref();
-                let storeys = stability.iter().flat_map(|of| &of.storeys);
-                Row {
-                    name: name.clone(),
-                    direction: Some(of.direction.clone()),
-                    load_factor: stability.map(|of| of.load_factor),
-                    borne: None,
-                    verdict: stability.map_or(Verdict::Unknown, |of| of.verdict),
-                    own_verdict: stability.map_or(Verdict::Unknown, |of| of.verdict),
-                    margins: storeys.map(|storey| storey.margin).collect(),
-                    frequency_hz: lowest_frequency_hz(&of.check.modes),
-                    falls,
-                    overloaded,
-                    earthquake: None,
-                }
-            })
-            .collect(),
-        Check::Building(answer) => {
-            let modes = answer.stands.as_ref().map(|standing| &standing.modes.modes);
-            let mode = modes.and_then(|modes| modes.first());
-            vec![Row {
-                name: name.clone(),
-                direction: None,
-                load_factor: Some(answer.load_factor()),
-                borne: None,
-                verdict: Verdict::of_load_factor(answer.load_factor()),
-                own_verdict: Verdict::of_load_factor(answer.load_factor()),
-                margins: answer.falls.iter().map(|fall| Some(fall.load_factor)).collect(),
-                frequency_hz: mode.map(|mode| mode.frequency_hz),
-                falls,
-                overloaded,
-                earthquake: None,
-            }]
-        }
-        Check::Stack(_) => Vec::new(),
     }
 }

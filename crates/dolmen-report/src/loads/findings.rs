@@ -9,7 +9,7 @@ use dolmen::assess::StackUnderLoads;
 use dolmen::stability::{ChainUnderLoads, JointUnderLoads, Verdict};
 use dolmen::structure::stack::Stack;
 use dolmen::structure::wind::WindError;
-use dolmen_project::{Project, Quantity as Input, Structure, WindPart};
+use dolmen_project::{Project, Quantity as Input, Structure, WindPart, WindSpeed};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::judgement::Evidence;
 use dolmen_work::loads::{AcrossCombination, ChainCombination, CombinationAnswer, Combined, LoadsAnswer};
@@ -33,10 +33,6 @@ messages! {
         StackFrequency => {
             en: "its code asks for the lowest natural frequency, which was not found",
             ko: "기준에 1차 고유진동수가 필요하나 구하지 못하였다",
-        },
-        TooSoft { frequency: Quantity, least: Quantity } => {
-            en: "its lowest frequency is {frequency}, and the gust factor of KDS 41 12 00 that is held here is for more than {least}: below it the resonant part comes on top. Use code = \"EN 1991-1-4\", whose Annex B holds it, or give the gust of a wind study",
-            ko: "1차 고유진동수가 {frequency}이며, 여기에 구현된 KDS 41 12 00의 가스트영향계수는 {least}을(를) 넘는 강체 구조물용이다. 그 이하에서는 공진 성분이 더해진다. 부속서 B가 있는 code = \"EN 1991-1-4\"를 쓰거나 풍동실험·풍하중 평가의 돌풍 값을 준다",
         },
         Height { height: Quantity, most: Quantity } => {
             en: "its top is at {height}, and the profile of the code ends at {most}",
@@ -69,13 +65,6 @@ pub(super) fn why_not(error: &WindError, is_stack: bool) -> Sentence {
         WindError::DampingUnknown { frequency_hz } if is_stack => WhyNot::StackSways(hertz(*frequency_hz)),
         WindError::FrequencyUnknown => WhyNot::Frequency,
         WindError::DampingUnknown { frequency_hz } => WhyNot::Damping(hertz(*frequency_hz)),
-        WindError::TooSoft {
-            frequency_hz,
-            least_hz,
-        } => WhyNot::TooSoft {
-            frequency: hertz(*frequency_hz),
-            least: hertz(*least_hz),
-        },
         WindError::Height { given, most_m } => WhyNot::Height {
             height: Quantity::engineering(*given, "m", DIGITS),
             most: Quantity::engineering(*most_m, "m", DIGITS),
@@ -184,7 +173,15 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     }
     if let Some(frequency_hz) = answer.lacks_resonance_at_hz() {
         let frequency = hertz(frequency_hz);
-        all.push(Finding::key(Tone::Warn, Found::NoResonance(frequency)));
+        let by_code = project
+            .loads
+            .wind()
+            .is_some_and(|wind| matches!(wind.speed, WindSpeed::Kds41 { .. }));
+        let said = match by_code {
+            true => Found::NoResonanceOfKds(frequency),
+            false => Found::NoResonance(frequency),
+        };
+        all.push(Finding::key(Tone::Warn, said));
     }
     if !answer.has_wind {
         all.extend(no_wind(project, state));

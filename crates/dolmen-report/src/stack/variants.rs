@@ -21,6 +21,7 @@ messages! {
         FirstAt => { en: "moves first at", ko: "거동 시작 가속도" },
         Margin => { en: "margin", ko: "여유도" },
         RocksAt => { en: "rocks at", ko: "로킹" },
+        Borne => { en: "loads borne ×", ko: "하중 저항 배수" },
         SlidesAt => { en: "slides at", ko: "미끄러짐" },
         Rocks { above: Sentence } => { en: "rocks on {above}", ko: "{above} 위 로킹" },
         Slides { above: Sentence } => { en: "slides on {above}", ko: "{above} 위 미끄러짐" },
@@ -43,27 +44,48 @@ pub(crate) fn comparison<'a>(state: &State, variants: &[VariantAnswer]) -> Docum
         .chain(others)
         .collect();
     let with_demand = all.iter().any(|(_, state)| state.demand.is_some());
+    let with_loads = all.iter().any(|(_, state)| borne(state).is_some());
+    let with = With {
+        demand: with_demand,
+        loads: with_loads,
+    };
     let rows = all.into_iter().filter_map(|(name, state)| match &state.check {
-        Check::Stack(answer) => Some(row(name, state, answer, with_demand)),
+        Check::Stack(answer) => Some(row(name, state, answer, with)),
         Check::Chain(_) | Check::Frame(_) | Check::Building(_) => None,
     });
     document.heading(Variants::Head);
     document.put(Block::Table(Table {
         caption: vec![Variants::Caption.into(), Variants::CaptionMeaning.into()],
-        columns: columns(with_demand),
+        columns: columns(with),
         rows: rows.collect(),
     }));
     document
 }
 
-fn columns(with_demand: bool) -> Vec<Column> {
+/// Columns that not every stack needs.
+#[derive(Clone, Copy)]
+struct With {
+    demand: bool,
+    loads: bool,
+}
+
+/// Smallest factor on wind and static loads that a stack bears; `None` without loads, or if nothing moves it.
+fn borne(state: &State) -> Option<f64> {
+    let factor = state.loads.as_ref().and_then(|loads| loads.factor());
+    factor.filter(|factor| factor.is_finite())
+}
+
+fn columns(with: With) -> Vec<Column> {
     let mut columns = vec![
         Column::words(Variants::Variant),
         Column::words(Variants::Verdict),
         Column::words(Variants::MovesFirst),
     ];
-    if with_demand {
+    if with.demand {
         columns.push(Column::words(Variants::Demand));
+    }
+    if with.loads {
+        columns.push(Column::numbers(Variants::Borne, Unit::ratio()));
     }
     columns.extend([
         Column::numbers(Variants::FirstAt, Unit::si("g")),
@@ -74,7 +96,7 @@ fn columns(with_demand: bool) -> Vec<Column> {
     columns
 }
 
-fn row(name: Sentence, state: &State, answer: &StackAnswer, with_demand: bool) -> Vec<Cell> {
+fn row(name: Sentence, state: &State, answer: &StackAnswer, with: With) -> Vec<Cell> {
     let limits = &answer.check.limits;
     // a stack that falls under its weight has no capacity, whatever single joints would resist
     let falls = state.verdict() == Verdict::Unstable;
@@ -85,13 +107,20 @@ fn row(name: Sentence, state: &State, answer: &StackAnswer, with_demand: bool) -
         Cell::words(verdict_word(state.verdict())),
         Cell::words(moves_first(answer)),
     ];
-    if with_demand {
+    if with.demand {
         let none = || Sentence::of_symbol("–");
         cells.push(Cell::words(
             state
                 .demand_verdict()
                 .map_or_else(none, |of| demand_word(of).into()),
         ));
+    }
+    if with.loads {
+        let factor = |factor: f64| Quantity::beside_one(factor, 4);
+        cells.push(match borne(state) {
+            Some(borne) if borne <= 1.0 => Cell::Bad(factor(borne)),
+            borne => Cell::Number(borne.map(factor)),
+        });
     }
     cells.extend([
         at(answer.check.capacity.map(|capacity| capacity.acceleration_g)),

@@ -67,6 +67,5 @@ korean_of! {
         WindError::FrequencyUnknown => "기준에 필요한 최저 고유진동수를 알 수 없다. 접합부 강성이 없다";
         WindError::DampingUnknown { frequency_hz } => "최저 고유진동수가 {frequency_hz:.3} Hz이어서 공진을 고려해야 하는데 감쇠비가 없다";
         WindError::NotAMean => "돌풍이나 압력으로 주어졌는데 난류는 기준에 따른 10분 평균 풍속에 대한 값이다";
-        WindError::TooSoft { frequency_hz, least_hz } => "최저 고유진동수가 {frequency_hz:.3} Hz인데 강체 구조물의 G_D는 {least_hz} Hz를 넘을 때 쓴다";
     }
 }

@@ -379,11 +379,12 @@ impl LoadsAnswer {
         let of_frame = self.frame_winds.iter().map(|of| &of.met);
         let lacking = [Some(along), self.wind_across.as_ref()].into_iter().flatten();
         let lacking = lacking.chain(of_frame);
-        let lacking = lacking.filter(|met| met.resonance == Resonance::NotCounted && blows);
-        let swinging = lacking.filter_map(|met| met.frequency_hz);
-        swinging
-            .filter(|hz| *hz < RESONANCE_BELOW_HZ)
-            .min_by(f64::total_cmp)
+        let swinging = lacking.filter_map(|met| match met.resonance {
+            Resonance::LeftOut => met.frequency_hz,
+            Resonance::NotCounted => met.frequency_hz.filter(|hz| *hz < RESONANCE_BELOW_HZ),
+            Resonance::Stiff | Resonance::Counted => None,
+        });
+        swinging.filter(|_| blows).min_by(f64::total_cmp)
     }
 
     /// Smallest factor of all combinations.

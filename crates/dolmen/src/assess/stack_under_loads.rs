@@ -233,12 +233,10 @@ impl Case<'_> {
                 RestState::Nothing => load_factor(self.stack, &steady, growing)?.factor,
                 RestState::Stands => growth(self.stack, &steady, growing)?,
             };
-            if is_less(factor, least.0) {
+            // constant loads that the stack does not bear leave no factor for the others: that of all loads governs
+            let exceeds_at_rest = index > 0 && factor <= 0.0 && least.0 <= 1.0;
+            if !exceeds_at_rest && is_less(factor, least.0) {
                 least = (factor, index);
-            }
-            // if all loads together exceed the resistance, their factor governs
-            if least.0 <= 1.0 {
-                break;
             }
         }
         Ok(least)

@@ -35,16 +35,6 @@ pub enum WindError {
         "the wind is a gust or a pressure, but its turbulence goes with the mean of ten minutes by a code"
     )]
     NotAMean,
-    /// The formula of KDS 41 12 00 for stiff structures holds above 1 Hz.
-    #[error(
-        "the lowest natural frequency is {frequency_hz:.3} Hz, but G_D of stiff structures holds above {least_hz} Hz"
-    )]
-    TooSoft {
-        /// Lowest natural frequency, Hz.
-        frequency_hz: f64,
-        /// Lower limit of the formula, Hz.
-        least_hz: f64,
-    },
 }
 
 /// Refuses a value that is not a positive, finite number.

@@ -82,9 +82,10 @@ impl Kds41Wind {
     /// ```
     ///
     /// # Errors
-    /// [`WindError::FrequencyUnknown`]; [`WindError::TooSoft`] at 1 Hz and below, where the code adds a resonant part.
+    /// [`WindError::FrequencyUnknown`].
     ///
     /// # Limits
+    /// At 1 Hz and below the code adds a resonant part, which the factor then lacks: [`Resonance::LeftOut`]. The pressure is a lower bound.
     /// K_D, the directional factor, is 1.
     ///
     /// # Source
@@ -92,21 +93,15 @@ impl Kds41Wind {
     pub(super) fn pressure(&self, body: &WindBody) -> Result<WindPressure, WindError> {
         let (h, b) = (body.height_m, body.breadth_m);
         let of = self.numbers_up_to(h)?;
-        match body.frequency_hz {
-            None => return Err(WindError::FrequencyUnknown),
-            Some(frequency_hz) if frequency_hz <= STIFF_HZ => {
-                return Err(WindError::TooSoft {
-                    frequency_hz,
-                    least_hz: STIFF_HZ,
-                });
-            }
-            Some(_) => {}
-        }
+        let frequency_hz = body.frequency_hz.ok_or(WindError::FrequencyUnknown)?;
         let speed_m_s = self.speed_m_s(&of, h);
         Ok(WindPressure {
             profile: Profile::Uniform(velocity_pressure_pa(speed_m_s, self.air_density_kg_m3)),
             response_factor: gust_factor(&of, h, b),
-            resonance: Resonance::Stiff,
+            resonance: match frequency_hz <= STIFF_HZ {
+                true => Resonance::LeftOut,
+                false => Resonance::Stiff,
+            },
         })
     }
 }
@@ -221,18 +216,17 @@ mod tests {
     }
 
     #[test]
-    fn refuses_a_soft_pole_and_one_whose_frequency_is_not_known() {
-        let said = |frequency_hz| {
+    fn refuses_a_pole_whose_frequency_is_not_known_and_says_that_a_soft_one_lacks_resonance() {
+        let found = |frequency_hz| {
             let body = WindBody { frequency_hz, ..POLE };
-            wind(Kds41Exposure::C).pressure(&body).unwrap_err()
+            wind(Kds41Exposure::C).pressure(&body)
         };
-        assert_eq!(said(None), WindError::FrequencyUnknown);
+        assert_eq!(found(None), Err(WindError::FrequencyUnknown));
+        let [soft, stiff] = [1.0, 1.01].map(|hz| found(Some(hz)).unwrap());
+        assert_eq!(soft.response_factor, stiff.response_factor);
         assert_eq!(
-            said(Some(0.32)),
-            WindError::TooSoft {
-                frequency_hz: 0.32,
-                least_hz: 1.0
-            }
+            [soft.resonance, stiff.resonance],
+            [Resonance::LeftOut, Resonance::Stiff]
         );
     }
 }

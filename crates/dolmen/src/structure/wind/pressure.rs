@@ -30,6 +30,8 @@ pub enum Resonance {
     Counted,
     /// The pressure or gust is given, and it is unknown whether it includes resonance.
     NotCounted,
+    /// The body is too soft for the factor of stiff bodies, which is used all the same: the pressure is a lower bound.
+    LeftOut,
 }
 
 /// Wind pressure over height.
