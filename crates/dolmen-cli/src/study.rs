@@ -11,7 +11,7 @@ use crate::wrong::{CommandError, Noted};
 use crate::{signals, tools};
 use anyhow::{Context as _, Result};
 use dolmen_folder::{StudyFolder, shard};
-use dolmen_report::against_text;
+use dolmen_report::against_studies_text;
 use dolmen_report::json::{missing_json, shard_json, study_json};
 use dolmen_report::text::{missing_text, shard_text, study_text};
 use dolmen_work::study::{self, Plan, Run, merged, studies};
@@ -21,7 +21,12 @@ use std::path::PathBuf;
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     match &options.action {
         Some(StudyAction::Merge { place, from }) => each((place, typed, manner), |plan, folder| {
-            let runs = merged(plan, &folder.journals(&plan.study.name, from)?)?;
+            let journals = folder.journals(&plan.study.name, from)?;
+            let runs = merged(plan, &journals)?;
+            let own = folder.journal_file((1, 1)).display().to_string();
+            if journals.iter().any(|journal| journal.shown != own) {
+                folder.keep(&plan.header((1, 1)), plan.kind, &runs)?;
+            }
             finish(plan, folder, runs, manner)
         }),
         Some(StudyAction::Missing { place, from }) => each((place, typed, manner), |plan, folder| {
@@ -45,8 +50,9 @@ fn each(
     let found = found.with_stiffness_of_surveys(&Terminal::new(manner.quiet))?;
     let meant = studies(&found.opened, &place.study)?;
     if !manner.json {
-        say(&against_text(
+        say(&against_studies_text(
             &found.opened.project,
+            &meant,
             &evidence_of(&found.opened)?,
             manner.style(),
         ))?;

@@ -14,6 +14,7 @@ use dolmen_work::study::{
     resumed, run_line,
 };
 use dolmen_work::{WorkError, told_by};
+use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
 use std::io::{Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
@@ -146,6 +147,18 @@ impl StudyFolder {
             path,
         };
         Ok((file, runs))
+    }
+
+    /// Adds runs of other journals to the journal of the whole study, so that later commands with this folder have them.
+    pub fn keep(&self, header: &JournalHeader, kind: StudyKind, runs: &[Run]) -> Result<()> {
+        let (journal, kept) = self.journal(header, kind, false)?;
+        let key = |run: &Run| (run.job, run.scale.to_bits());
+        let kept: BTreeSet<(usize, u64)> = kept.iter().map(key).collect();
+        let is_new = |run: &&Run| !kept.contains(&key(run));
+        for run in runs.iter().filter(is_new) {
+            journal.append(run)?;
+        }
+        Ok(())
     }
 
     /// All journals of a study: in its folder, and in the folders `from`.

@@ -1,5 +1,7 @@
 //! One number of a project file: its value in SI, its scatter and its source.
 
+use super::units::{parse_unit, split_number};
+
 /// Source of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Evidence {
@@ -55,6 +57,15 @@ pub struct Quantity {
 }
 
 impl Quantity {
+    /// The unit in which the file gives it, with its size in SI: "kN*m/rad", 1000; `None` without one.
+    pub fn written_unit(&self) -> Option<(String, f64)> {
+        // damage of an inspection is written as a factor: "3000 kN*m/rad × 0.3430"
+        let (_, unit) = split_number(self.written.split(" × ").next()?)?;
+        let needed = parse_unit(self.unit).ok()?.dimension;
+        let size = parse_unit(unit).ok()?.measuring(needed)?.factor;
+        Some((unit.to_owned(), size))
+    }
+
     /// Its value without scatter: the `pick` of the nominal structure.
     pub fn nominal(quantity: &Quantity) -> f64 {
         quantity.value

@@ -66,7 +66,7 @@ mod wind_simulation;
 pub mod xlsx;
 
 pub use after_first::after_first_text;
-pub use check::{against_text, check_text};
+pub use check::{against_studies_text, against_text, check_text};
 pub use document::TextStyle;
 pub use finite::{JsonObject, json_value};
 pub use headline::{simulation_headline_text, solution_headlines_text};

@@ -92,6 +92,7 @@ impl Logs {
                     is_one_sided: !is_tilt,
                 }),
                 works: days.clone(),
+                zero: log.part.zero.unwrap_or(0.0),
             };
             Ok(WatchedLog {
                 part: log.part.clone(),

@@ -7,6 +7,7 @@ use crate::sensor_alarms::SensorAlarm;
 use crate::watched_log::WatchedLog;
 use crate::years_parts::YearsParts;
 use dolmen::monitoring::{ANSWERED_DAYS, TiltSeries, Track, Watched};
+use dolmen::numeric::{Bracketing, bracketed_root};
 use dolmen_project::{EarthquakePart, LogKind, Project, WorkKind, WorkPart};
 use dolmen_words::message::Both;
 use std::sync::Arc;
@@ -153,9 +154,10 @@ impl WatchAnswer {
             .max_by(f64::total_cmp)
     }
 
-    /// Whether the newest days of a log differ from those before.
+    /// Whether the newest days of a log differ from those before, or some of its days are on another scale.
     pub fn is_log_off(&self) -> bool {
-        self.logs.iter().any(|log| log.trend.last_off.is_some())
+        let mut logs = self.logs.iter().map(|log| &log.trend);
+        logs.any(|trend| trend.last_off.is_some() || trend.scale.is_some())
     }
 
     /// Cracks, logged or inspected, and other inspected damage beyond their limits.
@@ -166,18 +168,20 @@ impl WatchAnswer {
 
     /// The tilt of x and y together, if there is one log of each with a known zero.
     pub fn logged_lean(&self) -> Option<LeanNow> {
-        let of = |direction: &str| -> Option<[f64; 2]> {
+        let of = |direction: &str| -> Option<[f64; 3]> {
             let mut all = self.logs.iter().filter(|log| {
                 log.part.zero.is_some()
                     && matches!(&log.part.kind, LogKind::Tilt { direction: own } if own == direction)
             });
             let first = &all.next()?.trend;
             let seen = first.slope.as_ref().ok().filter(|_| first.is_beyond_chance());
-            let part = [first.now, seen.map_or(0.0, |slope| slope.per_year)];
+            let per_year = seen.map_or(0.0, |slope| slope.per_year);
+            let grows = first.curve.filter(|of| of.speeds_up(per_year));
+            let part = [first.now, per_year, grows.map_or(0.0, |of| of.per_year2)];
             all.next()
                 .is_none()
                 .then_some(part)
-                .filter(|[now, _]| now.is_finite())
+                .filter(|[now, ..]| now.is_finite())
         };
         let directions = vec!["x".to_owned(), "y".to_owned()];
         let limit = self.project.watch.tilt_limit;
@@ -204,7 +208,7 @@ impl WatchAnswer {
     /// The tilt on the day of the last readings: x and y of one datum together, other directions separately.
     pub fn leans(&self) -> Vec<LeanNow> {
         let limit = self.project.watch.tilt_limit;
-        let mut leans: Vec<(LeanNow, Vec<[f64; 2]>)> = Vec::new();
+        let mut leans: Vec<(LeanNow, Vec<[f64; 3]>)> = Vec::new();
         for trend in &self.watched.tilts {
             let of = &trend.series;
             let fitted = trend.carried.or(trend.slope).map(|slope| slope.now);
@@ -214,7 +218,7 @@ impl WatchAnswer {
             };
             let is_plane = |direction: &str| matches!(direction, "x" | "y");
             let seen = trend.forecast();
-            let part = [now, seen.map_or(0.0, |slope| slope.per_year)];
+            let part = [now, seen.map_or(0.0, |slope| slope.per_year), 0.0];
             let across = leans.iter_mut().find(|(lean, _)| {
                 lean.datum == of.datum
                     && is_plane(&of.direction)
@@ -266,17 +270,31 @@ pub struct LeanNow {
 }
 
 impl LeanNow {
-    /// From the present tilt and its slope, 1/year, in each direction.
+    /// From the present tilt, its slope, 1/year, and the growth of its slope, 1/year², in each direction.
     ///
     /// ```text
-    /// Σ (n + s T)² = L²
+    /// Σ (n + s T + ½ a T²)² = L²
     /// ```
-    fn of(datum: Option<String>, directions: Vec<String>, parts: &[[f64; 2]], limit: Option<f64>) -> Self {
-        let sum = |of: fn(&[f64; 2]) -> f64| parts.iter().map(of).sum::<f64>();
-        let (square, both, slopes) = (sum(|[n, _]| n * n), sum(|[n, s]| n * s), sum(|[_, s]| s * s));
+    fn of(datum: Option<String>, directions: Vec<String>, parts: &[[f64; 3]], limit: Option<f64>) -> Self {
+        let sum = |of: fn(&[f64; 3]) -> f64| parts.iter().map(of).sum::<f64>();
+        let (square, both, slopes) = (
+            sum(|[n, ..]| n * n),
+            sum(|[n, s, _]| n * s),
+            sum(|[_, s, _]| s * s),
+        );
         let years = limit.and_then(|limit| {
             let left = limit * limit - square;
-            (left > 0.0 && slopes > 0.0).then(|| ((both * both + slopes * left).sqrt() - both) / slopes)
+            let straight = (left > 0.0 && slopes > 0.0)
+                .then(|| ((both * both + slopes * left).sqrt() - both) / slopes)?;
+            let beyond = |years: f64| {
+                let at = |[n, s, a]: &[f64; 3]| n + s * years + 0.5 * a * years * years;
+                parts.iter().map(|part| at(part).powi(2)).sum::<f64>() - limit * limit
+            };
+            // at a growing slope the limit is reached earlier, or not at all if the directions cancel
+            match parts.iter().any(|[.., a]| *a != 0.0) && beyond(straight) > 0.0 {
+                true => bracketed_root(beyond, 0.0, straight, &Bracketing::default()).ok(),
+                false => Some(straight),
+            }
         });
         LeanNow {
             datum,

@@ -105,6 +105,7 @@ mod store_disks;
 mod store_processes;
 mod store_strangers;
 mod stores;
+mod studied_versions;
 mod studies;
 mod studies_fallen;
 mod supply;

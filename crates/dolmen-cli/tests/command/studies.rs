@@ -254,6 +254,21 @@ fn holds_shards_merged_are_one_run_and_a_missing_one_is_named() {
         "{}",
         missing.stdout
     );
+    // merged in two steps, the first stays, and a study in that folder goes on from both
+    assert_eq!(study("merge . -o steps --from one").status, 3);
+    let second = study("merge . -o steps --from two");
+    assert!(
+        second.words().contains("Not finished: 8 of 24 scans are missing"),
+        "{}",
+        second.stdout
+    );
+    let ended = study(". -o steps");
+    assert_eq!(ended.status, 0, "{}{}", ended.stdout, ended.stderr);
+    assert!(ended.stderr.contains("are kept from before"), "{}", ended.stderr);
+    same(
+        &scratch.path().join("whole/height"),
+        &scratch.path().join("steps/height"),
+    );
     assert_eq!(study(". -o one --shard 3/3").status, 0);
     let merged = study("merge . -o one --from two");
     assert_eq!(merged.status, 0, "{}{}", merged.stdout, merged.stderr);

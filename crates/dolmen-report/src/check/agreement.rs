@@ -37,6 +37,10 @@ messages! {
             en: "direction {direction} {whole} ({without} without dampers)",
             ko: "{direction} {whole}(감쇠기가 없으면 {without})",
         },
+        OneBefore { survey: String, direction: Both, measured: Quantity, computed: Quantity } => {
+            en: "direction {direction} {measured}, model without later damage {computed} (survey {survey})",
+            ko: "{direction} {measured}, 이후 손상이 없는 모델 {computed}({survey} 조사)",
+        },
         One { survey: String, direction: Both, measured: Quantity, computed: Quantity } => {
             en: "direction {direction} {measured}, model {computed} (survey {survey})",
             ko: "{direction} {measured}, 모델 {computed}({survey} 조사)",
@@ -52,7 +56,7 @@ pub(super) fn agreement(project: &Project, state: &State) -> Vec<Finding> {
     let (off, agreeing): (Vec<MeasuredFrequency>, Vec<MeasuredFrequency>) =
         near.partition(|of| deviations(of).is_some());
     let mut all: Vec<Finding> = off.iter().filter_map(said_off).collect();
-    let each: Vec<Sentence> = agreeing.iter().map(one).collect();
+    let each: Vec<Sentence> = agreeing.iter().map(|of| one(project, of)).collect();
     if !each.is_empty() {
         all.push(Finding::key(Tone::Good, Agreement::Agree { each }));
     }
@@ -120,12 +124,22 @@ fn said_off(of: &MeasuredFrequency) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said))
 }
 
-fn one(of: &MeasuredFrequency) -> Sentence {
-    Agreement::One {
-        survey: of.survey.clone(),
-        direction: direction_words(&of.direction),
-        measured: measured(of),
-        computed: hertz(of.computed_hz),
+fn one(project: &Project, of: &MeasuredFrequency) -> Sentence {
+    let (survey, direction) = (of.survey.clone(), direction_words(&of.direction));
+    let (measured, computed) = (measured(of), hertz(of.computed_hz));
+    match project.is_before_damage(&of.survey) {
+        true => Agreement::OneBefore {
+            survey,
+            direction,
+            measured,
+            computed,
+        },
+        false => Agreement::One {
+            survey,
+            direction,
+            measured,
+            computed,
+        },
     }
     .into()
 }

@@ -1,7 +1,7 @@
 //! Stiffness identified from the surveys of the file: the result, before any answer that depends on it.
 
 use crate::document::{Finding, TextStyle, Tone, wrapped};
-use dolmen_project::{FromSurvey, FromSurveys, Project, Quantity as Input, WhyNotIdentified};
+use dolmen_project::{FromSurvey, FromSurveys, Project, Quantity as Input, StudyPart, WhyNotIdentified};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 
 messages! {
@@ -73,7 +73,7 @@ pub(super) fn findings(project: &Project) -> Vec<Finding> {
         (None, 1) => Tone::Plain,
         (None, _) => Tone::Warn,
     };
-    let each = told.parts.iter();
+    let each = told.parts.iter().filter(|part| uses(project, part));
     each.map(|part| Finding::key(tone(part), said(project, told, part)).with_code("indistinguishable"))
         .map(|finding| match finding.tone {
             Tone::Warn => finding,
@@ -83,6 +83,43 @@ pub(super) fn findings(project: &Project) -> Vec<Finding> {
             },
         })
         .collect()
+}
+
+/// Whether the structure has the stiffness of a survey, or would if it were known; a variant may have its own.
+fn uses(project: &Project, part: &FromSurvey) -> bool {
+    match part.unknown {
+        Some(_) => project
+            .structure
+            .sought()
+            .iter()
+            .any(|(path, _)| *path == part.path),
+        None => !identified(project, &part.path).is_empty(),
+    }
+}
+
+/// The same above studies: of the structures that their runs have, each sentence once.
+pub(crate) fn from_surveys_of_studies(project: &Project, studies: &[&StudyPart], style: TextStyle) -> String {
+    let mut said: Vec<String> = Vec::new();
+    for study in studies {
+        let variants = project.variants.iter();
+        let own = variants.filter(|variant| study.variants.contains(&variant.name));
+        let mut versions: Vec<&Project> = own.map(|variant| &variant.project).collect();
+        if study.variants.is_empty() {
+            versions.push(project);
+        }
+        let is_set = |path: &str| study.set.iter().any(|set| set.path == path);
+        for version in versions {
+            let mut version = version.clone();
+            if let Some(told) = &mut version.from_surveys {
+                told.parts.retain(|part| !is_set(&part.path));
+            }
+            let text = from_surveys_text(&version, style);
+            if !said.contains(&text) {
+                said.push(text);
+            }
+        }
+    }
+    said.concat()
 }
 
 /// The same on a terminal, above an answer.
@@ -140,20 +177,23 @@ fn not_known(why: WhyNotIdentified, survey: String) -> Identified {
     }
 }
 
+/// The identified inputs below a path.
+fn identified<'a>(project: &'a Project, path: &str) -> Vec<&'a Input> {
+    let mut own = project.structure.inputs();
+    own.retain(|input| input.path.starts_with(&format!("{path}[")) && input.survey.is_some());
+    own
+}
+
 /// The values below a path, lowest first, with their deviations.
 fn values(project: &Project, path: &str) -> Values {
-    let all = project.structure.inputs();
-    let own: Vec<&&Input> = all
-        .iter()
-        .filter(|input| input.path.starts_with(&format!("{path}[")) && input.survey.is_some())
-        .collect();
+    let own = identified(project, path);
     let numbers: Vec<f64> = own.iter().map(|input| input.value).collect();
     let si = match path {
         "joints" => "N·m/rad",
         _ => "N/m",
     };
     let unit = Unit::of(&numbers, si);
-    let quantity = |input: &&&Input| {
+    let quantity = |input: &&Input| {
         let sd = input.standard_deviation();
         Quantity {
             sd_si: Some(sd).filter(|sd| *sd > 0.0),

@@ -16,7 +16,7 @@ mod variants;
 pub(crate) use findings::findings;
 pub(crate) use from_surveys::from_surveys_text;
 pub(crate) use measured::{over_the_years, tilt_beyond};
-pub use project::against_text;
+pub use project::{against_studies_text, against_text};
 pub(crate) use project::{doubtful, made_up_text, project_text};
 pub(crate) use sampled::sections as scatter_sections;
 pub use text::check_text;

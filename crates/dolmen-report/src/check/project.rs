@@ -1,6 +1,6 @@
 //! Description of the input, printed before any result.
 
-use super::from_surveys::from_surveys_text;
+use super::from_surveys::{from_surveys_of_studies, from_surveys_text};
 use crate::damaged::damaged;
 use crate::document::{TextStyle, wrapped};
 use crate::headline_basis::NAMED_MOST;
@@ -8,7 +8,7 @@ use crate::warned::slip;
 use dolmen::structure::stack::Body;
 use dolmen_project::{
     Axial, BuildingPart, ChainPart, FramePart, Heaviness, Pick, Project, Quantity as Input, StackPart,
-    Structure, WarningKind,
+    Structure, StudyPart, WarningKind,
 };
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::judgement::Evidence;
@@ -149,6 +149,15 @@ fn doubtful_lines(project: &Project) -> Vec<Sentence> {
 /// Notes that must precede an answer, for a terminal: damage in the model, a mistake in the file, a survey that contradicts its model.
 /// Empty without any.
 pub fn against_text(project: &Project, evidence: &Evidence, style: TextStyle) -> String {
+    let damage = damage_text(project, style);
+    damage
+        + &doubtful_text(project, style)
+        + &contradicted_text(evidence, style)
+        + &from_surveys_text(project, style)
+}
+
+/// A survey that contradicts the model; empty without one.
+fn contradicted_text(evidence: &Evidence, style: TextStyle) -> String {
     let contradicted = match evidence {
         Evidence::Contradicted(of) => Some(Sentence::from(Size::Contradicted {
             survey: of.survey.clone(),
@@ -157,9 +166,21 @@ pub fn against_text(project: &Project, evidence: &Evidence, style: TextStyle) ->
         })),
         _ => None,
     };
-    let said = contradicted.map(|said| wrapped(&said.text(style.language), "  ", "    ", style.columns()));
-    let damage = damage_text(project, style);
-    damage + &doubtful_text(project, style) + &said.unwrap_or_default() + &from_surveys_text(project, style)
+    contradicted.map_or(String::new(), |said| {
+        wrapped(&said.text(style.language), "  ", "    ", style.columns())
+    })
+}
+
+/// The same above studies, which name the damage in their models themselves; of stiffness from surveys only what their runs use.
+pub fn against_studies_text(
+    project: &Project,
+    studies: &[&StudyPart],
+    evidence: &Evidence,
+    style: TextStyle,
+) -> String {
+    doubtful_text(project, style)
+        + &contradicted_text(evidence, style)
+        + &from_surveys_of_studies(project, studies, style)
 }
 
 /// The same of the file alone.

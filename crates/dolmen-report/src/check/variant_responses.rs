@@ -33,7 +33,6 @@ messages! {
             en: "{what} is {after}, {word}",
             ko: "{what}은(는) {after}이다({word})",
         },
-        NoRatio { what: Sentence, word: Both } => { en: "{what}: {word}", ko: "{what}: {word}" },
         OfVariant { variant: Both, said: Sentence } => {
             en: "Variant “{variant}”: {said}.",
             ko: "대안 ‘{variant}’: {said}.",
@@ -55,7 +54,7 @@ messages! {
 pub(super) struct Response {
     what: Responses,
     before: Option<f64>,
-    after: Option<f64>,
+    after: f64,
     word: Both,
     /// Whether it is beyond a limit or below the demand.
     pub(super) is_red: bool,
@@ -66,13 +65,13 @@ pub(super) struct Response {
 impl Response {
     /// Whether a variant changes it.
     pub(super) fn changes(&self) -> bool {
-        let both = self.before.zip(self.after);
-        both.is_some_and(|(old, new)| (new / old - 1.0).abs() >= SAME_SHARE)
+        self.before
+            .is_some_and(|old| (self.after / old - 1.0).abs() >= SAME_SHARE)
     }
 
     /// Whether it is worse than that of the structure as it is.
     pub(super) fn is_worse(&self) -> bool {
-        self.before.zip(self.after).is_some_and(|(old, new)| new < old)
+        self.before.is_some_and(|old| self.after < old)
     }
 
     /// What changes, without the variant.
@@ -80,24 +79,16 @@ impl Response {
         let number = |ratio: f64| Quantity::beside_one(ratio, DIGITS);
         let what = Sentence::from(self.what.clone());
         let word = self.word.clone();
-        match (self.before.filter(|_| self.changes()), self.after) {
-            (Some(before), Some(after)) => {
-                let (before, after) = (number(before), number(after));
-                match self.is_red {
-                    true => Responses::GoesBeyond {
-                        what,
-                        before,
-                        after,
-                        word,
-                    },
-                    false => Responses::Goes { what, before, after },
-                }
-            }
-            (None, Some(after)) => {
-                let after = number(after);
-                Responses::Is { what, after, word }
-            }
-            (_, None) => Responses::NoRatio { what, word },
+        let after = number(self.after);
+        match (self.before.filter(|_| self.changes()).map(number), self.is_red) {
+            (Some(before), true) => Responses::GoesBeyond {
+                what,
+                before,
+                after,
+                word,
+            },
+            (Some(before), false) => Responses::Goes { what, before, after },
+            (None, _) => Responses::Is { what, after, word },
         }
         .into()
     }
@@ -115,30 +106,35 @@ pub(super) fn limited(version: &VersionJudgement) -> Option<(WindWord, Option<f6
     WindFinding::deciding(&version.wind).map(|of| (of.word, of.ratio))
 }
 
-/// The responses of a variant that differ from those of the structure as it is, or are beyond what is allowed.
+/// The responses of a variant that differ from those of the structure as it is, or are beyond what is allowed. A response without a ratio, of
+/// a variant that does not bear its loads, stands in its headline.
 pub(super) fn responses(before: &VersionJudgement, after: &VersionJudgement) -> Vec<Response> {
-    let earthquake = asked(after).map(|(word, ratio)| Response {
-        what: Responses::Earthquake,
-        before: asked(before).and_then(|(_, ratio)| ratio),
-        after: ratio,
-        word: Both::of(|language| word.word(language)),
-        is_red: word.colour() == Colour::Red,
-        is_earthquake: true,
+    let earthquake = asked(after).and_then(|(word, ratio)| {
+        Some(Response {
+            what: Responses::Earthquake,
+            before: asked(before).and_then(|(_, ratio)| ratio),
+            after: ratio?,
+            word: Both::of(|language| word.word(language)),
+            is_red: word.colour() == Colour::Red,
+            is_earthquake: true,
+        })
     });
     let old = WindFinding::deciding(&before.wind);
-    let wind = WindFinding::deciding(&after.wind).map(|of| Response {
-        what: match of.by {
-            MovedBy::Wind => Responses::Wind,
-            MovedBy::Loads => Responses::Loads,
-            MovedBy::Both => Responses::WindAndLoads,
-            MovedBy::WithEarthquake => Responses::WithEarthquake,
-        },
-        before: old.filter(|old| old.by == of.by).and_then(|old| old.ratio),
-        // 0: the loads are not borne at all
-        after: of.ratio.filter(|ratio| *ratio > 0.0),
-        word: Both::of(|language| of.word.word(language)),
-        is_red: of.word.colour() == Colour::Red,
-        is_earthquake: false,
+    let wind = WindFinding::deciding(&after.wind).and_then(|of| {
+        Some(Response {
+            what: match of.by {
+                MovedBy::Wind => Responses::Wind,
+                MovedBy::Loads => Responses::Loads,
+                MovedBy::Both => Responses::WindAndLoads,
+                MovedBy::WithEarthquake => Responses::WithEarthquake,
+            },
+            before: old.filter(|old| old.by == of.by).and_then(|old| old.ratio),
+            // 0: the loads are not borne at all
+            after: of.ratio.filter(|ratio| *ratio > 0.0)?,
+            word: Both::of(|language| of.word.word(language)),
+            is_red: of.word.colour() == Colour::Red,
+            is_earthquake: false,
+        })
     });
     let all = earthquake.into_iter().chain(wind);
     all.filter(|of| of.is_red || of.changes()).collect()

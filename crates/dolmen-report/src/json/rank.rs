@@ -30,9 +30,11 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
         let basis = match &entry.basis {
             Basis::Study {
                 name,
+                variant,
+                set,
                 scans,
                 fell_alone,
-            } => as_json!({ "kind": "study", "study": name, "scans": scans, "scans_fell_by_themselves": fell_alone }),
+            } => as_json!({ "kind": "study", "study": name, "variant": variant, "set": set, "scans": scans, "scans_fell_by_themselves": fell_alone }),
             Basis::Score {
                 reasons,
                 outside,

@@ -41,7 +41,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
             "slip_begun_m": study.damage.slip_begun_m, "offset_ratio": study.damage.offset_ratio, "offset_m": study.damage.offset_m,
             "severe_offset_ratio": study.damage.severe_offset_ratio, "severe_rocking_ratio": study.damage.severe_rocking_ratio,
         })),
-        "damage_in_model": answer.model_damage.iter().map(damage).collect::<Vec<_>>(),
+        "damage_in_model": answer.model_damage.iter().map(|of| damage(&of.damage)).collect::<Vec<_>>(),
         "noise_seed": study.artificial.map(|made| made.seed),
         "notes": answer.notes.iter().map(|note| &note.english).collect::<Vec<_>>(),
         "left_out_of_runs": answer.left_out_of_runs.iter().map(|said| &said.english).collect::<Vec<_>>(),

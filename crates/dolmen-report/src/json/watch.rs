@@ -5,7 +5,7 @@ use super::changed_part::{changed_part, model_off};
 use super::check::project;
 use super::inspected::inspected;
 use crate::as_json;
-use dolmen::monitoring::{AlarmKind, NoSlope, NotJudged, TiltTrend, WatchedMode, WeatherKnown};
+use dolmen::monitoring::{AlarmKind, NoSlope, NotJudged, ScaleMark, TiltTrend, WatchedMode, WeatherKnown};
 use dolmen_project::LogKind;
 use dolmen_work::date_text;
 use dolmen_work::watched::WatchAnswer;
@@ -298,7 +298,15 @@ fn log(log: &WatchedLog, answer: &WatchAnswer) -> Value {
             NoSlope::TooShort { .. } => "too_short",
             NoSlope::TooFew { .. } => "too_few",
             NoSlope::Wanders => "wanders",
+            NoSlope::OtherScale(_) => "other_scale",
         }),
+        "acceleration": trend.curve.map(|of| as_json!({
+            "per_year2": of.per_year2, "sd_per_year2": of.sd_per_year2, "p_value": of.p_value, "first_per_year": of.first_per_year,
+            "years_to_limit_at_rate": of.at_rate.and_then(|reach| reach.years),
+            "years_to_limit_at_rate_earliest": of.at_rate.and_then(|reach| reach.years_earliest),
+            "years_to_limit_at_rate_latest": of.at_rate.and_then(|reach| reach.years_latest),
+        })),
+        "scale_in_question": trend.scale.map(|of| as_json!({ "from": date_text(of.from), "mark": mark(of.mark), "factor": factor(of.mark) })),
         "season": trend.season,
         "per_c": trend.per_c.map(|known| known.0),
         "per_c_sd": trend.per_c.map(|known| known.1),
@@ -337,4 +345,21 @@ fn log(log: &WatchedLog, answer: &WatchAnswer) -> Value {
         "rows_set_back": rows.set_back,
         "readings_of_wrong_clock": rows.misdated + trend.daily.stray,
     })
+}
+
+/// What shows another scale.
+fn mark(of: ScaleMark) -> &'static str {
+    match of {
+        ScaleMark::Scatter(_) => "scatter",
+        ScaleMark::Readings(_) => "readings",
+        ScaleMark::OtherSign => "sign",
+        ScaleMark::Turned => "season_and_temperature",
+    }
+}
+
+fn factor(of: ScaleMark) -> Option<f64> {
+    match of {
+        ScaleMark::Scatter(factor) | ScaleMark::Readings(factor) => Some(factor),
+        ScaleMark::OtherSign | ScaleMark::Turned => None,
+    }
 }

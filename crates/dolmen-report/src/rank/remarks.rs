@@ -6,7 +6,7 @@ use dolmen::assess::RankedBy;
 use dolmen_words::message::Both;
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::portfolio::{
-    FallsApart, LeftOut, PortfolioAnswer, falls_first, hazards_replaced, misjudged, without_hazard,
+    Basis, FallsApart, LeftOut, PortfolioAnswer, falls_first, hazards_replaced, misjudged, without_hazard,
 };
 
 /// Largest number of structures without a hazard that a remark names.
@@ -49,6 +49,14 @@ messages! {
         FallAlone { name: String, share: Quantity } => {
             en: "{name}: {share} of its scans fall under their own weight, without shaking. Its place counts them: its capacity is the median of all scans, its rate the one that gives the same probability in 50 years",
             ko: "{name}: 증분해석의 {share}이(가) 지진 없이 자중으로 붕괴한다. 순위에는 이를 포함하였으며, 저항능력은 전체의 중앙값, 연간 초과율은 50년 확률이 같은 값이다",
+        },
+        OfVariant { name: String, study: String, variant: String } => {
+            en: "{name}: study {study} is of the variant {variant}, not of the structure as it is",
+            ko: "{name}: 해석 {study}은(는) 현 상태가 아니라 대안 {variant}의 것이다",
+        },
+        OfSet { name: String, study: String, set: Vec<String> } => {
+            en: "{name}: study {study} is of values set in place of those of the file: {set}",
+            ko: "{name}: 해석 {study}은(는) 파일의 값을 바꾼 것이다: {set}",
         },
         Misjudged { name: String, rank: usize, state: Both, falls: usize } => {
             en: "{name}: place {rank} by {state}, but {falls} by falls alone: it is damaged long before anything falls",
@@ -148,6 +156,32 @@ pub(super) fn fall_alone(answer: &PortfolioAnswer) -> Vec<Sentence> {
     said.map(Sentence::from).collect()
 }
 
+/// Structures whose studies are not of the structure as it is.
+pub(super) fn other_versions(answer: &PortfolioAnswer) -> Vec<Sentence> {
+    let mut all = Vec::new();
+    for (_, entry, _) in answer.rows() {
+        let Basis::Study {
+            name: study,
+            variant,
+            set,
+            ..
+        } = &entry.basis
+        else {
+            continue;
+        };
+        let (name, study) = (entry.name.clone(), study.clone());
+        if let Some(variant) = variant.clone() {
+            let (name, study) = (name.clone(), study.clone());
+            all.push(Remarks::OfVariant { name, study, variant }.into());
+        }
+        if !set.is_empty() {
+            let set = set.clone();
+            all.push(Remarks::OfSet { name, study, set }.into());
+        }
+    }
+    all
+}
+
 /// Structures with another rank by falls alone, those far lower first.
 pub(super) fn apart(answer: &PortfolioAnswer) -> Vec<Sentence> {
     let later = |of: &FallsApart<'_>| Remarks::Misjudged {
@@ -187,6 +221,10 @@ pub(super) fn before(document: &mut Document<'_>, answer: &PortfolioAnswer) {
     if !answer.left_out.is_empty() {
         let count = answer.left_out.len();
         document.put(Block::Warning(Remarks::WithoutPlaceBelow { count }.into()));
+    }
+    let others = other_versions(answer);
+    if !others.is_empty() {
+        document.put(Block::List(others));
     }
     let alone = fall_alone(answer);
     if !alone.is_empty() {

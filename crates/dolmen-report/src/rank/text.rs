@@ -35,8 +35,9 @@ fn brief(answer: &PortfolioAnswer, style: TextStyle) -> String {
     if !answer.left_out.is_empty() {
         brief.block(Block::Warning(remarks::left_out_head(answer)));
     }
-    for remark in remarks::fall_alone(answer)
+    for remark in remarks::other_versions(answer)
         .into_iter()
+        .chain(remarks::fall_alone(answer))
         .chain(remarks::apart(answer))
         .chain(remarks::columns_left_out(answer))
     {

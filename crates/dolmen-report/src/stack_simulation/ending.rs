@@ -16,6 +16,10 @@ messages! {
             en: "Under {motion} with a horizontal peak of {peak}: {ending}",
             ko: "{motion}(수평 최대 {peak}) 작용 시: {ending}",
         },
+        OfVariant { variant: String } => {
+            en: "All of this is of the variant: {variant}.",
+            ko: "모두 대안의 결과이다: {variant}.",
+        },
         LoadsAct => {
             en: "The static loads of the file act all the time, as they are; they have no mass.",
             ko: "입력한 정하중은 계수 없이 전 시간 동안 작용하며 질량은 없다.",

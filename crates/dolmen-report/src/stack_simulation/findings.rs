@@ -33,7 +33,10 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
         true => Ending::Under { motion, peak, ending },
         false => Ending::UnderOne { motion, peak, ending },
     };
-    let mut all = vec![Finding::key(tone(simulation), said)];
+    let variant = simulation.variant.clone();
+    let variant = variant.map(|variant| Finding::key(Tone::Plain, Ending::OfVariant { variant }));
+    let mut all: Vec<Finding> = variant.into_iter().collect();
+    all.push(Finding::key(tone(simulation), said));
     all.extend(laws::finding(runs));
     all.extend(sliding::finding(runs));
     all.extend(runs.repeats.as_ref().map(repeats::finding));

@@ -5,7 +5,9 @@ use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
 use crate::simulated::{milli, seconds};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::simulation::SPEED_AT_REST_M_S;
-use dolmen_work::study::{LevelRow, RunMeasures, RunOutcome, StateBefore, StudyAnswer, StudyKind};
+use dolmen_work::study::{
+    CapacityOf, LevelRow, RunMeasures, RunOutcome, StateBefore, StudyAnswer, StudyKind,
+};
 
 messages! {
     /// The motion before the runs.
@@ -169,6 +171,18 @@ fn row(answer: &StudyAnswer, own: &[StateBefore], level: &LevelRow, states: &[us
         false => at_or_below(answer, level, *of),
     }));
     cells
+}
+
+/// Whether the motion before by itself brings at least half of the usable scans to a state.
+pub(super) fn is_already(answer: &StudyAnswer, scans: &[CapacityOf], of: usize) -> bool {
+    let usable = || scans.iter().filter(|scan| scan.verdict.is_usable());
+    let reached = usable().filter(|scan| {
+        let case = answer.case_of(scan.job);
+        let before = answer.before.iter().find(|before| before.case == case);
+        before.is_some_and(|before| usize::from(before.damage_state) > of)
+    });
+    let reached = reached.count();
+    reached > 0 && 2 * reached >= usable().count()
 }
 
 /// The median of the scans, marked if it is at or below the smallest size tried.

@@ -1,5 +1,6 @@
 //! Capacities by value of each input.
 
+use super::before::{Preceded, is_already};
 use super::words::{Words, both, bounded, g, name, of_all, reached, state, unit_g};
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen::assess::Reached;
@@ -14,6 +15,10 @@ messages! {
             ko: "손상은 그 전에 시작된다. 증분해석의 절반이 도달하는 최대지반가속도: {each}.",
         },
         HalfFrom { state: Sentence, median: Quantity } => { en: "{state} at {median} or below", ko: "{state} {median} 이하" },
+        HalfBefore { state: Sentence, motion: String } => {
+            en: "{state} already in {motion} alone",
+            ko: "{state} {motion}만으로 이미 도달",
+        },
         HalfAt { state: Sentence, median: Quantity } => { en: "{state} at {median}", ko: "{state} {median}" },
         HalfAtWithCurve { state: Sentence, median: Quantity, theta: Quantity } => {
             en: "{state} at {median} ({theta} by the fitted curve)",
@@ -146,6 +151,7 @@ fn row(answer: &StudyAnswer, level: &LevelRow, columns: usize) -> Vec<Cell> {
     });
     row.extend([0.05, 0.5, 0.95].map(|p| reached(answer, level.quantile_m_s2(3, p))));
     row.extend((0..milder(answer.kind)).map(|of| match answer.has_state(of) {
+        true if is_already(answer, &level.scans, of) => Cell::words(Preceded::Already),
         true => milder_median(answer, level.quantile_m_s2(of, 0.5)),
         false => Cell::Number(None),
     }));
@@ -205,6 +211,15 @@ pub(super) fn milder_states(answer: &StudyAnswer) -> Option<Capacities> {
     };
     let states = (0..milder(answer.kind)).filter(|of| answer.has_state(*of));
     let each = states.filter_map(|of| {
+        if let Some(after) = answer
+            .study
+            .after
+            .as_ref()
+            .filter(|_| is_already(answer, &all.scans, of))
+        {
+            let (state, motion) = (state(answer, of), after.motion.clone());
+            return Some(Capacities::HalfBefore { state, motion }.into());
+        }
         let Reached::At(value) = all.quantile_m_s2(of, 0.5)? else {
             return None;
         };

@@ -12,6 +12,23 @@ use std::collections::BTreeSet;
 messages! {
     /// Findings on a study.
     pub(crate) enum Found in "study.findings" {
+        OfVariant { variant: String } => {
+            en: "All of this is of the variant: {variant}.",
+            ko: "모두 대안의 결과이다: {variant}.",
+        },
+        OfSet { each: Vec<String> } => {
+            en: "All of this is of values that the study sets in place of those of the file: {each}.",
+            ko: "모두 study에서 파일의 값을 바꾼 결과이다: {each}.",
+        },
+        ByVariant { state: Sentence, each: Vec<Sentence> } => {
+            en: "By variant, the weakest at which it reaches “{state}”: {each}.",
+            ko: "대안별 ‘{state}’ 도달 최소 가속도: {each}.",
+        },
+        VariantAt { variant: String, least: Quantity } => { en: "{variant} {least}", ko: "{variant} {least}" },
+        VariantAbove { variant: String, largest: Quantity } => {
+            en: "{variant} not up to {largest}",
+            ko: "{variant} {largest}까지 도달하지 않음",
+        },
         Undamped => {
             en: "Computed with 0 % damping: neither a damping ratio nor friction is given, so that it swings more and longer than it would. Give damping_ratio; stone poles and timber frames have 1 to 5 %.",
             ko: "감쇠비 0 %로 해석하였다. 감쇠비와 마찰이 주어지지 않아 실제보다 크고 오래 흔들린다. damping_ratio를 준다. 석조 당간과 목조 골조는 1~5 %이다.",
@@ -78,10 +95,8 @@ messages! {
 /// The findings, doubts first.
 pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     let undamped = answer.is_undamped.then_some(Found::Undamped);
-    let mut all: Vec<Finding> = undamped
-        .into_iter()
-        .map(|said| Finding::key(Tone::Warn, said))
-        .collect();
+    let mut all = of_version(answer);
+    all.extend(undamped.map(|said| Finding::key(Tone::Warn, said)));
     all.extend(before::findings(answer));
     let doubts = run::doubts(answer).into_iter();
     all.extend(doubts.map(|doubt| Finding::key(Tone::Bad, doubt)));
@@ -103,6 +118,7 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     }
     all.extend(fell_alone(answer));
     all.extend(found);
+    all.extend(by_variant(answer));
     all.extend(capacities::milder_states(answer).map(|said| Finding::key(Tone::Plain, said)));
     all.extend(left_out);
     all.extend(run::copies(answer).map(|said| Finding::key(Tone::Warn, said)));
@@ -119,6 +135,52 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     all.extend(hazard::extrapolated(answer).map(|said| Finding::key(Tone::Warn, said)));
     all.extend(trends::findings(answer));
     all
+}
+
+/// What the runs have in place of the structure of the file: a variant, values that the study sets, damage of inspections.
+fn of_version(answer: &StudyAnswer) -> Vec<Finding> {
+    let mut all = Vec::new();
+    if let [variant] = answer.study.variants.as_slice() {
+        let variant = variant.clone();
+        all.push(Finding::key(Tone::Plain, Found::OfVariant { variant }));
+    }
+    if !answer.study.set.is_empty() {
+        let each = answer.study.set.iter();
+        let each = each.map(|set| format!("{} = {}", set.path, set.text)).collect();
+        all.push(Finding::key(Tone::Plain, Found::OfSet { each }));
+    }
+    let damage = run::damage(answer).into_iter();
+    all.extend(damage.map(|said| Finding::key(Tone::Warn, said)));
+    all
+}
+
+/// The smallest peak at which each of several variants reaches the last state.
+fn by_variant(answer: &StudyAnswer) -> Option<Finding> {
+    if answer.study.variants.len() < 2 {
+        return None;
+    }
+    let variants = answer.study.variants.len();
+    let mut levels = answer.levels();
+    levels.truncate(variants);
+    if levels.iter().all(|level| level.fell() == 0) {
+        return None;
+    }
+    let each = levels.into_iter().filter_map(|level| {
+        let variant = level.text.clone();
+        Some(match level.least_m_s2()? {
+            Reached::At(least) => Found::VariantAt {
+                variant,
+                least: g(answer, least),
+            },
+            Reached::Above(largest) => Found::VariantAbove {
+                variant,
+                largest: g(answer, largest),
+            },
+        })
+    });
+    let each: Vec<Sentence> = each.map(Sentence::from).collect();
+    let state = state(answer, answer.kind.states().len() - 1);
+    (!each.is_empty()).then(|| Finding::key(Tone::Plain, Found::ByVariant { state, each }))
 }
 
 /// The scans compared with the allowable drift of the file.

@@ -57,16 +57,16 @@ messages! {
             ko: "해석 {all}회 중 {beyond}회에서({least}부터) 감쇠기의 행정이 여유 공간을 넘는다. 해석에는 멈춤 장치가 없으므로 그 결과는 실제보다 유리하다.",
         },
         Unfinished { missing: usize, jobs: Sentence } => {
-            en: "Not finished: {missing} of {jobs} are missing; the same command goes on from here. What follows is of the part that is done.",
-            ko: "미완료: {jobs} 중 {missing}건이 끝나지 않았다. 같은 명령으로 이어서 해석할 수 있으며, 아래 결과는 완료된 부분만의 것이다.",
+            en: "Not finished: {missing} of {jobs} are missing; `dolmen study` with this folder goes on from here. What follows is of the part that is done.",
+            ko: "미완료: {jobs} 중 {missing}건이 끝나지 않았다. 같은 폴더로 `dolmen study`를 실행하면 이어서 해석하며, 아래 결과는 완료된 부분만의 것이다.",
         },
         InModel(each: Vec<Sentence>) => {
             en: "The model has the damage of inspections: {each}.",
             ko: "모델에 점검에서 확인된 손상을 반영하였다: {each}.",
         },
-        InModelAsItIs(each: Vec<Sentence>) => {
-            en: "The model of the structure as it is has the damage of inspections: {each}. A variant may have other damage.",
-            ko: "현 상태 모델에 점검에서 확인된 손상을 반영하였다: {each}. 대안의 손상은 다를 수 있다.",
+        InModelOf { runs: Both, each: Vec<Sentence> } => {
+            en: "The model has the damage of inspections in the runs of {runs} only: {each}.",
+            ko: "{runs}의 해석 모델에만 점검에서 확인된 손상을 반영하였다: {each}.",
         },
         NotInRuns(said: Both) => { en: "Left out: {said}.", ko: "미반영: {said}." },
         Copies(each: Vec<Sentence>) => {
@@ -124,12 +124,8 @@ pub(super) fn unscanned(document: &mut Document<'_>, answer: &StudyAnswer) {
 }
 
 fn notes(document: &mut Document<'_>, answer: &StudyAnswer) {
-    if !answer.model_damage.is_empty() {
-        let each = answer.model_damage.iter().map(damaged).collect();
-        document.put(Block::Warning(match answer.study.variants.is_empty() {
-            true => Done::InModel(each).into(),
-            false => Done::InModelAsItIs(each).into(),
-        }));
+    for said in damage(answer) {
+        document.put(Block::Warning(said.into()));
     }
     for said in &answer.left_out_of_runs {
         let said = said.clone();
@@ -138,6 +134,26 @@ fn notes(document: &mut Document<'_>, answer: &StudyAnswer) {
     for note in &answer.notes {
         document.note(Done::Note(note.clone()));
     }
+}
+
+/// Damage of inspections in the models, by the runs that have it.
+pub(super) fn damage(answer: &StudyAnswer) -> Vec<Done> {
+    let mut by_runs: Vec<(&Option<Both>, Vec<Sentence>)> = Vec::new();
+    for of in &answer.model_damage {
+        let said = damaged(&of.damage);
+        match by_runs.iter_mut().find(|(only_in, _)| **only_in == of.only_in) {
+            Some((_, each)) => each.push(said),
+            None => by_runs.push((&of.only_in, vec![said])),
+        }
+    }
+    let each = by_runs.into_iter().map(|(only_in, each)| match only_in {
+        None => Done::InModel(each),
+        Some(runs) => Done::InModelOf {
+            runs: runs.clone(),
+            each,
+        },
+    });
+    each.collect()
 }
 
 /// Each reason for which scans were refused.

@@ -31,6 +31,11 @@ messages! {
         Rises => { en: "rises", ko: "증가" },
         Falls => { en: "falls", ko: "감소" },
         NoTrend => { en: "no trend seen", ko: "경향 없음" },
+        CannotAct { input: Sentence } => {
+            en: "{input} does not act in these runs: no value of it changes anything in them, and they say nothing about it.",
+            ko: "{input}은(는) 이 해석에 작용하지 않는다. 값을 바꾸어도 결과가 같으므로 그 영향은 알 수 없다.",
+        },
+        DoesNotAct => { en: "does not act", ko: "작용하지 않음" },
         Holds => { en: "holds", ko: "성립" },
         NotSeen => { en: "not seen", ko: "확인 안 됨" },
         Contradicted => { en: "contradicted", ko: "반대" },
@@ -112,6 +117,10 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
 /// One sentence per trend.
 pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     let one = |trend: &TrendAnswer| {
+        if !trend.acts {
+            let input = input(answer, trend);
+            return Finding::key(Tone::Warn, Trends::CannotAct { input });
+        }
         let tau = &trend.of_pairs;
         let (input, pairs) = (input(answer, trend), tau.pairs);
         let (size, chance) = (fixed(tau.tau, 2), fixed(tau.tau_by_chance, 2));
@@ -159,6 +168,7 @@ fn expected(trend: &TrendAnswer) -> Option<Sentence> {
 
 fn verdict(trend: &TrendAnswer) -> Trends {
     match (&trend.expected, trend.of_pairs.direction()) {
+        _ if !trend.acts => Trends::DoesNotAct,
         (Some((_, TrendVerdict::Holds)), _) => Trends::Holds,
         (Some((_, TrendVerdict::NotSeen)), _) => Trends::NotSeen,
         (Some((_, TrendVerdict::Contradicted)), _) => Trends::Contradicted,

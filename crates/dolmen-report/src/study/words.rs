@@ -134,8 +134,7 @@ pub(super) fn state(answer: &StudyAnswer, state: usize) -> Sentence {
 pub(super) fn scan(answer: &StudyAnswer, job: usize) -> Sentence {
     let case = answer.case(job);
     let mut words: Vec<String> = case.variant.iter().cloned().collect();
-    let each = answer.inputs.iter().zip(&case.texts);
-    words.extend(each.map(|(input, text)| format!("{} = {text}", input.path)));
+    words.extend(answer.inputs_shown(job));
     if answer.motions.len() > 1 || words.is_empty() {
         words.push(answer.motion_of(job).to_owned());
     }

@@ -2,10 +2,10 @@
 
 use super::numbers::{HALF_95, bare_logged, logged, plain, slope};
 use crate::document::{Finding, Tone};
-use dolmen::monitoring::{ChangeForm, NoSlope, TiltReach, TiltSlope};
+use dolmen::monitoring::{ChangeForm, LoggedCurve, LoggedScale, NoSlope, ScaleMark, TiltReach, TiltSlope};
 use dolmen_project::WorkKind;
 use dolmen_words::message::Both;
-use dolmen_words::{Language, Quantity, messages};
+use dolmen_words::{Digits, Language, Quantity, Unit, messages};
 use dolmen_work::date_text;
 use dolmen_work::watched::WatchAnswer;
 use dolmen_work::watched_log::WatchedLog;
@@ -40,6 +40,18 @@ messages! {
             en: "{label}: {yearly} ± {half} a year, beyond chance; now {now}.",
             ko: "{label}: 해마다 {yearly} ± {half}씩 유의하게 변한다. 현재 {now}이다.",
         },
+        SpeedsUpTo { label: Both, yearly: Quantity, half: Quantity, more: Quantity, more_half: Quantity, limit: Quantity, when: Both, earliest: Both, latest: Both, at_rate: Both } => {
+            en: "{label}: IT SPEEDS UP: {yearly} ± {half} a year now, and each year {more} ± {more_half} a year more. By this law it reaches its limit of {limit} in {when} ({earliest} to {latest}), at the present rate in {at_rate}.",
+            ko: "{label}: 변화가 빨라지고 있다. 현재 해마다 {yearly} ± {half}씩 변하고, 이 속도는 해마다 {more} ± {more_half}씩 커진다. 이 추세가 이어지면 {when}({earliest}~{latest})에, 현재 속도로는 {at_rate}에 한계 {limit}에 이른다.",
+        },
+        SpeedsUp { label: Both, yearly: Quantity, half: Quantity, more: Quantity, more_half: Quantity, now: Quantity } => {
+            en: "{label}: IT SPEEDS UP: {yearly} ± {half} a year now, and each year {more} ± {more_half} a year more; now {now}.",
+            ko: "{label}: 변화가 빨라지고 있다. 현재 해마다 {yearly} ± {half}씩 변하고, 이 속도는 해마다 {more} ± {more_half}씩 커진다. 현재 {now}이다.",
+        },
+        RateChanges { label: Both, first: Quantity, yearly: Quantity, half: Quantity } => {
+            en: "{label}: its rate changes steadily: {first} a year at the beginning of the log, {yearly} ± {half} a year now. A date of the limit follows from the present rate.",
+            ko: "{label}: 변화 속도가 서서히 바뀌었다. 기록 초기에는 해마다 {first}, 현재는 해마다 {yearly} ± {half}이다. 한계에 이르는 시기는 현재 속도로 구한다.",
+        },
         Steady { label: Both, least: Quantity, now: Quantity } => {
             en: "{label}: no trend; a slope of {least} a year would have been seen with 80 % probability. Now {now}.",
             ko: "{label}: 경향 없음. 해마다 {least}의 변화는 80 %의 확률로 발견되었을 것이다. 현재 {now}이다.",
@@ -71,6 +83,26 @@ messages! {
         Jumped { label: Both, by: Quantity, after: String, before: String } => {
             en: "{label}: it jumped by {by} between {after} and {before}, and no work says why. A trend may be of its making: look what happened, and enter it into works of [watch].",
             ko: "{label}: {after}와(과) {before} 사이에 {by}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세가 이 급변 때문일 수 있으므로 원인을 확인하여 [watch]의 works에 기록한다.",
+        },
+        JumpedBy { label: Both, by: Quantity, half: Quantity, after: String, before: String } => {
+            en: "{label}: it jumped by {by} ± {half} between {after} and {before}, and no work says why. The trend is that beside this jump: look what happened, and enter it into works of [watch].",
+            ko: "{label}: {after}와(과) {before} 사이에 {by} ± {half}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세는 이 급변과 함께 추정하였다. 원인을 확인하여 [watch]의 works에 기록한다.",
+        },
+        OtherScatter { label: Both, column: String, from: String, factor: Quantity } => {
+            en: "PROBABLY A SLIP: {label}, column {column}: from {from} on its days scatter {factor} times as much as before. Were unit, range or gain changed? No trend is given: correct the file, or make two logs of it.",
+            ko: "입력 오류 의심: {label}, {column} 열: {from}부터 하루하루의 변동폭이 이전의 {factor}배이다. 단위, 측정 범위나 증폭이 바뀌었는지 확인한다. 추세는 구하지 않았으므로 파일을 고치거나 두 기록으로 나눈다.",
+        },
+        OtherScale { label: Both, column: String, from: String, factor: Quantity } => {
+            en: "PROBABLY A SLIP: {label}, column {column}: from {from} on its readings are {factor} times those before. Were unit, range or gain changed? No trend is given: correct the file, or make two logs of it.",
+            ko: "입력 오류 의심: {label}, {column} 열: {from}부터 측정값이 이전의 {factor}배이다. 단위, 측정 범위나 증폭이 바뀌었는지 확인한다. 추세는 구하지 않았으므로 파일을 고치거나 두 기록으로 나눈다.",
+        },
+        OtherSign { label: Both, column: String, from: String } => {
+            en: "PROBABLY A SLIP: {label}, column {column}: from {from} on its readings have the other sign and the same size. Was the sensor mounted the other way round? No trend is given: correct the file, or make two logs of it.",
+            ko: "입력 오류 의심: {label}, {column} 열: {from}부터 측정값의 크기는 같고 부호가 반대이다. 센서의 방향이 바뀌었는지 확인한다. 추세는 구하지 않았으므로 파일을 고치거나 두 기록으로 나눈다.",
+        },
+        Turned { label: Both, column: String, about: String } => {
+            en: "PROBABLY A SLIP: {label}, column {column}: from about {about} on season and temperature act on it the other way round. Was the sensor mounted the other way round? No trend is given: correct the file, or make two logs of it.",
+            ko: "입력 오류 의심: {label}, {column} 열: {about}경부터 계절과 온도의 영향이 반대 방향으로 나타난다. 센서의 방향이 바뀌었는지 확인한다. 추세는 구하지 않았으므로 파일을 고치거나 두 기록으로 나눈다.",
         },
         LastOff { label: Both, days: usize, from: String, by: Quantity, scatter: Quantity, newest: Quantity } => {
             en: "{label}: its newest readings (days: {days}, since {from}) stand {by} off what it did before, where such differences had a standard deviation of {scatter}; the last day reads {newest}. Whether it jumped or the sensor fell out is not known yet: look at the structure and the sensor.",
@@ -169,17 +201,11 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
         all.extend(exchanged);
         all.extend(was_at_limit(log));
         all.extend(shifts(log, answer));
-        if let Some(jump) = log.trend.jump {
-            let said = Logged::Jumped {
-                label: label(log),
-                by: logged(jump.by, log.is_tilt(), 2),
-                after: date_text(jump.after),
-                before: date_text(jump.before),
-            };
-            all.push(Finding::key(Tone::Warn, said));
+        if log.trend.scale.is_none() {
+            all.extend(jumped(log));
+            all.extend(last_off(log));
+            all.extend(changed(log));
         }
-        all.extend(last_off(log));
-        all.extend(changed(log));
         if let Some(since) = log.trend.stuck_since {
             let said = Logged::Stuck {
                 label: label(log),
@@ -219,12 +245,13 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
             return Finding::key(Tone::Unknown, Logged::TooFew { label, days, now });
         }
         Err(NoSlope::Wanders) => return Finding::key(Tone::Unknown, Logged::Wanders { label, now }),
+        Err(NoSlope::OtherScale(scale)) => return other_scale(log, scale),
     };
     if !log.trend.is_beyond_chance() {
         let least = logged(slope.seen_from_per_year, is_tilt, 3);
         let said = Logged::Steady { label, least, now };
         // without a slope there is no good news if there is a jump, or if the newest days differ
-        let is_moved = log.trend.jump.is_some() || log.trend.last_off.is_some();
+        let is_moved = log.trend.jump.is_some() || log.trend.last_off.is_some() || log.trend.curve.is_some();
         return match is_moved || !log.trend.at_limit.is_empty() {
             true => Finding::new(Tone::Plain, said),
             false => Finding::key(Tone::Good, said),
@@ -234,6 +261,9 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
         bare_logged(slope.per_year, is_tilt, 3),
         logged(HALF_95 * slope.sd_per_year, is_tilt, 3),
     );
+    if let Some(curve) = log.trend.curve.filter(|of| of.speeds_up(slope.per_year)) {
+        return Finding::key(Tone::Warn, speeds_up(log, (&slope, &curve), has_own_limit));
+    }
     let is_late = |reach: &TiltReach| reach.years_earliest.is_some_and(|years| years > DATED_YEARS);
     match reached(log, &slope).filter(|_| has_own_limit) {
         Some((reach, _)) if is_late(&reach) => {
@@ -270,33 +300,127 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
     }
 }
 
-/// Changes of slope, and monthly steps in addition to the jump.
+/// The sentence on a log that speeds up.
+fn speeds_up(log: &WatchedLog, (slope, curve): (&TiltSlope, &LoggedCurve), has_own_limit: bool) -> Logged {
+    let (is_tilt, label) = (log.is_tilt(), label(log));
+    let yearly = bare_logged(slope.per_year, is_tilt, 3);
+    let half = logged(HALF_95 * slope.sd_per_year, is_tilt, 3);
+    let more = bare_logged(curve.per_year2, is_tilt, 3);
+    let more_half = logged(HALF_95 * curve.sd_per_year2, is_tilt, 3);
+    let at_rate = log.span().zip(curve.at_rate.and_then(|reach| reach.years));
+    let found = reached(log, slope).zip(at_rate).filter(|_| has_own_limit);
+    match found {
+        Some(((reach, [when, earliest, latest]), ([_, last], years))) => Logged::SpeedsUpTo {
+            label,
+            yearly,
+            half,
+            more,
+            more_half,
+            limit: logged(reach.limit, is_tilt, 2),
+            when,
+            earliest,
+            latest,
+            at_rate: month(last, years),
+        },
+        None => Logged::SpeedsUp {
+            label,
+            yearly,
+            half,
+            more,
+            more_half,
+            now: logged(log.trend.now, is_tilt, 2),
+        },
+    }
+}
+
+/// The question on days on another scale.
+fn other_scale(log: &WatchedLog, scale: LoggedScale) -> Finding {
+    let label = label(log);
+    let column = log.part.column.clone().unwrap_or_else(|| log.part.file.clone());
+    let from = date_text(scale.from);
+    let times = |factor| Quantity::new(factor, Unit::ratio(), Digits::Significant(2));
+    let said = match scale.mark {
+        ScaleMark::Scatter(factor) => Logged::OtherScatter {
+            label,
+            column,
+            from,
+            factor: times(factor),
+        },
+        ScaleMark::Readings(factor) => Logged::OtherScale {
+            label,
+            column,
+            from,
+            factor: times(factor),
+        },
+        ScaleMark::OtherSign => Logged::OtherSign { label, column, from },
+        ScaleMark::Turned => Logged::Turned {
+            label,
+            column,
+            about: month_of(scale.from),
+        },
+    };
+    Finding::key(Tone::Warn, said)
+}
+
+/// The jump of a log without a slope. With a slope, it is one of its changes.
+fn jumped(log: &WatchedLog) -> Option<Finding> {
+    let jump = log.trend.jump.filter(|_| log.trend.slope.is_err())?;
+    let said = Logged::Jumped {
+        label: label(log),
+        by: logged(jump.by, log.is_tilt(), 2),
+        after: date_text(jump.after),
+        before: date_text(jump.before),
+    };
+    Some(Finding::key(Tone::Warn, said))
+}
+
+/// Steps, changes of slope, and a rate that changes without growing.
 fn changed(log: &WatchedLog) -> Vec<Finding> {
     let (is_tilt, changes) = (log.is_tilt(), &log.trend.changes);
-    let now = log.trend.slope.map_or(f64::NAN, |slope| slope.per_year);
+    let Ok(slope) = log.trend.slope else {
+        return Vec::new();
+    };
+    let last = log.span().map_or(f64::NAN, |[_, last]| last);
+    // the rate on the day of a change of slope, after it
     let since = |from: usize| {
         let later = changes.iter().skip(from + 1);
         let bends = later.filter(|of| of.form == ChangeForm::Slope);
-        now - bends.map(|of| of.size).sum::<f64>()
+        let bent = log
+            .trend
+            .curve
+            .map_or(0.0, |of| of.per_year2 * (changes[from].day - last) / YEAR_DAYS);
+        slope.per_year + bent - bends.map(|of| of.size).sum::<f64>()
     };
-    let is_jump = |day: f64| log.trend.jump.is_some_and(|jump| jump.before == day);
-    let each = changes.iter().enumerate().filter_map(|(i, of)| match of.form {
-        ChangeForm::Step => (!is_jump(of.day)).then(|| Logged::Jumped {
+    let each = changes.iter().enumerate().map(|(i, of)| match of.form {
+        ChangeForm::Step => Logged::JumpedBy {
             label: label(log),
-            by: logged(of.size, is_tilt, 2),
+            by: bare_logged(of.size, is_tilt, 2),
+            half: logged(HALF_95 * of.sd, is_tilt, 2),
             after: date_text(of.after),
             before: date_text(of.before),
-        }),
-        ChangeForm::Slope => Some(Logged::Bends {
+        },
+        ChangeForm::Slope => Logged::Bends {
             label: label(log),
             about: month_of(of.day),
             after: month_of(of.after),
             before: month_of(of.before),
             earlier: logged(since(i) - of.size, is_tilt, 3),
             since: logged(since(i), is_tilt, 3),
-        }),
+        },
     });
-    each.map(|said| Finding::key(Tone::Warn, said)).collect()
+    let is_told = log.trend.is_beyond_chance() && !log.is_beyond();
+    let curve = log
+        .trend
+        .curve
+        .filter(|of| !(is_told && of.speeds_up(slope.per_year)));
+    let steadily = curve.map(|of| Logged::RateChanges {
+        label: label(log),
+        first: logged(of.first_per_year, is_tilt, 3),
+        yearly: bare_logged(slope.per_year, is_tilt, 3),
+        half: logged(HALF_95 * slope.sd_per_year, is_tilt, 3),
+    });
+    let all = each.chain(steadily);
+    all.map(|said| Finding::key(Tone::Warn, said)).collect()
 }
 
 /// Finding that the newest days differ from those before.

@@ -25,6 +25,10 @@ pub enum Basis {
     Study {
         /// The study.
         name: String,
+        /// The variant of all its runs; `None` for the structure as it is.
+        variant: Option<String>,
+        /// The values that it sets in place of those of the file: "joint.friction = 0.5".
+        set: Vec<String>,
         /// Number of usable scans.
         scans: usize,
         /// Number of scans whose samples fall under their own weight.
@@ -247,6 +251,13 @@ pub fn of_study(name: String, answer: &StudyAnswer, hazard: Option<Hazard>) -> R
         name,
         basis: Basis::Study {
             name: answer.study.name.clone(),
+            variant: answer.study.variants.first().cloned(),
+            set: answer
+                .study
+                .set
+                .iter()
+                .map(|set| format!("{} = {}", set.path, set.text))
+                .collect(),
             scans: only.usable,
             fell_alone: only
                 .states

@@ -33,13 +33,32 @@ pub fn known_word(known: Known) -> &'static str {
     }
 }
 
-/// Source of a capacity.
+/// Source of a capacity, with the variant or the set values of its study.
 pub fn basis_words(entry: &PortfolioEntry, language: Language) -> String {
+    let basis = plain_basis_words(entry, language);
+    let Basis::Study { variant, set, .. } = &entry.basis else {
+        return basis;
+    };
+    let version: Vec<String> = variant.iter().chain(set).cloned().collect();
+    match version.is_empty() {
+        true => basis,
+        false => text(
+            BasisSaid::OfVersion {
+                basis: Both::from(basis),
+                version,
+            },
+            language,
+        ),
+    }
+}
+
+fn plain_basis_words(entry: &PortfolioEntry, language: Language) -> String {
     match &entry.basis {
         Basis::Study {
             name,
             scans,
             fell_alone: 0,
+            ..
         } => text(
             BasisSaid::Study {
                 name: name.clone(),
@@ -51,6 +70,7 @@ pub fn basis_words(entry: &PortfolioEntry, language: Language) -> String {
             name,
             scans,
             fell_alone,
+            ..
         } => {
             let fell = BasisSaid::FellAlone {
                 name: name.clone(),
@@ -83,6 +103,7 @@ messages! {
             en: "study {name}, {scans} scans, {share} % FALL BY THEMSELVES",
             ko: "해석 {name}, 증분해석 {scans}건 중 {share} %는 자중으로 붕괴",
         },
+        OfVersion { basis: Both, version: Vec<String> } => { en: "{basis}, of {version}", ko: "{basis}({version})" },
         Score => { en: "score", ko: "점수" },
         Extrapolated { why: Both } => { en: "score, EXTRAPOLATED: {why}", ko: "점수(학습 범위 밖: {why})" },
     }

@@ -8,9 +8,12 @@ use super::motions::MotionCopy;
 use super::run::{Run, RunOutcome};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
 use super::shaking_measure::ShakingScales;
+use super::shown_inputs::shown_inputs;
+use super::some_runs::DamageInRuns;
 use super::state_before::StateBefore;
 use dolmen::assess::{AssessError, Direction, Reached, Trend, trend};
-use dolmen_project::{ExpectedTrend, HazardPart, ModelDamage, Names, Scan, StudyPart};
+use dolmen_project::{ExpectedTrend, HazardPart, Names, Scan, StudyPart};
+use dolmen_words::Unit;
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
@@ -61,8 +64,10 @@ pub struct StudyAnswer {
     pub version: String,
     /// Warnings about the project file: missing values and others.
     pub notes: Vec<Both>,
-    /// Inspected damage in the model of the structure as it is; a variant may differ.
-    pub model_damage: Vec<ModelDamage>,
+    /// Inspected damage in the models of the runs.
+    pub model_damage: Vec<DamageInRuns>,
+    /// Units in which random inputs are shown, by path.
+    pub drawn_units: BTreeMap<String, Unit>,
     /// Properties of the file that the runs leave out.
     pub left_out_of_runs: Vec<Both>,
     /// Whether runs have neither damping nor friction.
@@ -128,6 +133,8 @@ pub struct TrendAnswer {
     pub of_each: Vec<f64>,
     /// The expected trend and its verdict.
     pub expected: Option<(ExpectedTrend, TrendVerdict)>,
+    /// Whether the input changes anything in the runs.
+    pub acts: bool,
 }
 
 impl TrendAnswer {
@@ -175,6 +182,11 @@ impl StudyAnswer {
         let varied = each.filter(|(input, _)| !input.is_drawn);
         words.extend(varied.map(|(input, text)| format!("{} = {text}", input.path)));
         words.join(", ")
+    }
+
+    /// The inputs of a job with their values, as shown: "joints[1].stiffness = 1027 kN·m/rad".
+    pub fn inputs_shown(&self, job: usize) -> Vec<String> {
+        shown_inputs(&self.inputs, self.case(job), &self.drawn_units)
     }
 
     /// The sample of a job, from 0.
@@ -367,13 +379,14 @@ impl StudyAnswer {
                 of_pairs,
                 of_each,
                 expected,
+                acts: self.input_acts(index),
             });
         }
         Ok(found)
     }
 
     /// Key of the motion, direction and sample of a job, equal for all cases.
-    fn replicate_of(&self, job: usize) -> usize {
+    pub(super) fn replicate_of(&self, job: usize) -> usize {
         let replicates = self.replicates().max(1);
         self.sample_of(job) * replicates + job % replicates
     }

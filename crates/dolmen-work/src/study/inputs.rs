@@ -3,7 +3,8 @@
 use super::answer::{CaseInputs, InputColumn};
 use crate::error::WorkError;
 use dolmen::numeric::Random;
-use dolmen_project::{Override, Project, Quantity, StudyPart};
+use dolmen_project::{ModelDamage, Override, Project, Quantity, StudyPart};
+use dolmen_words::Unit;
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
@@ -11,6 +12,8 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Drawn {
     values: Vec<(String, &'static str, f64)>,
+    /// Unit of each in the file, with its size in SI.
+    written_units: BTreeMap<String, (String, f64)>,
     by_path: BTreeMap<String, f64>,
 }
 
@@ -33,6 +36,10 @@ pub(super) fn drawn(project: &Project, seed: u64, sample: u64) -> Result<Drawn, 
             let value = random.lognormal(quantity.value, cov)?;
             drawn.values.push((quantity.path.clone(), quantity.unit, value));
             drawn.by_path.insert(quantity.path.clone(), value);
+            let unit = quantity.written_unit();
+            drawn
+                .written_units
+                .extend(unit.map(|unit| (quantity.path.clone(), unit)));
         }
     }
     Ok(drawn)
@@ -46,12 +53,21 @@ pub(super) struct ReadCombination {
     pub(super) left_out: Vec<Both>,
     /// Properties that its runs include in addition to the structure.
     pub(super) held: Vec<Both>,
+    /// Damage of inspections in its model.
+    pub(super) damage: Vec<ModelDamage>,
     /// Whether its runs have neither damping nor friction.
     pub(super) is_undamped: bool,
     /// The samples drawn.
     pub(super) samples: Vec<Drawn>,
     /// Value and SI unit of each varied input that is a quantity.
     pub(super) values: Vec<Option<(f64, &'static str)>>,
+}
+
+impl ReadCombination {
+    /// Something of its runs; `None` if it was refused and has none.
+    pub(super) fn of_runs<'a, T>(&self, of: &'a [T]) -> Option<&'a [T]> {
+        (!self.model.is_empty()).then_some(of)
+    }
 }
 
 /// Value and SI unit of a quantity at a path.
@@ -81,6 +97,28 @@ pub(super) fn input_columns(study: &StudyPart, read: &[ReadCombination]) -> Vec<
         }
     }
     columns
+}
+
+/// A unit for each random input, by its path: that of the file, or of a size that suits its values.
+pub(super) fn drawn_units(columns: &[InputColumn], read: &[ReadCombination]) -> BTreeMap<String, Unit> {
+    let samples = || read.iter().flat_map(|read| &read.samples);
+    let unit = |input: &InputColumn| {
+        let written = samples().find_map(|sample| sample.written_units.get(&input.path));
+        match written {
+            Some((symbol, size)) => Unit {
+                symbol: symbol.replace('*', "·"),
+                factor: 1.0 / size,
+            },
+            None => {
+                let values: Vec<f64> = samples()
+                    .filter_map(|sample| sample.by_path.get(&input.path).copied())
+                    .collect();
+                Unit::of(&values, &input.unit)
+            }
+        }
+    };
+    let drawn = columns.iter().filter(|input| input.is_drawn);
+    drawn.map(|input| (input.path.clone(), unit(input))).collect()
 }
 
 fn column(path: &str, unit: &str, is_number: bool, is_drawn: bool) -> InputColumn {

@@ -1,5 +1,6 @@
 //! Studies: their runs, their journal, and their joint results.
 
+mod acting_inputs;
 mod allowed_drift;
 mod answer;
 mod before;
@@ -33,6 +34,8 @@ mod run;
 mod scans;
 mod shaking;
 mod shaking_measure;
+mod shown_inputs;
+mod some_runs;
 mod state_before;
 mod sufficiency;
 mod table;
@@ -67,6 +70,7 @@ pub use results::{JournalText, StudyJournals, finish, merged, resumed, studies, 
 pub use run::{Run, RunOutcome};
 pub use scans::{CapacityOf, LevelRow, SCANS_OF_TAILS, ScanVerdict};
 pub use shaking_measure::{MeasureComparison, ShakingMeasure, ShakingScales};
+pub use some_runs::DamageInRuns;
 pub use state_before::StateBefore;
 pub use sufficiency::{MeasureSufficiency, Predictor};
 pub use table::{capacity_columns, run_columns, table_csv};

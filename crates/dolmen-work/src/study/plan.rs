@@ -5,13 +5,14 @@ use super::before::EarlierShaking;
 use super::earthquake_of::EarthquakeOf;
 use super::error::StudyError;
 use super::fitted::Fitted;
-use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, value_at};
+use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, drawn_units, input_columns, value_at};
 use super::journal::JournalHeader;
 use super::kind::StudyKind;
 use super::model::is_undamped;
 use super::motions::{MotionCopy, PreparedMotion, motion_names, prepared};
 use super::run::Run;
 use super::shaking_measure::ShakingScales;
+use super::some_runs::{DamageInRuns, damage_in_runs, said_of_runs};
 use super::too_large::refuse_too_large;
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
@@ -30,9 +31,10 @@ use dolmen_project::{
     parse_combination,
 };
 use dolmen_records::Files;
-use dolmen_words::Language;
 use dolmen_words::message::Both;
+use dolmen_words::{Language, Unit};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 /// A study ready to run.
@@ -56,6 +58,10 @@ pub struct Plan<'o> {
     /// Properties of the file that runs leave out, and those that they include in addition to the structure.
     left_out: Vec<Both>,
     held: Vec<Both>,
+    /// Damage of inspections in the models of the runs.
+    damage: Vec<DamageInRuns>,
+    /// Units in which random inputs are shown.
+    pub(super) drawn_units: BTreeMap<String, Unit>,
     /// Whether runs of a combination have neither damping nor friction.
     is_undamped: bool,
     fingerprints: Vec<(String, String)>,
@@ -100,6 +106,8 @@ impl<'o> Plan<'o> {
             models: Vec::new(),
             left_out: Vec::new(),
             held: Vec::new(),
+            damage: Vec::new(),
+            drawn_units: BTreeMap::new(),
             is_undamped: false,
             fingerprints: Vec::new(),
         };
@@ -146,6 +154,10 @@ impl<'o> Plan<'o> {
                     model,
                     left_out: left_out.unwrap_or_default(),
                     held: project.as_ref().map(held_in_runs).unwrap_or_default(),
+                    damage: project
+                        .as_ref()
+                        .map(|project| project.damage.clone())
+                        .unwrap_or_default(),
                     is_undamped: project
                         .as_ref()
                         .is_some_and(|project| is_undamped(self.study, project)),
@@ -156,13 +168,18 @@ impl<'o> Plan<'o> {
             .collect::<Result<_, WorkError>>()?;
         self.inputs = input_columns(self.study, &read);
         self.models = read.iter().map(|read| read.model.clone()).collect();
-        self.left_out = once_each(read.iter().flat_map(|read| &read.left_out));
+        let left_out: Vec<_> = read.iter().map(|read| read.of_runs(&read.left_out)).collect();
+        self.left_out = said_of_runs(self.study, &left_out);
         let is_vertical = |(_, motion): &(String, PreparedMotion)| motion.motion.has(Component::Z);
         if self.kind != StudyKind::Stack && self.motions.iter().any(is_vertical) {
             self.left_out.push(OfRuns::VerticalLeftOut.into());
         }
         self.is_undamped = read.iter().any(|read| read.is_undamped);
-        self.held = once_each(read.iter().flat_map(|read| &read.held));
+        let held: Vec<_> = read.iter().map(|read| read.of_runs(&read.held)).collect();
+        self.held = said_of_runs(self.study, &held);
+        let damage: Vec<_> = read.iter().map(|read| read.of_runs(&read.damage)).collect();
+        self.damage = damage_in_runs(self.study, &damage);
+        self.drawn_units = drawn_units(&self.inputs, &read);
         for (combination, read) in read.iter().enumerate() {
             let (variant, values) = self.study.combination(combination);
             let cases = read
@@ -389,7 +406,8 @@ impl<'o> Plan<'o> {
             before: self.states_before(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             notes: self.notes(),
-            model_damage: self.opened.project.damage.clone(),
+            model_damage: self.damage.clone(),
+            drawn_units: self.drawn_units.clone(),
             left_out_of_runs: self.left_out.clone(),
             is_undamped: self.is_undamped,
             copies: copies(&self.motions),
@@ -489,17 +507,6 @@ fn size_before(study: &StudyPart, combination: usize) -> Option<(f64, &'static s
         MotionSize::Scale(scale) => (scale, ""),
         MotionSize::Peak(peak_m_s2) => (peak_m_s2, "m/s2"),
     })
-}
-
-/// Sentences in their order, without duplicates.
-fn once_each<'a>(all: impl Iterator<Item = &'a Both>) -> Vec<Both> {
-    let mut once: Vec<Both> = Vec::new();
-    for said in all {
-        if !once.contains(said) {
-            once.push(said.clone());
-        }
-    }
-    once
 }
 
 /// Motions that are copies of earlier ones, whatever the names of their files.

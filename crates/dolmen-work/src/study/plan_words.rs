@@ -1,6 +1,7 @@
 //! Cases and scans of a study in words.
 
 use super::plan::Plan;
+use super::shown_inputs::shown_inputs;
 
 impl Plan<'_> {
     /// A case in words: its variant and inputs; empty if there is only one.
@@ -9,8 +10,7 @@ impl Plan<'_> {
             return String::new();
         };
         let mut words: Vec<String> = inputs.variant.iter().cloned().collect();
-        let each = self.inputs.iter().zip(&inputs.texts);
-        words.extend(each.map(|(input, text)| format!("{} = {text}", input.path)));
+        words.extend(shown_inputs(&self.inputs, inputs, &self.drawn_units));
         words.join(", ")
     }
 

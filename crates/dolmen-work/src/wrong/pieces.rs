@@ -203,6 +203,16 @@ messages! {
             en: "side supports hold it in the runs: {posts}",
             ko: "해석에 측면 지지를 고려하였다: {posts}개",
         },
+        OnlyIn { some: Both, said: Both } => {
+            en: "in the runs of {some} only: {said}",
+            ko: "{some}의 해석만: {said}",
+        },
+        OfVariants { variants: Vec<String> } => { en: "variant {variants}", ko: "대안 {variants}" },
+        OfValues { input: String, values: Vec<String> } => { en: "{input} = {values}", ko: "{input} = {values}" },
+        OfCombinations { some: usize, all: usize } => {
+            en: "{some} of {all} combinations",
+            ko: "조합 {all}개 중 {some}개",
+        },
     }
 }
 

@@ -320,10 +320,9 @@ impl Run {
                 turning: body.inertia_after(ahead_s),
                 radius: body.radius,
             });
-            let free = (body.velocity + self.pull * kick_s) * body.mass;
-            self.momentum[index] = six(free * kept, body.momentum * kept);
-            let guess = body.velocity + self.acceleration[index] * kick_s;
-            self.velocity[index] = six(guess, body.spin);
+            let free = (body.velocity + self.pull * kick_s) * body.mass * kept;
+            self.momentum[index] = six(free, body.momentum * kept);
+            self.velocity[index] = six(body.velocity + self.acceleration[index] * kick_s, body.spin);
         }
         self.hold_ground();
         if self.assembly.holds() {
@@ -359,10 +358,8 @@ impl Run {
 
     pub(super) fn solve(&mut self) -> Result<(), Unsolved> {
         self.faces.iter_mut().for_each(Face::weigh);
-        let of = Momentum {
-            inertia: &self.inertia,
-            free: &self.momentum,
-        };
+        let (inertia, free) = (&self.inertia, &self.momentum);
+        let of = Momentum { inertia, free };
         // closing velocities that an impact leaves below its threshold are resolved by the next drift
         let worst_m_s = match self.strikes {
             true => IMPACT_FROM * self.assembly.gravity * self.h,

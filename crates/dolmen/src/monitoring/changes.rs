@@ -10,7 +10,7 @@ use crate::numeric::Random;
 /// Decrease of −2 ln of the likelihood up to which another date of a step is in the 95 % interval: (1 − e^(−x/2))² = 0.95.
 ///
 /// Source: Eo & Morley (2015) Quantitative Economics 6:463-497, table 1.
-const STEP_DATES: f64 = 7.35;
+pub(super) const STEP_DATES: f64 = 7.35;
 /// Limit for the date of a slope, which is a regular parameter: χ² with one degree of freedom.
 const SLOPE_DATES: f64 = 3.84;
 /// Relative distance from the limit within which a simulation of the series itself decides.

@@ -7,35 +7,28 @@
 //! | t | `days` | | day |
 
 use super::MonitoringError;
-use super::bends::{BentFit, Break, DatedBreak, bent_fit, refined};
-use super::changes::{Seeking, changes};
+use super::bends::{BentFit, DatedBreak, bent_fit, refined};
 use super::daily::DailyReadings;
-use super::logged_blocks::Blocks;
+use super::logged_blocks::{Blocks, usual_gap};
+use super::logged_curve::{LoggedCurve, curve_column, curve_of, curve_value};
 use super::logged_faults::{LoggedJump, jump, spikes, stuck};
 use super::logged_last::{LoggedLast, newest_off};
+use super::logged_scale::{LoggedScale, Turning, scattered, stepped};
+use super::logged_shape::{SHAPE_DAYS, SPARE_LEAST, Shape, Shaped, shape};
+use super::logged_steps::LoggedBreak;
 use super::scan::ChangeForm;
-use super::series::Series;
 use super::tilt::{SEASON_YEARS_LEAST, SlopeLimit, TiltSlope, slope_of};
-use super::wave::{amplitude, yearly_wave};
+use super::wave::amplitude;
 use super::weather::YEAR_DAYS;
 use crate::numeric::{middle_mean, student_two_sided};
 
 /// Numbers of days whose medians are used in the search for a slope. Each number is tried, and the least significant result counts. Our choice: a
 /// disturbance with a longer memory than neighbouring days show becomes visible in medians of weeks and months.
-const BLOCKS_DAYS: [f64; 3] = [1.0, 7.0, 30.0];
-/// Smallest number of medians in excess of the number of explanatory variables. Our choice.
-const SPARE_LEAST: usize = 8;
+const BLOCKS_DAYS: [f64; 3] = [1.0, 7.0, SHAPE_DAYS];
 /// Least fraction of the days with a temperature for its use. Our choice.
 const TEMPERATURES_LEAST: f64 = 0.6;
 /// Correlation of two neighbouring monthly medians from which they drift randomly, so that no slope is significant. Our choice.
 const WANDERS_FROM: f64 = 0.9;
-/// Fraction of the significance level that is used for changes of slope, because a false change would create a trend. Our choice, so that false
-/// trends remain as rare as stated.
-const OF_BENDS: f64 = 0.2;
-/// Largest correlation of neighbouring months, with changes of slope in the regression, at which these changes count. Our choice.
-const BENT_BELOW: f64 = 0.7;
-/// Number of simulated logs for a change near the limit of chance, as for frequencies.
-const REPLICATES: usize = 999;
 /// Number of days whose median is the current reading, if there is no slope.
 const NOW_DAYS: f64 = 7.0;
 
@@ -58,6 +51,8 @@ pub struct LoggedOptions {
     /// The first and last day of each work or event, counted like the readings. It may have shifted the readings; those of these days, of the day
     /// before and of the day after are left out. NaN for a work without this effect.
     pub works: Vec<[f64; 2]>,
+    /// The value if the sensor reads 0, in the unit of the readings; default 0.
+    pub zero: f64,
 }
 
 impl Default for LoggedOptions {
@@ -66,6 +61,7 @@ impl Default for LoggedOptions {
             significance: 0.05,
             limit: None,
             works: Vec::new(),
+            zero: 0.0,
         }
     }
 }
@@ -85,6 +81,8 @@ pub enum NoSlope {
     },
     /// Monthly medians drift randomly, so that chance can produce any slope.
     Wanders,
+    /// Some days are on another scale than the others.
+    OtherScale(LoggedScale),
 }
 
 /// Shift of the readings at a work.
@@ -126,6 +124,8 @@ pub struct LoggedTrend {
     pub spikes: Vec<f64>,
     /// The largest significant jump without a work, if there is one. It may cause an apparent slope.
     pub jump: Option<LoggedJump>,
+    /// Where the readings seem to be on another scale. There is no slope then.
+    pub scale: Option<LoggedScale>,
     /// The newest days, if they differ from the earlier behaviour of the log. The structure moved, or the sensor failed.
     pub last_off: Option<LoggedLast>,
     /// The day from which the sensor shows a constant value; it and all later days are left out.
@@ -146,6 +146,8 @@ pub struct LoggedTrend {
     pub levels: Vec<LoggedLevel>,
     /// Significant steps and changes of slope, by time. The slope is that after the last change, without steps.
     pub changes: Vec<LoggedChange>,
+    /// The steady change of the rate, if it is significant. The slope is then the rate on the last day.
+    pub curve: Option<LoggedCurve>,
     /// For each day, the reading without season and temperature; empty without a slope.
     pub line: Vec<f64>,
     /// The reading on the last day: from a significant slope, otherwise the median of the last seven days; `newest` if the newest days differ.
@@ -199,6 +201,11 @@ impl LoggedTrend {
 /// A shift without a work, or a drifting sensor, looks like a slope; a shift within days is a jump.
 pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<LoggedTrend, MonitoringError> {
     let (mut trend, temperatures_c) = sound(series, options);
+    trend.scale = scattered(&series.daily);
+    if let Some(scale) = trend.scale {
+        trend.slope = Err(NoSlope::OtherScale(scale));
+        return Ok(trend);
+    }
     let days = &trend.daily.days;
     let years = match (days.first(), days.last()) {
         (Some(first), Some(last)) => (last - first) / YEAR_DAYS,
@@ -209,15 +216,21 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
         return Ok(trend);
     }
     let usual = usual_gap(days);
-    let breaks = breaks(&trend, &temperatures_c, options);
+    let shape = shape(&Shaped {
+        daily: &trend.daily,
+        temperatures_c: &temperatures_c,
+        jump: trend.jump,
+        works: &options.works,
+        significance: options.significance,
+    });
     let mut worst: Option<(f64, SlopeFit)> = None;
     let mut wanders = false;
     for block_days in BLOCKS_DAYS
         .into_iter()
         .filter(|block| *block == 1.0 || *block > usual)
     {
-        let blocks = Blocks::of(&trend.daily, &temperatures_c, block_days);
-        let Some((fit, correlation)) = fitted_slope(&blocks, days, options, &breaks)? else {
+        let blocks = Blocks::of(&trend.daily, &temperatures_c, block_days, &shape.steps());
+        let Some((fit, correlation)) = fitted_slope(&blocks, days, options, &shape)? else {
             continue;
         };
         wanders = correlation >= WANDERS_FROM;
@@ -229,6 +242,22 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
     let Some((_, worst)) = worst else {
         return Ok(trend);
     };
+    let scaled = |of: &LoggedChange| match of.form {
+        ChangeForm::Step => stepped(&trend.daily, options.zero, of.day, of.sd),
+        ChangeForm::Slope => None,
+    };
+    let scale = worst.changes.iter().find_map(scaled);
+    let turning = Turning {
+        daily: &trend.daily,
+        temperatures_c: &temperatures_c,
+        works: &options.works,
+        breaks: shape.breaks.iter().map(|of| of.dated).collect(),
+    };
+    trend.scale = scale.or_else(|| turning.turned());
+    if let Some(scale) = trend.scale {
+        trend.slope = Err(NoSlope::OtherScale(scale));
+        return Ok(trend);
+    }
     if wanders {
         trend.slope = Err(NoSlope::Wanders);
         return Ok(trend);
@@ -242,14 +271,9 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
     trend.per_c = worst.per_c;
     trend.levels = worst.levels;
     trend.changes = worst.changes;
+    trend.curve = worst.curve;
     trend.line = worst.line;
     Ok(trend)
-}
-
-fn usual_gap(days: &[f64]) -> f64 {
-    let mut gaps: Vec<f64> = days.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    gaps.sort_by(f64::total_cmp);
-    gaps.get(gaps.len() / 2).copied().unwrap_or(1.0)
 }
 
 /// The readings without sensor faults, the results that do not need a slope, and the temperatures of the remaining days.
@@ -304,6 +328,7 @@ fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f6
             None => middle_mean(newest.map(|(_, value)| *value).collect()),
         },
         last_off,
+        scale: None,
         newest: values.last().copied().unwrap_or(f64::NAN),
         at_limit: at_limit.map(|i| all.days[i]).collect(),
         slope: Err(NoSlope::TooFew {
@@ -320,6 +345,7 @@ fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f6
         per_c: None,
         levels: Vec::new(),
         changes: Vec::new(),
+        curve: None,
         line: Vec::new(),
         significance: options.significance,
         limit: options.limit,
@@ -335,103 +361,8 @@ struct SlopeFit {
     per_c: Option<(f64, f64)>,
     levels: Vec<LoggedLevel>,
     changes: Vec<LoggedChange>,
+    curve: Option<LoggedCurve>,
     line: Vec<f64>,
-}
-
-/// A change between months, with the interval of its date.
-#[derive(Clone, Copy)]
-struct MonthBreak {
-    dated: DatedBreak,
-    after: f64,
-    before: f64,
-}
-
-/// The jump, and the significant steps and changes of slope besides the jump, in medians of 30 days, by the criterion for frequencies.
-fn breaks(trend: &LoggedTrend, temperatures_c: &[f64], options: &LoggedOptions) -> Vec<MonthBreak> {
-    let mut all: Vec<MonthBreak> = Vec::new();
-    all.extend(trend.jump.map(|jump| MonthBreak {
-        dated: DatedBreak {
-            form: ChangeForm::Step,
-            day: jump.before,
-        },
-        after: jump.after,
-        before: jump.before,
-    }));
-    let blocks = Blocks::of(&trend.daily, temperatures_c, BLOCKS_DAYS[2]);
-    let last = trend.daily.days.last().copied().unwrap_or(0.0);
-    let (mut columns, _) = blocks.columns(last, options);
-    columns.extend(all.iter().map(|of| of.dated.column(&blocks.days)));
-    let n = blocks.days.len();
-    if n < columns.len() + SPARE_LEAST {
-        return all;
-    }
-    let seeking = Seeking {
-        significance: OF_BENDS * options.significance,
-        modes: 1,
-        replicates: REPLICATES,
-        seed: 1,
-    };
-    let Some(found) = changes(&blocks.series(), &columns, &seeking) else {
-        return all;
-    };
-    // a series that still drifts randomly cannot be distinguished from chance by any number of changes of slope
-    if found.disturbance.correlation >= BENT_BELOW {
-        return all;
-    }
-    for of in Break::of(&found) {
-        // a step begins with the first day of its month
-        let dated = of.dated(&blocks.begins);
-        all.push(MonthBreak {
-            dated,
-            after: blocks.days[of.after],
-            before: blocks.days[of.before],
-        });
-    }
-    all.sort_by(|a, b| a.dated.day.total_cmp(&b.dated.day));
-    all
-}
-
-impl Blocks {
-    /// Columns of level and slope on the last day, season, temperature, and a step at each work. Also returns the indices of the works.
-    fn columns(&self, last: f64, options: &LoggedOptions) -> (Vec<Vec<f64>>, Vec<usize>) {
-        let n = self.days.len();
-        let mut columns = vec![
-            vec![1.0; n],
-            self.days.iter().map(|day| (day - last) / YEAR_DAYS).collect(),
-        ];
-        let wave = yearly_wave(&self.days, &columns);
-        columns.extend(wave);
-        if !self.temperatures_c.is_empty() {
-            let mean = self.temperatures_c.iter().sum::<f64>() / n as f64;
-            columns.push(self.temperatures_c.iter().map(|t| t - mean).collect());
-        }
-        let first_level = columns.len();
-        let mut works: Vec<usize> = Vec::new();
-        for (work, [at, _]) in options.works.iter().enumerate() {
-            let before: Vec<f64> = self
-                .days
-                .iter()
-                .map(|day| f64::from(u8::from(day < at)))
-                .collect();
-            // two works between two readings give one shift
-            let is_new = columns.iter().skip(first_level).all(|column| *column != before);
-            if before.contains(&1.0) && before.contains(&0.0) && is_new {
-                columns.push(before);
-                works.push(work);
-            }
-        }
-        (columns, works)
-    }
-
-    fn series(&self) -> Series {
-        let first = self.days.first().copied().unwrap_or(0.0);
-        let gap = usual_gap(&self.days).max(f64::MIN_POSITIVE);
-        Series {
-            at: self.days.iter().map(|day| (day - first) / gap).collect(),
-            readings: self.values.clone(),
-            noise_sd: vec![0.0; self.days.len()],
-        }
-    }
 }
 
 /// The slope of medians, and the correlation of neighbouring medians; `None` with too few medians.
@@ -439,16 +370,21 @@ fn fitted_slope(
     blocks: &Blocks,
     days: &[f64],
     options: &LoggedOptions,
-    breaks: &[MonthBreak],
+    shape: &Shape,
 ) -> Result<Option<(SlopeFit, f64)>, MonitoringError> {
     let n = blocks.days.len();
     let last = days[days.len() - 1];
-    let (mut columns, works) = blocks.columns(last, options);
+    let (mut columns, works) = blocks.columns(last, &options.works);
     let has_temperature = !blocks.temperatures_c.is_empty();
     let first_level = columns.len() - works.len();
+    let curve_at = columns.len();
+    if shape.is_curved {
+        columns.push(curve_column(&blocks.days, last));
+    }
     let first_break = columns.len();
     let wave = 2..first_level - usize::from(has_temperature);
-    let breaks: Vec<&MonthBreak> = breaks
+    let breaks: Vec<&LoggedBreak> = shape
+        .breaks
         .iter()
         .filter(|of| {
             let column = of.dated.column(&blocks.days);
@@ -467,31 +403,18 @@ fn fitted_slope(
     let Some(found) = bent_fit(&blocks.series(), &columns, &blocks.days, &dated) else {
         return Ok(None);
     };
-    let BentFit {
-        fit,
-        disturbance,
-        degrees,
-    } = found;
-    let level = |(i, work): (usize, &usize)| {
-        let (shift, sd) = (-fit.coefficients[first_level + i], fit.sd[first_level + i]);
-        let p_value = if sd > 0.0 {
-            student_two_sided(shift / sd, degrees)?
-        } else {
-            1.0
-        };
-        Ok(LoggedLevel {
-            work: *work,
-            shift,
-            sd,
-            p_value,
-        })
+    let (fit, degrees) = (&found.fit, found.degrees);
+    let levels = levels(&found, first_level, &works)?;
+    let mut slope = slope_of(fit, degrees, options.significance, options.limit)?;
+    let curve = match shape.is_curved {
+        true => Some(curve_of(
+            &found,
+            curve_at,
+            (last - days[0]) / YEAR_DAYS,
+            &mut slope,
+        )?),
+        false => None,
     };
-    let levels: Vec<LoggedLevel> = works
-        .iter()
-        .enumerate()
-        .map(level)
-        .collect::<Result<_, MonitoringError>>()?;
-    let slope = slope_of(&fit, degrees, options.significance, options.limit)?;
     let line = days.iter().map(|day| {
         let shifts = levels
             .iter()
@@ -499,7 +422,9 @@ fn fitted_slope(
             .map(|of| of.shift);
         let broken = dated.iter().enumerate();
         let broken = broken.map(|(i, of)| fit.coefficients[first_break + i] * of.value(*day));
-        slope.now + slope.per_year * (day - last) / YEAR_DAYS - shifts.sum::<f64>() + broken.sum::<f64>()
+        let bent = curve.map_or(0.0, |of| of.per_year2 * curve_value(*day, last));
+        let straight = slope.now + slope.per_year * (day - last) / YEAR_DAYS;
+        straight + bent - shifts.sum::<f64>() + broken.sum::<f64>()
     });
     let changes = breaks
         .iter()
@@ -514,7 +439,8 @@ fn fitted_slope(
             size: -fit.coefficients[first_break + i],
             sd: fit.sd[first_break + i],
         });
-    let fit = SlopeFit {
+    let slope_fit = SlopeFit {
+        curve,
         line: line.collect(),
         block_days: 1.0,
         season: amplitude(&fit.coefficients[wave]),
@@ -523,11 +449,30 @@ fn fitted_slope(
         slope,
         levels,
     };
-    Ok(Some((fit, disturbance.correlation)))
+    Ok(Some((slope_fit, found.disturbance.correlation)))
+}
+
+/// Shifts at works, whose columns are 1 before each and begin at `first`.
+fn levels(found: &BentFit, first: usize, works: &[usize]) -> Result<Vec<LoggedLevel>, MonitoringError> {
+    let level = |(i, work): (usize, &usize)| {
+        let (shift, sd) = (-found.fit.coefficients[first + i], found.fit.sd[first + i]);
+        let p_value = match sd > 0.0 {
+            true => student_two_sided(shift / sd, found.degrees)?,
+            false => 1.0,
+        };
+        Ok(LoggedLevel {
+            work: *work,
+            shift,
+            sd,
+            p_value,
+        })
+    };
+    works.iter().enumerate().map(level).collect()
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::logged_scale::ScaleMark;
     use super::*;
     use crate::numeric::Random;
     use std::f64::consts::TAU;
@@ -806,5 +751,137 @@ mod tests {
             called += usize::from(trend.is_beyond_chance());
         }
         assert!(called <= 17, "{called} of 100 walks"); // 17 without changes of slope
+    }
+
+    /// Three years of days at 3.3 with a wave, temperature and a disturbance of 0.15, correlation 0.7; `law` is added, of the time in years.
+    fn lawful(seed: u64, law: impl Fn(f64) -> f64) -> LoggedSeries {
+        let mut random = Random::new(123, seed);
+        let mut made = LoggedSeries::default();
+        let (mut x, mut air) = (random.normal(), 0.0);
+        for day in 0..1095 {
+            let day = 18_000.0 + f64::from(day);
+            x = 0.7 * x + 0.51_f64.sqrt() * random.normal();
+            air = 0.8 * air + 1.8 * random.normal();
+            let warm = air - 12.0 * (TAU * (day - 30.0) / YEAR_DAYS).cos();
+            let wave = 0.3 * (TAU * day / YEAR_DAYS + 1.0).sin();
+            made.daily.days.push(day);
+            made.daily
+                .values
+                .push(3.3 + law((day - 18_000.0) / YEAR_DAYS) + wave + 0.02 * warm + 0.15 * x);
+            made.temperatures_c.push(12.0 + warm);
+        }
+        made
+    }
+
+    /// Whether the 95 % interval of the slope holds the truth.
+    fn holds_slope(trend: &LoggedTrend, per_year: f64) -> bool {
+        let half = |sd: f64| sd * crate::numeric::student_two_sided_quantile(0.05, 30.0).unwrap();
+        trend
+            .slope
+            .is_ok_and(|slope| (slope.per_year - per_year).abs() <= half(slope.sd_per_year))
+    }
+
+    #[test]
+    fn holds_a_rate_that_grows_is_seen_with_its_rate_now_and_its_limit() {
+        let last = 1094.0 / YEAR_DAYS;
+        let options = LoggedOptions {
+            limit: Some(SlopeLimit {
+                size: 3.3 + 0.5 * (last + 2.0).powi(2), // two years ahead by the law
+                is_one_sided: false,
+            }),
+            ..LoggedOptions::default()
+        };
+        let (mut rates, mut limits) = (0, 0);
+        for seed in 0..6 {
+            let trend = logged_trend(&lawful(seed, |t| 0.5 * t * t), &options).unwrap();
+            let (curve, slope) = (trend.curve.unwrap(), trend.slope.unwrap());
+            assert!(
+                curve.speeds_up(slope.per_year) && trend.is_beyond_chance(),
+                "{seed} {curve:?}"
+            );
+            assert!(
+                (curve.per_year2 - 1.0).abs() < 4.0 * curve.sd_per_year2,
+                "{seed} {curve:?}"
+            );
+            rates += usize::from(holds_slope(&trend, last));
+            let (law, rate) = (slope.reach.unwrap(), curve.at_rate.unwrap());
+            assert!(
+                law.years.unwrap() < rate.years.unwrap(),
+                "{seed} {law:?} {rate:?}"
+            );
+            let [from, to] = [law.years_earliest, law.years_latest].map(Option::unwrap);
+            limits += usize::from(from <= 2.0 && 2.0 <= to && to < 3.0);
+        }
+        assert!(rates >= 5 && limits >= 5, "{rates} {limits}");
+    }
+
+    #[test]
+    fn exact_the_law_reaches_its_limit_at_the_root_of_its_parabola() {
+        let options = LoggedOptions {
+            limit: Some(SlopeLimit {
+                size: 12.0,
+                is_one_sided: false,
+            }),
+            ..LoggedOptions::default()
+        };
+        let trend = logged_trend(&lawful(1, |t| 0.5 * t * t), &options).unwrap();
+        let (slope, curve) = (trend.slope.unwrap(), trend.curve.unwrap());
+        let (a, b, left) = (curve.per_year2, slope.per_year, 12.0 - slope.now);
+        let by_law = ((b * b + 2.0 * a * left).sqrt() - b) / a;
+        assert!(
+            (slope.reach.unwrap().years.unwrap() - by_law).abs() < 1e-9,
+            "{slope:?}"
+        );
+        let at_rate = curve.at_rate.unwrap().years.unwrap();
+        assert!((at_rate - left / b).abs() < 1e-9, "{at_rate}");
+    }
+
+    #[test]
+    fn holds_a_step_is_dated_by_the_days_and_makes_no_slope() {
+        let (mut dated, mut held) = (0, 0);
+        for seed in 0..10 {
+            let at = 18_000.0 + 300.0 + 47.0 * seed as f64;
+            let step = |t: f64| f64::from(u8::from(18_000.0 + t * YEAR_DAYS > at - 0.5));
+            let series = lawful(seed, |t| 0.6 * step(t));
+            let trend = logged_trend(&series, &LoggedOptions::default()).unwrap();
+            let near = trend.changes.iter().find(|of| (of.day - at).abs() <= 2.0);
+            dated += usize::from(near.is_some_and(|of| {
+                of.form == ChangeForm::Step && (of.size - 0.6).abs() < 4.0 * of.sd && of.after < at
+            }));
+            held += usize::from(holds_slope(&trend, 0.0));
+        }
+        assert!(dated >= 9 && held >= 9, "{dated} {held}");
+    }
+
+    #[test]
+    fn holds_days_on_another_scale_have_a_question_and_no_slope() {
+        let asked = |seed: u64, other: &dyn Fn(f64) -> f64| {
+            let mut series = lawful(seed, |_| 0.0);
+            series.daily.values[500..]
+                .iter_mut()
+                .for_each(|value| *value = other(*value));
+            let trend = logged_trend(&series, &LoggedOptions::default()).unwrap();
+            assert_eq!(
+                trend.scale.map(NoSlope::OtherScale).map(Err),
+                trend.scale.map(|_| trend.slope)
+            );
+            trend.scale
+        };
+        for seed in 0..4 {
+            assert_eq!(asked(seed, &|value| value), None, "{seed}");
+            for factor in [10.0, 16.0, 0.1] {
+                let scale = asked(seed, &|value| factor * value).unwrap();
+                let ScaleMark::Scatter(found) = scale.mark else {
+                    panic!("{scale:?}")
+                };
+                assert!((found / factor - 1.0).abs() < 0.3, "{seed} {scale:?}");
+                assert!((scale.from - 18_500.0).abs() <= 10.0, "{seed} {scale:?}");
+            }
+            let scale = asked(seed, &|value| -value).unwrap();
+            assert_eq!((scale.from, scale.mark), (18_500.0, ScaleMark::OtherSign));
+            // only season and temperature show it
+            let scale = asked(seed, &|value| 6.6 - value).unwrap();
+            assert_eq!(scale.mark, ScaleMark::Turned, "{seed}");
+        }
     }
 }

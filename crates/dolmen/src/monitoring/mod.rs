@@ -13,8 +13,12 @@ mod growth;
 mod history;
 mod logged;
 mod logged_blocks;
+mod logged_curve;
 mod logged_faults;
 mod logged_last;
+mod logged_scale;
+mod logged_shape;
+mod logged_steps;
 mod lost;
 mod made;
 mod online;
@@ -48,8 +52,10 @@ pub use history::{History, HistorySurvey, TiltReading, Work};
 pub use logged::{
     LoggedChange, LoggedLevel, LoggedOptions, LoggedSeries, LoggedTrend, NoSlope, logged_trend,
 };
+pub use logged_curve::LoggedCurve;
 pub use logged_faults::LoggedJump;
 pub use logged_last::LoggedLast;
+pub use logged_scale::{LoggedScale, ScaleMark};
 pub use lost::LostMode;
 pub use made::{MadeHistory, made_history};
 pub use pooled::pooled;
