@@ -2,7 +2,7 @@
 
 use super::building::BuildingPart;
 use super::chain::ChainPart;
-use super::damage::{EarlierModel, ModelDamage};
+use super::damage::ModelDamage;
 use super::frame::FramePart;
 use super::loads::LoadsPart;
 use super::names::Names;
@@ -33,6 +33,17 @@ pub enum Structure {
     Building(Box<BuildingPart>),
     /// `kind = "survey"`: measured but not modelled.
     Survey,
+}
+
+/// A model with the damage that was known before a day.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EarlierModel {
+    /// The day from which later damage counts: year, month, day.
+    pub until: [u32; 3],
+    /// The structure.
+    pub structure: Structure,
+    /// The damage in it.
+    pub damage: Vec<ModelDamage>,
 }
 
 /// The subject of a warning.

@@ -82,8 +82,8 @@ pub use chain::{
     StonePart, tilt_of_axes,
 };
 pub use combine::{canonical_text, parse_combination};
-pub use content::{Project, Structure, Variant, Warning, WarningKind};
-pub use damage::{EarlierModel, InModel, ModelDamage, Side};
+pub use content::{EarlierModel, Project, Structure, Variant, Warning, WarningKind};
+pub use damage::{InModel, ModelDamage, Side};
 pub use dolmen_records::{FileError, Files, MemoryFiles, NoFiles};
 pub use doubted::Doubted;
 pub use doubts::{likely, looks_like_radians};

@@ -182,7 +182,7 @@ pub fn solution_headlines_text(
     worst: Option<usize>,
     style: TextStyle,
 ) -> String {
-    let worst = worst.map(|number| Headline::WorstUnderMotion(number));
+    let worst = worst.map(Headline::WorstUnderMotion);
     let each = judged.iter().filter_map(|(number, judgement)| {
         let version = judgement.headline()?;
         Some(Headline::OfSolution {

@@ -280,11 +280,12 @@ mod tests {
 
     #[test]
     fn holds_the_first_and_the_last_date_are_compared() {
+        // those with a date are read by date
         let four = project(&["2024-11-30", "2019-04-02", "extra", "2019-03"], "");
         let found = surveys_to_compare(&four, None, None).unwrap();
-        assert_eq!((found.from, found.to, found.earlier), (3, 0, vec![]));
+        assert_eq!((found.from, found.to, found.earlier), (0, 3, vec![]));
         let found = surveys_to_compare(&four, Some("extra"), Some("2019-03")).unwrap();
-        assert_eq!((found.from, found.to), (2, 3));
+        assert_eq!((found.from, found.to), (2, 0));
     }
 
     #[test]
@@ -294,7 +295,7 @@ mod tests {
             "[change]\ntemperature = \"fitted\"\n",
         );
         let found = surveys_to_compare(&five, None, Some("2022-05-01")).unwrap();
-        assert_eq!((found.from, found.to, found.earlier), (1, 4, vec![0, 2]));
+        assert_eq!((found.from, found.to, found.earlier), (0, 3, vec![1, 2]));
     }
 
     /// Fourteen surveys in warm and cold months, −0.08 % per °C; from the ninth on 4 % lower.

@@ -221,6 +221,7 @@ const FLAGS: &[Flag] = &[
     flag(FlagVerb::Study, "restart", MOVING),
     flag(FlagVerb::Study, "from", MOVING),
     flag(FlagVerb::Tune, "damper", &[Building]),
+    flag(FlagVerb::Tune, "floors", &[Building]),
     flag(FlagVerb::Tune, "variant", &[Building]),
     flag(FlagVerb::Tune, "load", &[Building]),
     flag(FlagVerb::Tune, "corner", &[Building]),

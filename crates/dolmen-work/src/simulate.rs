@@ -416,7 +416,7 @@ fn run_one(
         }
         (Structure::Stack(part), motion) if part.is_loose => {
             let how = stack_options(options);
-            let run = stack::settled::settle(version, part, motion, &how, progress)?;
+            let run = stack::settle::settle(version, part, motion, &how, progress)?;
             answer.simulations.push(Simulation::Settled(Box::new(run)));
         }
         (Structure::Stack(part), None) => {

@@ -396,6 +396,7 @@ fn holds_combinations_strength_and_codes_have_their_words() {
     });
     let answer = scratch.briefly(&format!("check {soft}"));
     assert!(answer.words().contains("unknown in wind"), "{}", answer.stdout);
+    let answer = scratch.dolmen(&format!("check {soft}"));
     assert!(answer.words().contains("Annex B"), "{}", answer.stdout);
     // a pole without wind in its file gets a finding
     let silent = scratch.briefly("check examples/naju_flagpole");

@@ -8,11 +8,10 @@ use std::fs;
 /// Largest number of lines of a function, from `fn` to its closing brace.
 const LINES_MOST: usize = 100;
 /// Functions that are lists: a sentence for each variant, or published cases.
-const LISTS: [&str; 10] = [
+const LISTS: [&str; 9] = [
     "dolmen-report/src/identification/notes.rs stiffness_note",
     "dolmen-report/src/modal/notes.rs note_words",
     "dolmen-report/src/modal/steps.rs step_words",
-    "dolmen-report/src/processing.rs step",
     "dolmen/src/assess/stack_notes.rs fmt",
     "dolmen/src/comparisons/fragility.rs cases",
     "dolmen/src/comparisons/kim_koo_hong_2018.rs cases",

@@ -86,7 +86,7 @@ fn refuses_what_needs_joints() {
 
 #[test]
 fn holds_the_rubble_of_the_example_stands_by_both_laws() {
-    let scratch = Scratch::new("rubble");
+    let scratch = Scratch::with_examples("rubble");
     let answer = scratch.dolmen("simulate examples/rubble --json");
     let value: Value = serde_json::from_str(&answer.stdout).unwrap();
     assert_eq!(answer.status, 0, "{}", answer.stderr);

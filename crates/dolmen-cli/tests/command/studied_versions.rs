@@ -179,3 +179,24 @@ fn holds_only_runs_with_the_identified_stiffness_say_that_it_is_identified() {
         );
     }
 }
+
+#[test]
+fn holds_a_rank_by_a_study_of_a_variant_says_so() {
+    let scratch = Scratch::new("rank-variant");
+    let study = "[study.s]\nvariants = [\"sound\"]\nset = { \"joints[2].stiffness\" = 1200 }\nrest_s = 1\nrefine = 1\n\
+        artificial = { count = 6, duration_s = 3, strong_s = 1, rise_s = 1 }\npeak = [\"0.2 g\", \"0.5 g\", \"1 g\", \"2 g\"]\n";
+    fs::write(scratch.path().join("project.toml"), format!("{POST}{study}")).unwrap();
+    fs::write(
+        scratch.path().join("list.csv"),
+        "name,project,study\npole,project.toml,s\n",
+    )
+    .unwrap();
+    scratch.briefly("study .");
+    let words = scratch.briefly("rank list.csv --state falls").words();
+    for said in [
+        "pole: study s is of the variant sound, not of the structure as it is",
+        "pole: study s is of values set in place of those of the file: joints[2].stiffness = 1200",
+    ] {
+        assert!(words.contains(said), "{said}: {words}");
+    }
+}

@@ -6,7 +6,7 @@ use super::in_model::InModel;
 use super::model_damage::ModelDamage;
 use super::refused::refused;
 use super::stack::damage_stack;
-use crate::content::Structure;
+use crate::content::{EarlierModel, Structure};
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::reader::Reader;
@@ -21,17 +21,6 @@ pub(crate) struct Damaged {
     pub(crate) damage: Vec<ModelDamage>,
     /// The model before each inspection that changed it, by date.
     pub(crate) earlier: Vec<EarlierModel>,
-}
-
-/// A model with the damage that was known before a day.
-#[derive(Clone, Debug, PartialEq)]
-pub struct EarlierModel {
-    /// The day from which later damage counts: year, month, day.
-    pub until: [u32; 3],
-    /// The structure.
-    pub structure: Structure,
-    /// The damage in it.
-    pub damage: Vec<ModelDamage>,
 }
 
 /// Applies the effects of damage to the model, from the inspections up to the one that `as_inspected` chooses. Returns the damage in the

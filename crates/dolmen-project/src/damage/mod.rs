@@ -10,7 +10,6 @@ mod read;
 mod refused;
 mod stack;
 
-pub use as_inspected::EarlierModel;
 pub(crate) use as_inspected::{Damaged, damaged};
 pub(crate) use file::InModelRaw;
 pub use in_model::{InModel, Side};

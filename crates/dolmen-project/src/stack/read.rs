@@ -67,6 +67,21 @@ fn makers(reader: &mut Reader, raw: &FileRaw) -> Option<Vec<Both>> {
     Some(makers)
 }
 
+/// The stones of an arch, a wall, a tower or a trilithon from its dimensions, and their names; `None` if the file has none of these.
+fn stones_made(reader: &mut Reader, raw: &FileRaw) -> Option<Option<(MadePart, Vec<String>)>> {
+    Some(if let Some(dimensions) = &raw.arch {
+        arch_part(reader, dimensions).map(|(part, names)| (MadePart::Arch(Box::new(part)), names))
+    } else if let Some(dimensions) = &raw.wall {
+        wall_part(reader, dimensions).map(|(part, names)| (MadePart::Wall(Box::new(part)), names))
+    } else if let Some(dimensions) = &raw.tower {
+        tower_part(reader, dimensions).map(|(part, names)| (MadePart::Tower(Box::new(part)), names))
+    } else if let Some(dimensions) = &raw.trilithon {
+        trilithon_part(reader, dimensions).map(|(part, names)| (MadePart::Trilithon(Box::new(part)), names))
+    } else {
+        return None;
+    })
+}
+
 pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<StackPart> {
     let makers = makers(reader, raw)?;
     let mut list: &[At<BlockRaw>] = &[];
@@ -80,18 +95,9 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     } else if let Some(factors) = &raw.pagoda {
         let (part, names) = pagoda(reader, factors)?;
         (pagoda_part, made_names) = (Some(part), Some(names));
-    } else if let Some(dimensions) = &raw.arch {
-        let (part, names) = arch_part(reader, dimensions)?;
-        (made, made_names) = (Some(MadePart::Arch(Box::new(part))), Some(names));
-    } else if let Some(dimensions) = &raw.wall {
-        let (part, names) = wall_part(reader, dimensions)?;
-        (made, made_names) = (Some(MadePart::Wall(Box::new(part))), Some(names));
-    } else if let Some(dimensions) = &raw.tower {
-        let (part, names) = tower_part(reader, dimensions)?;
-        (made, made_names) = (Some(MadePart::Tower(Box::new(part))), Some(names));
-    } else if let Some(dimensions) = &raw.trilithon {
-        let (part, names) = trilithon_part(reader, dimensions)?;
-        (made, made_names) = (Some(MadePart::Trilithon(Box::new(part))), Some(names));
+    } else if let Some(found) = stones_made(reader, raw) {
+        let (part, names) = found?;
+        (made, made_names) = (Some(part), Some(names));
     } else {
         let help = WrongStack::BlocksNameBaseWidth;
         missing(reader, "blocks", WrongStack::StackNeedsBlocks, help);

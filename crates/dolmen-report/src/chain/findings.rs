@@ -127,7 +127,7 @@ fn weakest(part: &ChainPart, stability: &ChainStability) -> Option<Finding> {
     let name = part.links.get(joint - 1).and_then(|link| link.name.clone());
     let found = Found::Weakest {
         joint,
-        below: name.map_or(Found::Unnamed, |part| Found::Below(part)).into(),
+        below: name.map_or(Found::Unnamed, Found::Below).into(),
         margin: Quantity::beside_one(margin, 3),
         may_lose: Quantity::percent(1.0 - 1.0 / margin, 2),
     };

@@ -60,13 +60,13 @@ pub(super) fn remarks(change: &SurveyChange) -> Vec<Remarks> {
         said.push(Remarks::New(frequencies(&change.new)));
     }
     let by_frequency = paired(change, |mode| mode.pair.assurance.is_none());
-    said.extend(by_frequency.map(|all| Remarks::ByFrequency(all)));
+    said.extend(by_frequency.map(Remarks::ByFrequency));
     let doubtful = paired(change, |mode| mode.pair.doubtful());
-    said.extend(doubtful.map(|all| Remarks::Doubtful(all)));
+    said.extend(doubtful.map(Remarks::Doubtful));
     let before = change.modes.iter().map(|mode| &mode.from).chain(&change.lost);
-    said.extend(accepted(before).map(|all| Remarks::AcceptedBefore(all)));
+    said.extend(accepted(before).map(Remarks::AcceptedBefore));
     let after = change.modes.iter().map(|mode| &mode.to).chain(&change.new);
-    said.extend(accepted(after).map(|all| Remarks::AcceptedAfter(all)));
+    said.extend(accepted(after).map(Remarks::AcceptedAfter));
     said
 }
 

@@ -98,7 +98,7 @@ fn goal(answer: &TuneAnswer, of: &FloorDesign, decimals: usize) -> Quantity {
 pub(super) fn findings(answer: &TuneAnswer) -> Vec<Finding> {
     let (damper, own) = (answer.damper.clone(), answer.floor);
     let Some(floors) = compared(answer) else {
-        let said = (answer.other_floors > 0).then(|| Floors::OnlyOwn { damper, own });
+        let said = (answer.other_floors > 0).then_some(Floors::OnlyOwn { damper, own });
         return said
             .map(|said| Finding::key(Tone::Plain, said))
             .into_iter()

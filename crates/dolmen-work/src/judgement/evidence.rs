@@ -1,16 +1,10 @@
 //! Evidence: does the model represent the structure? Frequencies of a survey compared with those of the model.
 
-use super::as_of::AsOf;
 use super::colour::Colour;
-use super::in_doubt::{FromRecords, InDoubt, MissedMode};
-use super::measured_frequency::{MeasuredFrequency, RecordFrequency, measured_sd};
-use super::modes_along::{higher_modes, natural_modes, pairs_along};
+use super::in_doubt::InDoubt;
+use super::measured_frequency::MeasuredFrequency;
 use super::said::{EvidenceSaid, text};
-use crate::building::BuildingAnswer;
-use crate::state::Check;
-use crate::survey_dates::date;
-use dolmen::damper::lowest_seen;
-use dolmen_project::{ModeKind, Project, Quantity, Survey, SurveyMode};
+use dolmen_project::{ModeKind, SurveyMode};
 use dolmen_words::Language;
 use dolmen_words::message::Both;
 use dolmen_words::number::significant;
@@ -54,113 +48,8 @@ pub enum Evidence {
 }
 
 impl Evidence {
-    /// Evidence of surveys for a model, in the worst direction; for each direction the latest survey with a frequency counts.
-    ///
-    /// Surveys whose names begin with a date are later than those without; among equal dates the last in the file is the latest. A survey
-    /// from which stiffness was identified does not confirm the model if it agrees, but contradicts it like any other survey if it does
-    /// not. A survey is held against the model without the damage that was found after it.
-    pub fn of(project: &Project, check: &Check) -> Evidence {
-        Evidence::with_records(project, check, &FromRecords::default())
-    }
-
-    /// The same, with the results of the surveys.
-    pub(crate) fn with_records(project: &Project, check: &Check, found: &FromRecords) -> Evidence {
-        let evidence = Evidence::of_lowest(project, check, &found.lowest);
-        let survey = match &evidence {
-            Evidence::Agrees { survey } => survey.clone(),
-            Evidence::TooRough(of) => of.survey.clone(),
-            Evidence::NotMeasured {
-                calibrated_to: Some(survey),
-            } => survey.clone(),
-            // a contradiction is stronger; with the others nothing was compared
-            Evidence::Contradicted(_)
-            | Evidence::InDoubt(_)
-            | Evidence::NotCompared { .. }
-            | Evidence::Unread { .. }
-            | Evidence::MarkedAssumed { .. }
-            | Evidence::NotMeasured { calibrated_to: None } => return evidence,
-        };
-        let higher = higher_modes(project, check, &latest_frequencies(project, check));
-        match InDoubt::of(survey, higher, &found.doubts) {
-            Some(doubt) => Evidence::InDoubt(doubt),
-            None => evidence,
-        }
-    }
-
-    /// From the lowest frequency in each direction.
-    fn of_lowest(project: &Project, check: &Check, found: &[RecordFrequency]) -> Evidence {
-        let mut measured = measured_frequencies(project, check);
-        let is_made_up = |name: &str| {
-            let mut surveys = project.surveys.iter();
-            surveys.any(|survey| survey.name == name && survey.is_made_up)
-        };
-        let found = found.iter().filter(|of| !is_made_up(&of.survey));
-        let as_of = AsOf::new(project, check);
-        measured.extend(found.clone().filter_map(|of| {
-            Some(MeasuredFrequency {
-                survey: of.survey.clone(),
-                direction: of.direction.to_owned(),
-                measured_hz: of.frequency_hz,
-                sd_hz: Some(of.sd_hz).filter(|sd_hz| *sd_hz > 0.0),
-                computed_hz: first_frequency(as_of.of(&of.survey)?.1, of.direction)?,
-            })
-        }));
-        if measured.is_empty() {
-            return match Evidence::without(project, check) {
-                // its modes are known, but not the model's
-                Evidence::Unread { survey } if found.clone().any(|of| of.survey == survey) => {
-                    Evidence::NotCompared { survey }
-                }
-                none => none,
-            };
-        }
-        match Evidence::of_frequencies(latest(project, measured)) {
-            Evidence::Agrees { survey } if project.identified_from().contains(survey.as_str()) => {
-                Evidence::NotMeasured {
-                    calibrated_to: Some(survey),
-                }
-            }
-            found => found,
-        }
-    }
-
-    /// Why there is no comparison.
-    fn without(project: &Project, check: &Check) -> Evidence {
-        let has_modes = |survey: &&Survey| {
-            survey
-                .modes
-                .values()
-                .any(|modes| lowest_measured(modes).is_some())
-        };
-        let has_records =
-            |survey: &&Survey| !survey.is_made_up && (survey.records.is_some() || !survey.setups.is_empty());
-        let last = |which: &dyn Fn(&&Survey) -> bool| {
-            let surveys = project.surveys.iter().filter(which);
-            surveys
-                .max_by_key(|survey| date(&survey.name))
-                .map(|survey| survey.name.clone())
-        };
-        match (last(&has_modes), last(&has_records)) {
-            (Some(survey), _) => Evidence::NotCompared { survey },
-            (None, Some(survey)) => match project.identified_from().last() {
-                Some(&from) => Evidence::NotMeasured {
-                    calibrated_to: Some(from.to_owned()),
-                },
-                None => Evidence::Unread { survey },
-            },
-            (None, None) => match last(&|survey| survey.modes.values().any(|modes| !modes.is_empty())) {
-                Some(survey) => {
-                    let all = latest(project, frequencies(project, check, Quantity::is_assumed));
-                    let farthest = all.into_iter().max_by(|a, b| a.apart().total_cmp(&b.apart()));
-                    Evidence::MarkedAssumed { survey, farthest }
-                }
-                None => Evidence::none(),
-            },
-        }
-    }
-
     /// Evidence of the frequencies of the latest surveys.
-    fn of_frequencies(measured: Vec<MeasuredFrequency>) -> Evidence {
+    pub(super) fn of_frequencies(measured: Vec<MeasuredFrequency>) -> Evidence {
         let rough = measured.iter().find(|of| of.is_too_rough()).cloned();
         let agreeing = measured
             .iter()
@@ -254,163 +143,10 @@ impl Evidence {
         }
     }
 }
-
-/// The measurements of the latest survey in each direction, in the order of the surveys.
-fn latest(project: &Project, measured: Vec<MeasuredFrequency>) -> Vec<MeasuredFrequency> {
-    let when = |of: &MeasuredFrequency| {
-        let place = project.surveys.iter().position(|survey| survey.name == of.survey);
-        (date(&of.survey), place)
-    };
-    let mut all: Vec<MeasuredFrequency> = Vec::new();
-    for of in measured {
-        match all.iter_mut().find(|known| known.direction == of.direction) {
-            Some(known) if when(&of) >= when(known) => *known = of,
-            Some(_) => {}
-            None => all.push(of),
-        }
-    }
-    all.sort_by_key(when);
-    all
-}
-
-/// For each direction of the model the measurement of the latest survey that states it.
-pub fn latest_frequencies(project: &Project, check: &Check) -> Vec<MeasuredFrequency> {
-    latest(project, measured_frequencies(project, check))
-}
-
-/// The later survey that also measured the direction of a measured frequency.
-pub(crate) fn superseded_by(
-    project: &Project,
-    all: &[MeasuredFrequency],
-    of: &MeasuredFrequency,
-) -> Option<String> {
-    let last = latest(project, all.to_vec());
-    let last = last.into_iter().find(|last| last.direction == of.direction)?;
-    (last.survey != of.survey).then_some(last.survey)
-}
-
-/// The lowest measured frequency of every survey and direction for which the model has one, in the order of the file.
-pub fn measured_frequencies(project: &Project, check: &Check) -> Vec<MeasuredFrequency> {
-    frequencies(project, check, |frequency| !frequency.is_assumed())
-}
-
-/// Modes of a chain or frame that the latest survey of a direction missed, if the model is right.
-pub fn missed_modes(project: &Project, check: &Check) -> Vec<MissedMode> {
-    higher_modes(project, check, &latest_frequencies(project, check)).1
-}
-
-/// The same for the frequencies that count.
-fn frequencies(
-    project: &Project,
-    check: &Check,
-    counts: impl Fn(&Quantity) -> bool + Copy,
-) -> Vec<MeasuredFrequency> {
-    let of_kind = move |modes: &[SurveyMode], kind: ModeKind| -> Vec<SurveyMode> {
-        let each = modes.iter();
-        each.filter(|mode| mode.kind == kind && counts(&mode.frequency))
-            .cloned()
-            .collect()
-    };
-    let surveys = project.surveys.iter();
-    let each = surveys.flat_map(|survey| survey.modes.iter().map(move |of| (survey, of)));
-    let compared = each.flat_map(|(survey, (direction, modes))| {
-        let translation = (direction.as_str(), of_kind(modes, ModeKind::Translation));
-        let torsion = ("torsion", of_kind(modes, ModeKind::Torsion));
-        [translation, torsion].map(move |of| (survey, of))
-    });
-    let as_of = AsOf::new(project, check);
-    let compared = compared.filter_map(|(survey, (direction, modes))| {
-        let mode = modes.first()?;
-        let (project, check) = as_of.of(&survey.name)?;
-        Some(MeasuredFrequency {
-            survey: survey.name.clone(),
-            direction: direction.to_owned(),
-            measured_hz: mode.frequency.value,
-            sd_hz: measured_sd(&mode.frequency),
-            computed_hz: first_paired(project, check, direction, &modes)?,
-        })
-    });
-    compared.collect()
-}
-
-/// Frequency of the model for the lowest of these modes, Hz: its lowest, unless the shape says otherwise.
-fn first_paired(project: &Project, check: &Check, direction: &str, modes: &[SurveyMode]) -> Option<f64> {
-    let model = natural_modes(check, direction);
-    if direction == "torsion" || model.is_empty() {
-        return first_frequency(check, direction);
-    }
-    let measured: Vec<&SurveyMode> = modes.iter().collect();
-    let first = pairs_along(project, model, &measured).first().copied()?;
-    model.get(first).map(|mode| mode.frequency_hz)
-}
-
 /// The lowest measured mode of translation.
 pub fn lowest_measured(modes: &[SurveyMode]) -> Option<&SurveyMode> {
     let is_measured = |mode: &&SurveyMode| mode.kind == ModeKind::Translation && !mode.frequency.is_assumed();
     modes.iter().find(is_measured)
-}
-
-/// Lowest frequency of a model in a direction, Hz.
-fn first_frequency(check: &Check, direction: &str) -> Option<f64> {
-    match check {
-        // chains and frames have no torsion
-        Check::Chain(_) if direction == "torsion" => None,
-        // the weights of loads move as well
-        Check::Chain(chain) if chain.loaded.is_some() => {
-            let loaded = chain.loaded.as_ref()?;
-            match (&chain.across, direction) {
-                (None, _) | (Some(_), "x") => loaded.frequency_hz,
-                (Some(_), "y") => loaded.frequency_across_hz,
-                (Some(_), _) => None,
-            }
-        }
-        Check::Chain(_) | Check::Frame(_) => {
-            let first = natural_modes(check, direction).first();
-            first.map(|mode| mode.frequency_hz)
-        }
-        Check::Stack(stack) => {
-            let known = stack.frequencies.as_ref();
-            known.and_then(|known| known.sway(direction)).map(|(_, hz)| hz)
-        }
-        Check::Building(answer) => of_whole(answer, direction),
-    }
-}
-
-/// Frequency of a building with its dampers, as a survey measures it, Hz; without dampers that of [`first_sway`].
-fn of_whole(answer: &BuildingAnswer, direction: &str) -> Option<f64> {
-    let standing = answer.stands.as_ref()?;
-    match standing.dampers.is_empty() {
-        true => first_sway(answer, direction).map(|(frequency_hz, _)| frequency_hz),
-        false => {
-            let own = largest_in(answer, direction)?;
-            lowest_seen(&standing.damped_modes, own).map(|mode| mode.frequency_hz)
-        }
-    }
-}
-
-/// Frequency, Hz, and damping ratio of the building's own mode, without dampers, with the most mass along "x" or "y", or the most moment of
-/// inertia for "torsion".
-pub fn first_sway(answer: &BuildingAnswer, direction: &str) -> Option<(f64, f64)> {
-    let standing = answer.stands.as_ref()?;
-    let at = largest_in(answer, direction)?;
-    let frequency_hz = standing.modes.modes.get(at)?.frequency_hz;
-    Some((frequency_hz, *standing.damping_ratios.get(at)?))
-}
-
-/// Index of that mode.
-fn largest_in(answer: &BuildingAnswer, direction: &str) -> Option<usize> {
-    let axis = match direction {
-        "x" => 0,
-        "y" => 1,
-        "torsion" => 2,
-        _ => return None,
-    };
-    let modes = answer.stands.as_ref()?.modes.modes.iter().enumerate();
-    let largest = modes.reduce(|most, own| {
-        let more = own.1.effective_mass[axis] > most.1.effective_mass[axis];
-        if more { own } else { most }
-    });
-    largest.map(|(at, _)| at)
 }
 
 #[cfg(test)]

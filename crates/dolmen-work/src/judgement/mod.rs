@@ -7,6 +7,7 @@ mod earthquake;
 mod evidence;
 mod exit;
 mod grown_damage;
+mod held_against;
 mod in_doubt;
 mod judge;
 mod measured_frequency;
@@ -23,12 +24,11 @@ mod wind;
 pub use basis::{AssumedInputs, Basis};
 pub use colour::Colour;
 pub use earthquake::{DecidedBy, Earthquake, EarthquakeFinding};
-pub(crate) use evidence::superseded_by;
-pub use evidence::{
-    Evidence, first_sway, latest_frequencies, lowest_measured, measured_frequencies, missed_modes,
-};
+pub use evidence::{Evidence, lowest_measured};
 pub use exit::{Verb, exit_status, first_status};
 pub use grown_damage::{GrownDamage, Growth};
+pub(crate) use held_against::superseded_by;
+pub use held_against::{first_sway, latest_frequencies, measured_frequencies, missed_modes};
 pub(crate) use in_doubt::SurveyDoubts;
 pub use in_doubt::{InDoubt, MissedMode, PairedMode, Unexplained};
 pub use judge::{Alarming, Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run};

@@ -11,6 +11,7 @@ pub(crate) mod local_mechanisms;
 pub(crate) mod moving_supports;
 mod repeats;
 mod runs;
+pub(crate) mod settle;
 pub(crate) mod settled;
 pub(crate) mod shared_courses;
 pub(crate) mod simulate;

@@ -2,6 +2,7 @@
 
 use super::earthquake_of::EarthquakeOf;
 use super::fitted::Fitted;
+use super::input_columns::{CaseInputs, InputColumn};
 use super::kind::StudyKind;
 use super::maps::ResponseMaps;
 use super::motions::MotionCopy;
@@ -16,32 +17,6 @@ use dolmen_project::{ExpectedTrend, HazardPart, Names, Scan, StudyPart};
 use dolmen_words::Unit;
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
-
-/// One varied or random input of the runs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct InputColumn {
-    /// Its path in the project file.
-    pub path: String,
-    /// Its column in tables, the unit last.
-    pub column: String,
-    /// Its SI unit; empty without one.
-    pub unit: String,
-    /// Whether its values are numbers.
-    pub is_number: bool,
-    /// Whether it is random, not varied.
-    pub is_drawn: bool,
-}
-
-/// The inputs of one case: a combination of varied values, and a sample.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CaseInputs {
-    /// The variant; `None` for the file as it is.
-    pub variant: Option<String>,
-    /// One value for each input, in SI; `None` if it is not a number or was refused.
-    pub values: Vec<Option<f64>>,
-    /// The same values as written.
-    pub texts: Vec<String>,
-}
 
 /// A study with all its runs.
 #[derive(Clone, Debug)]
@@ -184,7 +159,7 @@ impl StudyAnswer {
         words.join(", ")
     }
 
-    /// The inputs of a job with their values, as shown: "joints[1].stiffness = 1027 kN·m/rad".
+    /// The inputs of a job with their values, as shown: `joints[1].stiffness = 1027 kN·m/rad`.
     pub fn inputs_shown(&self, job: usize) -> Vec<String> {
         shown_inputs(&self.inputs, self.case(job), &self.drawn_units)
     }

@@ -1,8 +1,9 @@
 //! Fragility from a study: one curve for each combination of inputs and state, over motions, directions and samples.
 
-use super::answer::{CaseInputs, StudyAnswer};
+use super::answer::StudyAnswer;
 use super::column::{Column, ColumnValues};
 use super::combination_fragility::{CombinationFragility, MeasureFit, StateFragility};
+use super::input_columns::CaseInputs;
 use super::kind::StudyKind;
 use super::measures::RunMeasures;
 use super::run::{Run, RunOutcome};

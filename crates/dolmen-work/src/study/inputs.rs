@@ -1,6 +1,6 @@
 //! Inputs of the cases: varied values, random values, and their columns.
 
-use super::answer::{CaseInputs, InputColumn};
+use super::input_columns::{CaseInputs, InputColumn};
 use crate::error::WorkError;
 use dolmen::numeric::Random;
 use dolmen_project::{ModelDamage, Override, Project, Quantity, StudyPart};

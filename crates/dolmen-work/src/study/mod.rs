@@ -14,6 +14,7 @@ mod error;
 mod fitted;
 mod fragility;
 mod harmonic;
+mod input_columns;
 mod inputs;
 mod joint_fragility;
 mod joints;
@@ -43,7 +44,7 @@ mod too_large;
 
 pub use crate::fingerprint::fingerprint;
 pub use allowed_drift::AllowedDrift;
-pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict};
+pub use answer::{StudyAnswer, TrendAnswer, TrendVerdict};
 pub use column::{Column, ColumnValues};
 pub use combination_fragility::{
     CombinationFragility, CrossingSide, MeasureFit, StateFragility, StatesCrossing, YEARS,
@@ -54,6 +55,7 @@ pub use engine::{missing, run};
 pub use error::StudyError;
 pub use fitted::Fitted;
 pub use fragility::fragility_columns;
+pub use input_columns::{CaseInputs, InputColumn};
 pub use joint_fragility::{JointFragility, JointState};
 pub use joints::joint_columns;
 pub use journal::{Journal, JournalHeader, ReadJournal, header_line, is_journal, read_journal, run_line};

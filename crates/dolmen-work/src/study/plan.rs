@@ -1,10 +1,11 @@
 //! The plan of a study: its cases with their inputs, its motions, and the fingerprint of everything that determines the results.
 
-use super::answer::{CaseInputs, InputColumn, StudyAnswer};
+use super::answer::StudyAnswer;
 use super::before::EarlierShaking;
 use super::earthquake_of::EarthquakeOf;
 use super::error::StudyError;
 use super::fitted::Fitted;
+use super::input_columns::{CaseInputs, InputColumn};
 use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, drawn_units, input_columns, value_at};
 use super::journal::JournalHeader;
 use super::kind::StudyKind;

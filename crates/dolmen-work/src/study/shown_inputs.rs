@@ -1,6 +1,6 @@
 //! Inputs of a case with their values, as shown.
 
-use super::answer::{CaseInputs, InputColumn};
+use super::input_columns::{CaseInputs, InputColumn};
 use dolmen_words::{Digits, Quantity, Unit};
 use std::collections::BTreeMap;
 

@@ -810,7 +810,7 @@ mod tests {
                 "{seed} {law:?} {rate:?}"
             );
             let [from, to] = [law.years_earliest, law.years_latest].map(Option::unwrap);
-            limits += usize::from(from <= 2.0 && 2.0 <= to && to < 3.0);
+            limits += usize::from(from <= 2.0 && (2.0..3.0).contains(&to));
         }
         assert!(rates >= 5 && limits >= 5, "{rates} {limits}");
     }
