@@ -221,7 +221,7 @@ impl Project {
 
     /// The project as it was at a survey: without the damage that was found later; itself where the survey has no date.
     pub fn as_of(&self, survey: &str) -> Cow<'_, Project> {
-        match self.before(survey) {
+        match self.earlier_model(survey) {
             None => Cow::Borrowed(self),
             Some(earlier) => Cow::Owned(Project {
                 structure: earlier.structure.clone(),
@@ -232,13 +232,8 @@ impl Project {
         }
     }
 
-    /// Whether damage in the model was found after a survey.
-    pub fn is_before_damage(&self, survey: &str) -> bool {
-        self.before(survey).is_some()
-    }
-
     /// The model as it was at a survey, if damage was found later.
-    fn before(&self, survey: &str) -> Option<&EarlierModel> {
+    pub fn earlier_model(&self, survey: &str) -> Option<&EarlierModel> {
         let day = date_of(survey)?;
         self.earlier.iter().find(|of| day < of.until)
     }

@@ -97,7 +97,7 @@ fn held_against(project: &Project, state: &State) -> Vec<Finding> {
 /// The surveys compared that were made before damage in the model was found.
 fn before_damage(project: &Project, compared: &[MeasuredFrequency]) -> Option<Finding> {
     let mut names: Vec<&str> = compared.iter().map(|of| of.survey.as_str()).collect();
-    names.retain(|name| project.is_before_damage(name));
+    names.retain(|name| project.earlier_model(name).is_some());
     names.dedup();
     let surveys = names.join(", ");
     (!names.is_empty()).then(|| Finding::key(Tone::Warn, Agreement::BeforeDamage(surveys)))
@@ -127,14 +127,14 @@ fn said_off(of: &MeasuredFrequency) -> Option<Finding> {
 fn one(project: &Project, of: &MeasuredFrequency) -> Sentence {
     let (survey, direction) = (of.survey.clone(), direction_words(&of.direction));
     let (measured, computed) = (measured(of), hertz(of.computed_hz));
-    match project.is_before_damage(&of.survey) {
-        true => Agreement::OneBefore {
+    match project.earlier_model(&of.survey) {
+        Some(_) => Agreement::OneBefore {
             survey,
             direction,
             measured,
             computed,
         },
-        false => Agreement::One {
+        None => Agreement::One {
             survey,
             direction,
             measured,

@@ -23,7 +23,8 @@ impl Evidence {
 
     /// The same, with the results of the surveys.
     pub(crate) fn with_records(project: &Project, check: &Check, found: &FromRecords) -> Evidence {
-        let evidence = Evidence::of_lowest(project, check, &found.lowest);
+        let as_of = AsOf::new(project, check);
+        let evidence = Evidence::of_lowest(&as_of, &found.lowest);
         let survey = match &evidence {
             Evidence::Agrees { survey } => survey.clone(),
             Evidence::TooRough(of) => of.survey.clone(),
@@ -38,7 +39,7 @@ impl Evidence {
             | Evidence::MarkedAssumed { .. }
             | Evidence::NotMeasured { calibrated_to: None } => return evidence,
         };
-        let higher = higher_modes(project, check, &latest_frequencies(project, check));
+        let higher = higher_modes(&as_of, &latest(project, measured(&as_of)));
         match InDoubt::of(survey, higher, &found.doubts) {
             Some(doubt) => Evidence::InDoubt(doubt),
             None => evidence,
@@ -46,14 +47,14 @@ impl Evidence {
     }
 
     /// From the lowest frequency in each direction.
-    fn of_lowest(project: &Project, check: &Check, found: &[RecordFrequency]) -> Evidence {
-        let mut measured = measured_frequencies(project, check);
+    fn of_lowest(as_of: &AsOf<'_>, found: &[RecordFrequency]) -> Evidence {
+        let project = as_of.project;
+        let mut measured = measured(as_of);
         let is_made_up = |name: &str| {
             let mut surveys = project.surveys.iter();
             surveys.any(|survey| survey.name == name && survey.is_made_up)
         };
         let found = found.iter().filter(|of| !is_made_up(&of.survey));
-        let as_of = AsOf::new(project, check);
         measured.extend(found.clone().filter_map(|of| {
             Some(MeasuredFrequency {
                 survey: of.survey.clone(),
@@ -64,7 +65,7 @@ impl Evidence {
             })
         }));
         if measured.is_empty() {
-            return match Evidence::without(project, check) {
+            return match Evidence::without(as_of) {
                 // its modes are known, but not the model's
                 Evidence::Unread { survey } if found.clone().any(|of| of.survey == survey) => {
                     Evidence::NotCompared { survey }
@@ -83,7 +84,8 @@ impl Evidence {
     }
 
     /// Why there is no comparison.
-    fn without(project: &Project, check: &Check) -> Evidence {
+    fn without(as_of: &AsOf<'_>) -> Evidence {
+        let project = as_of.project;
         let has_modes = |survey: &&Survey| {
             survey
                 .modes
@@ -108,7 +110,7 @@ impl Evidence {
             },
             (None, None) => match last(&|survey| survey.modes.values().any(|modes| !modes.is_empty())) {
                 Some(survey) => {
-                    let all = latest(project, frequencies(project, check, Quantity::is_assumed));
+                    let all = latest(project, frequencies(as_of, Quantity::is_assumed));
                     let farthest = all.into_iter().max_by(|a, b| a.apart().total_cmp(&b.apart()));
                     Evidence::MarkedAssumed { survey, farthest }
                 }
@@ -154,34 +156,34 @@ pub(crate) fn superseded_by(
 
 /// The lowest measured frequency of every survey and direction for which the model has one, in the order of the file.
 pub fn measured_frequencies(project: &Project, check: &Check) -> Vec<MeasuredFrequency> {
-    frequencies(project, check, |frequency| !frequency.is_assumed())
+    measured(&AsOf::new(project, check))
+}
+
+fn measured(as_of: &AsOf<'_>) -> Vec<MeasuredFrequency> {
+    frequencies(as_of, |frequency| !frequency.is_assumed())
 }
 
 /// Modes of a chain or frame that the latest survey of a direction missed, if the model is right.
 pub fn missed_modes(project: &Project, check: &Check) -> Vec<MissedMode> {
-    higher_modes(project, check, &latest_frequencies(project, check)).1
+    let as_of = AsOf::new(project, check);
+    higher_modes(&as_of, &latest(project, measured(&as_of))).1
 }
 
 /// The same for the frequencies that count.
-fn frequencies(
-    project: &Project,
-    check: &Check,
-    counts: impl Fn(&Quantity) -> bool + Copy,
-) -> Vec<MeasuredFrequency> {
+fn frequencies(as_of: &AsOf<'_>, counts: impl Fn(&Quantity) -> bool + Copy) -> Vec<MeasuredFrequency> {
     let of_kind = move |modes: &[SurveyMode], kind: ModeKind| -> Vec<SurveyMode> {
         let each = modes.iter();
         each.filter(|mode| mode.kind == kind && counts(&mode.frequency))
             .cloned()
             .collect()
     };
-    let surveys = project.surveys.iter();
+    let surveys = as_of.project.surveys.iter();
     let each = surveys.flat_map(|survey| survey.modes.iter().map(move |of| (survey, of)));
     let compared = each.flat_map(|(survey, (direction, modes))| {
         let translation = (direction.as_str(), of_kind(modes, ModeKind::Translation));
         let torsion = ("torsion", of_kind(modes, ModeKind::Torsion));
         [translation, torsion].map(move |of| (survey, of))
     });
-    let as_of = AsOf::new(project, check);
     let compared = compared.filter_map(|(survey, (direction, modes))| {
         let mode = modes.first()?;
         let (project, check) = as_of.of(&survey.name)?;

@@ -11,12 +11,10 @@ use dolmen_project::{ModeKind, Project, SurveyMode};
 
 /// The measured modes above the lowest of each direction, with those of a chain or frame, and the modes that the surveys missed.
 pub(super) fn higher_modes(
-    project: &Project,
-    check: &Check,
+    as_of: &AsOf<'_>,
     latest: &[MeasuredFrequency],
 ) -> (Vec<PairedMode>, Vec<MissedMode>) {
     let (mut paired, mut missed) = (Vec::new(), Vec::new());
-    let as_of = AsOf::new(project, check);
     for lowest in latest {
         let Some((project, check)) = as_of.of(&lowest.survey) else {
             continue;
