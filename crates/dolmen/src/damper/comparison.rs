@@ -162,7 +162,7 @@ const SAME: f64 = 1e-6;
 ///
 /// # Errors
 /// [`DamperError::ModeStill`] if the mode does not move the damper; [`DamperError::MassRatio`] if the damper is heavier than the mode; otherwise
-/// as in [`design`].
+/// as in [`super::design()`].
 pub fn compare(
     plan: &Plan,
     given: &PlacedDamper,
