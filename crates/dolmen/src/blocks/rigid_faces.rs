@@ -99,44 +99,41 @@ pub(super) fn add_wrench(sum: &mut ForceTorque, x: f64, y: f64, p: &[f64; 3]) {
     sum[5] += x * p[1] - y * p[0];
 }
 
-/// A point that slips.
-struct SlipState {
-    /// Unit vector of its friction force.
-    along: [f64; 2],
-    /// Remaining stiffness perpendicular to it.
-    part: f64,
-    /// Increase of the friction with the pressure; 0 without pressure.
-    friction: f64,
+/// Stiffness in the plane (xx, xy, yy) of a point whose friction acts along a unit vector; `part` is that perpendicular to it.
+#[inline(always)]
+fn slipping_plane(part: f64, along: [f64; 2]) -> [f64; 3] {
+    [
+        part * (1.0 - along[0] * along[0]),
+        -part * along[0] * along[1],
+        part * (1.0 - along[1] * along[1]),
+    ]
 }
 
-/// Adds a point with pressure at x, y to the derivative of its face's impulses; `r` contains its stiffness along the normal and along the
-/// plane. Only the upper triangle and the asymmetric terms of friction: rows 0, 1 and 5 of columns 2 to 4.
+/// Adds Gᵀ K G of a point at x, y to the derivative of its face's impulses: K in the plane (xx, xy, yy), `n` along the normal, and the rates
+/// at which friction along x and y `follows` the normal. Only the upper triangle and the asymmetric terms of friction: rows 0, 1 and 5 of
+/// columns 2 to 4.
 #[inline(always)]
-fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [r, r_t]: [f64; 2], slipping: Option<SlipState>) {
-    let (a, b, c) = match &slipping {
-        Some(SlipState { along, part, .. }) => (
-            part * (1.0 - along[0] * along[0]),
-            -part * along[0] * along[1],
-            part * (1.0 - along[1] * along[1]),
-        ),
-        None => (r_t, 0.0, r_t),
-    };
+pub(super) fn add_stiffness(
+    k: &mut Stiffness,
+    [x, y]: [f64; 2],
+    [a, b, c]: [f64; 3],
+    n: f64,
+    follows: Option<[f64; 2]>,
+) {
     k[0][0] += a;
     k[0][1] += b;
     k[1][1] += c;
     k[0][5] += b * x - a * y;
     k[1][5] += c * x - b * y;
     k[5][5] += a * y * y - 2.0 * b * x * y + c * x * x;
-    k[2][2] += r;
-    k[2][3] += r * y;
-    k[2][4] -= r * x;
-    k[3][3] += r * y * y;
-    k[3][4] -= r * x * y;
-    k[4][4] += r * x * x;
-    if let Some(SlipState { along, friction, .. }) = slipping {
-        let (ex, ey) = (r * friction * along[0], r * friction * along[1]);
-        let turn = x * ey - y * ex;
-        for (row, e) in [(0, ex), (1, ey), (5, turn)] {
+    k[2][2] += n;
+    k[2][3] += n * y;
+    k[2][4] -= n * x;
+    k[3][3] += n * y * y;
+    k[3][4] -= n * x * y;
+    k[4][4] += n * x * x;
+    if let Some([d, e]) = follows {
+        for (row, e) in [(0, d), (1, e), (5, x * e - y * d)] {
             k[row][2] += e;
             k[row][3] += e * y;
             k[row][4] -= e * x;
@@ -328,12 +325,15 @@ impl Face {
             if !wanted {
                 continue;
             }
-            let slipping = slips.then_some(SlipState {
-                along,
-                part: r_t * radius / size,
-                friction: if normal > 0.0 { point.friction } else { 0.0 },
-            });
-            add_stiffness(&mut k, [x, y], [r, r_t], slipping);
+            let (plane, follows) = match slips {
+                true => {
+                    let friction = if normal > 0.0 { point.friction } else { 0.0 };
+                    let follows = [r * friction * along[0], r * friction * along[1]];
+                    (slipping_plane(r_t * radius / size, along), Some(follows))
+                }
+                false => ([r_t, 0.0, r_t], None),
+            };
+            add_stiffness(&mut k, [x, y], plane, r, follows);
         }
         if let Some(stiffness) = stiffness {
             k[1][0] = k[0][1];

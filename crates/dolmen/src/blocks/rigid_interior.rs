@@ -29,7 +29,7 @@
 //! step, with λ the last impulse, keep K below ϱ, so that the matrix is no worse than in Newton's method on the law.
 
 use super::block_skyline::SIX;
-use super::rigid_faces::{Face, Stiffness, add_wrench, velocity};
+use super::rigid_faces::{Face, Stiffness, add_stiffness, add_wrench, velocity};
 use super::rigid_point::{ForceTorque, Part};
 use super::rigid_solve::{LEFT_MOST_M_S, Momentum, OFF_MOST_M_S, Solved, Solver, ahead};
 
@@ -327,30 +327,6 @@ impl Inside {
         }
         self.opening += part * self.change_opening;
     }
-
-    /// Adds Gᵀ K G to the derivative of the impulses of its face: the upper triangle, and the terms of friction with the normal in rows 0, 1
-    /// and 5 of columns 2 to 4.
-    fn add_stiffness(&self, k: &mut Stiffness) {
-        let (x, y, n) = (self.x, self.y, self.stiff);
-        let ([a, b, c], [d, e]) = (self.plane, self.follows);
-        k[0][0] += a;
-        k[0][1] += b;
-        k[1][1] += c;
-        k[0][5] += b * x - a * y;
-        k[1][5] += c * x - b * y;
-        k[5][5] += a * y * y - 2.0 * b * x * y + c * x * x;
-        k[2][2] += n;
-        k[2][3] += n * y;
-        k[2][4] -= n * x;
-        k[3][3] += n * y * y;
-        k[3][4] -= n * x * y;
-        k[4][4] += n * x * x;
-        for (row, e) in [(0, d), (1, e), (5, x * e - y * d)] {
-            k[row][2] += e;
-            k[row][3] += e * y;
-            k[row][4] -= e * x;
-        }
-    }
 }
 
 /// A symmetric 2 × 2 matrix times a vector.
@@ -465,7 +441,8 @@ impl Solver {
                 let p = std::array::from_fn(|axis| point.impulse[axis] + point.constant[axis]);
                 add_wrench(&mut sum, point.x, point.y, &p);
                 if with_matrix {
-                    point.add_stiffness(&mut k);
+                    let at = [point.x, point.y];
+                    add_stiffness(&mut k, at, point.plane, point.stiff, Some(point.follows));
                 }
             }
             self.push(face, &sum);
