@@ -237,7 +237,7 @@ pub(crate) struct BlockRaw {
     /// What people call it; unique in the stack.
     #[schemars(required)]
     pub(super) name: Option<At<String>>,
-    /// "box" if not given.
+    /// If not given: "points" with points, "mesh" with a file, else "box".
     pub(super) shape: Option<At<ShapeRaw>>,
     /// Along x; of a frustum at its base; of a prism twice the distance from its axis to a side.
     pub(super) width: Option<At<QuantityRaw>>,

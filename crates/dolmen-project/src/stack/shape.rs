@@ -111,7 +111,12 @@ pub(super) fn shape(
     contact: MeshContact,
 ) -> Option<ShapePart> {
     let block = &raw.value;
-    let shape = block.shape.as_ref().map_or(ShapeRaw::Box, |shape| shape.value);
+    let unsaid = match (&block.points, &block.file) {
+        (Some(_), _) => ShapeRaw::Points,
+        (None, Some(_)) => ShapeRaw::Mesh,
+        (None, None) => ShapeRaw::Box,
+    };
+    let shape = block.shape.as_ref().map_or(unsaid, |shape| shape.value);
     refuse_foreign(reader, block, path, shape);
     match shape {
         ShapeRaw::Points => return points(reader, raw, path),

@@ -205,6 +205,21 @@ fn exact_a_frustum_of_points_and_its_scatter() {
     assert_eq!(project.structure_inputs().len(), 25);
 }
 
+/// What is given says the shape: points need no `shape = "points"`, a file no `shape = "mesh"`.
+#[test]
+fn exact_a_shape_follows_from_points_or_a_file() {
+    let text = format!(
+        "{HEAD}blocks = [\n  {{ name = \"a\", points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]] }},\n  \
+         {{ name = \"b\", file = \"stone.obj\", unit = \"mm\" }},\n]\n"
+    );
+    let stack = part(&text);
+    let shapes: Vec<&ShapePart> = stack.blocks.iter().map(|block| &block.shape).collect();
+    assert!(
+        matches!(shapes[..], [ShapePart::Points { .. }, ShapePart::Mesh(_)]),
+        "{shapes:?}"
+    );
+}
+
 #[test]
 fn refuses_points_that_make_no_stone() {
     let of = |points: &str| {

@@ -104,10 +104,10 @@ pub enum StackNote {
     WithoutDilatancy {
         /// Capacity of that case, over gravity.
         dilating_g: f64,
-        /// Capacity without friction in the upright joints that slide, over gravity.
+        /// Capacity if joints slide without rising, over gravity.
         without_g: f64,
     },
-    /// Joints slide while others open, or hold only by sliding: the limit analysis gives an upper bound.
+    /// Joints slide while others open, and no limit without dilation was found, or they hold only by sliding: an upper bound.
     UpperBound,
     /// The stack stands only with the bond of its joints.
     BondCarries,
@@ -232,8 +232,8 @@ impl fmt::Display for StackNote {
                 without_g,
             } => write!(
                 f,
-                "friction that lets sliding joints rise would hold {dilating_g:.3} g; without it in upright joints that slide \
-                 {without_g:.3} g is held"
+                "friction that lets sliding joints rise would hold {dilating_g:.3} g; joints that slide without rising hold \
+                 {without_g:.3} g"
             ),
             StackNote::UpperBound => write!(
                 f,

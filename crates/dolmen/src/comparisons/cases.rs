@@ -2,10 +2,10 @@
 
 use super::{
     Case, ValidationError, aftershocks, arches, building_motion, choi_2021, chopra_2017, columns, crushing,
-    dampers, driven_modes, dry_friction, earthquakes, fragility, free_columns, free_decay, free_walls, gusts,
-    hwang_min_hong, joined, kim_koo_hong_2018, local_mechanisms, owen_prieur_2017, park_min_2010,
-    pushed_frames, pyoma2, restitution, rigid_blocks, second_methods, setups, sliced_scans, survey_change,
-    tenons, watch, wind,
+    dampers, driven_modes, dry_friction, earthquakes, ferris_tin_loi_2001, fragility, free_columns,
+    free_decay, free_walls, gusts, hwang_min_hong, joined, kim_koo_hong_2018, local_mechanisms,
+    owen_prieur_2017, park_min_2010, pushed_frames, pyoma2, restitution, rigid_blocks, second_methods,
+    setups, sliced_scans, survey_change, tenons, watch, wind,
 };
 
 /// All cases, source by source.
@@ -31,6 +31,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         kim_koo_hong_2018::cases()?,
         rigid_blocks::cases(),
         arches::cases()?,
+        ferris_tin_loi_2001::cases()?,
         local_mechanisms::cases()?,
         crushing::cases()?,
         restitution::cases()?,

@@ -16,6 +16,7 @@ mod driven_modes;
 mod dry_friction;
 mod earthquakes;
 mod error;
+mod ferris_tin_loi_2001;
 mod fragility;
 mod free_columns;
 mod free_decay;

@@ -113,6 +113,7 @@ pub(super) struct Piece {
     moves: Vec<VelocityTransform>,
     length: f64,
     units: Vec<f64>,
+    links: Vec<usize>,
     at_rest: Vec<f64>,
     shaking: [Vec<f64>; 2],
     pushes: Vec<Push>,
@@ -137,6 +138,11 @@ impl Piece {
     /// The force unit of each push, N.
     pub(super) fn units(&self) -> &[f64] {
         &self.units
+    }
+
+    /// The link of each push: the joints, then the ties.
+    pub(super) fn links(&self) -> &[usize] {
+        &self.links
     }
 
     /// The motions of each block of the stack, from the velocities of a programme.
@@ -189,6 +195,7 @@ impl Piece {
 struct PiecePushes {
     pushes: Vec<Push>,
     units: Vec<f64>,
+    links: Vec<usize>,
     /// The link of the last push, if it is a toe.
     toes_of: Option<usize>,
 }
@@ -223,6 +230,7 @@ impl PiecePushes {
         self.toes_of = toes_of;
         self.pushes.push(push);
         self.units.push(unit);
+        self.links.push(act.link);
     }
 }
 
@@ -401,6 +409,7 @@ impl BalancedStack<'_> {
                 .collect(),
             length: scale.length,
             units: gathered.units,
+            links: gathered.links,
             at_rest: Vec::new(),
             shaking: [Vec::new(), Vec::new()],
             // mirror symmetries hold only under equal shaking forces

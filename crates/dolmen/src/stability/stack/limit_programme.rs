@@ -222,6 +222,36 @@ impl Programme {
         &self.solver.solution.x[..self.rows]
     }
 
+    /// The force of each push in the last solution, in its unit: along the first axis of its link, and the components that its columns across
+    /// that axis multiply.
+    pub(super) fn forces(&self, pushes: &[Push]) -> Vec<[f64; 3]> {
+        let z = &self.solver.solution.z;
+        let mut row = match self.within {
+            AccelerationSet::Plane => 3,
+            AccelerationSet::Line(_) => 2,
+        };
+        let mut forces = Vec::with_capacity(pushes.len());
+        for push in pushes {
+            let (force, rows) = match push {
+                Push::Cone(_) => ([z[row], z[row + 1], z[row + 2]], 3),
+                Push::Normal(_) => ([z[row], 0.0, 0.0], 1),
+                Push::Toes(toes) => {
+                    let each = z[row + 1..row + 1 + 3 * toes.len()].chunks_exact(3);
+                    let sum = each.fold([0.0; 3], |sum, toe| std::array::from_fn(|k| sum[k] + toe[k]));
+                    (sum, 1 + 3 * toes.len())
+                }
+                Push::Disc(_, strength) => {
+                    let first = row + usize::from(strength.is_finite());
+                    ([0.0, z[first], z[first + 1]], first + 2 - row)
+                }
+                Push::Pull(_, strength) => ([0.0; 3], 1 + usize::from(strength.is_finite())),
+            };
+            forces.push(force);
+            row += rows;
+        }
+        forces
+    }
+
     /// Checks and returns a mechanism that gains energy for any acceleration.
     fn falls(&self) -> Result<ProgrammeOutcome, StabilityError> {
         let x = &self.solver.solution.x;

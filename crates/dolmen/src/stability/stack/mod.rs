@@ -36,6 +36,7 @@ mod thrust_line;
 mod toe;
 #[cfg(test)]
 mod towers;
+mod undilated_beds;
 
 pub use blown::{BlownBlock, WindArea, WindSurfaces, blown_blocks};
 pub use cut_resistances::{CutResistance, cut_resistances};

@@ -1,0 +1,251 @@
+//! Limit analysis with sliding joints that do not dilate.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | N | `normal` | normal force of a joint | N |
+//! | N₀ | `held` | normal force by which its friction counts in a round | N |
+//! | S | `shear` | resultant of the friction of a joint | N |
+//! | μ | `friction_static` | static friction | – |
+//! | α | `DILATION` | dilation of a sliding joint, over that of associated friction | – |
+//! | β | `NEWER` | share of the last solution in N₀ | – |
+
+use super::Threshold;
+use super::dilatancy::without_sliding_friction;
+use super::limit_acts::{LimitProblem, acts};
+use super::limit_mechanism::moving_with;
+use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus};
+use super::limit_pieces::{GrowingLoad, Law, PossibleForce, pieces};
+use super::limit_programme::{ACCELERATION_MOST, AccelerationSet, ProgrammeOutcome, Push};
+use super::mechanism::Mechanism;
+use crate::stability::StabilityError;
+use crate::structure::stack::Stack;
+
+/// Dilation of a sliding joint, over that of associated friction. Our choice: with 0.01, as Gilbert, Casapulla & Ahmed (2006) take, the limits of
+/// their walls differ by less than 2e-4, and the solver fails on the largest.
+const DILATION: f64 = 0.2;
+/// Share of the last solution in the normal forces of the next. Gilbert, Casapulla & Ahmed (2006); with 0.9 the largest of their walls swings.
+const NEWER: f64 = 0.6;
+/// Largest number of rounds. Our choice: the six walls need 2 to 22.
+const ROUNDS_MOST: usize = 40;
+/// Largest number of stones. Our choice: for more, the rounds take minutes.
+const BLOCKS_MOST: usize = 200;
+/// Relative change of the limit, twice in a row, at which the rounds end. Our choice.
+const SETTLED: f64 = 1e-4;
+/// Largest friction beyond Coulomb's cone in any joint, over the weight of the stack, at which a limit counts. Our choice.
+const BEYOND_MOST: f64 = 1e-3;
+
+/// The limit along one direction in whose mechanism joints slide without dilation, for a stack that stands.
+///
+/// ```text
+/// round       friction of each joint at most  (1 − α) μ N₀ + α μ N  in place of  μ N:  sliding dilates α times as much
+/// next round  N₀ ← (1 − β) N₀ + β N;  upright joints that slide lose their friction
+/// end         the limit has settled, and |S| ≤ μ N in every joint: Coulomb's law holds in the forces and in the mechanism
+/// ```
+///
+/// `None` if the rounds do not end so, or for more than 200 stones.
+///
+/// # Limits
+/// Without dilation the limit is not unique: this is one, not certainly the least. On the six walls of Ferris & Tin-Loi (2001) it is the least
+/// that they found, to the three digits printed.
+///
+/// # Source
+/// Gilbert, Casapulla & Ahmed (2006), Computers and Structures 84. Differs from the source: friction by joint in three dimensions; upright
+/// joints that slide lose their friction.
+pub(super) fn without_dilation(
+    stack: &Stack,
+    options: &LimitAnalysis,
+    way: [f64; 2],
+) -> Result<Option<LimitAnalysisResult>, StabilityError> {
+    if stack.blocks().len() > BLOCKS_MOST {
+        return Ok(None);
+    }
+    let weight = stack.mass_kg() * stack.gravity_m_s2();
+    let mut stack = stack.clone();
+    let mut held: Option<Vec<f64>> = None;
+    let (mut before_g, mut settled, mut solved) = (f64::INFINITY, 0, 0);
+    for _ in 0..ROUNDS_MOST {
+        let Some(round) = solve(&stack, options, way, held.as_deref())? else {
+            return Ok(None);
+        };
+        solved += round.analysis.solved;
+        let smoother = without_sliding_friction(&stack, round.analysis.mechanism.as_ref());
+        let is_still = (round.limit_g - before_g).abs() <= SETTLED * round.limit_g && smoother.is_none();
+        settled = if is_still { settled + 1 } else { 0 };
+        if settled > 1 && round.beyond_n <= BEYOND_MOST * weight {
+            return Ok(Some(LimitAnalysisResult {
+                solved,
+                ..round.analysis
+            }));
+        }
+        before_g = round.limit_g;
+        let normals = round.normals_n;
+        held = Some(match held {
+            None => normals,
+            Some(held) => held
+                .iter()
+                .zip(normals)
+                .map(|(held, normal)| (1.0 - NEWER) * held + NEWER * normal)
+                .collect(),
+        });
+        stack = smoother.unwrap_or(stack);
+    }
+    Ok(None)
+}
+
+/// Result of one round.
+struct Round {
+    analysis: LimitAnalysisResult,
+    limit_g: f64,
+    /// Normal force of each joint, N.
+    normals_n: Vec<f64>,
+    /// Largest friction beyond Coulomb's cone in any joint, N.
+    beyond_n: f64,
+}
+
+/// One round with given normal forces N₀; with associated friction if there are none. `None` if a piece falls or is wedged.
+fn solve(
+    stack: &Stack,
+    options: &LimitAnalysis,
+    way: [f64; 2],
+    held: Option<&[f64]>,
+) -> Result<Option<Round>, StabilityError> {
+    let loads = options.loads.on_blocks(stack)?;
+    let problem = LimitProblem {
+        stack,
+        loads: &loads,
+        towards: Some(way),
+        grows: false,
+        is_coarse: false,
+    };
+    let mut forces = acts(&problem, options.holding);
+    if let Some(held) = held {
+        forces = with_friction_of(held, forces);
+    }
+    let growing = match &options.swaying {
+        None => GrowingLoad::Shaking,
+        Some(swaying) => GrowingLoad::Swaying(swaying),
+    };
+    let ties = options.holding == Holding::CohesionAndTies;
+    let mut joints = vec![JointForces::default(); stack.joints().len()];
+    let mut least: Option<(f64, Option<Mechanism>)> = None;
+    let mut analysis = LimitAnalysisResult {
+        status: LimitAnalysisStatus::Unlimited,
+        mechanism: None,
+        at_least_g: f64::INFINITY,
+        residual: 0.0,
+        solved: 0,
+        variables: 0,
+        equations: 0,
+    };
+    for piece in pieces(stack, &loads, &forces, growing, ties) {
+        let mut programme = piece.programme(AccelerationSet::Line(way))?;
+        let ProgrammeOutcome::Reaches(support) = programme.support(way)? else {
+            return Ok(None);
+        };
+        analysis.solved += 1;
+        analysis.residual = analysis.residual.max(support.missed);
+        analysis.variables += programme.unknowns();
+        analysis.equations += piece.equations();
+        let pushed = programme.forces(piece.pushes());
+        for ((push, force), (link, unit)) in piece
+            .pushes()
+            .iter()
+            .zip(&pushed)
+            .zip(piece.links().iter().zip(piece.units()))
+        {
+            if let Some(joint) = joints.get_mut(*link) {
+                let friction = stack.joints()[*link].material.friction_static;
+                joint.add(
+                    push,
+                    force,
+                    *unit,
+                    if held.is_some() {
+                        DILATION * friction
+                    } else {
+                        friction
+                    },
+                );
+            }
+        }
+        if least.as_ref().is_none_or(|(least, _)| support.bound < *least) {
+            least = Some((support.bound, moving_with(stack, &piece, programme.velocities())));
+        }
+    }
+    let Some((limit_g, mechanism)) = least.filter(|(limit, _)| *limit < ACCELERATION_MOST * (1.0 - 1e-6))
+    else {
+        return Ok(None);
+    };
+    let gravity = stack.gravity_m_s2();
+    analysis.status = LimitAnalysisStatus::Limited(Threshold::new(limit_g * gravity, gravity, way));
+    analysis.at_least_g = limit_g;
+    analysis.mechanism = mechanism;
+    let beyond = |(joint, forces): (usize, &JointForces)| {
+        let material = &stack.joints()[joint].material;
+        let cohesion = match options.holding {
+            Holding::FrictionOnly => 0.0,
+            _ => material.cohesion_pa * stack.joints()[joint].patch.moments().area_m2,
+        };
+        let [x, y] = forces.shear_n;
+        x.hypot(y) - material.friction_static * forces.normal_n - cohesion
+    };
+    Ok(Some(Round {
+        limit_g,
+        beyond_n: joints.iter().enumerate().map(beyond).fold(0.0, f64::max),
+        normals_n: joints.iter().map(|forces| forces.normal_n).collect(),
+        analysis,
+    }))
+}
+
+/// Resultant forces of a joint.
+#[derive(Clone, Copy, Default)]
+struct JointForces {
+    normal_n: f64,
+    shear_n: [f64; 2],
+}
+
+impl JointForces {
+    /// Adds the force of a push; `friction` is the coefficient of its cone.
+    fn add(&mut self, push: &Push, force: &[f64; 3], unit: f64, friction: f64) {
+        let across = if matches!(push, Push::Disc(..)) {
+            1.0
+        } else {
+            friction
+        };
+        self.normal_n += unit * force[0];
+        for (sum, part) in self.shear_n.iter_mut().zip(&force[1..]) {
+            *sum += unit * across * part;
+        }
+    }
+}
+
+/// The same forces with friction that follows N only slightly, and is that of N₀ otherwise, shared equally by the corners of each joint.
+fn with_friction_of(held: &[f64], forces: Vec<PossibleForce>) -> Vec<PossibleForce> {
+    let mut corners = vec![0_usize; held.len()];
+    for force in &forces {
+        if let (Law::Friction(_) | Law::Toe { .. }, Some(corners)) = (force.law, corners.get_mut(force.link))
+        {
+            *corners += 1;
+        }
+    }
+    let mut fixed = Vec::new();
+    let mut all: Vec<PossibleForce> = forces
+        .into_iter()
+        .map(|mut force| {
+            let (Law::Friction(friction) | Law::Toe { friction, .. }) = &mut force.law else {
+                return force;
+            };
+            let shear_n =
+                (1.0 - DILATION) * *friction * held[force.link].max(0.0) / corners[force.link] as f64;
+            *friction *= DILATION;
+            if shear_n > 0.0 {
+                fixed.push(PossibleForce {
+                    law: Law::Shear(shear_n),
+                    ..force
+                });
+            }
+            force
+        })
+        .collect();
+    all.append(&mut fixed);
+    all
+}
