@@ -34,9 +34,9 @@ are compared in every mode, in amplitude and in phase, with the deviations of th
 sensor. A floor that sways and turns is no fault. With at least three sensors on the level Dolmen names the column that moves as no
 rigid floor does: its foot may be loose, its tenon open, or its sensor badly fixed. Exchange the sensor with that of
 another column and measure again; then look at the column. With two sensors a turn of the floor looks the same.",
-    "damage-states" "DS1, DS2 and DS3: how far a structure was damaged" => "\
+    "damage-states" "DS1 to DS4: how far a structure was damaged" => "\
 Of a stack: DS1, a joint opens by 0.1 mm or slips by 0.5 mm. DS2, an offset of 0.5 % of the joint's width, or 10 mm, is left.
-DS3, 2 % is left, a joint rocks to 0.35 of its slenderness angle, or a stone lies on the brink. Falls: a stone came down. Of a
+DS3, 2 % is left, a joint rocks to 0.35 of its slenderness angle, or a stone lies on the brink. DS4, falls: a stone came down. Of a
 frame: DS1, a storey slips; falls, a storey leaned by more than 10 %. Of a chain: DS1, a joint opens or turns against its
 friction; falls, a link leaned by 60°. Of a building: the first, second and third limit of its storey drift. DS3 and worse is
 red, with exit status 1.",
@@ -193,7 +193,7 @@ definite. Dolmen prints the published values because reports quote them, and the
 /// The explanation of `code`, if there is one.
 pub fn explain(code: &str) -> Option<&'static Explanation> {
     let code = match code.to_ascii_uppercase().as_str() {
-        "DS0" | "DS1" | "DS2" | "DS3" => "damage-states",
+        "DS0" | "DS1" | "DS2" | "DS3" | "DS4" => "damage-states",
         _ => code,
     };
     EXPLANATIONS.iter().find(|e| e.code == code)

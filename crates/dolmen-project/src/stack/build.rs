@@ -177,24 +177,7 @@ impl StackPart {
         if self.is_loose {
             return Err(StackFault::Loose);
         }
-        let mut blocks = self.placed_blocks(pick)?;
-        if let Some(factors) = &self.pagoda {
-            let density = self.density.as_ref().map_or(f64::NAN, &mut *pick);
-            let made = factors.made(density, pick);
-            blocks = made
-                .map_err(|why| StackFault::part("pagoda".to_owned(), why))?
-                .blocks;
-        }
-        if let Some(part) = &self.made {
-            let density = self.density.as_ref().map_or(f64::NAN, &mut *pick);
-            let made = match part {
-                MadePart::Arch(arch) => arch.made(density, pick),
-                MadePart::Wall(wall) => wall.made(density, pick),
-                MadePart::Tower(tower) => tower.made(density, pick),
-                MadePart::Trilithon(trilithon) => trilithon.made(density, pick),
-            };
-            blocks = made.map_err(|why| StackFault::part(self.made_by().to_owned(), why))?;
-        }
+        let mut blocks = self.all_blocks(pick)?;
         for lost in &self.lost_beds {
             let block = blocks.iter().position(|block| block.name == lost.block);
             let bed = LostBed {
@@ -218,6 +201,37 @@ impl StackPart {
             stack = below.map_err(|why| StackFault::part("soil".to_owned(), why))?;
         }
         self.with_pieces(stack, turn, pick)
+    }
+
+    /// The blocks that the file lists or generates, whole and plumb.
+    fn all_blocks(&self, pick: Pick<'_>) -> Result<Vec<Block>, StackFault> {
+        let density = |pick: Pick<'_>| self.density.as_ref().map_or(f64::NAN, pick);
+        if let Some(factors) = &self.pagoda {
+            let made = factors.made(density(&mut *pick), pick);
+            return Ok(made
+                .map_err(|why| StackFault::part("pagoda".to_owned(), why))?
+                .blocks);
+        }
+        let Some(part) = &self.made else {
+            return self.placed_blocks(pick);
+        };
+        let density = density(&mut *pick);
+        let made = match part {
+            MadePart::Arch(arch) => arch.made(density, pick),
+            MadePart::Wall(wall) => wall.made(density, pick),
+            MadePart::Tower(tower) => tower.made(density, pick),
+            MadePart::Trilithon(trilithon) => trilithon.made(density, pick),
+        };
+        made.map_err(|why| StackFault::part(self.made_by().to_owned(), why))
+    }
+
+    /// Names of the blocks that are generated; none if the file lists them.
+    pub(crate) fn generated_names(&self) -> Vec<String> {
+        if self.pagoda.is_none() && self.made.is_none() {
+            return Vec::new();
+        }
+        let blocks = self.all_blocks(&mut Quantity::nominal).unwrap_or_default();
+        blocks.into_iter().map(|block| block.name).collect()
     }
 
     /// The blocks of the file, each at its place.

@@ -38,6 +38,39 @@ fn exact_each_name_is_printed_in_its_language() {
     assert!(plain.printed_names.is_empty());
 }
 
+/// Every block that Dolmen names itself has a Korean name; one in the file counts more.
+#[test]
+fn exact_generated_blocks_have_korean_names() {
+    let head = "schema = 1\nkind = \"stack\"\nname = \"S\"\ndensity = 2600\njoint = { friction = 0.6 }\n";
+    let made = [
+        "pagoda = { storeys = 3, body_height = 4.9 }",
+        "arch = { span = 3, thickness = 0.45, depth = 1, voussoirs = 15, springing_height = 1.2, abutment = 1.5 }",
+        "trilithon = { span = 1.2, post_width = 0.8, post_height = 3.2, lintel_height = 0.7 }",
+        "wall = { length = 2.4, thickness = 0.6, courses = 4, course_height = 0.25, stone_length = 0.5, leaves = 2, \
+         through_every = 2 }",
+        "tower = { width = 2.4, courses = 3, course_height = 0.5, thickness = 0.5 }",
+    ];
+    for structure in made {
+        let file = format!("{head}{structure}\n");
+        let project = parse_project(&file, "p.toml").unwrap();
+        let mut blocks = project.structure.part_names();
+        blocks.retain(|block| {
+            let has = project.printed_names.iter().any(|of| of.name == *block);
+            !has
+        });
+        assert!(blocks.is_empty(), "{blocks:?}");
+    }
+    let file = format!("{head}{}\n[names.ko]\nkeystone = \"머릿돌\"\n", made[1]);
+    let project = parse_project(&file, "p.toml").unwrap();
+    let keystones: Vec<&str> = project
+        .printed_names
+        .iter()
+        .filter(|of| of.name == "keystone")
+        .map(|of| of.printed.as_str())
+        .collect();
+    assert_eq!(keystones, ["머릿돌"]);
+}
+
 #[test]
 fn refuses_a_name_of_nothing_in_both_languages() {
     let refused = |table: &str| parse_project(&format!("{LAMP}{table}"), "p.toml").unwrap_err();

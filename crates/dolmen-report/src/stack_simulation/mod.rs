@@ -28,10 +28,14 @@ messages! {
     /// The head and figures of a simulated stack.
     pub(crate) enum Shown in "stack-simulation" {
         Head => { en: "Simulated earthquake", ko: "지진응답 시뮬레이션" },
-        After => { en: "The stack at the end of the motion.", ko: "지진동 종료 시의 적층 구조." },
+        After => { en: "The stack when the run ended.", ko: "해석 종료 시의 적층 구조." },
         AfterMeaning => {
             en: "Colours are the larger of peak opening and peak slip of each joint.",
             ko: "접합면의 색은 최대 벌어짐과 최대 미끄러짐 중 큰 값이다.",
+        },
+        States => {
+            en: "DS1: a joint opened by 0.1 mm or slipped by 0.5 mm. DS2: an offset of 0.5 % of a joint's width, or 10 mm, is left. DS3: 2 % is left, a joint rocked to 0.35 of its slenderness angle, or a stone lies on the brink. DS4: a stone came down.",
+            ko: "DS1: 접합면이 0.1 mm 벌어지거나 0.5 mm 미끄러진 상태. DS2: 접합면 폭의 0.5 % 또는 10 mm의 어긋남이 남은 상태. DS3: 2 %의 어긋남이 남거나, 접합면이 세장각의 0.35배까지 흔들리거나, 부재가 떨어지기 직전에 놓인 상태. DS4: 부재가 떨어진 상태.",
         },
         Top => { en: "Displacement of the highest stone.", ko: "최상부 부재의 변위." },
         TopMeaning => { en: "Against the ground, from rest.", ko: "지반에 대한 상대 변위." },
@@ -84,6 +88,7 @@ pub(crate) fn sections(answer: &ProjectReport) -> Document<'_> {
     if let Some(runs) = answer.own_stack_runs() {
         let simulation = &runs.deciding;
         ended(&mut document, runs);
+        document.put(Block::Note(Shown::States.into()));
         motion_section(&mut document, &simulation.motion);
         details(&mut document, simulation);
         if let Some(table) = tables::versions(answer) {

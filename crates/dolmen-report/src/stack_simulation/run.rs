@@ -60,8 +60,8 @@ messages! {
             ko: "로킹하는 적층 구조는 모든 입력에 민감하여 한 번의 해석은 하나의 사례일 뿐이다. --repeats 8을 주면 잴 수 없는 작은 차이를 주어 반복하고 가장 나쁜 결과를 택한다.",
         },
         Top { name: String, peak: Quantity, left: Quantity } => {
-            en: "The highest stone, '{name}', moved by up to {peak} against the ground, {left} at the end.",
-            ko: "최상부 부재 ‘{name}’의 지반에 대한 수평 변위는 최대 {peak}, 종료 시 {left}이다.",
+            en: "The highest stone, '{name}', moved by up to {peak} against the ground, {left} when the run ended.",
+            ko: "최상부 부재 ‘{name}’의 지반에 대한 수평 변위는 최대 {peak}, 해석 종료 시 {left}이다.",
         },
         Settled { by: Quantity } => {
             en: "Before the motion the highest stone settled by {by} on the springs.",

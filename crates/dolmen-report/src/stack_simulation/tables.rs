@@ -15,7 +15,7 @@ messages! {
     /// Tables of simulated stacks.
     pub(crate) enum Tables in "stack-simulation.tables" {
         Joints => { en: "What each joint did.", ko: "접합면별 응답." },
-        JointsMeaning => { en: "Peaks, and what is left at the end.", ko: "최댓값과 종료 시의 잔류값." },
+        JointsMeaning => { en: "Peaks, and what is left when the run ended.", ko: "최댓값과 해석 종료 시의 잔류값." },
         Stone => { en: "Stone", ko: "부재" },
         On => { en: "on", ko: "아래 부재" },
         Opening => { en: "opening", ko: "벌어짐" },
