@@ -201,7 +201,7 @@ impl Advice for Note {
             Self::Channel(fault) => fault.advice(),
             Self::FilteredAbove { .. } => says(Advised::LowerDecimation),
             Self::ClockDrift { .. } => says(Advised::GiveRates),
-            Self::LateClocks { .. } => says(Advised::AddDelays),
+            Self::LateClocks { .. } | Self::EitherLate { .. } => says(Advised::AddDelays),
             Self::InSpells { .. } | Self::Narrow { .. } | Self::Wandering { removed: true, .. } => {
                 says(Advised::Accept)
             }
@@ -228,6 +228,7 @@ impl Advice for Note {
             | Self::NotPicked { .. }
             | Self::OneQuantity { .. }
             | Self::QuarterTurn { .. }
+            | Self::EitherTurned { .. }
             | Self::StandsStill { .. }
             | Self::PhaseOff { .. }
             | Self::FewCycles { .. } => None,

@@ -421,7 +421,9 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
             note,
             Note::ClockDrift { .. }
                 | Note::LateClocks { .. }
+                | Note::EitherLate { .. }
                 | Note::QuarterTurn { .. }
+                | Note::EitherTurned { .. }
                 | Note::Wandering { removed: false, .. }
         )
     };

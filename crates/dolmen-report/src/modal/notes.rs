@@ -138,6 +138,10 @@ messages! {
             en: "{channels}: a quarter turn (90°) off the other channels at every mode seen ({at}): they measure another quantity, as a geophone (velocity) beside accelerometers does. A clock that is late turns high modes more than low ones, and this is none. They are left out of the shapes; give the record of each its unit (as a station of its own where one file holds both), and they are in them.",
             ko: "{channels}: 보이는 모든 모드({at})에서 다른 채널과 위상이 90° 다르다. 가속도계 옆의 속도계(지오폰)처럼 다른 물리량을 재는 채널이다. 시계가 늦으면 높은 모드일수록 위상이 더 돌아가므로 시계 문제가 아니다. 이 채널은 모드형상에서 제외하였다. 각 기록에 unit을 주면(한 파일에 섞여 있으면 별도의 측점으로 나누어) 포함된다.",
         },
+        EitherTurned { channels: Vec<String>, others: Vec<String>, at: Values } => {
+            en: "{channels} and {others} are a quarter turn (90°) apart at every mode seen ({at}): one half measures another quantity, as geophones (velocity) beside accelerometers do. As many channels agree with one as with the other, so the phases cannot tell which. No channel is left out, and frequencies and damping stay; the shapes take the first for the different half: if it is the other, the size and sign of one half against the other are wrong. Give the record of each its unit (as a station of its own where one file holds both).",
+            ko: "{channels}와(과) {others}은(는) 보이는 모든 모드({at})에서 위상이 서로 90° 다르다. 가속도계 옆의 속도계(지오폰)처럼 한쪽이 다른 물리량을 잰다. 서로 맞는 채널의 수가 같아 위상으로는 어느 쪽인지 알 수 없다. 제외한 채널은 없으며 진동수와 감쇠비는 유효하다. 모드형상은 앞의 채널이 다른 물리량을 잰 것으로 보고 구하였으므로, 뒤의 채널이라면 두 쪽 사이의 크기와 부호가 틀린다. 각 기록에 unit을 준다(한 파일에 섞여 있으면 별도의 측점으로 나눈다).",
+        },
         StandsStill { channel: String, share: Quantity } => {
             en: "\"{channel}\" moves by less than {share} of the largest in every mode: it stands on firm ground, is not connected, or is in another unit than the others (g read as gal is 981 times too small, m/s² as mm/s² 1000 times, g as m/s² 9.81 times).",
             ko: "채널 \"{channel}\"은(는) 모든 모드에서 최대 성분의 {share} 미만으로 움직인다. 단단한 지반 위에 있거나 연결되지 않았거나, 다른 채널과 단위가 다르다(g를 gal로 읽으면 981배, m/s²를 mm/s²로 읽으면 1000배, g를 m/s²로 읽으면 9.81배 작다).",
@@ -284,6 +288,15 @@ pub(super) fn note_words(note: &Note) -> Sentence {
             channels: channels.clone(),
             at: all_hertz(frequency_hz),
         },
+        Note::EitherTurned {
+            channels,
+            others,
+            frequency_hz,
+        } => Notes::EitherTurned {
+            channels: channels.clone(),
+            others: others.clone(),
+            at: all_hertz(frequency_hz),
+        },
         Note::StandsStill { channel, share } => Notes::StandsStill {
             channel: channel.clone(),
             share: percent(share.max(0.001), 1),
@@ -309,6 +322,13 @@ pub(super) fn note_words(note: &Note) -> Sentence {
             return said.into();
         }
         Note::LateClocks { late: all } => return Clocks::Late { each: late(all) }.into(),
+        Note::EitherLate { late: all, others } => {
+            let said = Clocks::EitherLate {
+                each: late(all),
+                others: others.clone(),
+            };
+            return said.into();
+        }
         Note::FewCycles {
             frequency_hz,
             damping_floor,

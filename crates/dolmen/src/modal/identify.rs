@@ -7,10 +7,10 @@ use super::driven::of_driven;
 use super::likelihood::refined;
 use super::modal_analysis::{ModalAnalysis, of_peaks};
 use super::options::Identify;
-use super::quality::leave_out_late_clocks;
 use super::quality::leave_out_other_clocks;
 use super::quality::leave_out_spells;
 use super::quality::note_hidden_pairs;
+use super::quality::off_clocks;
 use super::quality::{Diagram, remark};
 use super::quality::{Quantities, doubt_channels, to_one_quantity};
 use super::quality::{SetAside, note_tones_on_modes, of_steady, split_tones, test_for_machines};
@@ -56,10 +56,23 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     if options.method == Method::Okid {
         return of_driven((record, options), notes, &identify);
     }
+    if options.method != Method::Era
+        && let Some(brought_together) = without_off_clocks(record, options, &notes)
+    {
+        return Ok(brought_together);
+    }
+    of_ambient(record, options, notes)
+}
+
+/// Modes of a record whose channels have one clock.
+fn of_ambient(
+    record: &Record,
+    options: &Identify,
+    mut notes: Vec<Note>,
+) -> Result<ModalAnalysis, ModalError> {
     let mut peaks = spectrum(record, options)?;
     let set_aside = split_tones(record, &mut peaks, options, &mut notes)?;
     let mut refused = set_aside.peaks.clone();
-    let mut seen_at_peaks = peaks.with_deviations();
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, record, options),
         Method::Era => of_decay(record, options, peaks)?,
@@ -81,11 +94,6 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         }
     }
     to_one_quantity(&mut analysis.modes, &mut notes);
-    to_one_quantity(&mut seen_at_peaks, &mut Vec::new());
-    leave_out_late_clocks(&mut analysis.modes, &seen_at_peaks, &mut notes);
-    if let Some(alone) = of_one_clock(record, options, &analysis.modes, &notes) {
-        return Ok(alone);
-    }
     let seen = set_aside
         .peaks
         .iter()
@@ -136,14 +144,35 @@ fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Not
         return None;
     }
     let mut alone = identify(&leave_out(record.clone(), &off).ok()?, options).ok()?;
-    let of_clocks = |note: &&Note| {
-        matches!(
-            note,
-            Note::ClockDrift { .. } | Note::LateClocks { .. } | Note::QuarterTurn { .. }
-        )
-    };
+    let of_clocks = |note: &&Note| matches!(note, Note::ClockDrift { .. });
     alone.notes.extend(notes.iter().filter(of_clocks).cloned());
     Some(alone)
+}
+
+/// Identification without the channels whose phases contradict those of the others, if there are any. `notes` are those on the channels.
+fn without_off_clocks(record: &Record, options: &Identify, notes: &[Note]) -> Option<ModalAnalysis> {
+    let off = off_clocks(record);
+    let kept = off.taken_off(record).ok()??;
+    let as_given = |name: &str| record.channels().iter().find(|own| own.name == name);
+    let place = |reference: &usize| {
+        let name = &record.channels().get(*reference)?.name;
+        kept.channels().iter().position(|own| own.name == *name)
+    };
+    let options = Identify {
+        references: options.references.iter().filter_map(place).collect(),
+        ..options.clone()
+    };
+    let is_whole = kept.channels().len() == record.channels().len();
+    let mut found = match is_whole {
+        true => of_ambient(&kept, &options, notes.to_vec()),
+        false => identify(&kept, &options),
+    }
+    .ok()?;
+    for channel in &mut found.modes.channels {
+        channel.quantity = as_given(&channel.name).map_or(channel.quantity, |own| own.quantity);
+    }
+    found.notes.extend(off.notes());
+    Some(found)
 }
 
 /// Poles of all orders, judged and grouped.

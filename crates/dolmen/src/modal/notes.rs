@@ -144,6 +144,16 @@ pub enum Note {
         /// The frequencies, Hz.
         frequency_hz: Vec<f64>,
     },
+    /// Two halves of the channels with a phase of 90° between them at every frequency: it is unknown which half measures another quantity,
+    /// and none is left out.
+    EitherTurned {
+        /// The half that the shapes take for the different one.
+        channels: Vec<String>,
+        /// The other half.
+        others: Vec<String>,
+        /// The frequencies, Hz.
+        frequency_hz: Vec<f64>,
+    },
     /// A channel without motion in any mode.
     StandsStill {
         /// Name of the channel.
@@ -173,6 +183,13 @@ pub enum Note {
     LateClocks {
         /// Each channel with its delay.
         late: Vec<LateClock>,
+    },
+    /// As many channels have a constant delay as have none, and it is unknown which: the modes are found with the delay taken off.
+    EitherLate {
+        /// Each channel of one half with its delay relative to the other half.
+        late: Vec<LateClock>,
+        /// The other half, early by that delay if it is the wrong one.
+        others: Vec<String>,
     },
     /// A mode with so few cycles in the record that its damping ratio is inaccurate.
     FewCycles {
@@ -431,6 +448,16 @@ impl std::fmt::Display for Note {
                     each.join("; ")
                 )
             }
+            Note::EitherLate { late, others } => {
+                let each: Vec<String> = late.iter().map(ToString::to_string).collect();
+                write!(
+                    f,
+                    "either clocks are late (- is early): {}, or those of \"{}\" are early by as much: as many channels agree with one as \
+                     with the other, so the phases cannot tell which; the shapes are found with the delay taken off",
+                    each.join("; "),
+                    others.join("\", \"")
+                )
+            }
             Note::QuarterTurn {
                 channels,
                 frequency_hz,
@@ -444,6 +471,24 @@ impl std::fmt::Display for Note {
                 write!(
                     f,
                     " Hz: they measure another quantity than the others (velocity beside acceleration), and are left out of the shapes"
+                )
+            }
+            Note::EitherTurned {
+                channels,
+                others,
+                frequency_hz,
+            } => {
+                write!(
+                    f,
+                    "\"{}\" and \"{}\" are a quarter turn apart at ",
+                    channels.join("\", \""),
+                    others.join("\", \"")
+                )?;
+                list(f, frequency_hz)?;
+                write!(
+                    f,
+                    " Hz: one half measures another quantity (velocity beside acceleration), and the phases cannot tell which; none is left \
+                     out, and the shapes take the first for the different half"
                 )
             }
             Note::FewCycles {

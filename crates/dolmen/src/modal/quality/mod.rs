@@ -1,6 +1,7 @@
 //! Checks of a record and its modes: machines, clocks, sensors, gusts, pairs of modes under one peak.
 
 mod clocks;
+mod crest_phases;
 mod gusts;
 mod harmonics;
 mod hidden_pairs;
@@ -19,7 +20,7 @@ pub(super) use gusts::{unequal, widen};
 pub use harmonics::{Kurtosis, band_kurtosis};
 pub(super) use hidden_pairs::note_hidden_pairs;
 pub use in_spells::InSpells;
-pub(super) use late_clocks::leave_out_late_clocks;
+pub(super) use late_clocks::off_clocks;
 pub(super) use machines::{SetAside, note_tones_on_modes, of_steady, split_tones, test_for_machines};
 pub(super) use refused_peaks::Diagram;
 pub(super) use remarks::{explained, near, remark};

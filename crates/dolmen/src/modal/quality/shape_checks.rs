@@ -73,7 +73,7 @@ pub(crate) fn to_one_quantity(modes: &mut Modes, notes: &mut Vec<Note>) {
 }
 
 /// Number of derivatives of displacement, if known.
-fn order(quantity: Quantity) -> Option<i32> {
+pub(super) fn order(quantity: Quantity) -> Option<i32> {
     match quantity {
         Quantity::Displacement => Some(ShapeQuantity::Displacement.order()),
         Quantity::Velocity => Some(ShapeQuantity::Velocity.order()),
@@ -134,19 +134,40 @@ pub(crate) fn doubt_channels(modes: &Modes, notes: &mut Vec<Note>) {
 }
 
 /// Whether the angles of one channel from the real axis, 0 to π/2, are impossible in a mode shape.
-pub(super) fn is_no_shapes(angles: &[f64]) -> bool {
+fn is_no_shapes(angles: &[f64]) -> bool {
     let twice = angles.iter().filter(|angle| **angle >= PHASE_TWICE).count() > 1;
     twice || angles.iter().any(|angle| *angle >= PHASE_ONCE)
 }
 
-/// Frequency, Hz, and angle of a component from the real axis, 0 to π/2; `None` if its phase is too uncertain.
+/// Frequency, Hz, and angle of a component from the line on which most others lie, 0 to π/2; `None` if its phase is too uncertain.
 fn phase_off(mode: &Mode, c: usize) -> Option<(f64, f64)> {
-    let z = mode.shape[c];
-    has_phase(mode, c).then(|| (mode.frequency_hz, z.im.abs().atan2(z.re.abs())))
+    has_phase(mode, c).then(|| {
+        (
+            mode.frequency_hz,
+            angle_between(mode.shape[c], middle_component(mode)),
+        )
+    })
+}
+
+/// Angle between the lines of two components, 0 to π/2.
+fn angle_between(a: Complex64, b: Complex64) -> f64 {
+    let z = a * b.conj();
+    z.im.abs().atan2(z.re.abs())
+}
+
+/// The component with the least sum of angles to all others with a phase. The largest component may be that of the faulty channel.
+fn middle_component(mode: &Mode) -> Complex64 {
+    let known: Vec<Complex64> = (0..mode.shape.len())
+        .filter(|&c| has_phase(mode, c))
+        .map(|c| mode.shape[c])
+        .collect();
+    let sum = |z: &Complex64| known.iter().map(|other| angle_between(*z, *other)).sum::<f64>();
+    let middle = known.iter().min_by(|a, b| sum(a).total_cmp(&sum(b)));
+    middle.copied().unwrap_or(Complex64::ONE)
 }
 
 /// Whether a component is large and accurate enough to have a phase.
-pub(super) fn has_phase(mode: &Mode, c: usize) -> bool {
+fn has_phase(mode: &Mode, c: usize) -> bool {
     let size = mode.shape[c].norm();
     let sd = mode
         .shape_sd

@@ -8,10 +8,10 @@
 
 use super::spectral_matrices::SpectralMatrices;
 use crate::modal::error::refused;
-use crate::modal::indicators::{largest, normalized, phase_collinearity};
+use crate::modal::indicators::{normalized, phase_collinearity};
 use crate::modal::{Method, ModalError, Mode, Modes};
 use crate::signal::Record;
-use dolmen_linalg::{ComplexMatrix, HermitianEigen, Matrix, hermitian_eigen, hermitian_eigenvalues};
+use dolmen_linalg::{ComplexMatrix, Matrix, hermitian_eigen, hermitian_eigenvalues};
 use std::ops::Range;
 
 /// Largest number of spectral lines: more lines need memory and show nothing more.
@@ -20,8 +20,6 @@ const LINES_MOST: usize = 16_384;
 const LINES_LEAST: usize = 64;
 /// Least ratio of samples to lines: with a smaller ratio there are fewer averages, and peaks of noise look like modes.
 const PARTS_LEAST: usize = 16;
-/// Number of independent parts that Parzen's window averages, times lags over samples (Priestley 1981, table 6.2: 3.71 degrees of freedom).
-const PARZEN_PARTS: f64 = 1.855;
 /// Number of lines from zero frequency that the removal of the mean and the lag window distort.
 const LINES_SPOILT: usize = 4;
 
@@ -80,8 +78,6 @@ pub(super) struct AtPeak {
     pub(super) frequency_hz: f64,
     /// Re S over its trace.
     real: Matrix,
-    /// Standard deviation of each component of the shape in one direction of the complex plane.
-    shape_sd: Vec<f64>,
 }
 
 impl FddResult {
@@ -96,19 +92,6 @@ impl FddResult {
             }
         }
         seen
-    }
-
-    /// The peaks that remain as modes, each with the standard deviations of its shape.
-    pub(crate) fn with_deviations(&self) -> Modes {
-        let mut all = self.modes.clone();
-        for mode in &mut all.modes {
-            let mut here = self
-                .at_peaks
-                .iter()
-                .filter(|at| at.frequency_hz == mode.frequency_hz);
-            mode.shape_sd = here.next().map(|at| at.shape_sd.clone());
-        }
-        all
     }
 }
 
@@ -179,7 +162,6 @@ pub(crate) fn peaks_of(
     let peaks = peaks(&level, first..last.min(lines), options.prominence_db);
     let mut modes = Vec::with_capacity(peaks.len());
     let mut at_peaks = Vec::with_capacity(peaks.len());
-    let parts = PARZEN_PARTS * record.length() as f64 / lines as f64;
     for peak in &peaks {
         let s = matrices.at(peak.line);
         let e = hermitian_eigen(&s)?;
@@ -189,7 +171,6 @@ pub(crate) fn peaks_of(
         at_peaks.push(AtPeak {
             frequency_hz,
             real: Matrix::from_fn(l, l, |i, j| share * s[(i, j)].re),
-            shape_sd: shape_sd(&e, parts),
         });
         modes.push(Mode {
             frequency_hz,
@@ -227,33 +208,6 @@ pub(crate) fn peaks_of(
         },
         at_peaks,
     })
-}
-
-/// Standard deviation of each component of the first singular vector, in one direction of the complex plane, if the matrix is an average of
-/// this number of parts. The largest component is 1.
-///
-/// ```text
-/// var u₁(c) = Σ_(k > 1) |u_k(c)|² s₁ s_k / ((s₁ − s_k)² ν)
-/// ```
-///
-/// # Source
-/// Brillinger (1981) Time Series, theorem 9.2.4 with 9.4.4: eigenvectors of an averaged spectral matrix.
-fn shape_sd(e: &HermitianEigen, parts: f64) -> Vec<f64> {
-    let l = e.values.len();
-    let (strongest, first) = (e.values[l - 1], e.vectors.column(l - 1));
-    let variance = |c: usize| -> f64 {
-        let each = (0..l - 1).map(|k| {
-            let s = e.values[k].max(0.0);
-            e.vectors.column(k)[c].norm_sqr() * strongest * s / ((strongest - s).powi(2) * parts)
-        });
-        each.sum()
-    };
-    let Some(most) = largest(first) else {
-        return vec![f64::INFINITY; l];
-    };
-    let size = first[most].norm_sqr();
-    let of = |c: usize| (variance(c) + first[c].norm_sqr() / size * variance(most)) / size;
-    (0..l).map(|c| (0.5 * of(c)).sqrt()).collect()
 }
 
 pub(crate) fn decibel(power: f64) -> f64 {
