@@ -75,7 +75,7 @@ pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, Wor
         _ => SensitivityOf::EqualJoints,
     };
     let sensitivities = match options.sensitivity {
-        true => sensitivities(project, sensitivity_of)?,
+        true => sensitivities(project, sensitivity_of, state.as_ref().map(|state| &state.check))?,
         false => Vec::new(),
     };
     Ok(CheckAnswer {
@@ -329,8 +329,13 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
 }
 
 /// Elasticity of a result to each of the structure's inputs, strongest first; empty if there is no such result.
-fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity>, WorkError> {
-    let Some(nominal) = kinds::sensitive(project, of, &mut Quantity::nominal)? else {
+fn sensitivities(
+    project: &Project,
+    of: SensitivityOf,
+    check: Option<&Check>,
+) -> Result<Vec<Sensitivity>, WorkError> {
+    // with the same friction as its neighbours, which dilates where beds slide
+    let Some(nominal) = kinds::sensitive(project, of, check, &mut Quantity::nominal)? else {
         return Ok(Vec::new());
     };
     let at_rest = kinds::at_rest(project, &mut Quantity::nominal)?;
@@ -355,7 +360,7 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
                 return Ok(nominal);
             }
             // if the structure cannot be built with this changed number, there is no sensitivity
-            Ok(kinds::sensitive(project, of, &mut pick)
+            Ok(kinds::sensitive(project, of, check, &mut pick)
                 .ok()
                 .flatten()
                 .unwrap_or(f64::NAN))

@@ -92,19 +92,22 @@ pub(crate) fn least_load_factor(project: &Project, pick: Pick<'_>) -> Result<Opt
     }))
 }
 
-/// The result for sensitivities, with the value of each input that `pick` chooses.
+/// The result for sensitivities, with the value of each input that `pick` chooses, near those of a check.
 pub(crate) fn sensitive(
     project: &Project,
     of: SensitivityOf,
+    check: Option<&Check>,
     pick: Pick<'_>,
 ) -> Result<Option<f64>, WorkError> {
-    match (of, &project.structure) {
-        (SensitivityOf::LoadFactor, _) => load_factor(project, pick),
-        (SensitivityOf::EqualJoints, Structure::Chain(part)) => {
+    match (of, &project.structure, check) {
+        (SensitivityOf::LoadFactor, ..) => load_factor(project, pick),
+        (SensitivityOf::EqualJoints, Structure::Chain(part), _) => {
             Ok(Some(chain::check::equal_joints_n_m_rad(part, pick)?))
         }
-        (SensitivityOf::FirstMotion, Structure::Stack(part)) => stack::check::first_motion_m_s2(part, pick),
-        (SensitivityOf::EqualJoints | SensitivityOf::FirstMotion, _) => Ok(None),
+        (SensitivityOf::FirstMotion, Structure::Stack(part), Some(Check::Stack(answer))) => {
+            stack::check::first_motion_m_s2(part, answer, pick)
+        }
+        (SensitivityOf::EqualJoints | SensitivityOf::FirstMotion, ..) => Ok(None),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::frequencies;
 use crate::error::WorkError;
 use crate::state::{StackAnswer, StackFrequencies};
-use dolmen::assess::{StackCheckOptions, check_stack_with_gaps, with_settle_run};
+use dolmen::assess::{StackCheckOptions, check_stack_with_gaps, first_motion_beside, with_settle_run};
 use dolmen::blocks::beside_in_small_motion;
 use dolmen::structure::stack::Stack;
 use dolmen_project::{Pick, StackPart};
@@ -33,9 +33,23 @@ pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, Wor
     })
 }
 
-/// Horizontal acceleration at which it begins to move, m/s²; `None` if no direction has one.
-pub(crate) fn first_motion_m_s2(part: &StackPart, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
-    let (_, check) = check_stack_with_gaps(part.build(pick)?, &StackCheckOptions::default())?;
+/// Horizontal acceleration at which it begins to move, m/s², with inputs that differ little from those of an answer; `None` if no direction has
+/// one.
+pub(crate) fn first_motion_m_s2(
+    part: &StackPart,
+    answer: &StackAnswer,
+    pick: Pick<'_>,
+) -> Result<Option<f64>, WorkError> {
+    let stack = part.build(pick)?;
+    let options = StackCheckOptions::default();
+    if stack.joints_drawn_open().is_empty() {
+        return Ok(first_motion_beside(
+            &stack,
+            &options,
+            (&answer.stack, &answer.check),
+        )?);
+    }
+    let (_, check) = check_stack_with_gaps(stack, &options)?;
     Ok(check.capacity.map(|first| first.acceleration_m_s2))
 }
 

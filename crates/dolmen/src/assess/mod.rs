@@ -6,6 +6,7 @@ mod change;
 mod damage;
 pub mod demand;
 mod error;
+mod first_motion;
 mod fragility;
 mod frame;
 mod intensity;
@@ -37,6 +38,7 @@ pub use change::{
 };
 pub use damage::{DamageState, DamageThresholds, JointDamage, StackDamage, stack_damage};
 pub use error::AssessError;
+pub use first_motion::first_motion_beside;
 pub use fragility::{
     Crossing, Fragility, FragilityBand, FragilityBound, FragilityFit, Observation, ScatterSplit,
     bootstrap_fragility, bootstrap_fragility_of_motions, crossing, fit_fragility, fit_fragility_by_moments,

@@ -279,16 +279,13 @@ fn note_kinetic_friction(
 
 /// Limit analysis in addition to the single joints; the smaller result is the capacity.
 fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -> Result<(), AssessError> {
-    let both = [check.limits.uplift, check.limits.sliding].into_iter().flatten();
-    let governing = both
-        .map(|governing| governing.threshold)
-        .min_by(|a, b| a.acceleration_m_s2.total_cmp(&b.acceleration_m_s2));
+    let governing = governing_joint(&check.limits);
     let shaking = match governing {
         Some(threshold) if check.limits.statically_determinate => Shaking::Along(threshold.direction),
         _ => Shaking::AnyWay,
     };
     // with shaking, the rotation on the soil acts as a factor
-    let loads = loads_on_soil(options, check);
+    let loads = loads_on_soil(options, &check.limits);
     let found = limit_analysis_undilated(
         stack,
         &LimitAnalysis {
@@ -365,6 +362,13 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
     Ok(())
 }
 
+/// The smallest acceleration at which a single joint opens or slides.
+pub(super) fn governing_joint(limits: &StackLimitStates) -> Option<Threshold> {
+    let both = [limits.uplift, limits.sliding].into_iter().flatten();
+    both.map(|governing| governing.threshold)
+        .min_by(|a, b| a.acceleration_m_s2.total_cmp(&b.acceleration_m_s2))
+}
+
 fn joint_bonds(stack: &Stack) -> bool {
     stack
         .joints()
@@ -375,7 +379,7 @@ fn joint_bonds(stack: &Stack) -> bool {
 /// Whether the stack stands only with the bond of its joints.
 fn bond_carries(stack: &Stack, options: &StackCheckOptions, check: &StackCheck) -> Result<bool, AssessError> {
     let direction = check.capacity.map_or([1.0, 0.0], |capacity| capacity.direction);
-    let loads = loads_on_soil(options, check);
+    let loads = loads_on_soil(options, &check.limits);
     Ok(!stands_by_limit_analysis(stack, &loads, direction)?)
 }
 
@@ -392,7 +396,7 @@ fn note_kinetic_friction_shared(
         return Ok(());
     };
     let analysis = LimitAnalysis {
-        loads: loads_on_soil(options, check),
+        loads: loads_on_soil(options, &check.limits),
         holding: Holding::Cohesion,
         ..LimitAnalysis::default()
     };
@@ -478,15 +482,15 @@ fn friction_carries(
     let direction = check.capacity.map_or([1.0, 0.0], |capacity| capacity.direction);
     Ok(!stands_by_limit_analysis(
         &smooth,
-        &loads_on_soil(options, check),
+        &loads_on_soil(options, &check.limits),
         direction,
     )?)
 }
 
 /// The rotation on the soil under static loads acts as an additional lateral load.
-fn loads_on_soil(options: &StackCheckOptions, check: &StackCheck) -> StackLoads {
+pub(super) fn loads_on_soil(options: &StackCheckOptions, limits: &StackLimitStates) -> StackLoads {
     let mut loads = options.limits.loads.clone();
-    for (lateral, offset) in loads.lateral_m_s2.iter_mut().zip(check.limits.soil_offset_m_s2) {
+    for (lateral, offset) in loads.lateral_m_s2.iter_mut().zip(limits.soil_offset_m_s2) {
         *lateral += offset;
     }
     loads

@@ -163,10 +163,10 @@ impl<'a> ModalDemand<'a> {
             ShakenDirection::Any => &[Shaking::AnyWay],
         };
         let mut least = f64::INFINITY;
-        for &shaking in ways {
+        for shaking in ways {
             let analysis = LimitAnalysis {
                 loads: limits.loads.clone(),
-                shaking,
+                shaking: shaking.clone(),
                 swaying: Some(swaying.to_vec()),
                 ..LimitAnalysis::default()
             };

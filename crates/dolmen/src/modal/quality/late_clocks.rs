@@ -121,12 +121,10 @@ impl OffClocks {
         };
         let l = record.channels().len();
         let mut known = vec![vec![None; l]; l];
-        for a in 0..l {
-            for b in 0..a {
-                let turns = crests.turns(a, b);
-                let phases = (turns.total() >= LINES_LEAST).then(|| phases_of(&turns));
-                (known[a][b], known[b][a]) = (phases, phases);
-            }
+        for (a, b) in (0..l).flat_map(|a| (0..a).map(move |b| (a, b))) {
+            let turns = crests.turns(a, b);
+            let phases = (turns.total() >= LINES_LEAST).then(|| phases_of(&turns));
+            (known[a][b], known[b][a]) = (phases, phases);
         }
         let mut left: Vec<usize> = (0..l).collect();
         while let Some(&first) = left.first() {

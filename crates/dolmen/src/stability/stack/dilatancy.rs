@@ -49,7 +49,8 @@ pub fn limit_analysis_undilated(stack: &Stack, options: &LimitAnalysis) -> Resul
         let Some(next) = smoother.filter(|_| all_friction_g.is_some()) else {
             break;
         };
-        let lesser = limit_analysis(&next, options)?;
+        let mut lesser = limit_analysis(&next, options)?;
+        lesser.frictionless = frictionless(stack, &next);
         smoother = without_sliding_friction(&next, lesser.mechanism.as_ref());
         match (limit_g(&lesser), limit_g(&found.analysis)) {
             (Some(less), Some(more)) if less < more => {
@@ -70,7 +71,11 @@ pub fn limit_analysis_undilated(stack: &Stack, options: &LimitAnalysis) -> Resul
     if slides_and_opens(stack, found.analysis.mechanism.as_ref()) {
         match without_dilation(&governing, options, threshold.direction) {
             Ok(Some(lesser)) if limit_g(&lesser) < Some(threshold.acceleration_g) => {
-                found.analysis = lesser;
+                found.analysis = LimitAnalysisResult {
+                    frictionless: frictionless(stack, &governing),
+                    directions: found.analysis.directions,
+                    ..lesser
+                };
                 found.dilating_g = all_friction_g;
             }
             Ok(Some(_)) => {}
@@ -87,6 +92,15 @@ fn limit_g(analysis: &LimitAnalysisResult) -> Option<f64> {
         LimitAnalysisStatus::Limited(threshold) => Some(threshold.acceleration_g),
         LimitAnalysisStatus::DoesNotStand | LimitAnalysisStatus::Unlimited => None,
     }
+}
+
+/// The joints that have friction in a stack and none in its smoother copy.
+fn frictionless(stack: &Stack, smoother: &Stack) -> Vec<usize> {
+    let rubs = |stack: &Stack, joint: usize| stack.joints()[joint].material.friction_static > 0.0;
+    let joints = 0..stack.joints().len();
+    joints
+        .filter(|&joint| rubs(stack, joint) && !rubs(smoother, joint))
+        .collect()
 }
 
 /// The stack without friction in the upright joints that slide in a mechanism; `None` if none of them has friction.

@@ -12,9 +12,9 @@ use crate::structure::stack::Stack;
 /// Acceleration over gravity that a rough solution, accurate to 1e-6, must exceed for the piece to count as standing. Our choice.
 const CLEAR: f64 = 1e-3;
 
-/// Result for a piece along one direction.
+/// The limit of a piece along one direction, near some, or over all.
 pub(super) struct DirectionLimit {
-    /// The largest balanced acceleration.
+    /// The limit, its direction and evidence.
     pub(super) found: Nearest,
     /// Number of unknown forces and accelerations.
     pub(super) unknowns: usize,
@@ -28,11 +28,7 @@ pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<DirectionLimit, Stab
     let mut along = DirectionLimit {
         found: Nearest {
             stands: false,
-            bound: f64::INFINITY,
-            towards: way,
-            at_least: 0.0,
-            missed: 0.0,
-            solved: 0,
+            ..Nearest::unasked(way)
         },
         unknowns: programme.unknowns(),
         velocities: Vec::new(),
@@ -50,6 +46,7 @@ pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<DirectionLimit, Stab
         }
     }
     along.found.stands = true;
+    along.found.asked.push((way, along.found.bound));
     along.velocities = programme.velocities().to_vec();
     Ok(along)
 }

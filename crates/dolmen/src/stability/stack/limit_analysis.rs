@@ -9,12 +9,13 @@
 
 use super::Threshold;
 use super::limit_acts::{LimitProblem, acts};
-use super::limit_along::{along, unit};
-use super::limit_mechanism::{falling, moving_with, swaying};
+use super::limit_along::{DirectionLimit, along, unit};
+use super::limit_mechanism::{falling, moving_with};
+use super::limit_near::{any_way, near};
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking};
 use super::limit_pieces::{GrowingLoad, Piece, pieces};
-use super::limit_programme::{ACCELERATION_MOST, AccelerationSet};
-use super::limit_region::nearest;
+use super::limit_programme::ACCELERATION_MOST;
+use super::limit_region::tied;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
@@ -66,8 +67,7 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
     result.mechanism = match moving {
         Moving::Nothing => None,
         Moving::Falls(piece) => falling(stack, &piece)?,
-        Moving::Sways(piece, way) => swaying(stack, &piece, way)?,
-        Moving::SwaysWith(piece, velocities) => moving_with(stack, &piece, &velocities),
+        Moving::Sways(piece, velocities) => moving_with(stack, &piece, &velocities),
     };
     Ok(result)
 }
@@ -78,10 +78,8 @@ enum Moving {
     Nothing,
     /// This piece falls at rest.
     Falls(Piece),
-    /// This piece moves along a direction.
-    Sways(Piece, [f64; 2]),
     /// This piece moves with these velocities.
-    SwaysWith(Piece, Vec<f64>),
+    Sways(Piece, Vec<f64>),
 }
 
 /// The analysis without its mechanism, and the moving piece.
@@ -90,9 +88,13 @@ fn analysed(
     options: &LimitAnalysis,
     is_coarse: bool,
 ) -> Result<(LimitAnalysisResult, Moving), StabilityError> {
-    let direction = match options.shaking {
-        Shaking::AnyWay => None,
-        Shaking::Along(direction) => Some(unit(direction)?),
+    let (direction, near_to) = match &options.shaking {
+        Shaking::AnyWay => (None, Vec::new()),
+        Shaking::Along(direction) => (Some(unit(*direction)?), Vec::new()),
+        Shaking::Near(ways) => {
+            let ways = ways.iter().map(|way| unit(*way));
+            (None, ways.collect::<Result<Vec<_>, _>>()?)
+        }
     };
     let loads = options.loads.on_blocks(stack)?;
     let problem = LimitProblem {
@@ -124,6 +126,8 @@ fn analysed(
     let mut result = LimitAnalysisResult {
         status: LimitAnalysisStatus::Unlimited,
         mechanism: None,
+        directions: Vec::new(),
+        frictionless: Vec::new(),
         at_least_g: f64::INFINITY,
         residual: 0.0,
         solved: 0,
@@ -132,25 +136,19 @@ fn analysed(
     };
     let mut least = (ACCELERATION_MOST * (1.0 - 1e-6), [1.0, 0.0]);
     let mut moving = Moving::Nothing;
+    let mut asked = Vec::new();
     for piece in pieces {
-        let mut velocities = None;
-        let found = match direction {
-            None => {
-                let mut programme = piece.programme(AccelerationSet::Plane)?;
-                (result.variables, result.equations) = (
-                    result.variables + programme.unknowns(),
-                    result.equations + programme.equations(),
-                );
-                nearest(|towards| programme.support(towards), piece.symmetries(), least.0)?
-            }
-            Some(way) => {
-                let along = along(&piece, way)?;
-                result.variables += along.unknowns;
-                result.equations += piece.equations();
-                velocities = Some(along.velocities);
-                along.found
-            }
+        let DirectionLimit {
+            found,
+            unknowns,
+            velocities,
+        } = match (direction, near_to.as_slice()) {
+            (Some(way), _) => along(&piece, way)?,
+            (None, [_, ..]) => near(&piece, &near_to)?,
+            (None, []) => any_way(&piece, least.0)?,
         };
+        result.variables += unknowns;
+        result.equations += piece.equations();
         result.solved += found.solved;
         result.residual = result.residual.max(found.missed);
         if !found.stands {
@@ -159,15 +157,16 @@ fn analysed(
             return Ok((result, Moving::Falls(piece)));
         }
         result.at_least_g = result.at_least_g.min(found.at_least);
+        asked.extend(found.asked);
         if found.bound < least.0 {
             least = (found.bound, found.towards);
-            moving = match velocities {
-                Some(velocities) => Moving::SwaysWith(piece, velocities),
-                None => Moving::Sways(piece, least.1),
-            };
+            moving = Moving::Sways(piece, velocities);
             let gravity = stack.gravity_m_s2();
             result.status = LimitAnalysisStatus::Limited(Threshold::new(least.0 * gravity, gravity, least.1));
         }
+    }
+    if !matches!(moving, Moving::Nothing) {
+        result.directions = tied(asked);
     }
     Ok((result, moving))
 }

@@ -47,16 +47,6 @@ fn certified(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>, Stabilit
     Ok(velocities.and_then(|velocities| moving_with(stack, piece, &velocities)))
 }
 
-/// The mechanism in which a piece begins to move under shaking in one direction.
-pub(super) fn swaying(
-    stack: &Stack,
-    piece: &Piece,
-    way: [f64; 2],
-) -> Result<Option<Mechanism>, StabilityError> {
-    let velocities = piece.programme(AccelerationSet::Line(way))?.mechanism(way)?;
-    Ok(velocities.and_then(|velocities| moving_with(stack, piece, &velocities)))
-}
-
 /// The mechanism of a piece from its velocities.
 pub(super) fn moving_with(stack: &Stack, piece: &Piece, velocities: &[f64]) -> Option<Mechanism> {
     named(stack, &piece.motions(velocities, stack.blocks().len()))

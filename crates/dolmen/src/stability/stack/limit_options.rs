@@ -16,13 +16,16 @@ pub enum Holding {
 }
 
 /// Direction of shaking.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum Shaking {
     /// The horizontal direction with the smallest limit. Default.
     #[default]
     AnyWay,
     /// Along one direction of the inertia forces; need not be of unit length.
     Along([f64; 2]),
+    /// Near each of these directions and its opposite; they need not be of unit length. The limit is that of the edge of the region of balanced
+    /// accelerations that the direction meets: the smallest in its neighbourhood where the edge is straight.
+    Near(Vec<[f64; 2]>),
 }
 
 /// Options of a limit analysis.
@@ -55,6 +58,11 @@ pub struct LimitAnalysisResult {
     /// The mechanism at the limit; for a stack that does not stand, the mechanism of its fall. `None` if no acceleration moves the stack, or if
     /// it stands on an edge.
     pub mechanism: Option<Mechanism>,
+    /// Directions with the smallest limit, within 1e-6 and up to their sense, the best first; empty without a limit.
+    pub directions: Vec<[f64; 2]>,
+    /// Joints that count without friction because they slide in a mechanism, ascending; see
+    /// [`limit_analysis_undilated`](super::limit_analysis_undilated()).
+    pub frictionless: Vec<usize>,
     /// Acceleration up to which forces in the joints balance every direction examined, over gravity.
     pub at_least_g: f64,
     /// Largest relative error of any solution, over the weight (times the size) of its piece: equilibrium of forces and moments, friction

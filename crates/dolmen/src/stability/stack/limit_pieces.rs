@@ -145,6 +145,13 @@ impl Piece {
         &self.links
     }
 
+    /// Power of the loads of 1 g along x and y in a mechanism: the outward normal of the region of balanced accelerations, where the mechanism
+    /// bounds it.
+    pub(super) fn shaking_power(&self, velocities: &[f64]) -> [f64; 2] {
+        let power = |shaking: &Vec<f64>| shaking.iter().zip(velocities).map(|(load, six)| load * six).sum();
+        [power(&self.shaking[0]), power(&self.shaking[1])]
+    }
+
     /// The motions of each block of the stack, from the velocities of a programme.
     pub(super) fn motions(&self, velocities: &[f64], count: usize) -> Vec<Vec<BodyMotion>> {
         let mut motions = vec![Vec::new(); count];
@@ -500,14 +507,12 @@ fn symmetries(
                 && from.1.iter().all(|&(block, sign)| {
                     image(block).is_some_and(|block| to.1.contains(&(block, order * sign)))
                 });
-            same_ends
-                && from.0.law.is_like(to.0.law)
-                && near(place(from.0.at), to.0.at, scale.length)
-                && near(way(from.0.axes[0]) * order, to.0.axes[0], 1.0)
+            same_ends && from.0.law.is_like(to.0.law) && near(way(from.0.axes[0]) * order, to.0.axes[0], 1.0)
         };
-        let has_image = |from| {
-            acts.iter()
-                .any(|to| is_image(from, to, 1.0) || is_image(from, to, -1.0))
+        let has_image = |from: &(&PossibleForce, Incidence)| {
+            let at = place(from.0.at);
+            let mut there = acts.iter().filter(|to| near(at, to.0.at, scale.length));
+            there.any(|to| is_image(from, to, 1.0) || is_image(from, to, -1.0))
         };
         acts.iter().all(has_image)
     };

@@ -154,10 +154,6 @@ impl Programme {
         self.right.len()
     }
 
-    pub(super) fn equations(&self) -> usize {
-        self.costs.len() - 1
-    }
-
     /// Largest acceleration along ν in equilibrium.
     pub(super) fn support(&mut self, towards: [f64; 2]) -> Result<ProgrammeOutcome, StabilityError> {
         match self.within {
@@ -194,12 +190,6 @@ impl Programme {
             )));
         }
         Ok(ProgrammeOutcome::Reaches(Support { point, bound, missed }))
-    }
-
-    /// The mechanism that bounds the acceleration along ν; `None` if no acceleration is in equilibrium.
-    pub(super) fn mechanism(&mut self, towards: [f64; 2]) -> Result<Option<Vec<f64>>, StabilityError> {
-        let answer = self.support(towards)?;
-        Ok((answer != ProgrammeOutcome::Falls).then(|| self.velocities().to_vec()))
     }
 
     /// Velocities of the mechanism in which the piece falls for any acceleration along ν, or for the smallest acceleration in the opposite

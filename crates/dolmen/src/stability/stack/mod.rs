@@ -11,6 +11,7 @@ mod limit_acts;
 mod limit_along;
 mod limit_analysis;
 mod limit_mechanism;
+mod limit_near;
 mod limit_options;
 mod limit_pieces;
 mod limit_programme;

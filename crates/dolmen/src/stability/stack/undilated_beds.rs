@@ -131,6 +131,8 @@ fn solve(
     let mut analysis = LimitAnalysisResult {
         status: LimitAnalysisStatus::Unlimited,
         mechanism: None,
+        directions: vec![way],
+        frictionless: Vec::new(),
         at_least_g: f64::INFINITY,
         residual: 0.0,
         solved: 0,
