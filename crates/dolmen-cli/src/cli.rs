@@ -184,7 +184,7 @@ pub(crate) struct Sensors {
     /// Number of sensors that record at once [default: 4, or the number of possible places]
     #[arg(long, short = 'n', value_name = "N")]
     pub(crate) count: Option<usize>,
-    /// Axes of each sensor: 1, 2 (both horizontal) or 3
+    /// Axes of each sensor: 1, 2 (both horizontal) or 3, at most those along which the model moves
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(crate) axes: usize,
     /// Greatest height of a sensor, m above the ground, such as the reach of a ladder

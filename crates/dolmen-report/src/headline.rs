@@ -24,6 +24,10 @@ messages! {
             ko: "자중: {word}(석재 모서리 압괴)",
         },
         WeightAndLoads(word: Both) => { en: "Weight and loads: {word}", ko: "자중·작용하중: {word}" },
+        WithoutResonance { word: Both, frequency: Quantity } => {
+            en: "Weight and loads: {word} (its resonance at {frequency} is not in the wind)",
+            ko: "자중·작용하중: {word}(고유진동수 {frequency}의 공진이 풍하중에 없음)",
+        },
         OwnWeightSamples { word: Both, share: Quantity } => {
             en: "Own weight: {word} (falls in {share} of samples)",
             ko: "자중: {word}(표본의 {share}에서 전도)",
@@ -276,8 +280,11 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     all
 }
 
+fn frequency(value_hz: f64) -> Quantity {
+    Quantity::new(value_hz, Unit::si("Hz"), Digits::Significant(DIGITS))
+}
+
 fn contradicted(of: &MeasuredFrequency) -> Sentence {
-    let frequency = |value| Quantity::new(value, Unit::si("Hz"), Digits::Significant(DIGITS));
     Headline::Contradicted {
         survey: of.survey.clone(),
         measured: frequency(of.measured_hz),
@@ -290,9 +297,14 @@ fn own_weight(judged: &VersionJudgement, weight: Weight, contradicted: Option<Se
     let word = Both::of(|language| weight.word(language));
     if let Some(by) = &judged.governed_by {
         let word = Both::of(|language| judged.weight_words(weight, language));
-        return match by.is_weight() && !judged.with_loads {
-            true => Headline::OwnWeight(word).into(),
-            false => Headline::WeightAndLoads(word).into(),
+        return match (by.is_weight() && !judged.with_loads, judged.lacks_resonance_at_hz) {
+            (true, _) => Headline::OwnWeight(word).into(),
+            (false, Some(frequency_hz)) => Headline::WithoutResonance {
+                word,
+                frequency: frequency(frequency_hz),
+            }
+            .into(),
+            (false, None) => Headline::WeightAndLoads(word).into(),
         };
     }
     match (weight, contradicted) {
@@ -465,6 +477,7 @@ mod tests {
         VersionJudgement {
             variant: None,
             governed_by: None,
+            lacks_resonance_at_hz: None,
             with_loads: false,
             crushes: false,
             falling_share: None,

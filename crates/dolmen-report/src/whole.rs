@@ -24,7 +24,10 @@ messages! {
 
 /// All findings, the worst first; a finding that several runs share is listed once.
 pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
-    let mut all = answer.check().map_or(Vec::new(), check::findings);
+    // of loose stones, where they come to rest is the verdict
+    let settled = answer.settled_stones();
+    let mut all: Vec<Finding> = settled.flat_map(stack_simulation::settled_findings).collect();
+    all.extend(answer.check().map_or(Vec::new(), check::findings));
     if answer.watch().is_some() {
         // findings that the check leaves to the report
         let left = check::over_the_years(&answer.project);
@@ -35,9 +38,6 @@ pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     }
     for run in answer.moved_supports() {
         all.extend(stack_simulation::supports_findings(run));
-    }
-    for run in answer.settled_stones() {
-        all.extend(stack_simulation::settled_findings(run));
     }
     all.extend(frame_simulation::findings(&answer.frame_simulations()));
     all.extend(chain::simulation_findings(&answer.chain_simulations()));

@@ -7,6 +7,7 @@ use crate::compared_history::ComparedHistory;
 use crate::compared_readings::ComparedReadings;
 use crate::frame::FrameSimulation;
 use crate::motion::MotionReport;
+use crate::opened::Opened;
 use crate::photos::Photos;
 use crate::portfolio::PortfolioAnswer;
 use crate::score::ScoreAnswer;
@@ -53,7 +54,7 @@ pub struct CheckAnswer {
     pub file: String,
     /// The project.
     pub project: Arc<Project>,
-    /// The check of the structure as it is; `None` for `kind = "survey"`.
+    /// The check of the structure as it is; `None` for `kind = "survey"`, and for loose stones, which settle instead.
     pub state: Option<State>,
     /// The check of each `[variant.NAME]`, in the order of the file.
     pub variants: Vec<VariantAnswer>,
@@ -63,6 +64,21 @@ pub struct CheckAnswer {
     pub sensitivity_of: SensitivityOf,
     /// Motions of the file that cannot be read, where the check needed them.
     pub unreadable_motions: Vec<UnreadableMotion>,
+}
+
+impl CheckAnswer {
+    /// The answer on a project that has no model to check.
+    pub(crate) fn without_model(opened: &Opened) -> Self {
+        CheckAnswer {
+            file: opened.file.clone(),
+            project: opened.project.clone(),
+            state: None,
+            variants: Vec::new(),
+            sensitivities: Vec::new(),
+            sensitivity_of: SensitivityOf::FirstMotion,
+            unreadable_motions: Vec::new(),
+        }
+    }
 }
 
 /// A motion that cannot be read.

@@ -245,11 +245,14 @@ pub(crate) fn falls_by_itself(project: &Project, pick: Pick<'_>) -> Result<Optio
     Ok(kinds::load_factor(project, pick)?.filter(|factor| *factor <= 1.0))
 }
 
-/// Whether a chain or frame that leans as surveyed falls with the inputs that `pick` chooses; for a stack the limits contain it.
+/// Whether a chain or frame that leans as surveyed falls with the inputs that `pick` chooses; a model that takes no tilt is plumb. For a stack
+/// the limits contain it.
 pub(crate) fn leans_to_its_fall(project: &Project, pick: Pick<'_>) -> Result<bool, WorkError> {
     let leans = match &project.structure {
         Structure::Frame(part) => part.lean.is_some(),
-        Structure::Chain(_) => project.surveys.iter().any(|survey| !survey.tilt.is_empty()),
+        Structure::Chain(part) => {
+            !part.takes_no_tilt && project.surveys.iter().any(|survey| !survey.tilt.is_empty())
+        }
         Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
     };
     let Some(check) = (match leans {

@@ -13,7 +13,7 @@ use crate::motion::{MotionRequest, prepared};
 use crate::opened::Opened;
 use crate::photos::photos;
 use crate::progress::Progress;
-use crate::simulate::{SimulateOptions, moves_supports, prepare};
+use crate::simulate::{SimulateOptions, is_loose, moves_supports, prepare, settle};
 use crate::simulation::SimulateAnswer;
 use crate::study::{StudyJournals, studies_run};
 use crate::unreadable_motions::unreadable_motions;
@@ -54,7 +54,10 @@ pub fn report(
         sensitivity: true,
         beside_the_verdict: true,
     };
-    let mut checked = check(opened, &how)?;
+    let mut checked = match is_loose(project) {
+        true => CheckAnswer::without_model(opened), // loose stones settle instead
+        false => check(opened, &how)?,
+    };
     checked.unreadable_motions = unreadable_motions(project, files);
     let mut answers = Vec::new();
     let is_watched = can_watch(project);
@@ -73,7 +76,10 @@ pub fn report(
         let watched = watch_of(opened, &identified.surveys, files)?;
         answers.push(Answer::Watch(Box::new(watched)));
     }
-    if is_shaken {
+    if is_loose(project) {
+        let settled = settled(opened, &options.motion, files, progress)?;
+        answers.push(Answer::Simulate(Box::new(settled)));
+    } else if is_shaken {
         let simulated = simulated(opened, &checked, &options.motion, files, progress)?;
         answers.push(Answer::Simulate(Box::new(simulated)));
     } else if let Some(moved) = supports_moved(opened, files, progress)? {
@@ -97,6 +103,23 @@ pub fn report(
         photos,
         fingerprint: fingerprint(opened.text.as_bytes()),
     })
+}
+
+/// The loose stones at rest, by both laws, and then under the motion if there is one.
+fn settled(
+    opened: &Opened,
+    request: &MotionRequest,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<SimulateAnswer, WorkError> {
+    if !request.is_given() {
+        return settle(opened, progress);
+    }
+    let options = SimulateOptions {
+        motion: request.clone(),
+        ..SimulateOptions::default()
+    };
+    prepare(opened, &options, files)?.run(progress)
 }
 
 /// The stack as it is with slowly moving supports, if the file has movements and there is no motion.

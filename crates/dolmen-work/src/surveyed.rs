@@ -410,6 +410,13 @@ impl StiffnessAnswer {
         self.solutions.choice == Choice::One && self.is_undoubted()
     }
 
+    /// Whether the one solution fits by construction: frequencies alone, as many as unknown stiffnesses, leave nothing that could contradict it.
+    pub fn fits_by_construction(&self) -> bool {
+        let unknowns = self.solutions.solutions.first().map(|one| one.stiffness.len());
+        let is_unchecked = unknowns.is_some_and(|unknowns| self.frequencies_hz.len() <= unknowns);
+        self.solutions.choice == Choice::One && !self.with_shapes && is_unchecked
+    }
+
     /// Whether there is no doubt about the modes.
     pub fn is_undoubted(&self) -> bool {
         self.peaks_below_hz.is_empty() && self.doubted.is_none()

@@ -395,7 +395,16 @@ fn holds_combinations_strength_and_codes_have_their_words() {
         )
     });
     let answer = scratch.briefly(&format!("check {soft}"));
-    assert!(answer.words().contains("unknown in wind"), "{}", answer.stdout);
+    let reason = "unknown in wind (its resonance at 0.319 Hz is not in the wind)";
+    assert!(answer.words().contains(reason), "{}", answer.stdout);
+    let korean = scratch.briefly(&format!("check {soft} --language ko"));
+    assert!(
+        korean
+            .words()
+            .contains("고유진동수 0.319 Hz의 공진이 풍하중에 없음"),
+        "{}",
+        korean.stdout
+    );
     let answer = scratch.dolmen(&format!("check {soft}"));
     assert!(answer.words().contains("Annex B"), "{}", answer.stdout);
     // a pole without wind in its file gets a finding
@@ -477,4 +486,23 @@ fn holds_what_loads_weigh_counts_in_the_verdict_and_the_frequency() {
     assert!(hz(&heavy) < 0.8 * hz(&light), "{} {}", hz(&heavy), hz(&light));
     let verdict = &heavy["combinations"][0]["verdict"];
     assert_eq!(verdict, "marginal");
+}
+
+#[test]
+fn holds_samples_of_a_model_that_takes_no_tilt_do_not_lean_to_their_fall() {
+    let scratch = Scratch::with_examples("no-tilt");
+    // 1/12 is beyond 1/16.9, at which the lowest bed stands on its edge
+    let share = |name: &str, as_surveyed: &str| {
+        let file = flagpole_in(&scratch, name, &|text| {
+            text.replace("x = \"1/177\", y = \"1/540\"", "x = \"1/12\"")
+                .replace("value = 2219.1,", "value = 2219.1, cov = 0.1,")
+                .replacen("\nlinks", &format!("\nas_surveyed = \"{as_surveyed}\"\nlinks"), 1)
+        });
+        let found = json(&scratch, &format!("check {file} --samples 20"), 1);
+        found["state"]["sampled"]["unstable"]["estimate"]
+            .as_f64()
+            .unwrap()
+    };
+    assert_eq!(share("tilted", "latest"), 1.0);
+    assert_eq!(share("plumb", "none"), 0.0);
 }

@@ -235,3 +235,18 @@ fn refuses_a_survey_that_is_not_there_and_a_variant_that_seeks() {
     let word = refused(POLE.replace("\"identified\"", "\"identify\""));
     assert!(word.contains("identified"), "{word}");
 }
+
+/// One joint and one frequency: any frequency has its stiffness, so that nothing checks the model.
+#[test]
+fn holds_as_many_frequencies_as_unknowns_check_nothing() {
+    let scratch = Scratch::new("identified-by-construction");
+    fs::write(scratch.path().join("project.toml"), POLE).unwrap();
+    let answer = scratch.briefly("identify project.toml");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let said = "nothing checks it: with as many unknown stiffnesses as frequencies it fits whatever the structure is.";
+    assert!(answer.words().contains(said), "{}", answer.stdout);
+    assert!(answer.stdout.contains("○ Stiffness"), "{}", answer.stdout);
+    assert!(!answer.stdout.contains("● Stiffness"), "{}", answer.stdout);
+    let korean = scratch.briefly("identify project.toml --language ko").words();
+    assert!(korean.contains("해는 하나이나 검증되지 않았다"), "{korean}");
+}

@@ -79,9 +79,50 @@ fn refuses_what_needs_joints() {
     let (status, _, stderr) = answer("loose-overlap", &overlapping, "check project.toml");
     assert_eq!(status, 2, "{stderr}");
     assert!(stderr.contains("'upper' and 'lower' overlap"), "{stderr}");
-    let (status, _, stderr) = answer("loose-report", &cubes(&placed, ""), "report project.toml -o page");
+    let study = "[study.a]\nmotions = [\"el-centro-1940-ns\"]\nscale = [1]\n";
+    let studied = format!("{}{study}", cubes(&placed, ""));
+    let (status, _, stderr) = answer("loose-study", &studied, "study project.toml");
     assert_eq!(status, 2, "{stderr}");
     assert!(stderr.contains("the stones are loose"), "{stderr}");
+}
+
+#[test]
+fn holds_a_report_of_loose_stones_shows_where_they_come_to_rest() {
+    let scratch = Scratch::new("loose-report");
+    let placed = [[0.0, 0.0, 0.001], [0.0, 0.0, 0.202]];
+    fs::write(scratch.path().join("project.toml"), cubes(&placed, "")).unwrap();
+    // both cubes close their gaps of 1 mm
+    for (language, said) in [
+        (
+            "en",
+            [
+                "Own weight: stable",
+                "With springs between the stones all 2 stones come to rest where they lie; 'upper' moves farthest, by 2.000",
+                "With rigid stones all 2 stones come to rest",
+                "as drawn",
+                "at rest, rigid stones",
+            ],
+        ),
+        (
+            "ko",
+            [
+                "자중: 안정",
+                "접촉 스프링 해석: 돌 2개가 모두 제자리에 안착한다. 가장 많이 움직인 ‘upper’의 이동은 2.000",
+                "강체 접촉 해석: 돌 2개가 모두 제자리에 안착한다.",
+                "입력한 자리",
+                "안착 위치, 강체 접촉",
+            ],
+        ),
+    ] {
+        let report = scratch.dolmen(&format!("report . -o {language}.html --language {language}"));
+        assert_eq!(report.status, 0, "{}", report.stderr);
+        let page = fs::read_to_string(scratch.path().join(format!("{language}.html"))).unwrap();
+        for said in said {
+            assert!(page.contains(said), "{said}: {page}");
+        }
+    }
+    let drawn = scratch.dolmen("draw . -o drawn.svg");
+    assert_eq!(drawn.status, 0, "{}", drawn.stderr);
 }
 
 #[test]

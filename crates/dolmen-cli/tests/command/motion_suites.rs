@@ -256,3 +256,77 @@ fn exact_columns_of_one_file_are_components_everywhere() {
         wrong.stderr
     );
 }
+
+#[test]
+fn refuses_one_record_in_two_directions() {
+    let scratch = Scratch::new("motion-twice");
+    let samples: String = (0..100)
+        .map(|i| format!("{:.2},{:.4}\n", 0.01 * f64::from(i), (0.3 * f64::from(i)).sin()))
+        .collect();
+    let file = |name: &str, samples: &str| {
+        let text = format!("time (s),acceleration (m/s2)\n{samples}");
+        fs::write(scratch.path().join(name), text).unwrap();
+    };
+    file("a.csv", &samples);
+    file("copy.csv", &samples);
+    file("b.csv", &samples.replace("0.00,", "0.00,-"));
+    for files in ["a.csv a.csv", "a.csv copy.csv", "x=a.csv z=a.csv"] {
+        let (english, korean) = (
+            scratch.dolmen(&format!("motion {files}")),
+            scratch.dolmen(&format!("motion {files} --language ko")),
+        );
+        assert_eq!((english.status, korean.status), (2, 2), "{}", english.stdout);
+        assert!(
+            english.stderr.contains("have the same record"),
+            "{}",
+            english.stderr
+        );
+        assert!(korean.stderr.contains("기록이 같다"), "{}", korean.stderr);
+    }
+    let other = scratch.dolmen("motion a.csv b.csv");
+    assert_eq!(other.status, 0, "{}", other.stderr);
+}
+
+#[test]
+fn exact_a_quarter_turn_moves_a_record_to_y() {
+    let scratch = Scratch::new("motion-turned");
+    let peaks = |words: &str| -> Vec<(String, f64)> {
+        let answer = scratch.dolmen(&format!("motion {words} --json"));
+        assert_eq!(answer.status, 0, "{words}: {}", answer.stderr);
+        let json: Value = serde_json::from_str(&answer.stdout).unwrap();
+        let series = json["series"].as_array().unwrap().iter();
+        let of = |one: &Value| {
+            let peak = one["peak_acceleration_m_s2"].as_f64().unwrap();
+            (one["name"].as_str().unwrap().to_owned(), peak)
+        };
+        series.map(of).collect()
+    };
+    let pulse = "--make sine --peak 0.2g";
+    let [(_, peak)] = peaks(pulse).try_into().unwrap();
+    for (degrees, expected) in [
+        (90, vec![("y", 1.0)]),
+        (180, vec![("x", 1.0)]),
+        (30, vec![("x", 0.75_f64.sqrt()), ("y", 0.5)]),
+    ] {
+        let found = peaks(&format!("{pulse} --turn {degrees}"));
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for ((name, turned), (axis, share)) in found.iter().zip(expected) {
+            assert_eq!(name, axis);
+            assert!((turned / peak - share).abs() < 1e-12, "{degrees}: {found:?}");
+        }
+    }
+    fs::write(
+        scratch.path().join("two.csv"),
+        "time (s),EW (m/s2),NS (m/s2)\n0,0,0\n0.01,1,2\n0.02,0,1\n",
+    )
+    .unwrap();
+    let refused = scratch.dolmen("motion two.csv --turn 30");
+    assert_eq!(refused.status, 2, "{}", refused.stdout);
+    assert!(
+        refused
+            .stderr
+            .contains("the directions of the 2 channels are not given"),
+        "{}",
+        refused.stderr
+    );
+}

@@ -241,3 +241,35 @@ frequencies.x = [{{ value = 14.0, sd = 0.07 }}]
     );
     assert!(!alone.contains("times its stiffness"), "{alone}");
 }
+
+/// A block on rough ground rocks at b/h: 0.4/1.2 g, with other widths 0.6/1.2 and 0.2/1.2 g; by hand.
+#[test]
+fn exact_each_variant_of_a_stack_says_when_it_first_moves() {
+    let scratch = Scratch::new("stack-variants");
+    let block = |width: f64| {
+        format!(
+            "blocks = [{{ name = \"block\", shape = \"box\", width = {width}, depth = 1.0, height = 1.2 }}]\n"
+        )
+    };
+    let text = format!(
+        "schema = 1\nkind = \"stack\"\nname = \"Block\"\ndensity = 2600\njoint = {{ friction = 0.9 }}\n{}\
+         [variant.wide]\n{}[variant.thin]\n{}[variant.heavy]\ndensity = 2700\n",
+        block(0.4),
+        block(0.6),
+        block(0.2)
+    );
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let words = scratch.briefly("check .").words();
+    for said in [
+        "Variant “wide” first moves at 0.500 g, the structure as it is at 0.333 g: stable.",
+        "Variant “thin” first moves at 0.167 g, the structure as it is at 0.333 g: stable.",
+        "Variant “heavy” leaves the first motion at 0.333 g: stable.",
+    ] {
+        assert!(words.contains(said), "{said}: {words}");
+    }
+    let korean = scratch.briefly("check . --language ko").words();
+    assert!(
+        korean.contains("대안 ‘wide’의 거동 시작 가속도는 0.500 g이다(현재 0.333 g): 안정."),
+        "{korean}"
+    );
+}

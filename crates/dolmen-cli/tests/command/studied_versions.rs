@@ -75,7 +75,7 @@ fn holds_a_study_says_of_which_variant_values_and_damage_its_runs_are() {
     );
     assert!(
         words.contains(
-            "values that the study sets in place of those of the file: joints[2].stiffness = 1200."
+            "values that the study sets in place of those of the file: joints[2].stiffness = 1200 kN·m/rad."
         ),
         "{words}"
     );
@@ -107,6 +107,37 @@ fn holds_an_input_that_cannot_act_in_the_runs_is_called_so() {
         assert_eq!(words.contains(&said), !acts, "{words}");
         assert_eq!(words.contains("no trend seen"), acts, "{words}");
     }
+}
+
+#[test]
+fn exact_a_number_of_a_study_is_shown_with_the_unit_of_its_key() {
+    let scratch = Scratch::new("study-units");
+    let study = "[study.s]\nmotions = [\"a\"]\nrest_s = 1\npeak = [\"0.05 g\"]\n\
+        set = { \"links[1].length\" = 2.9, \"wind.speed\" = \"11 m/s\" }\n\
+        vary = { \"joints[2].stiffness\" = [1400, \"1.6 MN*m/rad\"] }\n";
+    fs::write(scratch.path().join("project.toml"), format!("{POST}{study}")).unwrap();
+    let answer = scratch.dolmen("study .");
+    assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+    let said = "links[1].length = 2.9 m and wind.speed = 11 m/s.";
+    assert!(answer.words().contains(said), "{}", answer.words());
+    // a bare number stands for the unit of the file's `units`
+    for line in answer
+        .stdout
+        .lines()
+        .filter(|line| line.contains("joints[2].stiffness = 1400"))
+    {
+        let next = answer.stdout.lines().skip_while(|own| *own != line).nth(1);
+        assert_eq!(next.map(str::trim), Some("kN·m/rad"), "{}", answer.stdout);
+    }
+    let korean = scratch.dolmen("study . --language ko").stdout;
+    assert!(korean.contains("kN·m/rad"), "{korean}");
+    let figures = fs::read_dir(scratch.path().join("studies/s")).unwrap();
+    let figures = figures.filter_map(|file| fs::read_to_string(file.unwrap().path()).ok());
+    let growth = figures.filter(|text| {
+        let shown = ["1400 kN·m/rad", "1.6 MN*m/rad"];
+        text.contains("<svg") && shown.iter().all(|shown| text.contains(shown))
+    });
+    assert!(growth.count() > 0);
 }
 
 #[test]

@@ -1,20 +1,15 @@
 //! Loose stones: what the file may say about them, and the stack that settles.
 
 use super::fault::StackFault;
+use super::loose_material::loose_material;
 use super::part::StackPart;
 use crate::error::Fault;
 use crate::file::FileRaw;
 use crate::quantity::Pick;
 use crate::reader::Reader;
 use crate::wrong::WrongStack;
-use dolmen::structure::stack::{JointMaterial, Stack};
+use dolmen::structure::stack::Stack;
 use std::ops::Range;
-
-/// Normal stiffness of the contacts of loose stones if the file gives none, Pa/m. Our choice: below that of solid granite under a face 0.1 m wide, E/a =
-/// 4e11; the usual stiffness of beds is a hundredth of it, and stones would sink into each other at their small contacts.
-const LOOSE_STIFFNESS_PA_M: f64 = 1e11;
-/// Shear stiffness over normal stiffness, as of beds.
-const LOOSE_SHEAR_PART: f64 = 0.4;
 
 impl StackPart {
     /// The loose stones at their places of the file, each input with the value that `pick` chooses.
@@ -23,12 +18,7 @@ impl StackPart {
     /// None with the file's own values, which are checked on reading; [`StackFault`] if picked ones are impossible.
     pub fn build_loose(&self, pick: Pick<'_>) -> Result<Stack, StackFault> {
         let blocks = self.placed_blocks(pick)?;
-        let around = JointMaterial {
-            normal_stiffness_pa_m: LOOSE_STIFFNESS_PA_M,
-            shear_stiffness_pa_m: LOOSE_SHEAR_PART * LOOSE_STIFFNESS_PA_M,
-            ..JointMaterial::default()
-        };
-        let material = self.joint.over(around, pick);
+        let material = self.joint.over(loose_material(), pick);
         Stack::loose(blocks, material, self.gravity_m_s2).map_err(|why| self.locate(why))
     }
 }

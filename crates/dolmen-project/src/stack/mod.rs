@@ -11,6 +11,7 @@ mod fault;
 mod file;
 mod lean;
 mod loose;
+mod loose_material;
 mod loosened;
 mod made;
 mod made_part;

@@ -1,6 +1,7 @@
 //! The stack of a project file.
 
 use super::attached_part::{CornicePart, MastPart};
+use super::loose_material::loose_material;
 use super::made_part::MadePart;
 use super::surveyed_lean::SurveyedLean;
 use crate::loads::LoadPart;
@@ -362,7 +363,10 @@ impl StackPart {
             let own = !blocks.is_empty() && blocks.iter().all(|block| key(&block.joint).is_some());
             key(&self.joint).is_some() || own
         };
-        let usual = JointMaterial::default();
+        let usual = match self.is_loose {
+            true => loose_material(),
+            false => JointMaterial::default(),
+        };
         let taken = |is_given: bool, value: f64| (!is_given).then_some(value);
         JointDefaults {
             friction: taken(is_given(|bed| &bed.friction), usual.friction_static),

@@ -16,8 +16,8 @@ sentences! {
             ko: "'{upper}'이(가) '{lower}' 위에 놓인다고 하였으나 서로 닿지 않는다. 접합면의 높이 차는 {allowed_m} m, 기울기 차는 5° 이내이어야 한다",
         },
         Loose {} => {
-            en: "the stones are loose (loose = true), and have no joints: only `dolmen check` and `dolmen simulate` let them settle; take \"loose\" out for anything else",
-            ko: "돌이 놓인 자리가 정해지지 않아(loose = true) 접합면이 없다. `dolmen check`와 `dolmen simulate`만 돌을 가라앉혀 자리를 찾는다. 다른 명령에는 \"loose\"를 삭제한다",
+            en: "the stones are loose (loose = true), and have no joints: only `dolmen check`, `dolmen simulate` and `dolmen report` let them settle; take \"loose\" out for anything else",
+            ko: "돌이 놓인 자리가 정해지지 않아(loose = true) 접합면이 없다. `dolmen check`, `dolmen simulate`, `dolmen report`만 돌을 가라앉혀 자리를 찾는다. 다른 명령에는 \"loose\"를 삭제한다",
         },
         Twice { path, upper, lower, first } => {
             en: "{path} gives the joint of '{upper}' on '{lower}' a second time, after contacts[{first}]: keep one of them",

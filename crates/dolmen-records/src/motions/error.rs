@@ -147,6 +147,13 @@ pub enum MotionError {
         /// What is missing.
         why: Both,
     },
+    /// Two directions have the samples of one record.
+    SameRecord {
+        /// The direction given first.
+        first: &'static str,
+        /// The other.
+        second: &'static str,
+    },
     /// The file of a station is refused.
     Seismic(SeismicError),
     /// The workbook is refused.

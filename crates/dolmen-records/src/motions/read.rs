@@ -81,7 +81,7 @@ pub fn read_columns_as(
     motion_of(name, read, options)
 }
 
-/// Refuses columns whose names state another direction, and a column that is used twice.
+/// Refuses columns whose names state another direction, and a column or a record that is used twice.
 fn refuse_mistaken(
     sources: &[ComponentSource<'_>],
     read: &[(Component, ComponentReading)],
@@ -106,16 +106,22 @@ fn refuse_mistaken(
     let each = sources.iter().zip(read).enumerate();
     for (at, (source, (component, one))) in each {
         let mut before = sources[..at].iter().zip(&read[..at]);
-        let same = before.find(|(other, (_, of_other))| {
-            other.channel.is_some() && other.bytes == source.bytes && of_other.name == one.name
-        });
-        if let Some((_, (first, _))) = same {
-            return refused(Turned::TakenTwice {
-                channel: one.name.clone(),
-                first: first.name().to_owned(),
-                second: component.name().to_owned(),
+        let same =
+            before.find(|(other, (_, of_other))| other.bytes == source.bytes && of_other.name == one.name);
+        let Some((other, (first, _))) = same else {
+            continue;
+        };
+        if other.channel.is_none() {
+            return Err(MotionError::SameRecord {
+                first: first.name(),
+                second: component.name(),
             });
         }
+        return refused(Turned::TakenTwice {
+            channel: one.name.clone(),
+            first: first.name().to_owned(),
+            second: component.name().to_owned(),
+        });
     }
     Ok(())
 }

@@ -93,6 +93,10 @@ sentences! {
             en: "{why}: give files as x=FILE, y=FILE instead",
             ko: "{why}. 대신 파일을 x=파일, y=파일로 지정한다",
         },
+        SameRecord { first, second } => {
+            en: "{first} and {second} have the same record: give the record of each direction; one record along a line between them is given once, as x, and rotated with --turn or `turn` in [motion.NAME]",
+            ko: "{first} 성분과 {second} 성분의 기록이 같다. 방향마다 그 기록을 준다. 기록 하나를 두 방향 사이로 작용시키려면 x로 한 번만 주고 --turn 또는 [motion.NAME]의 turn으로 돌린다",
+        },
     }
     handed on { Seismic(SeismicError), Record(RecordError), Signal(SignalError) }
 }

@@ -11,6 +11,7 @@ mod sampled;
 mod text;
 mod variant_responses;
 mod variant_rows;
+mod variant_stacks;
 mod variants;
 
 pub(crate) use findings::findings;
@@ -25,7 +26,7 @@ pub(crate) use variants::{section as variants_section, title};
 use dolmen_words::Template;
 
 /// Templates of the sentences of every check.
-pub(crate) const TEMPLATES: [&[Template]; 11] = [
+pub(crate) const TEMPLATES: [&[Template]; 12] = [
     agreement::Agreement::TEMPLATES,
     assumed::Assumed::TEMPLATES,
     findings::Unusual::TEMPLATES,
@@ -36,5 +37,6 @@ pub(crate) const TEMPLATES: [&[Template]; 11] = [
     sampled::Scatter::TEMPLATES,
     text::Said::TEMPLATES,
     variant_responses::Responses::TEMPLATES,
+    variant_stacks::StackVariant::TEMPLATES,
     variants::Variants::TEMPLATES,
 ];

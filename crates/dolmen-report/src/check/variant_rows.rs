@@ -64,7 +64,7 @@ impl Row {
     }
 }
 
-/// The rows of a version: one, or one a direction of a frame; none for a stack.
+/// The rows of a version: one, or one a direction of a frame.
 pub(super) fn rows(state: &State, name: &Both) -> Vec<Row> {
     let falls = state.sampled.as_ref().map(|sampled| sampled.unstable.estimate);
     let sampled = state.sampled.as_ref();
@@ -151,7 +151,31 @@ pub(super) fn rows(state: &State, name: &Both) -> Vec<Row> {
                 red_word: None,
             }]
         }
-        Check::Stack(_) => Vec::new(),
+        Check::Stack(answer) => vec![Row {
+            falls,
+            overloaded,
+            ..of_stack(name, state, answer.check.verdict)
+        }],
+    }
+}
+
+/// The row of a stack, which has no load factor; without samples.
+fn of_stack(name: &Both, state: &State, own_verdict: Verdict) -> Row {
+    let borne = state.loads.as_ref().and_then(|loads| loads.factor());
+    Row {
+        name: name.clone(),
+        direction: None,
+        load_factor: None,
+        borne: borne.filter(|factor| factor.is_finite()),
+        verdict: state.verdict(),
+        own_verdict,
+        margins: Vec::new(),
+        frequency_hz: None,
+        falls: None,
+        overloaded: None,
+        earthquake: None,
+        limited: None,
+        red_word: None,
     }
 }
 

@@ -4,6 +4,7 @@ use super::variant_responses::{
     Response, Responses, SAME_SHARE, asked, is_beyond, limited, red_word, responses,
 };
 use super::variant_rows::{Row, rows};
+use super::variant_stacks;
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone, table_series};
 use crate::figures::{VariantDot, variants_compared};
 use crate::html::words::verdict_word;
@@ -87,9 +88,14 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
         let name = title(variant);
         let after = rows(&variant.state, &name);
         let versions = judged.versions.first().zip(judged.versions.get(at + 1));
-        let (Some((before, own)), false) = (versions, after.is_empty()) else {
-            continue; // stacks have their own comparison
+        let Some((before, own)) = versions else {
+            continue;
         };
+        let verdict = |row: &Row| own_verdict(row, is_beyond(own));
+        let verdict = after.first().map(verdict);
+        all.extend(
+            verdict.and_then(|verdict| variant_stacks::first_motion(&name, (state, &variant.state), verdict)),
+        );
         let is_told = worse.iter().any(|(of, _)| *of == at);
         let mut changed = responses(before, own);
         changed.retain(|of| !(is_told && of.is_earthquake));

@@ -107,7 +107,10 @@ pub(super) fn elevations(structure: &Structure, exaggerate: bool) -> Vec<Elevati
                 lean: None,
                 ..(**part).clone()
             };
-            let stack = part.build(&mut Quantity::nominal).ok();
+            let stack = match part.is_loose {
+                true => part.build_loose(&mut Quantity::nominal).ok(),
+                false => part.build(&mut Quantity::nominal).ok(),
+            };
             let each = stack
                 .iter()
                 .flat_map(|stack| (0..2).map(move |axis| (stack, axis)));

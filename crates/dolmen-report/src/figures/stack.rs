@@ -11,15 +11,15 @@ use dolmen_words::number;
 use dolmen_work::stack::StackSimulation;
 
 /// Width and height of the area for one view of a stack, px.
-const VIEW_PX: [f64; 2] = [270.0, 420.0];
+pub(super) const VIEW_PX: [f64; 2] = [270.0, 420.0];
 /// Room for the heads above the views, px.
-const TOP_PX: f64 = 34.0;
+pub(super) const TOP_PX: f64 = 34.0;
 /// Width of a column of names, px.
-const NAMES_PX: f64 = 128.0;
+pub(super) const NAMES_PX: f64 = 128.0;
 /// Smallest distance between rows of names, px.
 const ROW_PX: f64 = 16.5;
 /// First position of names, and of joint numbers, px.
-const FIRST_NAME_PX: f64 = 16.0;
+pub(super) const FIRST_NAME_PX: f64 = 16.0;
 const FIRST_JOINT_PX: f64 = 34.0;
 /// Stacks with more blocks or joints are drawn without names, which would be illegible.
 const NAMED_MOST: usize = 25;
@@ -34,11 +34,11 @@ const COLOURS: [&str; 4] = ["#9aa0a6", BLUE, ORANGE, VERMILLION];
 
 /// From metres in the picture to px.
 #[derive(Clone, Copy, Debug)]
-struct Frame {
+pub(super) struct Frame {
     camera: Camera,
-    scale: f64,
+    pub(super) scale: f64,
     /// Position of the bottom centre of the drawing, px and m.
-    foot: [f64; 2],
+    pub(super) foot: [f64; 2],
     middle_m: [f64; 2],
 }
 
@@ -55,10 +55,12 @@ impl Frame {
     }
 }
 
-/// A patch of ground around the stack.
+/// A patch of ground around the stack, or below loose stones.
 fn ground(stack: &Stack) -> [[f64; 3]; 4] {
     let feet = stack.joints().iter().filter(|joint| joint.lower == Body::Ground);
-    let [low, high] = bounds(feet.flat_map(corners).map(|at| [at[0], at[1]]));
+    let loose = stack.blocks().iter().filter(|_| stack.joints().is_empty());
+    let below = loose.flat_map(|block| block.solid.bounds_m());
+    let [low, high] = bounds(feet.flat_map(corners).chain(below).map(|at| [at[0], at[1]]));
     let room = 0.22 * (high[0] - low[0]).max(high[1] - low[1]);
     let (from, to) = ([low[0] - room, low[1] - room], [high[0] + room, high[1] + room]);
     [
@@ -86,7 +88,13 @@ fn corners_now(joint: &Joint, blocks: &[Placed]) -> Vec<[f64; 3]> {
 }
 
 /// One view: ground, blocks from far to near, joints along the edges towards the eye.
-fn view(scene: &mut Scene, stack: &Stack, blocks: &[Placed], colours: &[&'static str], frame: &Frame) {
+pub(super) fn view(
+    scene: &mut Scene,
+    stack: &Stack,
+    blocks: &[Placed],
+    colours: &[&'static str],
+    frame: &Frame,
+) {
     let patch = ground(stack).map(|at| frame.of(at));
     scene.polygon(&patch, "#e9ece4", Line::new("#b9c0b0", 0.8));
     let on = |scene: &mut Scene, lower: Body| {
@@ -125,7 +133,7 @@ fn stone(light: f64) -> String {
 }
 
 /// Bounds of the drawing, m in the picture.
-fn extent(stack: &Stack, all: &[&[Placed]], camera: &Camera) -> [[f64; 2]; 2] {
+pub(super) fn extent(stack: &Stack, all: &[&[Placed]], camera: &Camera) -> [[f64; 2]; 2] {
     let corners = all
         .iter()
         .flat_map(|blocks| blocks.iter())
@@ -134,7 +142,7 @@ fn extent(stack: &Stack, all: &[&[Placed]], camera: &Camera) -> [[f64; 2]; 2] {
 }
 
 /// The frame that fits these bounds into the view with its upper left corner at `corner`.
-fn frame(extent: [[f64; 2]; 2], corner: [f64; 2], camera: Camera) -> Frame {
+pub(super) fn frame(extent: [[f64; 2]; 2], corner: [f64; 2], camera: Camera) -> Frame {
     let [low, high] = extent;
     let size = [high[0] - low[0], high[1] - low[1]];
     let scale = (VIEW_PX[0] / size[0]).min(VIEW_PX[1] / size[1]);
@@ -165,17 +173,17 @@ fn spread(wanted: &[f64], least: f64, most: f64) -> Vec<f64> {
 }
 
 /// Number of names in the figure.
-fn named(count: usize) -> usize {
+pub(super) fn named(count: usize) -> usize {
     if count > NAMED_MOST { 0 } else { count }
 }
 
 /// Position of the last row: next to the foot of the view, or below it if needed.
-fn last_row(rows: usize, first: f64, foot: f64) -> f64 {
+pub(super) fn last_row(rows: usize, first: f64, foot: f64) -> f64 {
     (foot + 10.0).max(first + ROW_PX * rows.saturating_sub(1) as f64)
 }
 
 /// Names of the blocks left of a view.
-fn names(scene: &mut Scene, stack: &Stack, blocks: &[Placed], frame: &Frame, column: f64) {
+pub(super) fn names(scene: &mut Scene, stack: &Stack, blocks: &[Placed], frame: &Frame, column: f64) {
     if blocks.len() > NAMED_MOST {
         return;
     }
@@ -211,7 +219,7 @@ fn names(scene: &mut Scene, stack: &Stack, blocks: &[Placed], frame: &Frame, col
 }
 
 /// A bar of a round length.
-fn scale_bar(scene: &mut Scene, at: [f64; 2], scale: f64) {
+pub(super) fn scale_bar(scene: &mut Scene, at: [f64; 2], scale: f64) {
     let rough = 80.0 / scale;
     let power = 10f64.powf(rough.log10().floor());
     let length = [5.0, 2.0, 1.0]
@@ -229,7 +237,7 @@ fn scale_bar(scene: &mut Scene, at: [f64; 2], scale: f64) {
 }
 
 /// Arrows along x, y, z.
-fn axes(scene: &mut Scene, at: [f64; 2], camera: &Camera) {
+pub(super) fn axes(scene: &mut Scene, at: [f64; 2], camera: &Camera) {
     for (name, way) in [
         ("x", [1.0, 0.0, 0.0]),
         ("y", [0.0, 1.0, 0.0]),

@@ -37,9 +37,13 @@ pub(crate) fn study_drawings(answer: &StudyAnswer, language: Language) -> Vec<St
             let (name, label) = match input {
                 Some(input) => {
                     let input = &answer.inputs[*input];
+                    let unit = match numbers(rows) {
+                        Some(_) => input.unit.as_str(),
+                        None => "", // each value is written with its own
+                    };
                     (
                         input.column.clone(),
-                        named(&input_words(&input.path, language), &input.unit),
+                        named(&input_words(&input.path, language), unit),
                     )
                 }
                 None if answer.study.variants.len() > 1 => {
@@ -96,8 +100,7 @@ struct Levels {
 
 impl Levels {
     fn of(rows: &[LevelRow], label: &str, language: Language) -> Self {
-        let numbers: Option<Vec<f64>> = rows.iter().map(|row| row.text.parse().ok()).collect();
-        match numbers.filter(|numbers| numbers.iter().all(|v| v.is_finite())) {
+        match numbers(rows) {
             Some(values) if values.len() > 1 => Self::at_values(values, label),
             _ => Self::side_by_side(rows, label, language),
         }
@@ -150,6 +153,13 @@ impl Levels {
             step: 1.0,
         }
     }
+}
+
+/// The levels as the finite numbers that they are written as; `None` if one is not.
+fn numbers(rows: &[LevelRow]) -> Option<Vec<f64>> {
+    let each = rows.iter().map(|row| row.text.parse().ok());
+    let numbers: Option<Vec<f64>> = each.collect();
+    numbers.filter(|numbers| numbers.iter().all(|v| v.is_finite()))
 }
 
 fn wide(rows: &[LevelRow]) -> [f64; 2] {

@@ -263,10 +263,10 @@ fn growth(answer: &StudyAnswer, grown: GrowthMeasure, language: Language) -> Str
             plot.sized_dot(at, Shape::Cross, 3.0, colour);
         }
         if few {
-            let case = answer.case(job);
-            let inputs = answer.inputs.iter().zip(&case.texts);
-            let varied = inputs.map(|(input, text)| format!("{} {text}", input_words(&input.path, language)));
-            let words: Vec<String> = case.variant.iter().cloned().chain(varied).collect();
+            let inputs = answer.inputs.iter().zip(answer.values_shown(job));
+            let varied =
+                inputs.map(|(input, value)| format!("{} {value}", input_words(&input.path, language)));
+            let words: Vec<String> = answer.case(job).variant.iter().cloned().chain(varied).collect();
             plot.key(
                 Key::Line(Line::new(colour, 2.2)),
                 format!("{} {}", words.join(", "), answer.motion_of(job)),

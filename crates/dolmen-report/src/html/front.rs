@@ -7,6 +7,7 @@ use crate::check::{doubtful, title};
 use crate::engineer::Given;
 use crate::headline::{headline, over_the_years, worse as worse_words};
 use crate::stack;
+use crate::stack_simulation::{settled_laws, settled_scale};
 use dolmen::stability::Verdict;
 use dolmen_project::Structure;
 use dolmen_words::message::Both;
@@ -16,6 +17,7 @@ use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{
     AssumedInputs, Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
 };
+use dolmen_work::stack::SettledSimulation;
 use dolmen_work::state::{Check, State};
 
 /// The answers on a project.
@@ -62,7 +64,8 @@ pub(crate) fn project_name(answer: &ProjectReport, language: Language) -> &str {
 
 /// Whether there is a verdict: on a model, or on surveys over the years with an open alarm.
 pub(crate) fn has_headline(answer: &ProjectReport) -> bool {
-    answer.state().is_some() || judge(&answer.answers).alarming.is_any()
+    let has_verdict = answer.state().is_some() || answer.settled_stones().next().is_some();
+    has_verdict || judge(&answer.answers).alarming.is_any()
 }
 
 /// A project in the list: the sign of the worst colour, its headline, the reason, and worse variants.
@@ -128,8 +131,40 @@ fn worse(answer: &ProjectReport, judgement: &Judgement, language: Language) -> V
     each.collect()
 }
 
-/// The answers on a project, in a language.
-pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) -> Banner {
+/// The answers on a project, in a language; `None` without a model.
+pub(crate) fn banner(answer: &ProjectReport, language: Language) -> Option<Banner> {
+    match answer.state() {
+        Some(state) => Some(of_state(answer, state, language)),
+        None => {
+            let run = answer.settled_stones().next()?;
+            Some(of_loose(answer, run, language))
+        }
+    }
+}
+
+/// The answers on loose stones.
+fn of_loose(answer: &ProjectReport, run: &SettledSimulation, language: Language) -> Banner {
+    let judgement = judge(&answer.answers);
+    let judged = judgement.headline();
+    let doubtful = doubtful(&answer.project).into_iter();
+    let inputs = judged.map(|of| of.basis.inputs);
+    Banner {
+        colour: judgement.colour(),
+        sign: judgement_sign(&judgement),
+        words: judged.map_or_else(String::new, |of| headline(of, language)),
+        first: doubtful.map(|said| said.text(language)).collect(),
+        sentence: settled_laws(run).text(language),
+        assumed: inputs.and_then(|of| resting(of, language)),
+        scale: settled_scale().text(language),
+    }
+}
+
+/// The number of assumed inputs, if there are any.
+fn resting(AssumedInputs { assumed, all }: AssumedInputs, language: Language) -> Option<String> {
+    (assumed > 0).then(|| text(Fronted::RestsOnAssumed { assumed, all }, language))
+}
+
+fn of_state(answer: &ProjectReport, state: &State, language: Language) -> Banner {
     let verdict = state.verdict();
     let judgement = judge(&answer.answers);
     let judged = judgement.headline();
@@ -180,9 +215,7 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
         words,
         first,
         sentence,
-        assumed: inputs
-            .filter(|of| of.assumed > 0)
-            .map(|AssumedInputs { assumed, all }| text(Fronted::RestsOnAssumed { assumed, all }, language)),
+        assumed: inputs.and_then(|of| resting(of, language)),
         scale: match stack {
             Some(_) => stack::thresholds().text(language),
             None => thresholds(language),
@@ -222,6 +255,7 @@ fn papers(structure: &Structure, language: Language) -> Vec<String> {
     let (said, further) = match structure {
         Structure::Chain(_) => (Fronted::ChainPaper(CHAIN_WORK.into()), None),
         Structure::Frame(_) => (Fronted::FramePaper(FRAME_WORK.into()), None),
+        Structure::Stack(part) if part.is_loose => return Vec::new(),
         Structure::Stack(_) => (Fronted::StackPaper(STACK_WORK.into()), Some(ROCKING_WORK)),
         Structure::Building(_) => (
             Fronted::BuildingPaper(BUILDING_WORK.into()),

@@ -40,6 +40,14 @@ messages! {
             en: "Simulated earthquakes: the same stones on contact springs with Coulomb friction and dashpots, in three dimensions with large turns; the ground is a rigid plane.",
             ko: "지진응답 시뮬레이션: 동일한 부재를 쿨롱 마찰과 감쇠를 가진 접촉 스프링 위에 놓고 큰 회전을 포함하여 3차원으로 해석하였다. 지반은 강체 평면이다.",
         },
+        LooseSettle => {
+            en: "Loose stones: rigid, with friction and without bond, released where the file has them. They come to rest under their own weight by two laws of contact, springs with dashpots and rigid stones; a motion acts on the stones at rest.",
+            ko: "돌무더기: 부재는 강체이며 접촉면은 마찰에 저항하고 부착은 없다. 입력한 자리에서 놓아 자중만으로 안착할 때까지 두 접촉 법칙(감쇠를 가진 스프링, 강체 접촉)으로 해석하였다. 지반운동은 안착한 돌에 작용한다.",
+        },
+        LooseNot => {
+            en: "Not covered: the margin to first motion, cracking and crushing of stone, earth and small stones between the large ones, settlement of the ground.",
+            ko: "검토 범위 밖: 최초 거동까지의 여유, 석재의 균열과 압괴, 큰 돌 사이의 흙과 잔돌, 지반의 침하.",
+        },
         StackNot => {
             en: "Not covered: cracking and crushing of stone, settlement and softness of the ground under shaking, ageing. The thresholds are those of first motion, not of collapse.",
             ko: "검토 범위 밖: 석재의 균열과 압괴, 지진 중 지반의 침하와 변형, 노후. 한계 가속도는 최초 거동의 값이며 붕괴의 값이 아니다.",
@@ -111,6 +119,7 @@ fn sentences(structure: &Structure) -> Vec<Method> {
     match structure {
         Structure::Chain(_) => vec![Method::ChainSprings, Method::ChainFactor, Method::ChainNot],
         Structure::Frame(_) => vec![Method::FrameSprings, Method::FrameFactor, Method::FrameNot],
+        Structure::Stack(part) if part.is_loose => vec![Method::LooseSettle, Method::LooseNot],
         Structure::Stack(_) => vec![Method::StackRigid, Method::StackShaken, Method::StackNot],
         Structure::Building(_) => vec![
             Method::BuildingFloors,
@@ -136,6 +145,7 @@ fn formulas(project: &Project) -> Vec<(Vec<Math>, Method)> {
             (singular(), Method::StoreySingular),
             (vibrates(Math::Matrix("K")), Method::BuildingVibrates),
         ],
+        Structure::Stack(part) if part.is_loose => Vec::new(),
         Structure::Stack(_) => vec![(tips(), Method::Tips), (slides(), Method::Slides)],
         Structure::Survey => Vec::new(),
     };

@@ -15,7 +15,7 @@ pub(crate) mod words;
 #[cfg(test)]
 pub(crate) mod tests;
 
-pub(crate) use front::{headline_line, project_name};
+pub(crate) use front::{has_headline, headline_line, project_name};
 pub(crate) use imprint::day;
 pub use imprint::{Imprint, NotReported};
 pub use page::html;

@@ -110,7 +110,7 @@ fn article(answer: &ProjectReport, language: Language, imprint: &Imprint, number
             } }
         }
         @if let Some((head, block)) = &front.signatures { h2 id=(numbers.anchor(head)) { (head.text(language)) } (block_html(block, language, &mut numbers)) }
-        @if let Some(state) = answer.state() { (banner_html(&banner(answer, state, language))) }
+        @if let Some(banner) = banner(answer, language) { (banner_html(&banner)) }
         @if let Some(block) = &front.answers { (block_html(block, language, &mut numbers)) }
         h2 id=(numbers.anchor(&Fronted::Findings.into())) { (text(Fronted::Findings, language)) }
         (findings_html(&all_findings(answer), language))

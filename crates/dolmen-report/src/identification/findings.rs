@@ -52,6 +52,10 @@ messages! {
             en: "one solution explains {measured}; k, the lowest first: {values}.",
             ko: "{measured}을(를) 설명하는 해는 하나이다. 강성 k는 아래부터 {values}이다.",
         },
+        OneUnchecked { measured: Sentence, values: Values } => {
+            en: "one solution explains {measured}, and nothing checks it: with as many unknown stiffnesses as frequencies it fits whatever the structure is. k, the lowest first: {values}. A measured mode shape would check it.",
+            ko: "{measured}을(를) 설명하는 해는 하나이나 검증되지 않았다. 미지 강성의 수가 고유진동수의 수와 같아 구조물이 실제로 어떻든 맞는 해가 나온다. 강성 k는 아래부터 {values}이다. 모드형상을 계측하면 검증할 수 있다.",
+        },
         Bounded(measured: Sentence) => {
             en: "one solution explains {measured}, but some of its stiffness is known only between bounds or from one side: no single answer.",
             ko: "{measured}을(를) 설명하는 해는 하나이나, 일부 강성은 한쪽 한계나 넓은 범위로만 정해지므로 단일한 답이 아니다.",
@@ -253,11 +257,7 @@ fn choice(survey: &str, answer: &StiffnessAnswer) -> Finding {
                 let said = doubted::not_chosen(doubt, values);
                 (Tone::Warn, said.into(), Some("sensor-slip"))
             }
-            None => (
-                tone(answer.solutions.choice),
-                chosen(answer).into(),
-                code(answer.solutions.choice),
-            ),
+            None => (tone(answer), chosen(answer).into(), code(answer.solutions.choice)),
         },
         peaks => {
             let hertz = |hz: &f64| Quantity::new(*hz, Unit::si("Hz"), Digits::Fixed(3));
@@ -276,8 +276,9 @@ fn choice(survey: &str, answer: &StiffnessAnswer) -> Finding {
     }
 }
 
-fn tone(choice: Choice) -> Tone {
-    match choice {
+fn tone(answer: &StiffnessAnswer) -> Tone {
+    match answer.solutions.choice {
+        Choice::One if answer.fits_by_construction() => Tone::Unknown,
         Choice::One => Tone::Good,
         Choice::Bounded | Choice::Indistinguishable | Choice::Underdetermined => Tone::Warn,
         Choice::Impossible => Tone::Bad,
@@ -302,9 +303,10 @@ fn chosen(answer: &StiffnessAnswer) -> Found {
         Choice::One => {
             let values = found.solutions.first();
             let values = values.map_or_else(Vec::new, |one| stiffness_quantities(answer, one));
-            Found::One {
-                measured,
-                values: Values(values),
+            let values = Values(values);
+            match answer.fits_by_construction() {
+                true => Found::OneUnchecked { measured, values },
+                false => Found::One { measured, values },
             }
         }
         Choice::Bounded => Found::Bounded(measured),

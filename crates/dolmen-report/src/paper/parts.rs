@@ -125,8 +125,9 @@ impl Body<'_> {
 
     /// The answers: the words first, then their context.
     fn banner(&mut self, answer: &ProjectReport) {
-        let Some(state) = answer.state() else { return };
-        let banner = banner(answer, state, self.language);
+        let Some(banner) = banner(answer, self.language) else {
+            return;
+        };
         let [colour, wash, sign] = tone(match banner.colour {
             Colour::Green => Tone::Good,
             Colour::Amber => Tone::Warn,

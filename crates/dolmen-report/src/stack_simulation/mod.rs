@@ -13,7 +13,9 @@ mod tables;
 pub(crate) use findings::findings;
 pub(crate) use run::points_a_side;
 pub use settled::settled_text;
-pub(crate) use settled::{findings as settled_findings, sections as settled_sections};
+pub(crate) use settled::{
+    findings as settled_findings, laws as settled_laws, scale as settled_scale, sections as settled_sections,
+};
 pub use supports::supports_text;
 pub(crate) use supports::{findings as supports_findings, sections as supports_sections};
 

@@ -1,8 +1,10 @@
 //! Loose stones: where they come to rest, by each law, and what a motion then does to them.
 
 use crate::document::{
-    Block, Cell, Column, Document, Finding, Table, TextStyle, Tone, document_text, findings_text,
+    Block, Cell, Column, Document, Figure, Finding, Table, TextStyle, Tone, document_text, findings_text,
+    table_series,
 };
+use crate::figures::stack_settled;
 use crate::simulated::{milli, millimetres, seconds};
 use dolmen::blocks::{ContactLaw, LooseEnding, LooseStones};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -48,6 +50,11 @@ messages! {
             en: "The two laws differ: '{block}' ends {distance} apart. Where it comes to rest is not certain: draw it closer to where it lies.",
             ko: "두 접촉 법칙의 결과가 다르다. ‘{block}’의 두 위치가 {distance} 떨어져 있어 안착 위치가 확실하지 않다. 실제 놓인 자리에 더 가깝게 입력한다.",
         },
+        OneLaw => { en: "Only one law gave a result: the other may differ.", ko: "한 접촉 법칙의 결과만 있으며 다른 법칙의 결과와 다를 수 있다." },
+        Scale => {
+            en: "stable: by both laws all stones come to rest in their places · unstable: by both some leave them · unknown: the laws differ, or a run has no end. An earthquake is not in this word.",
+            ko: "안정: 두 접촉 법칙 모두에서 모든 돌이 제자리에 안착 · 불안정: 모두에서 일부가 자리를 벗어남 · 판정 불가: 두 법칙의 결과가 다르거나 해석이 끝나지 않음. 이 판정에 지진은 포함되지 않는다.",
+        },
         NoRun => { en: "No run was made.", ko: "해석하지 않았다." },
         LeftOut { law: Sentence, why: String } => {
             en: "No run could be made with {law}: {why}",
@@ -58,6 +65,11 @@ messages! {
         Hulls => {
             en: "Stones touch with their convex hulls, and two stones on one face or edge: hollows are bridged. Stones go down slowly, without swinging, and are then released: a stone that moved by more than half its least thickness, or turned by more than 45°, has left its place.",
             ko: "돌은 볼록 껍질로, 두 돌은 한 면이나 모서리로 맞닿는 것으로 보아 오목한 곳은 메워진다. 돌을 흔들림 없이 천천히 가라앉힌 다음 놓아준다. 최소 두께의 절반 넘게 움직이거나 45° 넘게 돌면 자리를 벗어난 것으로 본다.",
+        },
+        Drawn => { en: "The stones as drawn, and where they came to rest.", ko: "입력한 돌과 안착한 자리." },
+        DrawnMeaning => {
+            en: "If all stay in their places, displacements are enlarged by the stated factor.",
+            ko: "모두 제자리에 안착하면 변위를 표시한 배율로 확대한다.",
         },
         Caption => { en: "How far each stone goes to rest.", ko: "돌별 안착 이동량." },
         Stone => { en: "stone", ko: "돌" },
@@ -81,6 +93,11 @@ pub fn settled_text(of: &SettledSimulation, style: TextStyle) -> String {
 pub(crate) fn sections(of: &SettledSimulation) -> Document<'_> {
     let mut document = Document::default();
     document.heading(Settled::Head);
+    if !of.runs.is_empty() {
+        let caption = vec![Settled::Drawn.into(), Settled::DrawnMeaning.into()];
+        let drawn = Figure::drawn(caption, |language| stack_settled(of, language));
+        document.charted(drawn.with_series(|| table_series(&stones(of))));
+    }
     document.put(Block::Table(stones(of)));
     document.note(Settled::Hulls);
     document
@@ -100,12 +117,12 @@ pub(crate) fn findings(of: &SettledSimulation) -> Vec<Finding> {
     if of.runs.is_empty() {
         all.push(Finding::key(Tone::Unknown, Settled::NoRun));
     }
-    if let Some(apart) = of.apart() {
-        let (block, distance) = (name(of, apart.block), millimetres(apart.distance_m));
-        all.push(match of.laws_differ() {
-            true => Finding::key(Tone::Unknown, Settled::Differ { block, distance }),
-            false => Finding::key(Tone::Plain, Settled::Same { block, distance }),
-        });
+    if of.apart().is_some() {
+        let tone = match of.laws_differ() {
+            true => Tone::Unknown,
+            false => Tone::Plain,
+        };
+        all.push(Finding::key(tone, laws(of)));
     }
     all.extend(of.left_out.iter().map(|refused| {
         let (law, why) = (law_words(&refused.law), refused.why.clone());
@@ -113,6 +130,25 @@ pub(crate) fn findings(of: &SettledSimulation) -> Vec<Finding> {
     }));
     all.push(Finding::new(Tone::Plain, Settled::Hulls));
     all
+}
+
+/// Whether the laws agree, for a headline.
+pub(crate) fn laws(of: &SettledSimulation) -> Sentence {
+    match of.apart() {
+        Some(apart) => {
+            let (block, distance) = (name(of, apart.block), millimetres(apart.distance_m));
+            match of.laws_differ() {
+                true => Settled::Differ { block, distance }.into(),
+                false => Settled::Same { block, distance }.into(),
+            }
+        }
+        None => Settled::OneLaw.into(),
+    }
+}
+
+/// The meaning of the words on loose stones.
+pub(crate) fn scale() -> Sentence {
+    Settled::Scale.into()
 }
 
 /// What the motion does to the stones at rest.

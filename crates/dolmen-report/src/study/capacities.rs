@@ -159,9 +159,9 @@ fn row(answer: &StudyAnswer, level: &LevelRow, columns: usize) -> Vec<Cell> {
     row
 }
 
-/// The input with its value, as it is written.
+/// The input with its value: as written, a bare number with its unit.
 fn level_words(answer: &StudyAnswer, level: &LevelRow) -> Sentence {
-    let value = name(&level.text);
+    let value = name(&answer.level_shown(level));
     match (level.input, level.text.as_str()) {
         (Some(input), _) => {
             let input = both(|language| input_words(&answer.inputs[input].path, language));

@@ -144,9 +144,8 @@ fn of_version(answer: &StudyAnswer) -> Vec<Finding> {
         let variant = variant.clone();
         all.push(Finding::key(Tone::Plain, Found::OfVariant { variant }));
     }
-    if !answer.study.set.is_empty() {
-        let each = answer.study.set.iter();
-        let each = each.map(|set| format!("{} = {}", set.path, set.text)).collect();
+    if !answer.set_shown.is_empty() {
+        let each = answer.set_shown.clone();
         all.push(Finding::key(Tone::Plain, Found::OfSet { each }));
     }
     let damage = run::damage(answer).into_iter();

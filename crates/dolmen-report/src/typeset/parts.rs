@@ -111,8 +111,7 @@ impl Parts {
             self.call("contents", language.code());
             self.line("#pagebreak(weak: true)");
         }
-        if let Some(state) = answer.state() {
-            let banner = banner(answer, state, language);
+        if let Some(banner) = banner(answer, language) {
             let sentence: Vec<String> = [Some(banner.sentence), banner.assumed]
                 .into_iter()
                 .flatten()

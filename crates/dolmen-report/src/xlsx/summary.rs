@@ -2,7 +2,7 @@
 
 use super::sheet::{Styles, characters, lines_of, row_height, write_words};
 use super::words::Workbook;
-use crate::html::{Imprint, NotReported, headline_line, project_name};
+use crate::html::{Imprint, NotReported, has_headline, headline_line, project_name};
 use crate::whole::all_findings;
 use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::ProjectReport;
@@ -101,7 +101,7 @@ fn project(
 ) -> Result<u32, XlsxError> {
     write_words(sheet, (first, 0), project_name(answer, language), &styles.title)?;
     let mut row = first + 1;
-    if answer.state().is_some() {
+    if has_headline(answer) {
         write_words(sheet, (row, 0), &headline_line(answer, language), &styles.caption)?;
         row += 1;
     }

@@ -11,6 +11,7 @@ use crate::loads::Governing;
 use crate::simulation::Simulation;
 use crate::state::{Check, State};
 use crate::tilt_left_out::TiltLeftOut;
+use dolmen::stability::Verdict;
 use dolmen_project::{ChainLean, FrameLean, ModelDamage, Project, Structure, SurveyedLean};
 use dolmen_words::Language;
 use dolmen_words::message::Both;
@@ -24,6 +25,8 @@ pub struct VersionJudgement {
     pub weight: Option<Weight>,
     /// The wind or static loads that govern the word for weight, and the combination; `None` if the weight alone does.
     pub governed_by: Option<Governing>,
+    /// The lowest frequency, Hz, whose resonance the wind does not include, if the word for weight is unknown because of it.
+    pub lacks_resonance_at_hz: Option<f64>,
     /// Whether the word for weight includes wind or static loads.
     pub with_loads: bool,
     /// Whether the word for weight is worse because edges of stones crush.
@@ -100,6 +103,7 @@ impl VersionJudgement {
             variant: variant.map(str::to_owned),
             weight,
             governed_by: None,
+            lacks_resonance_at_hz: None,
             with_loads: false,
             crushes: false,
             falling_share: None,
@@ -242,6 +246,7 @@ pub(super) fn version(
     version.crushes = crushes(state);
     version.falling_share = state.falling_share();
     version.governed_by = governing(state, weight);
+    version.lacks_resonance_at_hz = lacks_resonance_at_hz(state, weight);
     version.demand_source = state.demand.as_ref().map(|demand| {
         let site = &demand.site;
         (site.code().to_owned(), site.return_period_years())
@@ -270,6 +275,14 @@ pub(super) fn version(
     version.basis = Basis::of_checked(project, variant, state);
     version.damage.clone_from(&project.damage);
     version
+}
+
+/// The frequency whose resonance is missing from the wind that makes the word for weight unknown; `None` for another word or reason.
+fn lacks_resonance_at_hz(state: &State, weight: Weight) -> Option<f64> {
+    let is_unknown = matches!(weight, Weight::Unknown { .. });
+    let loads = state.governing_loads().filter(|_| is_unknown)?;
+    let is_borne = loads.worst().is_some_and(|of| of.verdict() != Verdict::Unknown);
+    loads.lacks_resonance_at_hz().filter(|_| is_borne)
 }
 
 /// What governs the word for weight: wind and static loads, or the worse of two directions.

@@ -73,6 +73,11 @@ pub enum MotionRequestError {
         /// The angle, degrees.
         given_deg: f64,
     },
+    /// A rotation of channels whose directions are not given.
+    TurnOfChannels {
+        /// Number of channels.
+        channels: usize,
+    },
     /// A factor for all components that is not positive.
     ScaleTyped {
         /// The factor.

@@ -7,7 +7,7 @@ use super::prepare::{acceleration_m_s2, changed_alone, motion_alone, motion_opti
 use super::request::MotionRequest;
 use crate::error::{Within as _, WorkError};
 use dolmen::signal::{
-    Component, GroundMotion, Noise, PulseShape, SpectralOrdinate, SpectrumMatch, SpectrumMisfit,
+    Component, GroundMotion, Noise, Processing, PulseShape, SpectralOrdinate, SpectrumMatch, SpectrumMisfit,
     intensity_measures, match_spectrum, noise_motion, pulse, pulse_periods_s, response_spectrum,
 };
 use dolmen_records::motions::read_channels;
@@ -106,11 +106,7 @@ pub fn motion(options: &MotionOptions) -> Result<MotionReport, WorkError> {
             peak: None, // its own peak is used
             ..options.request.clone()
         };
-        motions.push(Named {
-            name: Component::X.name().to_owned(),
-            motion: changed_alone(made(wanted, &options.request)?, &told)?,
-            component: Component::X,
-        });
+        motions.extend(moving(&changed_alone(made(wanted, &options.request)?, &told)?));
     } else {
         read(&options.request, &mut report, &mut motions)?;
     }
@@ -155,6 +151,9 @@ fn read(
     let are_told =
         request.channel.is_some() || request.x_azimuth_deg.is_some() || !request.columns.is_empty();
     if channels > 1 && !are_told {
+        if request.turn_deg.is_some() {
+            return Err(MotionRequestError::TurnOfChannels { channels }.into());
+        }
         for (_, found) in &report.files {
             for (number, channel) in found.iter().enumerate() {
                 let name = match channel.name.is_empty() {
@@ -172,18 +171,22 @@ fn read(
         }
         return Ok(());
     }
-    let motion = motion_alone(request)?.motion;
-    for component in Component::ALL
-        .into_iter()
-        .filter(|component| motion.has(*component))
-    {
-        motions.push(Named {
-            name: component.name().to_owned(),
-            motion: motion.clone(),
-            component,
-        });
-    }
+    motions.extend(moving(&motion_alone(request)?.motion));
     Ok(())
+}
+
+/// The components of a motion, without those that a rotation leaves at rest: after a quarter turn, the old axis.
+fn moving(motion: &GroundMotion) -> Vec<Named> {
+    let is_turned = |done: &Processing| matches!(done, Processing::Rotated { .. });
+    let is_turned = motion.history().iter().any(is_turned);
+    let given = Component::ALL.into_iter().filter(|of| motion.has(*of));
+    let shown = given.filter(|of| !is_turned || motion.component_peak_m_s2(*of) > 0.0);
+    let named = shown.map(|component| Named {
+        name: component.name().to_owned(),
+        motion: motion.clone(),
+        component,
+    });
+    named.collect()
 }
 
 fn made(wanted: &MadeMotion, request: &MotionRequest) -> Result<GroundMotion, WorkError> {

@@ -252,12 +252,7 @@ pub fn of_study(name: String, answer: &StudyAnswer, hazard: Option<Hazard>) -> R
         basis: Basis::Study {
             name: answer.study.name.clone(),
             variant: answer.study.variants.first().cloned(),
-            set: answer
-                .study
-                .set
-                .iter()
-                .map(|set| format!("{} = {}", set.path, set.text))
-                .collect(),
+            set: answer.set_shown.clone(),
             scans: only.usable,
             fell_alone: only
                 .states

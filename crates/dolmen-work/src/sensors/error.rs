@@ -31,6 +31,13 @@ pub enum SensorsError {
         /// Asked for.
         given: usize,
     },
+    /// More axes than the model moves along.
+    AxesOfModel {
+        /// Asked for.
+        given: usize,
+        /// Axes along which each place of the model moves.
+        moves: usize,
+    },
     /// Several setups without a reference sensor.
     NoReferences {
         /// Setups.
@@ -72,6 +79,10 @@ sentences! {
         Axes { given } => {
             en: "--axes is {given}, but must be 1, 2 (both horizontal) or 3",
             ko: "--axes가 {given}인데 1, 2(수평 두 방향), 3 가운데 하나여야 한다",
+        },
+        AxesOfModel { given, moves } => {
+            en: "--axes is {given}, but this is more than the axes along which each place of the model moves, {moves}: give --axes {moves}; sensors with more axes stand at the same places",
+            ko: "--axes가 {given}인데 모델의 각 자리가 움직이는 방향의 수 {moves}보다 많다. --axes {moves}을(를) 준다. 축이 더 많은 센서도 같은 자리에 둔다",
         },
         NoReferences { setups } => {
             en: "--setups is {setups}, but no sensor stays: at least one must, better two or three, or the setups cannot be put together; give --references",

@@ -21,7 +21,7 @@ use model::{Model, model};
 pub struct SensorsOptions {
     /// Number of sensors recording together; by default a few, as places allow.
     pub count: Option<usize>,
-    /// Number of axes of each: 1, 2 (both horizontal) or 3.
+    /// Number of axes of each: 1, 2 (both horizontal) or 3, at most those along which the model moves.
     pub axes: usize,
     /// Largest height of a sensor above the ground, m.
     pub up_to_m: Option<f64>,

@@ -28,6 +28,10 @@ pub(super) fn model(project: &Project, wanted: usize, axes: usize) -> Result<Mod
         Structure::Stack(part) => stack(part, wanted)?,
         Structure::Building(part) => building(part, wanted)?,
     };
+    let moves = candidates.iter().map(|of| of.channels.len()).max();
+    if let Some(moves) = moves.filter(|moves| axes > *moves) {
+        return Err(SensorsError::AxesOfModel { given: axes, moves }.into());
+    }
     let (sites, rows) = sites(candidates, axes);
     Ok(Model {
         modes,

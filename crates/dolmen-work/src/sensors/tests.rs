@@ -179,6 +179,10 @@ fn refuses_counts_that_do_not_go_together() {
         .contains("--count is 0")
     );
     assert!(refused(SensorsOptions { axes: 4, ..of() }).contains("--axes is 4"));
+    // a pole moves in one plane, a floor along x and y
+    assert!(refused(SensorsOptions { axes: 2, ..of() }).contains("each place of the model moves, 1:"));
+    let floor = sensors(&example("twisting_floor"), &SensorsOptions { axes: 3, ..of() });
+    assert!(floor.unwrap_err().to_string().contains("give --axes 2;"));
     assert!(refused(SensorsOptions { setups: 2, ..of() }).contains("no sensor stays"));
     assert!(
         refused(SensorsOptions {

@@ -9,7 +9,7 @@ use super::motions::MotionCopy;
 use super::run::{Run, RunOutcome};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
 use super::shaking_measure::ShakingScales;
-use super::shown_inputs::shown_inputs;
+use super::shown_inputs::{shown_inputs, shown_values, with_unit};
 use super::some_runs::DamageInRuns;
 use super::state_before::StateBefore;
 use dolmen::assess::{AssessError, Direction, Reached, Trend, trend};
@@ -43,6 +43,8 @@ pub struct StudyAnswer {
     pub model_damage: Vec<DamageInRuns>,
     /// Units in which random inputs are shown, by path.
     pub drawn_units: BTreeMap<String, Unit>,
+    /// Values that the study sets, as shown: `pagoda.body_height = 3.0 m`.
+    pub set_shown: Vec<String>,
     /// Properties of the file that the runs leave out.
     pub left_out_of_runs: Vec<Both>,
     /// Whether runs have neither damping nor friction.
@@ -153,15 +155,27 @@ impl StudyAnswer {
         let case = self.case(job);
         let several = self.study.variants.len() > 1;
         let mut words: Vec<String> = case.variant.iter().filter(|_| several).cloned().collect();
-        let each = self.inputs.iter().zip(&case.texts);
-        let varied = each.filter(|(input, _)| !input.is_drawn);
-        words.extend(varied.map(|(input, text)| format!("{} = {text}", input.path)));
+        let varied = self.inputs.iter().take_while(|input| !input.is_drawn);
+        let varied: Vec<InputColumn> = varied.cloned().collect();
+        words.extend(shown_inputs(&varied, case, &self.drawn_units));
         words.join(", ")
     }
 
     /// The inputs of a job with their values, as shown: `joints[1].stiffness = 1027 kN·m/rad`.
     pub fn inputs_shown(&self, job: usize) -> Vec<String> {
         shown_inputs(&self.inputs, self.case(job), &self.drawn_units)
+    }
+
+    /// The values of the inputs of a job, as shown.
+    pub fn values_shown(&self, job: usize) -> Vec<String> {
+        shown_values(&self.inputs, self.case(job), &self.drawn_units)
+    }
+
+    /// The value of a level: as written, a bare number with its unit.
+    pub fn level_shown(&self, level: &LevelRow) -> String {
+        let input = level.input.and_then(|input| self.inputs.get(input));
+        let units = input.map_or(&[][..], |input| &input.written_units);
+        with_unit(&level.text, level.value, units)
     }
 
     /// The sample of a job, from 0.

@@ -9,6 +9,8 @@ pub struct InputColumn {
     pub column: String,
     /// Its SI unit; empty without one.
     pub unit: String,
+    /// Units of its values in the file, each with its size in SI; the SI unit last.
+    pub written_units: Vec<(String, f64)>,
     /// Whether its values are numbers.
     pub is_number: bool,
     /// Whether it is random, not varied.

@@ -1,6 +1,7 @@
 //! Inputs of the cases: varied values, random values, and their columns.
 
 use super::input_columns::{CaseInputs, InputColumn};
+use super::shown_inputs::{bare_number, with_unit};
 use crate::error::WorkError;
 use dolmen::numeric::Random;
 use dolmen_project::{ModelDamage, Override, Project, Quantity, StudyPart};
@@ -61,6 +62,10 @@ pub(super) struct ReadCombination {
     pub(super) samples: Vec<Drawn>,
     /// Value and SI unit of each varied input that is a quantity.
     pub(super) values: Vec<Option<(f64, &'static str)>>,
+    /// Unit of each varied input in the file, with its size in SI.
+    pub(super) written: Vec<Option<(String, f64)>>,
+    /// Value and units of each input that the study sets.
+    pub(super) set: Vec<Option<SetValue>>,
 }
 
 impl ReadCombination {
@@ -76,6 +81,49 @@ pub(super) fn value_at(project: Option<&Project>, path: &str) -> Option<(f64, &'
     Some((quantity.value, quantity.unit))
 }
 
+/// A value that a study sets.
+pub(super) struct SetValue {
+    value: f64,
+    /// Its unit in the file and its SI unit, each with its size in SI.
+    units: Vec<(String, f64)>,
+}
+
+impl SetValue {
+    /// The value at a path; `None` if it is no quantity.
+    fn at(project: Option<&Project>, path: &str) -> Option<Self> {
+        let quantity = project?.input(path)?;
+        let si = (quantity.unit.to_owned(), 1.0);
+        Some(SetValue {
+            value: quantity.value,
+            units: quantity.written_unit().into_iter().chain([si]).collect(),
+        })
+    }
+}
+
+/// Values and units of the inputs that a study sets.
+pub(super) fn set_values(study: &StudyPart, project: Option<&Project>) -> Vec<Option<SetValue>> {
+    let each = study.set.iter().map(|set| SetValue::at(project, &set.path));
+    each.collect()
+}
+
+/// Units of the varied inputs in the file, each with its size in SI.
+pub(super) fn written_units(study: &StudyPart, project: Option<&Project>) -> Vec<Option<(String, f64)>> {
+    let each = study.vary.iter();
+    each.map(|axis| project?.input(&axis.path)?.written_unit())
+        .collect()
+}
+
+/// "pagoda.body_height = 3.0 m": the values that a study sets, as shown.
+pub(super) fn set_shown(study: &StudyPart, read: &[ReadCombination]) -> Vec<String> {
+    let each = study.set.iter().enumerate().map(|(index, set)| {
+        let found = read.iter().find_map(|read| read.set.get(index)?.as_ref());
+        let units = found.map_or(&[][..], |of| &of.units);
+        let text = with_unit(&set.text, found.map(|of| of.value), units);
+        format!("{} = {text}", set.path)
+    });
+    each.collect()
+}
+
 /// The columns of the inputs: varied ones, then random ones.
 pub(super) fn input_columns(study: &StudyPart, read: &[ReadCombination]) -> Vec<InputColumn> {
     let mut columns = Vec::new();
@@ -84,7 +132,15 @@ pub(super) fn input_columns(study: &StudyPart, read: &[ReadCombination]) -> Vec<
             .iter()
             .find_map(|read| Some(read.values.get(index).copied()??.1));
         let is_number = unit.is_some() || axis.values.iter().all(|value| bare_number(&value.text).is_some());
-        columns.push(column(&axis.path, unit.unwrap_or_default(), is_number, false));
+        let own = column(&axis.path, unit.unwrap_or_default(), is_number, false);
+        let mut written_units: Vec<(String, f64)> = Vec::new();
+        let written = read.iter().filter_map(|read| read.written.get(index)?.clone());
+        for unit in written.chain([(own.unit.clone(), 1.0)]) {
+            if !written_units.contains(&unit) {
+                written_units.push(unit);
+            }
+        }
+        columns.push(InputColumn { written_units, ..own });
     }
     let mut drawn: Vec<&str> = Vec::new();
     for (path, unit, _) in read
@@ -143,13 +199,10 @@ fn column(path: &str, unit: &str, is_number: bool, is_drawn: bool) -> InputColum
             format!("{drawn}{name}_{unit_text}")
         },
         unit: unit.to_owned(),
+        written_units: Vec::new(),
         is_number,
         is_drawn,
     }
-}
-
-fn bare_number(text: &str) -> Option<f64> {
-    text.trim().replace('_', "").parse().ok()
 }
 
 /// The inputs of one case in the order of the columns.

@@ -6,7 +6,10 @@ use super::earthquake_of::EarthquakeOf;
 use super::error::StudyError;
 use super::fitted::Fitted;
 use super::input_columns::{CaseInputs, InputColumn};
-use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, drawn_units, input_columns, value_at};
+use super::inputs::{
+    Drawn, ReadCombination, case_inputs, drawn, drawn_units, input_columns, set_shown, set_values, value_at,
+    written_units,
+};
 use super::journal::JournalHeader;
 use super::kind::StudyKind;
 use super::model::is_undamped;
@@ -63,6 +66,8 @@ pub struct Plan<'o> {
     damage: Vec<DamageInRuns>,
     /// Units in which random inputs are shown.
     pub(super) drawn_units: BTreeMap<String, Unit>,
+    /// Values that the study sets, as shown.
+    set_shown: Vec<String>,
     /// Whether runs of a combination have neither damping nor friction.
     is_undamped: bool,
     fingerprints: Vec<(String, String)>,
@@ -109,6 +114,7 @@ impl<'o> Plan<'o> {
             held: Vec::new(),
             damage: Vec::new(),
             drawn_units: BTreeMap::new(),
+            set_shown: Vec::new(),
             is_undamped: false,
             fingerprints: Vec::new(),
         };
@@ -164,6 +170,8 @@ impl<'o> Plan<'o> {
                         .is_some_and(|project| is_undamped(self.study, project)),
                     samples: (0..samples).map(draw).collect::<Result<_, WorkError>>()?,
                     values: self.study.vary.iter().enumerate().map(value).collect(),
+                    written: written_units(self.study, project.as_ref()),
+                    set: set_values(self.study, project.as_ref()),
                 })
             })
             .collect::<Result<_, WorkError>>()?;
@@ -181,6 +189,7 @@ impl<'o> Plan<'o> {
         let damage: Vec<_> = read.iter().map(|read| read.of_runs(&read.damage)).collect();
         self.damage = damage_in_runs(self.study, &damage);
         self.drawn_units = drawn_units(&self.inputs, &read);
+        self.set_shown = set_shown(self.study, &read);
         for (combination, read) in read.iter().enumerate() {
             let (variant, values) = self.study.combination(combination);
             let cases = read
@@ -409,6 +418,7 @@ impl<'o> Plan<'o> {
             notes: self.notes(),
             model_damage: self.damage.clone(),
             drawn_units: self.drawn_units.clone(),
+            set_shown: self.set_shown.clone(),
             left_out_of_runs: self.left_out.clone(),
             is_undamped: self.is_undamped,
             copies: copies(&self.motions),

@@ -58,6 +58,10 @@ sentences! {
             en: "--turn is {given_deg}°, but must be -360° to 360°: from x towards y",
             ko: "--turn이 {given_deg}°인데 -360°~360°이어야 한다. x에서 y 쪽으로 돌린다",
         },
+        TurnOfChannels { channels } => {
+            en: "--turn rotates x towards y, but the directions of the {channels} channels are not given: name them with --columns x=…,y=…, or take one with --channel",
+            ko: "--turn은 x에서 y 쪽으로 돌리는데 채널 {channels}개의 방향이 주어지지 않았다. --columns x=…,y=…로 지정하거나 --channel로 하나를 고른다",
+        },
         PeakTyped { given } => {
             en: "--peak is {given}, but must be above 0, and of a motion that acts at most 10 g: 0.3g",
             ko: "--peak가 {given}인데 0보다 커야 하고, 구조물에 작용하려면 10 g 이하이어야 한다. 예: 0.3g",
