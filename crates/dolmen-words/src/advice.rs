@@ -202,9 +202,10 @@ impl Advice for Note {
             Self::FilteredAbove { .. } => says(Advised::LowerDecimation),
             Self::ClockDrift { .. } => says(Advised::GiveRates),
             Self::LateClocks { .. } | Self::EitherLate { .. } => says(Advised::AddDelays),
-            Self::InSpells { .. } | Self::Narrow { .. } | Self::Wandering { removed: true, .. } => {
-                says(Advised::Accept)
-            }
+            Self::InSpells { .. }
+            | Self::Clipping { .. }
+            | Self::Narrow { .. }
+            | Self::Wandering { removed: true, .. } => says(Advised::Accept),
             Self::PeaksWithoutMode { peaks } if peaks.iter().any(|of| of.refusal.is_some()) => {
                 says(Advised::Accept)
             }

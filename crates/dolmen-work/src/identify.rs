@@ -23,7 +23,7 @@ use dolmen::modal::{
     During, Identify, MergeSetups, Method, ModalAnalysis, Modes, Part, StrongMotion, doubt_sensors,
     identify as modes_of, is_of_one_state, joint_setups, merge_setups, strong_motion,
 };
-use dolmen::signal::{Record, cut};
+use dolmen::signal::{Record, clipped_channels, cut};
 use dolmen::structure::{StiffnessNote, directional_modes};
 use dolmen_project::{
     Conditioning, EarthquakePart, Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey,
@@ -340,7 +340,10 @@ pub(crate) fn of_opened(
 ) -> Result<(RecordAnswer, Record), WorkError> {
     let file = source.file.clone();
     progress.begin(&Stage::Identifying { file });
-    let options = options(source, opened.record.channels())?;
+    let options = Identify {
+        clipped: clipped_channels(&opened.faults, opened.samples),
+        ..options(source, opened.record.channels())?
+    };
     let asked = drawn(source.modal.spectrogram.as_ref(), opened.record.channels());
     let asked = asked.within(|| source.file.clone())?;
     // if no shaking was found in the record as read, these are the same samples again

@@ -344,6 +344,7 @@ fn reason(refusal: Option<Refusal>) -> &'static str {
         Some(Refusal::Machine) => "machine",
         Some(Refusal::Narrow { .. }) => "narrow",
         Some(Refusal::InSpells) => "in spells",
+        Some(Refusal::Clipping) => "clipping",
     }
 }
 

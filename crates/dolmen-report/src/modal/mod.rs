@@ -1,6 +1,7 @@
 //! Answers about records and modes: findings, and the sections of records, setups and free decays.
 
 mod beside_model;
+mod clipped;
 mod clocks;
 mod decay;
 mod decay_remarks;
@@ -45,7 +46,7 @@ messages! {
 }
 
 /// Templates of the sentences on records.
-pub(crate) const TEMPLATES: [&[Template]; 21] = [
+pub(crate) const TEMPLATES: [&[Template]; 22] = [
     findings::Found::TEMPLATES,
     Of::TEMPLATES,
     beside_model::Beside::TEMPLATES,
@@ -60,6 +61,7 @@ pub(crate) const TEMPLATES: [&[Template]; 21] = [
     seen::Seen::TEMPLATES,
     steady::Steady::TEMPLATES,
     clocks::Clocks::TEMPLATES,
+    clipped::Clipped::TEMPLATES,
     decay::Decays::TEMPLATES,
     decay_remarks::Remarks::TEMPLATES,
     driven::Drivens::TEMPLATES,

@@ -1,5 +1,6 @@
 //! Notes on the modes of a record.
 
+use super::clipped::from_clipping_words;
 use super::clocks::{Clocks, drifting, late};
 use super::faults::fault_words;
 use super::refused::refused_words;
@@ -61,6 +62,10 @@ messages! {
         InSpellsAndMore { modes: Vec<Sentence>, more: usize, first: Quantity } => {
             en: "Left out, since nothing stands there while the structure is quiet: {modes}, and {more} more. Footsteps, other blows that follow each other, or a machine that ran for a while. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
             ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes} 외 {more}개. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
+        },
+        Clipping { modes: Vec<Sentence>, first: Quantity } => {
+            en: "Left out, since the clipping of a channel makes them: {modes}. A clipped signal also contains sums and differences of the frequencies of the structure, and no other channel shows these. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
+            ko: "채널의 포화가 만든 것이므로 모드에서 제외하였다: {modes}. 포화된 신호에는 구조물 진동수의 합과 차도 나타나며, 다른 채널에는 없다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
         },
         NoDamping { at: Values } => {
             en: "No damping ratio is given for the peaks at {at}: another mode cuts their sides, they decay too fast to fit, or what decays has another frequency than the peak; the subspace methods tell close modes apart.",
@@ -217,6 +222,10 @@ pub(super) fn note_words(note: &Note) -> Sentence {
         }
         Note::InSpells { modes } => Notes::InSpells {
             modes: modes.iter().map(in_spells_words).collect(),
+            first: first_of(modes.first().map(|of| of.frequency_hz)),
+        },
+        Note::Clipping { modes } => Notes::Clipping {
+            modes: modes.iter().map(from_clipping_words).collect(),
             first: first_of(modes.first().map(|of| of.frequency_hz)),
         },
         Note::NoDamping { frequency_hz } => Notes::NoDamping {

@@ -49,6 +49,7 @@ messages! {
             en: "{at} (nothing stands there while the structure is quiet)",
             ko: "{at}(구조물이 조용한 동안에는 나타나지 않는다)",
         },
+        Clipping { at: Quantity } => { en: "{at} (the clipping of a channel makes it)", ko: "{at}(채널의 포화가 만든 것)" },
         Machine { at: Quantity } => { en: "{at} (a machine)", ko: "{at}(기계 진동)" },
     }
 }
@@ -103,6 +104,7 @@ pub(super) fn refused_words(peak: &RefusedPeak) -> Sentence {
             least: percent(least, 3),
         },
         Some(Refusal::InSpells) => Refused::InSpells { at },
+        Some(Refusal::Clipping) => Refused::Clipping { at },
     }
     .into()
 }

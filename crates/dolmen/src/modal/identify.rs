@@ -7,6 +7,7 @@ use super::driven::of_driven;
 use super::likelihood::refined;
 use super::modal_analysis::{ModalAnalysis, of_peaks};
 use super::options::Identify;
+use super::quality::leave_out_clipped;
 use super::quality::leave_out_other_clocks;
 use super::quality::leave_out_spells;
 use super::quality::note_hidden_pairs;
@@ -26,7 +27,7 @@ use super::spectrum::{REFERENCES_LEAST, keeping_most, least_of_wide};
 use super::subspace::{AllOrders, Deviations};
 use super::subspace::{ssi_cov, ssi_data};
 use super::{Method, ModalError, Modes, Note, Propagation, Refusal};
-use crate::signal::{Record, leave_out};
+use crate::signal::{ChannelFault, ClippedChannel, Record, clipped_channels, leave_out};
 
 /// Modes of an ambient record, without user interaction: spectrum, a subspace method at all orders, clusters. Some values of
 /// `method` use only the peaks of the spectrum.
@@ -88,6 +89,14 @@ fn of_ambient(
         let before = analysis.modes.modes.clone();
         leave_out_spells(record, &mut analysis.modes, &mut notes);
         refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::InSpells));
+        let before = analysis.modes.modes.clone();
+        leave_out_clipped(
+            record,
+            &clipped(record, options, &notes),
+            &mut analysis.modes,
+            &mut notes,
+        )?;
+        refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::Clipping));
         leave_out_other_clocks(record, &mut analysis.modes, &mut notes);
         if let Some(alone) = of_one_clock(record, options, &analysis.modes, &notes) {
             return Ok(alone);
@@ -132,6 +141,22 @@ fn of_ambient(
     notes.extend(of_channels);
     analysis.notes = notes;
     Ok(analysis)
+}
+
+/// The channels that are clipped in the record, or were before it was conditioned.
+fn clipped(record: &Record, options: &Identify, notes: &[Note]) -> Vec<ClippedChannel> {
+    let faults: Vec<ChannelFault> = notes
+        .iter()
+        .filter_map(|note| match note {
+            Note::Channel(fault) => Some(fault.clone()),
+            _ => None,
+        })
+        .collect();
+    let mut all = options.clipped.clone();
+    let mut seen = clipped_channels(&faults, record.length());
+    seen.retain(|of| all.iter().all(|known| known.channel != of.channel));
+    all.extend(seen);
+    all
 }
 
 /// Identification with only the channels of one clock, if others were left out: their phases would split or destroy a mode.

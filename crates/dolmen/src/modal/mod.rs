@@ -41,7 +41,7 @@ pub use modes::{Method, Mode, Modes};
 pub use noted::{LateClock, ShapeQuantity, Tone, ToneOnMode};
 pub use notes::Note;
 pub use options::{Harmonics, Identify};
-pub use quality::{InSpells, Kurtosis, Wander, band_kurtosis};
+pub use quality::{FromClipping, InSpells, Kurtosis, Wander, band_kurtosis};
 pub use refusal::{Accepted, Refusal, RefusedPeak};
 pub use sensor_placement::{PlacedSensors, SensorPlacement};
 pub use sensors::{SensorDoubt, doubt_sensors};

@@ -2,7 +2,7 @@
 
 use super::noted::{LateClock, ShapeQuantity, Tone, ToneOnMode};
 use super::subspace::HANKEL_ROWS_MOST;
-use super::{InSpells, Kurtosis, RefusedPeak, Wander};
+use super::{FromClipping, InSpells, Kurtosis, RefusedPeak, Wander};
 use crate::signal::ChannelFault;
 
 /// A note on the modes.
@@ -59,6 +59,11 @@ pub enum Note {
     InSpells {
         /// The modes.
         modes: Vec<InSpells>,
+    },
+    /// Modes left out because the clipping of a channel creates them.
+    Clipping {
+        /// The modes.
+        modes: Vec<FromClipping>,
     },
     /// Peaks without a damping ratio: neighbouring modes cut them off, or their decay is too short.
     NoDamping {
@@ -272,6 +277,14 @@ impl std::fmt::Display for Note {
                     f,
                     "the motion at {} wanders as under no random forces, which change its strength and its phase alike: machines whose speed or \
                      strength wanders, {what}",
+                    all.join(", ")
+                )
+            }
+            Note::Clipping { modes } => {
+                let all: Vec<String> = modes.iter().map(ToString::to_string).collect();
+                write!(
+                    f,
+                    "left out, since the clipping of a channel makes them, and no other channel shows them: {}",
                     all.join(", ")
                 )
             }

@@ -4,6 +4,7 @@ use super::modes::Method;
 use super::spectrum::Fdd;
 use super::subspace::Clustering;
 use super::subspace::Criteria;
+use crate::signal::ClippedChannel;
 
 /// Treatment of a mode that looks like a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,6 +51,8 @@ pub struct Identify {
     /// Largest relative distance between such a frequency and the refused candidate; default 0.03, the largest distance between a peak and its
     /// mode.
     pub accept_within: f64,
+    /// Channels that were clipped before the record was filtered or decimated; those that are clipped in the record itself are found.
+    pub clipped: Vec<ClippedChannel>,
     /// Treatment of a mode whose amplitude is too steady for random forces; default `Flag`.
     pub harmonics: Harmonics,
     /// Options of the spectrum, which is computed first.
@@ -77,6 +80,7 @@ impl Default for Identify {
             pick_within: 0.02,
             accept_hz: Vec::new(),
             accept_within: 0.03,
+            clipped: Vec::new(),
             harmonics: Harmonics::Flag,
             fdd: Fdd::default(),
             criteria: Criteria::default(),

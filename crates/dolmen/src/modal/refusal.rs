@@ -58,6 +58,8 @@ pub enum Refusal {
     },
     /// The peak disappears while the structure is quiet.
     InSpells,
+    /// The clipping of a channel creates the mode.
+    Clipping,
 }
 
 /// A mode that the user requested although no test found it.
@@ -128,6 +130,7 @@ impl std::fmt::Display for RefusedPeak {
                 " (narrower or steadier than a mode with a damping ratio of {:.3} %)",
                 100.0 * least
             ),
+            Some(Refusal::Clipping) => write!(f, " (the clipping of a channel makes it)"),
             Some(Refusal::InSpells) => write!(f, " (nothing stands there while the structure is quiet)"),
         }
     }

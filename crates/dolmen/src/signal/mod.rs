@@ -2,6 +2,7 @@
 
 mod at_rest;
 mod baseline;
+mod clipped;
 mod cut;
 mod decimate;
 mod detrend;
@@ -33,6 +34,7 @@ mod spectrogram;
 mod spectrum_match;
 
 pub use baseline::Baseline;
+pub use clipped::{ClippedChannel, clipped_channels};
 pub use cut::cut;
 pub(crate) use decimate::CORNER_OF_NYQUIST;
 pub use decimate::decimate;

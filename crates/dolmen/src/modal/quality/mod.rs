@@ -1,7 +1,9 @@
-//! Checks of a record and its modes: machines, clocks, sensors, gusts, pairs of modes under one peak.
+//! Checks of a record and its modes: machines, clocks, sensors, clipping, gusts, pairs of modes under one peak.
 
+mod clipping;
 mod clocks;
 mod crest_phases;
+mod from_clipping;
 mod gusts;
 mod harmonics;
 mod hidden_pairs;
@@ -15,7 +17,9 @@ mod shape_checks;
 mod spells;
 mod wander;
 
+pub(super) use clipping::leave_out_clipped;
 pub(super) use clocks::leave_out_other_clocks;
+pub use from_clipping::FromClipping;
 pub(super) use gusts::{unequal, widen};
 pub use harmonics::{Kurtosis, band_kurtosis};
 pub(super) use hidden_pairs::note_hidden_pairs;

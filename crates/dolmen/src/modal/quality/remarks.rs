@@ -6,9 +6,10 @@ use crate::modal::{Method, Mode, Modes, Note, Refusal, RefusedPeak};
 pub(super) const USUAL_LEAST: f64 = 0.002;
 
 /// Frequencies for which another note already gives the reason.
-fn in_spells_hz(note: &Note) -> Vec<f64> {
+fn told_hz(note: &Note) -> Vec<f64> {
     match note {
         Note::InSpells { modes } => modes.iter().map(|mode| mode.frequency_hz).collect(),
+        Note::Clipping { modes } => modes.iter().map(|mode| mode.frequency_hz).collect(),
         _ => Vec::new(),
     }
 }
@@ -22,8 +23,8 @@ pub(crate) fn remark(
 ) {
     const DAMPING_FLOOR: f64 = 0.3; // relative: a damping ratio known worse is a guess
     let picked_away = |peak: &Mode| not_picked_hz.iter().any(|hz| near(*hz, peak.frequency_hz));
-    let in_spells: Vec<f64> = notes.iter().flat_map(in_spells_hz).collect();
-    let is_told = |peak: &Mode| in_spells.iter().any(|hz| near(*hz, peak.frequency_hz));
+    let told_hz: Vec<f64> = notes.iter().flat_map(told_hz).collect();
+    let is_told = |peak: &Mode| told_hz.iter().any(|hz| near(*hz, peak.frequency_hz));
     let peaks: Vec<RefusedPeak> = peaks
         .modes
         .iter()

@@ -120,7 +120,7 @@ pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
 
 impl Fdd {
     /// Number of spectral lines for this record; checks all options.
-    pub(super) fn lines_of(&self, record: &Record) -> Result<usize, ModalError> {
+    pub(crate) fn lines_of(&self, record: &Record) -> Result<usize, ModalError> {
         if !(self.prominence_db > 0.0 && self.prominence_db.is_finite()) {
             return refused("prominence_db", self.prominence_db, "a positive number");
         }

@@ -18,4 +18,4 @@ pub(super) use fraction_deviation::FractionScatter;
 pub use plscf::{MatrixFraction, plscf};
 pub use plscf_options::Plscf;
 pub(super) use reference_channels::{REFERENCES_LEAST, keeping_most, least_of_wide};
-pub(super) use spectral_matrices::SpectralMatrices;
+pub(super) use spectral_matrices::{SpectralMatrices, parzen};

@@ -96,7 +96,21 @@ impl SpectralMatrices {
         })
     }
 
-    pub(super) fn at(&self, line: usize) -> ComplexMatrix {
+    /// Number of the last line, at half the sampling rate.
+    pub(crate) fn lines(&self) -> usize {
+        self.lines
+    }
+
+    /// Density of one channel at a line.
+    pub(crate) fn power(&self, channel: usize, line: usize) -> f64 {
+        let at = pair(channel, channel) * (self.lines + 1) + line;
+        match &self.pairs {
+            Pairs::Wide(pairs) => pairs[at].re,
+            Pairs::Narrow(pairs) => pairs[at].re.into(),
+        }
+    }
+
+    pub(crate) fn at(&self, line: usize) -> ComplexMatrix {
         let mut whole = ComplexMatrix::zeros(self.channels, self.channels);
         self.lower_into(line, &mut whole);
         for j in 0..self.channels {
@@ -148,7 +162,7 @@ fn pair(i: usize, j: usize) -> usize {
 }
 
 /// Parzen's lag window at x = lag over the longest lag, 0 to 1.
-pub(super) fn parzen(x: f64) -> f64 {
+pub(crate) fn parzen(x: f64) -> f64 {
     if x <= 0.5 {
         1.0 - 6.0 * x * x * (1.0 - x)
     } else {
