@@ -90,6 +90,7 @@ messages! {
             ko: "{word}({part} 여유 공간/행정 {ratio})",
         },
         WordTie(word: Both) => { en: "{word} (a tie broke)", ko: "{word}(결속재 파단)" },
+        WordCrushes(word: Both) => { en: "{word} (stone crushes)", ko: "{word}(석재 압괴)" },
         WordNoLimit(word: Both) => { en: "{word} (no limit is known)", ko: "{word}(판정 기준 없음)" },
         WordNoResponse(word: Both) => {
             en: "{word} (the response to this spectrum is not computed)",
@@ -424,6 +425,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
             all: *all,
         },
         (DecidedBy::Strength, _) => Headline::WordTie(word),
+        (DecidedBy::Crushing, _) => Headline::WordCrushes(word),
         (DecidedBy::NoLimit, _) => Headline::WordNoLimit(word),
         (DecidedBy::NoResponse, _) => Headline::WordNoResponse(word),
         (DecidedBy::BedUnknown, _) => Headline::WordNoBed {

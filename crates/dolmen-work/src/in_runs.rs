@@ -12,8 +12,6 @@ pub(crate) struct LeftOutOfRuns {
     pub(crate) wind: bool,
     /// Forces and moments of static loads on a chain, frame or building; for a stack they act.
     pub(crate) forces: bool,
-    /// Crushing of the edges of a stack.
-    pub(crate) crushing: bool,
     /// Stones of a stack whose beds have lost stiffness, which the rigid law does not include.
     pub(crate) loosened: Vec<String>,
     /// A surveyed tilt.
@@ -28,7 +26,6 @@ impl LeftOutOfRuns {
                 project.structure,
                 Structure::Chain(_) | Structure::Frame(_) | Structure::Building(_)
             ) && project.loads.loads.iter().any(LoadPart::pushes),
-            crushing: matches!(&project.structure, Structure::Stack(part) if part.crushes()),
             loosened: match &project.structure {
                 Structure::Stack(part) => part.loosened_beds.iter().map(|bed| bed.block.clone()).collect(),
                 _ => Vec::new(),
@@ -54,7 +51,6 @@ impl LeftOutOfRuns {
         let all = [
             self.wind.then_some(OfRuns::WindLeftOut),
             self.forces.then_some(OfRuns::ForcesLeftOut),
-            self.crushing.then_some(OfRuns::CrushingLeftOut),
             (is_rigid && !self.loosened.is_empty()).then(|| OfRuns::LoosenedLeftOut(self.loosened.clone())),
             tilt,
         ];

@@ -102,17 +102,59 @@ fn exact_loads_find_the_same_lever_and_the_answer_gives_the_factor_without_crush
 }
 
 #[test]
-fn holds_a_run_says_that_it_crushes_nothing_and_how_deep_the_edge_would() {
+fn holds_a_run_names_the_joint_that_crushes_with_time_force_and_factor() {
     let scratch = scratch("crushing-run", &pillar(", strength = \"0.4 MPa\"", ""));
-    let words = scratch
-        .briefly("simulate project.toml --motion el-centro-1940-ns --law rigid --repeats 1")
-        .words();
-    assert!(words.contains("Edges crush where stones rock: with a compressive strength of 0.400 MPa, 'pillar' on 'ground' turns about a line 38"), "{words}");
-    assert!(words.contains("crushes nothing: not on the safe side"), "{words}");
-    // nothing rocks, so nothing is reported
-    let still = "simulate project.toml --motion el-centro-1940-ns --peak 0.02g --law rigid --repeats 1";
-    let words = scratch.briefly(still).words();
-    assert!(!words.contains("Edges crush"), "{words}");
+    for law in ["rigid", "springs"] {
+        let run = format!("simulate project.toml --motion el-centro-1940-ns --law {law} --repeats 1");
+        let words = scratch.briefly(&run).words();
+        assert!(
+            words.contains("The stone crushes between 'pillar' and 'ground': at "),
+            "{words}"
+        );
+        assert!(words.contains("with a strength of 0.400 MPa"), "{words}");
+        assert!(
+            scratch
+                .briefly(&format!("{run} --full"))
+                .words()
+                .contains("bearable")
+        );
+        let found = json(&scratch, &run);
+        let bearing = &found["joints"][0]["bearing"];
+        let at = |key: &str| bearing[key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"));
+        assert!(bearing["crushes"] == true && at("ratio") >= 1.0, "{bearing}");
+        assert!(
+            (at("ratio") * at("bears_n") / at("force_n") - 1.0).abs() < 1e-12,
+            "{bearing}"
+        );
+        let korean = scratch.briefly(&format!("{run} --language ko")).words();
+        assert!(
+            korean.contains("‘pillar’와 ‘지반’ 사이의 석재가 압괴한다"),
+            "{korean}"
+        );
+        // under little shaking no edge crushes, and without a strength nothing is compared
+        let still = format!("{run} --peak 0.02g --full");
+        let words = scratch.briefly(&still).words();
+        assert!(
+            words.contains("No edge crushes: the most loaded bed, of 'pillar' on 'ground', bears 0."),
+            "{words}"
+        );
+        assert!(!words.contains("(stone crushes)"), "{words}");
+    }
+    let bare = Scratch::new("no-crushing-run");
+    fs::write(bare.path().join("project.toml"), pillar("", "")).unwrap();
+    let run = "simulate project.toml --motion el-centro-1940-ns --law springs --repeats 1";
+    assert!(json(&bare, run)["joints"][0]["bearing"].is_null());
+    assert!(!bare.briefly(&format!("{run} --full")).words().contains("crush"));
+}
+
+#[test]
+fn holds_a_joint_that_only_crushes_makes_the_judgement_amber() {
+    // the pressure at rest is 0.5 of the strength, and the pillar rocks by less than a millimetre
+    let scratch = scratch("crushing-amber", &pillar(", strength = \"0.125 MPa\"", ""));
+    let answer = scratch
+        .briefly("simulate project.toml --motion el-centro-1940-ns --peak 0.12g --law springs --repeats 1");
+    let words = answer.words();
+    assert!(words.contains("near demand (stone crushes)"), "{words}");
 }
 
 #[test]

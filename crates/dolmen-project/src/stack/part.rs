@@ -347,15 +347,6 @@ impl StackPart {
         is_measured(&self.joint) == Some(true) && own.all(|bed| is_measured(bed) != Some(false))
     }
 
-    /// Whether the file gives a joint a compressive strength.
-    pub fn crushes(&self) -> bool {
-        let blocks = self.blocks.iter().map(|block| &block.joint);
-        let own = blocks.chain(self.contacts.iter().map(|contact| &contact.joint));
-        std::iter::once(&self.joint)
-            .chain(own)
-            .any(|bed| bed.strength.is_some())
-    }
-
     /// The properties that neither `joint` nor every block gives, for which Dolmen's defaults are used; all of them are assumed.
     pub fn joint_defaults(&self) -> JointDefaults {
         let is_given = |key: fn(&BedPart) -> &Option<Quantity>| {

@@ -5,7 +5,7 @@ use super::stack::lean;
 use super::with::with;
 use crate::as_json;
 use crate::stack_simulation::points_a_side;
-use dolmen::blocks::{Outcome, SlidingOutcome, StackHistory};
+use dolmen::blocks::{Outcome, PeakBearing, SlidingOutcome, StackHistory};
 use dolmen::signal::Component;
 use dolmen::structure::stack::{Body, Stack};
 use dolmen_work::judgement::judge_stack_run;
@@ -230,9 +230,22 @@ fn joints(simulation: &StackSimulation) -> Vec<Value> {
             "residual_opening_m": joint.opening_m.last(),
             "residual_slip_m": joint.residual_slip_m(),
             "residual_yaw_rad": joint.residual_yaw_rad(),
+            "bearing": joint.bearing.map(bearing),
         })
     })
     .collect()
+}
+
+/// The largest load of a joint relative to what its bed bears.
+fn bearing(of: PeakBearing) -> Value {
+    as_json!({
+        "ratio": of.ratio,
+        "crushes": of.crushes(),
+        "at_s": of.at_s,
+        "force_n": of.force_n,
+        "bears_n": of.bears_n,
+        "place_m": of.place_m,
+    })
 }
 
 fn blocks(simulation: &StackSimulation) -> Vec<Value> {

@@ -36,14 +36,6 @@ messages! {
             en: "Joints drawn with a gap are taken as closed: {widest}, the widest of {joints}.",
             ko: "간격을 두고 입력한 접합면을 닫힌 것으로 보았다: {widest}, {joints}개 중 가장 넓은 것.",
         },
-        EdgesCrush { upper: String, lower: Sentence, strength: Quantity, depth: Quantity } => {
-            en: "Edges crush where stones rock: with a compressive strength of {strength}, '{upper}' on '{lower}' turns about a line {depth} inside its edge, under the weight above alone. The run turns it about the edge itself and crushes nothing: not on the safe side.",
-            ko: "로킹하는 석재의 모서리는 압괴한다. 압축강도 {strength}에서 ‘{lower}’ 위의 ‘{upper}’은(는) 상부 자중만으로도 모서리에서 {depth} 안쪽의 선을 중심으로 회전한다. 이 해석은 압괴 없이 모서리를 중심으로 회전하는 것으로 보았다(불안전측).",
-        },
-        EdgesCrushSomewhere { strength: Quantity } => {
-            en: "Edges crush where stones rock, at a compressive strength of {strength}. The run turns stones about their edges and crushes nothing: not on the safe side.",
-            ko: "로킹하는 석재의 모서리는 압축강도 {strength}에서 압괴한다. 이 해석은 압괴 없이 모서리를 중심으로 회전하는 것으로 보았다(불안전측).",
-        },
         Unseen { stones: Vec<String> } => {
             en: "Rigid joints have no stiffness: with them the loss of stiffness in the beds below {stones}, which inspections found, changes nothing.",
             ko: "강체 접촉 해석에는 접합면 강성이 없으므로 점검에서 확인된 {stones} 하부 접합면의 강성 저하는 이 해석 결과에 나타나지 않는다.",

@@ -1,11 +1,10 @@
 //! Conclusions from a simulated stack.
 
-use super::ending::{Ending, lower_words};
+use super::ending::Ending;
 use super::run::{Run, made_too_much};
-use super::{laws, repeats, sliding};
+use super::{crushing, laws, repeats, sliding};
 use crate::document::{Finding, Tone};
-use crate::simulated::millimetres;
-use crate::stack::{lean, megapascals, widest};
+use crate::stack::{lean, widest};
 use dolmen::assess::DamageState;
 use dolmen::blocks::{ContactLaw, Outcome, StackHistory};
 use dolmen::signal::Component;
@@ -60,7 +59,8 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     if !simulation.stack.support_movements().is_empty() {
         all.push(Finding::key(Tone::Warn, Ending::SupportsAsDrawn));
     }
-    all.extend(crushing(runs));
+    let histories: Vec<&StackHistory> = runs.each().map(|run| &run.history).collect();
+    all.extend(crushing::findings(&simulation.stack, &histories));
     let is_rigid = |run: &StackSimulation| matches!(run.law, ContactLaw::Rigid(_));
     if !simulation.loosened.is_empty() && runs.each().any(is_rigid) {
         let stones = simulation.loosened.clone();
@@ -87,44 +87,6 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
         });
     }
     all
-}
-
-/// Crushing of edges: among the joints of finite strength that opened in a run, the one that crushes deepest.
-fn crushing(runs: &StackRuns) -> Option<Finding> {
-    let simulation = &runs.deciding;
-    let stack = &simulation.stack;
-    let opened = |joint: usize| {
-        let mut histories = runs.each().filter_map(|run| run.history.joints.get(joint));
-        histories.any(|of| of.peak_opening_m > StackHistory::UPLIFT_LEAST_M)
-    };
-    let crushes = |joint: usize| stack.joints()[joint].material.compressive_strength_pa;
-    let rocking = (0..stack.joints().len()).filter(|&joint| opened(joint) && crushes(joint).is_some());
-    let strength = |joint: usize| megapascals(crushes(joint).unwrap_or_default());
-    let deepest = rocking
-        .map(|joint| {
-            let cuts = simulation.limits.cuts.iter();
-            let own = cuts.filter(|limits| limits.cut.joints.contains(&joint));
-            (
-                joint,
-                own.filter_map(|limits| limits.crushed_m).fold(0.0, f64::max),
-            )
-        })
-        .max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let said = match deepest {
-        (joint, crushed_m) if crushed_m > 0.0 => {
-            let of = &stack.joints()[joint];
-            Ending::EdgesCrush {
-                upper: stack.name(Body::Block(of.upper)).to_owned(),
-                lower: lower_words(stack.name(of.lower)),
-                strength: strength(joint),
-                depth: millimetres(crushed_m),
-            }
-        }
-        (joint, _) => Ending::EdgesCrushSomewhere {
-            strength: strength(joint),
-        },
-    };
-    Some(Finding::key(Tone::Warn, said))
 }
 
 fn leaves_restitution_out(simulation: &StackSimulation) -> bool {
@@ -173,6 +135,7 @@ pub(super) fn tone(simulation: &StackSimulation) -> Tone {
         Outcome::StillMoving { margin_ratio, .. } if margin_ratio <= 0.0 => Tone::Bad,
         _ if simulation.ended_before_the_motion_s().is_some() => Tone::Unknown,
         _ if simulation.shifted().is_some() && !simulation.falls() => Tone::Warn,
+        Outcome::Stood if simulation.crushes() => Tone::Warn,
         Outcome::Stood => Tone::Good,
         // the colour of the word on the earthquake
         _ if Earthquake::of_damage(simulation.counted_damage()) == Earthquake::BelowDemand => Tone::Bad,

@@ -1,5 +1,6 @@
 //! Answers about a stack under a motion: its outcome, joint by joint, over time.
 
+mod crushing;
 mod ending;
 mod findings;
 mod laws;
@@ -60,7 +61,8 @@ messages! {
 }
 
 /// Templates of the sentences on simulated stacks.
-pub(crate) const TEMPLATES: [&[Template]; 9] = [
+pub(crate) const TEMPLATES: [&[Template]; 10] = [
+    crushing::Crushed::TEMPLATES,
     ending::Ending::TEMPLATES,
     laws::Laws::TEMPLATES,
     repeats::Repeated::TEMPLATES,

@@ -1,5 +1,6 @@
 //! A stack with slowly moving supports, over time: the movement at which it falls, by each law and by limit analysis.
 
+use super::crushing;
 use super::run::made_in;
 use crate::document::{
     Block, Cell, Column, Document, Figure, Finding, Table, TextStyle, Tone, document_text, findings_text,
@@ -7,7 +8,7 @@ use crate::document::{
 use crate::figures::{supports_in_time, supports_series};
 use crate::simulated::{milli, millimetres, seconds};
 use crate::stack::movements;
-use dolmen::blocks::{ContactLaw, Outcome};
+use dolmen::blocks::{ContactLaw, Outcome, StackHistory};
 use dolmen::stability::stack::MovedSupports;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::{SupportsRun, SupportsSimulation};
@@ -46,10 +47,6 @@ messages! {
         Lost { at: Quantity } => {
             en: "the run could not be used from {at} on: take half the step.",
             ko: "{at} 이후의 해석 결과는 쓸 수 없다. 시간 간격을 반으로 줄인다.",
-        },
-        NothingCrushes => {
-            en: "Edges do not crush in it, whatever strength the file gives: not on the safe side.",
-            ko: "입력한 압축강도와 관계없이 모서리는 압괴하지 않는 것으로 보았다(불안전측).",
         },
         NoRun => { en: "No run was made.", ko: "해석하지 않았다." },
         Limit { factor: Quantity, length: Quantity } => {
@@ -132,9 +129,8 @@ pub(crate) fn findings(of: &SupportsSimulation) -> Vec<Finding> {
     let apart = of.runs.iter().find_map(|run| apart(of, run));
     all.push(Finding::key(Tone::Plain, limit));
     all.extend(apart.map(|apart| Finding::key(Tone::Warn, apart)));
-    if of.stack.least_strength_pa().is_some() {
-        all.push(Finding::key(Tone::Warn, InTime::NothingCrushes));
-    }
+    let histories: Vec<&StackHistory> = of.runs.iter().map(|run| &run.moved.history).collect();
+    all.extend(crushing::findings(&of.stack, &histories));
     let made = of
         .runs
         .iter()

@@ -4,7 +4,7 @@ use super::ending::{ending, lower_words, name_words};
 use crate::document::{Cell, Column, Table};
 use crate::simulated::{milli, version_name};
 use dolmen::blocks::JointHistory;
-use dolmen_words::{Digits, Quantity, Sentence, messages};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::stack::StackSimulation;
 
@@ -23,6 +23,7 @@ messages! {
         Yaw => { en: "yaw", ko: "비틀림" },
         SlipLeft => { en: "slip left", ko: "잔류 미끄러짐" },
         YawLeft => { en: "yaw left", ko: "잔류 회전" },
+        Bearing => { en: "load / bearable", ko: "하중/지지력" },
         Below { least: Quantity } => { en: "< {least}", ko: "< {least}" },
         Versions => { en: "Variants under the motion.", ko: "지진동 작용 시 대안 비교." },
         VersionsMeaning => {
@@ -37,6 +38,11 @@ messages! {
 
 /// Peaks and residuals, one row per joint.
 pub(super) fn joints(simulation: &StackSimulation) -> Table {
+    let crushes = simulation
+        .history
+        .joints
+        .iter()
+        .any(|joint| joint.bearing.is_some());
     let row = |(number, joint): (usize, &JointHistory)| {
         let [upper, lower] = simulation.joint_names(number);
         let mut cells = vec![Cell::words(name_words(upper)), Cell::words(lower_words(lower))];
@@ -50,19 +56,25 @@ pub(super) fn joints(simulation: &StackSimulation) -> Table {
             ]
             .map(|(value, unit)| thousandths(value, unit)),
         );
+        if crushes {
+            let ratio = joint.bearing.map(|of| Quantity::beside_one(of.ratio, 3));
+            cells.push(Cell::Number(ratio));
+        }
         cells
     };
+    let mut columns = vec![
+        Column::words(Tables::Stone),
+        Column::words(Tables::On),
+        Column::numbers(Tables::Opening, milli("m")),
+        Column::numbers(Tables::Slip, milli("m")),
+        Column::numbers(Tables::Yaw, milli("rad")),
+        Column::numbers(Tables::SlipLeft, milli("m")),
+        Column::numbers(Tables::YawLeft, milli("rad")),
+    ];
+    columns.extend(crushes.then(|| Column::numbers(Tables::Bearing, Unit::ratio())));
     Table {
         caption: vec![Tables::Joints.into(), Tables::JointsMeaning.into()],
-        columns: vec![
-            Column::words(Tables::Stone),
-            Column::words(Tables::On),
-            Column::numbers(Tables::Opening, milli("m")),
-            Column::numbers(Tables::Slip, milli("m")),
-            Column::numbers(Tables::Yaw, milli("rad")),
-            Column::numbers(Tables::SlipLeft, milli("m")),
-            Column::numbers(Tables::YawLeft, milli("rad")),
-        ],
+        columns,
         rows: simulation.history.joints.iter().enumerate().map(row).collect(),
     }
 }

@@ -45,6 +45,8 @@ pub enum DecidedBy {
     Drift,
     /// A tie that broke.
     Strength,
+    /// An edge or a corner of a stone that crushes.
+    Crushing,
     /// A joint at the edge of its bed.
     BedEdge,
     /// A bed that stood on its edge in a run without a fall: it cannot carry more, whatever the demand.
@@ -209,6 +211,7 @@ impl DecidedBy {
             DecidedBy::DamageOfRuns { .. } => "damage_of_runs",
             DecidedBy::Drift => "drift",
             DecidedBy::Strength => "strength",
+            DecidedBy::Crushing => "crushing",
             DecidedBy::BedEdge => "bed_edge",
             DecidedBy::StoodOnEdge => "stood_on_edge",
             DecidedBy::SupportsMoved => "supports_moved",

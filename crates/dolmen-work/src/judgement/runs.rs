@@ -123,7 +123,10 @@ pub(super) fn of_stack(run: &StackSimulation) -> Vec<EarthquakeFinding> {
     let state = run.counted_damage();
     let is_nan = run.damage.joints.iter().any(has_nan);
     let broke = !run.history.broken_ties.is_empty();
-    let found = of_damage(ending, state, is_nan, broke);
+    let mut found = of_damage(ending, state, is_nan, broke);
+    if ending != Ending::Lost && run.crushes() {
+        found.push((Earthquake::Near, DecidedBy::Crushing));
+    }
     under(run.motion.motion.name(), found)
 }
 

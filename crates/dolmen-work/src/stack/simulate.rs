@@ -119,7 +119,8 @@ pub(crate) fn simulate(
     Ok(StackOutcome::Simulated(Box::new(runs)))
 }
 
-/// Why stones that share their load do not stand although they would without crushing edges: runs do not include crushing.
+/// Why stones that share their load do not stand although they would without crushing edges: runs take the strips that crush from the forces on
+/// elastic joints, which may stand.
 pub(super) fn crushes_together(
     stack: &Stack,
     limits: &StackLimitStates,

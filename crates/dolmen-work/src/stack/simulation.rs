@@ -105,6 +105,12 @@ impl StackSimulation {
         both.fold(0.0, f64::max) / self.stack.gravity_m_s2()
     }
 
+    /// Whether stone crushes at an edge or a corner of a joint.
+    pub fn crushes(&self) -> bool {
+        let mut peaks = self.history.joints.iter().filter_map(|joint| joint.bearing);
+        peaks.any(|peak| peak.crushes())
+    }
+
     /// Whether a stone fell.
     pub fn falls(&self) -> bool {
         matches!(self.history.outcome, Outcome::Fell { .. })

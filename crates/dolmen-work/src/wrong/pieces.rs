@@ -159,10 +159,6 @@ messages! {
 messages! {
     /// Properties of a file that runs under ground motion include or leave out.
     pub(crate) enum OfRuns in "work.runs" {
-        CrushingLeftOut => {
-            en: "edges do not crush in the runs, whatever strength the file gives, which is not on the safe side",
-            ko: "해석에서는 입력한 압축강도와 관계없이 모서리가 압괴하지 않는 것으로 보았다(불안전측)",
-        },
         LoosenedLeftOut(stones: Vec<String>) => {
             en: "rigid joints have no stiffness, so that the loss of stiffness in the beds below {stones} changes nothing in the runs",
             ko: "강체 접촉 해석에는 접합면 강성이 없어 {stones} 하부 접합면의 강성 저하가 결과에 나타나지 않는다",

@@ -4,46 +4,24 @@
 //! P; for a pair without a patch, if the motion of both bodies together has reached its *slack*, the distance to their first
 //! possible contact.
 
-use super::bodies::{RigidBody, bodies_of, index_of};
+use super::bodies::{RigidBody, bodies_of, ends_of, index_of};
 use super::contact_points::ContactRule;
+use super::contact_tolerances::ContactTolerances;
 use super::dead_load::DeadLoad;
 use super::faces::{patch_along, patch_of_joint};
 use super::forces::Forces;
+use super::history::PeakBearing;
 use super::hulls::{Hull, Side, separation};
 use super::links::{Link, Prop};
-use super::outline::{Outline, take_over};
+use super::outline::{JointLoad, Outline, take_over};
 use super::patch::{Law, Motion, Patch, Stored, Wrench};
+use super::rigid_point::ForceTorque;
 use crate::structure::stack::{Joint, JointMaterial, Stack};
 use std::collections::BTreeMap;
 
-/// Shift of a face on its bed after which the patch is clipped again, over the radius of the smaller body. Our choice: the rocking
-/// edge has the same accuracy.
-const CLIP_AGAIN: f64 = 5e-4;
 /// Distance by which other faces must be farther apart than the current ones to replace them, over the radius of the smaller body.
 /// It prevents alternation between equal faces. Our choice.
 const FACE_FAVOUR: f64 = 0.002;
-
-/// Tolerances for watching contacts.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ContactTolerances {
-    /// Shift of a face on its bed after which the patch is clipped again, over the radius of the smaller body.
-    pub(super) clip_again: f64,
-    /// Gap at which two bodies get a patch, over the radius of the smaller body; larger than the undetected motion.
-    pub(super) near: f64,
-    /// Gap at which they lose it again, over the radius of the smaller body.
-    pub(super) far: f64,
-}
-
-impl Default for ContactTolerances {
-    /// Tolerances of the springs law. Our choice.
-    fn default() -> Self {
-        ContactTolerances {
-            clip_again: CLIP_AGAIN,
-            near: 2e-3,
-            far: 2e-2,
-        }
-    }
-}
 
 #[derive(Clone, Debug)]
 struct Pair {
@@ -55,6 +33,8 @@ struct Pair {
     size: f64,
     /// Motion of both bodies together before they can touch, m; infinite with a patch.
     slack: f64,
+    /// The largest load relative to the strength so far.
+    bearing: Option<PeakBearing>,
 }
 
 /// All bodies, contacts, ties and supports.
@@ -83,6 +63,8 @@ pub(super) struct Assembly {
     watches_all: bool,
     /// Stones with their own ground body, in the order of these ground bodies, which follow all stones in the list of bodies.
     on_own_ground: Vec<usize>,
+    /// Time of the forces, s.
+    pub(super) clock_s: f64,
 }
 
 impl Assembly {
@@ -144,6 +126,7 @@ impl Assembly {
                 size: if first == 0 { b } else { a.min(b) },
                 slack: if contact.is_some() { f64::INFINITY } else { 0.0 },
                 contact,
+                bearing: None,
             });
         }
         let mut assembly = Assembly {
@@ -163,6 +146,7 @@ impl Assembly {
             clip_loss: 0.0,
             watches_all,
             on_own_ground: Vec::new(),
+            clock_s: 0.0,
         };
         assembly.list_active();
         assembly
@@ -202,6 +186,7 @@ impl Assembly {
                     contact: None,
                     size: 0.0,
                     slack: f64::INFINITY,
+                    bearing: None,
                 },
             };
             self.pairs.push(pair);
@@ -272,10 +257,10 @@ impl Assembly {
         self.pairs[pair].contact.as_mut().map(|(patch, _)| patch)
     }
 
-    /// Whether only dry patches act between the bodies.
-    pub(super) fn only_dry_patches(&self) -> bool {
-        let bonds = |pair: &Pair| pair.contact.as_ref().is_some_and(|(patch, _)| patch.law.bonds());
-        !self.holds() && !self.pairs.iter().any(bonds)
+    /// Whether only dry patches that do not crush act between the bodies.
+    pub(super) fn runs_side_by_side(&self) -> bool {
+        let is_plain = |patch: &Patch| !patch.law.bonds() && !patch.law.strength.crushes();
+        !self.holds() && self.patches().all(is_plain)
     }
 
     /// Least motion of two bodies together before they can touch, m.
@@ -342,12 +327,12 @@ impl Assembly {
         forces.clear(self.bodies.len());
         let mut friction_loss = 0.0;
         for &pair in &self.active {
-            let Pair { contact, size, .. } = &mut self.pairs[pair];
-            let Some((patch, outline)) = contact else {
+            let of = &mut self.pairs[pair];
+            let Some((patch, outline)) = &mut of.contact else {
                 continue;
             };
             let motion = patch.motion(&self.bodies);
-            if outline.has_drifted(&motion, self.watchfulness.clip_again * *size) {
+            if outline.has_drifted(&motion, self.watchfulness.clip_again * of.size) {
                 self.stale.push(pair);
             }
             let twist = patch.twist(&self.bodies, &motion);
@@ -357,6 +342,10 @@ impl Assembly {
                 friction_loss: rubbed,
             } = patch.wrench(&motion, &twist, h);
             friction_loss += rubbed;
+            if outline.bed.is_some() {
+                let now = JointLoad::of(force.z, [torque.x, torque.y], self.clock_s);
+                outline.see_load(patch, &self.bodies, now, &mut of.bearing);
+            }
             let (force, torque) = (motion.to_ground * force, motion.to_ground * torque);
             let (p, s) = (patch.plane_body, patch.point_body);
             forces.force[s] += force;
@@ -366,6 +355,36 @@ impl Assembly {
         }
         forces.friction_loss = friction_loss;
         self.push_held(h, forces);
+    }
+
+    /// The load of a pair, if its edges crush: the force and torque on S about the origin of its plane, in the axes of the plane.
+    pub(super) fn see_load(&mut self, pair: usize, force: &ForceTorque) {
+        let Pair { contact, bearing, .. } = &mut self.pairs[pair];
+        if let Some((patch, outline)) = contact {
+            let now = JointLoad::of(force[2], [force[3], force[4]], self.clock_s);
+            outline.see_load(patch, &self.bodies, now, bearing);
+        }
+    }
+
+    /// The largest load of a pair of bodies relative to its strength so far.
+    pub(super) fn bearing_of(&self, first: usize, second: usize) -> Option<PeakBearing> {
+        self.pairs[self.pair_of(first, second)?].bearing
+    }
+
+    /// The current patches, each with the index of its pair, its outline and the compressive strength of the joint, Pa.
+    pub(super) fn contacts_mut(
+        &mut self,
+    ) -> impl Iterator<Item = (usize, &mut Patch, &mut Outline, Option<f64>)> {
+        let pairs = self.pairs.iter_mut().enumerate();
+        pairs.filter_map(|(index, pair)| {
+            let (patch, outline) = pair.contact.as_mut()?;
+            Some((index, patch, outline, pair.material.compressive_strength_pa))
+        })
+    }
+
+    /// Forgets the loads so far.
+    pub(super) fn forget_loads(&mut self) {
+        self.pairs.iter_mut().for_each(|pair| pair.bearing = None);
     }
 
     /// Adds the forces of dowels, clamps, side supports and static loads at the bodies' present positions.
@@ -510,12 +529,6 @@ impl Assembly {
         };
         self.pairs.iter().map(of_pair).fold(0.0, f64::max)
     }
-}
-
-/// The bodies of a joint, the lower index first.
-fn ends_of(joint: &Joint) -> (usize, usize) {
-    let (lower, upper) = (index_of(joint.lower), joint.upper + 1);
-    (lower.min(upper), lower.max(upper))
 }
 
 fn side<'a>(hulls: &'a [Option<Hull>], bodies: &'a [RigidBody], index: usize) -> Side<'a> {

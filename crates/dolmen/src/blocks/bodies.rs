@@ -8,7 +8,7 @@
 //! | L | `momentum` | angular momentum about the centroid | kg m²/s |
 //! | J | `inertia` | inertia about the centroid, in the axes as drawn | kg m² |
 
-use crate::structure::stack::{Body, Stack};
+use crate::structure::stack::{Body, Joint, Stack};
 use glam::{DMat3, DQuat, DVec3};
 
 /// Square of the rotation per step up to which the series of its quaternion is used, rad²: 0.05 rad, where its error is below 1e-16.
@@ -20,6 +20,12 @@ pub(super) fn index_of(body: Body) -> usize {
         Body::Ground => 0,
         Body::Block(block) => block + 1,
     }
+}
+
+/// The bodies of a joint, the lower index first.
+pub(super) fn ends_of(joint: &Joint) -> (usize, usize) {
+    let (lower, upper) = (index_of(joint.lower), joint.upper + 1);
+    (lower.min(upper), lower.max(upper))
 }
 
 #[derive(Clone, Debug)]

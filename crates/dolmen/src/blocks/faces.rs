@@ -73,6 +73,7 @@ fn faces_patch(
         lean_most: lean_most(&[(plane, Some(face)), (points, Some(opposite))]),
         whole: false,
         clipped_at: patch.motion_between(plane.body, points.body),
+        bed: None,
     };
     Some((patch, outline))
 }
@@ -128,6 +129,7 @@ fn edges_patch(
         lean_most: LOOK_AGAIN,
         whole: false,
         clipped_at: motion,
+        bed: None,
     };
     Some((patch, outline))
 }
@@ -207,6 +209,7 @@ pub(super) fn patch_of_joint(
         lean_most: lean_most(&[(plane, plane_face), (points, Some(points_face))]),
         whole: false,
         clipped_at: motion,
+        bed: None,
     };
     outline.clip(&mut patch, &motion, rule);
     Some((patch, outline))

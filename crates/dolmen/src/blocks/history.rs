@@ -90,6 +90,34 @@ pub struct JointHistory {
     pub peak_slip_m: f64,
     /// Largest rotation, rad.
     pub peak_yaw_rad: f64,
+    /// The largest load at an edge or a corner relative to the strength; `None` for a joint without strength, or without load under its own weight.
+    pub bearing: Option<PeakBearing>,
+}
+
+/// The load of a joint when it is largest relative to the load that the bed bears there.
+///
+/// ```text
+/// ratio = N/(f A)        A: area of the bed that is symmetric about the resultant of N
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PeakBearing {
+    /// N/(f A), –: from 1 on the edge or corner under the resultant crushes.
+    pub ratio: f64,
+    /// Time, s.
+    pub at_s: f64,
+    /// N, normal force in the joint, N.
+    pub force_n: f64,
+    /// f A, the force that the bed bears there, N.
+    pub bears_n: f64,
+    /// Position of the resultant on the upper or lower stone, m, as drawn.
+    pub place_m: [f64; 3],
+}
+
+impl PeakBearing {
+    /// Whether the stone under the resultant crushes.
+    pub fn crushes(&self) -> bool {
+        self.ratio >= 1.0
+    }
 }
 
 impl JointHistory {

@@ -388,8 +388,13 @@ impl Observer {
             None | Some(Outcome::Uplifted { .. }) => self.at_the_end(assembly).or(self.outcome.clone()),
             _ => self.outcome.clone(),
         };
+        let mut joints = self.history.joints;
+        for (joint, watch) in joints.iter_mut().zip(&self.watches) {
+            joint.bearing = assembly.bearing_of(watch.lower, watch.upper);
+        }
         StackHistory {
             outcome: outcome.unwrap_or(Outcome::Stood),
+            joints,
             time_step_s: steps[0],
             longest_step_s: steps[1],
             broken_ties,

@@ -1,6 +1,9 @@
 //! The outlines of a patch: it is clipped again if S has shifted on P, and its points keep their state.
 
+use super::bodies::RigidBody;
 use super::contact_points::{ContactPoint, ContactRule, contact_points};
+use super::crushing::{Bed, Load};
+use super::history::PeakBearing;
 use super::hulls::{Axis, Separation, Side, counterclockwise};
 use super::patch::{LANES, Law, Motion, Patch, Points};
 use crate::structure::stack::Polygon;
@@ -15,6 +18,24 @@ const OPPOSITE_PART: f64 = 0.1;
 pub(super) const LOOK_AGAIN: f64 = 0.03;
 /// Fraction of S's face that may be missing if the patch counts as the whole face; allows for rounding. Our choice.
 const WHOLE: f64 = 1e-9;
+
+/// The force in a joint at one time: the normal force, N, and the moments about the first two axes of the plane at its origin, N m.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct JointLoad {
+    pub(super) normal_n: f64,
+    pub(super) about: [f64; 2],
+    pub(super) at_s: f64,
+}
+
+impl JointLoad {
+    pub(super) fn of(normal_n: f64, about: [f64; 2], at_s: f64) -> Self {
+        JointLoad {
+            normal_n,
+            about,
+            at_s,
+        }
+    }
+}
 
 /// The outlines of a patch, for clipping it again.
 #[derive(Clone, Debug)]
@@ -33,6 +54,8 @@ pub(super) struct Outline {
     pub(super) whole: bool,
     /// Pose of S on P when the patch was clipped.
     pub(super) clipped_at: Motion,
+    /// The patch in the frame of its points, if its edges crush.
+    pub(super) bed: Option<Bed>,
 }
 
 /// Points in groups of [`LANES`], padded with points without area.
@@ -132,7 +155,11 @@ impl Outline {
         self.whole = whole;
         let points = match whole {
             true => contact_points(&self.points_face, rule),
-            false => self.lifted(contact_points(&clipped, rule), motion),
+            false => Self::lifted(contact_points(&clipped, rule), motion),
+        };
+        let points = match patch.law.strength.crushes() {
+            true => self.moved_in(points, &clipped, motion, patch.law.strength.strip_m2),
+            false => points,
         };
         let memories = memories_of(patch, motion);
         let before = patch.stored(motion);
@@ -143,22 +170,71 @@ impl Outline {
         }
     }
 
-    /// Points of the plane projected along its normal onto the face of S, in the frame of that face.
-    fn lifted(&self, points: Vec<ContactPoint>, motion: &Motion) -> Vec<ContactPoint> {
-        let (a, b) = (motion.along_x, motion.along_y);
-        let determinant = a.x * b.y - b.x * a.y;
-        let carried = points.into_iter().map(|point| {
-            let (x, y) = (
-                point.place_m[0] - motion.shift.x,
-                point.place_m[1] - motion.shift.y,
-            );
-            ContactPoint {
-                place_m: [
-                    (b.y * x - b.x * y) / determinant,
-                    (a.x * y - a.y * x) / determinant,
-                ],
-                area_m2: point.area_m2,
+    /// The points of a patch whose edges crush, moved in; `clipped` is the patch in the plane.
+    fn moved_in(
+        &mut self,
+        points: Vec<ContactPoint>,
+        clipped: &Polygon,
+        motion: &Motion,
+        strip_m2: f64,
+    ) -> Vec<ContactPoint> {
+        let corners = match self.whole {
+            true => self.points_face.corners_m.clone(),
+            false => {
+                let corners = clipped.corners_m.iter().map(|corner| motion.lifted(*corner));
+                corners.collect()
             }
+        };
+        let bed = Bed::of(corners);
+        let points = bed.moved_in(points, strip_m2);
+        self.bed = Some(bed);
+        points
+    }
+
+    /// Raises the peak load of a joint that crushes to the present one, if that is larger.
+    pub(super) fn see_load(
+        &self,
+        patch: &Patch,
+        bodies: &[RigidBody],
+        now: JointLoad,
+        peak: &mut Option<PeakBearing>,
+    ) {
+        let (
+            Some(bed),
+            JointLoad {
+                normal_n,
+                about,
+                at_s,
+            },
+        ) = (&self.bed, now)
+        else {
+            return;
+        };
+        if normal_n <= 0.0 {
+            return;
+        }
+        let at = patch
+            .motion(bodies)
+            .lifted([-about[1] / normal_n, about[0] / normal_n]);
+        let strength_pa = patch.law.strength.strength_pa;
+        let before = peak.map_or(0.0, |peak| peak.ratio);
+        if let Some(bears_n) = bed.exceeded_n(strength_pa, Load { normal_n, at }, before) {
+            let place = patch.point_origin + patch.point_axes * DVec3::new(at[0], at[1], 0.0);
+            *peak = Some(PeakBearing {
+                ratio: normal_n / bears_n,
+                at_s,
+                force_n: normal_n,
+                bears_n,
+                place_m: (bodies[patch.point_body].drawn + place).into(),
+            });
+        }
+    }
+
+    /// Points of the plane projected along its normal onto the face of S, in the frame of that face.
+    fn lifted(points: Vec<ContactPoint>, motion: &Motion) -> Vec<ContactPoint> {
+        let carried = points.into_iter().map(|point| ContactPoint {
+            place_m: motion.lifted(point.place_m),
+            area_m2: point.area_m2,
         });
         carried.collect()
     }

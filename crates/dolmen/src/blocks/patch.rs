@@ -12,6 +12,7 @@
 //! | μ | `friction` | current coefficient: static until a point slips, kinetic while it slips | – |
 
 use super::bodies::RigidBody;
+use super::crushing::Strength;
 use crate::structure::stack::JointMaterial;
 use glam::{DMat3, DVec2, DVec3};
 use wide::f64x4;
@@ -50,6 +51,7 @@ pub(super) struct Law {
     pub(super) cohesion: f64,
     pub(super) tension: f64,
     pub(super) restitution: Restitution,
+    pub(super) strength: Strength,
 }
 
 /// Restitution of a joint in an impact.
@@ -83,6 +85,7 @@ impl Law {
                 falls: material.normal_restitution,
                 rocks: material.rocking_restitution,
             },
+            strength: Strength::default(),
         }
     }
 
@@ -164,6 +167,17 @@ impl Motion {
     /// Present position of a point of S in the plane's frame.
     pub(super) fn at(&self, x: f64, y: f64) -> DVec3 {
         self.along_x * x + self.along_y * y + self.shift
+    }
+
+    /// Place in the frame of the points of a point of the plane, projected along the normal of the plane.
+    pub(super) fn lifted(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (a, b) = (self.along_x, self.along_y);
+        let determinant = a.x * b.y - b.x * a.y;
+        let (x, y) = (x - self.shift.x, y - self.shift.y);
+        [
+            (b.y * x - b.x * y) / determinant,
+            (a.x * y - a.y * x) / determinant,
+        ]
     }
 }
 
@@ -251,6 +265,18 @@ impl Patch {
         let shear = stretch * (area * self.law.shear_stiffness);
         let shear = shear.clamp_length_max(group.friction[lane] * normal.max(0.0) + hold);
         DVec3::new(-shear.x, -shear.y, normal)
+    }
+
+    /// Normal force of all points at rest, N.
+    pub(super) fn normal_at_rest_n(&self, bodies: &[RigidBody]) -> f64 {
+        let motion = self.motion(bodies);
+        let groups = self.points.iter();
+        let each = groups.flat_map(|group| (0..LANES).map(move |lane| (group, lane)));
+        each.map(|(group, lane)| {
+            let at = self.place(group, lane, &motion);
+            self.force_at_rest(group, lane, at).z
+        })
+        .sum()
     }
 
     /// Limits the energy of new points to that of the old ones by reducing depths and stretches. The removed depth has no force

@@ -4,8 +4,9 @@
 //! ([`super::rigid_solve`]) → positions at t + h, or at the first impact before it → velocities after the impact → the remaining part of the step.
 
 use super::after_fall::AfterFall;
-use super::assembly::{Assembly, ContactTolerances};
+use super::assembly::Assembly;
 use super::contact_points::ContactRule;
+use super::contact_tolerances::ContactTolerances;
 use super::error::{BlocksError, check_times};
 use super::history::StackHistory;
 use super::matrices::longest_step_of_held;
@@ -13,6 +14,7 @@ use super::moving_ground::{MovingGround, OwnGround};
 use super::observe::Observer;
 use super::rigid_run::Run;
 use super::run_length::RunLength;
+use super::set_back::assembly_that_crushes;
 use super::springs::{Start, push};
 use crate::signal::GroundMotion;
 use crate::structure::stack::{Body, JointMaterial, Stack};
@@ -127,7 +129,8 @@ impl Rigid {
 /// (cohesion, tension), which need the springs law.
 ///
 /// # Limits
-/// Stones are rigid; contact is between convex hulls. Impacts are located within the step, ends of slips are not. In each joint only the total force
+/// Stones are rigid; contact is between convex hulls. In a joint with a compressive strength, stones rotate about the middle of the strip that crushes at
+/// rest, and its largest load is compared with what the bed bears, without impacts. Impacts are located within the step, ends of slips are not. In each joint only the total force
 /// and torque are unique; their distribution over the points is that of a uniform elastic bed. With friction and rocking together several solutions
 /// may exist (Painlevé); the method always finds the same one. Dowels, clamps and side supports are springs that act at the positions of each step,
 /// as in [`super::simulate_springs`]. Tested by `stack_rigid`.
@@ -193,7 +196,7 @@ pub(super) fn simulate_rigid_under(
         });
     }
     refuse_bonds(stack)?;
-    let mut assembly = Assembly::of(stack, options.contact_rule);
+    let mut assembly = assembly_that_crushes(stack, options.contact_rule)?;
     assembly.without_springs();
     if h > HELD_MOST * longest_step_of_held(&assembly) {
         return Err(BlocksError::Option {
@@ -233,6 +236,9 @@ pub(super) fn simulate_rigid_under(
         }
         let time_s = step as f64 * h;
         let begun = run.begin(time_s, &ground);
+        if begun.is_ok() {
+            run.see_loads(time_s, ground(time_s));
+        }
         if observer.wants(step) {
             let seen = [time_s, 2.0 * run.lag_s()];
             observer.see(&run.assembly.bodies);

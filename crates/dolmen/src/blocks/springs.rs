@@ -14,6 +14,7 @@ use super::moving_ground::{MovingGround, OwnGround};
 use super::observe::{Observer, whole_at_least};
 use super::rest::settle;
 use super::run_length::RunLength;
+use super::set_back::assembly_that_crushes;
 use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 use glam::DVec3;
@@ -117,7 +118,8 @@ impl Default for Springs {
 /// under its own weight.
 ///
 /// # Limits
-/// Stones are rigid, and contact is between convex hulls. Impacts are found inside the step, and their errors are proportional to it; the numbers are
+/// Stones are rigid, and contact is between convex hulls. In a joint with a compressive strength, stones rotate about the middle of the strip that
+/// crushes at rest, and its largest load is compared with what the bed bears. Impacts are found inside the step, and their errors are proportional to it; the numbers are
 /// in docs/stack-engine.md. A stack that rocks far is chaotic: one run has little meaning, a set of runs has more.
 ///
 /// # Source
@@ -225,11 +227,12 @@ impl SettledStack {
             options.output_step_s,
             rest_s,
         )?;
-        let mut assembly = Assembly::of(stack, options.contact_rule);
+        let mut assembly = assembly_that_crushes(stack, options.contact_rule)?;
         match stack.loose_material() {
             None => settle(&mut assembly, stack)?,
             Some(_) => assembly.look(),
         }
+        assembly.forget_loads();
         let longest = longest_step(&assembly);
         if let Some(given) = options.time_step_s.filter(|given| *given > longest) {
             return Err(BlocksError::StepTooLarge { given, most: longest });
@@ -398,6 +401,7 @@ impl<'a> Run<'a> {
     fn advance(&mut self, forces: &mut Forces, progress: &mut dyn FnMut(f64) -> bool) -> bool {
         let h = self.h;
         self.assembly.look();
+        self.assembly.clock_s = self.time_s();
         self.assembly.forces(h, forces);
         if !self.look(forces, progress) {
             return false;

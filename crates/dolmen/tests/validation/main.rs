@@ -65,6 +65,7 @@ mod soil;
 mod spreading_arches;
 mod stack_beside;
 mod stack_contacts;
+mod stack_crushing_in_motion;
 mod stack_ends;
 mod stack_falls;
 mod stack_limits;

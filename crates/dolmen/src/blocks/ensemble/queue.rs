@@ -52,7 +52,7 @@ impl<'a> Queue<'a, '_> {
                 options,
             } = given;
             match self.start(index, given) {
-                Ok(lane_run) if lane_run.run.assembly.only_dry_patches() => return Some(lane_run),
+                Ok(lane_run) if lane_run.run.assembly.runs_side_by_side() => return Some(lane_run),
                 Ok(_) => {
                     let mut progress = |time_s| (self.progress)(index, time_s);
                     let history = simulate_springs(stack, motion, options, &mut progress);

@@ -14,7 +14,7 @@ use pulp::{Arch, Simd, WithSimd};
 /// stops that run by returning false.
 ///
 /// Runs of stacks with the same number of blocks are computed side by side, as many as the vector registers hold (8 with AVX-512, 4 with AVX2). Ties,
-/// side supports and bonded joints are computed one lane after another. Only active runs use memory. To use several threads, give each thread a part
+/// side supports, bonded joints and joints that crush are computed one run after another. Only active runs use memory. To use several threads, give each thread a part
 /// of the runs: the results do not depend on the division.
 ///
 /// # Example

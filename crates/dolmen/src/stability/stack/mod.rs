@@ -73,3 +73,4 @@ pub use support_movement::{
 };
 pub use threshold::Threshold;
 pub use thrust_line::{ThrustPlace, ThrustPoint, thrust_line};
+pub(crate) use toe::{beyond, toe};

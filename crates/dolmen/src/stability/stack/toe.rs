@@ -14,7 +14,7 @@ use crate::structure::stack::Polygon;
 /// ```text
 /// ∫ over {r : ν·r ≥ max ν·r − t} = A = N / f        rectangle b × l: t = N/(f b), pivot t/2 inside the edge
 /// ```
-pub(super) fn toe(patches: &[Polygon], outward: [f64; 2], area: f64) -> Option<[f64; 2]> {
+pub(crate) fn toe(patches: &[Polygon], outward: [f64; 2], area: f64) -> Option<[f64; 2]> {
     let along = |corner: &[f64; 2]| corner[0] * outward[0] + corner[1] * outward[1];
     let corners = || patches.iter().flat_map(|patch| &patch.corners_m);
     let most = corners().map(along).fold(f64::NEG_INFINITY, f64::max);
@@ -69,7 +69,7 @@ fn strip(patches: &[Polygon], outward: [f64; 2], from: f64) -> (f64, [f64; 2]) {
 }
 
 /// The part of a convex polygon with ν·r ≥ from.
-pub(super) fn beyond(patch: &Polygon, outward: [f64; 2], from: f64) -> Polygon {
+pub(crate) fn beyond(patch: &Polygon, outward: [f64; 2], from: f64) -> Polygon {
     let corners = &patch.corners_m;
     let mut kept = Vec::with_capacity(corners.len() + 1);
     for (&a, &b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
