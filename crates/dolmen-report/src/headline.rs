@@ -7,7 +7,7 @@ use crate::headline_damage::damage_state;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Template, Unit, messages};
 use dolmen_work::judgement::{
-    Alarming, Basis, DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement, MeasuredFrequency,
+    Basis, ChangedSince, DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement, MeasuredFrequency,
     MovedBy, VersionJudgement, Weight, WindFinding, WindLimit,
 };
 
@@ -136,6 +136,14 @@ messages! {
             en: "cracks or other damage beyond their limits ({count})",
             ko: "한계를 넘은 균열·손상 {count}건",
         },
+        YearsChanged { from: String, to: String, changed: usize, tested: usize } => {
+            en: "{changed} of {tested} frequencies changed beyond chance from {from} to {to}",
+            ko: "{from} 조사에서 {to} 조사까지 고유진동수 {tested}개 중 {changed}개가 우연을 넘어 변화",
+        },
+        YearsChangedOrWeather { from: String, to: String, changed: usize, tested: usize } => {
+            en: "{changed} of {tested} frequencies changed beyond chance from {from} to {to}, by the weather or the structure",
+            ko: "{from} 조사에서 {to} 조사까지 고유진동수 {tested}개 중 {changed}개가 우연을 넘어 변화(기온의 영향일 수 있음)",
+        },
         Undamped => { en: "computed with 0 % damping (none is given)", ko: "감쇠비 0 %로 해석(입력 없음)" },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "not in it: tilt {tilt} of survey {survey}",
@@ -218,13 +226,35 @@ pub(crate) fn worse(variant: Both, judged: &VersionJudgement) -> Sentence {
 }
 
 /// Open findings of the surveys over the years, which the verdicts on weight and shaking do not contain.
-pub(crate) fn over_the_years(alarming: Alarming) -> Option<Sentence> {
+pub(crate) fn over_the_years(judgement: &Judgement) -> Option<Sentence> {
+    let alarming = judgement.alarming;
     let mut each: Vec<Sentence> = Vec::new();
     let (alarms, cracks) = (alarming.open_alarms, alarming.cracks_beyond);
     each.extend((alarms > 0).then(|| Headline::OpenAlarms(alarms).into()));
     each.extend(alarming.is_tilt_beyond.then(|| Headline::YearsTilt.into()));
     each.extend((cracks > 0).then(|| Headline::YearsCracks(cracks).into()));
+    each.extend(judgement.changed.as_ref().map(changed));
     (!each.is_empty()).then(|| Headline::OverYears(each).into())
+}
+
+fn changed(of: &ChangedSince) -> Sentence {
+    let (from, to) = (of.from.clone(), of.to.clone());
+    let (changed, tested) = (of.changed, of.tested);
+    match of.may_be_weather {
+        false => Headline::YearsChanged {
+            from,
+            to,
+            changed,
+            tested,
+        },
+        true => Headline::YearsChangedOrWeather {
+            from,
+            to,
+            changed,
+            tested,
+        },
+    }
+    .into()
 }
 
 fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
@@ -473,7 +503,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dolmen_work::judgement::AssumedInputs;
+    use dolmen_work::judgement::{AssumedInputs, judge};
 
     fn judged() -> VersionJudgement {
         VersionJudgement {
@@ -545,14 +575,27 @@ mod tests {
 
     #[test]
     fn exact_the_years_name_what_is_open_and_nothing_else() {
-        let said = |alarming, language| over_the_years(alarming).map(|said| said.text(language));
-        let mut alarming = Alarming::default();
-        assert_eq!(said(alarming, Language::English), None);
-        alarming.open_alarms = 2;
-        let korean = said(alarming, Language::Korean).unwrap_or_default();
+        let said = |of: &Judgement, language| over_the_years(of).map(|said| said.text(language));
+        let mut judgement = judge(&[]);
+        assert_eq!(said(&judgement, Language::English), None);
+        judgement.alarming.open_alarms = 2;
+        let korean = said(&judgement, Language::Korean).unwrap_or_default();
         assert_eq!(korean, "경년 변화: 조치되지 않은 경보 2건");
-        (alarming.open_alarms, alarming.is_tilt_beyond) = (0, true);
-        let english = said(alarming, Language::English).unwrap_or_default();
+        (judgement.alarming.open_alarms, judgement.alarming.is_tilt_beyond) = (0, true);
+        let english = said(&judgement, Language::English).unwrap_or_default();
         assert_eq!(english, "Over the years: the tilt is beyond its limit");
+        judgement.alarming.is_tilt_beyond = false;
+        judgement.changed = Some(ChangedSince {
+            from: "2024-03-05".to_owned(),
+            to: "2026-03-07".to_owned(),
+            changed: 2,
+            tested: 4,
+            may_be_weather: false,
+        });
+        let english = said(&judgement, Language::English).unwrap_or_default();
+        assert_eq!(
+            english,
+            "Over the years: 2 of 4 frequencies changed beyond chance from 2024-03-05 to 2026-03-07"
+        );
     }
 }

@@ -32,7 +32,7 @@ pub(crate) fn doubt(project: &Project, survey: &Survey, answer: &mut SurveyAnswe
             Some(doubt) if doubt.is_of(axis) => Some(StiffnessDoubt::Shapes {
                 unexplained: doubt.unexplained_along[axis],
             }),
-            _ => None,
+            _ => stiffness.doubted,
         };
     }
     answer.shape_doubt = doubt;

@@ -8,6 +8,7 @@ use crate::error::{Within as _, WorkError};
 use crate::held_beside_file::hold_beside_file;
 use crate::kinds;
 use crate::model_modes::model_modes;
+use crate::more_modes::doubt_more_modes;
 use crate::opened::Opened;
 use crate::progress::{Progress, Stage};
 use crate::record::{self, OpenedRecord};
@@ -484,7 +485,7 @@ fn from_record(
         Structure::Frame(part) => part.storeys.len(),
         Structure::Stack(_) | Structure::Building(_) | Structure::Survey => return Ok(Vec::new()),
     };
-    found.modes.truncate(parts); // a model of n parts has n modes: the lowest are used
+    let beyond = found.keep(modes, parts); // a model of n parts has n modes: the lowest are used
     if found.modes.is_empty() {
         return Ok(Vec::new());
     }
@@ -493,5 +494,7 @@ fn from_record(
         modes: found.modes.len(),
         direction: direction.to_owned(),
     });
-    kinds::stiffness(project, direction, &found.modes, &notes)
+    let mut answers = kinds::stiffness(project, direction, &found.modes, &notes)?;
+    doubt_more_modes(project, direction, (&found.modes, &beyond), &mut answers)?;
+    Ok(answers)
 }

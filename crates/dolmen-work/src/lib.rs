@@ -52,6 +52,7 @@ mod lowest_of_records;
 pub mod mode_heights;
 pub mod model_modes;
 mod modes_of_survey;
+mod more_modes;
 pub mod motion;
 mod opened;
 pub mod part_limit;

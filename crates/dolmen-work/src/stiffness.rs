@@ -38,6 +38,7 @@ impl MeasuredDirection<'_> {
             load_factors,
             peaks_below_hz: Vec::new(),
             doubted: None,
+            other_choices: Vec::new(),
             beside_file: None,
         })
     }

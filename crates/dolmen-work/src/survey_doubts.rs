@@ -1,10 +1,10 @@
 //! Evidence against the model from the modes of surveys and the stiffness sought from them.
 
-use crate::judgement::{PairedMode, SurveyDoubts, Unexplained};
-use crate::model_modes::WhichMode;
+use crate::judgement::{PairedMode, SurveyDoubts, Unexplained, contradict};
+use crate::model_modes::{SAME_FROM, WhichMode};
 use crate::stack::FactorsAnswer;
 use crate::surveyed::{StiffnessAnswer, SurveyAnswer};
-use dolmen::blocks::StackMotion;
+use dolmen::blocks::{PairedMode as StackPair, StackMotion};
 use dolmen::structure::Choice;
 use dolmen_project::{Project, Structure};
 
@@ -81,6 +81,16 @@ fn by_shape(answer: &SurveyAnswer) -> Vec<PairedMode> {
     paired.collect()
 }
 
+/// Whether the best factors leave a mode of a stack off by more than 10 % and three deviations, or with another shape: less, however significant, is
+/// within what springs of joints can represent.
+fn is_off(modes: &[StackPair]) -> bool {
+    modes.iter().any(|mode| {
+        let best_hz = mode.best_hz.unwrap_or(mode.common_hz);
+        contradict(mode.measured_hz, Some(mode.measured_sd_hz), best_hz)
+            || mode.assurance.is_some_and(|assurance| assurance < SAME_FROM)
+    })
+}
+
 /// Modes that no stiffness explains: in a direction of a chain or frame by the convention of the file, in plan, or on the joints of a stack.
 fn unexplained(project: &Project, answer: &SurveyAnswer) -> Option<Unexplained> {
     let of_file = match &project.structure {
@@ -104,10 +114,42 @@ fn unexplained(project: &Project, answer: &SurveyAnswer) -> Option<Unexplained> 
             deviations: None,
         });
     }
-    answer.factors.as_ref().and_then(|factors| {
-        Some(Unexplained {
-            direction: None,
-            deviations: Some(factors.misfit()?),
+    answer
+        .factors
+        .as_ref()
+        .filter(|factors| is_off(&factors.found.modes))
+        .and_then(|factors| {
+            Some(Unexplained {
+                direction: None,
+                deviations: Some(factors.misfit()?),
+            })
         })
-    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen::blocks::PairedBy;
+
+    #[test]
+    fn holds_springs_of_joints_need_not_explain_a_mode_better_than_to_ten_per_cent() {
+        let of = |best_hz: f64, assurance| StackPair {
+            motion: StackMotion::Y,
+            number: 1,
+            paired_by: PairedBy::Order,
+            measured_hz: 3.65,
+            measured_sd_hz: 0.004,
+            is_sd_assumed: false,
+            shape_points: 2,
+            drawn_hz: 3.618,
+            common_hz: best_hz,
+            best_hz: None,
+            assurance,
+            energy_shares: Vec::new(),
+        };
+        // 1 % off is nine deviations, but no fault of the model
+        assert!(!is_off(&[of(3.618, None), of(3.65, Some(0.99))]));
+        assert!(is_off(&[of(3.65, None), of(3.0, Some(0.99))]));
+        assert!(is_off(&[of(3.65, Some(0.5))]));
+    }
 }

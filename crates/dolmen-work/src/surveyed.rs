@@ -387,8 +387,21 @@ pub struct StiffnessAnswer {
     pub peaks_below_hz: Vec<f64>,
     /// Why no solution is chosen although some explain the modes; `None` without doubt.
     pub doubted: Option<StiffnessDoubt>,
+    /// Stiffness from other choices among the measured modes, where there are more of them along the direction than the model has.
+    pub other_choices: Vec<OtherChoice>,
     /// The only solution compared with the stiffness of the file.
     pub beside_file: Option<BesideFile>,
+}
+
+/// Stiffness from another choice of the modes along a direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OtherChoice {
+    /// Frequencies of these modes, Hz.
+    pub frequencies_hz: Vec<f64>,
+    /// The stiffness, lowest first.
+    pub stiffness: Vec<f64>,
+    /// Its standard deviation.
+    pub stiffness_sd: Option<Vec<f64>>,
 }
 
 /// Why stiffness from a record is doubted.
@@ -401,6 +414,8 @@ pub enum StiffnessDoubt {
         /// Share of the shapes that the model does not reproduce.
         unexplained: f64,
     },
+    /// More modes move along the direction than the model has, and other choices among them give another stiffness.
+    MoreModes,
 }
 
 impl StiffnessAnswer {

@@ -404,3 +404,44 @@ fn holds_check_says_how_near_measured_frequencies_are() {
         "{said}"
     );
 }
+
+#[test]
+fn exact_more_modes_along_a_direction_than_storeys_choose_no_stiffness_and_name_each() {
+    // a sensor on the column at x = 3 m sees torsion (0.9 Hz) along y, as the sway (1.2 Hz)
+    let modes = vec![
+        (0.9, vec![0.0, 1.5]),
+        (1.2, vec![0.0, 1.0]),
+        (1.5, vec![1.0, 0.0]),
+    ];
+    let scratch = Scratch::new("doubt-more-modes");
+    fs::write(scratch.path().join("gate.csv"), decay(&modes, &["x", "y"], 1)).unwrap();
+    let project = "schema = 1\nkind = \"frame\"\nname = \"Gate\"\nunits = { length = \"m\", mass = \"t\", stiffness = \"kN/mm\" }\n\
+        storeys = [{ name = \"columns\", mass = 20, height = 4 }]\n\
+        direction.x.stiffness = \"identified\"\ndirection.y.stiffness = \"identified\"\n\
+        [survey.2024-03-05.records]\nfile = \"gate.csv\"\nsampling_rate = \"50 Hz\"\nunit = \"m/s2\"\nchannels = [\n\
+        { column = \"x\", position = [3, 0, 4], direction = \"x\" },\n\
+        { column = \"y\", position = [3, 0, 4], direction = \"y\" },\n]\n\
+        [survey.2024-03-05.records.modal]\nmethod = \"era\"\n";
+    fs::write(scratch.path().join("project.toml"), project).unwrap();
+    let found = json(&scratch, "identify project.toml");
+    assert_eq!(chosen(&found), [true, false]);
+    let all = found["surveys"][0]["stiffness"].as_array().unwrap();
+    let along_y = |of: &&Value| of["direction"] == "y" && of["convention"] == "drift";
+    let along_y = all.iter().find(along_y).unwrap();
+    assert_eq!(along_y["doubted"]["of"], "more_modes");
+    // k = m ω² + m g/h
+    let k = |hz: f64| 20e3 * ((TAU * hz).powi(2) + 9.80665 / 4.0);
+    let [own, other] = [&along_y["solutions"][0], &along_y["other_choices"][0]]
+        .map(|of| of["stiffness"][0].as_f64().unwrap());
+    assert!(
+        (own / k(0.9) - 1.0).abs() < 0.01 && (other / k(1.2) - 1.0).abs() < 0.01,
+        "{own} {other}"
+    );
+    let said = scratch.briefly("identify project.toml").words();
+    assert!(
+        said.contains("With 0.900 Hz k is") && said.contains("with 1.200 Hz k is"),
+        "{said}"
+    );
+    let said = scratch.briefly("check project.toml").words();
+    assert!(said.contains("unknown") && !said.contains("stable"), "{said}");
+}

@@ -72,7 +72,7 @@ pub(crate) fn has_headline(answer: &ProjectReport) -> bool {
 pub(crate) fn headline_line(answer: &ProjectReport, language: Language) -> String {
     let judgement = judge(&answer.answers);
     let mut all = Vec::new();
-    all.extend(over_the_years(judgement.alarming).map(|said| said.text(language)));
+    all.extend(over_the_years(&judgement).map(|said| said.text(language)));
     all.extend(judgement.headline().map(|of| headline(of, language)));
     all.extend(worse(answer, &judgement, language));
     format!("{} {}", judgement_sign(&judgement), all.join("; "))
@@ -169,7 +169,7 @@ fn of_state(answer: &ProjectReport, state: &State, language: Language) -> Banner
     let judgement = judge(&answer.answers);
     let judged = judgement.headline();
     let words = judged.map(|of| headline(of, language));
-    let words: Vec<String> = over_the_years(judgement.alarming)
+    let words: Vec<String> = over_the_years(&judgement)
         .map(|said| said.text(language))
         .into_iter()
         .chain(words)

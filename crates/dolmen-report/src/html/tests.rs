@@ -83,6 +83,7 @@ pub(crate) fn gate() -> ProjectReport {
         load_factors: vec![Some(32.2), Some(182.7)],
         peaks_below_hz: Vec::new(),
         doubted: None,
+        other_choices: Vec::new(),
         beside_file: None,
     };
     let checks = part.directions.iter().map(|d| DirectionCheck {

@@ -1,9 +1,10 @@
 //! Findings on records whose shapes contradict a chain or frame.
 
+use super::solutions::{other_quantities, stiffness_quantities};
 use crate::document::{Finding, Tone};
-use dolmen::structure::ChannelChange;
+use dolmen::structure::{ChannelChange, Choice};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
-use dolmen_work::surveyed::{StiffnessDoubt, SurveyAnswer};
+use dolmen_work::surveyed::{StiffnessAnswer, StiffnessDoubt, SurveyAnswer};
 
 messages! {
     /// Doubts about the shapes of a record.
@@ -36,6 +37,14 @@ messages! {
         NotChosenShapes { unexplained: Quantity, said: Sentence } => {
             en: "not chosen, for {unexplained} of the shapes of these modes is not of the model. {said}",
             ko: "판정하지 않는다. 이 모드들의 형상 중 {unexplained}이(가) 모델과 맞지 않는다. {said}",
+        },
+        MoreModes { modes: usize, choices: Vec<Sentence> } => {
+            en: "not chosen, for more modes move along this direction than the model has ({modes}), and which of them are its own decides k. {choices}. The others are torsion, or of something that the model lacks: measure again with a second sensor across the floor, or write the modes of this direction into the survey.",
+            ko: "판정하지 않는다. 이 방향으로 움직이는 모드가 모델의 모드 수({modes}개)보다 많으며, 어느 것이 이 방향의 모드인가에 따라 강성 k가 달라진다. {choices}. 나머지는 비틀림 모드이거나 모델에 없는 것의 모드이다. 바닥 반대쪽에 센서를 하나 더 두어 다시 계측하거나 이 방향의 모드를 조사에 적는다.",
+        },
+        With { frequencies: Values, values: Values } => {
+            en: "With {frequencies} k is {values}",
+            ko: "{frequencies}이면 k는 {values}",
         },
         Would(values: Values) => {
             en: "Taken as they are, they would give k, the lowest first: {values}.",
@@ -72,7 +81,10 @@ pub(super) fn finding(survey: &SurveyAnswer) -> Option<Finding> {
 }
 
 /// Why a solution is not chosen; `said` is its text.
-pub(super) fn not_chosen(doubt: StiffnessDoubt, values: Option<Values>) -> Doubted {
+pub(super) fn not_chosen(answer: &StiffnessAnswer, doubt: StiffnessDoubt) -> Doubted {
+    let is_one = answer.solutions.choice == Choice::One;
+    let one = answer.solutions.solutions.first().filter(|_| is_one);
+    let values = one.map(|one| Values(stiffness_quantities(answer, one)));
     let said: Sentence = match values {
         Some(values) => Doubted::Would(values).into(),
         None => Doubted::Nothing.into(),
@@ -83,6 +95,33 @@ pub(super) fn not_chosen(doubt: StiffnessDoubt, values: Option<Values>) -> Doubt
             unexplained: share(unexplained),
             said,
         },
+        StiffnessDoubt::MoreModes => more_modes(answer),
+    }
+}
+
+/// The stiffness with every choice of the modes.
+fn more_modes(answer: &StiffnessAnswer) -> Doubted {
+    let hertz = |all: &[f64]| {
+        let each = all
+            .iter()
+            .map(|hz| Quantity::new(*hz, Unit::si("Hz"), Digits::Fixed(3)));
+        Values(each.collect())
+    };
+    let own = answer.solutions.solutions.iter();
+    let own = own
+        .filter(|_| answer.solutions.choice != Choice::Impossible)
+        .map(|one| (&answer.frequencies_hz, Values(stiffness_quantities(answer, one))));
+    let others = answer.other_choices.iter();
+    let others = others.map(|of| (&of.frequencies_hz, Values(other_quantities(answer, of))));
+    Doubted::MoreModes {
+        modes: answer.frequencies_hz.len(),
+        choices: own
+            .chain(others)
+            .map(|(frequencies_hz, values)| {
+                let frequencies = hertz(frequencies_hz);
+                Doubted::With { frequencies, values }.into()
+            })
+            .collect(),
     }
 }
 

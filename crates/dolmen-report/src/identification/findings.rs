@@ -15,7 +15,7 @@ use crate::simulated::kilo;
 use dolmen::structure::{Choice, StiffnessNote};
 use dolmen_project::{Project, Quantity as Input, Structure, date_of};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
-use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer, WithoutStiffness};
+use dolmen_work::surveyed::{StiffnessAnswer, StiffnessDoubt, SurveyAnswer, WithoutStiffness};
 
 messages! {
     /// Findings on stiffness from vibration.
@@ -251,11 +251,11 @@ fn choice(survey: &str, answer: &StiffnessAnswer) -> Finding {
     let (tone, said, code): (Tone, Sentence, Option<&'static str>) = match answer.peaks_below_hz.as_slice() {
         [] => match answer.doubted {
             Some(doubt) => {
-                let is_one = answer.solutions.choice == Choice::One;
-                let one = answer.solutions.solutions.first().filter(|_| is_one);
-                let values = one.map(|one| Values(stiffness_quantities(answer, one)));
-                let said = doubted::not_chosen(doubt, values);
-                (Tone::Warn, said.into(), Some("sensor-slip"))
+                let code = match doubt {
+                    StiffnessDoubt::Sensors | StiffnessDoubt::Shapes { .. } => "sensor-slip",
+                    StiffnessDoubt::MoreModes => "indistinguishable",
+                };
+                (Tone::Warn, doubted::not_chosen(answer, doubt).into(), Some(code))
             }
             None => (tone(answer), chosen(answer).into(), code(answer.solutions.choice)),
         },

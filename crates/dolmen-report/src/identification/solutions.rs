@@ -12,7 +12,7 @@ use dolmen_project::{Project, Structure};
 use dolmen_words::message::Both;
 use dolmen_words::number::subscript;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
-use dolmen_work::surveyed::StiffnessAnswer;
+use dolmen_work::surveyed::{OtherChoice, StiffnessAnswer};
 
 /// Number of solutions listed; the rest are counted.
 const SOLUTIONS_SHOWN: usize = 24;
@@ -100,6 +100,18 @@ pub(super) fn stiffness_quantities(answer: &StiffnessAnswer, solution: &Stiffnes
     (0..solution.stiffness.len())
         .map(|at| value(answer, solution, at, &unit))
         .collect()
+}
+
+/// The same for another choice of modes.
+pub(super) fn other_quantities(answer: &StiffnessAnswer, other: &OtherChoice) -> Vec<Quantity> {
+    let unit = Unit::of(&other.stiffness, unit_si(answer));
+    let sd = |at: usize| other.stiffness_sd.as_ref().and_then(|sd| sd.get(at)).copied();
+    let each = other.stiffness.iter().enumerate();
+    each.map(|(at, k)| Quantity {
+        sd_si: sd(at),
+        ..Quantity::new(*k, unit.clone(), Digits::Significant(4))
+    })
+    .collect()
 }
 
 /// The spring of the stiffness: only frames have conventions.

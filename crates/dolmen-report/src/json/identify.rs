@@ -346,7 +346,13 @@ fn stiffness(answer: &StiffnessAnswer) -> Value {
         "doubted": answer.doubted.map(|of| match of {
             StiffnessDoubt::Sensors => as_json!({ "of": "sensors", "unexplained": null }),
             StiffnessDoubt::Shapes { unexplained } => as_json!({ "of": "shapes", "unexplained": unexplained }),
+            StiffnessDoubt::MoreModes => as_json!({ "of": "more_modes", "unexplained": null }),
         }),
+        "other_choices": answer.other_choices.iter().map(|of| as_json!({
+            "frequencies_hz": of.frequencies_hz,
+            "stiffness": of.stiffness,
+            "stiffness_sd": of.stiffness_sd,
+        })).collect::<Vec<_>>(),
         "beside_file": answer.beside_file,
         "solutions": found.solutions,
         "visibility": found.visibility,

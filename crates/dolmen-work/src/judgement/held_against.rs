@@ -8,8 +8,12 @@ use super::modes_along::{higher_modes, natural_modes, pairs_along};
 use crate::building::BuildingAnswer;
 use crate::state::Check;
 use crate::survey_dates::date;
+use dolmen::blocks::StackMode;
 use dolmen::damper::lowest_seen;
 use dolmen_project::{ModeKind, Project, Quantity, Survey, SurveyMode};
+
+/// Smallest share of the kinetic energy of a stack's mode along a direction for a mode of it, as for its first sway.
+const ALONG_LEAST: f64 = 0.25;
 
 impl Evidence {
     /// Evidence of surveys for a model, in the worst direction; for each direction the latest survey with a frequency counts.
@@ -55,14 +59,21 @@ impl Evidence {
             surveys.any(|survey| survey.name == name && survey.is_made_up)
         };
         let found = found.iter().filter(|of| !is_made_up(&of.survey));
+        let first = |of: &RecordFrequency| first_frequency(as_of.of(&of.survey)?.1, of.direction);
+        // where the other direction of the survey confirms the model, a frequency of one of its higher modes is that mode
+        let is_confirmed = |of: &RecordFrequency| {
+            let is_other =
+                |other: &&RecordFrequency| other.survey == of.survey && other.direction != of.direction;
+            let others = found.clone().filter(is_other);
+            let mut others = others.filter_map(|other| other.beside(first(other)?, &[]));
+            others.any(|other| !other.differs())
+        };
         measured.extend(found.clone().filter_map(|of| {
-            Some(MeasuredFrequency {
-                survey: of.survey.clone(),
-                direction: of.direction.to_owned(),
-                measured_hz: of.frequency_hz,
-                sd_hz: Some(of.sd_hz).filter(|sd_hz| *sd_hz > 0.0),
-                computed_hz: first_frequency(as_of.of(&of.survey)?.1, of.direction)?,
-            })
+            let higher_hz = match is_confirmed(of) {
+                true => higher_frequencies(as_of.of(&of.survey)?.1, of.direction),
+                false => Vec::new(),
+            };
+            of.beside(first(of)?, &higher_hz)
         }));
         if measured.is_empty() {
             return match Evidence::without(as_of) {
@@ -232,6 +243,28 @@ fn first_frequency(check: &Check, direction: &str) -> Option<f64> {
             known.and_then(|known| known.sway(direction)).map(|(_, hz)| hz)
         }
         Check::Building(answer) => of_whole(answer, direction),
+    }
+}
+
+/// Frequencies of the higher modes of a chain, frame or stack in a direction, Hz.
+fn higher_frequencies(check: &Check, direction: &str) -> Vec<f64> {
+    match check {
+        Check::Chain(_) | Check::Frame(_) => {
+            let higher = natural_modes(check, direction).iter().skip(1);
+            higher.map(|mode| mode.frequency_hz).collect()
+        }
+        Check::Stack(stack) => {
+            let known = stack.frequencies.as_ref();
+            let first = known.and_then(|known| Some((known.sway(direction)?.0, known.modes()?)));
+            let Some((first, modes)) = first else {
+                return Vec::new();
+            };
+            let axis = usize::from(direction == "y");
+            let along = |mode: &&StackMode| mode.kinetic_energy_ratio[axis] >= ALONG_LEAST;
+            let higher = modes.iter().skip(first + 1).filter(along);
+            higher.map(|mode| mode.frequency_hz).collect()
+        }
+        Check::Building(_) => Vec::new(),
     }
 }
 

@@ -10,7 +10,7 @@ use super::tilt_limit::is_tilt_beyond;
 use super::version::{AfterMotion, VersionJudgement, leaning, version};
 use super::weight::Weight;
 use super::wind::of_wind_histories;
-use crate::answer::{Answer, CheckAnswer};
+use crate::answer::{Answer, CheckAnswer, CompareAnswer};
 use crate::building::{TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::frame::FrameBeside;
 use crate::inventory::InventoryLine;
@@ -30,6 +30,41 @@ pub struct Judgement {
     pub is_done: bool,
     /// Open findings of its surveys over the years.
     pub alarming: Alarming,
+    /// Frequencies that changed beyond chance from the first to the last survey.
+    pub changed: Option<ChangedSince>,
+}
+
+/// Frequencies that changed beyond chance from one survey to another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChangedSince {
+    /// The earlier survey.
+    pub from: String,
+    /// The later survey.
+    pub to: String,
+    /// Number of changed frequencies.
+    pub changed: usize,
+    /// Number of compared frequencies.
+    pub tested: usize,
+    /// Whether the weather may be the reason, because the temperatures are unknown.
+    pub may_be_weather: bool,
+}
+
+impl ChangedSince {
+    fn of(compared: &CompareAnswer) -> Option<ChangedSince> {
+        let change = compared.change.as_ref()?;
+        let changed = change.changed().count();
+        // surveys that nobody measured are no evidence
+        let both = [&compared.from, &compared.to];
+        let mut surveys = compared.project.surveys.iter();
+        let is_made_up = surveys.any(|survey| survey.is_made_up && both.contains(&&survey.name));
+        (changed > 0 && !is_made_up).then(|| ChangedSince {
+            from: compared.from.clone(),
+            to: compared.to.clone(),
+            changed,
+            tested: change.tested(),
+            may_be_weather: change.temperature.leaves_doubt(),
+        })
+    }
 }
 
 /// Findings of the surveys over the years that require an inspection.
@@ -65,14 +100,14 @@ impl Judgement {
             versions: Vec::new(),
             is_done: true,
             alarming: Alarming::default(),
+            changed: None,
         }
     }
 
     fn of_run(variant: Option<&str>, found: Vec<EarthquakeFinding>, is_done: bool) -> Self {
         let mut judgement = Judgement {
-            versions: Vec::new(),
             is_done,
-            alarming: Alarming::default(),
+            ..Judgement::empty()
         };
         judgement.add(variant, found);
         judgement
@@ -166,7 +201,14 @@ impl Judgement {
     /// The worst colour of all versions, for banner, index and exit status.
     pub fn colour(&self) -> Colour {
         let alarm = self.alarming.is_any().then_some(Colour::Red);
-        Colour::worst(self.versions.iter().map(VersionJudgement::colour).chain(alarm))
+        let changed = self.changed.as_ref().filter(|of| !of.may_be_weather);
+        let over_the_years = alarm.into_iter().chain(changed.map(|_| Colour::Amber));
+        Colour::worst(
+            self.versions
+                .iter()
+                .map(VersionJudgement::colour)
+                .chain(over_the_years),
+        )
     }
 
     /// The version in the headline: the structure as it is, otherwise the first one.
@@ -242,10 +284,10 @@ pub fn judge(answers: &[Answer]) -> Judgement {
             Answer::Watch(watched) => {
                 judgement.alarming = Alarming::of(watched);
             }
+            Answer::Compare(compared) => judgement.changed = ChangedSince::of(compared),
             // included above, or without a verdict on the structure
             Answer::Check(_)
             | Answer::Identify(_)
-            | Answer::Compare(_)
             | Answer::Study(_)
             | Answer::Score(_)
             | Answer::Rank(_)
@@ -289,8 +331,7 @@ fn of_check(checked: &CheckAnswer, found: &FromRecords) -> Vec<VersionJudgement>
 pub fn judge_check(checked: &CheckAnswer) -> Judgement {
     Judgement {
         versions: of_check(checked, &FromRecords::default()),
-        is_done: true,
-        alarming: Alarming::default(),
+        ..Judgement::empty()
     }
 }
 
@@ -383,8 +424,7 @@ mod tests {
         ] {
             let judgement = Judgement {
                 versions: vec![version(None, weight, word)],
-                is_done: true,
-                alarming: Alarming::default(),
+                ..Judgement::empty()
             };
             let headline = judgement.headline().map(|of| of.words(Language::English));
             assert_eq!(headline.unwrap_or_default().join("; "), words);
@@ -400,8 +440,7 @@ mod tests {
         let falls = version(Some("loose"), Weight::Unstable, Earthquake::NotAsked);
         let judgement = Judgement {
             versions: vec![stable(None), stable(Some("wedged")), falls],
-            is_done: true,
-            alarming: Alarming::default(),
+            ..Judgement::empty()
         };
         let worse: Vec<_> = judgement.worse().map(|of| of.variant.clone()).collect();
         assert_eq!(worse, [Some("loose".to_owned())]);
@@ -419,8 +458,7 @@ mod tests {
                 of(Some("thin"), Weight::Unstable, Earthquake::BelowDemand),
                 of(Some("thick"), Weight::Stable, Earthquake::Near),
             ],
-            is_done: true,
-            alarming: Alarming::default(),
+            ..Judgement::empty()
         };
         let worse: Vec<_> = judgement.worse().map(|of| of.variant.clone()).collect();
         assert_eq!(worse, [Some("thin".to_owned())]);
@@ -432,18 +470,32 @@ mod tests {
             let judgement = Judgement {
                 versions: vec![version(None, Weight::Stable, word)],
                 is_done: false,
-                alarming: Alarming::default(),
+                ..Judgement::empty()
             };
             assert_eq!(judgement.exit_status(Verb::Simulate), exit);
         }
-        let nothing = Judgement {
-            versions: Vec::new(),
-            is_done: true,
-            alarming: Alarming::default(),
-        };
+        let nothing = Judgement { ..Judgement::empty() };
         assert_eq!(
             (nothing.colour(), nothing.exit_status(Verb::Check)),
             (Colour::Green, 0)
         );
+    }
+
+    #[test]
+    fn holds_a_change_beyond_chance_is_never_green_unless_the_weather_may_be_its_reason() {
+        let changed = |may_be_weather| Judgement {
+            versions: vec![version(None, Weight::Stable, Earthquake::Above)],
+            changed: Some(ChangedSince {
+                from: "2024-03-05".to_owned(),
+                to: "2026-03-07".to_owned(),
+                changed: 2,
+                tested: 4,
+                may_be_weather,
+            }),
+            ..Judgement::empty()
+        };
+        assert_eq!(changed(false).colour(), Colour::Amber);
+        assert_eq!(changed(true).colour(), Colour::Green);
+        assert_eq!(changed(false).exit_status(Verb::Report), 0);
     }
 }

@@ -31,8 +31,11 @@ pub(crate) use held_against::superseded_by;
 pub use held_against::{first_sway, latest_frequencies, measured_frequencies, missed_modes};
 pub(crate) use in_doubt::SurveyDoubts;
 pub use in_doubt::{InDoubt, MissedMode, PairedMode, Unexplained};
-pub use judge::{Alarming, Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run};
-pub use measured_frequency::{MeasuredFrequency, RecordFrequency};
+pub use judge::{
+    Alarming, ChangedSince, Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run,
+};
+pub(crate) use measured_frequency::contradict;
+pub use measured_frequency::{FrequencyAndDeviation, MeasuredFrequency, RecordFrequency};
 pub(crate) use runs::is_worse_stack_run;
 pub use said::SAID;
 pub use severe_damage::SevereDamage;

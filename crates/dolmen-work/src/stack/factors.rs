@@ -114,7 +114,10 @@ fn once(left_out: Vec<LeftOut>) -> Vec<LeftOut> {
             LeftOut::OtherDirection { frequency_hz, .. } => left_out[..at].iter().any(
                 |other| matches!(other, LeftOut::OtherDirection { frequency_hz: hz, .. } if hz == frequency_hz),
             ),
-            LeftOut::Twists { .. } | LeftOut::Doubtful { .. } => true,
+            LeftOut::Twists { .. }
+            | LeftOut::Doubtful { .. }
+            | LeftOut::Turns { .. }
+            | LeftOut::Beyond { .. } => true,
         };
         if said && !kept.contains(one) {
             kept.push(one.clone());

@@ -7,6 +7,8 @@
 //! | s_c | `direction` of a channel | unit vector of the sensor direction | |
 
 use super::left_out::SHARE_LEAST;
+use super::plan_pairs::unmixed;
+use super::turning::turning_hz;
 use super::{LeftOut, MeasuredMode, ShapePoint};
 use crate::modal::{Mode, Modes};
 use crate::signal::Channel;
@@ -41,7 +43,8 @@ pub struct DirectionalModes {
 /// * `direction` -- unit vector, horizontal
 ///
 /// # Limits
-/// Channels without a direction or a position are not used. Each height is taken as rigid in plan: a mode is left out as
+/// Channels without a direction or a position are not used. Two modes of nearly one frequency that are mixed in plan are taken apart along x and
+/// y, if their plane allows it. Each height is taken as rigid in plan: a mode is left out as
 /// twisting if its sensors at one height differ by more than 30 % of its largest component.
 pub fn directional_modes(modes: &Modes, direction: [f64; 3]) -> DirectionalModes {
     let along = channels_along(&modes.channels, direction);
@@ -52,7 +55,7 @@ pub fn directional_modes(modes: &Modes, direction: [f64; 3]) -> DirectionalModes
     if found.channels_along == 0 {
         return found;
     }
-    for mode in &modes.modes {
+    for mode in &unmixed(modes) {
         match along_direction(mode, &along) {
             Ok(measured) => found.modes.push(measured),
             Err(why) => found.left_out.push(why),
@@ -132,6 +135,33 @@ impl DirectionalModes {
             });
             self.modes.truncate(at);
         }
+    }
+}
+
+impl DirectionalModes {
+    /// If there are more modes than `parts`, the number that a model has: leaves out those that turn about the vertical axis through the origin,
+    /// and then those above the `parts` lowest, which it returns.
+    pub fn keep(&mut self, modes: &Modes, parts: usize) -> Vec<MeasuredMode> {
+        let turning_hz = match self.modes.len() > parts {
+            true => turning_hz(modes),
+            false => Vec::new(),
+        };
+        let turns = |mode: &MeasuredMode| turning_hz.contains(&mode.frequency_hz);
+        // with too few left, none of them is torsion: the axes of the sensors may be turned
+        if self.modes.iter().filter(|mode| !turns(mode)).count() >= parts {
+            let turning = self.modes.iter().filter(|mode| turns(mode));
+            let left_out = turning.map(|mode| LeftOut::Turns {
+                frequency_hz: mode.frequency_hz,
+            });
+            self.left_out.extend(left_out);
+            self.modes.retain(|mode| !turns(mode));
+        }
+        let beyond = self.modes.split_off(parts.min(self.modes.len()));
+        self.left_out.extend(beyond.iter().map(|mode| LeftOut::Beyond {
+            frequency_hz: mode.frequency_hz,
+            modes: parts,
+        }));
+        beyond
     }
 }
 

@@ -30,6 +30,18 @@ pub enum LeftOut {
         /// Number of modes above it, which are left out too.
         above: usize,
     },
+    /// Its motion is a turn about the vertical axis through the origin, and without it the direction has as many modes as the model.
+    Turns {
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+    },
+    /// The model has fewer modes in the direction.
+    Beyond {
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+        /// Number of modes of the model.
+        modes: usize,
+    },
 }
 
 impl LeftOut {
@@ -61,6 +73,14 @@ impl std::fmt::Display for LeftOut {
                 f,
                 "The mode at {frequency_hz:.3} Hz is left out: the setups may not show one mode there. {above} above it are left out too, \
                  since a fit counts modes from the lowest."
+            ),
+            LeftOut::Turns { frequency_hz } => write!(
+                f,
+                "The mode at {frequency_hz:.3} Hz is left out: its motion is a turn about the vertical axis through the origin, which is torsion."
+            ),
+            LeftOut::Beyond { frequency_hz, modes } => write!(
+                f,
+                "The mode at {frequency_hz:.3} Hz is left out: the model has {modes} modes in this direction."
             ),
         }
     }

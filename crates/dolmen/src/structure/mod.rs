@@ -12,12 +12,14 @@ mod inverse;
 mod left_out;
 mod natural;
 mod one_stone;
+mod plan_pairs;
 mod shaft;
 mod shape_doubt;
 mod soil;
 pub mod stack;
 mod stiffness_note;
 mod stiffness_words;
+mod turning;
 pub mod wind;
 
 pub use building::Building;

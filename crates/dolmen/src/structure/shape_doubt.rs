@@ -6,8 +6,11 @@
 //! | ψ | `shape` | the model's mode at the same frequency, at the sensors of its direction; 0 at the others |
 //! | r | `residual` | 1 − (φ·ψ)²/(φ² ψ²): share of a mode that the model does not explain |
 
+use super::directional::real_shape;
 use super::inverse::Sprung;
-use super::{Chain, Frame, directional::real_shape};
+use super::plan_pairs::unmixed;
+use super::turning::turning_hz;
+use super::{Chain, Frame};
 use crate::modal::{Mode, Modes};
 use dolmen_linalg::Complex64;
 use std::collections::BTreeMap;
@@ -29,6 +32,10 @@ const LESSENS: f64 = 4.0;
 const AS_GOOD: f64 = 2.0;
 /// Difference between unexplained shares below which two changes are equally good: noise of shapes. Our choice.
 const NOISE: f64 = 0.005;
+/// Standard deviations by which frequencies without an exact stiffness are spread to find the nearest ones that have one. Our choice.
+const SPREADS: [f64; 3] = [1.0, 2.0, 3.0];
+/// Factor of a channel beside which all others vanish.
+const VANISHING: f64 = 1e6;
 /// Largest number of possible changes in the answer; with more of them none is likely. Our choice.
 const CHANGES_MOST: usize = 4;
 /// Factors between units or ranges that are often confused. Shapes cannot distinguish 9.8 (g instead of m/s²) from 10, or 981 (g instead of gal) from
@@ -89,7 +96,10 @@ pub fn chain_shape_doubt(chain: &Chain, modes: &Modes) -> Option<ShapeDoubt> {
 ///
 /// Each mode belongs to the direction with the larger motion. If a direction has as many modes as the model has parts, their frequencies determine
 /// all possible stiffnesses, and the measured shapes are compared with those of the best one. With fewer modes, only motion in the other direction is
-/// unexplained.
+/// unexplained. Frequencies that noise has moved to where no stiffness exists are spread by up to three standard deviations.
+///
+/// Two modes of nearly one frequency that are mixed in plan are taken apart first. In a direction with more modes than parts, those that turn about
+/// the vertical axis through the origin are torsion and left out.
 ///
 /// # Limits
 /// Models of at most five parts. A change that does not alter the relation between the modes is not detected. With only two sensors in a direction,
@@ -124,9 +134,16 @@ struct Measured<'a, S: Sprung> {
     of: &'a S,
     parts: usize,
     sensors: Vec<Sensor>,
-    /// Frequency, Hz, and measured components of each mode.
-    modes: Vec<(f64, Vec<f64>)>,
+    modes: Vec<MeasuredShape>,
     roots: BTreeMap<Vec<u64>, Roots>,
+}
+
+struct MeasuredShape {
+    frequency_hz: f64,
+    /// Standard deviation, Hz; 0 if unknown.
+    sd_hz: f64,
+    /// Measured components at the sensors.
+    components: Vec<f64>,
 }
 
 fn shape_doubt<S: Sprung>(of: &S, modes: &Modes) -> Option<ShapeDoubt> {
@@ -187,23 +204,58 @@ impl<'a, S: Sprung> Measured<'a, S> {
             of,
             parts,
             sensors,
-            modes: modes
-                .modes
+            modes: unmixed(modes)
                 .iter()
-                .filter_map(|mode| Some((mode.frequency_hz, components(mode)?)))
+                .filter_map(|mode| {
+                    Some(MeasuredShape {
+                        frequency_hz: mode.frequency_hz,
+                        sd_hz: mode.frequency_sd_hz.unwrap_or(0.0),
+                        components: components(mode)?,
+                    })
+                })
                 .collect(),
             roots: BTreeMap::new(),
         };
         let twisting: Vec<bool> = (0..measured.modes.len()).map(|m| measured.twists(m)).collect();
         let mut kept = twisting.into_iter();
         measured.modes.retain(|_| !kept.next().unwrap_or(false));
+        measured.leave_out_turning(&turning_hz(modes));
         let is_enough = measured.sensors.len() > 1 && !measured.modes.is_empty();
         (is_enough && parts <= PARTS_MOST).then_some(measured)
     }
 
+    /// Leaves out the modes at these frequencies, which turn about the origin, in a direction with more modes than parts.
+    fn leave_out_turning(&mut self, turning_hz: &[f64]) {
+        let turns = |mode: &MeasuredShape| turning_hz.contains(&mode.frequency_hz);
+        let axes: Vec<usize> = (0..self.modes.len())
+            .map(|mode| {
+                let share = self.shares(&self.values(mode, Change::None));
+                usize::from(share[1] > share[0])
+            })
+            .collect();
+        let is_out: Vec<bool> = (0..self.modes.len())
+            .map(|mode| {
+                let own = (0..self.modes.len()).filter(|other| axes[*other] == axes[mode]);
+                let others = own.filter(|other| !turns(&self.modes[*other])).count();
+                turns(&self.modes[mode]) && others >= self.parts
+            })
+            .collect();
+        let mut is_out = is_out.into_iter();
+        self.modes.retain(|_| !is_out.next().unwrap_or(false));
+    }
+
+    /// Share of the squared components along x and along y.
+    fn shares(&self, values: &[f64]) -> [f64; 2] {
+        let power: f64 = values.iter().map(|x| x * x).sum();
+        [0, 1].map(|axis| {
+            let own = values.iter().zip(&self.sensors).filter(|(_, of)| of.axis == axis);
+            own.map(|(x, _)| x * x).sum::<f64>() / power
+        })
+    }
+
     /// Components of a mode along the axes after a change.
     fn values(&self, mode: usize, change: Change) -> Vec<f64> {
-        let mut read = self.modes[mode].1.clone();
+        let mut read = self.modes[mode].components.clone();
         match change {
             Change::None => {}
             Change::Turned(at) => read[at] = -read[at],
@@ -231,17 +283,10 @@ impl<'a, S: Sprung> Measured<'a, S> {
 
     /// Mean unexplained share of all modes, of those along x, and of those along y.
     fn unexplained(&mut self, change: Change) -> [f64; 3] {
-        let shares = |values: &[f64]| -> [f64; 2] {
-            let power: f64 = values.iter().map(|x| x * x).sum();
-            [0, 1].map(|axis| {
-                let own = values.iter().zip(&self.sensors).filter(|(_, of)| of.axis == axis);
-                own.map(|(x, _)| x * x).sum::<f64>() / power
-            })
-        };
         let mut along: [Vec<(usize, Vec<f64>, f64)>; 2] = [Vec::new(), Vec::new()];
         for mode in 0..self.modes.len() {
             let values = self.values(mode, change);
-            let share = shares(&values);
+            let share = self.shares(&values);
             let axis = usize::from(share[1] > share[0]);
             along[axis].push((mode, values, 1.0 - share[axis]));
         }
@@ -252,9 +297,9 @@ impl<'a, S: Sprung> Measured<'a, S> {
             if own.len() >= self.parts {
                 let lowest = &own[..self.parts];
                 let beyond: f64 = own[self.parts..].iter().map(|(_, _, across)| across).sum();
-                let frequencies: Vec<f64> = lowest.iter().map(|(mode, ..)| self.modes[*mode].0).collect();
+                let modes: Vec<usize> = lowest.iter().map(|(mode, ..)| *mode).collect();
                 let values: Vec<&Vec<f64>> = lowest.iter().map(|(_, values, _)| values).collect();
-                sums[axis] = beyond + self.of_frequencies(&frequencies, &values, axis);
+                sums[axis] = beyond + self.of_frequencies(&modes, &values, axis);
             }
         }
         let mean = |sum: f64, count: usize| if count == 0 { 0.0 } else { sum / count as f64 };
@@ -265,11 +310,16 @@ impl<'a, S: Sprung> Measured<'a, S> {
         ]
     }
 
-    /// Sum of the residuals with the best stiffness that has these frequencies; the number of modes if there is none.
-    fn of_frequencies(&mut self, frequencies: &[f64], values: &[&Vec<f64>], axis: usize) -> f64 {
-        let key: Vec<u64> = frequencies.iter().map(|f| f.to_bits()).collect();
+    /// Sum of the residuals with the best stiffness that has the frequencies of these modes; the number of modes if there is none.
+    fn of_frequencies(&mut self, modes: &[usize], values: &[&Vec<f64>], axis: usize) -> f64 {
+        let key: Vec<u64> = modes
+            .iter()
+            .map(|mode| self.modes[*mode].frequency_hz.to_bits())
+            .collect();
         if !self.roots.contains_key(&key) {
-            let found = self.solved(frequencies);
+            let spreads = [0.0].into_iter().chain(SPREADS);
+            let mut found = spreads.map(|deviations| self.solved(&self.spread(modes, deviations)));
+            let found = found.find(|roots| !roots.is_empty()).unwrap_or_default();
             self.roots.insert(key.clone(), found);
         }
         let roots = self.roots.get(&key).map_or(&[][..], Vec::as_slice);
@@ -288,6 +338,19 @@ impl<'a, S: Sprung> Measured<'a, S> {
         };
         let sum = |root: &Vec<Vec<f64>>| values.iter().zip(root).map(residual).sum::<f64>();
         roots.iter().map(sum).fold(values.len() as f64, f64::min)
+    }
+
+    /// The frequencies of modes, Hz, the lowest lowered and the highest raised by this many standard deviations, the others in proportion: only
+    /// frequencies too close to each other have no stiffness.
+    fn spread(&self, modes: &[usize], deviations: f64) -> Vec<f64> {
+        let last = modes.len().saturating_sub(1).max(1) as f64;
+        let each = modes.iter().enumerate().map(|(at, mode)| {
+            let MeasuredShape {
+                frequency_hz, sd_hz, ..
+            } = self.modes[*mode];
+            frequency_hz + deviations * sd_hz * (2.0 * at as f64 / last - 1.0)
+        });
+        each.collect()
     }
 
     fn solved(&self, frequencies: &[f64]) -> Roots {
@@ -316,6 +379,7 @@ impl<'a, S: Sprung> Measured<'a, S> {
             .into_iter()
             .map(|change| (self.unexplained(change)[0], change))
             .collect();
+        tried.retain(|(share, change)| self.is_evident(*share, *change));
         tried.sort_by(|a, b| a.0.total_cmp(&b.0));
         let Some(best) = tried.first().map(|(share, _)| *share) else {
             return Vec::new();
@@ -339,6 +403,16 @@ impl<'a, S: Sprung> Measured<'a, S> {
             true => found,
             false => Vec::new(),
         }
+    }
+
+    /// Whether the data show a change. A factor at which a channel vanishes from the shapes, or all others beside it, explains any shape: without
+    /// the channel, or with it alone, there is little left to explain.
+    fn is_evident(&mut self, share: f64, change: Change) -> bool {
+        let Change::Scaled(at, factor) = change else {
+            return true;
+        };
+        let vanished = if factor < 1.0 { 0.0 } else { VANISHING };
+        self.unexplained(Change::Scaled(at, vanished))[0] > LESSENS * share.max(NOISE)
     }
 
     fn named(&self, change: Change) -> Option<ChannelChange> {

@@ -13,9 +13,11 @@
 use crate::choi_2021::{naju, twice_the_least};
 use crate::made_mode::made_mode;
 use dolmen::modal::{Method, Mode, Modes};
+use dolmen::numeric::Random;
 use dolmen::signal::{Channel, Quantity};
 use dolmen::structure::{
-    ChannelChange, Convention, Frame, ShapeDoubt, Storey, chain_shape_doubt, frame_shape_doubt,
+    ChannelChange, Convention, Frame, LeftOut, ShapeDoubt, Storey, chain_shape_doubt, directional_modes,
+    frame_shape_doubt,
 };
 use dolmen_linalg::Complex64;
 
@@ -185,4 +187,126 @@ fn exact_axes_turned_by_an_angle_are_no_slip_of_one_sensor() {
         "{turned:?}"
     );
     assert!((turned.unexplained - sin * sin).abs() < 1e-9, "{turned:?}");
+}
+
+const X: [f64; 3] = [1.0, 0.0, 0.0];
+const Y: [f64; 3] = [0.0, 1.0, 0.0];
+
+fn frame(masses_kg: &[f64]) -> Frame {
+    let storey = |mass_kg: &f64| Storey {
+        mass_kg: *mass_kg,
+        height_m: 4.0,
+        axial_n: 0.0,
+    };
+    Frame::new(masses_kg.iter().map(storey).collect(), Convention::Drift).unwrap()
+}
+
+/// Modes of one storey at one place with a sensor along x and one along y.
+fn of_one_storey(place: [f64; 2], all: &[(f64, [f64; 2])]) -> Modes {
+    let at = |name: &str, direction| Channel {
+        position_m: Some([place[0], place[1], 4.0]),
+        ..channel(name, 4.0, direction)
+    };
+    let each = all.iter().map(|(hz, shape)| (*hz, shape.to_vec()));
+    modes(vec![at("x", X), at("y", Y)], each.collect())
+}
+
+#[test]
+fn holds_a_pair_of_one_frequency_mixed_in_plan_is_taken_apart_and_accuses_no_sensor() {
+    let one = frame(&[20e3]);
+    for (low, high) in [
+        ([1.0, 0.64], [0.43, 1.0]),
+        ([1.0, 1.0], [1.0, -1.0]),
+        ([0.8, 0.6], [1.0, -0.2]),
+        ([0.5, 1.0], [1.0, -0.5]),
+    ] {
+        let seen = of_one_storey([1.5, 1.5], &[(1.759, low), (1.771, high)]);
+        assert_eq!(frame_shape_doubt(&one, &seen), None, "{low:?} {high:?}");
+        let along = [X, Y].map(|direction| directional_modes(&seen, direction));
+        assert!(along.iter().all(|of| of.modes.len() == 1), "{low:?}: {along:?}");
+        let hz = along.map(|of| of.modes[0].frequency_hz);
+        assert!(hz[0] != hz[1], "{hz:?}");
+    }
+    // 5 % apart they are not one pair
+    let seen = of_one_storey([1.5, 1.5], &[(1.7, [1.0, 1.0]), (1.785, [1.0, -1.0])]);
+    assert!(directional_modes(&seen, X).modes.is_empty());
+}
+
+#[test]
+fn holds_a_turn_about_the_origin_beside_as_many_modes_as_storeys_is_torsion() {
+    let one = frame(&[20e3]);
+    let turn = (0.9, [-0.5, 1.0]);
+    let seen = of_one_storey([3.0, 1.5], &[turn, (1.2, [0.0, 1.0]), (1.5, [1.0, 0.0])]);
+    assert_eq!(frame_shape_doubt(&one, &seen), None);
+    let mut along = directional_modes(&seen, Y);
+    assert!(along.keep(&seen, 1).is_empty());
+    assert!(
+        along.modes.len() == 1 && along.modes[0].frequency_hz == 1.2,
+        "{along:?}"
+    );
+    assert!(
+        along.left_out.contains(&LeftOut::Turns { frequency_hz: 0.9 }),
+        "{along:?}"
+    );
+    // seen at the column on the axis it is a motion along y: it stays, and the other is beyond the model
+    let seen = of_one_storey(
+        [3.0, 0.0],
+        &[(0.9, [0.0, 1.0]), (1.2, [0.0, 1.0]), (1.5, [1.0, 0.0])],
+    );
+    let mut along = directional_modes(&seen, Y);
+    let beyond = along.keep(&seen, 1);
+    assert!(beyond.len() == 1 && beyond[0].frequency_hz == 1.2, "{beyond:?}");
+    // axes turned by 27°: no mode is left out for it
+    let seen = of_one_storey([3.0, 1.5], &[(1.2, [-0.5, 1.0]), (1.5, [1.0, 0.5])]);
+    let mut along = directional_modes(&seen, Y);
+    assert!(
+        along.keep(&seen, 1).is_empty() && along.modes.len() == 1,
+        "{along:?}"
+    );
+}
+
+#[test]
+fn holds_no_factor_that_makes_a_channel_vanish_is_advised() {
+    // 40° between the axes of the sensors and the model: with either channel alone everything is explained
+    let (sin, cos) = 40_f64.to_radians().sin_cos();
+    let seen = of_one_storey([0.0, 0.0], &[(1.2, [-sin, cos]), (1.5, [cos, sin])]);
+    let found = frame_shape_doubt(&frame(&[20e3]), &seen).unwrap();
+    assert!(found.changes.is_empty(), "{found:?}");
+}
+
+#[test]
+fn holds_noise_accuses_no_sensor_of_200_gates() {
+    let mut random = Random::new(20260307, 0);
+    let mut no_root = 0;
+    for gate in 0..200 {
+        let mut draw = |mean: f64, sd: f64| mean * (sd * random.normal()).exp();
+        let masses = [draw(38e3, 0.3), draw(52e3, 0.3)];
+        let of = frame(&masses);
+        let channels = vec![
+            channel("x1", 4.0, X),
+            channel("x2", 8.0, X),
+            channel("y1", 4.0, Y),
+            channel("y2", 8.0, Y),
+        ];
+        let mut all = Vec::new();
+        for at in [0, 2] {
+            let k = [draw(6e6, 0.3), draw(4e6, 0.3)];
+            let found = of.natural_modes(&k).unwrap();
+            let hz: Vec<f64> = found
+                .iter()
+                .map(|mode| mode.frequency_hz * draw(1.0, 0.002))
+                .collect();
+            let ratio = hz[1] / hz[0] + hz[0] / hz[1];
+            no_root += usize::from(ratio < 2.0 * (1.0 + masses[1] / masses[0]).sqrt());
+            for (hz, mode) in hz.into_iter().zip(found) {
+                let mut shape: Vec<f64> = (0..4).map(|_| draw(1.0, 0.01) - 1.0).collect();
+                (0..2).for_each(|storey| shape[at + storey] += mode.displacement[storey]);
+                all.push((hz, shape));
+            }
+        }
+        let doubt = frame_shape_doubt(&of, &modes(channels, all));
+        assert_eq!(doubt, None, "{gate}");
+    }
+    // some of them have frequencies without any exact stiffness
+    assert!(no_root >= 3, "{no_root}");
 }

@@ -113,7 +113,8 @@ pub(super) struct Piece {
     moves: Vec<VelocityTransform>,
     length: f64,
     units: Vec<f64>,
-    links: Vec<usize>,
+    /// The link of each push: the joints, then the ties.
+    pub(super) links: Vec<usize>,
     at_rest: Vec<f64>,
     shaking: [Vec<f64>; 2],
     pushes: Vec<Push>,
@@ -138,11 +139,6 @@ impl Piece {
     /// The force unit of each push, N.
     pub(super) fn units(&self) -> &[f64] {
         &self.units
-    }
-
-    /// The link of each push: the joints, then the ties.
-    pub(super) fn links(&self) -> &[usize] {
-        &self.links
     }
 
     /// Power of the loads of 1 g along x and y in a mechanism: the outward normal of the region of balanced accelerations, where the mechanism

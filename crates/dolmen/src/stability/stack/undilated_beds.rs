@@ -153,7 +153,7 @@ fn solve(
             .pushes()
             .iter()
             .zip(&pushed)
-            .zip(piece.links().iter().zip(piece.units()))
+            .zip(&piece.links.iter().zip(piece.units()))
         {
             if let Some(joint) = joints.get_mut(*link) {
                 let friction = stack.joints()[*link].material.friction_static;
