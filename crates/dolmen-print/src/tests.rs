@@ -40,3 +40,38 @@ fn no_file_of_the_machine_can_be_read() {
     let fault = pdf(sheets("#read(\"/etc/hostname\")", DAY)).unwrap_err();
     assert!(fault.to_string().contains("file not found"), "{fault}");
 }
+
+/// How reports look.
+const PRELUDE: &str = include_str!("../../dolmen-report/src/typeset/prelude.typ");
+
+#[test]
+fn holds_a_number_with_its_unit_stays_on_one_line() {
+    // between two boxes: on two lines if the words are parted in a line that lacks 2 pt for them, otherwise on three
+    let asserted = |words: &str, lines: &str| {
+        format!(
+            "#context {{
+              let words = \"{words}\"
+              let first = box(width: 40pt)[x]
+              let width = measure([#first #words]).width - 2pt
+              let last = box(width: width - 0.6 * measure([#words]).width)[x]
+              let high = measure(block(width: width)[#first #words #last]).height
+              assert(high {lines} measure([x \\ x \\ x]).height)
+            }}\n"
+        )
+    };
+    let whole = [
+        "+0.28 %",
+        "+0.28\u{202f}%.",
+        "44.76\u{202f}kN·m/rad",
+        "58.8\u{202f}MN/m로",
+        "0.2 %이다.",
+    ];
+    let whole = whole.map(|words| asserted(words, "==")).concat();
+    let parted = asserted("two words", "<");
+    for said in [whole, parted] {
+        let main = format!("{PRELUDE}\n#report[\n{said}]");
+        let files = Vec::new();
+        let printed = pdf(Sheets { main, files });
+        assert!(printed.is_ok(), "{:?}", printed.err());
+    }
+}

@@ -33,6 +33,18 @@ pub(crate) fn begins_with_top(names: &[&str]) -> bool {
     storeys.len() == names.len() && counts_down && storeys.first() > storeys.last()
 }
 
+/// Beginnings of words, and Korean words, of the upper and of the lower storeys of a frame.
+const UPPER: [&str; 5] = ["upper", "roof", "상층", "상부", "지붕"];
+const LOWER: [&str; 6] = ["lower", "ground", "bottom", "하층", "하부", "지층"];
+
+/// The same for the storeys of a frame, which are also called the upper and the lower one.
+pub(crate) fn storeys_begin_with_top(names: &[&str]) -> bool {
+    let [first, .., last] = names else { return false };
+    let is_lower = |name: &str| has(name, &LOWER);
+    let is_upper = |name: &str| has(name, &UPPER) && !is_lower(name);
+    begins_with_top(names) || is_upper(first) && is_lower(last)
+}
+
 /// Whether a name has one of the words: English ones whole, with an optional "-stone" or plural behind, Korean ones anywhere.
 fn has(name: &str, words: &[&str]) -> bool {
     let name = name.to_lowercase();
@@ -63,7 +75,7 @@ fn storey(name: &str) -> Option<u32> {
 
 #[cfg(test)]
 mod tests {
-    use super::begins_with_top;
+    use super::{begins_with_top, storeys_begin_with_top};
 
     #[test]
     fn holds_names_tell_a_list_that_begins_with_the_top() {
@@ -83,6 +95,24 @@ mod tests {
             (vec!["roof"], false),
         ] {
             assert_eq!(begins_with_top(&names), says, "{names:?}");
+        }
+    }
+    #[test]
+    fn holds_names_of_storeys_tell_a_list_that_begins_with_the_top() {
+        for (names, says) in [
+            (vec!["2층", "1층"], true),
+            (vec!["상층", "하층"], true),
+            (vec!["upper storey", "lower storey"], true),
+            (vec!["upper roof", "lower roof"], true),
+            (vec!["roof", "mezzanine", "ground floor"], true),
+            (vec!["1층", "2층"], false),
+            (vec!["하층", "상층"], false),
+            (vec!["lower roof", "upper roof"], false),
+            (vec!["1", "2"], false),
+            (vec!["gate", "pavilion"], false),
+            (vec!["상층"], false),
+        ] {
+            assert_eq!(storeys_begin_with_top(&names), says, "{names:?}");
         }
     }
 }

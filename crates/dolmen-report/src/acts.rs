@@ -26,6 +26,10 @@ pub(crate) fn on_paper(findings: &mut [Finding]) {
 
 /// The blocks in words for paper.
 pub(crate) fn document_on_paper(document: &mut Document<'_>) {
+    // the list of terms belongs to the terminal
+    document
+        .blocks
+        .retain(|block| !matches!(block, Block::Note(said) if is_of_terms(said)));
     for block in &mut document.blocks {
         let sentences: &mut [Sentence] = match block {
             Block::Heading(one) | Block::Subheading(one) | Block::Warning(one) | Block::Note(one) => {
@@ -47,6 +51,10 @@ pub(crate) fn document_on_paper(document: &mut Document<'_>) {
         };
         sentences.iter_mut().for_each(|said| *said = plain(said));
     }
+}
+
+fn is_of_terms(said: &Sentence) -> bool {
+    said.text(Language::English).starts_with("`dolmen explain`")
 }
 
 fn plain(sentence: &Sentence) -> Sentence {
@@ -77,12 +85,22 @@ fn without_commands(text: &str, language: Language) -> String {
         said.push_str(before);
         let verb = command.split(' ').next().unwrap_or_default();
         match ACTS.iter().find(|(known, _)| *known == verb) {
-            Some((_, [english, korean])) => said.push_str(language.pick(english, korean)),
+            Some((_, [english, korean])) => {
+                let act = language.pick(english, korean);
+                let begins = said.is_empty() || said.ends_with(". ");
+                said.push_str(&if begins { capital(act) } else { (*act).to_string() });
+            }
             None => said.push_str(command),
         }
         rest = after;
     }
     said + rest
+}
+
+fn capital(text: &str) -> String {
+    let mut signs = text.chars();
+    let first = signs.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(signs).collect()
 }
 
 /// Without brackets that hold nothing but commands, keys or flags: "(`dolmen compare`)", "(--law both)", "(`tilt`, `offset`)".
@@ -130,6 +148,10 @@ mod tests {
         assert_eq!(
             korean("`dolmen identify PROJECT --write`로 쓰고 두 조사를 비교한다(`dolmen compare`)."),
             "진동 평가로 쓰고 두 조사를 비교한다."
+        );
+        assert_eq!(
+            english("Not shown here. `dolmen watch` finds both, and `dolmen check` one."),
+            "Not shown here. The review of all surveys finds both, and the check of stability one."
         );
         assert_eq!(
             english("It can be asked for (--law both)."),

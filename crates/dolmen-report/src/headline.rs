@@ -167,6 +167,7 @@ messages! {
             en: "with the damage of inspections: {each}",
             ko: "점검에서 확인된 손상 반영: {each}",
         },
+        AsGiven { words: Both } => { en: "As given: {words}", ko: "입력 상태: {words}" },
         WorseThan { variant: Both, words: Both } => { en: "Variant “{variant}”: {words}", ko: "대안 ‘{variant}’: {words}" },
     }
 }
@@ -213,6 +214,12 @@ pub(crate) fn verdict_line(judged: &VersionJudgement, style: TextStyle) -> Strin
     let words = Both::of(|language| headline(judged, language));
     let said = Sentence::from(Headline::Verdict(words)).text(style.language);
     wrapped(&said, "", "  ", style.columns())
+}
+
+/// The headline of the structure as given, where a worse variant stands beside it.
+pub(crate) fn as_given(judged: &VersionJudgement) -> Sentence {
+    let words = Both::of(|language| headline(judged, language));
+    Headline::AsGiven { words }.into()
 }
 
 /// A variant that is worse than the structure as it is, whose headline states the basis.

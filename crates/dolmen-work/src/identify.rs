@@ -370,6 +370,7 @@ pub(crate) fn of_opened(
     let read_s = opened.samples as f64 / opened.sampling_rate_hz;
     let is_one_file = source.stations.is_empty();
     let seen = RecordSeen::of(&opened.record, read_s, (&analysis, asked), is_one_file)?;
+    let seen = seen.with_part(part.as_ref());
     progress.end();
     // counted from the first sample of the file, not of the part in use
     let earthquake = earthquake.map(|of| Earthquake {

@@ -25,6 +25,8 @@ pub struct RecordSeen {
     pub channels: Vec<ChannelSeen>,
     /// Its time.
     pub time: RecordTime,
+    /// The part whose modes were identified, from and to, s from the first sample of the file; `None` for all that is drawn.
+    pub part_s: Option<[f64; 2]>,
     /// The spectrogram; `None` for a record too short for one.
     pub spectrogram: Option<SpectrogramSeen>,
 }
@@ -96,8 +98,24 @@ impl RecordSeen {
         Ok(RecordSeen {
             channels: channels.collect(),
             spectrogram: SpectrogramSeen::of(record, analysis, asked)?,
+            part_s: None,
             time,
         })
+    }
+}
+
+impl RecordSeen {
+    /// The same with the part of the record whose modes were identified, if it was cut out of it.
+    pub fn with_part(self, part: Option<&Record>) -> Self {
+        let last = part.and_then(|part| {
+            let mut cuts = part.history().iter().filter_map(|step| match step {
+                Processing::Cut { from_s, to_s } => Some([*from_s, *to_s]),
+                _ => None,
+            });
+            cuts.next_back()
+        });
+        let part_s = last.map(|span| span.map(|at_s| at_s + self.time.from_s));
+        RecordSeen { part_s, ..self }
     }
 }
 
@@ -264,6 +282,21 @@ mod tests {
             (time.from_s, time.whole_s, time.lost_elsewhere),
             (5.0, 100.0, true)
         );
+    }
+
+    #[test]
+    fn exact_the_part_of_the_modes_is_counted_from_the_first_sample_of_the_file() {
+        let record = Record::new(vec![Channel::named("x")], vec![vec![0.0; 1000]], 10.0).unwrap();
+        let record = cut(record, 5.0, 95.0).unwrap();
+        let seen = RecordSeen {
+            channels: Vec::new(),
+            time: RecordTime::of(&record, 100.0, true),
+            part_s: None,
+            spectrogram: None,
+        };
+        assert_eq!(seen.clone().with_part(None).part_s, None);
+        let part = cut(record, 40.0, 80.0).unwrap();
+        assert_eq!(seen.with_part(Some(&part)).part_s, Some([45.0, 85.0]));
     }
 
     #[test]

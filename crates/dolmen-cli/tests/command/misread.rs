@@ -209,6 +209,50 @@ fn holds_columns_of_a_table_that_matter_are_refused_and_other_numbers_named() {
 }
 
 #[test]
+fn refuses_storeys_that_begin_with_the_top_by_their_names() {
+    let gate = |[first, second]: [&str; 2], more: &str| {
+        format!(
+            "schema = 1\nkind = \"frame\"\nname = \"gate\"\nunits = {{ length = \"mm\", mass = \"t\", stiffness = \"kN/mm\" }}\n{more}\
+             storeys = [{{ name = \"{first}\", mass = 52, height = 3600 }}, {{ name = \"{second}\", mass = 38, height = 4200 }}]\n\
+             [direction.x]\nstiffness = [4.0, 6.0]\n"
+        )
+    };
+    for names in [["2층", "1층"], ["상층", "하층"], ["upper", "lower"]] {
+        let (status, words) = said("storeys-top-first", &gate(names, ""), "check project.toml");
+        let why = "by their names the list begins with the top";
+        assert!(
+            status == 2 && words.contains(why) && words.contains("allow"),
+            "{words}"
+        );
+        let meant = gate(names, "allow = [\"storeys\"]\n");
+        let (status, words) = said("storeys-meant", &meant, "check project.toml");
+        assert_eq!(status, 0, "{words}");
+        let [upper, lower] = names;
+        let (status, words) = said("storeys-lowest", &gate([lower, upper], ""), "check project.toml");
+        assert_eq!(status, 0, "{words}");
+    }
+}
+
+#[test]
+fn holds_axial_forces_far_below_the_weight_are_named_in_the_short_answer() {
+    let gate = "schema = 1\nkind = \"frame\"\nname = \"gate\"\nunits = { length = \"m\", force = \"kN\", mass = \"t\", stiffness = \"kN/mm\" }\n\
+                axial = \"storey\"\nstoreys = [{ mass = 38, height = 4.2, axial_force = 200 }, { mass = 52, height = 3.6, axial_force = 110 }]\n\
+                [direction.x]\nstiffness = [6.0, 4.0]\n";
+    let (status, words) = said("light-axial", gate, "check project.toml");
+    assert_eq!(status, 0, "{words}");
+    // 90 kN of 372.7 kN, and 110 kN of 509.9 kN
+    for level in [
+        "Level 1 loads its storey with only 0.24 times",
+        "Level 2 loads its storey with only 0.22 times",
+    ] {
+        assert!(
+            words.contains(level) && words.contains("P-delta is understated"),
+            "{words}"
+        );
+    }
+}
+
+#[test]
 fn refuses_a_list_that_begins_with_the_top_by_its_names() {
     let stones = |[first, second, third]: [&str; 3]| {
         STONES.split("blocks").next().unwrap().to_owned()

@@ -42,6 +42,68 @@ fn agrees_the_headline_of_a_report_with_the_run_of_all_dampers() {
     );
 }
 
+#[test]
+fn holds_a_report_judges_the_motions_of_a_file_with_dampers_by_drift_as_well() {
+    let scratch = Scratch::new("dampers-drift");
+    let roomy = DAMPERS
+        .replace("\"400 mm\"", "\"4 m\"")
+        .replace("\"270 mm\"", "\"4 m\"");
+    let (without, _) = roomy.split_once("[limits]").unwrap();
+    let strict = roomy.replace("1/50", "1/2000");
+    for (text, status, word) in [
+        (without, 0, "Earthquake ec: not decided (no limit is known)"),
+        (
+            strict.as_str(),
+            1,
+            "Earthquake ec: below demand (capacity/demand 0.",
+        ),
+    ] {
+        written(&scratch, "d.toml", text);
+        let run = scratch.briefly("simulate d.toml --motion ec");
+        let report = scratch.briefly("report d.toml -o r.html --quiet");
+        assert_eq!((run.status, report.status), (status, status), "{}", run.words());
+        assert!(run.words().contains(word), "{}", run.words());
+        let page = fs::read_to_string(scratch.path().join("r.html")).unwrap();
+        assert!(page.contains(word) && !page.contains("above demand ("), "{word}");
+        // the numbers behind it
+        assert!(
+            page.contains("Under motion ec,") && page.contains("(room 4000"),
+            "{word}"
+        );
+    }
+}
+
+#[test]
+fn holds_the_head_of_a_report_and_its_answers_say_which_variant_is_red() {
+    let scratch = Scratch::with_examples("red-variant");
+    let report = scratch.briefly("report examples/arch --samples 0 -o r.html --quiet");
+    assert_eq!(report.status, 1, "{}", report.words());
+    let page = fs::read_to_string(scratch.path().join("r.html")).unwrap();
+    let head = page.split("class=\"answers\"").next().unwrap();
+    let head = head.split("class=\"verdict unstable\"").nth(1).unwrap_or(head);
+    for said in [
+        "As given: Own weight: stable",
+        "Variant “Ring of 0.15 m”: Own weight: unstable",
+    ] {
+        assert!(head.contains(said), "{said}: {head}");
+    }
+    let cards = page.split("class=\"answers\"").nth(1).unwrap();
+    let card = "as given: stable; variant “Ring of 0.15 m”: unstable";
+    assert!(cards.contains(card), "{}", &cards[..1000.min(cards.len())]);
+}
+
+#[test]
+fn exact_the_line_of_elastic_joints_is_the_capacity_of_their_first_joint_over_its_ratio() {
+    let scratch = Scratch::with_examples("line-of-elastic-joints");
+    let file = "examples/three_storey_pagoda/at_its_site.toml";
+    let report = scratch.briefly(&format!("report {file} --samples 0 -o r.html --quiet"));
+    assert!(report.status < 2, "{}", report.words());
+    let page = fs::read_to_string(scratch.path().join("r.html")).unwrap();
+    // what stands on the dew basin slides at 0.600 g, and first at 0.332 of the spectrum
+    let line = "on elastic joints, the first joint to move: 1.81";
+    assert!(page.contains(line), "no {line}");
+}
+
 const LEANING: &str = "schema = 1\nkind = \"frame\"\nname = \"n1\"\nunits = { length = \"m\", force = \"kN\", mass = \"t\", stiffness = \"kN/mm\" }\n\
     storeys = [{ name = \"low\", mass = 40, height = 4.0 }, { name = \"mid\", mass = 25, height = 3.1 }]\n\
     [direction.strong]\nalong = \"x\"\nstiffness = [3.0, 2.5]\ndamping_ratio = 0.03\n[direction.weak]\nstiffness = \"unknown\"\nalong = \"y\"\n\

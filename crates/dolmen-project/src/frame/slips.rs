@@ -3,6 +3,7 @@
 use super::columns;
 use super::part::{Axial, FramePart, StoreyPart};
 use crate::measure::Measure;
+use crate::named_order::storeys_begin_with_top;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::{guess, mass_kg, rounded, rounded_length, unit_of, within};
@@ -20,6 +21,7 @@ const AXIAL_MATCH: f64 = 0.25;
 const STOREY_FREQUENCY_HZ: (f64, f64) = (0.2, 60.0);
 
 pub(crate) fn judge_frame(reader: &mut Reader, frame: &FramePart) {
+    judge_order(reader, frame);
     for storey in &frame.storeys {
         let height = &storey.height;
         if !within(height.value, STOREY_HEIGHT_M) {
@@ -83,6 +85,17 @@ pub(crate) fn judge_frame(reader: &mut Reader, frame: &FramePart) {
                 reader.slip(&stiffness.path, message, Common::StiffnessUnit);
             }
         }
+    }
+}
+
+/// A list that begins with the top: the lowest storey would then carry the least.
+fn judge_order(reader: &mut Reader, frame: &FramePart) {
+    let names = frame.storeys.iter().map(|storey| storey.name.as_deref());
+    let names: Vec<&str> = names.collect::<Option<_>>().unwrap_or_default();
+    if let ([foot, .., top], true) = (names.as_slice(), storeys_begin_with_top(&names)) {
+        let (foot, top) = ((*foot).to_owned(), (*top).to_owned());
+        let message = WrongFrame::NamesBeginWithTop { foot, top };
+        reader.slip("storeys", message, WrongFrame::ListStoreysLowestFirst);
     }
 }
 

@@ -154,6 +154,14 @@ messages! {
             en: "{path} = {written}: the storey alone would sway at {frequency_hz} Hz, but storeys sway at {least} to {most} Hz",
             ko: "{path} = {written}: 이 층만의 진동수가 {frequency_hz} Hz인데, 층은 {least}~{most} Hz이다",
         },
+        NamesBeginWithTop { foot: String, top: String } => {
+            en: "storeys: the first, '{foot}', stands on the ground and the last, '{top}', on top, but by their names the list begins with the top",
+            ko: "storeys: 첫 층 '{foot}'이(가) 지반 위에, 마지막 층 '{top}'이(가) 맨 위에 놓였으나 이름으로 보면 위에서부터 적은 목록이다",
+        },
+        ListStoreysLowestFirst => {
+            en: "list the storeys lowest first, and the numbers of stiffness and friction in the same order",
+            ko: "층을 아래에서부터 쓰고, 강성과 마찰 등 층별 값도 같은 순서로 쓴다",
+        },
         AxialButAxialForces { word: String, other_word: String } => {
             en: "axial = \"{word}\", but the axial forces are the weights of the masses only if they are read as \"{other_word}\"",
             ko: "axial = \"{word}\"인데, 축력은 \"{other_word}\"(으)로 읽을 때에만 질량의 무게와 맞는다",

@@ -74,9 +74,10 @@ messages! {
         Room => { en: "room", ko: "여유 공간" },
         Profile => { en: "Peak acceleration by height.", ko: "높이별 최대가속도." },
         ProfileMeaning => {
-            en: "At the worst corner of each floor, the wind along x and along y; dashed without the dampers.",
-            ko: "각 층의 가장 불리한 모서리에서의 값이며 x·y 방향 바람을 나누어 나타냈다. 점선은 감쇠기가 없을 때이다.",
+            en: "At the worst corner of each floor, the wind along x and along y.",
+            ko: "각 층의 가장 불리한 모서리에서의 값이며 x·y 방향 바람을 나누어 나타냈다.",
         },
+        ProfileDashed => { en: "Dashed without the dampers.", ko: "점선은 감쇠기가 없을 때이다." },
         Moved => { en: "Displacement by height.", ko: "높이별 변위." },
         MovedMeaning => {
             en: "Along the wind at the centre of mass: the mean and the peak.",
@@ -128,7 +129,9 @@ pub(super) fn section<'a>(
         (GustPlot::Displacement, [InWind::Moved, InWind::MovedMeaning]),
     ] {
         let (heights_m, of_series) = (heights_m.clone(), heights_m.clone());
-        let caption = caption.into_iter().map(Sentence::from).collect();
+        let dashed = matches!(plot, GustPlot::Acceleration) && !standing.dampers.is_empty();
+        let dashed = dashed.then_some(InWind::ProfileDashed);
+        let caption = caption.into_iter().chain(dashed).map(Sentence::from).collect();
         let drawn = Figure::drawn(caption, move |language| {
             gust_profile(plot, wind, &heights_m, language)
         });

@@ -28,9 +28,9 @@ messages! {
             ko: "입력이 1 % 커질 때 {result}의 변화가 큰 순서: {inputs}.",
         },
         OfInput { input: Both, change: Sentence } => { en: "{input} {change} %", ko: "{input} {change} %" },
-        Hardly(result: Sentence) => {
-            en: "Hardly any input has an effect on {result}.",
-            ko: "{result}은(는) 어떤 입력에도 거의 변하지 않는다.",
+        Hardly { result: Sentence, inputs: usize } => {
+            en: "None of the {inputs} inputs that were varied changes {result}: what decides it, such as a shape from a mesh, is none of them.",
+            ko: "변화시킨 입력 {inputs}개는 {result}을(를) 거의 바꾸지 않는다. 메시로 준 형상처럼 이를 정하는 값은 변화시키지 않았다.",
         },
         Head => { en: "Uncertain inputs", ko: "입력의 불확실성" },
         Drawn(samples: usize) => {
@@ -165,13 +165,19 @@ pub(super) fn sensitive(answer: &CheckAnswer) -> Option<Finding> {
         Scatter::OfInput { input, change }.into()
     });
     let said = match shown.is_empty() {
-        true => Scatter::Hardly(result),
+        true => hardly(answer),
         false => Scatter::Most {
             result,
             inputs: inputs.collect(),
         },
     };
     (!answer.sensitivities.is_empty()).then(|| Finding::key(Tone::Plain, said).with_code("sensitivity"))
+}
+
+/// No varied input changes the result.
+fn hardly(answer: &CheckAnswer) -> Scatter {
+    let (result, inputs) = (result(answer), answer.sensitivities.len());
+    Scatter::Hardly { result, inputs }
 }
 
 /// The inputs that change the result, with their elasticities.
@@ -230,8 +236,11 @@ pub(crate) fn sections(answer: &CheckAnswer) -> Document<'_> {
         .blocks
         .extend(answer.state.iter().flat_map(|state| of_state(state).blocks));
     if !answer.sensitivities.is_empty() {
-        // without scatter, two columns are empty
-        document.put(Block::Table(table(answer).without_empty_columns()));
+        match listed(answer).is_empty() {
+            true => document.paragraph(hardly(answer)),
+            // without scatter, two columns are empty
+            false => document.put(Block::Table(table(answer).without_empty_columns())),
+        }
         for why in unknown(answer) {
             document.note(why);
         }

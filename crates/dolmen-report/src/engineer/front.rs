@@ -1,12 +1,15 @@
 //! The part before the sections: participants, the three answers, recommendations.
 
 use super::words::{said, verbatim};
+use crate::check::title;
 use crate::document::{Answered, Block, Signatory, Tone};
 use dolmen_project::Names;
 use dolmen_words::message::Both;
 use dolmen_words::{Sentence, messages};
 use dolmen_work::answer::ProjectReport;
-use dolmen_work::judgement::{Colour, Earthquake, Evidence, MovedBy, WindFinding, WindWord, judge};
+use dolmen_work::judgement::{
+    Colour, Earthquake, Evidence, MovedBy, VersionJudgement, WindFinding, WindWord, judge,
+};
 
 messages! {
     /// Signatures and the three questions.
@@ -18,6 +21,8 @@ messages! {
         Loads => { en: "Does it move no more under its loads than is allowed?", ko: "하중에 의한 변위가 허용값 이내인가" },
         Evidence => { en: "Is the model the structure?", ko: "모델이 실제와 일치하는가" },
         Word { word: Both } => { en: "{word}", ko: "{word}" },
+        WithVariants { word: Both, each: Vec<Sentence> } => { en: "as given: {word}; {each}", ko: "입력 상태: {word}; {each}" },
+        OfVariant { variant: Both, word: Both } => { en: "variant “{variant}”: {word}", ko: "대안 ‘{variant}’: {word}" },
         ToDo => { en: "What to do", ko: "보수·보강 방안" },
     }
 }
@@ -74,6 +79,15 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
         tone,
         word: Front::Word { word }.into(),
     };
+    let versions: Vec<(Both, &VersionJudgement)> = judgement
+        .versions
+        .iter()
+        .filter_map(|version| {
+            let name = version.variant.as_deref()?;
+            let own = answer.variants().iter().find(|variant| variant.name == name);
+            Some((own.map_or_else(|| Both::of(|_| name), title), version))
+        })
+        .collect();
     // a check that was not requested or measured is not a good result
     let of_earthquake = match earthquake {
         Earthquake::NotAsked => Tone::Unknown,
@@ -90,22 +104,37 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
     let wind = headline.wind_word();
     let of_wind = (wind != WindWord::NotAsked).then(|| {
         let word = Both::of(|language| wind.word(language));
+        let worse = versions.iter().map(|(name, version)| {
+            let word = version.wind_word();
+            (name, word.colour(), Both::of(|language| word.word(language)))
+        });
         let asks = match WindFinding::deciding(&headline.wind).map(|of| of.by) {
             Some(MovedBy::Loads | MovedBy::Both | MovedBy::WithEarthquake) => Front::Loads,
             Some(MovedBy::Wind) | None => Front::Wind,
         };
-        answered(asks, tone(wind.colour()), word)
+        let own = answered(asks, tone(wind.colour()), word.clone());
+        with_variants(own, (wind.colour(), word), worse)
     });
+    let weights = versions.iter().filter_map(|(name, version)| {
+        let weight = version.weight?;
+        Some((name, weight.colour(), Both::of(|language| weight.words(language))))
+    });
+    let shaken = versions.iter().map(|(name, version)| {
+        let word = version.earthquake_word();
+        (name, word.colour(), Both::of(|language| word.word(language)))
+    });
+    let of_weight = Both::of(|language| weight.words(language));
+    let of_word = Both::of(|language| earthquake.word(language));
     let mut all = vec![
-        answered(
-            Front::Weight,
-            tone(weight.colour()),
-            Both::of(|language| weight.words(language)),
+        with_variants(
+            answered(Front::Weight, tone(weight.colour()), of_weight.clone()),
+            (weight.colour(), of_weight),
+            weights,
         ),
-        answered(
-            Front::Earthquake,
-            of_earthquake,
-            Both::of(|language| earthquake.word(language)),
+        with_variants(
+            answered(Front::Earthquake, of_earthquake, of_word.clone()),
+            (earthquake.colour(), of_word),
+            shaken,
         ),
         answered(
             Front::Evidence,
@@ -115,6 +144,31 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
     ];
     all.extend(of_wind);
     Some(Block::Answers(all))
+}
+
+/// An answer for the structure as given; variants with a worse colour stand beside it, and the worst of them gives it its tone.
+fn with_variants<'a>(
+    own: Answered,
+    (colour, word): (Colour, Both),
+    variants: impl Iterator<Item = (&'a Both, Colour, Both)>,
+) -> Answered {
+    let worse: Vec<_> = variants.filter(|(_, own, _)| *own > colour).collect();
+    let Some(worst) = worse.iter().map(|(_, own, _)| *own).max() else {
+        return own;
+    };
+    let each = worse.into_iter().map(|(variant, _, word)| {
+        let variant = variant.clone();
+        Front::OfVariant { variant, word }.into()
+    });
+    Answered {
+        tone: tone(worst),
+        word: Front::WithVariants {
+            word,
+            each: each.collect(),
+        }
+        .into(),
+        ..own
+    }
 }
 
 fn tone(colour: Colour) -> Tone {

@@ -203,6 +203,7 @@ mod tests {
             envelope: envelope(&x, 600),
         };
         RecordSeen {
+            part_s: None,
             channels: (0..10).map(|at| channel(&format!("c{at}"))).collect(),
             time: RecordTime {
                 from_s: 20.0,

@@ -3,8 +3,8 @@
 use super::ink::{BLACK, Line, PURPLE, VERMILLION};
 use super::plot::{Key, Plot};
 use super::words::{Shaken, say};
-use dolmen::assess::demand::SiteDemand;
-use dolmen::assess::demand::{ShakenDirection, StackDemandCheck};
+use dolmen::assess::demand::{ModalRatio, ShakenDirection, SiteDemand, StackDemandCheck};
+use dolmen::stability::stack::{LimitKind, StackLimitStates};
 use dolmen_words::{Language, number};
 
 /// Levels of ground motion, in units of gravity; unknown ones are not drawn.
@@ -15,7 +15,8 @@ pub struct Shaking {
     /// Horizontal peak without vertical shaking that is equivalent to that of the site with it: multiplied by the
     /// capacity without over the capacity with vertical shaking. `None` if the site has no vertical shaking.
     pub site_with_vertical: Option<f64>,
-    /// Demand of all modes on the weakest joint, as a ground peak: the capacity divided by the ratio of the modal check.
+    /// Demand of all modes on the joint that moves first on them, as a ground peak: the capacity of that joint, as the figures draw it, divided
+    /// by the ratio of the modal check.
     pub site_by_modes: Option<f64>,
     /// Horizontal peak of the simulated motion.
     pub motion: Option<f64>,
@@ -41,7 +42,12 @@ impl Level {
 
 impl Shaking {
     /// The levels of a site, and of the stack's comparison if known.
-    pub fn of_site(site: &SiteDemand, stack: Option<&StackDemandCheck>, gravity_m_s2: f64) -> Self {
+    pub fn of_site(
+        site: &SiteDemand,
+        stack: Option<&StackDemandCheck>,
+        limits: &StackLimitStates,
+        gravity_m_s2: f64,
+    ) -> Self {
         let site_g = site.peak_ground_acceleration_m_s2.map(|peak| peak / gravity_m_s2);
         let row = stack.and_then(|stack| {
             stack
@@ -56,20 +62,29 @@ impl Shaking {
         let is_lifted = stack.is_some_and(|stack| stack.vertical_acceleration_m_s2 != 0.0);
         let harder = capacity_g.zip(with_vertical).filter(|_| is_lifted);
         let by_modes = row.and_then(|row| row.by_modes.as_ref());
+        let of_joint = |modes: &ModalRatio| match &modes.first {
+            Some((kind, above)) => {
+                let cut = limits.cuts.iter().find(|cut| cut.above == *above)?;
+                let at = match kind {
+                    LimitKind::Uplift => cut.uplift,
+                    LimitKind::Sliding => cut.sliding,
+                };
+                Some(at?.acceleration_g / modes.ratio)
+            }
+            None => Some(capacity_g? / modes.ratio),
+        };
         Shaking {
             site: site_g,
             site_with_vertical: site_g
                 .zip(harder)
                 .map(|(site, (capacity, with))| site * capacity / with.acceleration_g),
-            site_by_modes: capacity_g
-                .zip(by_modes)
-                .map(|(capacity, modes)| capacity / modes.ratio),
+            site_by_modes: by_modes.and_then(of_joint),
             motion: None,
         }
     }
 
     /// The largest known peak of the ground, in units of gravity: of the site or the motion.
-    pub(super) fn ground_g(&self) -> Option<f64> {
+    pub(crate) fn ground_g(&self) -> Option<f64> {
         let known = [self.site, self.site_with_vertical, self.motion];
         known
             .into_iter()

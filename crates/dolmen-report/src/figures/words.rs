@@ -267,7 +267,7 @@ messages! {
         Interval => { en: "interval", ko: "신뢰구간" },
         Unknown => { en: "unknown", ko: "판정 불가" },
         StiffnessUnknown => { en: "unknown", ko: "미상" },
-        FactorByVerdict => { en: "λ (coloured by verdict)", ko: "λ (판정별 색)" },
+        FactorByVerdict => { en: "λ (coloured by the weight alone)", ko: "λ (자중에 대한 판정별 색)" },
         MarginsOfJointsOrStoreys => { en: "margins of joints or storeys", ko: "여유도" },
         OneFalls => { en: "1: falls", ko: "1: 전도" },
         CentreOfMass => { en: "centre of mass", ko: "질량 중심" },
@@ -340,7 +340,7 @@ messages! {
     pub(crate) enum Shaken in "figure.shaking" {
         Site { peak: String } => { en: "peak that the site demands: {peak}", ko: "부지의 설계 최대지반가속도: {peak}" },
         WithVertical { peak: String } => { en: "the same with its vertical shaking: {peak}", ko: "수직 지진동을 함께 고려: {peak}" },
-        ByModes { peak: String } => { en: "on elastic joints, weakest joint: {peak}", ko: "탄성 접합면의 증폭 고려(최약 접합면): {peak}" },
+        ByModes { peak: String } => { en: "on elastic joints, the first joint to move: {peak}", ko: "탄성 접합면의 증폭 고려(먼저 움직이는 접합면): {peak}" },
         BeyondTheAxis { level: String } => { en: "Beyond the axis, {level}", ko: "축 범위 밖, {level}" },
         Motion { peak: String } => { en: "peak of the motion that was run: {peak}", ko: "해석한 지반운동의 최댓값: {peak}" },
     }

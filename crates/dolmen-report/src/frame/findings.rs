@@ -134,9 +134,6 @@ fn lowest_mode(check: &FrameCheck) -> Option<Finding> {
 }
 
 fn load_finding(note: &FrameNote) -> Finding {
-    match note {
-        // the reason why there are no results
-        FrameNote::NoAxialForce => Finding::key(Tone::Warn, load_note(note)),
-        FrameNote::LevelLoad { .. } => Finding::new(Tone::Warn, load_note(note)),
-    }
+    // the reason why there are no results, or why they are not those of the weight
+    Finding::key(Tone::Warn, load_note(note))
 }

@@ -1,11 +1,11 @@
 //! The parts before and after the sections of a report, in a language: its kind and name, the answers, method and sources.
 
 use super::fronted::{Fronted, hertz, text};
-use super::imprint::Imprint;
+use super::imprint::{Imprint, NotReported};
 use super::words::{judgement_sign, thresholds};
 use crate::check::{doubtful, title};
 use crate::engineer::Given;
-use crate::headline::{headline, over_the_years, worse as worse_words};
+use crate::headline::{as_given, headline, over_the_years, worse as worse_words};
 use crate::stack;
 use crate::stack_simulation::{settled_laws, settled_scale};
 use dolmen::stability::Verdict;
@@ -71,11 +71,38 @@ pub(crate) fn has_headline(answer: &ProjectReport) -> bool {
 /// A project in the list: the sign of the worst colour, its headline, the reason, and worse variants.
 pub(crate) fn headline_line(answer: &ProjectReport, language: Language) -> String {
     let judgement = judge(&answer.answers);
+    format!(
+        "{} {}",
+        judgement_sign(&judgement),
+        headline_words(answer, &judgement, language)
+    )
+}
+
+/// Several projects, each with its verdict, and those that are not reported.
+pub(crate) fn listed(answers: &[ProjectReport], others: &[NotReported], language: Language) -> Vec<String> {
+    let each = answers.iter().map(|answer| {
+        let name = project_name(answer, language);
+        match has_headline(answer) {
+            true => format!(
+                "{name}: {}",
+                headline_words(answer, &judge(&answer.answers), language)
+            ),
+            false => name.to_owned(),
+        }
+    });
+    let others = others.iter().map(|other| {
+        let head = text(Fronted::NotReported, language);
+        format!("{head}: {}", other.file)
+    });
+    each.chain(others).collect()
+}
+
+fn headline_words(answer: &ProjectReport, judgement: &Judgement, language: Language) -> String {
     let mut all = Vec::new();
-    all.extend(over_the_years(&judgement).map(|said| said.text(language)));
-    all.extend(judgement.headline().map(|of| headline(of, language)));
-    all.extend(worse(answer, &judgement, language));
-    format!("{} {}", judgement_sign(&judgement), all.join("; "))
+    all.extend(over_the_years(judgement).map(|said| said.text(language)));
+    all.extend(judgement.headline().map(|of| own_words(of, judgement, language)));
+    all.extend(worse(answer, judgement, language));
+    all.join("; ")
 }
 
 /// The effect of an earthquake on a version that is not above demand, one word each.
@@ -120,9 +147,27 @@ fn reason(of: &EarthquakeFinding, structure: &Structure, language: Language) -> 
     }
 }
 
+/// Whether a variant gives a judgement its colour, and the structure as it is does not.
+fn decides(variant: &VersionJudgement, judgement: &Judgement) -> bool {
+    let own = judgement.headline().map(VersionJudgement::colour);
+    variant.colour() == judgement.colour() && own < Some(variant.colour())
+}
+
+/// The words of the structure as it is; named as such where a variant is worse and decides the colour.
+fn own_words(of: &VersionJudgement, judgement: &Judgement, language: Language) -> String {
+    match judgement.worse().any(|variant| decides(variant, judgement)) {
+        true => as_given(of).text(language),
+        false => headline(of, language),
+    }
+}
+
 /// Variants that are worse than the structure as it is, with their words.
-fn worse(answer: &ProjectReport, judgement: &Judgement, language: Language) -> Vec<String> {
-    let each = judgement.worse().map(|judged| {
+fn worse<'a>(
+    answer: &ProjectReport,
+    variants: impl Iterator<Item = &'a VersionJudgement>,
+    language: Language,
+) -> Vec<String> {
+    let each = variants.map(|judged| {
         let name = judged.variant.as_deref().unwrap_or_default();
         let own = answer.variants().iter().find(|variant| variant.name == name);
         let title = own.map_or_else(|| Both::of(|_| name), title);
@@ -168,13 +213,17 @@ fn of_state(answer: &ProjectReport, state: &State, language: Language) -> Banner
     let verdict = state.verdict();
     let judgement = judge(&answer.answers);
     let judged = judgement.headline();
-    let words = judged.map(|of| headline(of, language));
+    let words = judged.map(|of| own_words(of, &judgement, language));
     let words: Vec<String> = over_the_years(&judgement)
         .map(|said| said.text(language))
         .into_iter()
         .chain(words)
         .collect();
-    let words = words.join(" · ");
+    // the variants that give the box its colour stand in its heading
+    let (deciding, further): (Vec<_>, Vec<_>) = judgement.worse().partition(|of| decides(of, &judgement));
+    let deciding = worse(answer, deciding.into_iter(), language);
+    let words: Vec<String> = [words.join(" · ")].into_iter().chain(deciding).collect();
+    let words = words.join(". ");
     let shaken = judged.map_or_else(Vec::new, |of| shaken(of, &answer.project.structure, language));
     let stack = match &state.check {
         Check::Stack(answer) => Some(answer),
@@ -191,8 +240,8 @@ fn of_state(answer: &ProjectReport, state: &State, language: Language) -> Banner
         .map(|of| of.basis.inputs);
     let doubtful = doubtful(&answer.project).into_iter();
     let mut first: Vec<String> = doubtful.map(|said| said.text(language)).collect();
-    let worse = worse(answer, &judgement, language).into_iter();
-    first.extend(worse.map(|line| format!("{line}.")));
+    let further = worse(answer, further.into_iter(), language).into_iter();
+    first.extend(further.map(|line| format!("{line}.")));
     if !shaken.is_empty() {
         let reasons = Both::from(shaken.join("; "));
         first.push(text(Fronted::Shaken(reasons), language));

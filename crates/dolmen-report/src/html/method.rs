@@ -65,8 +65,8 @@ messages! {
             ko: "검토 범위 밖: 여러 층에 걸친 벽체의 휨, 면내로 유연한 바닥, 기초의 회전, 항복과 균열, 강도.",
         },
         SurveyOnly => {
-            en: "Only what was measured is reported; no model was made, so that nothing is said about stability.",
-            ko: "계측 결과만 보고한다. 해석 모델이 없으므로 안정성은 판단하지 않는다.",
+            en: "Only surveys are reported; no model was made, so that nothing is said about stability.",
+            ko: "조사 결과만 보고한다. 해석 모델이 없으므로 안정성은 판단하지 않는다.",
         },
         Singular => {
             en: "S: stiffness of the springs, G: what gravity takes from it; λ is the smallest positive root.",

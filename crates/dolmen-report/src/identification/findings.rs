@@ -85,8 +85,8 @@ messages! {
             ko: "계측 모드 {modes}개를 설명하는 실수 강성이 없다.",
         },
         Earlier { earlier: usize, latest: String } => {
-            en: "Stiffness from vibration is summed up for survey {latest}; that of {earlier} other surveys stands in their sections.",
-            ko: "진동으로 추정한 강성은 {latest} 조사의 것만 요약하였다. 다른 조사 {earlier}건의 값은 각 절에 있다.",
+            en: "Stiffness from vibration is summed up for survey {latest} alone; {earlier} other surveys give one too.",
+            ko: "진동으로 추정한 강성은 {latest} 조사의 것만 요약하였다. 강성을 추정한 다른 조사가 {earlier}건 더 있다.",
         },
         OfSurveys { surveys: Vec<String>, said: Sentence } => {
             en: "Survey {surveys}: {said}",

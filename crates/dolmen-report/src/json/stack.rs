@@ -162,7 +162,7 @@ fn cut(cut: &CutLimits, blocks: Vec<Option<&str>>) -> Value {
         "weight_n": cut.weight_n,
         "centroid_m": cut.centroid_m,
         "origin_m": cut.origin_m,
-        "area_m2": cut.contact.moments().area_m2,
+        "area_m2": cut.area_m2,
         "resultant_m": cut.resultant_m,
         "depth_m": cut.depth_m,
         "crushed_m": cut.crushed_m,

@@ -22,9 +22,13 @@ messages! {
             en: "{part} drifts {drift} of its height, and {allowed} is allowed ({source}): capacity over demand {ratio}.",
             ko: "{part}의 층간변위비는 {drift}, 허용값은 {allowed}이다({source}, 저항/요구 {ratio}).",
         },
-        DriftLeft { part: Sentence, drift: Quantity, left: Quantity, taken: Quantity, ratio: Quantity } => {
-            en: "{part} drifts {drift} of its height; of what is allowed its lean takes {taken} and leaves {left}: capacity over demand {ratio}.",
-            ko: "{part}의 층간변위비는 {drift}이다. 허용값에서 기울기의 몫 {taken}을(를) 뺀 값은 {left}이다(저항/요구 {ratio}).",
+        DriftLeft { part: Sentence, drift: Quantity, allowed: Quantity, left: Quantity, taken: Quantity, ratio: Quantity } => {
+            en: "{part} drifts {drift} of its height; of the {allowed} allowed its lean, along and across, takes {taken} and leaves {left}: capacity over demand {ratio}.",
+            ko: "{part}의 층간변위비는 {drift}이다. 허용값 {allowed}에서 기울기(해당 방향과 직각 방향)의 몫 {taken}을(를) 뺀 값은 {left}이다(저항/요구 {ratio}).",
+        },
+        DriftLeftBy { part: Sentence, drift: Quantity, allowed: Quantity, source: String, left: Quantity, taken: Quantity, ratio: Quantity } => {
+            en: "{part} drifts {drift} of its height; of the {allowed} allowed ({source}) its lean, along and across, takes {taken} and leaves {left}: capacity over demand {ratio}.",
+            ko: "{part}의 층간변위비는 {drift}이다. 허용값 {allowed}({source})에서 기울기(해당 방향과 직각 방향)의 몫 {taken}을(를) 뺀 값은 {left}이다(저항/요구 {ratio}).",
         },
         DriftWithout { part: Sentence, drift: Quantity } => {
             en: "{part} drifts {drift} of its height; without an allowable drift nothing is decided: write [limits] with code and importance, or storey_drift.",
@@ -109,13 +113,31 @@ fn said(of: &PartLimit, limit: Option<&DriftLimit>) -> Found {
             part,
             drift: percent(of.demand),
         },
-        (_, Some((left, ratio))) if of.taken > 0.0 => Found::DriftLeft {
-            part,
-            drift: percent(of.demand),
-            left: percent(left),
-            taken: percent(of.taken),
-            ratio: Quantity::beside_one(ratio, DIGITS),
-        },
+        (_, Some((left, ratio))) if of.taken > 0.0 => {
+            let drift = percent(of.demand);
+            let allowed = percent(limit.map_or(left + of.taken, DriftLimit::ratio));
+            let (left, taken) = (percent(left), percent(of.taken));
+            let ratio = Quantity::beside_one(ratio, DIGITS);
+            match limit.and_then(DriftLimit::source) {
+                None => Found::DriftLeft {
+                    part,
+                    drift,
+                    allowed,
+                    left,
+                    taken,
+                    ratio,
+                },
+                Some(source) => Found::DriftLeftBy {
+                    part,
+                    drift,
+                    allowed,
+                    source,
+                    left,
+                    taken,
+                    ratio,
+                },
+            }
+        }
         (_, Some((allowed, ratio))) => {
             let (drift, allowed) = (percent(of.demand), percent(allowed));
             let ratio = Quantity::beside_one(ratio, DIGITS);

@@ -20,9 +20,13 @@ messages! {
             en: "Drift of each storey against what is allowed by {source}.",
             ko: "층별 층간변위와 허용 층간변위({source}).",
         },
-        DriftsLeft => {
-            en: "Drift of each storey against what its lean as surveyed leaves of the allowable one.",
-            ko: "층별 층간변위와, 허용 층간변위에서 실측 기울기의 몫을 뺀 값.",
+        DriftsLeft(allowed: Quantity) => {
+            en: "Drift of each storey against what its lean as surveyed leaves of the {allowed} allowed.",
+            ko: "층별 층간변위와, 허용 층간변위 {allowed}에서 실측 기울기의 몫을 뺀 값.",
+        },
+        DriftsLeftBy { allowed: Quantity, source: String } => {
+            en: "Drift of each storey against what its lean as surveyed leaves of the {allowed} allowed by {source}.",
+            ko: "층별 층간변위와, 허용 층간변위 {allowed}({source})에서 실측 기울기의 몫을 뺀 값.",
         },
         DriftsWithout => {
             en: "Drift of each storey; the file gives no allowable drift ([limits]).",
@@ -64,12 +68,16 @@ pub(crate) fn section(document: &mut Document<'_>, parts: &[PartLimit], limit: O
     };
     let drifts = of(Limited::Drift);
     if !drifts.is_empty() {
-        let head = match (limit.map(DriftLimit::source), limit) {
-            (_, Some(_)) if drifts.iter().any(|of| of.taken > 0.0) => Limits::DriftsLeft,
-            (Some(Some(source)), _) => Limits::DriftsBy(source),
-            (_, Some(_)) => Limits::Drifts,
-            (_, None) => Limits::DriftsWithout,
-        };
+        let leans = drifts.iter().any(|of| of.taken > 0.0);
+        let head = limit.map_or(Limits::DriftsWithout, |limit| {
+            let allowed = Quantity::percent(limit.ratio(), DIGITS);
+            match (leans, limit.source()) {
+                (true, Some(source)) => Limits::DriftsLeftBy { allowed, source },
+                (true, None) => Limits::DriftsLeft(allowed),
+                (false, Some(source)) => Limits::DriftsBy(source),
+                (false, None) => Limits::Drifts,
+            }
+        });
         document.put(Block::Table(table(
             (head, Limits::Drift, Limits::Allowed),
             &drifts,

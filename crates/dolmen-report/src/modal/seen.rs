@@ -14,6 +14,14 @@ messages! {
             en: "The channels over time, as used ({used}).",
             ko: "해석에 쓴 채널별 시간이력({used}).",
         },
+        ChannelsRead { read: Quantity } => {
+            en: "The channels over time, as read ({read}).",
+            ko: "읽은 채널별 시간이력({read}).",
+        },
+        Part { from: Quantity, to: Quantity } => {
+            en: "The modes are those of {from} to {to}.",
+            ko: "모드는 {from}–{to} 구간에서 구하였다.",
+        },
         ChannelsMeaning => {
             en: "Each column reaches from the least to the largest sample of its part of the time, so that a spike is seen.",
             ko: "각 세로선은 그 시간 구간의 최소 표본부터 최대 표본까지이므로 순간적인 튐도 보인다.",
@@ -52,7 +60,17 @@ messages! {
 pub(super) fn time_figure<'a>(document: &mut Document<'a>, seen: &'a RecordSeen) {
     let time = &seen.time;
     let used = seconds(time.to_s - time.from_s);
-    let mut caption: Vec<Sentence> = vec![Seen::Channels { used }.into(), Seen::ChannelsMeaning.into()];
+    let mut caption: Vec<Sentence> = match seen.part_s {
+        None => vec![Seen::Channels { used }.into(), Seen::ChannelsMeaning.into()],
+        Some(span_s) => {
+            let [from, to] = span_s.map(seconds);
+            vec![
+                Seen::ChannelsRead { read: used }.into(),
+                Seen::Part { from, to }.into(),
+                Seen::ChannelsMeaning.into(),
+            ]
+        }
+    };
     if seen.channels.len() > CHANNELS_DRAWN {
         let (shown, all) = (CHANNELS_DRAWN, seen.channels.len());
         caption.push(Seen::FirstOf { shown, all }.into());

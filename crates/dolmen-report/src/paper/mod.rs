@@ -73,6 +73,9 @@ pub(crate) fn paper(
         heads: 0,
     };
     let alone = answers.len() == 1;
+    if answers.len() > 1 {
+        body.several(answers, others);
+    }
     for (at, answer) in answers.iter().enumerate() {
         if at > 0 {
             body.pieces.push(Piece::NextProject);

@@ -5,7 +5,7 @@ use super::{Grid, Ink, PaperFault, Paragraph, Piece, QUIET, Role, Run, Shown, to
 use crate::behind::behind_document;
 use crate::document::{Block, Document, Finding, Numbers, Tone};
 use crate::engineer::{cover_photo, cover_rows, front, report_title};
-use crate::html::front::{banner, kind_words};
+use crate::html::front::{banner, kind_words, listed};
 use crate::html::fronted::{Fronted, text};
 use crate::html::{Imprint, NotReported, project_name};
 use crate::whole::{all_findings, whole_document};
@@ -18,6 +18,15 @@ use dolmen_work::judgement::Colour;
 const COVER_HEIGHT_MOST: f64 = 270.0;
 
 impl Body<'_> {
+    /// The list of several projects, before the cover of the first.
+    pub(super) fn several(&mut self, answers: &[ProjectReport], others: &[NotReported]) {
+        self.line(Role::FrontHeading, &text(Fronted::Reports, self.language));
+        for said in listed(answers, others, self.language) {
+            self.line(Role::Bullet, &said);
+        }
+        self.pieces.push(Piece::PageBreak);
+    }
+
     /// The whole report on one project, with its number if there are several.
     pub(super) fn project(
         &mut self,

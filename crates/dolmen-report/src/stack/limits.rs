@@ -34,11 +34,11 @@ messages! {
             ko: "한계값은 최초 거동에 대한 값이며 붕괴에 대한 값이 아니다. 지반의 연직 가속도 a_z(위 방향)가 작용하면 한계값은 1 + a_z/g배가 된다.",
         },
         NotPlanarOne => {
-            en: "One part rests on joints of different planes or leans on stones beside it: only the limit analysis judges it.",
+            en: "One part rests on joints of different planes or leans on stones beside it, so it has no row here: only the limit analysis judges it.",
             ko: "부재 1개는 서로 다른 평면의 접합면 위에 놓이거나 옆의 부재에 기대어 있어 한계해석으로만 판정한다.",
         },
         NotPlanar { parts: usize } => {
-            en: "{parts} parts rest on joints of different planes or lean on stones beside them: only the limit analysis judges them.",
+            en: "{parts} parts rest on joints of different planes or lean on stones beside them, so they have no row here: only the limit analysis judges them.",
             ko: "부재 {parts}개는 서로 다른 평면의 접합면 위에 놓이거나 옆의 부재에 기대어 있어 한계해석으로만 판정한다.",
         },
     }
@@ -87,7 +87,7 @@ fn table(check: &StackCheck) -> Table {
 }
 
 fn row(cut: &CutLimits) -> Vec<Cell> {
-    let area_m2 = cut.contact.moments().area_m2;
+    let area_m2 = cut.area_m2;
     let kilo = |value: f64, digits| {
         let unit = Unit {
             symbol: String::new(),

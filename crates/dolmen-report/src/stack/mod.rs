@@ -60,8 +60,12 @@ messages! {
             ko: "접합면별 저항 가속도(아래가 최하단). 여러 부재가 함께 더 일찍 움직일 수 있다(위의 표).",
         },
         CapacityTinted => {
-            en: "In the tinted part the ground alone moves it. Elastic joints amplify what the ground does; where that is known, a line shows it for the weakest joint.",
-            ko: "바탕색 범위에서는 지반 가속도만으로 움직인다. 탄성 접합면은 지반 가속도를 증폭시키며, 알려진 경우 가장 약한 접합면에 대한 값을 선으로 표시한다.",
+            en: "In the tinted part the ground alone moves it.",
+            ko: "바탕색 범위에서는 지반 가속도만으로 움직인다.",
+        },
+        CapacityElastic => {
+            en: "Elastic joints amplify what the ground does; a line shows it for the joint that moves first on them.",
+            ko: "탄성 접합면은 지반 가속도를 증폭시키며, 이를 고려할 때 가장 먼저 움직이는 접합면에 대한 값을 선으로 표시한다.",
         },
         Directions => { en: "Limits by direction.", ko: "방향별 한계." },
         DirectionsMeaning => {
@@ -97,7 +101,14 @@ pub(crate) const TEMPLATES: [&[Template]; 18] = [
 pub(crate) fn peak_g(whole: &ProjectReport, answer: &StackAnswer) -> Shaking {
     let demand = whole.state().and_then(|state| state.demand.as_ref());
     let gravity_m_s2 = answer.stack.gravity_m_s2();
-    let site = demand.map(|demand| Shaking::of_site(&demand.site, demand.stack.as_ref(), gravity_m_s2));
+    let site = demand.map(|demand| {
+        Shaking::of_site(
+            &demand.site,
+            demand.stack.as_ref(),
+            &answer.check.limits,
+            gravity_m_s2,
+        )
+    });
     Shaking {
         motion: whole.stack_simulation().map(|run| run.peak_horizontal_g()),
         ..site.unwrap_or_default()
@@ -141,7 +152,9 @@ fn by_joints<'a>(document: &mut Document<'a>, answer: &'a StackAnswer, shaking: 
         stack_governing(&check.limits, &shaking, language)
     });
     document.charted(governing.with_series(|| limits::series(check)));
-    let caption = vec![Drawn::Capacity.into(), Drawn::CapacityTinted.into()];
+    let mut caption = vec![Drawn::Capacity.into()];
+    caption.extend(shaking.ground_g().map(|_| Drawn::CapacityTinted.into()));
+    caption.extend(shaking.site_by_modes.map(|_| Drawn::CapacityElastic.into()));
     let capacity = Figure::drawn(caption, move |language| {
         stack_capacity(&check.limits, &shaking, language)
     });

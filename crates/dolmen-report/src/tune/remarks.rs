@@ -7,7 +7,8 @@ use crate::building::{fixed, millimetres, name, significant};
 use crate::document::{Block, Document};
 use dolmen::damper::{Choice, Compared, DesignEnd};
 use dolmen_words::{Quantity, Sentence, Unit, messages};
-use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherRow, TuneAnswer};
+use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TogetherRow, TuneAnswer};
+use dolmen_work::part_limit::Limited;
 
 /// Relative difference from which numbers at tabulated frequencies are called rough.
 const ROUGH: f64 = 1e-3;
@@ -39,6 +40,15 @@ messages! {
             en: "Beyond its room: ‘{choice}’, damper {damper} needs {needed} each way under {under} and has {has}.",
             ko: "여유 공간 초과: ‘{choice}’의 경우 {under}에서 감쇠기 {damper}의 행정은 {needed}, 여유 공간은 {has}이다.",
         },
+        UnderMotion { choice: Sentence, motion: String, drift: Quantity, strokes: Vec<Sentence> } => {
+            en: "Under motion {motion}, ‘{choice}’: largest drift of a storey along x or y {drift} of its height; strokes {strokes}.",
+            ko: "지진동 {motion}, ‘{choice}’: x·y방향 최대 층간변위각 {drift}, 행정 {strokes}.",
+        },
+        StrokeInRoom { damper: String, stroke: Quantity, room: Quantity } => {
+            en: "{damper} {stroke} (room {room})",
+            ko: "{damper} {stroke}(여유 공간 {room})",
+        },
+        StrokeAlone { damper: String, stroke: Quantity } => { en: "{damper} {stroke}", ko: "{damper} {stroke}" },
         RuleMore { more: Quantity } => {
             en: "The rule, far from the centre of the mode, leaves {more} more than the best.",
             ko: "규칙에 따라 모드 중심에서 먼 곳에 두면 목표값이 최적보다 {more} 크다.",
@@ -111,6 +121,12 @@ pub(super) fn of_one(document: &mut Document<'_>, answer: &TuneAnswer) {
         }
     }
     rooms(document, &answer.room, |row| rows.get(row).map(choice));
+    let given = |row: usize| {
+        rows.get(row)
+            .filter(|row| row.choice == Choice::Given)
+            .map(choice)
+    };
+    under_motions(document, &answer.room, given);
     for said in costs(answer) {
         document.note(said);
     }
@@ -153,6 +169,13 @@ fn costs(answer: &TuneAnswer) -> Vec<Remark> {
 pub(super) fn of_all(document: &mut Document<'_>, answer: &TogetherAnswer) {
     let choice = |row: &TogetherRow| together_words(&row.choice);
     rooms(document, &answer.room, |row| answer.rows.get(row).map(choice));
+    let rows = &answer.rows;
+    let given = |row: usize| {
+        rows.get(row)
+            .filter(|row| row.choice == TogetherChoice::Given)
+            .map(choice)
+    };
+    under_motions(document, &answer.room, given);
     for row in &answer.rows {
         let each = answer.points.iter().zip(answer.ratios(row));
         let each = each.filter(|(_, ratio)| *ratio > 1.0 + ROUNDING);
@@ -211,6 +234,30 @@ fn rooms(document: &mut Document<'_>, room: &RoomCheck, choice: impl Fn(usize) -
                 has: significant(of.room_m, millimetres(), 4),
             },
         );
+    }
+}
+
+/// The numbers behind the verdict on the dampers of the file under its motions.
+fn under_motions(document: &mut Document<'_>, room: &RoomCheck, given: impl Fn(usize) -> Option<Sentence>) {
+    for run in &room.runs {
+        let Some(choice) = given(run.row) else { continue };
+        let drifts = run.parts.iter().filter(|part| part.limited == Limited::Drift);
+        let drift = drifts.map(|part| part.demand).fold(0.0, f64::max);
+        let strokes = run.parts.iter().filter(|part| part.limited == Limited::Room);
+        let length = |length_m: f64| significant(length_m, millimetres(), 4);
+        let strokes = strokes.map(|part| {
+            let (damper, stroke) = (part.part.name().to_owned(), length(part.demand));
+            match part.capacity.map(length) {
+                Some(room) => Remark::StrokeInRoom { damper, stroke, room }.into(),
+                None => Remark::StrokeAlone { damper, stroke }.into(),
+            }
+        });
+        document.note(Remark::UnderMotion {
+            choice,
+            motion: run.motion.clone(),
+            drift: Quantity::percent(drift, 3),
+            strokes: strokes.collect(),
+        });
     }
 }
 

@@ -55,6 +55,9 @@ pub fn typeset(
         literal(&imprint.program),
         document_date(date),
     ));
+    if answers.len() > 1 {
+        parts.several(answers, others);
+    }
     for answer in answers {
         parts.project(answer, imprint, answers.len() == 1);
     }

@@ -4,7 +4,7 @@ use super::literal::{array, literal};
 use crate::behind::behind_document;
 use crate::document::{Block, Finding};
 use crate::engineer::{cover_photo, cover_rows, front, report_title};
-use crate::html::front::{banner, kind_words};
+use crate::html::front::{banner, kind_words, listed};
 use crate::html::fronted::{Fronted, text};
 use crate::html::{Imprint, NotReported, project_name};
 use crate::whole::{all_findings, whole_document};
@@ -89,6 +89,13 @@ impl Parts {
             level + self.deeper,
             literal(words)
         ));
+    }
+
+    /// The list of several projects, before the cover of the first.
+    pub(super) fn several(&mut self, answers: &[ProjectReport], others: &[NotReported]) {
+        let language = self.language;
+        self.plain_heading(1, &text(Fronted::Reports, language));
+        self.list(listed(answers, others, language));
     }
 
     /// The report on one project.

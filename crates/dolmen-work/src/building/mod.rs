@@ -29,8 +29,8 @@ pub use plan_answer::{FromRecord, PlanAnswer, Written};
 pub use simulation::{Against, BeyondRoom, BuildingSimulation, LargestDrift, WatchedPoint};
 pub use tune::tune;
 pub use tune_answer::{
-    RoomCheck, RowStroke, TogetherAnswer, TogetherChoice, TogetherRow, TuneAnswer, TuneLoad, TunePoint,
-    TunedFloors,
+    RoomCheck, RowRun, RowStroke, TogetherAnswer, TogetherChoice, TogetherRow, TuneAnswer, TuneLoad,
+    TunePoint, TunedFloors,
 };
 pub use tuned::{TuneFloors, TuneOptions};
 pub use wind_answer::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, WindAlong, WindMotion};

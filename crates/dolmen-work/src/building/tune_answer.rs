@@ -1,5 +1,6 @@
 //! Results of `dolmen tune`, for text, JSON, figures and report.
 
+use crate::part_limit::PartLimit;
 use dolmen::damper::{Choice, Compared, Comparison, DesignEnd, FloorComparison, FloorDesign, Goal};
 use dolmen_project::{BuiltDamper, Names};
 
@@ -72,6 +73,19 @@ pub struct RowStroke {
     pub room_m: f64,
 }
 
+/// The building with the dampers of a row under a motion of the file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowRun {
+    /// Index of the row in the comparison.
+    pub row: usize,
+    /// The motion's name in the file.
+    pub motion: String,
+    /// Drifts of storeys and strokes of dampers compared with their limits.
+    pub parts: Vec<PartLimit>,
+    /// Whether the drift of a storey is beyond the validity of small drifts.
+    pub falls: bool,
+}
+
 /// Strokes under the motions of the file and the spectrum of its site, with the rooms of the dampers; empty where the file gives no room.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RoomCheck {
@@ -81,6 +95,8 @@ pub struct RoomCheck {
     pub is_judged: bool,
     /// For every row, damper with a room, and motion.
     pub strokes: Vec<RowStroke>,
+    /// For every row and motion.
+    pub runs: Vec<RowRun>,
 }
 
 impl RoomCheck {

@@ -1,13 +1,14 @@
 //! The strokes of designed dampers under the motions of the file and the spectrum of its site, compared with their rooms.
 
 use super::check::site_strokes_m;
+use super::limits::{by_peaks, falls};
 use super::simulate::{moved, steps_per_sample};
-use super::tune_answer::{RoomCheck, RowStroke};
+use super::tune_answer::{RoomCheck, RowRun, RowStroke};
 use super::tuned::standing;
 use crate::error::{Within as _, WorkError};
 use crate::motion::{self, MotionRequest};
 use crate::wrong::Place;
-use dolmen::dynamics::{BuildingRun, Histories, VibratingBuilding};
+use dolmen::dynamics::{BuildingPeaks, BuildingRun, Histories, VibratingBuilding};
 use dolmen::signal::GroundMotion;
 use dolmen_project::{BuildingPart, BuiltDamper, Project, strokes_of};
 use dolmen_records::Files;
@@ -33,7 +34,9 @@ pub(crate) fn room_check(
         let read = read.within(|| Place::StrokesUnder(part.name.clone()))?;
         motions.push((part.name.clone(), read.motion));
     }
-    let mut strokes = Vec::new();
+    let (mut strokes, mut runs) = (Vec::new(), Vec::new());
+    let floors = part.floor_names();
+    let storeys = alone.building().storeys();
     let mut is_judged = !motions.is_empty();
     for (row, dampers) in rows.iter().enumerate() {
         let mut add = |motion: Option<&String>, peaks: Vec<f64>| {
@@ -49,7 +52,17 @@ pub(crate) fn room_check(
             }));
         };
         for (name, motion) in &motions {
-            add(Some(name), strokes_m(alone.clone(), dampers, motion)?);
+            let peaks = peaks(alone.clone(), dampers, motion)?;
+            let limit = project.drift_limit.as_ref();
+            let parts = by_peaks(&peaks, (&floors, storeys), dampers, limit);
+            runs.push(RowRun {
+                row,
+                motion: name.clone(),
+                falls: falls(&peaks, storeys, &parts),
+                parts,
+            });
+            let each = peaks.strokes_m.iter().map(|peak| peak.value.abs());
+            add(Some(name), each.collect());
         }
         if let Some(peaks) = site_strokes_m(project, alone, dampers) {
             is_judged = true;
@@ -60,21 +73,21 @@ pub(crate) fn room_check(
         has_room,
         is_judged,
         strokes,
+        runs,
     })
 }
 
-/// The largest stroke of each damper, m.
-fn strokes_m(
+/// Largest drifts and strokes.
+fn peaks(
     alone: VibratingBuilding,
     dampers: &[BuiltDamper],
     motion: &GroundMotion,
-) -> Result<Vec<f64>, WorkError> {
+) -> Result<BuildingPeaks, WorkError> {
     let run = BuildingRun {
         steps_per_sample: steps_per_sample(motion, STEP_S),
         histories: Histories::PeaksAlone,
         ..BuildingRun::default()
     };
     let (_, history) = moved(alone, dampers, motion, &run)?;
-    let strokes = history.peaks.strokes_m.iter();
-    Ok(strokes.map(|peak| peak.value.abs()).collect())
+    Ok(history.peaks)
 }

@@ -1,17 +1,17 @@
 //! The judgement of an answer: the three questions for the structure as it is and for each variant.
 
 use super::colour::Colour;
-use super::earthquake::{EarthquakeFinding, of_row};
+use super::earthquake::{Earthquake, EarthquakeFinding, of_row};
 use super::evidence::Evidence;
 use super::exit::{Verb, exit_status};
 use super::in_doubt::FromRecords;
-use super::runs::{RunFindings, of_simulation, of_stack};
+use super::runs::{RunFindings, of_row_run, of_simulation, of_stack};
 use super::tilt_limit::is_tilt_beyond;
 use super::version::{AfterMotion, VersionJudgement, leaning, version};
 use super::weight::Weight;
 use super::wind::of_wind_histories;
 use crate::answer::{Answer, CheckAnswer, CompareAnswer};
-use crate::building::{TogetherAnswer, TogetherChoice, TuneAnswer};
+use crate::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::frame::FrameBeside;
 use crate::inventory::InventoryLine;
 use crate::lowest_of_records::lowest_of_records;
@@ -355,32 +355,34 @@ pub fn judge_stack_run(run: &StackSimulation) -> Judgement {
     Judgement::of_run(run.variant.as_deref(), of_stack(run), is_done)
 }
 
-/// Compares the damper in the file with its room, under the motions of the file and its site.
+/// The building with the damper in the file under the motions of the file and the spectrum of its site.
 fn of_tuned(tuned: &TuneAnswer) -> Vec<EarthquakeFinding> {
     let row = |row: usize| tuned.comparison.rows.get(row).map(|row| row.choice);
-    let given = tuned
-        .room
-        .strokes
-        .iter()
-        .filter(|of| row(of.row) == Some(Choice::Given));
-    given.map(of_row).collect()
+    of_rows(&tuned.room, |of| row(of) == Some(Choice::Given))
 }
 
 /// The same for all dampers together.
 fn of_together(tuned: &TogetherAnswer) -> Vec<EarthquakeFinding> {
     let row = |row: usize| tuned.rows.get(row).map(|row| &row.choice);
-    let given = tuned
-        .room
-        .strokes
-        .iter()
-        .filter(|of| row(of.row) == Some(&TogetherChoice::Given));
-    given.map(of_row).collect()
+    of_rows(&tuned.room, |of| row(of) == Some(&TogetherChoice::Given))
+}
+
+/// Under the motions of the file, drifts and strokes decide together, as in a simulation. Under the spectrum of the site, a check judges the
+/// drifts, so a stroke within its room decides nothing.
+fn of_rows(room: &RoomCheck, is_given: impl Fn(usize) -> bool) -> Vec<EarthquakeFinding> {
+    let runs = room.runs.iter().filter(|of| is_given(of.row));
+    let at_site = room.strokes.iter().filter(|of| of.motion.is_none());
+    let at_site = at_site.filter(|of| is_given(of.row)).map(of_row);
+    let short = at_site.filter(|of| of.word != Earthquake::Above);
+    runs.flat_map(of_row_run).chain(short).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::judgement::{DecidedBy, Earthquake};
+    use crate::building::{RowRun, RowStroke};
+    use crate::judgement::DecidedBy;
+    use crate::part_limit::{Limited, Part, PartLimit};
     use dolmen_words::Language;
 
     fn version(variant: Option<&str>, weight: Weight, word: Earthquake) -> VersionJudgement {
@@ -432,6 +434,55 @@ mod tests {
             assert_eq!(judgement.exit_status(Verb::Check), exit, "{words}");
             assert_eq!(judgement.exit_status(Verb::Tune), 0, "{words}");
         }
+    }
+
+    #[test]
+    fn holds_a_stroke_within_its_room_alone_never_meets_a_demand() {
+        let part = |limited, demand, capacity| PartLimit {
+            part: Part::Damper("tmd".into()),
+            direction: None,
+            limited,
+            demand,
+            capacity,
+            taken: 0.0,
+            lean: [0.0; 2],
+        };
+        let stroke = |motion: Option<&str>, stroke_m| RowStroke {
+            row: 0,
+            damper: "tmd".into(),
+            motion: motion.map(str::to_owned),
+            stroke_m,
+            room_m: 0.6,
+        };
+        for (allowed, stroke_m, word) in [
+            (None, 0.378, Earthquake::NotDecided),
+            (None, 0.61, Earthquake::BelowDemand),
+            (Some(0.002), 0.378, Earthquake::BelowDemand),
+            (Some(0.02), 0.378, Earthquake::Above),
+        ] {
+            let drift = part(Limited::Drift, 0.00377, allowed);
+            let room = RoomCheck {
+                has_room: true,
+                is_judged: true,
+                strokes: vec![stroke(Some("ec"), stroke_m), stroke(None, stroke_m)],
+                runs: vec![RowRun {
+                    row: 0,
+                    motion: "ec".into(),
+                    parts: vec![drift, part(Limited::Room, stroke_m, Some(0.6))],
+                    falls: false,
+                }],
+            };
+            let found = of_rows(&room, |row| row == 0);
+            assert_eq!(Earthquake::worst(&found), word, "{found:?}");
+            // another row is not the structure
+            assert!(of_rows(&room, |row| row == 1).is_empty());
+        }
+        // under the spectrum of the site, the check judges the drifts
+        let room = RoomCheck {
+            strokes: vec![stroke(None, 0.3)],
+            ..RoomCheck::default()
+        };
+        assert!(of_rows(&room, |_| true).is_empty());
     }
 
     #[test]

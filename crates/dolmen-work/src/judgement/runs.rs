@@ -1,7 +1,7 @@
 //! Words for the earthquake from simulated motions, by kind of structure.
 
 use super::earthquake::{DecidedBy, Earthquake, EarthquakeFinding, of_parts};
-use crate::building::BuildingSimulation;
+use crate::building::{BuildingSimulation, RowRun};
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
 use crate::part_limit::PartLimit;
@@ -276,6 +276,12 @@ pub(super) fn of_building(run: &BuildingSimulation) -> Vec<EarthquakeFinding> {
         None => Ending::Whole,
     };
     of_storeys(ending, &run.parts(), run.motion.motion.name())
+}
+
+/// A building with the dampers of a row of a tuning, under a whole motion of the file.
+pub(super) fn of_row_run(run: &RowRun) -> Vec<EarthquakeFinding> {
+    let ending = if run.falls { Ending::Fell } else { Ending::Whole };
+    of_storeys(ending, &run.parts, &run.motion)
 }
 
 fn under(motion: &str, found: Vec<(Earthquake, DecidedBy)>) -> Vec<EarthquakeFinding> {

@@ -33,9 +33,9 @@ impl fmt::Display for FrameNote {
             ),
             FrameNote::LevelLoad { level, ratio } => write!(
                 f,
-                "Level {level} loads its storey with {ratio:.2} times the weight of its mass. If the axial forces given \
-                 already hold the levels above, give them as storey forces, not as level loads: summed twice they \
-                 overstate P-delta."
+                "Level {level} loads its storey with {ratio:.2} times the weight of its mass, so P-delta is {}, and the \
+                 load factor is not over the weight.",
+                if *ratio < 1.0 { "understated" } else { "overstated" }
             ),
         }
     }

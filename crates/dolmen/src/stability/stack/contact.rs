@@ -17,6 +17,11 @@ impl Contact {
         self.origin + self.axes[0] * point[0] + self.axes[1] * point[1]
     }
 
+    /// Area of the patches, m².
+    pub(super) fn area_m2(&self) -> f64 {
+        self.patches.iter().map(|patch| patch.moments().area_m2).sum()
+    }
+
     pub(super) fn along(&self, direction: [f64; 2]) -> DVec3 {
         self.axes[0] * direction[0] + self.axes[1] * direction[1]
     }

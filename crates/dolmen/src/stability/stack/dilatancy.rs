@@ -36,6 +36,35 @@ pub struct Undilated {
 /// limit, or if the stack stands only by the friction of an upright sliding joint. Without dilation the limit is not unique: on the six walls of
 /// Ferris & Tin-Loi (2001) it is the least that they found.
 pub fn limit_analysis_undilated(stack: &Stack, options: &LimitAnalysis) -> Result<Undilated, StabilityError> {
+    let (mut found, governing) = without_upright_friction(stack, options)?;
+    let LimitAnalysisStatus::Limited(threshold) = found.analysis.status else {
+        return Ok(found);
+    };
+    if slides_and_opens(stack, found.analysis.mechanism.as_ref()) {
+        match without_dilation(&governing, options, threshold.direction) {
+            Ok(Some(lesser)) if limit_g(&lesser) < Some(threshold.acceleration_g) => {
+                let dilating_g = found.dilating_g.unwrap_or(threshold.acceleration_g);
+                found.dilating_g = Some(dilating_g);
+                found.analysis = LimitAnalysisResult {
+                    frictionless: found.analysis.frictionless,
+                    directions: found.analysis.directions,
+                    ..lesser
+                };
+            }
+            Ok(Some(_)) => {}
+            // a programme that was not solved leaves the bound
+            Ok(None) | Err(StabilityError::ConicProgramme { .. }) => found.is_upper_bound = true,
+            Err(other) => return Err(other),
+        }
+    }
+    Ok(found)
+}
+
+/// The limit without friction in the upright joints that slide, and the stack that has it.
+pub(crate) fn without_upright_friction(
+    stack: &Stack,
+    options: &LimitAnalysis,
+) -> Result<(Undilated, Stack), StabilityError> {
     let first = limit_analysis(stack, options)?;
     let all_friction_g = limit_g(&first);
     let mut found = Undilated {
@@ -65,26 +94,7 @@ pub fn limit_analysis_undilated(stack: &Stack, options: &LimitAnalysis) -> Resul
             _ => {}
         }
     }
-    let LimitAnalysisStatus::Limited(threshold) = found.analysis.status else {
-        return Ok(found);
-    };
-    if slides_and_opens(stack, found.analysis.mechanism.as_ref()) {
-        match without_dilation(&governing, options, threshold.direction) {
-            Ok(Some(lesser)) if limit_g(&lesser) < Some(threshold.acceleration_g) => {
-                found.analysis = LimitAnalysisResult {
-                    frictionless: frictionless(stack, &governing),
-                    directions: found.analysis.directions,
-                    ..lesser
-                };
-                found.dilating_g = all_friction_g;
-            }
-            Ok(Some(_)) => {}
-            // a programme that was not solved leaves the bound
-            Ok(None) | Err(StabilityError::ConicProgramme { .. }) => found.is_upper_bound = true,
-            Err(other) => return Err(other),
-        }
-    }
-    Ok(found)
+    Ok((found, governing))
 }
 
 fn limit_g(analysis: &LimitAnalysisResult) -> Option<f64> {

@@ -37,6 +37,8 @@ pub struct CutLimits {
     pub axes: [[f64; 3]; 3],
     /// Convex hull of the contact patches, in the plane, m.
     pub contact: Polygon,
+    /// Area of the contact patches, m²: the hull of two posts or of a ring is larger.
+    pub area_m2: f64,
     /// Point where the resultant of weight and static loads crosses the plane, in coordinates of the plane, m.
     pub resultant_m: [f64; 2],
     /// Distance from this point to the nearest edge of the contact, m; negative outside.

@@ -5,17 +5,21 @@
 //! | α₀ | `multiplier` | horizontal acceleration over gravity at which the mechanism moves | – |
 //! | P | `weight_n` | weight of a rigid part, whose blocks move as one body | N |
 //! | δ | `moves` | virtual displacement of the centroid of a part along the shaking, over the largest one | – |
+//! | v | `velocity` | velocity of a part that slides on a joint, and rises by friction | – |
+//! | C | `cohesion_n` | cohesion × area of the joints of a cut | N |
 //! | M* | `mass_kg` | participating mass | kg |
 //! | e* | `mass_ratio` | participating fraction of the moving mass | – |
 //! | d₀* | `overturning_m` | displacement of the oscillator at which its resistance vanishes | m |
 
 use super::StackLoads;
+use super::cuts::cuts;
 use super::limit_acts::{LimitProblem, acts};
 use super::limit_along::unit;
 use super::limit_mechanism::named;
 use super::limit_options::Holding;
 use super::limit_pieces::{GrowingLoad, Piece, pieces};
 use super::limit_programme::{ACCELERATION_MOST, AccelerationSet, ProgrammeOutcome};
+use super::loads::{Load, together};
 use super::mechanism::BodyMotion;
 use crate::stability::StabilityError;
 use crate::structure::stack::{Block, Stack};
@@ -23,6 +27,8 @@ use glam::DVec3;
 
 /// Relative difference below which velocities are equal. Our choice: the solver is accurate to 1e-8.
 const SAME: f64 = 1e-4;
+/// Relative difference below which two mechanisms move at the same acceleration. Our choice: the programme misses by 1e-6 at most.
+const SAME_LIMIT: f64 = 2e-6;
 /// Largest sine of the inclination of a horizontal axis of rotation, and largest relative motion along the axis. Our choice.
 const LEVEL: f64 = 1e-3;
 
@@ -76,8 +82,9 @@ pub struct LocalMechanism {
 ///
 /// # Limits
 /// As for [`limit_analysis`](super::limit_analysis()): friction is associated, so sliding parts also rise; stone is infinitely strong;
-/// cohesion resists sliding; ties and side supports resist nothing. If several mechanisms move at the same acceleration, the result may be a
-/// mixture of them, with more parts than each. d₀* is not computed for several parts that move relative to each other, nor for a stack with
+/// cohesion resists sliding; ties and side supports resist nothing. If several mechanisms move at the same acceleration, the part above a cut
+/// that slides as one body is taken, the lowest of them: its e* is 1, so no other has a smaller a₀*. Where none of them slides as one body,
+/// the result may be a mixture of several, with more parts than each and an e* that another one exceeds. d₀* is not computed for several parts that move relative to each other, nor for a stack with
 /// static loads. Static loads enter α₀, but have no mass in M* and e*.
 ///
 /// # Example
@@ -141,7 +148,10 @@ pub fn local_mechanisms(
         };
         let mut joints = mechanism.joints.iter();
         let slides = joints.any(|joint| joint.motion.slides());
-        Ok(of_parts(stack, &motions, way, limit.multiplier, slides))
+        let found = of_parts(stack, &motions, way, limit.multiplier, slides);
+        let is_divided = found.as_ref().is_none_or(|of| of.mass_ratio < 1.0 - SAME);
+        let one = is_divided.then(|| slides_as_one(stack, &loads, way, limit.multiplier));
+        Ok(one.flatten().or(found))
     });
     Ok(each.collect())
 }
@@ -174,6 +184,45 @@ impl Limit {
         }
         Ok(Some(limit))
     }
+}
+
+/// The part above the lowest cut that slides as one body at a multiplier; `None` if each needs more.
+///
+/// ```text
+/// v = t + μ n        t unit vector of the joint along the shaking, n its normal: no joint of the cut is penetrated
+/// α = (C − F · v) / (m g v · u)        F load at rest of the part, u direction of the shaking
+/// ```
+fn slides_as_one(stack: &Stack, loads: &[Load], way: [f64; 2], multiplier: f64) -> Option<LocalMechanism> {
+    let towards = DVec3::new(way[0], way[1], 0.0);
+    for cut in cuts(stack).cuts {
+        let joints = || cut.joints.iter().map(|&joint| &stack.joints()[joint]);
+        let normal = DVec3::from(stack.joints()[*cut.joints.first()?].axes[2]);
+        let is_even = joints().all(|joint| normal.dot(DVec3::from(joint.axes[2])) > 1.0 - LEVEL * LEVEL);
+        let Some(along) = (towards - normal * normal.dot(towards)).try_normalize() else {
+            continue;
+        };
+        let mu = joints()
+            .map(|joint| joint.material.friction_static)
+            .fold(0.0, f64::max);
+        let areas = joints().map(|joint| joint.material.cohesion_pa * joint.patch.moments().area_m2);
+        let cohesion_n: f64 = areas.sum();
+        let load = together(loads, &cut.blocks);
+        let velocity = along + normal * mu;
+        let work = load.mass * stack.gravity_m_s2() * velocity.dot(towards);
+        let needed = (cohesion_n - load.force.dot(velocity)) / work;
+        if is_even && work > 0.0 && needed <= multiplier * (1.0 + SAME_LIMIT) {
+            let mut motions: Vec<Vec<BodyMotion>> = vec![Vec::new(); stack.blocks().len()];
+            for &block in &cut.blocks {
+                motions[block].push(BodyMotion {
+                    velocity,
+                    spin: DVec3::ZERO,
+                    about: DVec3::ZERO,
+                });
+            }
+            return of_parts(stack, &motions, way, multiplier, true);
+        }
+    }
+    None
 }
 
 /// Velocity at a point of a block with several motions.
@@ -288,4 +337,43 @@ fn overturning(motions: &[BodyMotion], centroid: DVec3, towards: DVec3) -> Optio
     let (level, moves_across) = (arm.dot(across), towards.dot(across));
     let way = -level * moves_across;
     (way > 0.0).then_some(way)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::stack::{JointMaterial, Placement, Solid};
+
+    /// A wall of courses, 2.4 m long and 0.8 m thick, each of two stones.
+    fn wall(courses: usize) -> Stack {
+        let mut blocks = Vec::new();
+        for course in 0..courses {
+            // the joints of a course stand over stones
+            let cut = if course % 2 == 0 { 1.0 } else { 1.4 };
+            for (length, middle) in [(cut, 0.5 * cut - 1.2), (2.4 - cut, 0.5 * cut)] {
+                let place = Placement {
+                    position_m: [middle, 0.0, 0.25 * course as f64],
+                    ..Placement::default()
+                };
+                blocks.push(Block {
+                    name: format!("stone {}", blocks.len() + 1),
+                    solid: Solid::cuboid(length, 0.8, 0.25).unwrap().placed(&place),
+                    density_kg_m3: 2600.0,
+                });
+            }
+        }
+        Stack::new(blocks, JointMaterial::with_friction(0.6), 9.81).unwrap()
+    }
+
+    #[test]
+    fn exact_of_courses_that_slide_at_the_same_acceleration_the_whole_wall_is_taken() {
+        let wall = wall(4);
+        let mass: f64 = wall.blocks().iter().map(Block::mass_kg).sum();
+        for found in local_mechanisms(&wall, &[[1.0, 0.0], [-1.0, 0.0]]).unwrap() {
+            let found = found.unwrap().unwrap();
+            assert!((found.multiplier - 0.6).abs() < 1e-6, "{found:?}");
+            assert!((found.mass_ratio - 1.0).abs() < 1e-12, "{found:?}");
+            assert!((found.mass_kg / mass - 1.0).abs() < 1e-12 && found.slides);
+        }
+    }
 }

@@ -46,6 +46,8 @@ pub use cuts::{Cut, Cuts, cuts};
 pub use demand::{
     Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
 };
+#[cfg(test)]
+pub(crate) use dilatancy::without_upright_friction;
 pub(crate) use dilatancy::{ROUNDS, without_sliding_friction};
 pub use dilatancy::{Undilated, limit_analysis_undilated};
 pub(crate) use limit_along::stands_by_limit_analysis;

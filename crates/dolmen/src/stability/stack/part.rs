@@ -58,6 +58,7 @@ pub(super) fn limits_of(
         axes: contact.axes.map(Into::into),
         depth_m: contact.hull.depth_m(resultant),
         contact: contact.hull.clone(),
+        area_m2: contact.area_m2(),
         resultant_m: resultant,
         gravity_margin: 0.0,
         edges: Vec::new(),
@@ -256,16 +257,10 @@ impl<'a> Part<'a> {
         let mut best_direction = [1.0, 0.0];
         for outward in self.outwards(strength.is_some()) {
             let Some(pivot) = self.pivot(outward, strength) else {
-                let area: f64 = self
-                    .contact
-                    .patches
-                    .iter()
-                    .map(|patch| patch.moments().area_m2)
-                    .sum();
                 limits.gravity_margin = 0.0;
                 limits.standing = Standing::Overloaded {
                     above: limits.above.clone(),
-                    pressure_pa: self.normal_force / area,
+                    pressure_pa: self.normal_force / self.contact.area_m2(),
                     strength_pa: strength.unwrap_or(f64::INFINITY),
                 };
                 return;

@@ -183,8 +183,7 @@ mod tests {
     use super::super::towers::{P10, leaning, p20, shifted, tower};
     use super::super::{PointForce, StackLoads, Wind};
     use super::*;
-    use crate::structure::stack::Body;
-    use crate::structure::stack::{JointMaterial, SoilBelow, Tie};
+    use crate::structure::stack::{Block, Body, JointMaterial, Placement, SoilBelow, Solid, Tie};
 
     fn limits(stack: &Stack) -> StackLimitStates {
         stack_limits(stack, &StackLimits::default()).unwrap()
@@ -304,6 +303,33 @@ mod tests {
             ..StackLoads::default()
         });
         assert!((uplift(&block, &wind) - (0.2 - 800.0 / weight)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn exact_the_area_of_a_cut_is_that_of_its_patches() {
+        // two posts of 1 m² each, 3 m apart, below a beam of 5 m: their hull has 5 m²
+        let stone = |size: [f64; 3], position_m: [f64; 3]| {
+            let place = Placement {
+                position_m,
+                ..Placement::default()
+            };
+            Block {
+                name: format!("at {} m", position_m[0]),
+                solid: Solid::cuboid(size[0], size[1], size[2]).unwrap().placed(&place),
+                density_kg_m3: 2600.0,
+            }
+        };
+        let blocks = vec![
+            stone([1.0, 1.0, 2.0], [-2.0, 0.0, 0.0]),
+            stone([1.0, 1.0, 2.0], [2.0, 0.0, 0.0]),
+            stone([5.0, 1.0, 0.5], [0.0, 0.0, 2.0]),
+        ];
+        let stack = Stack::new(blocks, JointMaterial::with_friction(0.6), 9.81).unwrap();
+        for cut in limits(&stack).cuts.iter().filter(|cut| cut.cut.joints.len() == 2) {
+            assert!((cut.area_m2 - 2.0).abs() < 1e-9, "{}", cut.area_m2);
+            assert!((cut.contact.moments().area_m2 - 5.0).abs() < 1e-9);
+        }
+        assert!(limits(&stack).cuts.iter().any(|cut| cut.cut.joints.len() == 2));
     }
 
     #[test]

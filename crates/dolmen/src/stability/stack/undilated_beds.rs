@@ -14,7 +14,7 @@ use super::dilatancy::without_sliding_friction;
 use super::limit_acts::{LimitProblem, acts};
 use super::limit_mechanism::moving_with;
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus};
-use super::limit_pieces::{GrowingLoad, Law, PossibleForce, pieces};
+use super::limit_pieces::{GrowingLoad, Law, Piece, PossibleForce, pieces};
 use super::limit_programme::{ACCELERATION_MOST, AccelerationSet, ProgrammeOutcome, Push};
 use super::mechanism::Mechanism;
 use crate::stability::StabilityError;
@@ -148,27 +148,13 @@ fn solve(
         analysis.residual = analysis.residual.max(support.missed);
         analysis.variables += programme.unknowns();
         analysis.equations += piece.equations();
-        let pushed = programme.forces(piece.pushes());
-        for ((push, force), (link, unit)) in piece
-            .pushes()
-            .iter()
-            .zip(&pushed)
-            .zip(&piece.links.iter().zip(piece.units()))
-        {
-            if let Some(joint) = joints.get_mut(*link) {
-                let friction = stack.joints()[*link].material.friction_static;
-                joint.add(
-                    push,
-                    force,
-                    *unit,
-                    if held.is_some() {
-                        DILATION * friction
-                    } else {
-                        friction
-                    },
-                );
-            }
-        }
+        let share = if held.is_some() { DILATION } else { 1.0 };
+        gather(
+            &mut joints,
+            stack,
+            &piece,
+            (&programme.forces(piece.pushes()), share),
+        );
         if least.as_ref().is_none_or(|(least, _)| support.bound < *least) {
             least = Some((support.bound, moving_with(stack, &piece, programme.velocities())));
         }
@@ -196,6 +182,16 @@ fn solve(
         normals_n: joints.iter().map(|forces| forces.normal_n).collect(),
         analysis,
     }))
+}
+
+/// Adds the forces of a piece to those of the joints; each cone has a share of the friction of its joint.
+fn gather(joints: &mut [JointForces], stack: &Stack, piece: &Piece, (forces, share): (&[[f64; 3]], f64)) {
+    let pushes = piece.pushes().iter().zip(forces);
+    for ((push, force), (&link, &unit)) in pushes.zip(piece.links.iter().zip(piece.units())) {
+        if let (Some(sum), Some(joint)) = (joints.get_mut(link), stack.joints().get(link)) {
+            sum.add(push, force, unit, share * joint.material.friction_static);
+        }
+    }
 }
 
 /// Resultant forces of a joint.
