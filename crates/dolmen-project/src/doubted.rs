@@ -102,6 +102,10 @@ messages! {
             en: "{path} = {given} is hotter than air gets: is it °F? (°F − 32) × 5/9 is °C",
             ko: "{path} = {given}은(는) 기온으로 볼 수 없게 높다. 화씨(°F)인가? (°F − 32) × 5/9가 섭씨이다",
         },
+        WideCrack { path: String, given: Quantity } => {
+            en: "{path}: a crack {given} wide: is it in mm? A number without a unit is in the lengths of the file: \"0.4 mm\"",
+            ko: "{path}: 균열 폭이 {given}이다. mm 단위가 아닌가? 단위 없는 수는 파일의 길이 단위로 읽는다: \"0.4 mm\"",
+        },
         LargeTilt { path: String, degrees: Quantity } => {
             en: "{path} is a tilt of {degrees}°: is it in degrees? A bare number is horizontal / vertical: \"1/177\", \"0.32 deg\", \"5.65 mm/m\"",
             ko: "{path}의 기울기가 {degrees}°이다. 도(°) 단위가 아닌가? 단위 없는 수는 수평/수직 비이다: \"1/177\", \"0.32 deg\", \"5.65 mm/m\"",

@@ -54,7 +54,8 @@ pub(super) fn slip(text: &str) -> Option<Fault> {
 /// The tokens up to an unclosed string.
 fn tokens(text: &str) -> Vec<Placed> {
     let mut all: Vec<Placed> = Vec::new();
-    let mut at = 0;
+    // a byte order mark before the first line, as some editors save it, belongs to no token
+    let mut at = text.len() - text.trim_start_matches('\u{feff}').len();
     let mut starts_line = true;
     while let Some(sign) = text[at..].chars().next() {
         let rest = &text[at..];
@@ -301,10 +302,12 @@ mod tests {
             ("a ＝ 3\n", "＝", "="),
             ("a =　3\n", "　", "plain blank"),
             ("a = −3\n", "−3", "-3"),
+            ("\u{feff}b = 1\na = [1 2]\n", "2", "comma"),
         ] {
             let (span, said) = found(text).unwrap_or_else(|| panic!("{text}"));
             assert!(span == at && said.contains(help), "{text}: {span} {said}");
         }
+        assert_eq!(found("\u{feff}a = \"open\n"), None); // a string that is not closed: the reader reports it
         // sound, or another fault
         for text in [
             "a = [\n  1, # ３\n  2,\n]\n[b.\"c d\"]\ne.f = { g = [[1, 2], [3]], h = \"＝\" }\n[[i]]\nj = '''\n[\n'''\n",

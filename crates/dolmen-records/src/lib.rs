@@ -4,6 +4,7 @@ mod breaks;
 mod files;
 mod limits;
 mod log;
+mod log_order;
 mod log_times;
 pub mod meshes;
 pub mod motions;

@@ -1,5 +1,6 @@
 //! Readings of slow sensors over time: files of a Campbell logger (TOA5), and text tables with a time and values in each row.
 
+use crate::log_order::{OrderedRows, OutOfOrder};
 use crate::log_times::{TimeCells, UnclearDay, says_when};
 use crate::number::parse_number;
 use crate::sheet_error::SheetError;
@@ -25,10 +26,13 @@ pub struct Log {
     pub gaps: usize,
     /// Rows with a repeated time: the last one is used.
     pub repeated: usize,
-    /// Rows with an earlier time than the row before: the clock was set back, or the logger restarted.
+    /// Rows with an earlier time than the row before, once rows with the newest first and pasted exports are in order: the clock was set back, or the
+    /// logger restarted.
     pub set_back: usize,
     /// Rows more than a day out of order, left out: the clock was wrong.
     pub misdated: usize,
+    /// Whether the last row of the file is one of them, so that the newest readings may be missing.
+    pub ends_misdated: bool,
     /// The unit of the column in the file: TOA5 has a line of units; tables have them in brackets at the end of a heading, "X (mm/m)".
     pub unit: Option<String>,
 }
@@ -58,6 +62,13 @@ pub enum LogError {
     WhichColumn {
         /// The possible columns.
         known: String,
+    },
+    /// Too many rows contradict the others in time for a wrong clock.
+    OutOfOrder {
+        /// These rows.
+        rows: usize,
+        /// All rows with a reading.
+        read: usize,
     },
     /// Rows have no time.
     NoTime {
@@ -100,6 +111,10 @@ sentences! {
         WhichColumn { known } => {
             en: "the log has several columns: name one of {known}",
             ko: "기록 파일에 열이 여럿 있다. {known} 중 하나를 지정한다",
+        },
+        OutOfOrder { rows, read } => {
+            en: "the rows of the log are not in the order of time: {rows} of {read} contradict the others, too many for a wrong clock. Sort the rows by their time",
+            ko: "기록 파일의 행이 시간 순서가 아니다. {read}행 중 {rows}행이 다른 행과 어긋나 시계 오류로 보기에는 너무 많다. 행을 시각 순으로 정렬한다",
         },
         NoTime { line, found } => {
             en: "line {line} of the log begins with \"{found}\", which is no time such as \"2026-11-25 10:00:00\"",
@@ -167,12 +182,12 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
         repeated: 0,
         set_back: 0,
         misdated: 0,
+        ends_misdated: false,
         unit: match is_toa5 {
             true => units.get(at).filter(|unit| !unit.is_empty()).cloned(),
             false => names.get(at).and_then(|name| unit_in_head(name)),
         },
     };
-    let mut before = f64::NEG_INFINITY;
     for (line, row) in lines.iter().enumerate().skip(first) {
         if row.trim().is_empty() {
             continue;
@@ -182,8 +197,6 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
             line: line + 1,
             found: shown(&row[..row.len().min(times.cells())].join(" ")),
         })?;
-        log.set_back += usize::from(at_s < before);
-        before = at_s;
         let cell = row.get(at).map_or("", String::as_str);
         match reading(cell, sign) {
             Some(Some(value)) => rows.push((at_s, value)),
@@ -197,9 +210,13 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
         }
     }
     let read = rows.len();
-    let mut rows = in_order(rows);
-    log.misdated = read - rows.len();
-    rows.sort_by(|a, b| a.0.total_cmp(&b.0)); // stable sort: equal times keep the order of the file
+    let OrderedRows {
+        rows,
+        set_back,
+        misdated,
+        ends_misdated,
+    } = OrderedRows::of(rows).map_err(|OutOfOrder(rows)| LogError::OutOfOrder { rows, read })?;
+    (log.set_back, log.misdated, log.ends_misdated) = (set_back, misdated, ends_misdated);
     for (at_s, value) in rows {
         match log.times_s.last() == Some(&at_s) {
             true => {
@@ -214,43 +231,6 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
         true => Err(LogError::NoRows),
         false => Ok(log),
     }
-}
-
-/// Removes rows with a wrong clock: it keeps the largest set of rows with ascending times, and those within a day of the kept row before them.
-fn in_order(rows: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    const DAY_S: f64 = 86_400.0;
-    let mut latest_s = f64::NEG_INFINITY;
-    let is_in_order = |(at_s, _): &(f64, f64)| {
-        latest_s = latest_s.max(*at_s);
-        *at_s >= latest_s - DAY_S
-    };
-    if rows.iter().all(is_in_order) {
-        return rows;
-    }
-    // the longest non-descending subsequence (Schensted 1961): for each length the row with the earliest end, and the predecessor of each row
-    let (mut ends, mut before): (Vec<usize>, Vec<Option<usize>>) = (Vec::new(), Vec::new());
-    for (row, (at_s, _)) in rows.iter().enumerate() {
-        let length = ends.partition_point(|end| rows[*end].0 <= *at_s);
-        before.push(length.checked_sub(1).map(|shorter| ends[shorter]));
-        match ends.get_mut(length) {
-            Some(end) => *end = row,
-            None => ends.push(row),
-        }
-    }
-    let mut stays = vec![false; rows.len()];
-    let mut next = ends.last().copied();
-    while let Some(row) = next {
-        stays[row] = true;
-        next = before[row];
-    }
-    let mut last_s = f64::NAN;
-    let kept = rows.into_iter().zip(stays).filter(|((at_s, _), stays)| {
-        if *stays {
-            last_s = *at_s;
-        }
-        *stays || (at_s - last_s).abs() <= DAY_S
-    });
-    kept.map(|(row, _)| row).collect()
 }
 
 /// The separator of columns, their names, and the first line of readings.
@@ -307,7 +287,7 @@ fn unit_in_head(head: &str) -> Option<String> {
     let is_side = matches!(unit, "N" | "S" | "E" | "W" | "n" | "s" | "e" | "w");
     let is_unit = unit
         .chars()
-        .any(|sign| sign.is_alphabetic() || "%°℃℉".contains(sign));
+        .any(|sign| sign.is_alphabetic() || "%°℃℉″′".contains(sign));
     (is_unit && !is_side).then(|| unit.to_owned())
 }
 

@@ -236,7 +236,10 @@ pub(crate) fn worse(variant: Both, judged: &VersionJudgement) -> Sentence {
 pub(crate) fn over_the_years(judgement: &Judgement) -> Option<Sentence> {
     let alarming = judgement.alarming;
     let mut each: Vec<Sentence> = Vec::new();
-    let (alarms, cracks) = (alarming.open_alarms, alarming.cracks_beyond);
+    let cracks = alarming.cracks_beyond;
+    // a tilt and cracks beyond their limits are one alarm each, and have words of their own here
+    let own = usize::from(alarming.is_tilt_beyond) + usize::from(cracks > 0);
+    let alarms = alarming.open_alarms.saturating_sub(own);
     each.extend((alarms > 0).then(|| Headline::OpenAlarms(alarms).into()));
     each.extend(alarming.is_tilt_beyond.then(|| Headline::YearsTilt.into()));
     each.extend((cracks > 0).then(|| Headline::YearsCracks(cracks).into()));
@@ -591,7 +594,14 @@ mod tests {
         (judgement.alarming.open_alarms, judgement.alarming.is_tilt_beyond) = (0, true);
         let english = said(&judgement, Language::English).unwrap_or_default();
         assert_eq!(english, "Over the years: the tilt is beyond its limit");
-        judgement.alarming.is_tilt_beyond = false;
+        // the tilt and the cracks are two of the three alarms
+        (judgement.alarming.open_alarms, judgement.alarming.cracks_beyond) = (3, 2);
+        let english = said(&judgement, Language::English).unwrap_or_default();
+        assert_eq!(
+            english,
+            "Over the years: open alarms (1), the tilt is beyond its limit and cracks or other damage beyond their limits (2)"
+        );
+        judgement.alarming = Alarming::default();
         judgement.changed = Some(ChangedSince {
             from: "2024-03-05".to_owned(),
             to: "2026-03-07".to_owned(),

@@ -99,6 +99,8 @@ pub struct WatchedDamage {
     pub trend: TiltTrend,
     /// Whether a repair followed the last reading.
     pub is_repaired: bool,
+    /// Day of the last repair before the last entry; −∞ without one.
+    pub repaired_on: f64,
     /// Whether the last inspection of all lists it.
     pub is_in_last: bool,
 }
@@ -119,6 +121,15 @@ impl WatchedDamage {
     pub fn is_beyond(&self) -> bool {
         let at = self.limit_m.zip(self.size_to_judge_m());
         !self.is_repaired && at.is_some_and(|(limit, size)| size >= limit)
+    }
+
+    /// The largest earlier reading at the limit since the last repair, where the size is below it now.
+    pub fn was_beyond(&self) -> Option<&SizeRead> {
+        let limit = self.limit_m.filter(|_| !self.is_beyond() && !self.is_repaired)?;
+        let since = self.readings.iter().filter(|read| read.day > self.repaired_on);
+        since
+            .filter(|read| read.size_m >= limit)
+            .max_by(|a, b| a.size_m.total_cmp(&b.size_m))
     }
 
     /// Growth from the first reading to the last, m, and its standard deviation from the error of reading.
@@ -283,6 +294,12 @@ fn damage(
         limit_m,
         trend: growth(series, &of)?,
         is_repaired: options.repairs.iter().any(|(_, day)| *day > since),
+        repaired_on: options
+            .repairs
+            .iter()
+            .map(|(_, day)| *day)
+            .filter(|day| *day <= since)
+            .fold(f64::NEG_INFINITY, f64::max),
         is_in_last: last_entry + 1 == inspections.len(),
     })
 }

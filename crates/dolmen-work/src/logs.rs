@@ -12,6 +12,10 @@ use dolmen::monitoring::{
 use dolmen_project::{LogKind, LogPart, Project, WorkKind, WorkPart};
 use dolmen_records::{Files, Log, RECORD_BYTES_MOST, read_log};
 
+/// Largest tilt, horizontal over vertical, and width, m, of a reading: beyond, it is the sign of a logger for no reading, 9999. Our choice: nothing
+/// stands at 45°.
+const TILT_READ_MOST: f64 = 1.0;
+const WIDTH_READ_MOST_M: f64 = 2.0;
 /// Probability of a false trend in any log of a project.
 const SIGNIFICANCE: f64 = 0.05;
 
@@ -137,20 +141,29 @@ fn believed(log: Log) -> Log {
 
 fn daily(part: &LogPart, log: &Log) -> ReadLog {
     let zero = part.zero.unwrap_or(0.0);
-    let values: Vec<f64> = log
-        .values
-        .iter()
-        .map(|reading| zero + part.si(*reading))
-        .collect();
+    let most = match part.kind {
+        LogKind::Crack => WIDTH_READ_MOST_M,
+        LogKind::Tilt { .. } | LogKind::Temperature => TILT_READ_MOST,
+    };
+    let is_possible = |reading: &f64| (part.factor * reading).abs() <= most;
+    let possible = log.values.iter().filter(|reading| is_possible(reading)).count();
+    // if most readings are impossible, so is the unit; the answer shows them
+    let are_single = 2 * possible > log.values.len();
+    let read = log.times_s.iter().zip(&log.values);
+    let (times_s, values): (Vec<f64>, Vec<f64>) = read
+        .filter(|(_, reading)| !are_single || is_possible(reading))
+        .map(|(at_s, reading)| (*at_s, zero + part.si(*reading)))
+        .unzip();
     ReadLog {
         part: part.clone(),
         rows: LogRows {
-            gaps: log.gaps,
+            gaps: log.gaps + log.values.len() - values.len(),
             repeated: log.repeated,
             set_back: log.set_back,
             misdated: log.misdated,
+            ends_misdated: log.ends_misdated,
         },
-        daily: daily_medians(&log.times_s, &values),
+        daily: daily_medians(&times_s, &values),
     }
 }
 
@@ -188,5 +201,26 @@ mod tests {
             (None, None)
         );
         assert!(!logs.are_watched());
+    }
+
+    #[test]
+    fn exact_the_sign_of_a_logger_for_no_reading_is_no_tilt() {
+        let head = "schema = 1\nkind = \"survey\"\nname = \"Gate\"\n[watch]\ntilt_limit = \"1/150\"\n";
+        let text = format!(
+            "{head}[watch.log.x]\nfile = \"x.csv\"\nkind = \"tilt\"\ndirection = \"x\"\nunit = \"mm/m\"\nzero = 0\n"
+        );
+        let day = |day: usize, read: &str| format!("2026-11-{day:02},{read}\n");
+        let read: String = (1..=20)
+            .map(|i| day(i, &format!("3.{i:02}")))
+            .chain((21..=30).map(|i| day(i, if i % 2 == 0 { "9999" } else { "-9999.0" })))
+            .collect();
+        let files = MemoryFiles {
+            files: [("x.csv".to_owned(), format!("Time,X\n{read}").into_bytes())].into(),
+        };
+        let opened = Opened::read(text, "p".to_owned(), &files).unwrap();
+        let logs = Logs::read(&opened.project, &files).unwrap();
+        let [found] = logs.watched(&[], Some(1.0 / 150.0)).unwrap().try_into().unwrap();
+        assert_eq!((found.rows.gaps, found.trend.daily.days.len()), (10, 20));
+        assert!((found.trend.newest - 3.20e-3).abs() < 1e-9 && !found.is_beyond());
     }
 }

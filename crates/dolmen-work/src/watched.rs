@@ -6,11 +6,17 @@ use crate::judgement::tilt_beyond_limit;
 use crate::sensor_alarms::SensorAlarm;
 use crate::watched_log::WatchedLog;
 use crate::years_parts::YearsParts;
-use dolmen::monitoring::{ANSWERED_DAYS, TiltSeries, Track, Watched};
+use dolmen::monitoring::{ANSWERED_DAYS, LoggedSeason, LoggedTrend, TiltSeries, Track, Watched};
 use dolmen::numeric::{Bracketing, bracketed_root};
 use dolmen_project::{EarthquakePart, LogKind, Project, WorkKind, WorkPart};
 use dolmen_words::message::Both;
 use std::sync::Arc;
+
+/// Days of a year, as the regression of a log counts them.
+const YEAR_DAYS: f64 = 365.25;
+/// Years within which a lean with a season is followed to its limit, and the step, which must not pass over its peak. Our choice.
+const SEASON_YEARS_MOST: f64 = 300.0;
+const SEASON_STEP_YEARS: f64 = 0.02;
 
 /// Results of a history of surveys.
 #[derive(Clone, Debug)]
@@ -166,26 +172,56 @@ impl WatchAnswer {
         cracks.filter(|log| log.is_beyond()).count() + self.inspected.beyond().count()
     }
 
-    /// The tilt of x and y together, if there is one log of each with a known zero.
+    /// The tilt of x and y together, if there is one log of each with a known zero: without its season at the end of the logs, or by the readings of
+    /// the last days, if that is larger.
     pub fn logged_lean(&self) -> Option<LeanNow> {
-        let of = |direction: &str| -> Option<[f64; 3]> {
-            let mut all = self.logs.iter().filter(|log| {
-                log.part.zero.is_some()
-                    && matches!(&log.part.kind, LogKind::Tilt { direction: own } if own == direction)
-            });
-            let first = &all.next()?.trend;
-            let seen = first.slope.as_ref().ok().filter(|_| first.is_beyond_chance());
-            let per_year = seen.map_or(0.0, |slope| slope.per_year);
-            let grows = first.curve.filter(|of| of.speeds_up(per_year));
-            let part = [first.now, per_year, grows.map_or(0.0, |of| of.per_year2)];
-            all.next()
-                .is_none()
-                .then_some(part)
-                .filter(|[now, ..]| now.is_finite())
-        };
+        let [x, y] = [self.logged_plane("x")?, self.logged_plane("y")?];
         let directions = vec!["x".to_owned(), "y".to_owned()];
         let limit = self.project.watch.tilt_limit;
-        Some(LeanNow::of(None, directions, &[of("x")?, of("y")?], limit))
+        let parts = [LeanPart::of_log(x), LeanPart::of_log(y)];
+        if parts.iter().any(|part| !part.now.is_finite()) {
+            return None;
+        }
+        let lean = LeanNow::of(None, directions, &parts, limit);
+        let newest = x.newest.hypot(y.newest);
+        Some(match newest > lean.size {
+            true => LeanNow {
+                size: newest,
+                years: lean
+                    .years
+                    .filter(|_| limit.is_none_or(|limit| newest < limit.abs())),
+                ..lean
+            },
+            false => lean,
+        })
+    }
+
+    /// The days on which the logs of x and y together were at the limit, without spikes.
+    pub fn logged_days_at_limit(&self) -> Vec<f64> {
+        let (Some(x), Some(y), Some(limit)) = (
+            self.logged_plane("x"),
+            self.logged_plane("y"),
+            self.project.watch.tilt_limit,
+        ) else {
+            return Vec::new();
+        };
+        let each = x.daily.days.iter().zip(&x.daily.values);
+        let at_limit = each.filter(|(day, of_x)| {
+            let at = y.daily.days.binary_search_by(|own| own.total_cmp(day));
+            let of_y = at.ok().and_then(|at| y.daily.values.get(at));
+            of_y.is_some_and(|of_y| of_x.hypot(*of_y) >= limit.abs())
+        });
+        at_limit.map(|(day, _)| *day).collect()
+    }
+
+    /// The trend of the one log of a direction with a known zero.
+    fn logged_plane(&self, direction: &str) -> Option<&LoggedTrend> {
+        let mut all = self.logs.iter().filter(|log| {
+            log.part.zero.is_some()
+                && matches!(&log.part.kind, LogKind::Tilt { direction: own } if own == direction)
+        });
+        let first = all.next()?;
+        all.next().is_none().then_some(&first.trend)
     }
 
     /// Whether a later series of the direction, from another mark, replaced it.
@@ -208,7 +244,7 @@ impl WatchAnswer {
     /// The tilt on the day of the last readings: x and y of one datum together, other directions separately.
     pub fn leans(&self) -> Vec<LeanNow> {
         let limit = self.project.watch.tilt_limit;
-        let mut leans: Vec<(LeanNow, Vec<[f64; 3]>)> = Vec::new();
+        let mut leans: Vec<(LeanNow, Vec<LeanPart>)> = Vec::new();
         for trend in &self.watched.tilts {
             let of = &trend.series;
             let fitted = trend.carried.or(trend.slope).map(|slope| slope.now);
@@ -216,9 +252,17 @@ impl WatchAnswer {
             let Some(now) = read.filter(|_| !self.is_of_the_past(of)) else {
                 continue;
             };
+            // a newest reading that is off may be right: the larger one is judged
+            let last = of.ratios.last().copied().filter(|_| trend.last_off.is_some());
+            let now = last.filter(|last| last.abs() > now.abs()).unwrap_or(now);
             let is_plane = |direction: &str| matches!(direction, "x" | "y");
             let seen = trend.forecast();
-            let part = [now, seen.map_or(0.0, |slope| slope.per_year), 0.0];
+            let part = LeanPart {
+                now,
+                per_year: seen.map_or(0.0, |slope| slope.per_year),
+                per_year2: 0.0,
+                season: None,
+            };
             let across = leans.iter_mut().find(|(lean, _)| {
                 lean.datum == of.datum
                     && is_plane(&of.direction)
@@ -270,39 +314,89 @@ pub struct LeanNow {
 }
 
 impl LeanNow {
-    /// From the present tilt, its slope, 1/year, and the growth of its slope, 1/year², in each direction.
+    /// From the tilt now in each direction, its slope, the growth of its slope, and its season.
     ///
     /// ```text
-    /// Σ (n + s T + ½ a T²)² = L²
+    /// Σ (n + s T + ½ a T² + w(T))² = L²
     /// ```
-    fn of(datum: Option<String>, directions: Vec<String>, parts: &[[f64; 3]], limit: Option<f64>) -> Self {
-        let sum = |of: fn(&[f64; 3]) -> f64| parts.iter().map(of).sum::<f64>();
-        let (square, both, slopes) = (
-            sum(|[n, ..]| n * n),
-            sum(|[n, s, _]| n * s),
-            sum(|[_, s, _]| s * s),
-        );
-        let years = limit.and_then(|limit| {
-            let left = limit * limit - square;
-            let straight = (left > 0.0 && slopes > 0.0)
-                .then(|| ((both * both + slopes * left).sqrt() - both) / slopes)?;
-            let beyond = |years: f64| {
-                let at = |[n, s, a]: &[f64; 3]| n + s * years + 0.5 * a * years * years;
-                parts.iter().map(|part| at(part).powi(2)).sum::<f64>() - limit * limit
-            };
-            // at a growing slope the limit is reached earlier, or not at all if the directions cancel
-            match parts.iter().any(|[.., a]| *a != 0.0) && beyond(straight) > 0.0 {
-                true => bracketed_root(beyond, 0.0, straight, &Bracketing::default()).ok(),
-                false => Some(straight),
-            }
-        });
+    fn of(datum: Option<String>, directions: Vec<String>, parts: &[LeanPart], limit: Option<f64>) -> Self {
+        let sum = |of: fn(&LeanPart) -> f64| parts.iter().map(of).sum::<f64>();
+        let square = sum(|part| part.now * part.now);
         LeanNow {
             datum,
             directions,
             size: square.sqrt(),
             limit,
-            years,
+            years: limit.and_then(|limit| years_to(parts, limit)),
         }
+    }
+}
+
+/// The tilt in one direction.
+#[derive(Clone, Copy, Debug)]
+struct LeanPart {
+    /// Without its season, on the last day.
+    now: f64,
+    /// Its slope, 1/year; 0 unless beyond chance.
+    per_year: f64,
+    /// The growth of its slope, 1/year², where it speeds up.
+    per_year2: f64,
+    /// Its season, and the last day.
+    season: Option<(LoggedSeason, f64)>,
+}
+
+impl LeanPart {
+    /// Of a log: by its regression, or by its last days where it has none, or where the newest days differ from it.
+    fn of_log(trend: &LoggedTrend) -> Self {
+        let fitted = trend.slope.as_ref().ok().filter(|_| trend.last_off.is_none());
+        let seen = trend.slope.as_ref().ok().filter(|_| trend.is_beyond_chance());
+        let per_year = seen.map_or(0.0, |slope| slope.per_year);
+        let grows = trend.curve.filter(|of| of.speeds_up(per_year));
+        let last = trend.daily.days.last().copied();
+        LeanPart {
+            now: fitted.map_or(trend.now, |slope| slope.now),
+            per_year,
+            per_year2: grows.map_or(0.0, |of| of.per_year2),
+            season: fitted.and(trend.yearly).zip(last),
+        }
+    }
+
+    fn at(&self, years: f64) -> f64 {
+        let season = self
+            .season
+            .map_or(0.0, |(of, last)| of.at(last + years * YEAR_DAYS));
+        self.now + self.per_year * years + 0.5 * self.per_year2 * years * years + season
+    }
+}
+
+/// Years until the parts together reach a limit; `None` without a slope, and beyond the limit.
+fn years_to(parts: &[LeanPart], limit: f64) -> Option<f64> {
+    let sum = |of: fn(&LeanPart) -> f64| parts.iter().map(of).sum::<f64>();
+    let (square, both, slopes) = (
+        sum(|part| part.now * part.now),
+        sum(|part| part.now * part.per_year),
+        sum(|part| part.per_year * part.per_year),
+    );
+    let left = limit * limit - square;
+    let straight =
+        (left > 0.0 && slopes > 0.0).then(|| ((both * both + slopes * left).sqrt() - both) / slopes)?;
+    let beyond = |years: f64| parts.iter().map(|part| part.at(years).powi(2)).sum::<f64>() - limit * limit;
+    if parts.iter().any(|part| part.season.is_some()) {
+        if beyond(0.0) >= 0.0 {
+            return Some(0.0);
+        }
+        let steps = (SEASON_YEARS_MOST / SEASON_STEP_YEARS) as usize;
+        let at = |step: usize| step as f64 * SEASON_STEP_YEARS;
+        let step = (1..=steps).find(|step| beyond(at(*step)) >= 0.0);
+        return match step {
+            Some(step) => bracketed_root(beyond, at(step - 1), at(step), &Bracketing::default()).ok(),
+            None => Some(straight),
+        };
+    }
+    // at a growing slope the limit is reached earlier, or not at all if the directions cancel
+    match parts.iter().any(|part| part.per_year2 != 0.0) && beyond(straight) > 0.0 {
+        true => bracketed_root(beyond, 0.0, straight, &Bracketing::default()).ok(),
+        false => Some(straight),
     }
 }
 

@@ -29,6 +29,8 @@ pub struct LogRows {
     pub set_back: usize,
     /// Rows with a wrong clock, left out.
     pub misdated: usize,
+    /// Whether the last row of the file is one of them.
+    pub ends_misdated: bool,
 }
 
 impl WatchedLog {

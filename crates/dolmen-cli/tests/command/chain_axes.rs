@@ -384,6 +384,7 @@ fn holds_two_components_on_linear_joints_are_two_runs_and_turn_with_the_motion()
 #[test]
 fn refuses_two_components_where_the_planes_are_not_apart() {
     let wave = |t: f64| 0.3 * (5.0 * t).sin();
+    let across = |t: f64| 0.3 * (5.0 * t).cos();
     let files = "x = \"x.csv\", y = \"y.csv\"";
     for (joint, said) in [
         (", bed_width = 0.7", "give its bed_depth across"),
@@ -396,7 +397,7 @@ fn refuses_two_components_where_the_planes_are_not_apart() {
             "bears less towards its corners",
         ),
     ] {
-        let (_, stderr, status) = shaken("axes-refused", &stone("", joint, ""), files, [&wave, &wave]);
+        let (_, stderr, status) = shaken("axes-refused", &stone("", joint, ""), files, [&wave, &across]);
         let words = stderr.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(status, 2, "{words}");
         assert!(words.contains(said), "{words}");

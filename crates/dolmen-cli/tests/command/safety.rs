@@ -203,21 +203,19 @@ fn holds_a_vertical_motion_does_not_act_on_a_frame_and_that_is_said() {
     let scratch = Scratch::with_examples("vertical");
     let hall = format!("{HALL}stiffness = [8.1, 5.2]\ndamping_ratio = 0.03\n");
     fs::write(scratch.path().join("project.toml"), hall).unwrap();
-    let rows: String = (0..200)
-        .map(|i| {
-            format!(
-                "{:.2},{:.6}\n",
-                0.01 * f64::from(i),
-                0.2 * (0.1 * f64::from(i)).sin()
-            )
-        })
-        .collect();
-    fs::write(
-        scratch.path().join("x.csv"),
-        format!("time (s),acc (m/s2)\n{rows}"),
-    )
-    .unwrap();
-    let answer = scratch.dolmen("simulate project.toml --motion-file x=x.csv --motion-file z=x.csv");
+    for (file, peak) in [("x.csv", 0.2), ("z.csv", 0.1)] {
+        let rows: String = (0..200)
+            .map(|i| {
+                format!(
+                    "{:.2},{:.6}\n",
+                    0.01 * f64::from(i),
+                    peak * (0.1 * f64::from(i)).sin()
+                )
+            })
+            .collect();
+        fs::write(scratch.path().join(file), format!("time (s),acc (m/s2)\n{rows}")).unwrap();
+    }
+    let answer = scratch.dolmen("simulate project.toml --motion-file x=x.csv --motion-file z=z.csv");
     assert!(
         answer
             .stdout

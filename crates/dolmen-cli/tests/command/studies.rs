@@ -385,7 +385,7 @@ fn holds_a_refused_run_is_a_row_with_its_reason() {
         "3 refused",
         "joint.friction = -1 cannot be, must be 0 or above",
         "3 of 4 scans cannot be used and are in no quantile and no trend",
-        "Scan 2 (joint.friction = 0.5, blocks[2].height = 60): its inputs were refused",
+        "Scan 2 (joint.friction = 0.5, blocks[2].height = 60 m): its inputs were refused",
     ] {
         assert!(answer.words().contains(said), "{said}: {}", answer.stdout);
     }

@@ -66,9 +66,17 @@ impl LogPart {
             return true;
         }
         let stated = match stated.as_str() {
-            "degree" | "degrees" | "°" => "deg",
+            "degree" | "degrees" | "°" | "도" => "deg",
+            "라디안" => "rad",
+            "밀리라디안" => "mrad",
+            "퍼센트" => "%",
+            "미터" => "m",
+            "센티미터" => "cm",
+            "밀리미터" => "mm",
             // units that no key of a project has
-            "µm/m" | "μm/m" | "um/m" | "arcsec" | "arcmin" | "mv" | "v" | "volt" | "volts" | "counts" => {
+            "µm/m" | "μm/m" | "um/m" | "µm" | "μm" | "um" | "㎛" | "arcsec" | "arcmin" | "분" | "초"
+            | "\"" | "″" | "′" | "mv" | "v" | "volt" | "volts" | "볼트" | "밀리볼트" | "counts"
+            | "카운트" => {
                 return true;
             }
             other => other,
@@ -196,6 +204,17 @@ mod tests {
             (tilt.clone(), "deg", "mrad", true),
             (tilt.clone(), "mm/m", "Volts", true),
             (tilt.clone(), "mm/m", "µm/m", true),
+            (tilt.clone(), "mm/m", "도", true),
+            (tilt.clone(), "deg", "도", false),
+            (tilt.clone(), "deg", "분", true),
+            (tilt.clone(), "deg", "초", true),
+            (tilt.clone(), "mm/m", "밀리라디안", true),
+            (tilt.clone(), "mrad", "밀리라디안", false),
+            (tilt.clone(), "mm/m", "북", false),
+            (tilt.clone(), "mm/m", "볼트", true),
+            (LogKind::Crack, "mm", "밀리미터", false),
+            (LogKind::Crack, "mm", "μm", true),
+            (LogKind::Temperature, "°C", "도", false),
             (tilt, "mm/m", "mm", true),
             (LogKind::Crack, "mm", "MM", false),
             (LogKind::Crack, "mm", "cm", true),

@@ -74,8 +74,8 @@ messages! {
             ko: "\"{name}\" 열의 단위는 {unit}인데 파일의 units.{key}은(는) {of_file}이다",
         },
         SayOneUnitIn => {
-            en: "say one unit in both, or leave it out of the head",
-            ko: "두 곳의 단위를 같게 하거나 열 이름에서 단위를 뺀다",
+            en: "say the unit of the numbers in both; without a unit in the head they are read in the unit of the file",
+            ko: "두 곳에 적힌 값의 단위를 쓴다. 열 이름에서 단위를 빼면 파일의 단위로 읽으므로 값이 달라진다",
         },
     }
 }

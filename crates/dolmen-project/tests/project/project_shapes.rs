@@ -209,7 +209,7 @@ fn exact_a_frustum_of_points_and_its_scatter() {
 #[test]
 fn exact_a_shape_follows_from_points_or_a_file() {
     let text = format!(
-        "{HEAD}blocks = [\n  {{ name = \"a\", points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]] }},\n  \
+        "{HEAD}blocks = [\n  {{ name = \"a\", points = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]] }},\n  \
          {{ name = \"b\", file = \"stone.obj\", unit = \"mm\" }},\n]\n"
     );
     let stack = part(&text);

@@ -72,9 +72,34 @@ pub(super) fn refuse_other_units(
     Ok(())
 }
 
-/// Whether it is a unit of recorders, not of motion; brackets may also contain positions and axes.
+/// Whether it is a unit of recorders, or of something else than the motions that a record holds; brackets may also contain positions and axes.
 fn is_raw(label: &str) -> bool {
-    ["V", "mV", "counts", "count"].contains(&label)
+    const RAW: [&str; 22] = [
+        "v",
+        "mv",
+        "uv",
+        "volt",
+        "volts",
+        "볼트",
+        "밀리볼트",
+        "counts",
+        "count",
+        "카운트",
+        "um",
+        "㎛",
+        "마이크로미터",
+        "deg",
+        "°",
+        "도",
+        "rad",
+        "mrad",
+        "°c",
+        "℃",
+        "pa",
+        "kpa",
+    ];
+    let plain = label.trim().to_lowercase().replace(['µ', 'μ'], "u");
+    RAW.contains(&plain.as_str())
 }
 
 /// Factor from one unit to the other, if they differ; `Some(None)` if they measure different quantities.
@@ -104,7 +129,46 @@ mod tests {
         ] {
             assert_eq!(unit_in_name(name), FileUnit::Known(unit), "{name}");
         }
+        for (name, unit) in [
+            ("가속도(갈)", Unit::Gal),
+            ("가속도(㎎)", Unit::MilliGravity),
+            ("가속도(밀리지)", Unit::MilliGravity),
+            ("속도(μm/s)", Unit::MicrometrePerSecond),
+            ("변위(밀리미터)", Unit::Millimetre),
+        ] {
+            assert_eq!(unit_in_name(name), FileUnit::Known(unit), "{name}");
+        }
         assert_eq!(unit_in_name("g"), FileUnit::Silent);
         assert_eq!(unit_in_name("roof (north)"), FileUnit::Other("north".into()));
+    }
+
+    #[test]
+    fn refuses_columns_in_units_of_recorders_and_of_other_quantities_where_a_unit_is_given() {
+        let of = |name| {
+            let column = NamedColumn {
+                name,
+                is_scaled: false,
+            };
+            refuse_other_units(&[column], Unit::MilliGravity, false)
+        };
+        // micro is U+03BC here and U+00B5 there
+        for name in [
+            "하층(볼트)",
+            "하층(카운트)",
+            "하층(μm)",
+            "하층(µm)",
+            "하층(㎛)",
+            "하층(도)",
+            "a(Volts)",
+        ] {
+            assert!(matches!(of(name), Err(RecordError::NoScale { .. })), "{name}");
+        }
+        assert!(matches!(
+            of("하층(갈)"),
+            Err(RecordError::ColumnUnitDisagrees { .. })
+        ));
+        for name in ["하층(㎎)", "하층(북)", "roof (north)", "a (N)", "x (2)"] {
+            assert!(of(name).is_ok(), "{name}");
+        }
     }
 }

@@ -12,7 +12,7 @@ const LINES: usize = 20;
 const LINES_LEAST: usize = 5;
 /// Steps below this, read as seconds, are in days: no structure is recorded above 10 kHz. Our choice.
 const DAYS_BELOW_S: f64 = 1e-4;
-/// Steps from this value on, read as seconds, are too long for vibration: such stamps are usually milliseconds. Our choice.
+/// Steps from this value on, read as seconds, are too long for vibration: such stamps are usually milliseconds, or number the samples. Our choice.
 const SLOW_FROM_S: f64 = 1.0;
 /// Largest relative difference between the first steps and the given rate in some unit, for a gap or a coarse last digit.
 const NEAR: f64 = 0.05;
@@ -43,7 +43,7 @@ pub(super) enum UnitSaid {
 /// Length of one unit of the column, s, from its first steps and the given rate.
 ///
 /// # Errors
-/// [`RecordError::SlowStamps`] if the unit is not stated and the stamps, read as seconds, are a second or more apart;
+/// [`RecordError::SlowStamps`] if the stamps are a second or more apart, and the rate, if given, does not confirm it;
 /// [`RecordError::TimeUnit`] if the name has an unknown unit and the rate, if given, agrees with no unit.
 pub(super) fn unit_s(
     bytes: &[u8],
@@ -83,19 +83,18 @@ pub(super) fn unit_s(
         let fits = |unit_s: &f64| given_hz.is_some_and(|rate| (rate * unit_s * step_s - 1.0).abs() < NEAR);
         return UNITS_S.into_iter().find(fits).ok_or_else(unclear);
     }
-    if time.said == UnitSaid::Clearly || step_s < SLOW_FROM_S || !step_s.is_finite() {
+    if step_s < SLOW_FROM_S || !step_s.is_finite() {
         return Ok(time.unit_s);
     }
     let fits = |unit_s: &f64| given_hz.is_some_and(|rate| (rate * unit_s * step_s - 1.0).abs() < NEAR);
     if fits(&1.0) {
-        return Ok(1.0);
+        return Ok(time.unit_s);
     }
-    SMALLER_S
-        .into_iter()
-        .find(fits)
-        .ok_or_else(|| RecordError::SlowStamps {
-            column: column.to_owned(),
-            step: step_s,
-            milliseconds_hz: 1e3 / step_s,
-        })
+    let is_stated = time.said == UnitSaid::Clearly;
+    let mut smaller = SMALLER_S.into_iter().filter(|_| !is_stated);
+    smaller.find(fits).ok_or_else(|| RecordError::SlowStamps {
+        column: column.to_owned(),
+        step: step_s,
+        milliseconds_hz: 1e3 / step_s,
+    })
 }

@@ -43,16 +43,25 @@ pub(super) fn unit_of_label(label: &str) -> FileUnit {
         .chars()
         .filter(|c| !c.is_whitespace() && !"[]()（）".contains(*c))
         .collect();
-    let plain = plain.replace("**", "^").replace("sec", "s").replace("µ", "u");
+    let plain = plain
+        .replace("**", "^")
+        .replace("sec", "s")
+        .replace(['µ', 'μ'], "u");
     let plain = plain
         .replace('㎨', "m/s2")
         .replace('㎝', "cm")
-        .replace('㎜', "mm");
+        .replace('㎜', "mm")
+        .replace('㎎', "mg");
     let plain = match plain.as_str() {
         "G" => "g",
         "mG" => "mg",
         "%G" => "%g",
-        "GAL" => "gal",
+        "GAL" | "갈" => "gal",
+        "중력가속도" => "g",
+        "밀리지" => "mg",
+        "미터" => "m",
+        "센티미터" => "cm",
+        "밀리미터" => "mm",
         plain => plain,
     };
     if plain.is_empty() || plain.eq_ignore_ascii_case("none") || plain.eq_ignore_ascii_case("unknown") {

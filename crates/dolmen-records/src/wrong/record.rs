@@ -102,8 +102,8 @@ sentences! {
             ko: "\"{column}\" 열은 시각으로 보이나 단위를 알 수 없다. 열 이름 끝에 단위 (초), (ms), (us), (분), (h)를 쓰거나 sampling_rate를 입력한다. 그러면 단위를 그 주파수로 정한다",
         },
         SlowStamps { column, step, milliseconds_hz } as { column: shown(column), step, milliseconds_hz: format!("{milliseconds_hz:.4}") } => {
-            en: "the time stamps of column \"{column}\" lie {step} apart: as seconds that is no rate of a vibration; if they are milliseconds, give sampling_rate = \"{milliseconds_hz} Hz\" or name the column \"time [ms]\"; if they are seconds, \"time [s]\"",
-            ko: "\"{column}\" 열의 시각 간격이 {step}이다. 초 단위라면 진동 기록의 간격이 아니다. 밀리초이면 sampling_rate = \"{milliseconds_hz} Hz\"로 하거나 열 이름을 \"time [ms]\"로, 초이면 \"time [s]\"로 한다",
+            en: "the time stamps of column \"{column}\" lie {step} apart: as seconds that is no rate of a vibration; if they are milliseconds, give sampling_rate = \"{milliseconds_hz} Hz\" or name the column \"time [ms]\"; if they number the samples, leave time_column out and give sampling_rate",
+            ko: "\"{column}\" 열의 시각 간격이 {step}이다. 초 단위라면 진동 기록의 간격이 아니다. 밀리초이면 sampling_rate = \"{milliseconds_hz} Hz\"로 하거나 열 이름을 \"time [ms]\"로 한다. 표본의 번호이면 time_column을 빼고 sampling_rate를 입력한다",
         },
         Uneven { line, stamp_s, step_s, expected_step_s, expected_s } as { line, stamp_s, step_s: format!("{step_s:.6}"), expected_step_s: format!("{expected_step_s:.6}"), expected_s: format!("{expected_s:.6}") } => {
             en: "line {line}: the time stamp {stamp_s} s is {step_s} s after the one before, but even steps of {expected_step_s} s would put it at {expected_s} s: samples are missing or the clock jumped; cut the file there, or resample it before",

@@ -215,6 +215,7 @@ fn refuses_a_time_column_taken_for_a_channel() {
     );
     let options = RecordOptions {
         time: TimeColumn::At(Column::Number(1)),
+        sampling_rate_hz: Some(1.0),
         ..Default::default()
     };
     assert_eq!(
@@ -224,6 +225,29 @@ fn refuses_a_time_column_taken_for_a_channel() {
             .sampling_rate_hz(),
         1.0
     );
+}
+
+#[test]
+fn refuses_numbers_of_samples_as_seconds_though_the_column_is_named() {
+    let rows: String = (1..50).map(|i| format!("{i},{}\n", (i * i) % 7)).collect();
+    let options = RecordOptions {
+        time: TimeColumn::At(Column::Number(1)),
+        ..Default::default()
+    };
+    for head in ["번호,x\n", "시간(초),x\n"] {
+        let refused = refusal_with(&format!("{head}{rows}"), &options);
+        assert!(refused.contains("lie 1 apart"), "{refused}");
+        assert!(
+            refused.contains("if they number the samples, leave time_column out and give sampling_rate"),
+            "{refused}"
+        );
+    }
+    // a hundredth of a second is a rate of a vibration
+    let rows: String = (1..50)
+        .map(|i| format!("{},{}\n", 0.01 * f64::from(i), (i * i) % 7))
+        .collect();
+    let read = read_csv(format!("t,x\n{rows}").as_bytes(), &options).unwrap();
+    assert_eq!(read.record.sampling_rate_hz(), 100.0);
 }
 
 #[test]

@@ -101,7 +101,7 @@ fn headline_words(answer: &ProjectReport, judgement: &Judgement, language: Langu
     let mut all = Vec::new();
     all.extend(over_the_years(judgement).map(|said| said.text(language)));
     all.extend(judgement.headline().map(|of| own_words(of, judgement, language)));
-    all.extend(worse(answer, judgement, language));
+    all.extend(worse(answer, judgement.worse(), language));
     all.join("; ")
 }
 

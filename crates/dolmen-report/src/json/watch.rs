@@ -253,6 +253,7 @@ fn tilt(trend: &TiltTrend, answer: &WatchAnswer) -> Value {
         "outliers": trend.outliers.iter().map(|of| as_json!({
             "date": date(of.at), "tilt": trend.series.ratios.get(of.at), "expected": of.expected,
         })).collect::<Vec<_>>(),
+        "last_off": trend.last_off.map(|of| as_json!({ "date": date(of.from), "expected": of.expected, "sd": of.sd })),
         "works": trend.works.iter().map(|of| as_json!({ "work": of.work + 1, "change": of.size, "sd": of.sd })).collect::<Vec<_>>(),
         "seen_from_per_year": slope.map(|slope| slope.seen_from_per_year),
         "now": slope.map(|slope| slope.now),

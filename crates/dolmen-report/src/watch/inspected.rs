@@ -79,6 +79,14 @@ messages! {
             en: "{damage}: read as {read} on {date}, where the readings around it give {expected}: it stands alone, and is left out of the slope. Check its decimal point and unit.",
             ko: "{damage}: {date}의 {read}은(는) 앞뒤 측정값에 따른 {expected}에서 홀로 벗어나 경향에서 제외하였다. 소수점과 단위를 확인한다.",
         },
+        LastOff { damage: Sentence, date: String, read: Quantity, expected: Quantity, sd: Quantity } => {
+            en: "{damage}: the newest size, {read} ({date}), lies far from the {expected} ± {sd} that the readings before it predict; the slope is without it. Check its decimal point and unit; if it is right, look at the damage.",
+            ko: "{damage}: 가장 최근의 {read}({date})은(는) 이전 측정값에 따른 {expected} ± {sd}에서 크게 벗어나며 경향은 이 값을 빼고 구하였다. 소수점과 단위를 확인하고, 값이 맞다면 손상을 살핀다.",
+        },
+        WasBeyond { damage: Sentence, size: Quantity, limit: Quantity, date: String } => {
+            en: "{damage}: it was at its limit of {limit} or beyond on {date} ({size}), and is not now: check what was written down, and whether it was mended.",
+            ko: "{damage}: {date}에 {size}(으)로 한계 {limit}에 이르렀거나 넘었으나 지금은 아니다. 적은 값과 보수 여부를 확인한다.",
+        },
         Several { each: Vec<Sentence>, count: usize } => {
             en: "Inspections list several of a kind at one part, so that none of them is followed ({count}): {each}. Give each a name, the same in every inspection: name = \"C1\".",
             ko: "한 부재에 같은 손상이 여럿 있어 추적하지 못한 것({count}건): {each}. 모든 점검에서 같은 이름을 붙인다: name = \"C1\".",
@@ -288,7 +296,7 @@ fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> Strin
     Some(Finding::key(Tone::Warn, said))
 }
 
-/// Steps, changes of slope and isolated readings.
+/// Steps, changes of slope, readings that stand alone or are off, and a limit that was reached before.
 fn changed(answer: &WatchAnswer, of: &WatchedDamage, date: &dyn Fn(usize) -> String) -> Vec<Finding> {
     let survey = |reading: usize| {
         let of = of.readings.get(reading);
@@ -322,6 +330,28 @@ fn changed(answer: &WatchAnswer, of: &WatchedDamage, date: &dyn Fn(usize) -> Str
             .map_or_else(|| plain(f64::NAN, 2), |read| size(read.size_m)),
         expected: size(outlier.expected),
     });
-    all.extend(alone.map(|said| Finding::key(Tone::Warn, said)));
+    let read_last = of.last();
+    let last_off = of
+        .trend
+        .last_off
+        .zip(read_last)
+        .map(|(off, read)| Inspections::LastOff {
+            damage: damage(),
+            date: date(read.inspection),
+            read: size(read.size_m),
+            expected: size(off.expected),
+            sd: size(HALF_95 * off.sd),
+        });
+    let was_beyond = of
+        .was_beyond()
+        .zip(of.limit_m)
+        .map(|(read, limit_m)| Inspections::WasBeyond {
+            damage: damage(),
+            size: size(read.size_m),
+            limit: size(limit_m),
+            date: date(read.inspection),
+        });
+    let each = alone.chain(last_off).chain(was_beyond);
+    all.extend(each.map(|said| Finding::key(Tone::Warn, said)));
     all
 }

@@ -76,6 +76,10 @@ messages! {
             en: "{label} was at its limit of {limit} or beyond; days: {days}, the last one {last}.",
             ko: "{label}의 측정값이 한계 {limit}에 이른 날이 {days}일 있었다(마지막 {last}).",
         },
+        LeansWereAtLimit { limit: Quantity, days: usize, last: String } => {
+            en: "The logs of x and y together were at their limit of {limit} mm/m or beyond; days: {days}, the last one {last}.",
+            ko: "x와 y 방향 기록을 합성한 기울기가 한계 {limit} mm/m에 이른 날이 {days}일 있었다(마지막 {last}).",
+        },
         Shifted { label: Both, number: usize, date: String, by: Quantity, half: Quantity } => {
             en: "{label}: with work {number} ({date}) it shifted by {by} ± {half}.",
             ko: "{label}: {number}번 보수·사건({date}) 때 {by} ± {half}만큼 바뀌었다.",
@@ -123,6 +127,10 @@ messages! {
         Silent { label: Both, since: String, days: usize, newest: String } => {
             en: "SENSOR: {label} has no reading after {since}, {days} days before the newest of this structure ({newest}): look at the sensor, its power and the logger. What the log says ends on that day.",
             ko: "센서: {label}은(는) {since} 이후 측정값이 없다. 이 구조물의 가장 최근 자료({newest})보다 {days}일 앞선다. 센서, 전원, 기록계를 점검한다. 판단은 그날까지의 기록에 따른 것이다.",
+        },
+        ClockLast { label: Both, count: usize, last: String } => {
+            en: "SENSOR: {label}: the last rows of its file are dated before those above them, as by a wrong clock; rows left out: {count}. The answer ends on {last}. If their dates are right, put the rows of the file in order.",
+            ko: "센서: {label}: 파일의 마지막 행들이 그 위의 행보다 앞선 날짜이다. 기록계의 시계가 틀린 것으로 보고 {count}행을 제외하였다. 판단은 {last}까지의 기록에 따른 것이다. 날짜가 맞다면 행을 시각 순으로 정렬한다.",
         },
         NoZero { label: Both } => {
             en: "{label}: held against no limit. What the structure has when the sensor reads 0 is not known: give zero in the log.",
@@ -174,6 +182,15 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
         };
         all.push(Finding::key(Tone::Warn, said));
     }
+    let days = answer.logged_days_at_limit();
+    if let (Some(lean), Some(last)) = (&ahead, days.last()) {
+        let said = Logged::LeansWereAtLimit {
+            limit: slope(lean.limit.unwrap_or(f64::NAN), 2),
+            days: days.len(),
+            last: date_text(*last),
+        };
+        all.push(Finding::key(Tone::Warn, said));
+    }
     let are_together = answer.logged_lean().is_some_and(|lean| lean.limit.is_some());
     for log in &answer.logs {
         // the limit of the structure applies to both directions together
@@ -198,6 +215,7 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
             };
             all.push(Finding::key(Tone::Warn, said));
         }
+        all.extend(clock_last(log));
         all.extend(exchanged);
         all.extend(was_at_limit(log));
         all.extend(shifts(log, answer));
@@ -433,6 +451,17 @@ fn last_off(log: &WatchedLog) -> Option<Finding> {
         by: logged(off.off, is_tilt, 2),
         scatter: logged(off.scatter, is_tilt, 2),
         newest: logged(log.trend.newest, is_tilt, 2),
+    };
+    Some(Finding::key(Tone::Warn, said))
+}
+
+/// Finding that the last rows of the file were left out.
+fn clock_last(log: &WatchedLog) -> Option<Finding> {
+    let [_, last] = log.span().filter(|_| log.rows.ends_misdated)?;
+    let said = Logged::ClockLast {
+        label: label(log),
+        count: log.rows.misdated,
+        last: date_text(last),
     };
     Some(Finding::key(Tone::Warn, said))
 }

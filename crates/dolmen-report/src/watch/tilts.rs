@@ -22,6 +22,10 @@ messages! {
             en: "The tilt along {direction} was read as {read} mm/m on {date}, where the readings around it give {expected} mm/m: it stands alone, and is left out of trend and steps. Check sign, decimal point and unit of what was written down; if it is right, the structure moved and came back.",
             ko: "{date}의 {direction} 방향 기울기 {read} mm/m는 앞뒤 측정값에 따른 {expected} mm/m에서 홀로 벗어나 경향과 급변 검토에서 제외하였다. 적은 값의 부호, 소수점, 단위를 확인한다. 값이 맞다면 구조물이 움직였다가 되돌아온 것이다.",
         },
+        TiltLastOff { direction: String, date: String, read: Quantity, expected: Quantity, sd: Quantity } => {
+            en: "The newest tilt along {direction}, {read} mm/m ({date}), lies far from the {expected} ± {sd} mm/m that the readings before it predict; trend and year of the limit are without it. Check sign, decimal point and unit of what was written down; if it is right, the structure moved: look at it and at the marks.",
+            ko: "가장 최근의 {direction} 방향 기울기 {read} mm/m({date})는 이전 측정값에 따른 {expected} ± {sd} mm/m에서 크게 벗어나며, 경향과 한계에 이르는 시기는 이 값을 빼고 구하였다. 적은 값의 부호, 소수점, 단위를 확인한다. 값이 맞다면 구조물이 움직인 것이므로 구조물과 측정 기준점을 점검한다.",
+        },
         TiltBends { direction: String, about: String, after: String, before: String, earlier: Quantity, since: Quantity } => {
             en: "The slope of the tilt along {direction} changed in about {about} (between {after} and {before}): {earlier} mm/m a year before, {since} since.",
             ko: "{direction} 방향 기울기의 변화 속도가 {about}경({after}~{before})에 바뀌었다. 이전에는 해마다 {earlier} mm/m, 이후에는 {since} mm/m이다.",
@@ -146,7 +150,7 @@ fn survey(answer: &WatchAnswer, trend: &TiltTrend, reading: usize) -> String {
     of.map_or_else(String::new, |of| name(answer, of))
 }
 
-/// Isolated readings.
+/// Isolated readings, and newest ones that are off.
 pub(super) fn stands_alone(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
     let each = trend.outliers.iter().map(|of| Tilted::TiltAlone {
         direction: direction_of(answer, trend),
@@ -154,7 +158,18 @@ pub(super) fn stands_alone(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Findi
         read: slope(trend.series.ratios.get(of.at).copied().unwrap_or(f64::NAN), 2),
         expected: slope(of.expected, 2),
     });
-    each.map(|said| Finding::key(Tone::Warn, said)).collect()
+    let last = trend.last_off.and_then(|of| {
+        let at = trend.series.ratios.len().checked_sub(1)?;
+        Some(Tilted::TiltLastOff {
+            direction: direction_of(answer, trend),
+            date: survey(answer, trend, at),
+            read: slope(*trend.series.ratios.get(at)?, 2),
+            expected: slope(of.expected, 2),
+            sd: slope(HALF_95 * of.sd, 2),
+        })
+    });
+    let all = each.chain(last);
+    all.map(|said| Finding::key(Tone::Warn, said)).collect()
 }
 
 /// Steps and changes of slope of a tilt.

@@ -141,17 +141,17 @@ mod tests {
         assert_eq!(record(23.2, false, &[]).beside(3.62, &[11.3, 23.1]), None);
         assert!(
             record(11.3, false, &[])
-                .beside(3.62)
+                .beside(3.62, &[])
                 .is_some_and(|of| of.contradicts())
         );
         assert!(
             record(2.5, true, &[])
-                .beside(3.62)
+                .beside(3.62, &[])
                 .is_some_and(|of| of.contradicts())
         );
         assert!(
             record(3.65, true, &[])
-                .beside(3.62)
+                .beside(3.62, &[])
                 .is_some_and(|of| !of.differs())
         );
     }

@@ -13,7 +13,9 @@ use super::logged_blocks::{Blocks, usual_gap};
 use super::logged_curve::{LoggedCurve, curve_column, curve_of, curve_value};
 use super::logged_faults::{LoggedJump, jump, spikes, stuck};
 use super::logged_last::{LoggedLast, newest_off};
+use super::logged_law::Law;
 use super::logged_scale::{LoggedScale, Turning, scattered, stepped};
+use super::logged_season::{LoggedSeason, SeasonForm};
 use super::logged_shape::{SHAPE_DAYS, SPARE_LEAST, Shape, Shaped, shape};
 use super::logged_steps::LoggedBreak;
 use super::scan::ChangeForm;
@@ -29,6 +31,8 @@ const BLOCKS_DAYS: [f64; 3] = [1.0, 7.0, SHAPE_DAYS];
 const TEMPERATURES_LEAST: f64 = 0.6;
 /// Correlation of two neighbouring monthly medians from which they drift randomly, so that no slope is significant. Our choice.
 const WANDERS_FROM: f64 = 0.9;
+/// Number of columns of a wave of the whole year.
+const WAVE_COLUMNS: usize = 2;
 /// Number of days whose median is the current reading, if there is no slope.
 const NOW_DAYS: f64 = 7.0;
 
@@ -140,6 +144,8 @@ pub struct LoggedTrend {
     pub block_days: f64,
     /// Amplitude of the yearly wave; `None` if the days do not determine it.
     pub season: Option<f64>,
+    /// The yearly wave of season and temperature together, if it is beyond chance and the days cover the year; a forecast counts it.
+    pub yearly: Option<LoggedSeason>,
     /// Change per °C and its standard deviation, if temperatures are known.
     pub per_c: Option<(f64, f64)>,
     /// Shifts at works.
@@ -268,6 +274,7 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
     }
     trend.block_days = worst.block_days;
     trend.season = worst.season;
+    trend.yearly = worst.yearly;
     trend.per_c = worst.per_c;
     trend.levels = worst.levels;
     trend.changes = worst.changes;
@@ -342,6 +349,7 @@ fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f6
         daily,
         block_days: 1.0,
         season: None,
+        yearly: None,
         per_c: None,
         levels: Vec::new(),
         changes: Vec::new(),
@@ -358,6 +366,7 @@ struct SlopeFit {
     slope: TiltSlope,
     block_days: f64,
     season: Option<f64>,
+    yearly: Option<LoggedSeason>,
     per_c: Option<(f64, f64)>,
     levels: Vec<LoggedLevel>,
     changes: Vec<LoggedChange>,
@@ -406,11 +415,26 @@ fn fitted_slope(
     let (fit, degrees) = (&found.fit, found.degrees);
     let levels = levels(&found, first_level, &works)?;
     let mut slope = slope_of(fit, degrees, options.significance, options.limit)?;
+    // readings of a part of the year determine no whole wave
+    let season = match wave.len() == WAVE_COLUMNS {
+        true => SeasonForm::of(fit, &columns, wave.start..first_level, &blocks.days, last),
+        false => None,
+    };
+    if let (Some(season), Some(reach)) = (&season, slope.reach.as_mut()) {
+        let law = Law {
+            fit,
+            curve_at: None,
+            season: Some(season),
+            to: reach.limit,
+            toward: slope.per_year.signum(),
+        };
+        law.set_years(degrees, reach)?;
+    }
     let curve = match shape.is_curved {
         true => Some(curve_of(
             &found,
-            curve_at,
-            (last - days[0]) / YEAR_DAYS,
+            (curve_at, (last - days[0]) / YEAR_DAYS),
+            season.as_ref(),
             &mut slope,
         )?),
         false => None,
@@ -443,6 +467,7 @@ fn fitted_slope(
         curve,
         line: line.collect(),
         block_days: 1.0,
+        yearly: season.map(|of| of.season),
         season: amplitude(&fit.coefficients[wave]),
         per_c: has_temperature.then(|| (fit.coefficients[first_level - 1], fit.sd[first_level - 1])),
         changes: changes.collect(),

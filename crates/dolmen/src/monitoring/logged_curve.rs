@@ -7,22 +7,20 @@
 use super::MonitoringError;
 use super::bends::BentFit;
 use super::critical::disturbed;
+use super::logged_law::Law;
+use super::logged_season::SeasonForm;
 use super::regression::{Fit, restricted_likelihood};
 use super::series::Series;
 use super::tilt::{TiltReach, TiltSlope};
 use super::weather::YEAR_DAYS;
 use super::whitening::Disturbance;
-use crate::numeric::{Bracketing, Random, bracketed_root, student_two_sided, student_two_sided_quantile};
+use crate::numeric::{Random, student_two_sided};
 
 /// Number of simulated series for the probability of a change by chance. Our choice.
 const REPLICATES: usize = 199;
 /// Correlation of neighbouring medians from which they are simulated as a random walk, and the correlation of this walk. Our choice.
 const WALKS_FROM: f64 = 0.7;
 const WALK: f64 = 0.999;
-/// Years within which the search looks for the limit; the step grows by this ratio. Our choice.
-const YEARS_MOST: f64 = 1000.0;
-const FIRST_STEP_YEARS: f64 = 0.05;
-const STEP_GROWS: f64 = 1.1;
 
 /// The steady change of the rate of a log.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,15 +103,15 @@ pub(super) fn last_statistic(
     Some(fit.coefficients.last()? / fit.sd.last()?)
 }
 
-/// The curve of a fit whose column `at` is that of [`curve_column`]. If the log speeds up, `slope` receives the time at which this law reaches the
+/// The curve of a fit over so many years whose column `at` is that of [`curve_column`]. If the log speeds up, `slope` receives the time at which this law reaches the
 /// limit, and the curve keeps the time by the rate of the last day.
 ///
 /// # Errors
 /// [`MonitoringError::Numeric`].
 pub(super) fn curve_of(
     found: &BentFit,
-    at: usize,
-    years: f64,
+    (at, years): (usize, f64),
+    season: Option<&SeasonForm>,
     slope: &mut TiltSlope,
 ) -> Result<LoggedCurve, MonitoringError> {
     let (fit, degrees) = (&found.fit, found.degrees);
@@ -128,58 +126,17 @@ pub(super) fn curve_of(
         first_per_year: slope.per_year - per_year2 * years,
         at_rate: slope.reach,
     };
-    let quantile = student_two_sided_quantile(0.05, degrees)?;
-    let ahead = slope.reach.as_mut().filter(|reach| reach.years.is_some());
-    if let Some(reach) = ahead.filter(|_| curve.speeds_up(slope.per_year)) {
+    if curve.speeds_up(slope.per_year)
+        && let Some(reach) = slope.reach.as_mut()
+    {
         let law = Law {
             fit,
-            at,
+            curve_at: Some(at),
+            season,
             to: reach.limit,
             toward: per_year2.signum(),
         };
-        let earliest = law.reached(quantile)?;
-        let of_rate = reach.years;
-        reach.years = law.reached(0.0)?.or(of_rate);
-        reach.years_earliest = earliest.or(reach.years);
-        reach.years_latest = Some(law.reached(-quantile)?.unwrap_or(f64::INFINITY));
+        law.set_years(degrees, reach)?;
     }
     Ok(curve)
-}
-
-/// The extrapolated law of a fit.
-struct Law<'a> {
-    fit: &'a Fit,
-    at: usize,
-    to: f64,
-    /// The sign of the motion.
-    toward: f64,
-}
-
-impl Law<'_> {
-    /// Years until the law, moved by so many of its standard deviations ahead, reaches the limit. The ends of the 95 % interval are the times at which
-    /// the ends of the interval of the value reach it (the set of Fieller 1954 for a curve). `None` beyond the search.
-    fn reached(&self, ahead: f64) -> Result<Option<f64>, MonitoringError> {
-        let left = |years: f64| {
-            let mut row = vec![0.0; self.fit.coefficients.len()];
-            (row[0], row[1], row[self.at]) = (1.0, years, 0.5 * years * years);
-            let value: f64 = row
-                .iter()
-                .zip(&self.fit.coefficients)
-                .map(|(x, beta)| x * beta)
-                .sum();
-            self.toward * (value - self.to) + ahead * self.fit.form(&mut row).sqrt()
-        };
-        if left(0.0) >= 0.0 {
-            return Ok(Some(0.0));
-        }
-        let (mut from, mut step) = (0.0, FIRST_STEP_YEARS);
-        while from < YEARS_MOST {
-            let to = from + step;
-            if left(to) >= 0.0 {
-                return Ok(Some(bracketed_root(left, from, to, &Bracketing::default())?));
-            }
-            (from, step) = (to, STEP_GROWS * step);
-        }
-        Ok(None)
-    }
 }

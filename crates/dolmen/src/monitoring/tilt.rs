@@ -6,6 +6,7 @@ use super::changes::{Seeking, changes};
 use super::regression::Fit;
 use super::scan::ChangeForm;
 use super::series::Series;
+use super::tilt_last::{NEWEST_MOST, TiltLast, last_off};
 use super::tilt_outliers::{TiltOutlier, tilt_outliers};
 use super::wave::yearly_wave;
 use super::weather::YEAR_DAYS;
@@ -38,6 +39,8 @@ pub struct TiltTrend {
     pub series: TiltSeries,
     /// Isolated readings, which are excluded from slope and changes.
     pub outliers: Vec<TiltOutlier>,
+    /// The newest readings, if they are far from what the earlier ones predict. They are excluded from slope and changes.
+    pub last_off: Option<TiltLast>,
     /// The slope after the last change of slope; `None` with fewer than four readings at one level.
     pub slope: Option<TiltSlope>,
     /// If this mark is new and has no significant slope: the slope of the previous mark, with the current tilt and the uncertainty of this mark's
@@ -165,13 +168,14 @@ pub(super) fn tilt_trend(
     levels: &[Level],
     how: &TiltSeeking,
 ) -> Result<TiltTrend, MonitoringError> {
-    let outliers = tilt_outliers(&series.days, &series.ratios);
+    let outliers = tilt_outliers(&series.days, &series.ratios, how.reading_sd);
     let kept: Vec<usize> = (0..series.days.len())
         .filter(|i| outliers.iter().all(|of| of.at != *i))
         .collect();
-    let mut trend = TiltTrend {
-        series,
-        outliers,
+    let of = |last_off: Option<TiltLast>| TiltTrend {
+        series: series.clone(),
+        outliers: outliers.clone(),
+        last_off,
         slope: None,
         carried: None,
         scatter: 0.0,
@@ -179,11 +183,51 @@ pub(super) fn tilt_trend(
         works: Vec::new(),
         significance: how.significance,
     };
-    let days: Vec<f64> = kept.iter().map(|i| trend.series.days[*i]).collect();
-    let n = days.len();
-    let (Some(first), Some(last)) = (days.first().copied(), days.last().copied()) else {
+    let trend = fitted(of(None), &kept, levels, how)?;
+    // a step of the newest readings that stands out as such is a change
+    let is_step = |change: &TiltChange| {
+        change.form == ChangeForm::Step && kept.iter().rev().take(NEWEST_MOST).any(|at| *at == change.from)
+    };
+    if trend.changes.iter().any(is_step) {
+        return Ok(trend);
+    }
+    let days: Vec<f64> = kept.iter().map(|i| series.days[*i]).collect();
+    let Some(last) = days.last().copied() else {
         return Ok(trend);
     };
+    let (columns, _) = regression_columns(&days, last, levels);
+    let found = last_off(&readings(&series, &kept, how), &columns);
+    match found {
+        Some(found) => {
+            let from = kept[found.from];
+            let last_off = TiltLast { from, ..found };
+            fitted(of(Some(last_off)), &kept[..found.from], levels, how)
+        }
+        None => Ok(trend),
+    }
+}
+
+/// Readings as a series, with times in usual gaps.
+fn readings(series: &TiltSeries, kept: &[usize], how: &TiltSeeking) -> Series {
+    let days: Vec<f64> = kept.iter().map(|i| series.days[*i]).collect();
+    let mut gaps: Vec<f64> = days.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    gaps.sort_by(f64::total_cmp);
+    let gap = gaps
+        .get(gaps.len() / 2)
+        .copied()
+        .unwrap_or(1.0)
+        .max(f64::MIN_POSITIVE);
+    let first = days.first().copied().unwrap_or(0.0);
+    Series {
+        at: days.iter().map(|day| (day - first) / gap).collect(),
+        readings: kept.iter().map(|i| series.ratios[*i]).collect(),
+        noise_sd: vec![how.reading_sd; kept.len()],
+    }
+}
+
+/// Columns of level and slope on the day `last`, of the levels before works, and of a yearly wave; and the works.
+fn regression_columns(days: &[f64], last: f64, levels: &[Level]) -> (Vec<Vec<f64>>, Vec<Level>) {
+    let n = days.len();
     let mut columns = vec![
         vec![1.0; n],
         days.iter().map(|day| (day - last) / YEAR_DAYS).collect(),
@@ -200,21 +244,36 @@ pub(super) fn tilt_trend(
             works.push(*level);
         }
     }
-    if n >= SEASON_READINGS_LEAST && last - first >= SEASON_YEARS_LEAST * YEAR_DAYS {
-        let wave = yearly_wave(&days, &columns);
+    let years = match (days.first(), days.last()) {
+        (Some(first), Some(last)) => (last - first) / YEAR_DAYS,
+        _ => 0.0,
+    };
+    if n >= SEASON_READINGS_LEAST && years >= SEASON_YEARS_LEAST {
+        let wave = yearly_wave(days, &columns);
         columns.extend(wave);
     }
+    (columns, works)
+}
+
+/// The regression of the kept readings.
+fn fitted(
+    mut trend: TiltTrend,
+    kept: &[usize],
+    levels: &[Level],
+    how: &TiltSeeking,
+) -> Result<TiltTrend, MonitoringError> {
+    let days: Vec<f64> = kept.iter().map(|i| trend.series.days[*i]).collect();
+    let n = days.len();
+    // the tilt now is that on the day of the last reading, even if that one is off
+    let off = trend.last_off.and(trend.series.days.last().copied());
+    let Some(last) = off.or(days.last().copied()) else {
+        return Ok(trend);
+    };
+    let (mut columns, works) = regression_columns(&days, last, levels);
     if n < READINGS_LEAST.max(columns.len() + 2) {
         return Ok(trend);
     }
-    let mut gaps: Vec<f64> = days.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    gaps.sort_by(f64::total_cmp);
-    let gap = gaps[gaps.len() / 2].max(f64::MIN_POSITIVE);
-    let readings = Series {
-        at: days.iter().map(|day| (day - first) / gap).collect(),
-        readings: kept.iter().map(|i| trend.series.ratios[*i]).collect(),
-        noise_sd: vec![how.reading_sd; n],
-    };
+    let readings = readings(&trend.series, kept, how);
     let seeking = Seeking {
         significance: how.significance,
         modes: 1,
@@ -674,7 +733,7 @@ mod tests {
         let of = |ratio: &dyn Fn(usize) -> f64| {
             let days: Vec<f64> = (0..30).map(|i| 90.0 * f64::from(i)).collect();
             let ratios: Vec<f64> = (0..30).map(ratio).collect();
-            tilt_outliers(&days, &ratios)
+            tilt_outliers(&days, &ratios, 0.0)
         };
         let noise: Vec<f64> = (0..30).map(|i| 1e-5 * Random::new(9, i).normal()).collect();
         assert!(of(&|i| noise[i] + if i < 15 { 0.0 } else { 5e-3 }).is_empty());

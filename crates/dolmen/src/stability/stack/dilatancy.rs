@@ -8,6 +8,7 @@ use super::limit_analysis::limit_analysis;
 use super::limit_options::{LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus};
 use super::mechanism::Mechanism;
 use super::undilated_beds::without_dilation;
+use super::upright_slip::without_sliding_friction;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
@@ -111,23 +112,6 @@ fn frictionless(stack: &Stack, smoother: &Stack) -> Vec<usize> {
     joints
         .filter(|&joint| rubs(stack, joint) && !rubs(smoother, joint))
         .collect()
-}
-
-/// The stack without friction in the upright joints that slide in a mechanism; `None` if none of them has friction.
-pub(crate) fn without_sliding_friction(stack: &Stack, mechanism: Option<&Mechanism>) -> Option<Stack> {
-    let mut smoother = stack.clone();
-    let mut is_other = false;
-    for moving in &mechanism?.joints {
-        let joint = &stack.joints()[moving.joint];
-        let slides = moving.motion.slides();
-        if slides && !carries(joint) && joint.material.friction_static > 0.0 {
-            let mut material = joint.material;
-            (material.friction_static, material.friction_kinetic) = (0.0, 0.0);
-            smoother = smoother.with_material(moving.joint, material).ok()?;
-            is_other = true;
-        }
-    }
-    is_other.then_some(smoother)
 }
 
 /// Whether joints with friction slide while others open.

@@ -38,6 +38,7 @@ mod toe;
 #[cfg(test)]
 mod towers;
 mod undilated_beds;
+mod upright_slip;
 
 pub use blown::{BlownBlock, WindArea, WindSurfaces, blown_blocks};
 pub use cut_resistances::{CutResistance, cut_resistances};
@@ -46,9 +47,9 @@ pub use cuts::{Cut, Cuts, cuts};
 pub use demand::{
     Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
 };
+pub(crate) use dilatancy::ROUNDS;
 #[cfg(test)]
 pub(crate) use dilatancy::without_upright_friction;
-pub(crate) use dilatancy::{ROUNDS, without_sliding_friction};
 pub use dilatancy::{Undilated, limit_analysis_undilated};
 pub(crate) use limit_along::stands_by_limit_analysis;
 pub use limit_analysis::limit_analysis;
@@ -76,3 +77,4 @@ pub use support_movement::{
 pub use threshold::Threshold;
 pub use thrust_line::{ThrustPlace, ThrustPoint, thrust_line};
 pub(crate) use toe::{beyond, toe};
+pub(crate) use upright_slip::without_sliding_friction;

@@ -10,13 +10,13 @@
 //! | β | `NEWER` | share of the last solution in N₀ | – |
 
 use super::Threshold;
-use super::dilatancy::without_sliding_friction;
 use super::limit_acts::{LimitProblem, acts};
 use super::limit_mechanism::moving_with;
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus};
 use super::limit_pieces::{GrowingLoad, Law, Piece, PossibleForce, pieces};
 use super::limit_programme::{ACCELERATION_MOST, AccelerationSet, ProgrammeOutcome, Push};
 use super::mechanism::Mechanism;
+use super::upright_slip::without_sliding_friction;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
