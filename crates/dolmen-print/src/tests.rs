@@ -66,12 +66,12 @@ fn holds_a_number_with_its_unit_stays_on_one_line() {
         "58.8\u{202f}MN/m로",
         "0.2 %이다.",
     ];
-    let whole = whole.map(|words| asserted(words, "==")).concat();
-    let parted = asserted("two words", "<");
-    for said in [whole, parted] {
+    let whole = whole.map(|words| (words, asserted(words, "==")));
+    let parted = ("several of", asserted("several of", "<"));
+    for (words, said) in whole.into_iter().chain([parted]) {
         let main = format!("{PRELUDE}\n#report[\n{said}]");
         let files = Vec::new();
         let printed = pdf(Sheets { main, files });
-        assert!(printed.is_ok(), "{:?}", printed.err());
+        assert!(printed.is_ok(), "{words}: {:?}", printed.err());
     }
 }

@@ -601,7 +601,7 @@ mod tests {
             english,
             "Over the years: open alarms (1), the tilt is beyond its limit and cracks or other damage beyond their limits (2)"
         );
-        judgement.alarming = Alarming::default();
+        judgement.alarming = judge(&[]).alarming;
         judgement.changed = Some(ChangedSince {
             from: "2024-03-05".to_owned(),
             to: "2026-03-07".to_owned(),

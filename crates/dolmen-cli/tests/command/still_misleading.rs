@@ -76,7 +76,7 @@ fn holds_a_report_judges_the_motions_of_a_file_with_dampers_by_drift_as_well() {
 #[test]
 fn holds_the_head_of_a_report_and_its_answers_say_which_variant_is_red() {
     let scratch = Scratch::with_examples("red-variant");
-    let report = scratch.briefly("report examples/arch --samples 0 -o r.html --quiet");
+    let report = scratch.briefly("report examples/arch -o r.html --quiet");
     assert_eq!(report.status, 1, "{}", report.words());
     let page = fs::read_to_string(scratch.path().join("r.html")).unwrap();
     let head = page.split("class=\"answers\"").next().unwrap();
@@ -96,7 +96,7 @@ fn holds_the_head_of_a_report_and_its_answers_say_which_variant_is_red() {
 fn exact_the_line_of_elastic_joints_is_the_capacity_of_their_first_joint_over_its_ratio() {
     let scratch = Scratch::with_examples("line-of-elastic-joints");
     let file = "examples/three_storey_pagoda/at_its_site.toml";
-    let report = scratch.briefly(&format!("report {file} --samples 0 -o r.html --quiet"));
+    let report = scratch.briefly(&format!("report {file} -o r.html --quiet"));
     assert!(report.status < 2, "{}", report.words());
     let page = fs::read_to_string(scratch.path().join("r.html")).unwrap();
     // what stands on the dew basin slides at 0.600 g, and first at 0.332 of the spectrum

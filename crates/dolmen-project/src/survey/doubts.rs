@@ -1,6 +1,5 @@
 //! Patterns over surveys that look like a slip: sensors far from the others, frequencies unlike those of other surveys, large tilts.
 
-use super::inspection::DamageKind;
 use super::part::{ModeKind, Survey, SurveyMode};
 use super::records::{ChannelSource, RecordSource};
 use super::watch::date_of;
@@ -17,8 +16,6 @@ const AWAY_MOST_M: f64 = 500.0;
 const WARM_MOST_C: f64 = 45.0;
 /// A tilt of 5.7°: towers near collapse lean by less.
 const TILT_MOST: f64 = 0.1;
-/// Width of a crack, m, that no stone keeps. Our choice.
-const CRACK_MOST_M: f64 = 0.1;
 /// Ratio of a frequency to the median of the same mode in the other surveys, either way. Our choice: damage near collapse halves a frequency.
 const UNLIKE: f64 = 1.9;
 /// Fewest surveys that must agree with each other.
@@ -65,26 +62,7 @@ pub(crate) fn doubt_surveys(reader: &mut Reader, surveys: &[Survey]) {
                 reader.doubt(&path, doubted);
             }
         }
-        cracks(reader, survey);
         modes(reader, survey, (surveys, &by_number));
-    }
-}
-
-/// Widths of cracks in another unit than that of the file.
-fn cracks(reader: &mut Reader, survey: &Survey) {
-    for (item, number) in survey.inspections.iter().zip(1..) {
-        let size = item.size.as_ref().filter(|_| item.what == DamageKind::Crack);
-        if let Some(size) = size.filter(|size| size.value > CRACK_MOST_M) {
-            let path = format!("survey.{}.inspections[{number}].size", survey.name);
-            let given = metres(size.value);
-            reader.doubt(
-                &path,
-                Doubted::WideCrack {
-                    path: path.clone(),
-                    given,
-                },
-            );
-        }
     }
 }
 

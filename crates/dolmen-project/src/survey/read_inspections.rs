@@ -3,14 +3,18 @@
 use super::file::{InspectionRaw, SeverityRaw};
 use super::inspection::{DamageKind, Inspection, OtherDamage, Severity};
 use crate::damage::in_model;
+use crate::doubted::Doubted;
 use crate::error::Fault;
 use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
 use crate::names::Names;
 use crate::reader::Reader;
 use crate::report::{PartNames, PhotoPart, a_part, words};
+use crate::usual_numbers::metres;
 use crate::wrong::WrongSurvey;
 
+/// Width of a crack, m, above which its unit is in doubt. Our choice.
+const CRACK_MOST_M: f64 = 0.1;
 /// The words for each kind, lower case.
 const KINDS: [(DamageKind, &[&str]); 8] = [
     (DamageKind::Crack, &["crack", "균열"]),
@@ -55,6 +59,15 @@ fn inspection(reader: &mut Reader, raw: &InspectionRaw, path: &str, parts: &Part
         }
     });
     let what = words(reader, raw.what.as_ref(), &format!("{path}.what")).map(|names| kind(&names));
+    if let (Some(DamageKind::Crack), Some(size)) = (&what, &size)
+        && size.value > CRACK_MOST_M
+    {
+        let doubted = Doubted::WideCrack {
+            path: size_path.clone(),
+            given: metres(size.value),
+        };
+        reader.doubt(&size_path, doubted);
+    }
     let part = a_part(reader, raw.part.as_ref(), &format!("{path}.part"), parts);
     let model = in_model(reader, raw.model.as_ref(), &format!("{path}.model"));
     Some(Inspection {

@@ -208,7 +208,8 @@ mod tests {
             (tilt.clone(), "deg", "도", false),
             (tilt.clone(), "deg", "분", true),
             (tilt.clone(), "deg", "초", true),
-            (tilt.clone(), "mm/m", "밀리라디안", true),
+            (tilt.clone(), "deg", "밀리라디안", true),
+            (tilt.clone(), "mm/m", "밀리라디안", false), // one number in both
             (tilt.clone(), "mrad", "밀리라디안", false),
             (tilt.clone(), "mm/m", "북", false),
             (tilt.clone(), "mm/m", "볼트", true),

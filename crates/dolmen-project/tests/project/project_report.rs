@@ -1,7 +1,10 @@
 //! Contents of a report from the engineer, and findings of inspections: values and errors.
 
 use super::project::{CHAIN, chain_with, example, read, refused};
-use dolmen_project::{DamageKind, GradeScale, MaterialMethod, PeriodicGrade, Severity, canonical_text};
+use dolmen_project::{
+    DamageKind, GradeScale, MaterialMethod, PeriodicGrade, Severity, WarningKind, canonical_text,
+};
+use dolmen_words::Language;
 
 fn chain_and(text: &str) -> String {
     format!("{CHAIN}\n{text}")
@@ -57,6 +60,33 @@ fn holds_a_kind_of_damage_is_known_by_either_language() {
     ] {
         assert_eq!(of(english), of(korean));
         assert!(!matches!(of(english), DamageKind::Other(_)), "{english}");
+    }
+}
+
+#[test]
+fn holds_a_crack_in_metres_is_asked_about() {
+    let doubted = |what: &str, size: &str| -> Vec<String> {
+        let entry = format!("{{ part = \"1\", what = \"{what}\", size = {size} }}");
+        let project = read(&chain_and(&format!(
+            "[survey.2024-03-05]\ninspections = [{entry}]"
+        )));
+        let doubted = project
+            .warnings
+            .iter()
+            .filter(|of| of.kind == WarningKind::Doubtful);
+        doubted.map(|of| of.message.text(Language::English)).collect()
+    };
+    let [said] = doubted("crack", "\"400 mm\"").try_into().unwrap();
+    assert!(
+        said.contains("survey.2024-03-05.inspections[1].size: a crack 0.4") && said.contains("is it in mm?"),
+        "{said}"
+    );
+    for (what, size) in [
+        ("균열", "\"0.4 mm\""),
+        ("crack", "\"9 cm\""),
+        ("loss", "\"400 mm\""),
+    ] {
+        assert_eq!(doubted(what, size), [] as [String; 0], "{what} {size}");
     }
 }
 

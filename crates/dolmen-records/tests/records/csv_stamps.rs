@@ -244,9 +244,16 @@ fn exact_rates_of_stamps_in_days_and_in_milliseconds() {
     let reading = read_csv(milliseconds("time").as_bytes(), &given).unwrap();
     assert_eq!(reading.record.sampling_rate_hz(), 200.0);
     assert_eq!(layout(&reading).time_unit_s, Some(1e-3));
-    // stated by the name, or steps in seconds: unchanged
+    // stated by the name, or steps in seconds: unchanged; 5 s is no step of a vibration, unless the rate confirms it
     assert_eq!(read(&milliseconds("time [ms]")).record.sampling_rate_hz(), 200.0);
-    assert_eq!(read(&milliseconds("시간 [s]")).record.sampling_rate_hz(), 0.2);
+    let fault = refusal(&milliseconds("시간 [s]"));
+    assert!(fault.contains("if they number the samples"), "{fault}");
+    let slow = RecordOptions {
+        sampling_rate_hz: Some(0.2),
+        ..Default::default()
+    };
+    let reading = read_csv(milliseconds("시간 [s]").as_bytes(), &slow).unwrap();
+    assert_eq!(reading.record.sampling_rate_hz(), 0.2);
     assert_eq!(
         read(&stamped(100.0, 200, 2).replace("t,", "시간,"))
             .record

@@ -4,6 +4,7 @@ use super::beside;
 use super::columns;
 use super::doubted;
 use super::joints;
+use super::left_out::left_out;
 use super::notes::stiffness_note;
 use super::place::{is_asked, place};
 use super::plan;
@@ -12,7 +13,7 @@ use super::solutions::stiffness_quantities;
 use super::words::{Words, counted};
 use crate::document::{Finding, Tone};
 use crate::simulated::kilo;
-use dolmen::structure::{Choice, StiffnessNote};
+use dolmen::structure::{Choice, LeftOut, StiffnessNote};
 use dolmen_project::{Project, Quantity as Input, Structure, date_of};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{StiffnessAnswer, StiffnessDoubt, SurveyAnswer, WithoutStiffness};
@@ -161,12 +162,15 @@ fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Ve
         let weight = Quantity::new(hangs, kilo("N"), Digits::Significant(3));
         Finding::key(Tone::Plain, Found::WithLoads(weight))
     });
+    let turns = each().filter(|(_, answer)| is_asked(project, answer));
+    let turns = turns.flat_map(|(_, answer)| turning(answer));
     // faults of the sensors come before the resulting stiffness
     let sensors = all.iter().filter_map(doubted::finding);
     let beside = shown.iter().flat_map(|survey| beside::findings(survey));
     let apart = all.iter().flat_map(columns::findings);
     sensors
         .chain(apart)
+        .chain(turns)
         .chain(own)
         .chain(hangs)
         .chain(beside)
@@ -175,6 +179,15 @@ fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Ve
         .chain(joint_by_joint)
         .chain(unsought(all))
         .collect()
+}
+
+/// Modes of torsion that were left out of a direction.
+fn turning(answer: &StiffnessAnswer) -> impl Iterator<Item = Finding> {
+    let notes = answer.solutions.notes.iter();
+    notes.filter_map(|note| match note {
+        StiffnessNote::LeftOut(why @ LeftOut::Turns { .. }) => Some(Finding::key(Tone::Plain, left_out(why))),
+        _ => None,
+    })
 }
 
 /// The stiffness of the other convention.

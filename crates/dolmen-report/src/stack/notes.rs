@@ -81,8 +81,8 @@ messages! {
             ko: "미끄러짐은 정지마찰로 구하였다. 한번 움직인 접합면에는 운동마찰이 작용하며, 모든 접합면에 운동마찰을 적용하면 {slides_at}에서 미끄러진다.",
         },
         WithoutDilatancy { dilating: Quantity, without: Quantity } => {
-            en: "Joints slide as it begins to move. Friction that lets them rise would hold {dilating}, which is an upper bound; joints that slide without rising hold {without}, and that counts.",
-            ko: "움직이기 시작할 때 미끄러지는 접합면이 있다. 미끄러지며 벌어지는 것으로 보는 마찰(연합 흐름)로는 {dilating}(상한값)이나, 벌어지지 않는 것으로 구한 {without}으로 판정한다.",
+            en: "Joints slide as it begins to move. Friction that lets them rise would hold {dilating}, which is an upper bound; joints may slide without rising from {without} on, and that counts.",
+            ko: "움직이기 시작할 때 미끄러지는 접합면이 있다. 미끄러지며 벌어지는 것으로 보는 마찰(연합 흐름)로는 {dilating}(상한값)이나, 벌어지지 않고 미끄러지면 {without}부터 움직일 수 있으므로 이 값으로 판정한다.",
         },
         UpperBound => {
             en: "The acceleration is an upper bound: joints slide while others open, and the limit analysis lets sliding joints rise, which real ones do not.",

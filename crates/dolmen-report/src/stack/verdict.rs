@@ -26,6 +26,10 @@ messages! {
             en: "An admissible state exists: forces in the joints balance {what}. It begins to move at {at} horizontal, or on ground that tilts by {tilt}.",
             ko: "{what}와(과) 평형을 이루는 접합력이 존재한다(한계해석). 수평 가속도 {at} 또는 지반 기울기 {tilt}에서 움직이기 시작한다.",
         },
+        AdmissibleBetween { what: Sentence, at: Sentence, most: Quantity, tilt: Quantity } => {
+            en: "Forces in the joints can balance {what}. It begins to move between {at} and {most} horizontal, by how its joints are pressed; {at} counts, or ground that tilts by {tilt}.",
+            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다. 접합면이 눌린 상태에 따라 수평 가속도 {at}~{most}에서 움직이기 시작하며, {at}(지반 기울기 {tilt})으로 판정한다.",
+        },
         AdmissibleAtMost { what: Sentence, at: Sentence, tilt: Quantity } => {
             en: "Forces in the joints can balance {what}. It begins to move at {at} horizontal or less, or on ground that tilts by {tilt} or less: an upper bound.",
             ko: "{what}와(과) 평형을 이루는 접합력이 존재한다. 움직이기 시작하는 수평 가속도는 {at} 이하, 지반 기울기는 {tilt} 이하이다(상한값).",
@@ -79,7 +83,10 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
             match is_bound {
                 _ if notes.iter().any(is_in_doubt) => Judged::IfFriction { what, at, tilt },
                 true => Judged::AdmissibleAtMost { what, at, tilt },
-                false => Judged::Admissible { what, at, tilt },
+                false => match notes.iter().find_map(dilating) {
+                    Some(most) => Judged::AdmissibleBetween { what, at, most, tilt },
+                    None => Judged::Admissible { what, at, tilt },
+                },
             }
         }
         (Standing::Stands, Some(capacity)) => Judged::Moves {
@@ -90,6 +97,14 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
         (falls, _) => Judged::Falls { why: standing(falls) },
     };
     said.into()
+}
+
+/// The acceleration that friction with dilation would hold, if a note gives it.
+fn dilating(note: &StackNote) -> Option<Quantity> {
+    match note {
+        StackNote::WithoutDilatancy { dilating_g, .. } => Some(in_g(*dilating_g)),
+        _ => None,
+    }
 }
 
 /// Whether a note says that friction may not hold the stones at rest.

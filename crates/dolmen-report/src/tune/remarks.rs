@@ -121,9 +121,10 @@ pub(super) fn of_one(document: &mut Document<'_>, answer: &TuneAnswer) {
         }
     }
     rooms(document, &answer.room, |row| rows.get(row).map(choice));
+    // a single damper out of several does not represent the structure of the file
     let given = |row: usize| {
         rows.get(row)
-            .filter(|row| row.choice == Choice::Given)
+            .filter(|row| row.choice == Choice::Given && answer.others == 0)
             .map(choice)
     };
     under_motions(document, &answer.room, given);

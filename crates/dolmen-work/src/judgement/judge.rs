@@ -19,6 +19,7 @@ use crate::simulation::{SimulateAnswer, Simulation};
 use crate::stack::StackSimulation;
 use crate::survey_doubts::survey_doubts;
 use crate::watched::WatchAnswer;
+use dolmen::assess::ModeChange;
 use dolmen::damper::Choice;
 
 /// The judgement of one project.
@@ -45,8 +46,17 @@ pub struct ChangedSince {
     pub changed: usize,
     /// Number of compared frequencies.
     pub tested: usize,
-    /// Whether the weather may be the reason, because the temperatures are unknown.
+    /// Whether the weather may be the reason: the temperatures or their effect are unknown, and no change is too large for their difference.
     pub may_be_weather: bool,
+}
+
+/// Largest temperature coefficient of a frequency, relative per °C, that weather may have. Our choice.
+const PER_C_MOST: f64 = 0.01;
+
+/// Whether no weather explains a change: it would take a larger coefficient.
+fn beyond_weather(mode: &ModeChange) -> bool {
+    mode.explaining_per_c
+        .is_some_and(|per_c| per_c.abs() > PER_C_MOST)
 }
 
 impl ChangedSince {
@@ -62,7 +72,7 @@ impl ChangedSince {
             to: compared.to.clone(),
             changed,
             tested: change.tested(),
-            may_be_weather: change.temperature.leaves_doubt(),
+            may_be_weather: change.temperature.leaves_doubt() && !change.changed().any(beyond_weather),
         })
     }
 }

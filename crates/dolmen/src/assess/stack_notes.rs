@@ -232,8 +232,8 @@ impl fmt::Display for StackNote {
                 without_g,
             } => write!(
                 f,
-                "friction that lets sliding joints rise would hold {dilating_g:.3} g; joints that slide without rising hold \
-                 {without_g:.3} g"
+                "friction that lets sliding joints rise would hold {dilating_g:.3} g; joints may slide without rising from \
+                 {without_g:.3} g on"
             ),
             StackNote::UpperBound => write!(
                 f,

@@ -7,8 +7,8 @@
 //! | s_c | `aside_m` | place of the column across the direction | m |
 //! | a, θ | | translation and rotation of the floor: u_c = a + θ s_c | –, 1/m |
 
-use super::directional::{ALONG_LEAST, LEVEL_M, real_turn};
 use super::left_out::SHARE_LEAST;
+use super::real_shape::{ALONG_LEAST, LEVEL_M, real_turn};
 use crate::modal::{Mode, Modes};
 use crate::numeric::fisher_quantile;
 use dolmen_linalg::Complex64;

@@ -8,19 +8,16 @@
 
 use super::left_out::SHARE_LEAST;
 use super::plan_pairs::unmixed;
+use super::real_shape::{ALONG_LEAST, LEVEL_M, real_shape};
 use super::turning::turning_hz;
 use super::{LeftOut, MeasuredMode, ShapePoint};
 use crate::modal::{Mode, Modes};
 use crate::signal::Channel;
 use dolmen_linalg::Complex64;
 
-/// A sensor within 15° (cosine) of the direction measures it. Our choice: the error of the cosine is 3 %.
-pub(super) const ALONG_LEAST: f64 = 0.966;
 /// Largest difference between sensors of one level, as a share of the largest component of the shape; a larger difference
 /// is twisting. Our choice.
 const TWIST_MOST: f64 = 0.3;
-/// Heights closer than this, m, are one level. Our choice: less than any storey or stone.
-pub(super) const LEVEL_M: f64 = 0.05;
 
 /// Modes of one direction, and the modes left out.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -163,17 +160,6 @@ impl DirectionalModes {
         }));
         beyond
     }
-}
-
-/// Common phase rotation that makes the components as real as possible.
-pub(super) fn real_turn(shape: &[Complex64]) -> Complex64 {
-    Complex64::from_polar(1.0, -0.5 * shape.iter().map(|z| z * z).sum::<Complex64>().arg())
-}
-
-/// Components after this rotation, real parts.
-pub(super) fn real_shape(shape: &[Complex64]) -> Vec<f64> {
-    let turn = real_turn(shape);
-    shape.iter().map(|z| (z * turn).re).collect()
 }
 
 fn along_direction(mode: &Mode, along: &[Option<(f64, f64)>]) -> Result<MeasuredMode, LeftOut> {

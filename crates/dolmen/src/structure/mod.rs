@@ -13,6 +13,7 @@ mod left_out;
 mod natural;
 mod one_stone;
 mod plan_pairs;
+mod real_shape;
 mod shaft;
 mod shape_doubt;
 mod soil;

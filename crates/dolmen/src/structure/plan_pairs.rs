@@ -7,7 +7,7 @@
 //! | v_x, v_y | `along` | vectors of the plane with the largest share along x and along y |
 //! | w | `overlap` | (v·φ)²: how much of a vector each measured mode has |
 
-use super::directional::{ALONG_LEAST, real_shape};
+use super::real_shape::{ALONG_LEAST, real_shape};
 use crate::modal::{Mode, Modes};
 use dolmen_linalg::Complex64;
 

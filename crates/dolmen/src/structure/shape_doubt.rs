@@ -6,9 +6,9 @@
 //! | ψ | `shape` | the model's mode at the same frequency, at the sensors of its direction; 0 at the others |
 //! | r | `residual` | 1 − (φ·ψ)²/(φ² ψ²): share of a mode that the model does not explain |
 
-use super::directional::real_shape;
 use super::inverse::Sprung;
 use super::plan_pairs::unmixed;
+use super::real_shape::real_shape;
 use super::turning::turning_hz;
 use super::{Chain, Frame};
 use crate::modal::{Mode, Modes};

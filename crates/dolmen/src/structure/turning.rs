@@ -1,6 +1,6 @@
 //! Shapes that turn about the vertical axis through the origin: modes of torsion seen by a sensor off the centre.
 
-use super::directional::{LEVEL_M, real_shape};
+use super::real_shape::{LEVEL_M, real_shape};
 use crate::modal::Modes;
 use dolmen_linalg::Complex64;
 
@@ -10,6 +10,12 @@ const RADIAL_MOST: f64 = 0.01;
 const OBLIQUE_LEAST: f64 = 0.05;
 /// Smallest distance of a sensor from the origin, m. Our choice.
 const ARM_LEAST_M: f64 = 0.5;
+
+/// A place that is measured along x and along y: its two channels, each with its sign.
+struct Place {
+    at_m: [f64; 2],
+    channels: [(usize, f64); 2],
+}
 
 /// Frequencies, Hz, of the modes whose motion at every place with a sensor along x and one along y is a turn about the origin.
 ///
@@ -24,7 +30,7 @@ pub(super) fn turning_hz(modes: &Modes) -> Vec<f64> {
         let direction = modes.channels[at].direction?;
         (direction[axis].abs() > 0.99).then(|| direction[axis].signum())
     };
-    let mut places: Vec<([f64; 2], [(usize, f64); 2])> = Vec::new();
+    let mut places: Vec<Place> = Vec::new();
     for (x, channel) in modes.channels.iter().enumerate() {
         let (Some(place), Some(sign_x)) = (channel.position_m, along(0, x)) else {
             continue;
@@ -35,10 +41,14 @@ pub(super) fn turning_hz(modes: &Modes) -> Vec<f64> {
         };
         let mut others = (0..modes.channels.len()).filter(is_here);
         if let Some((y, sign_y)) = others.find_map(|y| Some((y, along(1, y)?))) {
-            places.push(([place[0], place[1]], [(x, sign_x), (y, sign_y)]));
+            places.push(Place {
+                at_m: [place[0], place[1]],
+                channels: [(x, sign_x), (y, sign_y)],
+            });
         }
     }
-    let shows = |([x, y], _): &([f64; 2], _)| {
+    let shows = |place: &Place| {
+        let [x, y] = place.at_m;
         let arm2 = x * x + y * y;
         arm2 >= ARM_LEAST_M * ARM_LEAST_M && (x * x).min(y * y) >= OBLIQUE_LEAST * arm2
     };
@@ -48,8 +58,9 @@ pub(super) fn turning_hz(modes: &Modes) -> Vec<f64> {
     let turns = |shape: &[Complex64]| {
         let real = real_shape(shape);
         let (mut radial, mut all) = (0.0, 0.0);
-        for ([x, y], [(of_x, sign_x), (of_y, sign_y)]) in &places {
-            let (u, v) = (sign_x * real[*of_x], sign_y * real[*of_y]);
+        for place in &places {
+            let ([x, y], [(of_x, sign_x), (of_y, sign_y)]) = (place.at_m, place.channels);
+            let (u, v) = (sign_x * real[of_x], sign_y * real[of_y]);
             radial += (x * u + y * v).powi(2) / (x * x + y * y);
             all += u * u + v * v;
         }

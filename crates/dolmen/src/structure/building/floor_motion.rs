@@ -10,7 +10,7 @@
 use super::plan_storey::{PlanMode, PlanMotion, Twist};
 use crate::modal::{Mode, Modes};
 use crate::signal::Channel;
-use crate::structure::directional::real_shape;
+use crate::structure::real_shape::real_shape;
 use dolmen_linalg::{Complex64, Matrix, solve};
 
 /// Sensors within this vertical distance of the floor belong to it, m. Our choice, as for sensors that contradict each other.
