@@ -2,10 +2,8 @@
 // GOAL       Each section, table and figure of a report has an identifier of its own, the same in both languages, so that a link to it keeps its aim.
 // TOLERANCE  none: names.
 
-use super::brief::examples;
-use super::verbs::Scratch;
+use super::each_example::shown;
 use std::collections::BTreeSet;
-use std::fs;
 
 /// The tags of a page that begin so.
 fn tags<'p>(page: &'p str, name: &'p str) -> impl Iterator<Item = &'p str> {
@@ -24,25 +22,19 @@ fn identifiers(page: &str) -> Vec<&str> {
 
 #[test]
 fn holds_each_block_of_a_report_has_an_identifier_of_its_own() {
-    let scratch = Scratch::with_examples("anchors");
-    for example in examples() {
-        let [english, korean] = ["en", "ko"].map(|language| {
-            scratch.briefly(&format!(
-                "report {example} --language {language} --allow-outside -o page.html --force"
-            ));
-            fs::read_to_string(scratch.path().join("page.html")).unwrap()
-        });
-        let found = identifiers(&english);
+    for [english, korean] in shown().as_chunks().0 {
+        let (example, english, korean) = (&english.example, &english.page, &korean.page);
+        let found = identifiers(english);
         let several: BTreeSet<&str> = found.iter().copied().collect();
         assert_eq!(found.len(), several.len(), "{example}: {found:?}");
-        assert_eq!(found, identifiers(&korean), "{example}");
+        assert_eq!(found, identifiers(korean), "{example}");
         for name in ["h2", "h3", "figure", "caption"] {
             let within = match name {
                 "caption" => "table", // a table without a caption is a list of values
                 name => name,
             };
-            let named = tags(&english, within).filter(|tag| tag.contains(" id=\""));
-            assert_eq!(named.count(), tags(&english, name).count(), "{example}: {name}");
+            let named = tags(english, within).filter(|tag| tag.contains(" id=\""));
+            assert_eq!(named.count(), tags(english, name).count(), "{example}: {name}");
         }
     }
 }

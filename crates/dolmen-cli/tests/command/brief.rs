@@ -2,7 +2,8 @@
 // GOAL       A short answer has a headline and at most 15 lines of at most 80 columns; the Korean one contains no English sentence.
 // TOLERANCE  names, sources, keys and units may be English.
 
-use super::verbs::{Scratch, root};
+use super::each_example::{Shown, shown};
+use super::verbs::Scratch;
 use std::fs;
 
 /// Columns of a terminal; Hangul takes two.
@@ -18,46 +19,35 @@ fn columns(line: &str) -> usize {
         .sum()
 }
 
-pub(super) fn examples() -> Vec<String> {
-    let all = fs::read_dir(root().join("examples"))
-        .unwrap()
-        .map(|entry| entry.unwrap().path());
-    let mut names: Vec<String> = all
-        .filter(|path| path.join("project.toml").is_file())
-        .map(|path| format!("examples/{}", path.file_name().unwrap().to_string_lossy()))
-        .collect();
-    names.sort();
-    names
-}
-
 #[test]
 fn holds_a_brief_answer_is_a_headline_and_at_most_15_lines() {
-    let scratch = Scratch::with_examples("brief");
-    for example in examples() {
-        for language in ["en", "ko"] {
-            let answer = scratch.briefly(&format!("check {example} --language {language} --allow-outside"));
-            assert!(answer.status < 2, "{example}: {}", answer.stderr);
-            for line in answer.stdout.lines() {
-                assert!(
-                    columns(line) <= 80,
-                    "{example}, {} columns: {line}",
-                    columns(line)
-                );
-            }
-            let lines: Vec<&str> = answer.stdout.lines().collect();
-            assert!(lines.len() <= 22, "{example}: {}", answer.stdout);
-            let verdict = lines
-                .iter()
-                .position(|line| line.starts_with("VERDICT") || line.starts_with("판정"));
-            if let Some(verdict) = verdict {
-                assert!(verdict <= 6, "{example}: {}", answer.stdout);
-                let below = lines.len() - verdict - 1;
-                assert!(
-                    (2..=15).contains(&below),
-                    "{example}, {below} lines: {}",
-                    answer.stdout
-                );
-            }
+    for Shown {
+        example,
+        check: answer,
+        ..
+    } in shown()
+    {
+        assert!(answer.status < 2, "{example}: {}", answer.stderr);
+        for line in answer.stdout.lines() {
+            assert!(
+                columns(line) <= 80,
+                "{example}, {} columns: {line}",
+                columns(line)
+            );
+        }
+        let lines: Vec<&str> = answer.stdout.lines().collect();
+        assert!(lines.len() <= 22, "{example}: {}", answer.stdout);
+        let verdict = lines
+            .iter()
+            .position(|line| line.starts_with("VERDICT") || line.starts_with("판정"));
+        if let Some(verdict) = verdict {
+            assert!(verdict <= 6, "{example}: {}", answer.stdout);
+            let below = lines.len() - verdict - 1;
+            assert!(
+                (2..=15).contains(&below),
+                "{example}, {below} lines: {}",
+                answer.stdout
+            );
         }
     }
 }

@@ -2,7 +2,7 @@
 // GOAL       A Korean answer contains no English sentence: in its text, its page, and the words of its figures.
 // TOLERANCE  Words of the project file, names, code and references are allowed.
 
-use super::brief::examples;
+use super::each_example::{Shown, examples, shown};
 use super::english::english_in;
 use super::verbs::Scratch;
 use std::fs;
@@ -128,21 +128,15 @@ fn exact_what_is_english() {
 fn holds_a_korean_check_and_its_page_hold_no_english_sentence() {
     let scratch = Scratch::with_examples("korean");
     let mut found = Vec::new();
-    for example in examples() {
-        let own = own_words(&scratch.path().join(&example).join("project.toml"));
+    for Shown { example, page, .. } in shown().iter().filter(|shown| shown.language == "ko") {
+        let own = own_words(&scratch.path().join(example).join("project.toml"));
         let asked = format!("check {example} --language ko --allow-outside");
         let mut answer = scratch.dolmen(&format!("{asked} --sensitivity"));
         if answer.stderr.contains("--sensitivity") {
             answer = scratch.dolmen(&asked);
         }
         found.extend(english_answer(&answer.stdout, &own));
-        scratch.dolmen(&format!(
-            "report {example} --language ko --allow-outside -o page.html --force"
-        ));
-        found.extend(english_page(
-            &fs::read_to_string(scratch.path().join("page.html")).unwrap(),
-            &own,
-        ));
+        found.extend(english_page(page, &own));
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
 }

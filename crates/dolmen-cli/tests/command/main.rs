@@ -27,6 +27,7 @@ mod docs;
 mod documents;
 mod doubted_records;
 mod driven_records;
+mod each_example;
 mod earthquake_records;
 mod english;
 mod exchanged_modes;

@@ -53,6 +53,7 @@ mod one_stone;
 mod park_min_2010;
 mod plan_scatter;
 mod plan_stiffness;
+mod published;
 mod pyoma2;
 mod rocking_and_sliding;
 mod rocking_block;

@@ -5,25 +5,7 @@
 // PUBLISHED  r (of energies) 0.8879; half sine √(1 + (ω/p)²); slip V²/(2gN)(1 − N/A) = 65.40 mm; v/(ωR) → 0.653.
 // TOLERANCE  rounding for formulas; half a unit of the last digit written; 0.001 mm for the flank of the pulse.
 
-use dolmen::comparisons::{Case, cases};
-
-fn of(source: &str) -> Vec<Case> {
-    let mine: Vec<Case> = cases()
-        .unwrap()
-        .into_iter()
-        .filter(|case| case.source == source)
-        .collect();
-    for case in &mine {
-        assert!(
-            case.agrees(),
-            "{}: {} against {}",
-            case.what,
-            case.computed,
-            case.published
-        );
-    }
-    mine
-}
+use super::published::of;
 
 #[test]
 fn published_housner_and_what_is_right() {
