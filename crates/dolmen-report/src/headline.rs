@@ -110,6 +110,11 @@ messages! {
         },
         WordMoved(word: Both) => { en: "{word} (its supports moved)", ko: "{word}(지점 이동)" },
         WordHeldByLoads(word: Both) => { en: "{word} (static loads without mass hold it)", ko: "{word}(질량 없는 정하중이 누름)" },
+        WordLeansFurther { word: Both, ratio: Quantity } => {
+            en: "{word} (capacity/demand {ratio} if it stood plumb)",
+            ko: "{word}(연직 상태라면 저항/요구 {ratio})",
+        },
+        WordLeans(word: Both) => { en: "{word} (its tilt is not in the model)", ko: "{word}(기울기 미반영)" },
         WordLoosePost(word: Both) => { en: "{word} (a side post with a gap may close)", ko: "{word}(틈이 있는 지주가 맞닿을 수 있음)" },
         WordNoStiffness(word: Both) => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
         WordNoStiffnessIn { word: Both, direction: String } => {
@@ -495,6 +500,11 @@ fn word(of: &EarthquakeFinding) -> Headline {
         },
         (DecidedBy::SupportsMoved, _) => Headline::WordMoved(word),
         (DecidedBy::HeldByLoads, _) => Headline::WordHeldByLoads(word),
+        (DecidedBy::LeansFurther, Some(known)) if known.is_finite() => Headline::WordLeansFurther {
+            word,
+            ratio: ratio(known),
+        },
+        (DecidedBy::LeansFurther, _) => Headline::WordLeans(word),
         (DecidedBy::DoesNotStand, _) => Headline::WordDoesNotStand(word),
         (DecidedBy::Unfinished, _) => Headline::WordOpen(word),
         (DecidedBy::Room, Some(of_room)) => Headline::WordRoom {

@@ -84,6 +84,8 @@ pub enum WhyNotCompared {
     Falls,
     /// It falls under its own weight while its joints slip.
     FallsSlipping,
+    /// The spectrum has no value at its damping or periods.
+    NoSpectrum,
     /// A side post with a gap may close, which increases the demand above it.
     LoosePost,
 }

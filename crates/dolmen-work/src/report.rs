@@ -7,7 +7,7 @@ use crate::compare::{compared_of, surveys_to_compare};
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
 use crate::identify::{IdentifyOptions, identify};
-use crate::judgement::Evidence;
+use crate::judgement::{Evidence, drift_left};
 use crate::kinds;
 use crate::motion::{MotionRequest, prepared};
 use crate::opened::Opened;
@@ -16,6 +16,7 @@ use crate::progress::Progress;
 use crate::simulate::{SimulateOptions, is_loose, moves_supports, prepare, settle};
 use crate::simulation::SimulateAnswer;
 use crate::study::{StudyJournals, studies_run};
+use crate::tilt_left_out::TiltLeftOut;
 use crate::unreadable_motions::unreadable_motions;
 use crate::version::Version;
 use crate::watch::{can_watch, watch_of};
@@ -181,6 +182,8 @@ fn simulated(
         evidence: Evidence::none(), // from the check, like the next fields
         without_shaking: None,
         tilt_beyond_limit: false, // from the check, as above
+        tilt_left_out: TiltLeftOut::of_runs(&opened.project),
+        drift_left: drift_left(&opened.project),
         after: None,
         damage: Vec::new(), // from the check as well
         basis: None,

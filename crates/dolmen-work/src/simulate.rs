@@ -7,7 +7,7 @@ use crate::chain::simulate::ChainOptions;
 use crate::check::{CheckOptions, state_of};
 use crate::error::{Within as _, WorkError};
 use crate::frame::simulate::FrameOptions;
-use crate::judgement::{Basis, Evidence, Weight, governing, is_tilt_beyond};
+use crate::judgement::{Basis, Evidence, Weight, drift_left, governing, is_tilt_beyond};
 use crate::kinds;
 use crate::motion::{MotionAnswer, MotionRequest, in_sequence, prepared, refuse_other_components};
 use crate::opened::Opened;
@@ -16,6 +16,7 @@ use crate::simulation::{AfterFirst, Second, SimulateAnswer, Simulation, WithoutS
 use crate::stack::moving_supports::{Supported, supports};
 use crate::stack::simulate::{StackOptions, StackOutcome};
 use crate::stack::{Law, Repeating};
+use crate::tilt_left_out::TiltLeftOut;
 use crate::version::Version;
 use crate::{building, chain, frame, stack};
 use dolmen::blocks::ContactRule;
@@ -379,6 +380,8 @@ fn run_one(
         evidence: evidence(version.project, version.variant)?,
         without_shaking: without_shaking(version.project)?,
         tilt_beyond_limit: version.variant.is_none() && is_tilt_beyond(version.project),
+        tilt_left_out: TiltLeftOut::of_runs(version.project),
+        drift_left: drift_left(version.project),
         after: None,
         damage: version.project.damage.clone(),
         basis: Some(Basis::of(version.project, version.variant)),

@@ -7,6 +7,7 @@ use crate::frame::FrameSimulation;
 use crate::judgement::{Basis, Evidence, Weight};
 use crate::loads::Governing;
 use crate::stack::{SettledSimulation, StackRuns, SupportsSimulation};
+use crate::tilt_left_out::TiltLeftOut;
 use dolmen::stability::stack::Standing;
 use dolmen_project::ModelDamage;
 
@@ -135,6 +136,10 @@ pub struct SimulateAnswer {
     pub without_shaking: Option<WithoutShaking>,
     /// Whether the measured tilt of the structure as it is exceeds its limit before any shaking.
     pub tilt_beyond_limit: bool,
+    /// A measured tilt that the runs leave out.
+    pub tilt_left_out: Option<TiltLeftOut>,
+    /// The share of the allowable drift that a measured tilt outside the model leaves; `None` if nothing is outside.
+    pub drift_left: Option<f64>,
     /// The first motion, where the motion was the second of two.
     pub after: Option<Box<AfterFirst>>,
     /// Inspected damage in the model.

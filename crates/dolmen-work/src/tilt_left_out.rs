@@ -1,5 +1,6 @@
 //! A measured tilt that is not in the start of a run.
 
+use crate::judgement::last_tilt;
 use crate::survey_dates::date;
 use dolmen_project::{Project, Structure, Survey, WarningKind, WorkKind};
 
@@ -16,6 +17,20 @@ pub struct TiltLeftOut {
 const SLOPE_SAID: f64 = 0.01;
 
 impl TiltLeftOut {
+    /// The same for a run, in which chains start plumb unless their model leans.
+    pub(crate) fn of_runs(project: &Project) -> Option<Self> {
+        match &project.structure {
+            Structure::Chain(part) if part.lean.is_none() && !part.takes_no_tilt => Self::worst(project),
+            _ => Self::of_model(project),
+        }
+    }
+
+    /// The larger tilt of the latest dated survey and of those without a date, if it matters.
+    fn worst(project: &Project) -> Option<Self> {
+        let (survey, _) = last_tilt(project)?;
+        Self::of_directions(survey, |_| true)
+    }
+
     /// A tilt that matters and is not in the model of a project. Storeys of buildings start plumb. Stones with their own tilts or offsets keep
     /// them. Among several surveys the latest dated one decides, even if an undated one has a larger tilt, or if only an earlier one measured
     /// a direction and no repair followed. A tilt left out by `as_surveyed` is intended.
@@ -39,12 +54,7 @@ impl TiltLeftOut {
         };
         let tilted = project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
         if is_left_out {
-            let undated = tilted.clone().filter(|survey| date(&survey.name).is_none());
-            let dated = tilted.filter(|survey| date(&survey.name).is_some());
-            let last = dated.max_by_key(|survey| date(&survey.name));
-            let worst = undated.chain(last);
-            let worst = worst.max_by(|a, b| a.tilt_together().total_cmp(&b.tilt_together()))?;
-            return Self::of_directions(worst, |_| true);
+            return Self::worst(project);
         }
         let used = tilted.clone().find(|survey| Some(&survey.name) == leans_as)?;
         let when = date(&used.name)?;

@@ -112,6 +112,7 @@ mod studies_fallen;
 mod supply;
 mod surfaces;
 mod surveyed_lean;
+mod tilts_left_out;
 mod towers;
 mod training;
 mod tunings;

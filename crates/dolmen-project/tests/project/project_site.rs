@@ -158,7 +158,7 @@ error: site.soil: site class S6 is site-specific: the code gives no factors for 
         "{large}"
     );
     let percent = refused_site(&(KOREA.to_owned() + "damping_ratio = 5\n"), &[]);
-    let said = "site.damping_ratio: damping_ratio is 5, but must be 0.005 to 0.3: is it in percent?";
+    let said = "site.damping_ratio: damping_ratio is 5, but must be 0.005 to 0.3 (is it in percent?)";
     assert!(percent.contains(said), "{percent}");
 }
 

@@ -488,7 +488,7 @@ error: survey.a.frequencies.x[2] = 4.6 Hz does not lie above the mode before it
 fn refuses_axial_forces_that_grow_upwards() {
     let text = frame_with(&[(r#"5919"#, r#"1300"#)]);
     let said = r##"
-error: storey 1: axial_n is 1300000, less than the 3077000 of the storey above it, but a storey carries its own level and all above: if these are the loads of the levels alone, sum them from the top first
+error: storey 1: its axial force is 1300000 N, less than the 3077000 N of the storey above it, but a storey carries its own level and all above: if these are the loads of the levels alone, sum them from the top first
   --> project.toml:7:46
    |
  7 |   { mass = 290, height = 5.84, axial_force = 1300 },

@@ -8,7 +8,7 @@ use dolmen_project::{Project, Structure};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Unit, messages};
 use dolmen_work::answer::{CheckAnswer, UnreadableMotion};
-use dolmen_work::judgement::{Colour, Evidence, missed_modes};
+use dolmen_work::judgement::{Colour, Evidence, drift_left, missed_modes};
 use dolmen_work::state::{Check, LOAD_FACTOR_USUAL_MOST, State};
 use dolmen_work::survey_date;
 
@@ -82,7 +82,11 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
     all.extend(loads::findings(project, state));
     let has_moved =
         matches!(&state.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty());
-    all.extend(demand::findings(state.demand.as_ref(), has_moved));
+    all.extend(demand::findings(
+        state.demand.as_ref(),
+        has_moved,
+        drift_left(project),
+    ));
     all.extend(unusual(state));
     all.extend(marked_assumed(project, state));
     all.extend(in_doubt(project, state));

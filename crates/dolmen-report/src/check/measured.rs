@@ -53,12 +53,12 @@ messages! {
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다.",
         },
         FrameHolds { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
-            en: "The frame is checked leaning by the tilt of {tilt} measured in direction {direction} (survey {survey}); its weight pushes on that, and it counts as fallen from {limit}.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)를 반영하여 골조를 검토하였다. 자중이 그쪽으로 밀며, 기울기 {limit}부터 붕괴로 본다.",
+            en: "The frame is checked leaning by {tilt} in direction {direction}, from survey {survey}; its weight pushes on that, and it counts as fallen from {limit}.",
+            ko: "{survey} 조사의 기울기에 따라 {direction} 방향으로 {tilt} 기운 상태에서 골조를 검토하였다. 자중이 그쪽으로 밀며, 기울기 {limit}부터 붕괴로 본다.",
         },
         FrameFalls { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
-            en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is beyond {limit}, at which with what its weight adds a storey leans by as much as counts as fallen.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)가 {limit}을(를) 넘는다. 자중에 의한 변위를 더하면 층의 기울기가 붕괴로 보는 값에 이른다.",
+            en: "The lean of {tilt} in direction {direction}, from survey {survey}, is beyond {limit}, at which with what its weight adds a storey leans by as much as counts as fallen.",
+            ko: "{survey} 조사에 따른 {direction} 방향 기울기 {tilt}이(가) {limit}을(를) 넘는다. 자중에 의한 변위를 더하면 층의 기울기가 붕괴로 보는 값에 이른다.",
         },
         BeyondDriftAtRest { survey: String, tilt: Sentence, limit: Sentence } => {
             en: "The tilt that survey {survey} measured, {tilt} by all directions together, is already beyond the storey drift of {limit} that is allowed, before any earthquake.",

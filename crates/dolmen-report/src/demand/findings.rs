@@ -10,7 +10,7 @@ use dolmen::assess::demand::{StackDemandCheck, StackDemandRow};
 use dolmen::stability::stack::DemandVerdict;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, messages};
-use dolmen_work::part_limit::{NotCompared, WhyNotCompared};
+use dolmen_work::part_limit::{Limited, NotCompared, PartLimit, WhyNotCompared, worst_part};
 use dolmen_work::state::DemandAnswer;
 
 /// Digits of accelerations and ratios.
@@ -71,6 +71,18 @@ messages! {
             en: "Direction {direction} is not compared with the demand of the site: it falls under its own weight while its joints slip.",
             ko: "{direction} 방향은 접합부가 미끄러질 때 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
         },
+        NoSpectrum => {
+            en: "The demand of the site is not compared: its spectrum has no value at this damping or these periods.",
+            ko: "부지 스펙트럼에 이 감쇠비 또는 주기의 값이 없어 부지의 요구 수준과 비교하지 않는다.",
+        },
+        NoSpectrumIn(direction: String) => {
+            en: "Direction {direction} is not compared with the demand of the site: its spectrum has no value at this damping or these periods.",
+            ko: "{direction} 방향은 부지 스펙트럼에 이 감쇠비 또는 주기의 값이 없어 부지의 요구 수준과 비교하지 않는다.",
+        },
+        NotComparedIn { direction: String, why: Both } => {
+            en: "Direction {direction} is not compared with the demand of the site: {why}.",
+            ko: "{direction} 방향은 부지의 요구 수준과 비교하지 못하였다({why}).",
+        },
         LoosePost => {
             en: "The demand of the site is not compared: a side post with a gap may close, and what is above it then asks more than without. `dolmen simulate` follows it.",
             ko: "틈이 있는 지주가 맞닿으면 그 위의 요구 수준이 커지므로 부지의 요구 수준과 비교하지 않는다. `dolmen simulate`로 검토한다.",
@@ -89,8 +101,13 @@ messages! {
 
 /// The comparison, and unverified parts of the code.
 ///
-/// `has_moved`: the supports of the structure moved, and the comparison is for its shape before.
-pub(crate) fn findings(answer: Option<&DemandAnswer>, has_moved: bool) -> Vec<Finding> {
+/// `has_moved`: the supports of the structure moved, and the comparison is for its shape before. `drift_left`: the share of the allowable drift
+/// that a tilt outside the model leaves.
+pub(crate) fn findings(
+    answer: Option<&DemandAnswer>,
+    has_moved: bool,
+    drift_left: Option<f64>,
+) -> Vec<Finding> {
     let Some(answer) = answer else {
         return Vec::new();
     };
@@ -99,20 +116,44 @@ pub(crate) fn findings(answer: Option<&DemandAnswer>, has_moved: bool) -> Vec<Fi
         .stack
         .as_ref()
         .and_then(|stack| compared(stack, source, has_moved));
-    let refused = answer.refused.clone();
+    // otherwise with the direction
+    let refused = answer
+        .refused
+        .clone()
+        .filter(|_| answer.compared.parts.is_empty());
     let refused = refused.map(|why| Finding::key(Tone::Unknown, Found::NotCompared(why)));
     let parts = limits::findings(
         &answer.compared.parts,
         answer.drift_limit.as_ref(),
         Some(Found::BySpectrum.into()),
     );
+    let leans = drift_left.is_some_and(|left| {
+        let drifts = worst_part(&answer.compared.parts, Limited::Drift).and_then(PartLimit::ratio);
+        drifts.is_some_and(|ratio| DemandVerdict::of_ratio(ratio * left) != DemandVerdict::of_ratio(ratio))
+    });
+    let parts = parts.into_iter().map(|part| match part.tone {
+        Tone::Good | Tone::Warn if leans => Finding {
+            tone: Tone::Unknown,
+            ..part
+        },
+        _ => part,
+    });
     let without = answer.compared.not_compared.iter();
-    let without = without.map(|of| Finding::key(Tone::Unknown, not_compared(of)));
+    let without = without.map(|of| {
+        let said = match (of.why, &of.direction, &answer.refused) {
+            (WhyNotCompared::NoSpectrum, Some(direction), Some(why)) => Found::NotComparedIn {
+                direction: direction.clone(),
+                why: why.clone(),
+            },
+            _ => not_compared(of),
+        };
+        Finding::key(Tone::Unknown, said)
+    });
     let rubs = answer
         .compared
         .rubs
         .then(|| Finding::key(Tone::Plain, Found::Rubs));
-    let parts = parts.into_iter().chain(rubs);
+    let parts = parts.chain(rubs);
     let unverified = unverified(&answer.site).map(|said| Finding::new(Tone::Warn, said));
     let compared = compared.into_iter().chain(refused).chain(without).chain(parts);
     let local = local_mechanisms::finding(&answer.local_mechanisms);
@@ -125,6 +166,8 @@ pub(super) fn not_compared(of: &NotCompared) -> Found {
         (WhyNotCompared::LoosePost, _) => Found::LoosePost,
         (WhyNotCompared::StiffnessUnknown, None) => Found::NoStiffness,
         (WhyNotCompared::StiffnessUnknown, Some(direction)) => Found::NoStiffnessIn(direction),
+        (WhyNotCompared::NoSpectrum, None) => Found::NoSpectrum,
+        (WhyNotCompared::NoSpectrum, Some(direction)) => Found::NoSpectrumIn(direction),
         (WhyNotCompared::Falls, None) => Found::Falls,
         (WhyNotCompared::Falls, Some(direction)) => Found::FallsIn(direction),
         (WhyNotCompared::FallsSlipping, None) => Found::FallsSlipping,

@@ -50,6 +50,7 @@ fn not_compared(of: &NotCompared) -> Value {
             WhyNotCompared::Falls => "falls",
             WhyNotCompared::LoosePost => "a side post with a gap may close",
             WhyNotCompared::FallsSlipping => "falls while its joints slip",
+            WhyNotCompared::NoSpectrum => "the spectrum has no value at its damping or periods",
         },
     })
 }

@@ -30,6 +30,10 @@ messages! {
             en: "{part} drifts {drift} of its height; of the {allowed} allowed ({source}) its lean, along and across, takes {taken} and leaves {left}: capacity over demand {ratio}.",
             ko: "{part}의 층간변위비는 {drift}이다. 허용값 {allowed}({source})에서 기울기(해당 방향과 직각 방향)의 몫 {taken}을(를) 뺀 값은 {left}이다(저항/요구 {ratio}).",
         },
+        DriftNoneLeft { part: Sentence, drift: Quantity, lean: Quantity, allowed: Quantity } => {
+            en: "{part} drifts {drift} of its height; its lean of {lean} without shaking already uses up the {allowed} allowed: capacity over demand 0.",
+            ko: "{part}의 층간변위비는 {drift}이며, 지진 전 기울기 {lean}만으로 이미 허용값 {allowed}에 이른다(저항/요구 0).",
+        },
         DriftWithout { part: Sentence, drift: Quantity } => {
             en: "{part} drifts {drift} of its height; without an allowable drift nothing is decided: write [limits] with code and importance, or storey_drift.",
             ko: "{part}의 층간변위비는 {drift}이나 허용 층간변위가 없어 판정하지 않는다. [limits]에 code와 importance, 또는 storey_drift를 입력한다.",
@@ -113,6 +117,15 @@ fn said(of: &PartLimit, limit: Option<&DriftLimit>) -> Found {
             part,
             drift: percent(of.demand),
         },
+        (_, Some((left, _))) if of.taken > 0.0 && left <= 0.0 => {
+            let [along, across] = of.lean;
+            Found::DriftNoneLeft {
+                part,
+                drift: percent(of.demand),
+                lean: percent(along.hypot(across)),
+                allowed: percent(limit.map_or(of.taken, DriftLimit::ratio)),
+            }
+        }
         (_, Some((left, ratio))) if of.taken > 0.0 => {
             let drift = percent(of.demand);
             let allowed = percent(limit.map_or(left + of.taken, DriftLimit::ratio));

@@ -98,7 +98,7 @@ const PHRASES: &[(&str, &str)] = &[
     ("0 to 10: is it in percent?", "0~10(퍼센트 단위인가?)"),
     ("0 to 0.9: is it in percent?", "0~0.9(퍼센트 단위인가?)"),
     ("0 to 0.95: is it in percent?", "0~0.95(퍼센트 단위인가?)"),
-    ("0.005 to 0.3: is it in percent?", "0.005~0.3(퍼센트 단위인가?)"),
+    ("0.005 to 0.3 (is it in percent?)", "0.005~0.3(퍼센트 단위인가?)"),
     ("0.005 to 0.5: is it in percent?", "0.005~0.5(퍼센트 단위인가?)"),
     (
         "0 or more and below 1: is it in percent?",

@@ -16,7 +16,7 @@ korean_of! {
         StructureError::Negative { part, number, quantity, given } => "{part} {number}: {quantity}이(가) {given}인데 0 이상이어야 한다", part = phrase(part), quantity = phrase(quantity);
         StructureError::Part { part, given, most } => "{part} {given}을(를) 지정했는데 아래에서부터 1~{most}번이 있다", part = phrase(part);
         StructureError::Height { quantity, given, top_m } => "{quantity}이(가) {given}인데 구조물 위(0~꼭대기 {top_m:.3} m)이어야 한다", quantity = phrase(quantity);
-        StructureError::AxialOrder { storey, given, above } => "{storey}층: axial_n이 {given}으로 위층의 {above}보다 작다. 한 층은 그 층과 위의 모든 층을 받친다. 층마다의 하중이면 위에서부터 더한다";
+        StructureError::AxialOrder { storey, given, above } => "{storey}층: 축력이 {given} N으로 위층의 {above} N보다 작다. 한 층은 그 층과 위의 모든 층을 받친다. 층마다의 하중이면 위에서부터 더한다";
         StructureError::Tie { tie, lower, upper, most } => "타이 {tie}이(가) 레벨 {lower}와(과) {upper}을(를) 잇는데, 0(지반)~{most}의 서로 다른 두 레벨을 이어야 한다";
         StructureError::ModesMissing => "계측된 모드가 없는데 강성을 구하려면 하나 이상 필요하다";
         StructureError::ModesMost { given, most, parts } => "계측된 모드가 {given}개인데 {parts}이(가) {most}개인 구조물의 모드는 {most}개뿐이다. 낮은 것부터 {most}개를 준다", parts = phrase(parts);

@@ -24,7 +24,11 @@ pub(crate) fn by_spectrum(
     let mut compared = Compared::default();
     for (place, direction) in part.directions.iter().enumerate() {
         let name = &direction.name;
-        let drifts = match drifts(part, &frame, direction, site)? {
+        let drifts = match drifts(part, &frame, direction, site) {
+            Err(WorkError::Assess(_)) => Err(WhyNotCompared::NoSpectrum),
+            drifts => drifts?,
+        };
+        let drifts = match drifts {
             Ok(drifts) => drifts,
             Err(why) => {
                 let direction = Some(name.clone());

@@ -69,6 +69,8 @@ pub enum DecidedBy {
     SupportsMoved,
     /// No result: static loads without mass hold the stones during the shaking.
     HeldByLoads,
+    /// No result: a measured tilt that the model lacks takes a part of the allowable drift.
+    LeansFurther,
     /// No result: it does not stand without shaking.
     DoesNotStand,
     /// No result: the run was stopped, or ended without a verdict.
@@ -135,6 +137,18 @@ impl EarthquakeFinding {
     /// The same for a stack whose joints are pressed together by loads without mass.
     pub(super) fn held_by_loads(self) -> Self {
         self.not_known_to_be_enough(DecidedBy::HeldByLoads)
+    }
+
+    /// The same for storeys that start plumb although they lean, with the share of the allowable drift that their tilt leaves: drift and tilt
+    /// add up at worst.
+    pub(super) fn with_drift_left(self, left: f64) -> Self {
+        let leaning = self
+            .ratio
+            .map_or(Earthquake::NotDecided, |ratio| Earthquake::of_ratio(ratio * left));
+        match leaning > self.word {
+            true => self.not_known_to_be_enough(DecidedBy::LeansFurther),
+            false => self,
+        }
     }
 
     fn not_known_to_be_enough(self, decided_by: DecidedBy) -> Self {
@@ -216,6 +230,7 @@ impl DecidedBy {
             DecidedBy::StoodOnEdge => "stood_on_edge",
             DecidedBy::SupportsMoved => "supports_moved",
             DecidedBy::HeldByLoads => "held_by_loads",
+            DecidedBy::LeansFurther => "leans_further",
             DecidedBy::Room => "room",
             DecidedBy::NoLimit => "no_limit",
             DecidedBy::BedUnknown => "bed_unknown",
@@ -258,6 +273,7 @@ fn of_none(of: &NotCompared) -> EarthquakeFinding {
     let decided_by = match of.why {
         WhyNotCompared::StiffnessUnknown => DecidedBy::StiffnessUnknown,
         WhyNotCompared::LoosePost => DecidedBy::LoosePost,
+        WhyNotCompared::NoSpectrum => DecidedBy::NoResponse,
         WhyNotCompared::Falls | WhyNotCompared::FallsSlipping => DecidedBy::DoesNotStand,
     };
     EarthquakeFinding {

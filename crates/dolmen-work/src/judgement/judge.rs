@@ -160,6 +160,10 @@ impl Judgement {
             let of_model = found.into_iter();
             found = of_model.map(EarthquakeFinding::if_model_were_right).collect();
         }
+        if let Some(left) = of.drift_left {
+            let plumb = found.into_iter();
+            found = plumb.map(|found| found.with_drift_left(left)).collect();
+        }
         self.add(run.variant(), found);
         let mut versions = self.versions.iter_mut();
         if let Some(version) = versions.find(|of| of.variant.as_deref() == run.variant()) {
@@ -170,6 +174,7 @@ impl Judgement {
                     .clone()
                     .or(version.tilt_left_out.take());
             }
+            version.tilt_left_out = version.tilt_left_out.take().or_else(|| of.tilt_left_out.clone());
             version.leans = leaning(run).or(version.leans.take());
             version.is_undamped |= run.is_undamped();
             if !of.damage.is_empty() {

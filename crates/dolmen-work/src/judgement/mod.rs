@@ -40,7 +40,7 @@ pub(crate) use runs::is_worse_stack_run;
 pub use said::SAID;
 pub use severe_damage::SevereDamage;
 pub(crate) use tilt_limit::is_tilt_beyond;
-pub use tilt_limit::{TiltAgainstLimit, last_tilt, tilt_against_limit, tilt_beyond_limit};
+pub use tilt_limit::{TiltAgainstLimit, drift_left, last_tilt, tilt_against_limit, tilt_beyond_limit};
 pub(crate) use version::governing;
 pub use version::{AfterMotion, Leaning, Solution, VersionJudgement};
 pub use weight::Weight;

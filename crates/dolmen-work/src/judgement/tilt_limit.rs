@@ -36,17 +36,36 @@ pub fn tilt_beyond_limit(project: &Project) -> Option<TiltAgainstLimit> {
     tilt_against_limit(project).filter(TiltAgainstLimit::is_beyond)
 }
 
-/// Whether the measured tilt exceeds the limit of the file, or the allowable drift of a frame in an earthquake.
+/// Whether the measured tilt exceeds the limit of the file, or the allowable drift of storeys in an earthquake.
 pub(crate) fn is_tilt_beyond(project: &Project) -> bool {
     tilt_beyond_limit(project).is_some() || is_beyond_drift(project)
 }
 
-/// Whether the lean of a frame, before any earthquake, already reaches the allowable drift.
+/// Whether the lean of storeys, before any earthquake, already reaches the allowable drift.
 fn is_beyond_drift(project: &Project) -> bool {
-    let is_frame = matches!(project.structure, Structure::Frame(_));
-    let limit = project.drift_limit.as_ref().filter(|_| is_frame);
-    let tilt = last_tilt(project).map(|(_, tilt)| tilt);
-    limit.zip(tilt).is_some_and(|(limit, tilt)| tilt >= limit.ratio())
+    lean_over_drift(project).is_some_and(|(_, share)| share >= 1.0)
+}
+
+/// The share of the allowable drift that a tilt outside the model leaves to an earthquake; 0 or less beyond it. `None` if the model has the tilt,
+/// or without a tilt or an allowable drift.
+pub fn drift_left(project: &Project) -> Option<f64> {
+    let (survey, share) = lean_over_drift(project)?;
+    let is_left_out = match &project.structure {
+        Structure::Frame(part) => match &part.lean {
+            Some(lean) => lean.survey != survey.name,
+            None => !part.takes_no_tilt,
+        },
+        _ => true,
+    };
+    is_left_out.then_some(1.0 - share)
+}
+
+/// The survey of [`last_tilt`] and its tilt over the allowable drift of storeys.
+fn lean_over_drift(project: &Project) -> Option<(&Survey, f64)> {
+    let has_storeys = matches!(project.structure, Structure::Frame(_) | Structure::Building(_));
+    let limit = project.drift_limit.as_ref().filter(|_| has_storeys)?;
+    let (survey, tilt) = last_tilt(project)?;
+    Some((survey, tilt / limit.ratio()))
 }
 
 /// The comparison of [`last_tilt`] with `tilt_limit`; `None` if either is missing.

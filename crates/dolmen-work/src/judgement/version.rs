@@ -5,6 +5,7 @@ use super::colour::Colour;
 use super::earthquake::{Earthquake, EarthquakeFinding, of_site};
 use super::evidence::Evidence;
 use super::said::{MovedSaid, text};
+use super::tilt_limit::drift_left;
 use super::weight::Weight;
 use super::wind::{MovedBy, WindFinding, WindWord, of_wind};
 use crate::loads::Governing;
@@ -267,6 +268,10 @@ pub(super) fn version(
         Check::Building(_) => None,
     };
     version.tilt_left_out = TiltLeftOut::of_model(project);
+    if let Some(left) = drift_left(project) {
+        let plumb = version.earthquake.into_iter();
+        version.earthquake = plumb.map(|found| found.with_drift_left(left)).collect();
+    }
     if matches!(&state.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty()) {
         let of_before = version.earthquake.into_iter();
         version.earthquake = of_before.map(EarthquakeFinding::before_supports_moved).collect();

@@ -87,7 +87,7 @@ pub enum StructureError {
     },
     /// A storey carries less than the storey above it.
     #[error(
-        "storey {storey}: axial_n is {given}, less than the {above} of the storey above it, but a storey carries its \
+        "storey {storey}: its axial force is {given} N, less than the {above} N of the storey above it, but a storey carries its \
          own level and all above: if these are the loads of the levels alone, sum them from the top first"
     )]
     AxialOrder {

@@ -272,7 +272,7 @@ fn checked_damping(damping_ratio: f64) -> Result<f64, AssessError> {
         "damping_ratio",
         damping_ratio,
         range,
-        "0.005 to 0.3: is it in percent?",
+        "0.005 to 0.3 (is it in percent?)",
     )
 }
 
@@ -351,7 +351,7 @@ mod tests {
         let percent = table.acceleration_m_s2(0.5, 5.0).unwrap_err().to_string();
         assert_eq!(
             percent,
-            "damping_ratio is 5, but must be 0.005 to 0.3: is it in percent?"
+            "damping_ratio is 5, but must be 0.005 to 0.3 (is it in percent?)"
         );
     }
 }

@@ -271,10 +271,9 @@ mod tests {
             message(|s| s[1].axial_n = -1.0),
             "storey 2: axial_n is -1, but must be 0 or a positive number"
         );
-        assert!(
-            message(|s| s[0].axial_n = 2842e3)
-                .starts_with("storey 1: axial_n is 2842000, less than the 3077000 of the storey above it")
-        );
+        assert!(message(|s| s[0].axial_n = 2842e3).starts_with(
+            "storey 1: its axial force is 2842000 N, less than the 3077000 N of the storey above it"
+        ));
     }
 
     #[test]
