@@ -12,6 +12,8 @@ pub(crate) fn skeleton(kind: Kind) -> &'static str {
         Kind::Wall => include_str!("bare/wall.toml"),
         Kind::Tower => include_str!("bare/tower.toml"),
         Kind::Trilithon => include_str!("bare/trilithon.toml"),
+        Kind::Vault => include_str!("bare/vault.toml"),
+        Kind::Dome => include_str!("bare/dome.toml"),
         Kind::Building => include_str!("bare/building.toml"),
         Kind::Survey => include_str!("bare/survey.toml"),
     }

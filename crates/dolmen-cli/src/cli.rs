@@ -162,6 +162,10 @@ pub(crate) enum Kind {
     Tower,
     /// Trilithon: two posts and a lintel
     Trilithon,
+    /// Barrel vault: courses of stones in bond
+    Vault,
+    /// Dome: rings of stones, with or without an oculus
+    Dome,
     /// Building with torsion: rigid floors on walls
     Building,
     /// Measured only: vibration records without a model

@@ -57,6 +57,8 @@ fn example_of(kind: Kind) -> &'static str {
         Kind::Wall => "wall",
         Kind::Tower => "tower",
         Kind::Trilithon => "trilithon",
+        Kind::Vault => "vault",
+        Kind::Dome => "dome",
         Kind::Building => "twisting_floor",
         Kind::Survey => "palisaden",
     }
@@ -128,6 +130,8 @@ pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
             | Kind::Wall
             | Kind::Tower
             | Kind::Trilithon
+            | Kind::Vault
+            | Kind::Dome
             | Kind::Building => "check",
             Kind::Gate if options.bare => "check",
             Kind::Gate | Kind::Survey => "identify",
@@ -135,9 +139,14 @@ pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
         let typed = for_a_shell(&shown.to_string());
         lines.push(format!("    dolmen {verb} {typed}"));
         let motion = match options.kind {
-            Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Tower | Kind::Trilithon | Kind::Building => {
-                " --motion el-centro-1940-ns"
-            }
+            Kind::Pagoda
+            | Kind::Arch
+            | Kind::Wall
+            | Kind::Tower
+            | Kind::Trilithon
+            | Kind::Vault
+            | Kind::Dome
+            | Kind::Building => " --motion el-centro-1940-ns",
             Kind::Flagpole | Kind::Gate | Kind::Survey => "",
         };
         let page = for_a_shell(&format!("{shown}/report.html"));

@@ -13,8 +13,8 @@ use super::report::ReportRaw;
 use super::site::{MotionRaw, SiteRaw};
 use super::soil::HalfSpaceRaw;
 use super::stack::{
-    ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, SupportMovementRaw,
-    TieRaw, TowerRaw, TrilithonRaw,
+    ArchRaw, BedRaw, BlockRaw, ContactRaw, DomeRaw, PagodaRaw, SideSupportRaw, StoneWallRaw,
+    SupportMovementRaw, TieRaw, TowerRaw, TrilithonRaw, VaultRaw,
 };
 use super::study::StudyRaw;
 use super::survey::{ChangeRaw, SurveyRaw, WatchRaw};
@@ -89,6 +89,10 @@ pub(super) struct FileRaw {
     pub(super) tower: Option<At<TowerRaw>>,
     /// kind = "stack": two posts and a lintel, instead of blocks.
     pub(super) trilithon: Option<At<TrilithonRaw>>,
+    /// kind = "stack": a barrel vault, instead of blocks.
+    pub(super) vault: Option<At<VaultRaw>>,
+    /// kind = "stack": a spherical dome or two slices of one, instead of blocks.
+    pub(super) dome: Option<At<DomeRaw>>,
     /// kind = "stack": whether the blocks are rubble that nobody placed on beds: `dolmen check` and `dolmen simulate` let them settle under their
     /// own weight first; false if not given. Contact is between their convex hulls.
     pub(super) loose: Option<At<bool>>,

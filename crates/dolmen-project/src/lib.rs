@@ -110,10 +110,11 @@ pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, P
 pub use soil::{FootingPart, SoilBelowPart, SoilPart};
 pub use sought::{FromSurvey, FromSurveys, Sought, WhyNotIdentified};
 pub use stack::{
-    ArchPart, BedPart, BlockPart, ContactPart, CornicePart, JointDefaults, LoosenedBedPart, LostBedPart,
-    MadePart, MastPart, MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart,
-    SideSupportPart, StackFault, StackPart, StoneWallPart, SupportMovementPart, SurveyedLean, TiePart,
-    TopPart, TowerPart, TowerPlanPart, TrilithonPart, WallOpeningPart,
+    ArchPart, BedPart, BlockPart, BondPart, ContactPart, CornicePart, DomePart, DomePiecePart, JointDefaults,
+    LoosenedBedPart, LostBedPart, MadePart, MastPart, MeshPart, OpeningPart, PagodaPart,
+    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart, StoneWallPart,
+    SupportMovementPart, SurveyedLean, TiePart, TopPart, TowerPart, TowerPlanPart, TrilithonPart, VaultPart,
+    WallOpeningPart,
 };
 pub use study::{
     AfterPart, ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan,

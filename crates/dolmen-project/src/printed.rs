@@ -94,6 +94,8 @@ fn in_korean(name: &str) -> Option<String> {
         ["course", course, "stone", stone] => format!("{course}켜 돌 {stone}"),
         ["course", course, "through", "stone", stone] => format!("{course}켜 관통석 {stone}"),
         ["course", course, "leaf", leaf, "stone", stone] => format!("{course}켜 {leaf}겹 돌 {stone}"),
+        ["ring", ring, "stone", stone] => format!("{ring}단 돌 {stone}"),
+        ["drum", "stone", stone] => format!("드럼 돌 {stone}"),
         ["lower", "base"] => "하층기단".to_owned(),
         ["lower", "base", "cover"] => "하층기단 갑석".to_owned(),
         ["upper", "base"] => "상층기단".to_owned(),

@@ -101,11 +101,11 @@ fn or_of_file(given: &mut Value, keys: &[&str]) {
     *given = json!({ "description": description, "anyOf": [inner, table] });
 }
 
-/// A stack has blocks, or a generator: a pagoda, an arch, a wall, a tower or a trilithon.
+/// A stack has blocks, or a generator of blocks.
 fn blocks_or_made() -> Value {
     json!({
         "if": { "properties": { "kind": { "const": "stack" } }, "required": ["kind"] },
-        "then": { "oneOf": [{ "required": ["blocks"] }, { "required": ["pagoda"] }, { "required": ["arch"] }, { "required": ["wall"] }, { "required": ["tower"] }, { "required": ["trilithon"] }] },
+        "then": { "oneOf": [{ "required": ["blocks"] }, { "required": ["pagoda"] }, { "required": ["arch"] }, { "required": ["wall"] }, { "required": ["tower"] }, { "required": ["trilithon"] }, { "required": ["vault"] }, { "required": ["dome"] }] },
     })
 }
 
@@ -137,6 +137,8 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "wall",
             "tower",
             "trilithon",
+            "vault",
+            "dome",
             "loose",
             "density",
             "joint",

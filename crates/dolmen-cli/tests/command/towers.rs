@@ -1,5 +1,5 @@
 // SOURCE     Closed forms: a trilithon starts to rock at b/h, a solid tower at its width over its height.
-// GOAL       `dolmen new tower` and `dolmen new trilithon` make valid files of stable structures; mistyped keys are refused.
+// GOAL       `dolmen new` of towers, trilithons, vaults and domes makes valid files of stable structures; mistyped keys are refused.
 // TOLERANCE  three printed digits.
 
 use super::verbs::Scratch;
@@ -96,5 +96,76 @@ fn refuses_what_is_no_tower_or_trilithon() {
         assert!(words.contains(at), "{dimensions}: {words}");
         let (_, korean) = said("no-tower-ko", dimensions, "check project.toml --language ko");
         assert!(korean.chars().any(|c| ('가'..='힣').contains(&c)), "{korean}");
+    }
+}
+
+#[test]
+fn holds_new_makes_vaults_and_domes_that_stand() {
+    let scratch = Scratch::new("new-vaults");
+    // a variant of the dome falls: exit status 1
+    for (kind, drawn, status) in [("vault", "course 11 stone 2", 0), ("dome", "ring 4 stone 8", 1)] {
+        let made = scratch.briefly(&format!("new {kind} {kind}"));
+        assert_eq!(made.status, 0, "{}", made.stderr);
+        let check = scratch.briefly(&format!("check {kind}"));
+        assert_eq!(check.status, 0, "{} {}", check.words(), check.stderr);
+        assert!(
+            check.words().contains("VERDICT Own weight: stable"),
+            "{}",
+            check.words()
+        );
+        // slices fall where rings stand
+        let falls = check.words().contains("Own weight: unstable");
+        assert_eq!(falls, status == 1, "{}", check.words());
+        let drawing = scratch.briefly(&format!("draw {kind}"));
+        assert_eq!(drawing.status, 0, "{}", drawing.stderr);
+        let json = scratch.briefly(&format!("check {kind} --json")).stdout;
+        assert!(json.contains(drawn), "{kind}");
+    }
+}
+
+#[test]
+fn refuses_what_is_no_vault_or_dome() {
+    for (dimensions, at, korean_at) in [
+        (
+            "vault = { span = 3, thickness = 0.4, length = 2, voussoirs = 9 }",
+            "stones",
+            "stones",
+        ),
+        (
+            "vault = { span = 3, rise = 1, thickness = 0.4, length = 2, voussoirs = 9, stones = 2 }",
+            "needs abutments",
+            "교대가 필요하다",
+        ),
+        (
+            "dome = { span = 4, thickness = 0.1, rings = 4, stones = 8 }",
+            "give more stones or straight bond",
+            "엇갈림쌓기",
+        ),
+        (
+            "dome = { span = 4, rise = 1, thickness = 0.4, rings = 4, stones = 8 }",
+            "needs a drum",
+            "드럼이 필요하다",
+        ),
+        (
+            "dome = { span = 4, thickness = 0.4, rings = 4, stones = 9, part = \"lune\" }",
+            "even for a lune",
+            "짝수",
+        ),
+        (
+            "dome = { span = 4, thickness = 0.4, rings = 4, stones = 8, oculus = 4 }",
+            "below the span",
+            "경간보다 작은",
+        ),
+        (
+            "dome = { span = 4, thickness = 0.4, rings = 4, stones = 8, bond = \"flemish\" }",
+            "flemish",
+            "flemish",
+        ),
+    ] {
+        let (status, words) = said("no-dome", dimensions, "check project.toml");
+        assert_eq!(status, 2, "{dimensions}: {words}");
+        assert!(words.contains(at), "{dimensions}: {words}");
+        let (_, korean) = said("no-dome-ko", dimensions, "check project.toml --language ko");
+        assert!(korean.contains(korean_at), "{dimensions}: {korean}");
     }
 }

@@ -139,6 +139,8 @@ fn holds_a_bare_project_has_nothing_of_another_structure() {
         "wall",
         "tower",
         "trilithon",
+        "vault",
+        "dome",
         "building",
         "survey",
     ];

@@ -221,6 +221,8 @@ impl StackPart {
             MadePart::Wall(wall) => wall.made(density, pick),
             MadePart::Tower(tower) => tower.made(density, pick),
             MadePart::Trilithon(trilithon) => trilithon.made(density, pick),
+            MadePart::Vault(vault) => vault.made(density, pick),
+            MadePart::Dome(dome) => dome.made(density, pick),
         };
         made.map_err(|why| StackFault::part(self.made_by().to_owned(), why))
     }
@@ -303,6 +305,8 @@ impl StackPart {
             (None, Some(MadePart::Wall(_))) => "wall",
             (None, Some(MadePart::Tower(_))) => "tower",
             (None, Some(MadePart::Trilithon(_))) => "trilithon",
+            (None, Some(MadePart::Vault(_))) => "vault",
+            (None, Some(MadePart::Dome(_))) => "dome",
             (None, None) => "blocks",
         }
     }

@@ -182,6 +182,85 @@ pub(crate) struct TrilithonRaw {
     pub(super) overhang: Option<At<QuantityRaw>>,
 }
 
+/// Bond of courses or rings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum BondRaw {
+    /// Every second course is shifted by half a stone.
+    Running,
+    /// Joints above each other.
+    Straight,
+}
+
+/// A barrel vault on two abutments or on the ground, its axis along y.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct VaultRaw {
+    /// Clear span of the inner line at the springing.
+    #[schemars(required)]
+    pub(super) span: Option<At<QuantityRaw>>,
+    /// Rise of the inner line: half the span, a round barrel, if not given; less is a segment of a circle, more a pointed barrel.
+    pub(super) rise: Option<At<QuantityRaw>>,
+    /// Thickness along the bed joints.
+    #[schemars(required)]
+    pub(super) thickness: Option<At<QuantityRaw>>,
+    /// Along the axis, y.
+    #[schemars(required)]
+    pub(super) length: Option<At<QuantityRaw>>,
+    /// Number of courses from one springing to the other, 2 to 400.
+    #[schemars(required)]
+    pub(super) voussoirs: Option<At<i64>>,
+    /// Stones of a course along the axis, 1 to 100.
+    #[schemars(required)]
+    pub(super) stones: Option<At<i64>>,
+    /// "running" or "straight"; "running" if not given.
+    pub(super) bond: Option<At<BondRaw>>,
+    /// Height of the springing above the ground, on two abutments; 0, on the ground, if not given.
+    pub(super) springing_height: Option<At<QuantityRaw>>,
+    /// Width of the abutments; twice the thickness if not given.
+    pub(super) abutment: Option<At<QuantityRaw>>,
+}
+
+/// What of a dome is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum DomePieceRaw {
+    /// All of it.
+    Whole,
+    /// Two opposite slices, each one stone wide, with a keystone between them.
+    Lune,
+}
+
+/// A spherical dome on a drum or on the ground.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DomeRaw {
+    /// Clear diameter of the inner sphere at the springing, between opposite corners.
+    #[schemars(required)]
+    pub(super) span: Option<At<QuantityRaw>>,
+    /// Rise of the inner sphere: half the span, a hemisphere, if not given; less is a cap.
+    pub(super) rise: Option<At<QuantityRaw>>,
+    /// Thickness along the joints.
+    #[schemars(required)]
+    pub(super) thickness: Option<At<QuantityRaw>>,
+    /// Rings above each other, 1 to 40.
+    #[schemars(required)]
+    pub(super) rings: Option<At<i64>>,
+    /// Stones in a ring, 6 to 48.
+    #[schemars(required)]
+    pub(super) stones: Option<At<i64>>,
+    /// "whole" or "lune", two opposite slices; "whole" if not given.
+    pub(super) part: Option<At<DomePieceRaw>>,
+    /// Bond of a whole dome: "running" or "straight"; "running" if not given. Slices are one stone wide and have none.
+    pub(super) bond: Option<At<BondRaw>>,
+    /// Diameter of the opening at the top, between opposite corners; closed by a keystone if not given.
+    pub(super) oculus: Option<At<QuantityRaw>>,
+    /// Height of the springing above the ground, on a drum; 0, on the ground, if not given.
+    pub(super) drum_height: Option<At<QuantityRaw>>,
+    /// Thickness of the drum; twice that of the dome if not given.
+    pub(super) drum_thickness: Option<At<QuantityRaw>>,
+}
+
 /// Names of one or several blocks.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(untagged)]

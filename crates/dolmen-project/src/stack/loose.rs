@@ -34,6 +34,8 @@ pub(super) fn refuse_of_loose(reader: &mut Reader, raw: &FileRaw, stack: &StackP
     put("wall", raw.wall.as_ref().map(|of| &of.span));
     put("tower", raw.tower.as_ref().map(|of| &of.span));
     put("trilithon", raw.trilithon.as_ref().map(|of| &of.span));
+    put("vault", raw.vault.as_ref().map(|of| &of.span));
+    put("dome", raw.dome.as_ref().map(|of| &of.span));
     put("soil", raw.soil.as_ref().map(|of| &of.span));
     put("wind", raw.wind.as_ref().map(|of| &of.span));
     put("loads", raw.loads.as_ref().map(|of| &of.span));

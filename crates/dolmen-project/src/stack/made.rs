@@ -24,7 +24,7 @@ const BEARING: f64 = 0.25;
 /// A density to try the dimensions with, kg/m³: names and sizes do not depend on it.
 pub(super) const ANY_DENSITY_KG_M3: f64 = 2600.0;
 /// Default width of an abutment over the thickness of the arch. Our choice.
-const ABUTMENT: f64 = 2.0;
+pub(super) const ABUTMENT: f64 = 2.0;
 
 /// An arch and the names of its stones; impossible dimensions are rejected here.
 pub(super) fn arch_part(reader: &mut Reader, raw: &At<ArchRaw>) -> Option<(ArchPart, Vec<String>)> {

@@ -1,4 +1,4 @@
-//! Generators of the blocks of a stack: an arch, a wall, a tower or a trilithon by its dimensions.
+//! Generators of the blocks of a stack: an arch, a wall, a tower, a trilithon, a vault or a dome by its dimensions.
 
 use crate::quantity::Quantity;
 
@@ -105,6 +105,70 @@ pub struct TrilithonPart {
     pub overhang: Option<Quantity>,
 }
 
+/// Bond of courses or rings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BondPart {
+    /// Every second course is shifted by half a stone.
+    Running,
+    /// Joints above each other.
+    Straight,
+}
+
+/// A barrel vault; `None`: the default of the key.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VaultPart {
+    /// Clear span of the inner line, m.
+    pub span: Quantity,
+    /// Rise of the inner line, m; `None` half the span.
+    pub rise: Option<Quantity>,
+    /// Thickness along the bed joints, m.
+    pub thickness: Quantity,
+    /// Along the axis, m.
+    pub length: Quantity,
+    /// Number of courses from springing to springing.
+    pub voussoirs: u32,
+    /// Stones of a course.
+    pub stones: u32,
+    /// Bond of the courses.
+    pub bond: BondPart,
+    /// Height of the springing, m; `None` on the ground.
+    pub springing_height: Option<Quantity>,
+    /// Width of the abutments, m; `None` twice the thickness.
+    pub abutment: Option<Quantity>,
+}
+
+/// What of a dome is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DomePiecePart {
+    /// All of it, its rings in this bond.
+    Whole(BondPart),
+    /// Two opposite slices.
+    Lune,
+}
+
+/// A spherical dome; `None`: the default of the key.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DomePart {
+    /// Clear diameter of the inner sphere at the springing, m.
+    pub span: Quantity,
+    /// Rise of the inner sphere, m; `None` half the span.
+    pub rise: Option<Quantity>,
+    /// Thickness along the joints, m.
+    pub thickness: Quantity,
+    /// Number of rings.
+    pub rings: u32,
+    /// Stones in a ring.
+    pub stones: u32,
+    /// What of it is there.
+    pub piece: DomePiecePart,
+    /// Diameter of the opening at the top, m; `None` closed.
+    pub oculus: Option<Quantity>,
+    /// Height of the springing, m; `None` on the ground.
+    pub drum_height: Option<Quantity>,
+    /// Thickness of the drum, m; `None` twice the thickness of the dome.
+    pub drum_thickness: Option<Quantity>,
+}
+
 /// The generator of a stack's blocks, if the file does not list them.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MadePart {
@@ -116,4 +180,8 @@ pub enum MadePart {
     Tower(Box<TowerPart>),
     /// Two posts and a lintel.
     Trilithon(Box<TrilithonPart>),
+    /// A barrel vault.
+    Vault(Box<VaultPart>),
+    /// A spherical dome.
+    Dome(Box<DomePart>),
 }

@@ -16,6 +16,7 @@ mod loosened;
 mod made;
 mod made_part;
 mod made_towers;
+mod made_vaults;
 mod pagoda;
 mod part;
 mod read;
@@ -31,12 +32,13 @@ pub use attached_part::{CornicePart, MastPart};
 pub(crate) use doubts::doubt_stack;
 pub use fault::StackFault;
 pub(crate) use file::{
-    ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, SupportMovementRaw,
-    TieRaw, TowerRaw, TrilithonRaw,
+    ArchRaw, BedRaw, BlockRaw, ContactRaw, DomeRaw, PagodaRaw, SideSupportRaw, StoneWallRaw,
+    SupportMovementRaw, TieRaw, TowerRaw, TrilithonRaw, VaultRaw,
 };
 pub(crate) use lean::lean;
 pub use made_part::{
-    ArchPart, MadePart, StoneWallPart, TowerPart, TowerPlanPart, TrilithonPart, WallOpeningPart,
+    ArchPart, BondPart, DomePart, DomePiecePart, MadePart, StoneWallPart, TowerPart, TowerPlanPart,
+    TrilithonPart, VaultPart, WallOpeningPart,
 };
 pub use part::{
     BedPart, BlockPart, ContactPart, JointDefaults, LoosenedBedPart, LostBedPart, MeshPart, OpeningPart,

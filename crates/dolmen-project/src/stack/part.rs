@@ -478,6 +478,8 @@ impl StackPart {
             Some(MadePart::Wall(wall)) => wall.inputs(all),
             Some(MadePart::Tower(tower)) => tower.inputs(all),
             Some(MadePart::Trilithon(trilithon)) => trilithon.inputs(all),
+            Some(MadePart::Vault(vault)) => vault.inputs(all),
+            Some(MadePart::Dome(dome)) => dome.inputs(all),
             None => {}
         }
         for block in &self.blocks {

@@ -9,6 +9,7 @@ use super::loose::refuse_of_loose;
 use super::made::{arch_part, wall_part};
 use super::made_part::MadePart;
 use super::made_towers::{tower_part, trilithon_part};
+use super::made_vaults::{dome_part, vault_part};
 use super::pagoda::pagoda;
 use super::part::{
     BedPart, BlockPart, ContactPart, SideSupportPart, StackPart, SupportMovementPart, TiePart,
@@ -37,6 +38,8 @@ fn makers(reader: &mut Reader, raw: &FileRaw) -> Option<Vec<Both>> {
         raw.wall.as_ref().map(|_| WrongStack::Wall.into()),
         raw.tower.as_ref().map(|_| WrongStack::Tower.into()),
         raw.trilithon.as_ref().map(|_| WrongStack::Trilithon.into()),
+        raw.vault.as_ref().map(|_| WrongStack::Vault.into()),
+        raw.dome.as_ref().map(|_| WrongStack::Dome.into()),
     ]
     .into_iter()
     .flatten()
@@ -50,6 +53,8 @@ fn makers(reader: &mut Reader, raw: &FileRaw) -> Option<Vec<Both>> {
             ("wall", raw.wall.as_ref().map(|of| of.span.clone())),
             ("tower", raw.tower.as_ref().map(|of| of.span.clone())),
             ("trilithon", raw.trilithon.as_ref().map(|of| of.span.clone())),
+            ("vault", raw.vault.as_ref().map(|of| of.span.clone())),
+            ("dome", raw.dome.as_ref().map(|of| of.span.clone())),
         ];
         let mut given = spans.into_iter().filter_map(|(path, span)| Some((path, span?)));
         let (path, span) = given.next().unwrap_or(("blocks", 0..0));
@@ -67,7 +72,7 @@ fn makers(reader: &mut Reader, raw: &FileRaw) -> Option<Vec<Both>> {
     Some(makers)
 }
 
-/// The stones of an arch, a wall, a tower or a trilithon from its dimensions, and their names; `None` if the file has none of these.
+/// The stones of an arch, a wall or another generated structure, and their names; `None` if the file lists blocks or has a pagoda.
 fn stones_made(reader: &mut Reader, raw: &FileRaw) -> Option<Option<(MadePart, Vec<String>)>> {
     Some(if let Some(dimensions) = &raw.arch {
         arch_part(reader, dimensions).map(|(part, names)| (MadePart::Arch(Box::new(part)), names))
@@ -77,6 +82,10 @@ fn stones_made(reader: &mut Reader, raw: &FileRaw) -> Option<Option<(MadePart, V
         tower_part(reader, dimensions).map(|(part, names)| (MadePart::Tower(Box::new(part)), names))
     } else if let Some(dimensions) = &raw.trilithon {
         trilithon_part(reader, dimensions).map(|(part, names)| (MadePart::Trilithon(Box::new(part)), names))
+    } else if let Some(dimensions) = &raw.vault {
+        vault_part(reader, dimensions).map(|(part, names)| (MadePart::Vault(Box::new(part)), names))
+    } else if let Some(dimensions) = &raw.dome {
+        dome_part(reader, dimensions).map(|(part, names)| (MadePart::Dome(Box::new(part)), names))
     } else {
         return None;
     })

@@ -43,14 +43,14 @@ const CRUSHES_PA: (f64, f64) = (1e5, 1e9);
 
 /// Tilt of a stone on its bed: 11°, more than any pagoda leans. Our choice.
 const TILT_MOST: f64 = 0.2;
-/// Span and depth of an arch, m: from a model to the longest spans of stone, 146 m.
+/// Span and depth of an arch, a vault or a dome, m: from a model to the longest spans of stone, 146 m.
 const ARCH_SPAN_M: (f64, f64) = (0.03, 200.0);
 const WALL_LENGTH_M: (f64, f64) = (0.03, 1000.0);
 /// Width of a tower, m: from a model to the widest keeps.
 const TOWER_WIDTH_M: (f64, f64) = (0.03, 60.0);
 /// Height of a post, m: from a model to obelisks.
 const POST_M: (f64, f64) = (0.03, 40.0);
-/// A stone of an arch, wall, tower or trilithon, m.
+/// A stone of a generated structure, m.
 const STONE_M: (f64, f64) = (0.01, 10.0);
 
 /// Height of all storeys of a pagoda, m: from a model to the highest ever built.
@@ -149,7 +149,7 @@ fn judge_tilts(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
-/// An arch, wall, tower or trilithon of impossible size.
+/// A generated structure of impossible size.
 fn judge_made(reader: &mut Reader, made: &MadePart) {
     let bounds = match made {
         MadePart::Arch(arch) => vec![
@@ -176,6 +176,18 @@ fn judge_made(reader: &mut Reader, made: &MadePart) {
             (Some(&trilithon.post_height), POST_M),
             (trilithon.depth.as_ref(), STONE_M),
             (Some(&trilithon.lintel_height), STONE_M),
+        ],
+        MadePart::Vault(vault) => vec![
+            (Some(&vault.span), ARCH_SPAN_M),
+            (Some(&vault.thickness), STONE_M),
+            (Some(&vault.length), WALL_LENGTH_M),
+            (vault.springing_height.as_ref(), ARCH_SPAN_M),
+        ],
+        MadePart::Dome(dome) => vec![
+            (Some(&dome.span), ARCH_SPAN_M),
+            (Some(&dome.thickness), STONE_M),
+            (dome.oculus.as_ref(), ARCH_SPAN_M),
+            (dome.drum_height.as_ref(), ARCH_SPAN_M),
         ],
     };
     for (given, range) in bounds {

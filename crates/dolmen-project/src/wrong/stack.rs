@@ -150,6 +150,8 @@ messages! {
         Wall => { en: "a wall", ko: "돌담(wall)" },
         Tower => { en: "a tower", ko: "석조 탑(tower)" },
         Trilithon => { en: "a trilithon", ko: "삼석문(trilithon)" },
+        Vault => { en: "a vault", ko: "볼트(vault)" },
+        Dome => { en: "a dome", ko: "돔(dome)" },
         StonesOfNoRing => {
             en: "stones counts the stones in a ring, but this tower has no rings",
             ko: "stones는 고리 한 켜의 부재 수인데 이 탑에는 고리가 없다",
@@ -167,8 +169,8 @@ messages! {
             ko: "둘 중 하나만 남긴다. {second}은(는) 부재를 스스로 만든다",
         },
         BlocksNameBaseWidth => {
-            en: "blocks = [ {{ name = \"base\", width = …, height = … }}, … ], lowest first; or pagoda = {{ storeys = 3, … }}, arch = {{ … }}, wall = {{ … }}, tower = {{ … }}, trilithon = {{ … }}",
-            ko: "blocks = [ {{ name = \"base\", width = …, height = … }}, … ]를 아래에서부터 쓰거나 pagoda = {{ storeys = 3, … }}, arch = {{ … }}, wall = {{ … }}, tower = {{ … }}, trilithon = {{ … }} 중 하나를 쓴다",
+            en: "blocks = [ {{ name = \"base\", width = …, height = … }}, … ], lowest first; or pagoda = {{ storeys = 3, … }}, arch = {{ … }}, wall = {{ … }}, tower = {{ … }}, trilithon = {{ … }}, vault = {{ … }}, dome = {{ … }}",
+            ko: "blocks = [ {{ name = \"base\", width = …, height = … }}, … ]를 아래에서부터 쓰거나 pagoda = {{ storeys = 3, … }}, arch = {{ … }}, wall = {{ … }}, tower = {{ … }}, trilithon = {{ … }}, vault = {{ … }}, dome = {{ … }} 중 하나를 쓴다",
         },
         StackNeedsBlocks => { en: "a stack needs blocks", ko: "stack에는 blocks가 필요하다" },
         WriteDensityAtTop => {

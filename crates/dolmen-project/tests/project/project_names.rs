@@ -48,6 +48,8 @@ fn exact_generated_blocks_have_korean_names() {
         "trilithon = { span = 1.2, post_width = 0.8, post_height = 3.2, lintel_height = 0.7 }",
         "wall = { length = 2.4, thickness = 0.6, courses = 4, course_height = 0.25, stone_length = 0.5, leaves = 2, \
          through_every = 2 }",
+        "vault = { span = 3, thickness = 0.45, length = 2, voussoirs = 7, stones = 2, springing_height = 1 }",
+        "dome = { span = 3, rise = 1, thickness = 0.3, rings = 3, stones = 12, drum_height = 1 }",
         "tower = { width = 2.4, courses = 3, course_height = 0.5, thickness = 0.5 }",
     ];
     for structure in made {

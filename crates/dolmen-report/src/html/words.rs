@@ -254,6 +254,8 @@ fn stack_words(path: &str, language: Language) -> Option<String> {
             "wall" => language.pick("wall:", "벽체").to_owned(),
             "tower" => language.pick("tower:", "탑").to_owned(),
             "trilithon" => language.pick("trilithon:", "삼석문").to_owned(),
+            "vault" => language.pick("vault:", "볼트").to_owned(),
+            "dome" => language.pick("dome:", "돔").to_owned(),
             "joint" => language.pick("joint", "접합면").to_owned(),
             "tilt" => language.pick("tilt", "기울기").to_owned(),
             "x" | "y" | "z" => name.to_owned(),

@@ -65,6 +65,30 @@ pub(super) const PHRASES_OF_STACKS: &[(&str, &str)] = &[
         "솟음이 경간의 절반보다 작으면 양수(그런 홍예는 밖으로 밀므로 교대가 필요하다)",
     ),
     ("the thickness of the arch or more", "홍예의 두께 이상"),
+    ("the thickness of the dome or more", "돔의 두께 이상"),
+    ("at most half the span", "경간의 절반 이하"),
+    ("a positive number below the span", "경간보다 작은 양수"),
+    (
+        "positive for a rise below half the span: such a dome pushes outwards and needs a drum",
+        "솟음이 경간의 절반보다 작으면 양수(그런 돔은 밖으로 밀므로 드럼이 필요하다)",
+    ),
+    (
+        "in running bond at least span (1 − cos(180°/stones)), so that turned rings bear on each other: give more stones or straight bond",
+        "엇갈림쌓기에서는 span (1 − cos(180°/stones)) 이상이어야 돌려 놓은 고리가 서로 닿는다(stones를 늘리거나 bond = \"straight\"로 한다)",
+    ),
+    (
+        "even for a lune, whose slices are opposite each other",
+        "조각(lune)에서는 짝수(두 조각이 마주 본다)",
+    ),
+    (
+        "so few that the dome has at most 600 stones",
+        "돔의 석재가 600개를 넘지 않을 만큼 작은 값",
+    ),
+    (
+        "so few that the vault has at most 600 stones",
+        "볼트의 석재가 600개를 넘지 않을 만큼 작은 값",
+    ),
+    ("1 to 40", "1~40"),
     (
         "long enough for at most 600 stones in the wall",
         "벽의 석재가 600개를 넘지 않을 만큼 긴 값",

@@ -2,7 +2,7 @@
 
 use super::{
     Case, ValidationError, aftershocks, arches, building_motion, choi_2021, chopra_2017, columns, crushing,
-    dampers, driven_modes, dry_friction, earthquakes, ferris_tin_loi_2001, fragility, free_columns,
+    dampers, domes, driven_modes, dry_friction, earthquakes, ferris_tin_loi_2001, fragility, free_columns,
     free_decay, free_walls, gusts, hwang_min_hong, joined, kim_koo_hong_2018, local_mechanisms,
     owen_prieur_2017, park_min_2010, pushed_frames, pyoma2, restitution, rigid_blocks, second_methods,
     setups, sliced_scans, survey_change, tenons, watch, wind,
@@ -21,7 +21,7 @@ use rayon::prelude::*;
 /// # Ok::<(), dolmen::comparisons::ValidationError>(())
 /// ```
 pub fn cases() -> Result<Vec<Case>, ValidationError> {
-    let sources: [fn() -> Result<Vec<Case>, ValidationError>; 34] = [
+    let sources: &[fn() -> Result<Vec<Case>, ValidationError>] = &[
         choi_2021::cases,
         columns::cases,
         free_columns::cases,
@@ -32,6 +32,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         kim_koo_hong_2018::cases,
         || Ok(rigid_blocks::cases()),
         arches::cases,
+        domes::cases,
         ferris_tin_loi_2001::cases,
         local_mechanisms::cases,
         crushing::cases,

@@ -12,6 +12,7 @@ mod chopra_2017;
 mod columns;
 mod crushing;
 mod dampers;
+mod domes;
 mod driven_modes;
 mod dry_friction;
 mod earthquakes;

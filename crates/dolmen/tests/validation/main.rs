@@ -27,6 +27,7 @@ mod damped_modes;
 mod damper_designs;
 mod damper_floors;
 mod dampers;
+mod domes;
 mod draws;
 mod el_centro;
 mod floor_in_records;

@@ -72,42 +72,74 @@ struct Circles {
 /// # Ok::<(), dolmen::structure::stack::StackError>(())
 /// ```
 pub fn arch(factors: &ArchFactors) -> Result<Vec<Block>, StackError> {
-    check(factors)?;
-    let circles = circles(factors);
-    let count = factors.voussoirs;
+    let section = section(factors)?;
+    let half = 0.5 * factors.depth_m;
     let block = |name: String, corners: &[[f64; 2]]| -> Result<Block, StackError> {
-        let half = 0.5 * factors.depth_m;
-        let sides = [-half, half];
-        let each = sides
-            .iter()
-            .flat_map(|y| corners.iter().map(move |[x, z]| [*x, *y, *z]));
         Ok(Block {
             name,
-            solid: Solid::convex(&each.collect::<Vec<_>>())?,
+            solid: prism(corners, [-half, half])?,
             density_kg_m3: factors.density_kg_m3,
         })
     };
+    let count = section.voussoirs.len();
     let mut blocks = Vec::new();
-    for index in 0..count {
+    for (index, corners) in section.voussoirs.iter().enumerate() {
         let name = match 2 * index + 1 == count {
             true => "keystone".to_owned(),
             false => format!("voussoir {}", index + 1),
         };
-        let [start, end] = [index, index + 1].map(|joint| circles.joint(f64::from(joint) / f64::from(count)));
-        blocks.push(block(name, &[start[0], start[1], end[1], end[0]])?);
+        blocks.push(block(name, corners)?);
     }
-    if factors.springing_height_m > 0.0 {
-        for (name, share, side) in [("left abutment", 0.0, -1.0), ("right abutment", 1.0, 1.0)] {
-            let [inner, outer] = circles.joint(share);
-            let back = side * (0.5 * factors.span_m + factors.abutment_m);
-            let foot = [[inner[0], 0.0], [back, 0.0]];
-            blocks.push(block(
-                name.to_owned(),
-                &[foot[0], foot[1], [back, outer[1]], outer, inner],
-            )?);
-        }
+    for (name, corners) in &section.abutments {
+        blocks.push(block((*name).to_owned(), corners)?);
     }
     Ok(blocks)
+}
+
+/// Cross section of an arch or a vault, x and z, m.
+pub(super) struct ArchSection {
+    /// Corners of each voussoir, from left to right.
+    pub(super) voussoirs: Vec<[[f64; 2]; 4]>,
+    /// Names and corners of the abutments; none if the arch stands on the ground.
+    pub(super) abutments: Vec<(&'static str, [[f64; 2]; 5])>,
+}
+
+/// The cross section of an arch.
+///
+/// # Errors
+/// [`StackError::Dimension`] for a dimension out of its range.
+pub(super) fn section(factors: &ArchFactors) -> Result<ArchSection, StackError> {
+    check(factors)?;
+    let circles = circles(factors);
+    let count = factors.voussoirs;
+    let voussoir = |index: u32| {
+        let [start, end] = [index, index + 1].map(|joint| circles.joint(f64::from(joint) / f64::from(count)));
+        [start[0], start[1], end[1], end[0]]
+    };
+    let abutment = |(name, share, side): (&'static str, f64, f64)| {
+        let [inner, outer] = circles.joint(share);
+        let back = side * (0.5 * factors.span_m + factors.abutment_m);
+        (
+            name,
+            [[inner[0], 0.0], [back, 0.0], [back, outer[1]], outer, inner],
+        )
+    };
+    let sides: &[(&'static str, f64, f64)] = match factors.springing_height_m > 0.0 {
+        true => &[("left abutment", 0.0, -1.0), ("right abutment", 1.0, 1.0)],
+        false => &[],
+    };
+    Ok(ArchSection {
+        voussoirs: (0..count).map(voussoir).collect(),
+        abutments: sides.iter().copied().map(abutment).collect(),
+    })
+}
+
+/// The prism of a polygon in the plane x, z between two values of y.
+pub(super) fn prism(corners: &[[f64; 2]], sides_y: [f64; 2]) -> Result<Solid, StackError> {
+    let each = sides_y
+        .iter()
+        .flat_map(|y| corners.iter().map(move |[x, z]| [*x, *y, *z]));
+    Solid::convex(&each.collect::<Vec<_>>())
 }
 
 fn check(factors: &ArchFactors) -> Result<(), StackError> {
