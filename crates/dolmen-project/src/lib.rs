@@ -60,6 +60,7 @@ mod tabled_modes;
 mod tabled_surveys;
 mod totals;
 mod type_words;
+mod unchecked;
 mod unit_help;
 mod units;
 mod unknown_variants;

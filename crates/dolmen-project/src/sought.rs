@@ -27,6 +27,8 @@ pub struct FromSurvey {
     pub survey: Option<String>,
     /// Reason why it is unknown; `None` if it is known.
     pub unknown: Option<WhyNotIdentified>,
+    /// Whether it fits by construction: frequencies alone, not more than unknown stiffnesses.
+    pub is_unchecked: bool,
 }
 
 /// Why a survey does not give a stiffness that a verdict may rely on.

@@ -59,6 +59,10 @@ messages! {
             en: "made up, not measured: {count} surveys, {first} to {last}",
             ko: "실측이 아닌 가상 조사 {count}회({first}~{last})",
         },
+        Unchecked { surveys: Vec<String> } => {
+            en: "nothing checks the stiffness of survey {surveys}: it fits by construction",
+            ko: "{surveys} 조사의 강성은 검증되지 않음(미지수만큼의 고유진동수에 맞춘 값)",
+        },
         Assumed { assumed: usize, all: usize } => {
             en: "assumed inputs: {assumed} of {all}",
             ko: "가정한 입력: {all}개 중 {assumed}개",
@@ -138,7 +142,7 @@ fn grown(of: &GrownDamage) -> Sentence {
     .into()
 }
 
-/// Made-up surveys and assumed inputs.
+/// Made-up surveys, stiffness that nothing checks, and assumed inputs.
 pub(crate) fn resting(basis: &Basis) -> Vec<Sentence> {
     let mut all = Vec::new();
     match basis.made_up_surveys.as_slice() {
@@ -151,6 +155,10 @@ pub(crate) fn resting(basis: &Basis) -> Vec<Sentence> {
             let surveys = surveys.to_vec();
             all.push(HeadlineBasis::MadeUp { surveys }.into());
         }
+    }
+    if !basis.unchecked_stiffness_from.is_empty() {
+        let surveys = basis.unchecked_stiffness_from.clone();
+        all.push(HeadlineBasis::Unchecked { surveys }.into());
     }
     let AssumedInputs { assumed, all: inputs } = basis.inputs;
     if assumed > 0 {

@@ -6,8 +6,8 @@ use crate::document::{Finding, TextStyle, Tone, document_text, wrapped};
 use crate::{identification, modal};
 use dolmen_words::{Sentence, messages};
 use dolmen_work::answer::IdentifyAnswer;
-use dolmen_work::can_be_written;
 use dolmen_work::surveyed::SurveyAnswer;
+use dolmen_work::{can_be_written, would_be_unchecked};
 
 messages! {
     /// Text on a terminal if there is nothing to identify.
@@ -35,7 +35,11 @@ pub fn identification_text(answer: &IdentifyAnswer, style: TextStyle) -> String 
     let mut all = modal::findings(&answer.surveys);
     all.extend(identification::findings(&answer.project, &answer.surveys));
     if can_be_written(answer) && answer.project.identified_from().is_empty() {
-        all.push(Finding::key(Tone::Plain, identification::Written::CanBe));
+        let can_be = match would_be_unchecked(answer) {
+            true => identification::Written::CanBeUnchecked,
+            false => identification::Written::CanBe,
+        };
+        all.push(Finding::key(Tone::Plain, can_be));
     }
     if !style.is_full {
         return out + &brief_text(&all, &answer.project, 0, style);

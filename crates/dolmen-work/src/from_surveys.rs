@@ -129,10 +129,15 @@ impl Part {
             }
             Some(survey) => values(project, &path, survey),
         };
+        let is_unchecked = survey.is_some_and(|survey| {
+            let mut own = of_path(project, &path, survey);
+            own.next().is_some_and(StiffnessAnswer::is_unchecked) && own.all(StiffnessAnswer::is_unchecked)
+        });
         let told = FromSurvey {
             path,
             survey: survey.map(|survey| survey.name.clone()),
             unknown: found.as_ref().err().copied(),
+            is_unchecked,
         };
         Part {
             told,
@@ -173,28 +178,42 @@ fn survey_of<'a>(project: &'a Project, path: &str, sought: &'a Sought) -> Option
     latest.map(|survey| survey.name.as_str())
 }
 
+/// The answers of a survey for a stiffness. A chain with one direction has one stiffness for all: the result of any direction is a solution.
+fn of_path<'a>(
+    project: &'a Project,
+    path: &'a str,
+    survey: &'a SurveyAnswer,
+) -> impl Iterator<Item = &'a StiffnessAnswer> {
+    survey
+        .stiffness
+        .iter()
+        .filter(move |answer| match &project.structure {
+            Structure::Chain(chain) => chain.axis_of(&answer.direction) == ChainAxis::Along,
+            Structure::Frame(frame) => {
+                answer.convention == Some(frame.convention)
+                    && path == format!("direction.{}.stiffness", answer.direction)
+            }
+            Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
+        })
+}
+
 /// The values of each accepted solution of a stiffness.
 fn values(project: &Project, path: &str, survey: &SurveyAnswer) -> Result<Vec<NewValue>, WhyNotIdentified> {
     match &project.structure {
         Structure::Chain(chain) => {
-            // a chain with one direction has one stiffness for all: the result of any direction is a solution
-            let own = survey.stiffness.iter();
-            let own = own.filter(|answer| chain.axis_of(&answer.direction) == ChainAxis::Along);
-            let numbers = accepted(own)?.into_iter().map(|solution| {
-                let numbers = of_solution(solution, "N m/rad", &survey.name);
-                without_soil(chain, ChainAxis::Along, numbers)
-            });
+            let numbers = accepted(of_path(project, path, survey))?
+                .into_iter()
+                .map(|solution| {
+                    let numbers = of_solution(solution, "N m/rad", &survey.name);
+                    without_soil(chain, ChainAxis::Along, numbers)
+                });
             let numbers: Option<Vec<_>> = numbers.collect();
             let numbers = numbers.ok_or(WhyNotIdentified::Impossible)?;
             let each = numbers.into_iter();
             Ok(each.map(|numbers| NewValue::Each("stiffness", numbers)).collect())
         }
-        Structure::Frame(frame) => {
-            let own = survey.stiffness.iter().filter(|answer| {
-                answer.convention == Some(frame.convention)
-                    && path == format!("direction.{}.stiffness", answer.direction)
-            });
-            let each = accepted(own)?.into_iter();
+        Structure::Frame(_) => {
+            let each = accepted(of_path(project, path, survey))?.into_iter();
             let numbers = each.map(|solution| of_solution(solution, "N/m", &survey.name));
             Ok(numbers.map(NewValue::Numbers).collect())
         }

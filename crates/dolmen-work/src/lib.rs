@@ -111,5 +111,5 @@ pub use undamped::{IdentifiedDamping, Undamped};
 pub use unreadable_motions::unreadable_motions;
 pub use used_record::{UsedRecord, WhichRecord, used_record};
 pub use validate::validate;
-pub use write_back::{WrittenBack, can_be_written, write_back};
+pub use write_back::{WrittenBack, can_be_written, would_be_unchecked, write_back};
 pub use wrong::ERRORS;

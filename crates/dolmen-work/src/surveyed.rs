@@ -427,9 +427,13 @@ impl StiffnessAnswer {
 
     /// Whether the one solution fits by construction: frequencies alone, as many as unknown stiffnesses, leave nothing that could contradict it.
     pub fn fits_by_construction(&self) -> bool {
+        self.solutions.choice == Choice::One && self.is_unchecked()
+    }
+
+    /// Whether nothing checks its solutions, one or several: frequencies alone, not more than unknown stiffnesses.
+    pub fn is_unchecked(&self) -> bool {
         let unknowns = self.solutions.solutions.first().map(|one| one.stiffness.len());
-        let is_unchecked = unknowns.is_some_and(|unknowns| self.frequencies_hz.len() <= unknowns);
-        self.solutions.choice == Choice::One && !self.with_shapes && is_unchecked
+        !self.with_shapes && unknowns.is_some_and(|unknowns| self.frequencies_hz.len() <= unknowns)
     }
 
     /// Whether there is no doubt about the modes.

@@ -23,6 +23,8 @@ pub struct WrittenBack {
     pub survey: String,
     /// The changes, by their places in the file.
     pub numbers: Vec<(String, IdentifiedNumber)>,
+    /// Whether some of it fits by construction, so that nothing checks it.
+    pub is_unchecked: bool,
 }
 
 /// Writes the stiffness of the only survey that determines any into the project file. The resulting text can be read as a project.
@@ -50,7 +52,20 @@ pub fn write_back(
         opened,
         survey: (*survey).to_owned(),
         numbers: numbers.collect(),
+        is_unchecked: is_unchecked(answer, survey),
     })
+}
+
+/// Whether the survey that [`write_back`] writes from gives a stiffness that fits by construction; `false` if it has nothing to write.
+pub fn would_be_unchecked(answer: &IdentifyAnswer) -> bool {
+    let each = determined(answer);
+    each.iter().any(|(survey, _)| is_unchecked(answer, survey))
+}
+
+fn is_unchecked(answer: &IdentifyAnswer, survey: &str) -> bool {
+    let own = answer.surveys.iter().filter(|own| own.name == survey);
+    let mut own = own.flat_map(|survey| &survey.stiffness);
+    own.any(|answer| answer.is_undoubted() && answer.fits_by_construction())
 }
 
 /// The springs of a stack from the common factor of its latest survey; `None` if no survey has a factor that explains its modes.

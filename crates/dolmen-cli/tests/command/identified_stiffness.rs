@@ -68,8 +68,10 @@ fn exact_joints_of_the_latest_survey_have_the_stiffness_of_the_closed_form() {
     let said = scratch.dolmen("check project.toml --samples 200");
     assert_eq!(said.status, 0, "{}", said.words());
     for words in [
-        "The stiffness of the joints is identified from survey 2026-04-02, by the one solution that explains its modes: 986 ± 10 kN·m/rad",
+        "The stiffness of the joints is identified from survey 2026-04-02, and nothing checks it: with as many unknown stiffnesses as frequencies it fits whatever the structure is: 986 ± 10 kN·m/rad.",
         "Model: not measured (calibrated to 2026-04-02)",
+        "nothing checks the stiffness of survey 2026-04-02: it fits by construction",
+        "○ With this stiffness it stands",
         "0 of 200 samples",
     ] {
         assert!(said.words().contains(words), "{words}: {}", said.words());
@@ -121,6 +123,34 @@ fn agrees_every_verb_with_the_file_that_has_the_stiffness_written_into_it() {
     let study = scratch.briefly("study project.toml -o again").words();
     for said in [simulated, study] {
         assert!(said.contains("is identified from survey 2026-04-02"), "{said}");
+    }
+}
+
+/// One frequency gives one joint's stiffness whatever the pole is: the answers, identified at once or written first, are not green.
+#[test]
+fn holds_no_answer_is_green_on_a_stiffness_that_nothing_checks() {
+    let scratch = Scratch::new("identified-unchecked");
+    let alone = POLE.replace(
+        "[survey.2025-01-01]\nfrequencies = { x = [{ value = 3.0, sd = 0.01, source = \"measured\" }] }\n",
+        "",
+    );
+    fs::write(scratch.path().join("own.toml"), &alone).unwrap();
+    let unknown = alone.replace("\"identified\"", "\"unknown\"");
+    fs::write(scratch.path().join("written.toml"), unknown).unwrap();
+    let offered = scratch.dolmen("identify written.toml").words();
+    assert!(offered.contains("by construction"), "{offered}");
+    let written = scratch.dolmen("identify written.toml --write").words();
+    assert!(written.contains("Nothing checks these values"), "{written}");
+    for file in ["own.toml", "written.toml"] {
+        let found = json(&scratch, &format!("check {file}"));
+        let version = &found["judgement"]["versions"][0];
+        assert_eq!(version["colour"], "amber", "{file}: {version}");
+        assert_eq!(
+            version["unchecked_stiffness_from"],
+            serde_json::json!(["2026-04-02"])
+        );
+        let said = scratch.dolmen(&format!("check {file}")).words();
+        assert!(!said.contains('●'), "{file}: {said}");
     }
 }
 

@@ -103,7 +103,7 @@ fn unreadable(of: &UnreadableMotion) -> Finding {
 }
 
 fn of_kind(project: &Project, check: &Check) -> Vec<Finding> {
-    match check {
+    let found = match check {
         Check::Chain(check) => match &project.structure {
             Structure::Chain(part) => chain::findings(part, check),
             _ => Vec::new(),
@@ -111,7 +111,17 @@ fn of_kind(project: &Project, check: &Check) -> Vec<Finding> {
         Check::Frame(directions) => frame::findings(directions),
         Check::Stack(answer) => stack::findings(answer),
         Check::Building(answer) => building::findings(answer),
-    }
+    };
+    // a stiffness that nothing checks makes no answer good
+    let is_checked = project.unchecked_stiffness_from().is_empty();
+    let each = found.into_iter().map(|finding| match finding.tone {
+        Tone::Good if !is_checked => Finding {
+            tone: Tone::Unknown,
+            ..finding
+        },
+        _ => finding,
+    });
+    each.collect()
 }
 
 fn unusual(state: &State) -> Option<Finding> {

@@ -11,6 +11,10 @@ messages! {
             en: "{part} is identified from survey {survey}, by the one solution that explains its modes: {values}.",
             ko: "{part}은 {survey} 조사의 모드를 설명하는 하나뿐인 해로 정하였다: {values}.",
         },
+        OneUnchecked { part: Sentence, survey: String, values: Values } => {
+            en: "{part} is identified from survey {survey}, and nothing checks it: with as many unknown stiffnesses as frequencies it fits whatever the structure is: {values}. A measured mode shape would check it.",
+            ko: "{part}은 {survey} 조사의 고유진동수로 정하였으나 검증되지 않았다. 미지 강성의 수가 고유진동수의 수와 같아 구조물이 실제로 어떻든 맞는다: {values}. 모드형상을 계측하면 검증할 수 있다.",
+        },
         Worst { part: Sentence, survey: String, number: usize, of: usize, values: Values } => {
             en: "{part} is identified from survey {survey}, which {of} solutions explain. What follows rests on solution {number}, of all the one that a check judges worst: {values}. The others stand beside it as variants; `dolmen identify` says which measurement tells them apart.",
             ko: "{part}은 {survey} 조사에서 정하였으나 이를 설명하는 해가 {of}개이다. 아래 결과는 검토에서 가장 불리한 해 {number}의 것이다: {values}. 나머지 해는 대안으로 함께 검토하며, 어떤 계측으로 가릴 수 있는지는 `dolmen identify`가 보인다.",
@@ -70,6 +74,7 @@ pub(super) fn findings(project: &Project) -> Vec<Finding> {
     };
     let tone = |part: &FromSurvey| match (part.unknown, told.of) {
         (Some(_), _) => Tone::Unknown,
+        (None, 1) if part.is_unchecked => Tone::Unknown,
         (None, 1) => Tone::Plain,
         (None, _) => Tone::Warn,
     };
@@ -142,6 +147,11 @@ fn said(project: &Project, told: &FromSurveys, part: &FromSurvey) -> Identified 
     }
     let values = values(project, &part.path);
     match (told.of, told.number) {
+        (1, _) if part.is_unchecked => Identified::OneUnchecked {
+            part: name,
+            survey,
+            values,
+        },
         (1, _) => Identified::One {
             part: name,
             survey,

@@ -125,9 +125,15 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
     });
     let of_weight = Both::of(|language| weight.words(language));
     let of_word = Both::of(|language| earthquake.word(language));
+    // a stiffness that nothing checks makes no answer good
+    let is_checked = headline.basis.unchecked_stiffness_from.is_empty();
+    let own_tone = match tone(weight.colour()) {
+        Tone::Good if !is_checked => Tone::Unknown,
+        own => own,
+    };
     let mut all = vec![
         with_variants(
-            answered(Front::Weight, tone(weight.colour()), of_weight.clone()),
+            answered(Front::Weight, own_tone, of_weight.clone()),
             (weight.colour(), of_weight),
             weights,
         ),

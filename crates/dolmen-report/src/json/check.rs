@@ -61,6 +61,7 @@ pub(super) fn project(project: &Project, file: &str) -> Value {
             "solutions": told.of,
             "parts": told.parts.iter().map(|part| as_json!({
                 "path": part.path, "survey": part.survey, "unknown": part.unknown.map(why_word),
+                "unchecked": part.is_unchecked,
             })).collect::<Vec<_>>(),
         })),
         "damage": project.damage.iter().map(damage).collect::<Vec<_>>(),

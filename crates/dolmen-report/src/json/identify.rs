@@ -39,7 +39,7 @@ pub fn written_back_json(written: &WrittenBack) -> Value {
     let each = written.numbers.iter().map(|(path, number)| {
         as_json!({ "path": path, "value": number.value, "sd": number.sd, "unit": number.unit, "before": number.before })
     });
-    as_json!({ "survey": written.survey, "numbers": each.collect::<Vec<_>>() })
+    as_json!({ "survey": written.survey, "unchecked": written.is_unchecked, "numbers": each.collect::<Vec<_>>() })
 }
 
 fn survey(survey: &SurveyAnswer) -> Value {

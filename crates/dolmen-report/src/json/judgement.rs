@@ -68,6 +68,7 @@ fn version(version: &VersionJudgement) -> Value {
         "loads_left_out": version.basis.is_loads_left_out,
         "load_factor_without_supports": version.basis.load_factor_without_supports,
         "made_up_surveys": version.basis.made_up_surveys,
+        "unchecked_stiffness_from": version.basis.unchecked_stiffness_from,
         "assumed_inputs": version.basis.inputs.assumed,
         "inputs": version.basis.inputs.all,
     })

@@ -13,6 +13,8 @@ pub struct Basis {
     pub inputs: AssumedInputs,
     /// Surveys of the file that nobody measured.
     pub made_up_surveys: Vec<String>,
+    /// Surveys whose frequencies give the stiffness by construction, so that nothing checks it.
+    pub unchecked_stiffness_from: Vec<String>,
     /// Severe damage of inspections that the model does not have.
     pub severe_damage: Vec<SevereDamage>,
     /// Damage of the model that a later inspection recorded as grown.
@@ -51,6 +53,11 @@ impl Basis {
         Basis {
             inputs: AssumedInputs::of(project),
             made_up_surveys: made_up.map(|survey| survey.name.clone()).collect(),
+            unchecked_stiffness_from: project
+                .unchecked_stiffness_from()
+                .into_iter()
+                .map(str::to_owned)
+                .collect(),
             severe_damage,
             grown_damage,
             inspections_left_out: left_out,

@@ -144,8 +144,16 @@ impl VersionJudgement {
         ];
         let beyond = self.tilt_beyond_limit.then_some(Colour::Red);
         let left_out = self.tilt_left_out.is_some() || self.basis.is_unsafe();
+        let unchecked = (!self.basis.unchecked_stiffness_from.is_empty()).then_some(Colour::Amber);
         let left_out = left_out.then_some(Colour::Amber);
-        Colour::worst(weight.into_iter().chain(others).chain(beyond).chain(left_out))
+        Colour::worst(
+            weight
+                .into_iter()
+                .chain(others)
+                .chain(beyond)
+                .chain(left_out)
+                .chain(unchecked),
+        )
     }
 
     /// Whether its overall colour or the colour of one question is worse than that of another version: the structure may be below the
