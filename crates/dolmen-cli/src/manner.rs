@@ -29,10 +29,10 @@ pub(crate) struct Manner {
     /// Allow project files to name files outside their folder; only for project files that you trust
     #[arg(long, global = true)]
     pub(crate) allow_outside: bool,
-    /// Read files up to this size, as in "12 GB", instead of the limit of each kind
+    /// Largest file to read, such as "12 GB"; replaces the limit of each file type
     #[arg(long, global = true, value_name = "SIZE", value_parser = size)]
     pub(crate) largest_file: Option<u64>,
-    /// Run even if it takes very long
+    /// Run even if a simulation needs more than 2e7 steps or 1e6 samples of its history
     #[arg(long, global = true)]
     pub(crate) yes: bool,
 }
@@ -60,7 +60,7 @@ impl Manner {
         }
     }
 
-    /// Opens a project. From now on its names are printed in the language of the reader, except in JSON.
+    /// Opens a project, and sets for the whole process the language in which its names are printed, unless `--json` is given.
     pub(crate) fn open(&self, path: &Path) -> Result<Found> {
         let found = Found::open(path, self.access())?;
         if !self.json {

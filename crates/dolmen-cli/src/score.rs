@@ -28,6 +28,7 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     }
     match (&options.train, &options.project, &options.output) {
         (Some(name), Some(project), Some(output)) => train(options, project, name, output, manner)?,
+        // clap refuses --train without --output
         (_, Some(project), _) => one(options, project, manner)?,
         _ => quality(options, manner)?,
     }

@@ -4,6 +4,7 @@ use crate::wrong::PathError;
 use crate::{Access, files};
 use anyhow::Result;
 use dolmen_project::date_of;
+use dolmen_records::records::RecordFormat;
 use dolmen_records::{FileError, Files, PROJECT_BYTES_MOST, stays_within, time_text};
 use dolmen_work::{Opened, Progress, with_stiffness_of_surveys};
 use std::path::{Path, PathBuf};
@@ -74,7 +75,7 @@ impl Folder {
     }
 }
 
-/// The files of a folder that may be motions, and their names in order; without hidden files and subfolders.
+/// The folder, and the sorted names of its files, without hidden files and subfolders.
 ///
 /// # Errors
 /// If it is not a folder, or cannot be read.
@@ -115,7 +116,7 @@ impl Files for Folder {
     }
 
     fn today(&self) -> Option<[u32; 3]> {
-        /// A day begins at most this long before it begins in UTC, s.
+        /// Largest lead of local time over UTC (UTC+14), s.
         const FIRST_DAY_S: f64 = 14.0 * 3600.0;
         let now = SystemTime::now().duration_since(UNIX_EPOCH).ok()?;
         date_of(&time_text(now.as_secs_f64() + FIRST_DAY_S))
@@ -126,7 +127,7 @@ impl Found {
     /// Reads the project file that `path` means: a file, or the `project.toml` of a folder.
     ///
     /// # Errors
-    /// If there is none; if it is too large, not UTF-8 text, or a record; and all faults of the project.
+    /// If the file is missing, too large, not UTF-8, or a record; or if the project has faults (all are listed).
     pub fn open(path: &Path, access: Access) -> Result<Self> {
         let file = files::project_file(path)?;
         refuse_record(&file)?;
@@ -140,10 +141,8 @@ impl Found {
         files.project = Some((opened.file.clone(), opened.text.clone()));
         Ok(Found { opened, file, files })
     }
-}
 
-impl Found {
-    /// As [`Found::open`], with the stiffness that the project takes from its surveys.
+    /// Identifies the stiffness that the project leaves to its surveys, and puts it into the project.
     ///
     /// # Errors
     /// If a survey cannot be identified.
@@ -155,12 +154,12 @@ impl Found {
 
 /// Says what to do if a record was given as a project file.
 fn refuse_record(file: &Path) -> Result<()> {
-    const RECORDS: [&str; 18] = [
-        "csv", "tsv", "npy", "mat", "wav", "uff", "unv", "saf", "gcf", "tdms", "mseed", "miniseed", "sac",
-        "xls", "xlsx", "at2", "v2", "zip",
-    ];
     let ending = file.extension().map(|e| e.to_string_lossy().to_lowercase());
-    let is_record = ending.as_deref().is_some_and(|ending| RECORDS.contains(&ending));
+    let is_record = ending.is_some_and(|ending| match ending.as_str() {
+        "txt" | "dat" | "asc" => false, // may hold TOML as well
+        "xls" | "at2" | "v2" | "zip" => true,
+        other => RecordFormat::of_ending(other).is_some(),
+    });
     if is_record {
         let name = file
             .file_name()

@@ -3,7 +3,7 @@
 use dolmen_report::kept::store_fault;
 use dolmen_store::StoreError;
 use dolmen_words::message::{Argument, Both};
-use dolmen_words::{Template, messages, sayable, sentences};
+use dolmen_words::{Sentence, Template, messages, sayable, sentences};
 use std::error::Error;
 
 /// Why records cannot be followed, or the program for an alarm fails.
@@ -21,6 +21,9 @@ pub enum FollowError {
     NoProgram {
         program: String,
         why: std::io::Error,
+    },
+    CallsFailed {
+        each: Vec<Sentence>,
     },
     TooManyOfOneSecond {
         survey: String,
@@ -42,6 +45,10 @@ sentences! {
         NoProgram { program } => {
             en: "--on-alarm {program} could not be run; it is a program, not a line of a shell",
             ko: "--on-alarm {program}을(를) 실행할 수 없다. 셸 명령줄이 아니라 프로그램 하나를 준다",
+        },
+        CallsFailed { each } as { each: each.clone() } => {
+            en: "{each}",
+            ko: "{each}",
         },
         TooManyOfOneSecond { survey, most } => {
             en: "more than {most} different records began at {survey}: the clock of the logger stands still, or files of other loggers come into the folder",

@@ -91,7 +91,7 @@ impl std::fmt::Display for WithoutStiffness {
             ),
             WithoutStiffness::OnColumnsAlone { direction } => write!(
                 f,
-                "no stiffness is sought in direction {direction}: by the file nothing but columns holds it; write stiffness = \"unknown\" to seek one"
+                "no stiffness is sought in direction {direction}: in the file only columns carry it; write stiffness = \"unknown\" to seek one"
             ),
             WithoutStiffness::OffTheAxes { channels } => write!(
                 f,

@@ -117,7 +117,7 @@ messages! {
             ko: "{path} = {written}인데, 층의 질량은 1~20 000 t이다",
         },
         StoreyWithItsOwn { path: String, written: String, frequency_hz: String, least: String, most: String } => {
-            en: "{path} = {written}: the storey with its own floor alone would sway at {frequency_hz} Hz, but storeys sway at {least} to {most} Hz",
+            en: "{path} = {written}: the storey with its own floor alone would sway at {frequency_hz} Hz, outside {least} to {most} Hz expected for a storey",
             ko: "{path} = {written}: 이 층과 그 바닥만의 진동수가 {frequency_hz} Hz인데, 층은 {least}~{most} Hz이다",
         },
         IsMLongBut { path: String, side_m: String, most: String } => {

@@ -10,12 +10,12 @@ messages! {
             ko: "{path}에 law = \"jenkins\"가 있는데 slipping_stiffness가 없다",
         },
         GiveWhatIsLeft => {
-            en: "give what is left of each storey's stiffness while its joints slip; 0 for nothing",
+            en: "give the stiffness that each storey keeps while its joints slip (0 if none)",
             ko: "접합부가 미끄러지는 동안 각 층에 남는 강성을 입력한다. 남지 않으면 0이다",
         },
         IsGivenButLaw(slipping_path: String) => {
-            en: "{slipping_path} is given, but the law is \"coulomb\": its slider stands beside the whole spring",
-            ko: "{slipping_path}이(가) 있는데 law가 \"coulomb\"이다. 이 모델의 마찰 요소는 스프링 전체와 나란히 놓인다",
+            en: "{slipping_path} is given, but the law is \"coulomb\", which does not use it: its slider acts in parallel with the whole spring",
+            ko: "{slipping_path}이(가) 있는데 law가 \"coulomb\"이다. 이 모델은 그 값을 쓰지 않으며 마찰 요소가 스프링 전체와 병렬로 작용한다",
         },
         WriteLawJenkinsOr => {
             en: "write law = \"jenkins\", or take slipping_stiffness out",
@@ -30,16 +30,16 @@ messages! {
             ko: "stiffness는 모든 접합부가 고착된 상태에서 진동으로 측정한 값이며, 미끄러지는 접합부의 강성은 그보다 작다",
         },
         ItIsSlipForce => {
-            en: "it is slip force over axial force; for forces write force = [ … ]",
-            ko: "축력에 대한 미끄러짐 힘의 비이다. 힘으로 주려면 force = [ … ]를 쓴다",
+            en: "coefficient is slip force ÷ axial force; to give forces, write force = [ … ]",
+            ko: "coefficient는 축력에 대한 미끄러짐 힘의 비이다. 힘으로 주려면 force = [ … ]를 쓴다",
         },
         IsBelowCoefficient { fixed_path: String, written: String, other_written: String } => {
             en: "{fixed_path} = {written} is below coefficient = {other_written}",
             ko: "{fixed_path} = {written}이(가) coefficient = {other_written}보다 작다",
         },
         MustBeAtLeast => {
-            en: "must be at least the coefficient while slipping",
-            ko: "미끄러지는 동안의 계수 이상이어야 한다",
+            en: "static_coefficient must be at least coefficient, the value while slipping",
+            ko: "static_coefficient는 미끄러지는 동안의 값인 coefficient 이상이어야 한다",
         },
         HasBothForceAnd(path: String) => {
             en: "{path} has both force and static_coefficient",
@@ -87,7 +87,7 @@ messages! {
             ko: "모든 층에 주거나 모두 삭제한다. 모두 없으면 질량으로 계산한다",
         },
         AxialForceIsGiven => {
-            en: "axial_force is given, but not what it is: \"axial\" is missing",
+            en: "axial_force is given without axial, which says what the force is",
             ko: "axial_force가 있는데 그 뜻을 정하는 \"axial\"이 없다",
         },
         WriteAxialStoreyIf => {
@@ -103,19 +103,19 @@ messages! {
             ko: "{place}.bed_stiffness를 입력하거나 \"unknown\"으로 쓴다. 기둥의 복원력은 `dolmen check`로 본다",
         },
         AloneGrounded(path: String) => {
-            en: "{path} = 0: columns resist drift, but with convention = \"grounded\" a storey is held from the ground",
-            ko: "{path} = 0: 기둥은 층간변위에 저항하나 convention = \"grounded\"에서는 층이 지반에서 지지된다",
+            en: "{path} = 0: columns resist drift, but with convention = \"grounded\" the springs connect each storey to the ground",
+            ko: "{path} = 0: 기둥은 층간변위에 저항하나 convention = \"grounded\"에서는 스프링이 각 층을 지반에 연결한다",
         },
         WriteDrift => {
             en: "write convention = \"drift\"",
             ko: "convention = \"drift\"로 쓴다",
         },
         AloneRubs(path: String) => {
-            en: "{path} = 0: nothing but columns holds the storey, so that no joint rubs there",
+            en: "{path} = 0: only columns carry this storey, so it has no joint with friction",
             ko: "{path} = 0: 기둥만으로 지지되는 층에는 마찰하는 접합부가 없다",
         },
         AloneHasTenons(path: String) => {
-            en: "{path} = 0: nothing but columns holds the storey, so that it has no tenons",
+            en: "{path} = 0: only columns carry this storey, so it has no tenons",
             ko: "{path} = 0: 기둥만으로 지지되는 층에는 장부가 없다",
         },
         TakeTenonsOut(direction: String) => {
@@ -123,7 +123,7 @@ messages! {
             ko: "direction.{direction}.tenons를 삭제하거나 유격 안의 강성을 입력한다",
         },
         SlackIsRotation => {
-            en: "slack is a rotation, drift over height of the storey: 0.004 or \"4 mm/m\"; a storey that leans by 0.1 has fallen",
+            en: "slack is a rotation (storey drift ÷ storey height): write 0.004 or \"4 mm/m\". At 0.1 the storey counts as fallen",
             ko: "slack은 층고에 대한 층간변위, 곧 회전각이다. 0.004 또는 \"4 mm/m\"로 쓰며 0.1이면 전도로 본다",
         },
         HalfWithoutCrushing(half_path: String) => {
@@ -147,12 +147,12 @@ messages! {
             ko: "한 방향에는 along = \"x\", 다른 방향에는 along = \"y\"를 쓴다",
         },
         ButStoreysHaveT { path: String, written: String } => {
-            en: "{path} = {written}, but storeys have 1 t to 20 000 t",
-            ko: "{path} = {written}인데, 층의 질량은 1~20 000 t이다",
+            en: "{path} = {written} is outside 1 t to 20 000 t, the range expected for a storey",
+            ko: "{path} = {written}: 층의 질량으로 예상되는 범위(1~20 000 t)를 벗어난다",
         },
         StoreyAloneWouldSway { path: String, written: String, frequency_hz: String, least: String, most: String } => {
-            en: "{path} = {written}: the storey alone would sway at {frequency_hz} Hz, but storeys sway at {least} to {most} Hz",
-            ko: "{path} = {written}: 이 층만의 진동수가 {frequency_hz} Hz인데, 층은 {least}~{most} Hz이다",
+            en: "{path} = {written}: the storey alone would sway at {frequency_hz} Hz, outside {least} to {most} Hz expected for a storey",
+            ko: "{path} = {written}: 이 층만의 진동수가 {frequency_hz} Hz로, 층에서 예상되는 {least}~{most} Hz를 벗어난다",
         },
         NamesBeginWithTop { foot: String, top: String } => {
             en: "storeys: the first, '{foot}', stands on the ground and the last, '{top}', on top, but by their names the list begins with the top",

@@ -166,7 +166,7 @@ const MISTAKES: [Mistake; 32] = [
         "heunginjimun_gate",
         r#"axial = "storey" "#,
         "",
-        "axial_force is given, but not what it is",
+        "axial_force is given without axial",
     ),
     mistake(
         "heunginjimun_gate",

@@ -308,14 +308,14 @@ error: joints[2].stiffness = 0.4 kN*m/rad is 1/232 × the weight times height ab
 fn refuses_masses_in_kg() {
     let text = frame_with(&[(r#" mass = "t","#, r#""#)]);
     let said = r##"
-error: storeys[1].mass = 290 kg, but storeys have 1 t to 20 000 t
+error: storeys[1].mass = 290 kg is outside 1 t to 20 000 t, the range expected for a storey
   --> project.toml:7:12
    |
  7 |   { mass = 290, height = 5.84, axial_force = 5919 },
    |            ^^^ probably a slip
    = help: did you mean t? If it is right, write allow = ["storeys[1].mass"]
 
-error: storeys[2].mass = 314 kg, but storeys have 1 t to 20 000 t
+error: storeys[2].mass = 314 kg is outside 1 t to 20 000 t, the range expected for a storey
   --> project.toml:8:12
    |
  8 |   { mass = 314, height = 7.69, axial_force = 3077 },
@@ -361,7 +361,7 @@ fn refuses_axial_forces_of_unsaid_meaning() {
         r#""#,
     )]);
     let said = r##"
-error: axial_force is given, but not what it is: "axial" is missing
+error: axial_force is given without axial, which says what the force is
   --> project.toml:1:1
    |
  1 | schema = 1
@@ -403,7 +403,7 @@ error: storeys[2] has no axial_force, but another storey has
 fn refuses_a_stiffness_1000_times_too_low() {
     let text = frame_with(&[(r#"32.65"#, r#"0.03265"#)]);
     let said = r##"
-error: direction.weak.stiffness[1] = 0.03265 kN/mm: the storey alone would sway at 0.0534 Hz, but storeys sway at 0.2 to 60 Hz
+error: direction.weak.stiffness[1] = 0.03265 kN/mm: the storey alone would sway at 0.0534 Hz, outside 0.2 to 60 Hz expected for a storey
    --> project.toml:10:29
     |
  10 | direction.weak.stiffness = [0.03265, 96.14]

@@ -18,7 +18,7 @@ use super::series::{FileSeries, Series};
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::breaks::Break;
 use crate::limits::refuse_channels;
-use crate::wrong::Damage;
+use crate::wrong::{Damage, Remark};
 use std::collections::BTreeMap;
 
 const FORMAT: &str = "gcf";
@@ -144,7 +144,7 @@ fn letters(mut code: u32) -> String {
 pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
     let mut cursor = Cursor::new(bytes, FORMAT).ordered(true);
     let mut streams = Streams::default();
-    let mut texts = 0;
+    let mut texts = 0usize;
     while cursor.left() > 0 {
         let at = cursor.at();
         let block = Block::read(&mut cursor)?;
@@ -159,7 +159,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
     if streams.series.is_empty() {
         return Err(cursor.damaged(Damage::NoBlockHolds));
     }
-    let note = (texts > 0).then(|| format!("{texts} blocks of text of the recorder were passed over"));
+    let note = (texts > 0).then(|| Remark::TextBlocks(texts).into());
     Ok(FileSeries {
         format: RecordFormat::Gcf,
         series: streams.series,

@@ -1,6 +1,7 @@
 //! Layouts of record files.
 
 use super::{Decimal, Delimiter, FileUnit, RateSource, RecordFormat};
+use dolmen_words::message::Both;
 
 /// Layout of a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,7 +73,7 @@ pub struct ChannelsLayout {
     /// All its channels, in order.
     pub channels: Vec<FoundChannel>,
     /// Further contents of the file, as sentences.
-    pub notes: Vec<String>,
+    pub notes: Vec<Both>,
 }
 
 /// One channel of a file.

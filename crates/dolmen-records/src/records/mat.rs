@@ -1,7 +1,7 @@
 //! Reads MAT files of version 5 (MATLAB's `-v7` and `-v6`) and version 7.3 (HDF5): numeric matrices, plain or compressed.
 //!
 //! The longest side of all numeric matrices is the time axis. Each vector or matrix with a side of that length is read, as `acc`, or as `acc(:,1)`,
-//! `acc(:,2)`. A vector `t` or `time` holds time stamps; a scalar `fs`, `sampling_rate` … is the sampling rate, and `dt` the time step. A note lists
+//! `acc(:,2)`, or `acc(1,:)`, `acc(2,:)` if time runs along the rows. A vector `t` or `time` holds time stamps; a scalar `fs`, `sampling_rate` … is the sampling rate, and `dt` the time step. A note lists
 //! the other variables.
 
 use super::hdf5;
@@ -10,7 +10,7 @@ use super::series::{FileSeries, Series, rate_of_step};
 use super::{RecordError, RecordFormat};
 use crate::limits::refuse_channels;
 use crate::quoted::listed;
-use crate::wrong::Unread;
+use crate::wrong::{Remark, Unread};
 use dolmen_words::message::Both;
 
 const FORMAT: &str = "mat";
@@ -59,10 +59,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
         let numbers = matrix.rows.saturating_mul(matrix.columns);
         if numbers == 1 {
             let value = matrix.values.first().copied().unwrap_or(f64::NAN);
-            let found = match () {
-                () if RATES.contains(&name.as_str()) => Some(value),
-                () if STEPS.contains(&name.as_str()) => Some(rate_of_step(value, 1e-12)),
-                () => None,
+            let found = if RATES.contains(&name.as_str()) {
+                Some(value)
+            } else if STEPS.contains(&name.as_str()) {
+                Some(rate_of_step(value, 1e-12))
+            } else {
+                None
             };
             match found {
                 Some(rate) => agreed(&mut rate_hz, rate, &matrix.name)?,
@@ -85,7 +87,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
         });
     }
     series.iter_mut().for_each(|one| one.sampling_rate_hz = rate_hz);
-    let note = (!passed.is_empty()).then(|| format!("passed over: {}", listed(&passed).english));
+    let note = (!passed.is_empty()).then(|| Remark::VariablesUnread(listed(&passed)).into());
     Ok(FileSeries {
         format: RecordFormat::Mat,
         series,

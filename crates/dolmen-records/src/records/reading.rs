@@ -80,9 +80,7 @@ fn zones(layout: &Layout) -> [bool; 2] {
 
 fn noted(layout: &Layout, unit_unknown: bool, remarks: &mut Vec<Both>) {
     match layout {
-        Layout::Channels(channels) => {
-            remarks.extend(channels.notes.iter().map(|note| Both::from(note.as_str())))
-        }
+        Layout::Channels(channels) => remarks.extend(channels.notes.iter().cloned()),
         Layout::Stations(layouts) => layouts
             .iter()
             .for_each(|layout| noted(layout, unit_unknown, remarks)),

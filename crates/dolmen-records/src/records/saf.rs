@@ -24,7 +24,7 @@ use super::{FileUnit, RecordError, RecordFormat};
 use crate::number::parse_number;
 use crate::quoted::shown;
 use crate::start::time_of;
-use crate::wrong::Expected;
+use crate::wrong::{Expected, Remark};
 
 const FORMAT: &str = "saf";
 const FIRST: &[u8] = b"SESAME ASCII data format";
@@ -104,7 +104,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
         begins_s: header.begins_s,
         ..Series::new(name.clone(), samples)
     });
-    let note = (!header.station.is_empty()).then(|| format!("station {}", shown(&header.station)));
+    let note = (!header.station.is_empty()).then(|| Remark::StationName(shown(&header.station)).into());
     Ok(FileSeries {
         format: RecordFormat::Saf,
         series: series.collect(),

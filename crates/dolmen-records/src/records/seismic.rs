@@ -2,8 +2,10 @@
 
 use super::series::{FileSeries, Series, rate_of_step};
 use super::{FileUnit, RecordError, RecordFormat};
-use crate::seismic::{MotionFormat, Raw, raw_channels};
+use crate::seismic::{MotionFormat, Orientation, Raw, raw_channels};
 use crate::unit::Unit;
+use crate::wrong::Remark;
+use dolmen_words::message::Both;
 
 /// The channels of such a file; `None` for other files.
 pub(super) fn read(bytes: &[u8]) -> Option<Result<FileSeries, RecordError>> {
@@ -22,10 +24,17 @@ fn found(channels: Vec<Raw>) -> FileSeries {
         Some(MotionFormat::Esm) => RecordFormat::Esm,
         Some(_) => RecordFormat::Cosmos,
     };
-    let mut notes: Vec<String> = Vec::new();
+    let mut notes: Vec<Both> = Vec::new();
     for channel in &channels {
         if let Some(orientation) = channel.orientation {
-            notes.push(format!("{} points {orientation}", channel.name));
+            let channel = channel.name.clone();
+            notes.push(match orientation {
+                Orientation::Horizontal { azimuth_deg } => {
+                    Remark::PointsFromNorth { channel, azimuth_deg }.into()
+                }
+                Orientation::Up => Remark::PointsUp(channel).into(),
+                Orientation::Down => Remark::PointsDown(channel).into(),
+            });
         }
     }
     let series = channels

@@ -4,6 +4,7 @@ use super::{FileUnit, RecordError, RecordFormat};
 use crate::breaks::Break;
 use crate::quoted::shown;
 use dolmen::signal::Quantity;
+use dolmen_words::message::Both;
 
 /// One channel of a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,7 +76,7 @@ pub(super) struct FileSeries {
     pub(super) format: RecordFormat,
     pub(super) series: Vec<Series>,
     /// Notes on other contents of the file, as sentences.
-    pub(super) notes: Vec<String>,
+    pub(super) notes: Vec<Both>,
 }
 
 /// 1/step, rounded to a whole number of hertz if that differs by less than the fraction `digits`: printed steps lose their

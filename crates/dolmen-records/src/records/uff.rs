@@ -22,8 +22,9 @@ use crate::limits::head;
 use crate::number::parse_number;
 use crate::quoted::{listed, shown};
 use crate::unit::Unit;
-use crate::wrong::{Expected, Unread};
+use crate::wrong::{Expected, Remark, Unread};
 use dolmen::signal::Quantity;
+use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
 /// Codes of line 6 and line 8.
@@ -147,10 +148,10 @@ fn end(lines: &mut Lines) -> Result<(), RecordError> {
 }
 
 fn finished(functions: Vec<Function>, beside: OtherDatasets) -> Result<FileSeries, RecordError> {
-    let mut notes: Vec<String> = beside
+    let mut notes: Vec<Both> = beside
         .title
         .iter()
-        .map(|title| format!("title \"{}\"", shown(title)))
+        .map(|title| Remark::Title(shown(title)).into())
         .collect();
     let passed = beside.passed_over();
     if functions.is_empty() {
@@ -165,13 +166,10 @@ fn finished(functions: Vec<Function>, beside: OtherDatasets) -> Result<FileSerie
         });
     }
     if !passed.is_empty() {
-        notes.push(format!("datasets passed over: {}", listed(&passed).english));
+        notes.push(Remark::DatasetsUnread(listed(&passed)).into());
     }
     if beside.turned {
-        notes.push(
-            "the file turns axes of nodes (dataset 18 or 2420): places and directions were not taken from it"
-                .to_owned(),
-        );
+        notes.push(Remark::TurnedAxes.into());
     }
     let placed = |function: Function| {
         let mut series = function.series;

@@ -1,5 +1,6 @@
 //! Remarks on a file, in both languages.
 
+use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
@@ -66,6 +67,24 @@ messages! {
             en: "the time stamps of column \"{column}\" are read as hours: sampling_rate says so",
             ko: "\"{column}\" 열의 시각은 sampling_rate에 따라 시간(h)으로 읽었다",
         },
+        VariablesUnread(names: Both) => { en: "variables not read: {names}", ko: "읽지 않은 변수: {names}" },
+        DatasetsUnread(numbers: Both) => { en: "datasets not read: {numbers}", ko: "읽지 않은 데이터셋: {numbers}" },
+        TextBlocks(count: usize) => {
+            en: "blocks of text of the recorder, not read: {count}",
+            ko: "기록 장치의 텍스트 블록 {count}개는 읽지 않았다",
+        },
+        Title(title: String) => { en: "title \"{title}\"", ko: "제목 \"{title}\"" },
+        StationName(station: String) => { en: "station {station}", ko: "관측점 {station}" },
+        TurnedAxes => {
+            en: "the file turns axes of nodes (dataset 18 or 2420): places and directions were not taken from it",
+            ko: "파일이 절점의 좌표축을 회전하므로(데이터셋 18 또는 2420) 위치와 방향은 읽지 않았다",
+        },
+        PointsFromNorth { channel: String, azimuth_deg: f64 } => {
+            en: "{channel} points {azimuth_deg}° from north",
+            ko: "{channel}의 방향은 북에서 시계 방향으로 {azimuth_deg}°이다",
+        },
+        PointsUp(channel: String) => { en: "{channel} points up", ko: "{channel}의 방향은 위쪽이다" },
+        PointsDown(channel: String) => { en: "{channel} points down", ko: "{channel}의 방향은 아래쪽이다" },
         Days(column: String) => {
             en: "the time stamps of column \"{column}\" are read as days, as tables keep dates: their steps say so",
             ko: "\"{column}\" 열의 시각은 간격으로 보아 표가 날짜를 적는 일수로 읽었다",

@@ -119,7 +119,11 @@ fn agrees_mat_of_scipy() {
         holds(name, &reading, 1e-3, 1e-15);
         assert_eq!(reading.record.channels()[1].name, "acc(:,2)");
         assert_eq!(reading.record.sampling_rate_hz(), 200.0);
-        assert_eq!(said_of(&reading), ["passed over: note (text), other"], "{name}");
+        assert_eq!(
+            said_of(&reading),
+            ["variables not read: note (text), other"],
+            "{name}"
+        );
     }
     let reading = read("vectors.mat", &RecordOptions::default());
     holds("vectors.mat", &reading, 1.0, 0.0);
@@ -156,7 +160,7 @@ fn agrees_mat_7_3_of_h5py() {
         assert_eq!(
             said_of(&reading),
             [
-                "passed over: gate (struct or object), none (empty), note (text or cell), wave (complex or struct), \
+                "variables not read: gate (struct or object), none (empty), note (text or cell), wave (complex or struct), \
                  other"
             ],
             "{name}"

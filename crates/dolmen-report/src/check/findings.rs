@@ -20,8 +20,8 @@ messages! {
             ko: "다음 단계: 진동을 계측하고 `dolmen identify`로 강성을 추정한다.",
         },
         Write => {
-            en: "What to do next: find the stiffness from its vibration (`dolmen identify`); where one survey determines it, it can be put into the file (`dolmen identify PROJECT --write`).",
-            ko: "다음 단계: 진동 기록으로 강성을 추정한다(`dolmen identify`). 한 조사로 정해지면 그 값을 파일에 쓸 수 있다(`dolmen identify PROJECT --write`).",
+            en: "What to do next: find the stiffness from its vibration (`dolmen identify`); if a survey determines it uniquely, `dolmen identify PROJECT --write` puts it into the file.",
+            ko: "다음 단계: 진동 기록으로 강성을 추정한다(`dolmen identify`). 한 조사로 하나만 정해지면 `dolmen identify PROJECT --write`가 그 값을 파일에 쓴다.",
         },
         RecordsUnread { survey: String } => {
             en: "The records of survey {survey} are not compared with this model here: `dolmen identify` finds their modes, and `dolmen report` holds them against it.",

@@ -33,7 +33,7 @@ messages! {
             ko: "{direction} 방향 {tilt}",
         },
         TiltUnchecked { tilts: Vec<Sentence>, survey: String } => {
-            en: "The measured tilt of {tilts} (survey {survey}) is not checked against overturning: that needs the joints' stiffness and bed widths, not all given.",
+            en: "The measured tilt of {tilts} (survey {survey}) is not checked against overturning, because the stiffness or bed width of some joints is missing.",
             ko: "실측 기울기({tilts}, {survey} 조사)에 대한 전도 검토는 하지 못하였다. 접합부 강성과 접합면 폭이 모두 있어야 한다.",
         },
         TiltUnheld { tilt: Sentence, direction: String, survey: String } => {

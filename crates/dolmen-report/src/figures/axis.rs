@@ -3,8 +3,8 @@
 use super::words::{Axes, say};
 use dolmen_words::{Language, number};
 
-/// Largest number of decades for which an axis shows all multiples of powers of ten.
-const DECADES_WITH_FIVES: f64 = 3.2;
+/// Axes of fewer decades have grid lines at all multiples 1 to 9 and labels at 1, 2, 5. Our choice.
+const DECADES_OF_DENSE_TICKS: f64 = 3.2;
 
 /// Smallest number of ticks, if at least that many are requested: a single tick shows no scale.
 const TICKS_LEAST: i64 = 2;
@@ -47,7 +47,7 @@ impl Axis {
             let first = (from / step - 1e-9).ceil() as i64;
             (first, (to / step + 1e-9).floor() as i64)
         };
-        // the finest step with about the wanted number of ticks, or the next finer one if that gives hardly any
+        // the finest step of at least the requested spacing; if it gives fewer than two ticks, the next finer step
         let coarse = steps.iter().rposition(|s| *s >= rough * 0.999).unwrap_or(0);
         let finer = (coarse..steps.len()).find(|i| {
             let (first, last) = ends(steps[*i]);
@@ -87,7 +87,7 @@ impl Axis {
         let decades = (to / from).log10();
         let named: &[u32] = match decades {
             d if d < 1.2 => &[1, 2, 3, 4, 5, 7],
-            d if d < DECADES_WITH_FIVES => &[1, 2, 5],
+            d if d < DECADES_OF_DENSE_TICKS => &[1, 2, 5],
             _ => &[1],
         };
         let mut ticks = Vec::new();
@@ -103,7 +103,7 @@ impl Axis {
                 } else {
                     String::new()
                 };
-                if !text.is_empty() || decades < DECADES_WITH_FIVES {
+                if !text.is_empty() || decades < DECADES_OF_DENSE_TICKS {
                     ticks.push(Tick { at, text });
                 }
             }

@@ -57,13 +57,13 @@ pub(super) fn history_series(lines: impl Fn(Language) -> Option<Lines>) -> Vec<S
     all
 }
 
-/// Values against each other.
+/// Two columns of a loop, such as force against displacement.
 pub(super) fn loop_series(names: [Axes; 2], values: [Vec<f64>; 2]) -> Vec<Series> {
     let each = names.iter().zip(values);
     each.map(|(name, values)| column(name, None, values)).collect()
 }
 
-/// Times from and to of parts.
+/// Start and end time of each band, and its part.
 pub(super) fn band_series(names: &[String], bands: &[(usize, [f64; 2])]) -> Vec<Series> {
     let name = |part: &usize| names.get(*part).map_or("", String::as_str);
     let parts = bands.iter().map(|(part, _)| Sentence::of_symbol(name(part)));

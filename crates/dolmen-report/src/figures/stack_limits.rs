@@ -8,12 +8,13 @@ use super::words::{Axes, Signs, Titles, say};
 use dolmen::stability::stack::{CutLimits, StackLimitStates, Threshold};
 use dolmen_words::Language;
 
-/// Approximate width and height of the plotting area, px, to keep names apart.
+/// Approximate width of the plotting area, px.
 const AREA_PX: f64 = 550.0;
 /// Space to the right of the plot.
 const RIGHT_PX: f64 = 12.0;
+/// Approximate height of the plotting area, px.
 const TALL_PX: f64 = 285.0;
-/// From this number on, names become one name and a count.
+/// Least number of names that are shortened to the first and a count.
 const NAMES_MANY: usize = 3;
 /// Distance of a name from a line above it, px.
 const BELOW_LINE_PX: f64 = 14.0;
@@ -22,8 +23,8 @@ fn finite(threshold: Option<Threshold>) -> Option<f64> {
     threshold.map(|t| t.acceleration_g).filter(|g| g.is_finite())
 }
 
-/// Name of a joint: that of the part below it.
-pub(crate) fn above_words(above: &str, language: Language) -> String {
+/// Name of a joint for a figure: that of the stones at it, shortened to one name and a count from three on.
+pub(crate) fn joint_name(above: &str, language: Language) -> String {
     let name = above.replace('\'', "");
     let all: Vec<&str> = name.split(", ").collect();
     match all.as_slice() {
@@ -36,8 +37,7 @@ pub(crate) fn above_words(above: &str, language: Language) -> String {
     }
 }
 
-/// Acceleration that moves the part above each joint, after Fig. 10 of the paper: on the slope a/g = B/H it rocks, on the horizontal line a/g = μ
-/// it slides. B/H is tan α: the distance from the centroid of the part to the nearer edge, divided by its height above the joint.
+/// Acceleration that moves the part above each joint: on the line a/g = B/H it rocks; on a horizontal line a/g = μ it slides. B/H is tan α: the distance from the centroid of the part to the nearer edge, divided by its height above the joint.
 /// `shaking` is the ground motion.
 ///
 /// # Source
@@ -71,7 +71,7 @@ pub fn stack_governing(limits: &StackLimitStates, shaking: &Shaking, language: L
     }
     let mut named: Vec<[f64; 3]> = Vec::new();
     for (rock, slide, cut) in &points {
-        let label = Label::new(above_words(&cut.above, language), Anchor::Middle).small();
+        let label = Label::new(joint_name(&cut.above, language), Anchor::Middle).small();
         let half = 0.5 * (label.width() + 8.0) * most / AREA_PX;
         let (at, shape, colour, shift) = if rock <= slide {
             ([*rock, *rock], Shape::Circle, BLUE, 12.0 + 0.5 * label.width())
@@ -121,7 +121,7 @@ pub fn stack_capacity(limits: &StackLimitStates, shaking: &Shaking, language: La
     let rows: Vec<String> = limits
         .cuts
         .iter()
-        .map(|cut| above_words(&cut.above, language))
+        .map(|cut| joint_name(&cut.above, language))
         .collect();
     let mut all: Vec<f64> = limits
         .cuts

@@ -108,7 +108,7 @@ messages! {
             ko: "'{stone}'의 측면 지지 {number}은(는) 간격이 없고 정지 상태에서 눌리지 않으며 맞은편에 같은 강성의 지지가 없어, 진동의 한쪽 반주기에만 닿는다. 계측한 것이 스프링 모델의 모드가 아니므로 접합부 강성을 추정하지 않았다. 실제 간격을 적거나 맞은편 지지를 적거나, 지지를 떼고 계측해야 한다.",
         },
         WhatPaired => {
-            en: "No factors on the springs of the joints are found: no measured mode can be told to be one of those computed. Measure shapes, or state the lowest mode of each direction.",
+            en: "No factors on the springs of the joints are found: no measured mode can be assigned to a computed one. Measure the mode shapes, or state the lowest mode of each direction.",
             ko: "어느 계측 모드도 계산 모드와 짝을 지을 수 없어 접합부 강성을 추정하지 않았다. 모드형상을 계측하거나 방향마다 최저 모드를 적어야 한다.",
         },
         WhatMode { frequency: Quantity, quantity: String, given: Quantity } => {

@@ -10,11 +10,11 @@ messages! {
     /// Findings on wind and static loads.
     pub(crate) enum Found in "loads.findings" {
         NoWind => {
-            en: "Wind is not in the file: the verdict is on weight alone, and a storm may ask for more than the beds bear.",
+            en: "Wind is not in the file: the verdict is on weight alone, and a storm may exceed the resistance of the beds.",
             ko: "파일에 풍하중이 없다. 판정은 자중만을 고려한 것이며, 폭풍은 접합면의 저항을 넘을 수 있다.",
         },
         NoWindOnFrame => {
-            en: "Wind is not in the file: the verdict is on weight alone, and a storm on roof and walls may ask for more than the storeys bear.",
+            en: "Wind is not in the file: the verdict is on weight alone, and a storm on roof and walls may exceed the resistance of the storeys.",
             ko: "파일에 풍하중이 없다. 판정은 자중만을 고려한 것이며, 지붕과 벽체가 받는 폭풍은 층의 저항을 넘을 수 있다.",
         },
         Everything => { en: "Wind and static loads as they are", ko: "주어진 풍하중·정하중" },

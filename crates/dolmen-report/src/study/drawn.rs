@@ -15,17 +15,17 @@ messages! {
     pub(crate) enum Drawn in "study.figures" {
         Capacity => { en: "Capacity against an input.", ko: "입력변수에 따른 내진성능." },
         CapacityDots => {
-            en: "Every dot one scan; medians and the range of 5 to 95 %.",
+            en: "Each dot is one scan, shown with medians and the 5–95 % range.",
             ko: "점은 증분해석 1건이며, 중앙값과 5–95 % 범위를 함께 표시하였다.",
         },
         Survived => { en: "What failed and what survived.", ko: "붕괴한 경우와 견딘 경우." },
         SurvivedDots => {
-            en: "Every dot one simulation; survived sizes can lie above ones that were not.",
-            ko: "점은 해석 1회이며, 붕괴한 크기보다 큰 지진동을 견디기도 한다.",
+            en: "Each dot is one simulation. A structure may survive a stronger motion than one under which it failed.",
+            ko: "점은 해석 1회이다. 붕괴한 지진동보다 큰 지진동을 견디기도 한다.",
         },
         Fragility => { en: "Fragility.", ko: "취약도." },
         FragilityBands => {
-            en: "The probability that a state is reached, by the peak of the ground; bands of resampled motions.",
+            en: "Probability of reaching each damage state against peak ground acceleration; bands from resampled motions.",
             ko: "최대지반가속도에 따른 손상상태 도달 확률과 지반운동 재표집에 따른 범위.",
         },
         Growth => { en: "As the shaking grows.", ko: "지진동 증가에 따른 변화." },
@@ -33,13 +33,13 @@ messages! {
             en: "Largest over the storeys, or links and joints.",
             ko: "층(또는 부재·접합면) 중 최댓값.",
         },
-        Harmonic => { en: "Rest and motion.", ko: "고착과 움직임." },
+        Harmonic => { en: "Sticking and moving.", ko: "고착과 움직임." },
         HarmonicShare => {
             en: "Share of the time in which a storey slips, or a joint opens or slips, under a harmonic ground.",
             ko: "조화 지반운동에서 층이 미끄러지거나 접합면이 벌어지거나 미끄러지는 시간의 비율.",
         },
         Release => { en: "Let go from a large displacement.", ko: "큰 변위에서의 자유진동." },
-        ReleaseDots => { en: "Each dot one swing.", ko: "점은 반주기 1회." },
+        ReleaseDots => { en: "Each dot is one half-cycle.", ko: "점은 반주기 1회." },
     }
 }
 

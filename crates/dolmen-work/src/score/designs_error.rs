@@ -1,4 +1,4 @@
-//! Why a table of designs is refused.
+//! Errors of a table of designs.
 
 use dolmen_words::message::Both;
 
@@ -21,7 +21,7 @@ pub enum ScoreDesignsError {
         /// The expected content.
         wanted: Both,
     },
-    /// The text is no table.
+    /// The text is not a table.
     Table {
         /// The reader's error.
         why: String,

@@ -1,8 +1,10 @@
+//! What a run does after a stone has fallen.
+
 /// Continuation of a run after a stone has fallen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AfterFall {
-    /// End at the fall, as studies need.
+    /// Stop at the fall (studies).
     Stop,
-    /// Continue to the end, as films need.
+    /// Run to the end (animations).
     Continue,
 }

@@ -5,7 +5,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use pulp::{Simd, bytemuck};
-use std::ops::{Add, BitOr, Mul, Not, Sub};
+use std::ops::{Add, BitOr, Div, Mul, Not, Sub};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Real<S: Simd>(pub(super) S, pub(super) S::f64s);
@@ -43,14 +43,7 @@ macro_rules! by_lane {
 by_lane!(Add, add, add_f64s);
 by_lane!(Sub, sub, sub_f64s);
 by_lane!(Mul, mul, mul_f64s);
-
-impl<S: Simd> std::ops::Div for Real<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        Real(self.0, self.0.div_f64s(self.1, other.1))
-    }
-}
+by_lane!(Div, div, div_f64s);
 
 impl<S: Simd> std::ops::Neg for Real<S> {
     type Output = Self;

@@ -34,7 +34,7 @@ pub enum JointFactorsError {
     },
     /// No measured mode can be paired with certainty.
     #[error(
-        "none of the measured modes can be told to be one of those of the stack: measure their shapes, or state the lowest of each direction"
+        "no measured mode can be assigned to a mode of the stack: measure the mode shapes, or state which measured mode is the lowest in each direction"
     )]
     NonePaired {
         /// The modes and the reasons.

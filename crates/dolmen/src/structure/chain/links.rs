@@ -58,8 +58,8 @@ impl Link {
 /// the joints is not included, because it is the unknown of the identification.
 ///
 /// # Limits
-/// Small rotations; rigid links; joints that transmit moments in both directions (no opening). A chain without its
-/// cap stone is unsafe: add the mass of the cap to the top link.
+/// Small rotations; rigid links; joints that transmit moments in both directions (no opening). Leaving out
+/// the cap stone errs on the unsafe side: add its mass to the top link.
 ///
 /// # Example
 /// ```

@@ -3,8 +3,13 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | φ | `displacement` | shape, Y of each level, any scale | – |
-//! | q | `force` | ω² M φ + K_G φ − K_ties φ: forces in the storey springs | – · N/m |
-//! | e_i | `extension` | drift of storey i (or its displacement, if grounded) | – |
+//! | q | `force` | ω² M φ + K_G φ − K_ties φ: forces in the storey springs | N/m × unit of φ |
+//! | e_i | `extension` | drift of storey i (or its displacement, if grounded) | unit of φ |
+//! | k_i | result | stiffness of storey i | N/m |
+//! | κ_i | | stiffness of storey i if no axial force acted | N/m |
+//! | m_j | `mass_kg` | mass of level j | kg |
+//! | N_i | `axial_n` | axial force of storey i | N |
+//! | l_i | `height_m` | height of storey i | m |
 
 use super::storeys::{Convention, Frame};
 use crate::structure::StructureError;
