@@ -290,6 +290,35 @@ fn refuses_nothing_and_finds_nothing_in_short_or_still_records() {
     }
 }
 
+#[test]
+fn holds_an_earthquake_along_one_axis_is_found_and_one_sensor_of_each_axis_is_not() {
+    let made = MadeEarthquake::default();
+    let shaken = made.make().unwrap();
+    let still = MadeEarthquake {
+        peak_m_s2: 0.0,
+        seed: 2,
+        ..made
+    };
+    let still = still.make().unwrap();
+    let record = |is_shaken: fn(usize) -> bool| {
+        let channels = (0..6).map(|c| Channel {
+            direction: Some([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]][c / 3]),
+            quantity: Quantity::Acceleration,
+            ..Channel::named(format!("{c}"))
+        });
+        let samples = (0..6).map(|c| {
+            if is_shaken(c) { &shaken } else { &still }
+                .samples(c % 3)
+                .to_vec()
+        });
+        Record::new(channels.collect(), samples.collect(), shaken.sampling_rate_hz()).unwrap()
+    };
+    let found = earthquake_in(&record(|c| c < 3), &[]).unwrap();
+    assert!((found.arrival_s - 150.0).abs() < 2.0 && found.ends, "{found:?}");
+    assert_eq!(earthquake_in(&record(|c| c % 3 == 2), &[]), None);
+    assert_eq!(earthquake_in(&record(|_| false), &[]), None);
+}
+
 /// El Centro at 100 Hz, g.
 fn el_centro_g() -> Vec<f64> {
     let text = include_str!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv");

@@ -3,7 +3,8 @@
 use super::features::{Features, features};
 use super::levels::Levels;
 use super::shaking::{Shaking, ShakingKind};
-use crate::signal::Record;
+use crate::numeric::inner;
+use crate::signal::{Record, leave_out};
 
 /// Least value of the largest score. Among 200 simulated records with lorries, gusts and footsteps the highest score is 11.5, and 9.8 for those with
 /// an equally sudden onset. Among 100 simulated earthquakes of at least 20 times the noise the lowest is 12.7. Our choice.
@@ -43,6 +44,9 @@ const LOW_GROWTH_LEAST: f64 = 4.0;
 pub(super) const SURE_M_S2: f64 = 0.5;
 /// Largest number of motions that are examined. A record of a swarm may have as many; it is not ambient vibration in any case.
 const MOTIONS_MOST: usize = 30;
+/// Least cosine between two sensors along one axis, and fewest sensors along it that can show an earthquake by themselves. Our choice.
+const ALONG: f64 = 0.99;
+const ALONG_LEAST: usize = 2;
 
 /// The earthquake in a record; the strongest relative to the noise if there are several. `None` for ambient vibration.
 ///
@@ -57,7 +61,8 @@ pub fn earthquake_in(record: &Record, inputs: &[usize]) -> Option<Shaking> {
 /// The earthquakes in a record, by time; none in ambient vibration. Lost parts, `lost_s`, s, are not examined.
 ///
 /// ```text
-/// s_k ≥ 11 in the peak                on all channels (of four or more, a quarter may miss it): no spike, no blow beside one sensor
+/// s_k ≥ 11 in the peak                on all channels (of four or more, a quarter may miss it), or on those along one axis, if there are two of
+///                                     them: no spike, no blow beside one sensor
 /// s_k of medians, not of squares      footfalls and spikes fill too little of a second
 /// s_(k+4) / s_k ≥ 3.5                 within two seconds; not required for s_k ≥ 100, or for 0.1 m/s² or 5 mm/s in more than a few lines
 /// not: all channels have their peak within 2 s, none grows again by 3, all power in a few lines     a released rope, a hammer
@@ -79,6 +84,64 @@ pub fn earthquake_in(record: &Record, inputs: &[usize]) -> Option<Shaking> {
 /// Ratio of a short to a long average: Allen (1978) Bull. Seism. Soc. Am. 68(5):1521-1532. Differs from the source: medians over all channels, and
 /// the tests of growth and decay.
 pub fn earthquakes_in(record: &Record, inputs: &[usize], lost_s: &[[f64; 2]]) -> Vec<Shaking> {
+    let mut found = motions_in(record, inputs, lost_s);
+    for along in axes(record) {
+        let is_other = |c: &usize| !along.contains(c);
+        let others = (0..record.channels().len()).filter(is_other);
+        let others: Vec<&str> = others.map(|c| record.channels()[c].name.as_str()).collect();
+        let Ok(alone) = leave_out(record.clone(), &others) else {
+            continue;
+        };
+        let place = |c: &usize| along.iter().position(|own| own == c);
+        let inputs: Vec<usize> = inputs.iter().filter_map(place).collect();
+        for motion in motions_in(&alone, &inputs, lost_s) {
+            let meets = |of: &&mut Shaking| motion.arrival_s < of.end_s && of.arrival_s < motion.end_s;
+            match found
+                .iter_mut()
+                .filter(meets)
+                .max_by(|a, b| a.end_s.total_cmp(&b.end_s))
+            {
+                Some(same) if same.end_s < motion.end_s => {
+                    (same.end_s, same.ends) = (motion.end_s, motion.ends);
+                }
+                Some(_) => {}
+                None => found.push(motion),
+            }
+        }
+    }
+    found.sort_by(|a, b| a.arrival_s.total_cmp(&b.arrival_s));
+    // what still moves along one axis ends where the next motion begins
+    for at in 1..found.len() {
+        let next_s = found[at].arrival_s;
+        if found[at - 1].end_s > next_s {
+            (found[at - 1].end_s, found[at - 1].ends) = (next_s, true);
+        }
+    }
+    found
+}
+
+/// The channels along each axis, where there are several axes and several channels along one: a blow beside one sensor moves one channel of each
+/// axis.
+fn axes(record: &Record) -> Vec<Vec<usize>> {
+    let mut all: Vec<Vec<usize>> = Vec::new();
+    let channels = record.channels();
+    for (c, channel) in channels.iter().enumerate() {
+        let Some(own) = channel.direction else { continue };
+        let is_along = |of: &Vec<usize>| {
+            let other = channels[of[0]].direction.unwrap_or(own);
+            inner(&own, &other).abs() >= ALONG * (inner(&own, &own) * inner(&other, &other)).sqrt()
+        };
+        match all.iter_mut().find(|of| is_along(of)) {
+            Some(along) => along.push(c),
+            None => all.push(vec![c]),
+        }
+    }
+    all.retain(|along| along.len() >= ALONG_LEAST && along.len() < channels.len());
+    all
+}
+
+/// The earthquakes that move all channels of a record, in any order.
+fn motions_in(record: &Record, inputs: &[usize], lost_s: &[[f64; 2]]) -> Vec<Shaking> {
     let Some(mut levels) = Levels::of(record, lost_s) else {
         return Vec::new();
     };
@@ -101,15 +164,11 @@ pub fn earthquakes_in(record: &Record, inputs: &[usize], lost_s: &[[f64; 2]]) ->
         true => ShakingKind::Earthquake,
         false => ShakingKind::EarthquakeOrTraffic,
     };
-    let mut found: Vec<Shaking> = all
-        .into_iter()
-        .map(|of| Shaking {
-            kind: kind(&of),
-            ..of.shaking
-        })
-        .collect();
-    found.sort_by(|a, b| a.arrival_s.total_cmp(&b.arrival_s));
-    found
+    let found = all.into_iter().map(|of| Shaking {
+        kind: kind(&of),
+        ..of.shaking
+    });
+    found.collect()
 }
 
 /// Whether the motion is strong and long enough, and not a free decay.

@@ -6,7 +6,7 @@ use super::part::Part;
 use super::parts::{During, LastingChange, changes, during, quiet};
 use super::peaks::{Strength, StrongChannel};
 use super::shaking::{Shaking, ShakingKind};
-use super::wind::is_pushed;
+use super::wind::{Cause, cause};
 use crate::modal::options::Identify;
 use crate::modal::{Method, Modes};
 use crate::signal::{Quantity, Record};
@@ -183,16 +183,21 @@ pub fn strong_motion(record: &Record, options: &Identify, losses: &Losses) -> Op
         let near = near.or_else(|| (0..=last).find_map(modes));
         let channels = strength.channels(at);
         let peaks = channels.iter().filter_map(|of| of.peak_acceleration_m_s2);
-        let is_pushed = peaks.fold(0.0, f64::max) < SURE_M_S2
-            && near.is_some_and(|modes| is_pushed((record, losses), shaking, modes));
+        // a part may miss the lowest mode, so none may speak of a force
+        let causes: Vec<Cause> = (0..=last)
+            .filter_map(modes)
+            .map(|modes| cause((record, losses), shaking, modes))
+            .collect();
+        let is_carried = causes.contains(&Cause::Ground) && !causes.contains(&Cause::Force);
+        let is_sure = is_carried || peaks.fold(0.0, f64::max) >= SURE_M_S2;
         StrongEvent {
             channels,
             during: during((record, losses), options, shaking, near),
             changes: both(at, at + 1),
             shaking: Shaking {
-                kind: match is_pushed {
-                    true => ShakingKind::EarthquakeOrTraffic,
-                    false => shaking.kind,
+                kind: match is_sure {
+                    true => shaking.kind,
+                    false => ShakingKind::EarthquakeOrTraffic,
                 },
                 ..shaking.clone()
             },

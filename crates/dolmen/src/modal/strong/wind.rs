@@ -24,15 +24,26 @@ const ALONG: f64 = 0.99;
 const APART: f64 = 0.75;
 const LINES_LEAST: usize = 4;
 
-/// Whether a force such as wind drives the structure, instead of the ground. Far below the lowest mode, a force moves the channels in proportion
-/// to the mode shape, a ground motion moves them equally. `false` if the record cannot decide.
+/// Cause of a strong motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cause {
+    /// The ground moves the structure.
+    Ground,
+    /// A force on the structure, such as wind.
+    Force,
+    /// The record cannot decide.
+    Unclear,
+}
+
+/// Whether the ground drives the structure, or a force such as wind. Far below the lowest mode, a force moves the channels in proportion to the
+/// mode shape, a ground motion moves them equally.
 ///
 /// ```text
 /// carried by the ground   r_c = (1 + Γ φ_c h) / (1 + Γ φ_k h),  h = (f/f_1)² / (1 − (f/f_1)²) ≤ 1/3
 /// pushed by wind          r_c = φ_c / φ_k
 /// ```
-pub(super) fn is_pushed((record, losses): (&Record, &Losses), shaking: &Shaking, modes: &Modes) -> bool {
-    let pushed = || -> Option<bool> {
+pub(super) fn cause((record, losses): (&Record, &Losses), shaking: &Shaking, modes: &Modes) -> Cause {
+    let decided = || -> Option<Cause> {
         let mode = modes.modes.first()?;
         let [low_hz, high_hz] = BELOW.map(|of| of * mode.frequency_hz);
         let span_s = losses.whole_within([shaking.arrival_s, shaking.strong_to_s]);
@@ -57,9 +68,12 @@ pub(super) fn is_pushed((record, losses): (&Record, &Losses), shaking: &Shaking,
             carried += (follows - 1.0).powi(2);
             pushed += (follows - shape).powi(2);
         }
-        Some(pushed < carried)
+        Some(match pushed < carried {
+            true => Cause::Force,
+            false => Cause::Ground,
+        })
     };
-    pushed().unwrap_or(false)
+    decided().unwrap_or(Cause::Unclear)
 }
 
 /// The channel with the largest motion in a mode, and the parallel channels with much smaller motion, which make the two cases differ; `None` if
